@@ -1,0 +1,15 @@
+//! homolog finds homologous points of two anatomical surfaces: a dense correspondence and a rigid transform.
+//!
+//! The modules in reading order, by layer. Each knows only those above it, as far as ARCHITECTURE.md allows.
+//!
+//! Numerics (no runtime, no database, no HTTP, no clock, no files): [`observe`], [`mesh`], [`matching`].
+//! Inputs: [`intake`]. One match from bytes to the result document: [`run`].
+
+pub mod observe;
+
+pub mod mesh;
+
+pub mod intake;
+pub mod matching;
+
+pub mod run;

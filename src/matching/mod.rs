@@ -1,0 +1,65 @@
+//! The pipeline: two surfaces in, a dense correspondence and a rigid transform out.
+
+pub mod parameters;
+pub mod result;
+
+use crate::intake::PreparedSurface;
+use crate::observe::{Cancelled, Observer};
+use parameters::MatchParameters;
+use result::{
+    ConsistencyDocument, Correspondences, EnergyDocument, StopReason, SupportDocument, SurfaceDistanceDocument,
+    TransformDocument,
+};
+
+/// What [`match_surfaces`] found; the caller adds timings and provenance to make a [`result::ResultDocument`].
+#[derive(Debug, Clone, PartialEq)]
+pub struct MatchOutcome {
+    /// The rigid transform.
+    pub transform: TransformDocument,
+    /// Its support.
+    pub support: SupportDocument,
+    /// Distance of the registered surfaces.
+    pub surface_distance: SurfaceDistanceDocument,
+    /// Energies.
+    pub energy: EnergyDocument,
+    /// Quality of the map.
+    pub topology: ConsistencyDocument,
+    /// The dense correspondence.
+    pub correspondences: Correspondences,
+    /// Why inference ended.
+    pub stop_reason: StopReason,
+}
+
+/// Why a match has no result.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum MatchError {
+    /// The observer asked to stop.
+    #[error(transparent)]
+    Cancelled(#[from] Cancelled),
+    /// No transform had three inliers.
+    #[error("no rigid transform is supported by three correspondences within {tolerance_mm} mm")]
+    NoRegistration {
+        /// Tolerance of an inlier, mm.
+        tolerance_mm: f64,
+    },
+    /// The heat flow that smooths the surface could not be solved.
+    #[error("curvature at scale {scale_mm} mm could not be computed: the surface has degenerate faces")]
+    ScaleSpace {
+        /// Scale, mm.
+        scale_mm: f64,
+    },
+}
+
+/// Matches `source` to `target` and registers them.
+///
+/// # Errors
+/// [`MatchError`].
+pub fn match_surfaces(
+    source: &PreparedSurface,
+    target: &PreparedSurface,
+    parameters: &MatchParameters,
+    observer: &dyn Observer,
+) -> Result<MatchOutcome, MatchError> {
+    let _ = (source, target, parameters, observer);
+    Err(MatchError::NoRegistration { tolerance_mm: 0.0 })
+}

@@ -1,0 +1,61 @@
+//! Closest points on the triangles of a surface.
+
+use super::SurfaceMesh;
+use nalgebra::Point3;
+use parry3d_f64::math::Vector;
+use parry3d_f64::query::PointQueryWithLocation;
+use parry3d_f64::shape::TriMesh;
+
+/// Answers closest-point queries against the triangles of one surface (quads cut along a diagonal).
+pub struct ClosestPointIndex {
+    tree: TriMesh,
+    triangles: Vec<[u32; 3]>,
+}
+
+/// The point of a surface that is closest to a query point.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ClosestPoint {
+    /// The point, mm.
+    pub point: Point3<f64>,
+    /// The triangle it lies on, by its corners.
+    pub triangle: [u32; 3],
+    /// Its barycentric coordinates there, in the order of the corners.
+    pub barycentric: [f64; 3],
+}
+
+impl ClosestPoint {
+    /// The corner of the triangle with the largest barycentric coordinate; the lowest index where two are equal.
+    pub fn nearest_corner(&self) -> u32 {
+        let mut best = 0;
+        for k in 1..3 {
+            let more = self.barycentric[k] > self.barycentric[best];
+            let tie = self.barycentric[k] == self.barycentric[best] && self.triangle[k] < self.triangle[best];
+            if more || tie {
+                best = k;
+            }
+        }
+        self.triangle[best]
+    }
+}
+
+impl ClosestPointIndex {
+    /// A bounding-volume tree over the triangles of `mesh`; `O(n log n)`. `None` if the mesh has no triangle.
+    pub fn new(mesh: &SurfaceMesh) -> Option<Self> {
+        let vertices = mesh.vertices().iter().map(|p| Vector::new(p.x, p.y, p.z)).collect();
+        let triangles = mesh.triangles();
+        let tree = TriMesh::new(vertices, triangles.clone()).ok()?;
+        Some(ClosestPointIndex { tree, triangles })
+    }
+
+    /// The closest point of the surface; `O(log n)` on surfaces.
+    pub fn closest(&self, query: &Point3<f64>) -> ClosestPoint {
+        let at = Vector::new(query.x, query.y, query.z);
+        let (projection, (id, location)) = self.tree.project_local_point_and_get_location(at, false);
+        let barycentric = location.barycentric_coordinates().unwrap_or([1.0, 0.0, 0.0]);
+        ClosestPoint {
+            point: Point3::new(projection.point.x, projection.point.y, projection.point.z),
+            triangle: self.triangles[id as usize],
+            barycentric,
+        }
+    }
+}

@@ -1,0 +1,188 @@
+//! Surface meshes in millimetres: vertices, triangle or quad faces, and what is measured on them.
+//!
+//! [`SurfaceMesh`] is the one form in which a surface travels through the program. It is valid by
+//! construction (finite coordinates, indices in range, no face that uses a vertex twice); whether it is
+//! closed, manifold and of genus 0 is a question for [`topology`], and what can be mended is mended by
+//! [`repair`].
+
+mod canonical;
+mod closest;
+mod geometry;
+mod graph;
+
+pub mod topology;
+
+pub use canonical::{CanonicalMesh, canonicalize};
+pub use closest::{ClosestPoint, ClosestPointIndex};
+pub use graph::{EdgeGraph, LabelNeighborhoods};
+
+use nalgebra::Point3;
+
+/// A surface: `n` vertices in millimetres and faces of one arity (3 or 4), counter-clockwise seen from outside.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SurfaceMesh {
+    vertices: Vec<Point3<f64>>,
+    arity: FaceArity,
+    indices: Vec<u32>,
+}
+
+/// How many corners every face of a mesh has.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum FaceArity {
+    /// Triangles.
+    Triangle,
+    /// Quads, as the boundary faces of voxels.
+    Quad,
+}
+
+impl FaceArity {
+    /// 3 or 4.
+    pub fn n_corners(self) -> usize {
+        match self {
+            FaceArity::Triangle => 3,
+            FaceArity::Quad => 4,
+        }
+    }
+}
+
+/// Why vertices and faces do not make a mesh.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum MeshError {
+    /// No vertices or no faces.
+    #[error("the mesh has {n_vertices} vertices and {n_faces} faces; both must be more than none")]
+    Empty {
+        /// Vertices found.
+        n_vertices: usize,
+        /// Faces found.
+        n_faces: usize,
+    },
+    /// A coordinate is NaN or infinite.
+    #[error("vertex {vertex} has a coordinate that is not a finite number")]
+    NonFinite {
+        /// Index of the vertex.
+        vertex: usize,
+    },
+    /// A face names a vertex that does not exist.
+    #[error("face {face} names vertex {vertex}, but there are only {n_vertices}")]
+    IndexOutOfRange {
+        /// Index of the face.
+        face: usize,
+        /// The index it names.
+        vertex: u64,
+        /// Vertices there are.
+        n_vertices: usize,
+    },
+    /// A face uses one vertex twice.
+    #[error("face {face} uses vertex {vertex} more than once")]
+    RepeatedCorner {
+        /// Index of the face.
+        face: usize,
+        /// The repeated vertex.
+        vertex: u32,
+    },
+    /// The number of indices is no multiple of the number of corners of a face.
+    #[error("{n_indices} face indices do not divide into faces of {n_corners} corners")]
+    RaggedFaces {
+        /// Indices given.
+        n_indices: usize,
+        /// Corners of a face.
+        n_corners: usize,
+    },
+}
+
+impl SurfaceMesh {
+    /// A mesh from vertices (mm) and a flat list of face corners, `arity` indices a face.
+    ///
+    /// # Errors
+    /// [`MeshError`]: empty, a coordinate that is not finite, an index out of range, a face that uses a vertex twice.
+    ///
+    /// # Cost
+    /// `O(vertices + faces)`.
+    pub fn new(vertices: Vec<Point3<f64>>, arity: FaceArity, indices: Vec<u32>) -> Result<Self, MeshError> {
+        let n_corners = arity.n_corners();
+        if !indices.len().is_multiple_of(n_corners) {
+            return Err(MeshError::RaggedFaces { n_indices: indices.len(), n_corners });
+        }
+        if vertices.is_empty() || indices.is_empty() {
+            return Err(MeshError::Empty { n_vertices: vertices.len(), n_faces: indices.len() / n_corners });
+        }
+        if let Some(vertex) = vertices.iter().position(|p| !p.iter().all(|c| c.is_finite())) {
+            return Err(MeshError::NonFinite { vertex });
+        }
+        for (face, corners) in indices.chunks_exact(n_corners).enumerate() {
+            for (k, &v) in corners.iter().enumerate() {
+                if v as usize >= vertices.len() {
+                    return Err(MeshError::IndexOutOfRange { face, vertex: v.into(), n_vertices: vertices.len() });
+                }
+                if corners[..k].contains(&v) {
+                    return Err(MeshError::RepeatedCorner { face, vertex: v });
+                }
+            }
+        }
+        Ok(SurfaceMesh { vertices, arity, indices })
+    }
+
+    /// Vertex positions, mm.
+    pub fn vertices(&self) -> &[Point3<f64>] {
+        &self.vertices
+    }
+
+    /// Number of vertices.
+    pub fn n_vertices(&self) -> usize {
+        self.vertices.len()
+    }
+
+    /// Number of faces.
+    pub fn n_faces(&self) -> usize {
+        self.indices.len() / self.arity.n_corners()
+    }
+
+    /// Corners of every face.
+    pub fn arity(&self) -> FaceArity {
+        self.arity
+    }
+
+    /// All face corners in one list, [`FaceArity::n_corners`] a face.
+    pub fn indices(&self) -> &[u32] {
+        &self.indices
+    }
+
+    /// The faces, each a slice of 3 or 4 vertex indices.
+    pub fn faces(&self) -> impl ExactSizeIterator<Item = &[u32]> + Clone {
+        self.indices.chunks_exact(self.arity.n_corners())
+    }
+
+    /// The same faces over other positions, one for each vertex.
+    ///
+    /// # Errors
+    /// [`MeshError::NonFinite`]; [`MeshError::IndexOutOfRange`] if there are fewer positions than vertices.
+    pub fn with_vertices(&self, vertices: Vec<Point3<f64>>) -> Result<Self, MeshError> {
+        SurfaceMesh::new(vertices, self.arity, self.indices.clone())
+    }
+
+    /// The mesh moved by `p' = R p + t`.
+    pub fn transformed(&self, motion: &nalgebra::Isometry3<f64>) -> Self {
+        let vertices = self.vertices.iter().map(|p| motion * p).collect();
+        SurfaceMesh { vertices, arity: self.arity, indices: self.indices.clone() }
+    }
+
+    /// The faces as triangles: as they are, or every quad cut along its first diagonal.
+    pub fn triangles(&self) -> Vec<[u32; 3]> {
+        match self.arity {
+            FaceArity::Triangle => self.faces().map(|f| [f[0], f[1], f[2]]).collect(),
+            FaceArity::Quad => self.faces().flat_map(|f| [[f[0], f[1], f[2]], [f[0], f[2], f[3]]]).collect(),
+        }
+    }
+
+    /// Every undirected edge once, as `[low, high]`, in ascending order.
+    pub fn edges(&self) -> Vec<[u32; 2]> {
+        let mut edges: Vec<[u32; 2]> = self
+            .faces()
+            .flat_map(|f| (0..f.len()).map(move |k| (f[k], f[(k + 1) % f.len()])))
+            .map(|(a, b)| [a.min(b), a.max(b)])
+            .collect();
+        edges.sort_unstable();
+        edges.dedup();
+        edges
+    }
+}

@@ -1,0 +1,191 @@
+//! One match from uploaded bytes to the result document: what a worker and the command line both do.
+//!
+//! The numerics know no clock; this is where their phases are timed and their outcome gets its provenance.
+
+use crate::intake::{IntakeError, IntakeLimits, PreparedSurface, prepare_surface};
+use crate::matching::parameters::MatchParameters;
+use crate::matching::result::{InputProvenance, Provenance, ResultDocument};
+use crate::matching::{MatchError, match_surfaces};
+use crate::mesh::SurfaceMesh;
+use crate::observe::{Cancelled, Observer, Phase, TracePoint};
+use std::collections::BTreeMap;
+use std::sync::{Mutex, PoisonError};
+use std::time::Instant;
+
+/// One input of a match: the bytes as uploaded.
+#[derive(Debug, Clone, Copy)]
+pub struct InputFile<'a> {
+    /// The whole file.
+    pub bytes: &'a [u8],
+    /// Its name, where known; helps only where the bytes alone do not tell the format.
+    pub name: Option<&'a str>,
+}
+
+/// Which of the two inputs.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Side {
+    /// The surface that moves.
+    Source,
+    /// The surface that stays.
+    Target,
+}
+
+impl Side {
+    /// The name used in JSON and in forms.
+    pub fn name(self) -> &'static str {
+        match self {
+            Side::Source => "source",
+            Side::Target => "target",
+        }
+    }
+}
+
+/// What a finished run leaves.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RunOutput {
+    /// The result document, correspondences included.
+    pub document: ResultDocument,
+    /// The source surface whose vertices the correspondences count, unless they count those of the uploaded mesh.
+    pub source: SurfaceMesh,
+    /// The target surface, likewise.
+    pub target: SurfaceMesh,
+}
+
+/// Why a run has no result.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum RunError {
+    /// An input was refused.
+    #[error("{}: {error}", side.name())]
+    Input {
+        /// Which.
+        side: Side,
+        /// Why.
+        error: IntakeError,
+    },
+    /// The match found nothing.
+    #[error(transparent)]
+    Match(#[from] MatchError),
+}
+
+/// Content address of a file: `blake3:` and 64 hexadecimal digits.
+pub fn content_hash(bytes: &[u8]) -> String {
+    format!("blake3:{}", blake3::hash(bytes).to_hex())
+}
+
+/// Reads both inputs, matches them, and writes the result document.
+///
+/// # Errors
+/// [`RunError`].
+pub fn run_match(
+    source: InputFile<'_>,
+    target: InputFile<'_>,
+    parameters: &MatchParameters,
+    limits: &IntakeLimits,
+    observer: &dyn Observer,
+) -> Result<RunOutput, RunError> {
+    let timed = PhaseTimer::new(observer);
+    timed.phase(Phase::Reading);
+    let prepare = |side, file: InputFile<'_>| {
+        prepare_surface(file.bytes, file.name, &parameters.input, limits)
+            .map_err(|error| RunError::Input { side, error })
+    };
+    let (prepared_source, prepared_target) =
+        rayon::join(|| prepare(Side::Source, source), || prepare(Side::Target, target));
+    let (prepared_source, prepared_target) = (prepared_source?, prepared_target?);
+    let outcome = match_surfaces(&prepared_source, &prepared_target, parameters, &timed)?;
+    let provenance = Provenance {
+        version: env!("CARGO_PKG_VERSION").to_owned(),
+        commit: option_env!("HOMOLOG_COMMIT").unwrap_or("unknown").to_owned(),
+        parameters: parameters.clone(),
+        seed: parameters.seed,
+        source: input_provenance(source, &prepared_source),
+        target: input_provenance(target, &prepared_target),
+    };
+    let document = ResultDocument {
+        transform: outcome.transform,
+        support: outcome.support,
+        surface_distance: outcome.surface_distance,
+        energy: outcome.energy,
+        topology: outcome.topology,
+        correspondences: Some(outcome.correspondences),
+        stop_reason: outcome.stop_reason,
+        timings_ms: timed.finish(),
+        provenance,
+    };
+    Ok(RunOutput { document, source: prepared_source.mesh, target: prepared_target.mesh })
+}
+
+fn input_provenance(file: InputFile<'_>, prepared: &PreparedSurface) -> InputProvenance {
+    InputProvenance {
+        hash: content_hash(file.bytes),
+        n_vertices: prepared.mesh.n_vertices() as u32,
+        n_faces: prepared.mesh.n_faces() as u32,
+        report: prepared.report.clone(),
+    }
+}
+
+/// Passes everything on and adds up the time spent in each phase.
+struct PhaseTimer<'a> {
+    observer: &'a dyn Observer,
+    clock: Mutex<PhaseClock>,
+}
+
+struct PhaseClock {
+    started: Instant,
+    current: Option<(Phase, Instant)>,
+    spent_ms: BTreeMap<String, f64>,
+}
+
+impl PhaseClock {
+    fn close(&mut self, now: Instant) {
+        if let Some((phase, since)) = self.current.take() {
+            *self.spent_ms.entry(phase.name().to_owned()).or_default() += milliseconds(now - since);
+        }
+    }
+}
+
+fn milliseconds(duration: std::time::Duration) -> f64 {
+    (duration.as_secs_f64() * 1e6).round() / 1e3
+}
+
+impl<'a> PhaseTimer<'a> {
+    fn new(observer: &'a dyn Observer) -> Self {
+        let clock = PhaseClock { started: Instant::now(), current: None, spent_ms: BTreeMap::new() };
+        PhaseTimer { observer, clock: Mutex::new(clock) }
+    }
+
+    fn finish(self) -> BTreeMap<String, f64> {
+        let mut clock = self.clock.into_inner().unwrap_or_else(PoisonError::into_inner);
+        let now = Instant::now();
+        clock.close(now);
+        clock.spent_ms.insert("total".to_owned(), milliseconds(now - clock.started));
+        clock.spent_ms
+    }
+}
+
+impl Observer for PhaseTimer<'_> {
+    fn phase(&self, phase: Phase) {
+        let now = Instant::now();
+        let mut clock = self.clock.lock().unwrap_or_else(PoisonError::into_inner);
+        clock.close(now);
+        clock.current = Some((phase, now));
+        drop(clock);
+        self.observer.phase(phase);
+    }
+    fn progress(&self, fraction: f64) {
+        self.observer.progress(fraction);
+    }
+    fn trace(&self, point: &TracePoint) {
+        self.observer.trace(point);
+    }
+    fn is_cancelled(&self) -> bool {
+        self.observer.is_cancelled()
+    }
+}
+
+impl RunError {
+    /// Whether the observer asked for the end.
+    pub fn is_cancelled(&self) -> bool {
+        matches!(self, RunError::Match(MatchError::Cancelled(Cancelled)))
+    }
+}

@@ -5,9 +5,15 @@
 //! Numerics (no runtime, no database, no HTTP, no clock, no files): [`observe`], [`mesh`], [`matching`].
 //! Inputs: [`intake`]. One match from bytes to the result document: [`run`].
 
+pub mod graph;
 pub mod observe;
 
 pub mod mesh;
+
+pub mod curvature;
+pub mod inference;
+pub mod mrf;
+pub mod registration;
 
 pub mod intake;
 pub mod matching;

@@ -80,8 +80,7 @@ impl<'a> ScaleSpace<'a> {
         let v = self.mesh.vertices();
         let right_side = Mat::from_fn(n, 3, |i, k| self.areas[i] * (v[i][k] - center[k]));
         let smoothed = factor.solve(&right_side);
-        let vertices =
-            (0..n).map(|i| Point3::from(std::array::from_fn(|k| smoothed[(i, k)] + center[k]))).collect();
+        let vertices = (0..n).map(|i| Point3::from(std::array::from_fn(|k| smoothed[(i, k)] + center[k]))).collect();
         self.mesh.with_vertices(vertices).map_err(|_| failed)
     }
 }

@@ -295,9 +295,7 @@ impl Kernel<'_> {
         let Scratch { cavity, updated, .. } = scratch;
         let floor = largest.map(|top| top * epsilon);
         let top = match self.options.product {
-            Product::Max if self.model.pairwise.beta == 0.0 => {
-                max_update_uniform(self.table, cavity, &floor, updated)
-            }
+            Product::Max if self.model.pairwise.beta == 0.0 => max_update_uniform(self.table, cavity, &floor, updated),
             Product::Max => max_update(self.table, cavity, (near, far), &floor, updated),
             Product::Sum => sum_update(self.table, cavity, (near, far), epsilon, updated),
         };

@@ -83,12 +83,7 @@ impl Scratch {
     /// Room for `stride` labels.
     pub fn new(stride: usize) -> Self {
         let zero = [0.0; LANES];
-        Scratch {
-            cavity: vec![zero; stride],
-            updated: vec![zero; stride],
-            forward: Vec::new(),
-            backward: Vec::new(),
-        }
+        Scratch { cavity: vec![zero; stride], updated: vec![zero; stride], forward: Vec::new(), backward: Vec::new() }
     }
 }
 

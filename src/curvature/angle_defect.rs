@@ -3,7 +3,7 @@
 //! Source: Meyer, Desbrun, Schröder, Barr, "Discrete differential-geometry operators for triangulated
 //! 2-manifolds", 2003: angle defect over mixed Voronoi area, mean curvature normal by cotangents.
 
-use super::laplacian::laplacian_of_positions;
+use super::laplacian::{both_triangulations, laplacian_of_positions};
 use crate::mesh::{FaceArity, SurfaceMesh};
 use nalgebra::{Point3, Vector3};
 use std::f64::consts::{FRAC_PI_2, TAU};
@@ -56,11 +56,18 @@ pub fn vertex_areas(mesh: &SurfaceMesh) -> Vec<f64> {
 pub fn gaussian_curvature(mesh: &SurfaceMesh) -> Vec<f64> {
     let v = mesh.vertices();
     let mut defect = vec![TAU; mesh.n_vertices()];
-    for face in mesh.faces() {
-        let n = face.len();
-        for k in 0..n {
-            let [at, next, last] = [face[k], face[(k + 1) % n], face[(k + n - 1) % n]].map(|k| &v[k as usize]);
-            defect[face[k] as usize] -= corner_angle(at, next, last);
+    // A triangle once whole; a quad as the mean of its two triangulations, so that the corners of a skew quad, too,
+    // sum to 2π. On a flat quad that is its own corner angle.
+    let mut subtract = |corners: [u32; 3], share: f64| {
+        for k in 0..3 {
+            let [at, next, last] = [corners[k], corners[(k + 1) % 3], corners[(k + 2) % 3]].map(|c| &v[c as usize]);
+            defect[corners[k] as usize] -= share * corner_angle(at, next, last);
+        }
+    };
+    for f in mesh.faces() {
+        match mesh.arity() {
+            FaceArity::Triangle => subtract([f[0], f[1], f[2]], 1.0),
+            FaceArity::Quad => both_triangulations(f).into_iter().for_each(|corners| subtract(corners, 0.5)),
         }
     }
     defect.iter().zip(vertex_areas(mesh)).map(|(d, area)| if area > 0.0 { d / area } else { 0.0 }).collect()

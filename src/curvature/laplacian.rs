@@ -13,6 +13,11 @@ pub(super) struct Weight {
     pub weight: f64,
 }
 
+/// The four triangles that the two diagonals of a quad make.
+pub(super) fn both_triangulations(quad: &[u32]) -> [[u32; 3]; 4] {
+    [[quad[0], quad[1], quad[2]], [quad[0], quad[2], quad[3]], [quad[1], quad[2], quad[3]], [quad[1], quad[3], quad[0]]]
+}
+
 /// Every cotangent weight: half the cotangent of each angle, for the edge opposite to it.
 pub(super) fn cotangent_weights(mesh: &SurfaceMesh) -> Vec<Weight> {
     let mut weights = Vec::with_capacity(mesh.indices().len());
@@ -31,11 +36,7 @@ pub(super) fn cotangent_weights(mesh: &SurfaceMesh) -> Vec<Weight> {
     for f in mesh.faces() {
         match mesh.arity() {
             FaceArity::Triangle => add([f[0], f[1], f[2]], 1.0),
-            FaceArity::Quad => {
-                for corners in [[f[0], f[1], f[2]], [f[0], f[2], f[3]], [f[1], f[2], f[3]], [f[1], f[3], f[0]]] {
-                    add(corners, 0.5);
-                }
-            }
+            FaceArity::Quad => both_triangulations(f).into_iter().for_each(|corners| add(corners, 0.5)),
         }
     }
     weights

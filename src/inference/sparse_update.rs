@@ -182,7 +182,7 @@ pub(super) fn cavity_products(
 #[multiversion(targets("x86_64+avx512f+avx512vl+avx512bw+avx512dq", "x86_64+avx2"))]
 pub(super) fn max_update_uniform(table: &PairTable, cavity: &[Lanes], floor: &Lanes, updated: &mut [Lanes]) -> Lanes {
     let mut largest = [0.0f32; LANES];
-    for y in 0..table.offsets.len() - 1 {
+    for (y, message) in updated[..table.offsets.len() - 1].iter_mut().enumerate() {
         let mut best = *floor;
         for pair in table.row(y) {
             let h = &cavity[pair.label as usize];
@@ -193,7 +193,7 @@ pub(super) fn max_update_uniform(table: &PairTable, cavity: &[Lanes], floor: &La
         for k in 0..LANES {
             largest[k] = if best[k] > largest[k] { best[k] } else { largest[k] };
         }
-        updated[y] = best;
+        *message = best;
     }
     largest
 }
@@ -208,7 +208,7 @@ pub(super) fn max_update(
     updated: &mut [Lanes],
 ) -> Lanes {
     let mut largest = [0.0f32; LANES];
-    for y in 0..table.offsets.len() - 1 {
+    for (y, message) in updated[..table.offsets.len() - 1].iter_mut().enumerate() {
         let mut best = *floor;
         for pair in table.row(y) {
             let h = &cavity[pair.label as usize];
@@ -221,7 +221,7 @@ pub(super) fn max_update(
         for k in 0..LANES {
             largest[k] = if best[k] > largest[k] { best[k] } else { largest[k] };
         }
-        updated[y] = best;
+        *message = best;
     }
     largest
 }
@@ -245,7 +245,7 @@ pub(super) fn sum_update(
         *total *= epsilon;
     }
     let mut largest = [0.0f32; LANES];
-    for y in 0..table.offsets.len() - 1 {
+    for (y, message) in updated[..table.offsets.len() - 1].iter_mut().enumerate() {
         let mut sum = rest;
         for pair in table.row(y) {
             let h = &cavity[pair.label as usize];
@@ -259,7 +259,7 @@ pub(super) fn sum_update(
         for k in 0..LANES {
             largest[k] = if sum[k] > largest[k] { sum[k] } else { largest[k] };
         }
-        updated[y] = sum;
+        *message = sum;
     }
     largest
 }

@@ -51,9 +51,7 @@ impl SoftClamp {
                 .0
                 .iter()
                 .zip(source.1)
-                .map(|(p, n)| {
-                    (narrow(transform.apply(p).coords - origin), narrow(transform.rotation * n * turn))
-                })
+                .map(|(p, n)| (narrow(transform.apply(p).coords - origin), narrow(transform.rotation * n * turn)))
                 .collect(),
             position: axis(&mut target.0.iter().map(|p| p.coords - origin)),
             normal: axis(&mut target.1.iter().copied()),

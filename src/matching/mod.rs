@@ -10,8 +10,10 @@ mod pipeline;
 mod prepare;
 mod report;
 pub mod result;
+#[cfg(test)]
+mod tests;
 
-use crate::intake::PreparedSurface;
+use crate::mesh::SurfaceMesh;
 use crate::observe::{Cancelled, Observer};
 use parameters::MatchParameters;
 use result::{
@@ -58,7 +60,7 @@ pub enum MatchError {
     },
 }
 
-/// Matches `source` to `target` and registers them.
+/// Matches `source` to `target` and registers them. Correspondences count the vertices of these two meshes.
 ///
 /// The answer is the same to the bit for the same surfaces, parameters and seed, on any number of threads, and
 /// renumbering the vertices of an input permutes it.
@@ -70,8 +72,8 @@ pub enum MatchError {
 /// Time `O(iterations · |E→| · n' · k̄)`; memory `2·|E→|·n'` numbers of 32 bits for the messages, for `n'` target
 /// vertices, `|E→|` directed source edges and `k̄` labels within the neighbourhood radius.
 pub fn match_surfaces(
-    source: &PreparedSurface,
-    target: &PreparedSurface,
+    source: &SurfaceMesh,
+    target: &SurfaceMesh,
     parameters: &MatchParameters,
     observer: &dyn Observer,
 ) -> Result<MatchOutcome, MatchError> {

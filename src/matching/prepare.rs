@@ -51,11 +51,7 @@ impl Side {
 }
 
 /// The energy of matching `source` to `target`.
-pub(super) fn build_model(
-    source: &Side,
-    target: &Side,
-    parameters: &MatchParameters,
-) -> Result<MrfModel, MatchError> {
+pub(super) fn build_model(source: &Side, target: &Side, parameters: &MatchParameters) -> Result<MrfModel, MatchError> {
     let (source_values, target_values) = rayon::join(|| source.features(parameters), || target.features(parameters));
     let weights = parameters.features.iter().flat_map(|f| f.scales_mm.iter().map(|_| f.weight));
     let features: Vec<Feature> = weights
@@ -67,16 +63,13 @@ pub(super) fn build_model(
     let mut lengths = Vec::with_capacity(variables.n_directed_edges());
     for i in 0..variables.n_vertices() {
         let p = source.mesh().vertices()[i];
-        lengths.extend(
-            variables.neighbors(i).iter().map(|&j| (p - source.mesh().vertices()[j as usize]).norm() as f32),
-        );
+        lengths
+            .extend(variables.neighbors(i).iter().map(|&j| (p - source.mesh().vertices()[j as usize]).norm() as f32));
     }
     let p = target.mesh().vertices();
-    let labels = LabelNeighborhoods::new(
-        &target.mesh().edge_graph(),
-        energy.neighborhood_rings as usize,
-        |x, y| (p[x] - p[y]).norm(),
-    );
+    let labels = LabelNeighborhoods::new(&target.mesh().edge_graph(), energy.neighborhood_rings as usize, |x, y| {
+        (p[x] - p[y]).norm()
+    });
     Ok(MrfModel {
         variables,
         lengths,

@@ -8,6 +8,8 @@
 mod canonical;
 mod closest;
 mod geometry;
+#[cfg(test)]
+pub(crate) mod shapes;
 
 pub mod topology;
 

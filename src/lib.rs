@@ -3,7 +3,7 @@
 //! The modules in reading order, by layer. Each knows only those above it, as far as ARCHITECTURE.md allows.
 //!
 //! Numerics (no runtime, no database, no HTTP, no clock, no files): [`observe`], [`mesh`], [`matching`].
-//! Inputs: [`intake`]. One match from bytes to the result document: [`run`].
+//! Inputs: [`intake`]; synthetic ones: [`phantom`]. One match from bytes to the result document: [`run`].
 
 pub mod observe;
 
@@ -11,5 +11,6 @@ pub mod mesh;
 
 pub mod intake;
 pub mod matching;
+pub mod phantom;
 
 pub mod run;

@@ -62,9 +62,9 @@ impl Phantom {
     pub fn new(seed: u64) -> Self {
         let mut d = Draws::new(Stream::Shape, seed);
         let length_mm = d.around(41.0, 2.2);
-        let head_radius = d.around(5.6, 0.35);
-        let body_radius = d.around(4.3, 0.3);
-        let tail_radius = d.around(2.7, 0.25);
+        let head_radius = d.around(6.0, 0.4);
+        let body_radius = d.around(4.8, 0.3);
+        let tail_radius = d.around(3.0, 0.25);
         let head_end = d.around(0.38, 0.025);
         let flatten = d.around(1.16, 0.05);
         let yaw_bend = d.around(0.75, 0.15);

@@ -29,7 +29,7 @@ impl Phantom {
     /// # Errors
     /// [`PhantomError::EdgeOutOfRange`].
     /// # Cost
-    /// Linear in the number of vertices, which grows with `1 / edge_mm²`: about 2,500 at 1 mm.
+    /// Linear in the number of vertices, which grows with `1 / edge_mm²`: about 2,400 at 0.8 mm.
     pub fn surface(&self, edge_mm: f64) -> Result<PhantomSurface, PhantomError> {
         if !(0.2..=4.0).contains(&edge_mm) {
             return Err(PhantomError::EdgeOutOfRange { edge_mm });

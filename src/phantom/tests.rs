@@ -33,14 +33,14 @@ fn euler_of_closed_manifold(mesh: &SurfaceMesh) -> i64 {
 fn surfaces_of_many_seeds_are_spheres_of_plausible_size() {
     for seed in 0..60 {
         let phantom = Phantom::new(seed);
-        let surface = phantom.surface(1.0).unwrap();
+        let surface = phantom.surface(DEFAULT_EDGE_MM).unwrap();
         assert_eq!(euler_of_closed_manifold(&surface.mesh), 2, "seed {seed}");
         let n = surface.mesh.n_vertices();
-        assert!((1500..3500).contains(&n), "seed {seed} has {n} vertices");
+        assert!((1900..3200).contains(&n), "seed {seed} has {n} vertices");
         let volume = surface.mesh.signed_volume();
-        assert!((1800.0..4500.0).contains(&volume), "seed {seed} has a volume of {volume} mm³");
+        assert!((2200.0..4000.0).contains(&volume), "seed {seed} has a volume of {volume} mm³");
         let edge = surface.mesh.mean_edge_length();
-        assert!((0.9..1.2).contains(&edge), "seed {seed} has a mean edge of {edge} mm");
+        assert!((0.76..0.9).contains(&edge), "seed {seed} has a mean edge of {edge} mm");
         assert!((34.0..48.0).contains(&phantom.length_mm()));
     }
 }

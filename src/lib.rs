@@ -4,6 +4,7 @@
 //!
 //! Numerics (no runtime, no database, no HTTP, no clock, no files): [`observe`], [`mesh`], [`matching`].
 //! Inputs: [`intake`]; synthetic ones: [`phantom`]. One match from bytes to the result document: [`run`].
+//! The command line: [`cli`].
 
 pub mod observe;
 
@@ -14,3 +15,5 @@ pub mod matching;
 pub mod phantom;
 
 pub mod run;
+
+pub mod cli;

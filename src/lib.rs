@@ -3,7 +3,8 @@
 //! The modules in reading order, by layer. Each knows only those above it, as far as ARCHITECTURE.md allows.
 //!
 //! Numerics (no runtime, no database, no HTTP, no clock, no files): [`observe`], [`mesh`], [`matching`].
-//! Inputs: [`intake`]. One match from bytes to the result document: [`run`].
+//! Inputs: [`intake`]; synthetic ones: [`phantom`]. One match from bytes to the result document: [`run`].
+//! The command line: [`cli`].
 
 pub mod graph;
 pub mod observe;
@@ -17,5 +18,8 @@ pub mod registration;
 
 pub mod intake;
 pub mod matching;
+pub mod phantom;
 
 pub mod run;
+
+pub mod cli;

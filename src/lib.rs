@@ -8,6 +8,7 @@
 pub mod observe;
 
 pub mod mesh;
+pub mod volume;
 
 pub mod intake;
 pub mod matching;

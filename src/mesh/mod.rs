@@ -10,6 +10,7 @@ mod closest;
 mod geometry;
 mod graph;
 
+pub mod repair;
 pub mod topology;
 
 pub use canonical::{CanonicalMesh, canonicalize};

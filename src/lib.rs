@@ -2,13 +2,15 @@
 //!
 //! The modules in reading order, by layer. Each knows only those above it, as far as ARCHITECTURE.md allows.
 //!
-//! Numerics (no runtime, no database, no HTTP, no clock, no files): [`observe`], [`mesh`], [`matching`].
+//! Numerics (no runtime, no database, no HTTP, no clock, no files): [`observe`], [`mesh`], [`volume`], [`formats`], [`matching`].
 //! Inputs: [`intake`]. One match from bytes to the result document: [`run`].
 
 pub mod observe;
 
 pub mod mesh;
 pub mod volume;
+
+pub mod formats;
 
 pub mod intake;
 pub mod matching;

@@ -30,7 +30,10 @@ pub struct LabelVolume {
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum VolumeError {
     /// The number of labels is not the product of the dimensions, or that is zero.
-    #[error("{n_labels} labels do not fill a volume of {} x {} x {} voxels", dims[0], dims[1], dims[2])]
+    #[error(
+        "{n_labels} labels do not fill a volume of {} x {} x {} voxels (at most 32767 along each axis)",
+        dims[0], dims[1], dims[2]
+    )]
     WrongSize {
         /// Dimensions.
         dims: [usize; 3],
@@ -53,7 +56,9 @@ impl LabelVolume {
     /// [`VolumeError`].
     pub fn new(dims: [usize; 3], labels: Vec<u32>, affine: Matrix4<f64>) -> Result<Self, VolumeError> {
         let n = dims.iter().try_fold(1usize, |n, &d| n.checked_mul(d));
-        if n != Some(labels.len()) || labels.is_empty() {
+        // No file format that is read or written has room for longer axes.
+        let fits = dims.iter().all(|&d| d <= i16::MAX as usize);
+        if n != Some(labels.len()) || labels.is_empty() || !fits {
             return Err(VolumeError::WrongSize { dims, n_labels: labels.len() });
         }
         check_affine(&affine)?;
@@ -186,6 +191,14 @@ impl VoxelMask {
     /// Voxels in the set.
     pub fn n_voxels(&self) -> usize {
         self.voxels.iter().filter(|&&v| v).count()
+    }
+
+    /// Faces between the set and its complement. Cost `O(voxels)`.
+    pub fn n_boundary_faces(&self) -> usize {
+        let steps = self.strides();
+        let v = &self.voxels;
+        // The last voxels of the box are empty, so a pair that wraps around the box's edge counts nothing.
+        steps.iter().map(|&s| v.iter().zip(&v[s..]).filter(|(a, b)| a != b).count()).sum()
     }
 
     /// Position of a voxel in [`VoxelMask::voxels`].

@@ -4,6 +4,9 @@
 //!
 //! Numerics (no runtime, no database, no HTTP, no clock, no files): [`observe`], [`mesh`], [`matching`].
 //! Inputs: [`intake`]. One match from bytes to the result document: [`run`].
+//!
+//! The service: [`jobs`] (what a job is, and the ports), [`store`] (SQLite and a folder of blobs), [`worker`] (who runs
+//! them), [`http`] (how the outside asks). Wiring: [`app`], [`cli`], [`config`], [`telemetry`].
 
 pub mod observe;
 
@@ -13,3 +16,14 @@ pub mod intake;
 pub mod matching;
 
 pub mod run;
+
+pub mod jobs;
+pub mod store;
+pub mod worker;
+
+pub mod http;
+
+pub mod app;
+pub mod cli;
+pub mod config;
+pub mod telemetry;

@@ -6,9 +6,15 @@
 //! Inputs: [`intake`]; synthetic ones: [`phantom`]. One match from bytes to the result document: [`run`].
 //! The command line: [`cli`].
 
+pub mod graph;
 pub mod observe;
 
 pub mod mesh;
+
+pub mod curvature;
+pub mod inference;
+pub mod mrf;
+pub mod registration;
 
 pub mod intake;
 pub mod matching;

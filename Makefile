@@ -53,4 +53,9 @@ api:
 	mv api/problems.md.tmp api/problems.md
 
 bench:
-	@echo "there are no benchmarks yet" >&2; exit 1
+	@scripts/setup build
+	mkdir -p benches/records
+	$(CARGO) bench --locked --bench matching -- | tee target/bench.md
+	record="benches/records/$$(date -u +%Y-%m-%d)-$$(git rev-parse --short HEAD 2>/dev/null || echo unknown).md"; \
+	  { echo "# Benchmarks, $$(date -u +%Y-%m-%d); command: make bench"; echo; cat target/bench.md; } > "$$record"; \
+	  echo "record: $$record"

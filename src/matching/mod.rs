@@ -14,6 +14,7 @@ pub mod result;
 mod tests;
 
 use crate::mesh::SurfaceMesh;
+use crate::mrf::MrfModel;
 use crate::observe::{Cancelled, Observer};
 use parameters::MatchParameters;
 use result::{
@@ -58,6 +59,19 @@ pub enum MatchError {
         /// Scale, mm.
         scale_mm: f64,
     },
+}
+
+/// The energy of matching `source` to `target`, as [`match_surfaces`] minimises it in its first round. Variables and
+/// labels are in canonical numbering (see [`crate::mesh::canonicalize`]).
+///
+/// # Errors
+/// [`MatchError::ScaleSpace`].
+pub fn energy_model(
+    source: &SurfaceMesh,
+    target: &SurfaceMesh,
+    parameters: &MatchParameters,
+) -> Result<MrfModel, MatchError> {
+    prepare::build_model(&prepare::Side::new(source), &prepare::Side::new(target), parameters)
 }
 
 /// Matches `source` to `target` and registers them. Correspondences count the vertices of these two meshes.

@@ -11,6 +11,7 @@ mod geometry;
 #[cfg(test)]
 pub(crate) mod shapes;
 
+pub mod repair;
 pub mod topology;
 
 pub use canonical::{CanonicalMesh, canonicalize};

@@ -48,7 +48,9 @@ api:
 	@scripts/setup build
 	mkdir -p api
 	$(CARGO) run --quiet --locked -- openapi > api/openapi.json.tmp
+	$(CARGO) run --quiet --locked -- problems > api/problems.md.tmp
 	mv api/openapi.json.tmp api/openapi.json
+	mv api/problems.md.tmp api/problems.md
 
 bench:
 	@scripts/setup build

@@ -99,7 +99,7 @@ fn write_files(folder: &OutputFolder, output: &RunOutput, trace: &[TimedPoint]) 
 }
 
 /// `source` moved by the transform of a result. A reflection turns the faces, so that they still look outwards.
-pub(super) fn aligned(source: &SurfaceMesh, document: &ResultDocument) -> Result<SurfaceMesh, CliError> {
+fn aligned(source: &SurfaceMesh, document: &ResultDocument) -> Result<SurfaceMesh, CliError> {
     let m = &document.transform.matrix;
     let vertices = source
         .vertices()
@@ -117,13 +117,13 @@ pub(super) fn aligned(source: &SurfaceMesh, document: &ResultDocument) -> Result
         .map_err(|e| CliError::Failed(format!("the aligned surface cannot be made: {e}")))
 }
 
-/// The columns of a correspondence, one line each.
+/// The columns of a correspondence, one line each, as the service answers them.
 fn correspondences_csv(c: &Correspondences) -> String {
-    let mut text = String::from("source,target,confidence,inlier\n");
+    let mut text = String::from("source,target,confidence,inlier\r\n");
     for k in 0..c.source.len().min(c.target.len()) {
         let confidence = c.confidence.get(k).map(f64::to_string).unwrap_or_default();
         let inlier = c.inlier.get(k).map(bool::to_string).unwrap_or_default();
-        let _ = writeln!(text, "{},{},{confidence},{inlier}", c.source[k], c.target[k]);
+        let _ = write!(text, "{},{},{confidence},{inlier}\r\n", c.source[k], c.target[k]);
     }
     text
 }
@@ -186,6 +186,6 @@ mod tests {
             confidence: vec![0.5, 1.0],
             inlier: vec![true, false],
         };
-        assert_eq!(correspondences_csv(&c), "source,target,confidence,inlier\n0,5,0.5,true\n2,1,1,false\n");
+        assert_eq!(correspondences_csv(&c), "source,target,confidence,inlier\r\n0,5,0.5,true\r\n2,1,1,false\r\n");
     }
 }

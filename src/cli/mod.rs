@@ -8,7 +8,6 @@ mod health;
 mod inspect;
 mod interrupt;
 mod match_pair;
-mod openapi;
 mod output;
 mod parameters;
 mod phantom;
@@ -19,6 +18,7 @@ mod summary;
 pub use error::CliError;
 
 use clap::{Parser, Subcommand};
+use seams::serve;
 use std::ffi::OsString;
 use std::process::ExitCode;
 
@@ -33,9 +33,9 @@ struct Cli {
 #[derive(Debug, Subcommand)]
 enum Command {
     /// Run the HTTP service, with workers in the process
-    Serve(seams::ServeArgs),
+    Serve(serve::ServeArgs),
     /// Run workers for a service that runs elsewhere
-    Worker(seams::WorkerArgs),
+    Worker(serve::WorkerArgs),
     Match(match_pair::MatchArgs),
     Inspect(inspect::InspectArgs),
     Phantom(phantom::PhantomArgs),
@@ -43,6 +43,9 @@ enum Command {
     Health(health::HealthArgs),
     /// Print the OpenAPI document of the service
     Openapi,
+    /// Print the table of problems that the service answers
+    #[command(hide = true)]
+    Problems,
 }
 
 /// Version and commit.
@@ -61,14 +64,15 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         }
     };
     let done = match cli.command {
-        Command::Serve(args) => seams::serve(args),
-        Command::Worker(args) => seams::worker(args),
+        Command::Serve(args) => return serve::serve(args),
+        Command::Worker(args) => return serve::worker(args),
+        Command::Openapi => return serve::print_openapi(),
+        Command::Problems => return serve::print_problems(),
         Command::Match(args) => match_pair::run(&args),
         Command::Inspect(args) => inspect::run(&args),
         Command::Phantom(args) => phantom::run(&args),
         Command::Demo(args) => demo::run(&args),
         Command::Health(args) => health::run(&args),
-        Command::Openapi => openapi::run(),
     };
     match done {
         Ok(()) | Err(CliError::OutputClosed) => ExitCode::SUCCESS,

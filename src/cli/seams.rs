@@ -73,32 +73,43 @@ pub(super) fn write_nifti(volume: &PhantomVolume) -> Result<Vec<u8>, CliError> {
         .map_err(|e| CliError::Failed(format!("the volume cannot be compressed: {e}")))
 }
 
-/// Becomes `crate::http::openapi` as JSON.
-pub(super) fn openapi_json() -> Result<String, CliError> {
-    Err(CliError::Failed("this build has no service".to_owned()))
-}
+/// Becomes `super::serve`, a file of its own.
+pub(super) mod serve {
+    use std::process::ExitCode;
 
-/// Becomes `super::serve::ServeArgs`.
-#[derive(Debug, Clone, clap::Args)]
-pub struct ServeArgs {
-    /// Address to listen on
-    #[arg(long, default_value = "127.0.0.1:8080")]
-    pub listen: std::net::SocketAddr,
-    /// Folder of the database and the files
-    #[arg(long, value_name = "DIR")]
-    pub data_dir: Option<std::path::PathBuf>,
-}
+    /// Arguments of `homolog serve`.
+    #[derive(Debug, Clone, clap::Args)]
+    pub struct ServeArgs {
+        /// Address to listen on
+        #[arg(long, default_value = "127.0.0.1:8080")]
+        pub listen: std::net::SocketAddr,
+        /// Folder of the database and the files
+        #[arg(long, value_name = "DIR")]
+        pub data_dir: Option<std::path::PathBuf>,
+    }
 
-/// Becomes `super::serve::WorkerArgs`.
-#[derive(Debug, Clone, clap::Args)]
-pub struct WorkerArgs {}
+    /// Arguments of `homolog worker`.
+    #[derive(Debug, Clone, clap::Args)]
+    pub struct WorkerArgs {}
 
-/// Becomes `super::serve::serve`.
-pub(super) fn serve(_args: ServeArgs) -> Result<(), CliError> {
-    Err(CliError::Failed("this build has no service".to_owned()))
-}
+    pub fn serve(_args: ServeArgs) -> ExitCode {
+        missing()
+    }
 
-/// Becomes `super::serve::worker`.
-pub(super) fn worker(_args: WorkerArgs) -> Result<(), CliError> {
-    Err(CliError::Failed("this build has no service".to_owned()))
+    pub fn worker(_args: WorkerArgs) -> ExitCode {
+        missing()
+    }
+
+    pub fn print_openapi() -> ExitCode {
+        missing()
+    }
+
+    pub fn print_problems() -> ExitCode {
+        missing()
+    }
+
+    fn missing() -> ExitCode {
+        crate::cli::output::note("homolog: this build has no service");
+        ExitCode::FAILURE
+    }
 }

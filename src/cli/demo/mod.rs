@@ -7,13 +7,11 @@ mod service;
 use super::error::CliError;
 use super::files::{OutputFolder, file_name, read_input};
 use super::interrupt::Interrupt;
-use super::match_pair::aligned;
 use super::output::{note, print};
 use super::phantom::{Kind, write_pair};
 use super::progress::{Progress, WithoutTerminal};
-use super::seams::write_ply;
 use super::summary::summary;
-use crate::intake::{IntakeLimits, prepare_surface};
+use crate::intake::IntakeLimits;
 use crate::matching::result::ResultDocument;
 use crate::phantom::{DEFAULT_EDGE_MM, PairRecipe};
 use clap::Args;
@@ -110,17 +108,24 @@ fn match_over_http(
         .map_err(|e| CliError::Failed(format!("the result is not the document that this program knows: {e}")))?;
     print(&summary(&document))?;
     show_energy(&trace)?;
-    let surface = prepare_surface(&source_bytes, file_name(source), &document.provenance.parameters.input, &limits)
-        .map_err(|e| CliError::Failed(format!("the source cannot be read again: {e}")))?;
-    let written = [
-        folder.write("aligned.ply", &write_ply(&aligned(&surface.mesh, &document)?))?,
-        folder.write_json("result.json", &result)?,
-    ];
+    let aligned = fetch_link(client, &result, "aligned")?;
+    let written = [folder.write("aligned.ply", &aligned)?, folder.write_json("result.json", &result)?];
     print("")?;
     for path in written {
         print(&format!("wrote {}", path.display()))?;
     }
     Ok(())
+}
+
+/// What a link of the result leads to.
+fn fetch_link(client: &ServiceClient, result: &Value, name: &str) -> Result<Vec<u8>, CliError> {
+    let link = result.pointer(&format!("/links/{name}")).and_then(Value::as_str);
+    let link = link.ok_or_else(|| CliError::Failed(format!("the result has no link named {name}")))?;
+    let answer = client.get(link)?;
+    match answer.status {
+        200 => Ok(answer.body),
+        status => Err(CliError::Failed(format!("GET {link} answered {status}: {}", answer.problem()))),
+    }
 }
 
 /// Submits the pair in one request; the job's id.
@@ -171,7 +176,7 @@ fn follow(
         let page = client.get_json(&format!("/v1/jobs/{id}/trace{query}"))?;
         after_seq = page.get("next_after_seq").and_then(Value::as_u64).or(after_seq);
         let points = page.get("points").and_then(Value::as_array).cloned().unwrap_or_default();
-        let more = !points.is_empty();
+        let complete = page.get("complete").and_then(Value::as_bool).unwrap_or(true);
         trace.extend(points);
         let text = |at: &str| job.pointer(at).and_then(Value::as_str).unwrap_or_default().to_owned();
         progress.fraction(job.pointer("/progress/fraction").and_then(Value::as_f64).unwrap_or_default());
@@ -180,8 +185,8 @@ fn follow(
         progress.phase(if phase.is_empty() { &state } else { &phase });
         match state.as_str() {
             "queued" | "running" => std::thread::sleep(POLL_EVERY),
-            // Pages of the trace may have a limit.
-            "succeeded" if more => {}
+            // A page of the trace may hold only a part of what is left.
+            "succeeded" if !complete => {}
             "succeeded" => return Ok(trace),
             _ => {
                 let error = job.get("error").cloned().unwrap_or_default();

@@ -5,6 +5,8 @@
 //! Numerics (no runtime, no database, no HTTP, no clock, no files): [`observe`], [`mesh`], [`volume`], [`formats`], [`matching`].
 //! Inputs: [`intake`]. One match from bytes to the result document: [`run`].
 
+#![cfg_attr(test, allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::print_stdout))]
+
 pub mod observe;
 
 pub mod mesh;

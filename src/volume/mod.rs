@@ -11,7 +11,7 @@ pub mod smooth_surface;
 pub mod voxel_surface;
 
 pub use adjacency::{BettiNumbers, is_well_composed};
-pub use repair::{Contacts, FillOutcome, fill, largest_component};
+pub use repair::{Contacts, FillChange, FillOutcome, fill, largest_component};
 pub use smooth_surface::{SmoothSurface, smooth_surface};
 pub use voxel_surface::voxel_surface;
 

@@ -27,6 +27,13 @@ pub enum Contacts {
 pub struct FillOutcome {
     /// The set: one piece, no tunnel, no cavity.
     pub mask: VoxelMask,
+    /// What it took.
+    pub change: FillChange,
+}
+
+/// What it took to fill a set.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct FillChange {
     /// Pieces, tunnels and cavities before.
     pub before: BettiNumbers,
     /// Voxels that came in.
@@ -35,9 +42,9 @@ pub struct FillOutcome {
     pub n_removed: usize,
 }
 
-impl FillOutcome {
+impl FillChange {
     /// Voxels that changed sides.
-    pub fn n_changed(&self) -> usize {
+    pub fn n_changed(self) -> usize {
         self.n_added + self.n_removed
     }
 }
@@ -66,9 +73,8 @@ pub fn largest_component(mask: &VoxelMask) -> (VoxelMask, usize, usize) {
 /// `O(voxels log voxels)`, at most ten times over.
 pub fn fill(mask: &VoxelMask, contacts: Contacts) -> FillOutcome {
     let before = BettiNumbers::of(mask);
-    let unchanged = FillOutcome { mask: mask.clone(), before, n_added: 0, n_removed: 0 };
     if mask.n_voxels() == 0 || before.is_ball() && (contacts == Contacts::Allow || is_well_composed(mask)) {
-        return unchanged;
+        return FillOutcome { mask: mask.clone(), change: FillChange { before, n_added: 0, n_removed: 0 } };
     }
     let filler = Filler::new(mask, contacts);
     let membranes = filler.approach(filler.box_around(), mask.voxels());
@@ -83,8 +89,8 @@ pub fn fill(mask: &VoxelMask, contacts: Contacts) -> FillOutcome {
         }
     }
     let count = |added: bool| mask.voxels.iter().zip(&best).filter(|&(&was, &is)| was != is && is == added).count();
-    let (n_added, n_removed) = (count(true), count(false));
-    FillOutcome { mask: mask.with_voxels(best), before, n_added, n_removed }
+    let change = FillChange { before, n_added: count(true), n_removed: count(false) };
+    FillOutcome { mask: mask.with_voxels(best), change }
 }
 
 /// Mixtures tried at most, by size of the membranes that are kept.

@@ -91,7 +91,7 @@ fn a_ring_is_filled_by_default_and_refused_without() {
         let prepared = prepare(&bytes, &parameters).unwrap();
         assert_eq!(prepared.report.topology.genus, Some(1));
         assert_eq!(prepared.report.repairs.len(), 1, "{:?}", prepared.report.repairs);
-        assert!(prepared.report.repairs[0].detail.starts_with("closed 1 tunnels and 0 cavities; "));
+        assert!(prepared.report.repairs[0].detail.starts_with("closed 1 tunnel and 0 cavities"));
         assert_eq!(analyze(&prepared.mesh).fault, None);
         let error = prepare(&bytes, &InputParameters { repair: Some(vec![]), ..parameters }).unwrap_err();
         assert_eq!((error.code(), error.topology().unwrap().genus), ("unsuitable-surface", Some(1)));
@@ -187,7 +187,7 @@ fn faces_that_name_a_vertex_twice_need_weld() {
     assert!(error.to_string().contains("the first is face 2 with vertex 1"), "{error}");
     let prepared = prepare(ply.as_bytes(), &with_repair(&[Repair::Weld])).unwrap();
     assert_eq!(prepared.mesh.n_faces(), 4);
-    assert_eq!(prepared.report.repairs[0].detail, "0 of 4 vertices joined to another; 1 faces dropped");
+    assert_eq!(prepared.report.repairs[0].detail, "0 of 4 vertices joined to another; 1 face dropped");
 }
 
 #[test]

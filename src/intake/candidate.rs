@@ -8,8 +8,8 @@ use crate::mesh::{MeshError, SurfaceMesh, repair};
 use crate::volume::smooth_surface::FieldRepair;
 use crate::volume::{self, BettiNumbers, Contacts, FillChange, LabelVolume, VoxelMask};
 
-/// Voxels of the box around a structure at most: 256³. Filling and filtering work on the whole box.
-const MAX_BOX_VOXELS: u64 = 1 << 24;
+/// Voxels of the box around a structure at most, 8 million: filling and filtering work on the whole box.
+const MAX_BOX_VOXELS: u64 = 1 << 23;
 
 /// Labels named in a refusal at most.
 pub(super) const MAX_NAMED_LABELS: usize = 50;
@@ -161,7 +161,7 @@ fn from_labels(
         let present = labels.into_iter().take(MAX_NAMED_LABELS).collect();
         return Err(IntakeError::EmptyStructure { wanted: parameters.labels.clone(), present, n_present });
     };
-    check_size(&mask, limits)?;
+    check_size(&mask, limits, 2.0)?;
     let both = [Repair::LargestComponent, Repair::Fill];
     let allowed = parameters.repair.as_deref().unwrap_or(&both);
     let (raw, _) = surface_of(&mask, parameters, FieldRepair::default())?;
@@ -180,10 +180,11 @@ fn from_labels(
             repaired = piece;
         }
     }
+    check_size(&repaired, limits, 1.25)?;
     let may_fill = allowed.contains(&Repair::Fill);
     let field_repair = FieldRepair { largest_component: one_piece, fill: may_fill };
     // Filling several pieces would join them.
-    if may_fill && BettiNumbers::of(&repaired).n_pieces == 1 {
+    if may_fill && (one_piece || volume::largest_component(&repaired).1 == 1) {
         let contacts = match parameters.surface {
             SurfaceKind::Smooth => Contacts::Allow,
             SurfaceKind::Voxel => Contacts::Resolve,
@@ -205,16 +206,17 @@ fn from_labels(
     Ok(Candidate::new(mesh, None, topology, repairs))
 }
 
-/// Refuses structures whose surface or box would be too large before anything is made of them.
-fn check_size(mask: &VoxelMask, limits: &IntakeLimits) -> Result<(), IntakeError> {
+/// Refuses structures whose box or surface would be too large before anything is made of them.
+///
+/// A closed surface has about as many vertices as boundary faces. `slack` leaves room for what repairs and the filter
+/// will take away; what remains is counted exactly later.
+fn check_size(mask: &VoxelMask, limits: &IntakeLimits, slack: f64) -> Result<(), IntakeError> {
     let found = mask.dims().iter().map(|&d| d as u64).product();
     if found > MAX_BOX_VOXELS {
         let what = "voxels in the box around the structure";
         return Err(IntakeError::TooLarge { what, found, limit: MAX_BOX_VOXELS });
     }
-    // A closed surface has about as many vertices as boundary faces; twice as many leaves room for stray voxels
-    // that repairs will drop. What remains is counted exactly later.
-    let (found, limit) = (mask.n_boundary_faces() as u64, 2 * limits.max_vertices as u64);
+    let (found, limit) = (mask.n_boundary_faces() as u64, (slack * limits.max_vertices as f64) as u64);
     if found > limit {
         return Err(IntakeError::TooLarge { what: "boundary faces", found, limit });
     }

@@ -1,6 +1,6 @@
 //! A smooth surface of a voxel set: the 0.5 iso-surface of the Gaussian-filtered mask.
 //!
-//! The filtered field is cut by marching cubes ([`cubes`]), whose surface is a closed 2-manifold by construction but
+//! The filtered field is cut by marching cubes (`cubes`), whose surface is a closed 2-manifold by construction but
 //! has the topology of the field: the filter may open a tunnel or part a thin bridge. [`smooth_surface`] says what
 //! came out; with `repair` it moves single lattice values across 0.5 until the surface is one sphere.
 

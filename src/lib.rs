@@ -1,24 +1,42 @@
 //! homolog finds homologous points of two anatomical surfaces: a dense correspondence and a rigid transform.
 //!
-//! The modules in reading order, by layer. Each knows only those above it, as far as ARCHITECTURE.md allows.
+//! The modules in reading order, by layer; ARCHITECTURE.md says which may know which.
 //!
-//! Numerics (no runtime, no database, no HTTP, no clock, no files): [`observe`], [`mesh`], [`matching`].
-//! Inputs: [`intake`]. One match from bytes to the result document: [`run`].
-//!
-//! The service: [`jobs`] (what a job is, and the ports), [`store`] (SQLite and a folder of blobs), [`worker`] (who runs
-//! them), [`http`] (how the outside asks). Wiring: [`app`], [`cli`], [`config`], [`telemetry`].
+//! - Numerics (no runtime, no database, no HTTP, no clock, no files): [`graph`], [`observe`], [`mesh`], [`volume`],
+//!   [`formats`], [`curvature`], [`mrf`], [`inference`], [`registration`], [`matching`], [`phantom`], [`intake`].
+//! - One match from uploaded bytes to the result document: [`run`].
+//! - The service: [`jobs`] (what a job is, and the ports), [`store`] (SQLite and a folder of blobs), [`worker`] (who
+//!   runs them), [`http`] (how the outside asks).
+//! - Wiring: [`app`], [`cli`], [`config`], [`telemetry`].
 
+pub mod graph;
 pub mod observe;
 
 pub mod mesh;
+pub mod volume;
+
+pub mod formats;
+
+pub mod curvature;
+
+pub mod mrf;
+
+pub mod inference;
+
+pub mod registration;
+
+pub mod matching;
+
+pub mod phantom;
 
 pub mod intake;
-pub mod matching;
 
 pub mod run;
 
 pub mod jobs;
+
 pub mod store;
+
 pub mod worker;
 
 pub mod http;

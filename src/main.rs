@@ -1,5 +1,7 @@
 //! The `homolog` program; everything it does is in the library.
 
-fn main() -> std::process::ExitCode {
-    homolog::cli::run()
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    homolog::cli::run(std::env::args_os())
 }

@@ -92,7 +92,9 @@ pub fn run_match(
     let (prepared_source, prepared_target) =
         rayon::join(|| prepare(Side::Source, source), || prepare(Side::Target, target));
     let (prepared_source, prepared_target) = (prepared_source?, prepared_target?);
-    let outcome = match_surfaces(&prepared_source, &prepared_target, parameters, &timed)?;
+    let mut outcome = match_surfaces(&prepared_source.mesh, &prepared_target.mesh, parameters, &timed)?;
+    count_uploaded_vertices(&mut outcome.correspondences.source, &prepared_source);
+    count_uploaded_vertices(&mut outcome.correspondences.target, &prepared_target);
     let provenance = Provenance {
         version: env!("CARGO_PKG_VERSION").to_owned(),
         commit: option_env!("HOMOLOG_COMMIT").unwrap_or("unknown").to_owned(),
@@ -113,6 +115,15 @@ pub fn run_match(
         provenance,
     };
     Ok(RunOutput { document, source: prepared_source.mesh, target: prepared_target.mesh })
+}
+
+/// Turns vertices of the surface that was matched into those of the mesh as it was uploaded.
+fn count_uploaded_vertices(vertices: &mut [u32], prepared: &PreparedSurface) {
+    if let Some(uploaded) = &prepared.uploaded_vertex {
+        for vertex in vertices {
+            *vertex = uploaded[*vertex as usize];
+        }
+    }
 }
 
 fn input_provenance(file: InputFile<'_>, prepared: &PreparedSurface) -> InputProvenance {

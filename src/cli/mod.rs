@@ -1,13 +1,30 @@
-//! The command line.
+//! The command line: one file a command. Commands print answers to the standard output, everything else to the
+//! standard error, and end with 0 (done), 1 (failed), 2 (bad input) or 130 (stopped on request).
 
-pub mod serve;
+mod demo;
+mod error;
+mod files;
+mod health;
+mod inspect;
+mod interrupt;
+mod match_pair;
+mod output;
+mod parameters;
+mod phantom;
+mod progress;
+mod seams;
+mod summary;
+
+pub use error::CliError;
 
 use clap::{Parser, Subcommand};
+use seams::serve;
+use std::ffi::OsString;
 use std::process::ExitCode;
 
-/// Finds homologous points of two anatomical surfaces.
+/// Dense correspondence and rigid registration of anatomical surfaces
 #[derive(Debug, Parser)]
-#[command(name = "homolog", version, about)]
+#[command(name = "homolog", version = version(), propagate_version = true, arg_required_else_help = true)]
 struct Cli {
     #[command(subcommand)]
     command: Command,
@@ -15,23 +32,63 @@ struct Cli {
 
 #[derive(Debug, Subcommand)]
 enum Command {
-    /// Answer HTTP and run jobs
+    /// Run the HTTP service, with workers in the process
     Serve(serve::ServeArgs),
-    /// Run jobs of a data directory that another process serves
+    /// Run workers for a service that runs elsewhere
     Worker(serve::WorkerArgs),
-    /// Print the OpenAPI document
+    Match(match_pair::MatchArgs),
+    Inspect(inspect::InspectArgs),
+    Phantom(phantom::PhantomArgs),
+    Demo(demo::DemoArgs),
+    Health(health::HealthArgs),
+    /// Print the OpenAPI document of the service
     Openapi,
-    /// Print the table of problems
+    /// Print the table of problems that the service answers
     #[command(hide = true)]
     Problems,
 }
 
-/// Does what the arguments say.
-pub fn run() -> ExitCode {
-    match Cli::parse().command {
-        Command::Serve(args) => serve::serve(args),
-        Command::Worker(args) => serve::worker(args),
-        Command::Openapi => serve::print_openapi(),
-        Command::Problems => serve::print_problems(),
+/// Version and commit.
+fn version() -> &'static str {
+    concat!(env!("CARGO_PKG_VERSION"), " (", env!("HOMOLOG_COMMIT"), ")")
+}
+
+/// Runs the program with these arguments, the program's name first.
+pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
+    let cli = match Cli::try_parse_from(arguments) {
+        Ok(cli) => cli,
+        Err(error) => {
+            // Help and version are answers (0), anything else a usage error (2); a closed output is neither's fault.
+            let _ = error.print();
+            return ExitCode::from(u8::try_from(error.exit_code()).unwrap_or(2));
+        }
+    };
+    let done = match cli.command {
+        Command::Serve(args) => return serve::serve(args),
+        Command::Worker(args) => return serve::worker(args),
+        Command::Openapi => return serve::print_openapi(),
+        Command::Problems => return serve::print_problems(),
+        Command::Match(args) => match_pair::run(&args),
+        Command::Inspect(args) => inspect::run(&args),
+        Command::Phantom(args) => phantom::run(&args),
+        Command::Demo(args) => demo::run(&args),
+        Command::Health(args) => health::run(&args),
+    };
+    match done {
+        Ok(()) | Err(CliError::OutputClosed) => ExitCode::SUCCESS,
+        Err(error) => {
+            output::note(&format!("homolog: {error}"));
+            error.exit_code()
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_arguments_are_consistent() {
+        <Cli as clap::CommandFactory>::command().debug_assert();
     }
 }

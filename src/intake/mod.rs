@@ -1,8 +1,22 @@
 //! From the bytes of an uploaded file to a closed genus-0 surface, or a refusal that says where and why.
+//!
+//! [`prepare_surface`] reads, makes a surface, repairs it as far as the parameters allow and judges what came out;
+//! [`inspect`] does the same and tells everything it saw instead of refusing. Neither repeats text of the file or its
+//! name: both may name a patient.
 
+mod candidate;
+mod error;
+mod inspection;
+
+pub use crate::formats::InputFormat;
+pub use error::{Advice, IntakeError};
+pub use inspection::{InputKind, Inspection, LabelCount, Refusal, VolumeInspection, inspect};
+
+use crate::formats::{FileContent, FormatError, ReadLimits};
 use crate::matching::parameters::{InputParameters, Repair};
 use crate::mesh::SurfaceMesh;
 use crate::mesh::topology::TopologyReport;
+use candidate::Candidate;
 use serde::{Deserialize, Serialize};
 use utoipa::ToSchema;
 
@@ -26,20 +40,9 @@ pub struct InputReport {
     pub topology: TopologyReport,
     /// Repairs that changed something, in order.
     pub repairs: Vec<RepairNote>,
-}
-
-/// Formats that are read.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize, ToSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum InputFormat {
-    /// NIfTI-1 label volume, plain or gzip.
-    Nifti,
-    /// Stanford PLY.
-    Ply,
-    /// STL.
-    Stl,
-    /// Legacy VTK.
-    Vtk,
+    /// Whether all faces looked inwards (the volume before repairs is negative) and were turned.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub turned_outward: bool,
 }
 
 /// A repair that changed something.
@@ -68,40 +71,52 @@ impl Default for IntakeLimits {
     }
 }
 
-/// Why a file is refused.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-pub enum IntakeError {
-    /// None of the formats that are read.
-    #[error("the file is none of NIfTI-1, PLY, STL, legacy VTK")]
-    UnknownFormat,
-}
-
-impl IntakeError {
-    /// The stable name of this kind of refusal, used as problem type: `unknown-format`, `unreadable-file`,
-    /// `too-large`, `empty-structure`, `unsuitable-surface`.
-    pub fn code(&self) -> &'static str {
-        match self {
-            IntakeError::UnknownFormat => "unknown-format",
-        }
-    }
-
-    /// The topology of the surface that was refused, where there was one.
-    pub fn topology(&self) -> Option<&TopologyReport> {
-        None
-    }
-}
-
 /// Reads `bytes`, makes a surface of it, repairs it as far as `parameters` allow, and refuses what is then not a
 /// closed manifold of genus 0. `file_name` helps only where the bytes alone do not tell the format.
 ///
 /// # Errors
 /// [`IntakeError`].
+///
+/// # Cost
+/// Linear in the file; filling a label volume adds `O(n log n)` in the box around the structure.
 pub fn prepare_surface(
     bytes: &[u8],
     file_name: Option<&str>,
     parameters: &InputParameters,
     limits: &IntakeLimits,
 ) -> Result<PreparedSurface, IntakeError> {
-    let _ = (bytes, file_name, parameters, limits);
-    Err(IntakeError::UnknownFormat)
+    let (format, content) = read(bytes, file_name, limits)?;
+    let candidate = Candidate::from_content(&content, parameters, limits)?;
+    if let Some(refusal) = candidate.refusal(&content, parameters, limits) {
+        return Err(refusal);
+    }
+    let Candidate { mesh, uploaded_vertex, topology, repairs, turned_outward, .. } = candidate;
+    let report = InputReport { format, topology, repairs, turned_outward };
+    Ok(PreparedSurface { mesh, uploaded_vertex, report })
+}
+
+fn read(
+    bytes: &[u8],
+    file_name: Option<&str>,
+    limits: &IntakeLimits,
+) -> Result<(InputFormat, FileContent), IntakeError> {
+    if bytes.len() > limits.max_bytes {
+        let (found, limit) = (bytes.len() as u64, limits.max_bytes as u64);
+        return Err(IntakeError::TooLarge { what: "bytes", found, limit });
+    }
+    let read_limits = ReadLimits { max_inflated_bytes: limits.max_inflated_bytes, max_vertices: limits.max_vertices };
+    crate::formats::read(bytes, file_name, &read_limits).map_err(|error| match error {
+        FormatError::UnknownFormat => IntakeError::UnknownFormat,
+        FormatError::TooLarge { what, found, limit } => IntakeError::TooLarge { what, found, limit },
+        error => IntakeError::Unreadable(error),
+    })
+}
+
+/// The name of a repair in JSON.
+fn repair_name(repair: Repair) -> &'static str {
+    match repair {
+        Repair::Weld => "weld",
+        Repair::LargestComponent => "largest_component",
+        Repair::Fill => "fill",
+    }
 }

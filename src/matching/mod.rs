@@ -1,9 +1,20 @@
 //! The pipeline: two surfaces in, a dense correspondence and a rigid transform out.
+//!
+//! Features in scale space make the energy; belief propagation finds a labeling; RANSAC finds the rigid transform
+//! that most of its pairs agree with; clamping feeds that back into the energy, round by round; ICP refines.
+//! This is where the MRF, which knows no mesh, and registration, which knows no energy, meet.
 
+mod clamping;
 pub mod parameters;
+mod pipeline;
+mod prepare;
+mod report;
 pub mod result;
+#[cfg(test)]
+mod tests;
 
-use crate::intake::PreparedSurface;
+use crate::mesh::SurfaceMesh;
+use crate::mrf::MrfModel;
 use crate::observe::{Cancelled, Observer};
 use parameters::MatchParameters;
 use result::{
@@ -50,16 +61,35 @@ pub enum MatchError {
     },
 }
 
-/// Matches `source` to `target` and registers them.
+/// The energy of matching `source` to `target`, as [`match_surfaces`] minimises it in its first round. Variables and
+/// labels are in canonical numbering (see [`crate::mesh::canonicalize`]).
+///
+/// # Errors
+/// [`MatchError::ScaleSpace`].
+pub fn energy_model(
+    source: &SurfaceMesh,
+    target: &SurfaceMesh,
+    parameters: &MatchParameters,
+) -> Result<MrfModel, MatchError> {
+    prepare::build_model(&prepare::Side::new(source), &prepare::Side::new(target), parameters)
+}
+
+/// Matches `source` to `target` and registers them. Correspondences count the vertices of these two meshes.
+///
+/// The answer is the same to the bit for the same surfaces, parameters and seed, on any number of threads, and
+/// renumbering the vertices of an input permutes it.
 ///
 /// # Errors
 /// [`MatchError`].
+///
+/// # Cost
+/// Time `O(iterations · |E→| · n' · k̄)`; memory `2·|E→|·n'` numbers of 32 bits for the messages, for `n'` target
+/// vertices, `|E→|` directed source edges and `k̄` labels within the neighbourhood radius.
 pub fn match_surfaces(
-    source: &PreparedSurface,
-    target: &PreparedSurface,
+    source: &SurfaceMesh,
+    target: &SurfaceMesh,
     parameters: &MatchParameters,
     observer: &dyn Observer,
 ) -> Result<MatchOutcome, MatchError> {
-    let _ = (source, target, parameters, observer);
-    Err(MatchError::NoRegistration { tolerance_mm: 0.0 })
+    pipeline::run(source, target, parameters, observer)
 }

@@ -39,12 +39,13 @@ impl ClosestPoint {
 }
 
 impl ClosestPointIndex {
-    /// A bounding-volume tree over the triangles of `mesh`; `O(n log n)`. `None` if the mesh has no triangle.
-    pub fn new(mesh: &SurfaceMesh) -> Option<Self> {
+    /// A bounding-volume tree over the triangles of `mesh`; `O(n log n)`.
+    pub fn new(mesh: &SurfaceMesh) -> Self {
         let vertices = mesh.vertices().iter().map(|p| Vector::new(p.x, p.y, p.z)).collect();
         let triangles = mesh.triangles();
-        let tree = TriMesh::new(vertices, triangles.clone()).ok()?;
-        Some(ClosestPointIndex { tree, triangles })
+        // The tree refuses only an empty list of triangles, and a `SurfaceMesh` has at least one face.
+        let tree = TriMesh::new(vertices, triangles.clone()).unwrap_or_else(|_| unreachable!("a mesh without faces"));
+        ClosestPointIndex { tree, triangles }
     }
 
     /// The closest point of the surface; `O(log n)` on surfaces.

@@ -8,14 +8,16 @@
 mod canonical;
 mod closest;
 mod geometry;
-mod graph;
+#[cfg(test)]
+pub(crate) mod shapes;
 
+pub mod repair;
 pub mod topology;
 
 pub use canonical::{CanonicalMesh, canonicalize};
 pub use closest::{ClosestPoint, ClosestPointIndex};
-pub use graph::{EdgeGraph, LabelNeighborhoods};
 
+use crate::graph::EdgeGraph;
 use nalgebra::Point3;
 
 /// A surface: `n` vertices in millimetres and faces of one arity (3 or 4), counter-clockwise seen from outside.
@@ -172,6 +174,11 @@ impl SurfaceMesh {
             FaceArity::Triangle => self.faces().map(|f| [f[0], f[1], f[2]]).collect(),
             FaceArity::Quad => self.faces().flat_map(|f| [[f[0], f[1], f[2]], [f[0], f[2], f[3]]]).collect(),
         }
+    }
+
+    /// The edge graph: a quad mesh keeps its 4-neighbourhoods. Cost `O(faces log faces)`.
+    pub fn edge_graph(&self) -> EdgeGraph {
+        EdgeGraph::from_edges(self.n_vertices(), &self.edges())
     }
 
     /// Every undirected edge once, as `[low, high]`, in ascending order.

@@ -2,7 +2,8 @@
 //!
 //! The only place where jobs meet [`crate::run`], [`crate::intake`] and [`crate::matching`].
 
-use super::surface_file::{moved, write_ply};
+use super::aligned::moved;
+use crate::formats::write_ply;
 use crate::intake::{IntakeError, IntakeLimits, prepare_surface};
 use crate::jobs::engine::{MethodDescription, Product, Resolved};
 use crate::jobs::{

@@ -13,6 +13,6 @@ pub mod match_engine;
 pub mod pool;
 pub mod recorder;
 
-mod surface_file;
+mod aligned;
 
 pub use pool::{Pool, PoolParts, WorkerSettings};

@@ -41,7 +41,8 @@ async fn a_submission_becomes_a_result() {
     assert_eq!(result["correspondences"]["target"], json!([1, 0]));
     let brief = service.json(&format!("{location}/result?correspondences=false")).await;
     assert!(brief.get("correspondences").is_none());
-    for (link, text) in [("source_surface", "ply source"), ("target_surface", "ply target"), ("aligned", "ply aligned")] {
+    for (link, text) in [("source_surface", "ply source"), ("target_surface", "ply target"), ("aligned", "ply aligned")]
+    {
         let response = service.get(result["links"][link].as_str().unwrap()).await;
         assert_eq!(response.headers()["content-type"], "model/ply");
         assert_eq!(response.text().await.unwrap(), text);
@@ -144,8 +145,7 @@ async fn lists_are_filtered_and_paged() {
 async fn a_waiting_job_knows_its_place() {
     let service = TestService::start(&["--workers", "0"]).await;
     let first = service.submit(json!({})).await;
-    let urgent: Value =
-        service.send(form("a", "b", &json!({})).text("priority", "10")).await.json().await.unwrap();
+    let urgent: Value = service.send(form("a", "b", &json!({})).text("priority", "10")).await.json().await.unwrap();
     let urgent = urgent["id"].as_str().unwrap();
     assert_eq!(service.json(&format!("/v1/jobs/{first}")).await["queue_position"], 2);
     assert_eq!(service.json(&format!("/v1/jobs/{urgent}")).await["queue_position"], 1);
@@ -259,8 +259,7 @@ async fn results_are_not_ready_before_the_end() {
 #[tokio::test]
 async fn faults_of_a_submission_name_their_place() {
     let service = TestService::start(&[]).await;
-    let body =
-        problem(service.send(form("a", "b", &json!({"x": 1, "y": 2}))).await, 422, "invalid-parameters").await;
+    let body = problem(service.send(form("a", "b", &json!({"x": 1, "y": 2}))).await, 422, "invalid-parameters").await;
     let pointers: Vec<_> = body["errors"].as_array().unwrap().iter().map(|e| e["pointer"].clone()).collect();
     assert_eq!(pointers, ["/parameters/x", "/parameters/y"]);
 
@@ -304,7 +303,8 @@ async fn every_wrong_request_is_a_problem() {
     }
     problem(service.get("/v1/jobs/%FF").await, 400, "bad-request").await;
     problem(service.get("/v1/methods/none").await, 404, "method-not-found").await;
-    for (method, path) in [("PUT", "/v1/jobs"), ("PATCH", "/healthz"), ("DELETE", "/v1/methods"), ("BREW", "/v1/jobs")] {
+    for (method, path) in [("PUT", "/v1/jobs"), ("PATCH", "/healthz"), ("DELETE", "/v1/methods"), ("BREW", "/v1/jobs")]
+    {
         let method = reqwest::Method::from_bytes(method.as_bytes()).unwrap();
         let response = service.client.request(method, format!("{}{path}", service.base)).send().await.unwrap();
         assert!(response.headers().contains_key("allow"));
@@ -313,9 +313,8 @@ async fn every_wrong_request_is_a_problem() {
     let jobs = || service.client.post(format!("{}/v1/jobs", service.base));
     problem(jobs().json(&json!({})).send().await.unwrap(), 415, "unsupported-media-type").await;
     problem(jobs().send().await.unwrap(), 415, "unsupported-media-type").await;
-    let multipart = |kind: &str, body: &str| {
-        jobs().header("content-type", kind.to_owned()).body(body.to_owned()).send()
-    };
+    let multipart =
+        |kind: &str, body: &str| jobs().header("content-type", kind.to_owned()).body(body.to_owned()).send();
     for (kind, body) in [
         ("multipart/form-data", "--x--"),
         ("multipart/form-data; boundary=x", ""),

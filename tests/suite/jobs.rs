@@ -57,8 +57,7 @@ async fn a_worker_process_runs_jobs_that_another_process_accepts() {
     let arguments: WorkerArguments = clap::Parser::parse_from(["test", "--data-dir", &data_dir, "--poll-ms", "20"]);
     let shutdown = Shutdown::default();
     let engine = Arc::new(ObedientEngine::default());
-    let worker =
-        App::open(&arguments.service, Arc::clone(&engine) as Arc<dyn Engine>, &shutdown, false).await.unwrap();
+    let worker = App::open(&arguments.service, Arc::clone(&engine) as Arc<dyn Engine>, &shutdown, false).await.unwrap();
     let ends = shutdown.clone();
     let running = tokio::spawn(async move { worker.run(None, &ends).await });
 

@@ -59,7 +59,11 @@ impl Engine for ObedientEngine {
         }
         if input.bytes.starts_with(b"bad") {
             let topology = Some(json!({"n_components": 2}));
-            return Err(InputRefusal { code: "unsuitable-surface".to_owned(), detail: "two pieces".to_owned(), topology });
+            return Err(InputRefusal {
+                code: "unsuitable-surface".to_owned(),
+                detail: "two pieces".to_owned(),
+                topology,
+            });
         }
         Ok(InputSummary { n_vertices: 3, n_faces: 1, report: json!({"hint": input.name_hint}) })
     }

@@ -2,9 +2,9 @@
 
 use homolog::jobs::job::Order;
 use homolog::jobs::{
-    ArtifactKey, ArtifactKind, ArtifactRef, ArtifactStore, Failure, Job, JobError, JobFilter, JobId, JobInput, JobState,
-    JobStore, Lease, LeaseStatus, NewJob, NumberedPoint, Outcome, PageRequest, Progress, Recovered, Tenant, TraceChunk,
-    WorkerId,
+    ArtifactKey, ArtifactKind, ArtifactRef, ArtifactStore, Failure, Job, JobError, JobFilter, JobId, JobInput,
+    JobState, JobStore, Lease, LeaseStatus, NewJob, NumberedPoint, Outcome, PageRequest, Progress, Recovered, Tenant,
+    TraceChunk, WorkerId,
 };
 use homolog::observe::{Phase, TracePoint};
 use homolog::store::artifacts::FolderArtifacts;
@@ -82,11 +82,8 @@ fn new_job(priority: i32) -> NewJob {
 
 fn chunk(seqs: std::ops::RangeInclusive<u64>) -> TraceChunk {
     let last = *seqs.end();
-    let points = seqs.map(|seq| NumberedPoint {
-        seq,
-        point: TracePoint::new(0, Phase::Inference, seq as u32),
-        elapsed_ms: seq,
-    });
+    let points =
+        seqs.map(|seq| NumberedPoint { seq, point: TracePoint::new(0, Phase::Inference, seq as u32), elapsed_ms: seq });
     let progress =
         Progress { fraction: last as f64 / 100.0, phase: None, iteration: None, message: None, energy_latest: None };
     TraceChunk { points: points.collect(), progress }
@@ -282,7 +279,11 @@ async fn cancel_leads_to_exactly_one_end_from_every_state() {
         let job = f.add(0).await;
         let lease = f.claim(SHORT).await;
         f.store.cancel(&f.tenant, job.id).await.unwrap();
-        if lost { assert_eq!(f.expire().await.cancelled, 1) } else { f.store.release(&lease).await.unwrap() }
+        if lost {
+            assert_eq!(f.expire().await.cancelled, 1)
+        } else {
+            f.store.release(&lease).await.unwrap()
+        }
         assert_eq!(f.state(job.id).await, JobState::Cancelled);
     }
 

@@ -1,8 +1,6 @@
-//! The edge graph of a mesh and the neighbourhoods `N_r` on it, in compressed rows.
+//! Edge graphs and the neighbourhoods `N_r` on them, in compressed rows. Knows no geometry.
 
-use super::SurfaceMesh;
-
-/// Neighbours of every vertex along mesh edges; rows ascending. A quad mesh keeps its 4-neighbourhoods.
+/// Neighbours of every vertex; rows ascending.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct EdgeGraph {
     offsets: Vec<u32>,
@@ -10,11 +8,6 @@ pub struct EdgeGraph {
 }
 
 impl EdgeGraph {
-    /// The edge graph of `mesh`. Cost `O(faces log faces)`.
-    pub fn new(mesh: &SurfaceMesh) -> Self {
-        Self::from_edges(mesh.n_vertices(), &mesh.edges())
-    }
-
     /// The graph of `n` vertices with the given undirected edges, each named once.
     pub fn from_edges(n: usize, edges: &[[u32; 2]]) -> Self {
         let mut rows = vec![Vec::new(); n];

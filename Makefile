@@ -1,0 +1,61 @@
+# make demo    build, start the service, match a pair over HTTP, show the result
+#              SOURCE=a.nii.gz TARGET=b.nii.gz: your own pair; KEEP=1: leave the service running
+# make test    every test
+# make check   format, lints, documentation, unused dependencies
+# make build   target/release/homolog
+# make api     writes the generated files under api/ anew
+# make bench   benchmarks
+
+SHELL := /usr/bin/env bash
+.SHELLFLAGS := -eu -o pipefail -c
+.DEFAULT_GOAL := help
+.PHONY: help demo test check build api bench
+
+CARGO ?= cargo
+SOURCE ?=
+TARGET ?=
+KEEP ?=
+DEMO_OUT ?= target/demo
+
+help:
+	@sed -n 's/^# //p' Makefile
+
+build:
+	@scripts/setup build
+	$(CARGO) build --release --locked
+
+demo: build
+	target/release/homolog demo --out "$(DEMO_OUT)" $(if $(filter-out 0,$(KEEP)),--keep) \
+	  $(if $(SOURCE),"$(SOURCE)") $(if $(TARGET),"$(TARGET)")
+
+# nextest runs no doc tests; cargo runs everything, only slower.
+test:
+	@scripts/setup test
+	@if $(CARGO) nextest --version >/dev/null 2>&1; then \
+	  set -x; $(CARGO) nextest run --locked --no-fail-fast; $(CARGO) test --locked --doc; \
+	else \
+	  set -x; $(CARGO) test --locked --no-fail-fast; \
+	fi
+
+check:
+	@scripts/setup check
+	$(CARGO) fmt --all --check
+	$(CARGO) clippy --locked --all-targets -- -D warnings
+	RUSTDOCFLAGS="-D warnings" $(CARGO) doc --locked --no-deps --document-private-items
+	target/tools/bin/cargo-machete
+
+api:
+	@scripts/setup build
+	mkdir -p api
+	$(CARGO) run --quiet --locked -- openapi > api/openapi.json.tmp
+	$(CARGO) run --quiet --locked -- problems > api/problems.md.tmp
+	mv api/openapi.json.tmp api/openapi.json
+	mv api/problems.md.tmp api/problems.md
+
+bench:
+	@scripts/setup build
+	mkdir -p benches/records
+	$(CARGO) bench --locked --bench matching -- | tee target/bench.md
+	record="benches/records/$$(date -u +%Y-%m-%d)-$$(git rev-parse --short HEAD 2>/dev/null || echo unknown).md"; \
+	  { echo "# Benchmarks, $$(date -u +%Y-%m-%d); command: make bench"; echo; cat target/bench.md; } > "$$record"; \
+	  echo "record: $$record"

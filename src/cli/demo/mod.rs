@@ -1,0 +1,215 @@
+//! `homolog demo`: the whole path once, over HTTP, with a service that it starts and stops itself.
+
+pub(super) mod client;
+mod plot;
+mod service;
+
+use super::error::CliError;
+use super::files::{OutputFolder, file_name, read_input};
+use super::interrupt::Interrupt;
+use super::output::{note, print};
+use super::phantom::{Kind, write_pair};
+use super::progress::{Progress, WithoutTerminal};
+use super::summary::summary;
+use crate::intake::IntakeLimits;
+use crate::matching::result::ResultDocument;
+use crate::phantom::{DEFAULT_EDGE_MM, PairRecipe};
+use clap::Args;
+use client::{FormPart, ServiceClient};
+use plot::plot;
+use serde_json::Value;
+use service::ServiceProcess;
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+/// Start a service, match a pair over HTTP, show the result
+#[derive(Debug, Clone, Args)]
+pub struct DemoArgs {
+    /// The surface that moves; two synthetic subjects in different poses if no files are given
+    #[arg(requires = "target")]
+    pub source: Option<PathBuf>,
+    /// The surface that stays
+    pub target: Option<PathBuf>,
+    /// Keep the service running afterwards, until Ctrl-C
+    #[arg(long)]
+    pub keep: bool,
+    /// Folder for the inputs made, result.json, aligned.ply and the service's data
+    #[arg(long, value_name = "DIR", default_value = "homolog-demo")]
+    pub out: PathBuf,
+}
+
+/// Pause between two looks at the job.
+const POLL_EVERY: Duration = Duration::from_millis(100);
+/// Longest time without an answer to one request.
+const REQUEST_TIMEOUT: Duration = Duration::from_secs(60);
+/// Two subjects and a pose, chosen once and for no reason.
+const DEMO_PAIR: PairRecipe = PairRecipe {
+    subject: 1,
+    target_subject: 2,
+    deform_share: 0.0,
+    deform_seed: 0,
+    pose_seed: Some(7),
+    permute_seed: None,
+};
+
+/// Runs the command.
+///
+/// # Errors
+/// [`CliError`].
+pub fn run(args: &DemoArgs) -> Result<(), CliError> {
+    let interrupt = Interrupt::listen();
+    let folder = OutputFolder::create(&args.out)?;
+    let (source, target) = match (&args.source, &args.target) {
+        (Some(source), Some(target)) => (source.clone(), target.clone()),
+        _ => {
+            note("making two synthetic subjects in different poses");
+            let written = write_pair(&DEMO_PAIR, Kind::Volume, 1.0, DEFAULT_EDGE_MM, &folder)?;
+            (written[0].clone(), written[1].clone())
+        }
+    };
+    let data_dir = folder.path().join(format!("service-data-{}", std::process::id()));
+    note("starting the service");
+    let mut service = ServiceProcess::start(&data_dir, &folder.path().join("service.log"), &interrupt)?;
+    let url = service.url();
+    note(&format!("the service listens on {url}"));
+    let client = ServiceClient::new(&url, REQUEST_TIMEOUT);
+    let shown = match_over_http(&client, &mut service, &source, &target, &folder, &interrupt);
+    if shown.is_ok() && args.keep {
+        print(&format!("\nthe service runs on {url} (data in {}); Ctrl-C stops it", data_dir.display()))?;
+        while !interrupt.is_set() {
+            service.check_running()?;
+            std::thread::sleep(POLL_EVERY);
+        }
+    }
+    service.stop();
+    // What the demo submitted is of no use to anybody; kept services may have been given more.
+    if !args.keep {
+        let _ = std::fs::remove_dir_all(&data_dir);
+    }
+    shown
+}
+
+fn match_over_http(
+    client: &ServiceClient,
+    service: &mut ServiceProcess,
+    source: &Path,
+    target: &Path,
+    folder: &OutputFolder,
+    interrupt: &Interrupt,
+) -> Result<(), CliError> {
+    let limits = IntakeLimits::default();
+    let source_bytes = read_input(source, &limits)?;
+    let target_bytes = read_input(target, &limits)?;
+    let job = submit(client, (source, &source_bytes), (target, &target_bytes))?;
+    note(&format!("job {job}"));
+    let trace = follow(client, service, &job, interrupt)?;
+    let result = client.get_json(&format!("/v1/jobs/{job}/result"))?;
+    let document: ResultDocument = serde_json::from_value(result.clone())
+        .map_err(|e| CliError::Failed(format!("the result is not the document that this program knows: {e}")))?;
+    print(&summary(&document))?;
+    show_energy(&trace)?;
+    let aligned = fetch_link(client, &result, "aligned")?;
+    let written = [folder.write("aligned.ply", &aligned)?, folder.write_json("result.json", &result)?];
+    print("")?;
+    for path in written {
+        print(&format!("wrote {}", path.display()))?;
+    }
+    Ok(())
+}
+
+/// What a link of the result leads to.
+fn fetch_link(client: &ServiceClient, result: &Value, name: &str) -> Result<Vec<u8>, CliError> {
+    let link = result.pointer(&format!("/links/{name}")).and_then(Value::as_str);
+    let link = link.ok_or_else(|| CliError::Failed(format!("the result has no link named {name}")))?;
+    let answer = client.get(link)?;
+    match answer.status {
+        200 => Ok(answer.body),
+        status => Err(CliError::Failed(format!("GET {link} answered {status}: {}", answer.problem()))),
+    }
+}
+
+/// Submits the pair in one request; the job's id.
+fn submit(client: &ServiceClient, source: (&Path, &[u8]), target: (&Path, &[u8])) -> Result<String, CliError> {
+    let file = |name, (path, bytes): (&'_ Path, &'_ [u8])| (name, file_name(path).map(str::to_owned), bytes.to_vec());
+    let files = [file("source", source), file("target", target)];
+    let mut parts: Vec<FormPart<'_>> = files
+        .iter()
+        .map(|(name, file_name, bytes)| FormPart {
+            name,
+            file_name: Some(file_name.as_deref().unwrap_or(name)),
+            content_type: "application/octet-stream",
+            bytes,
+        })
+        .collect();
+    parts.push(FormPart { name: "parameters", file_name: None, content_type: "application/json", bytes: b"{}" });
+    let answer = client.post_form("/v1/jobs", &parts)?;
+    match answer.status {
+        200 | 202 => {}
+        400..=499 => return Err(CliError::BadInput(answer.problem())),
+        status => return Err(CliError::Failed(format!("the service answered {status}: {}", answer.problem()))),
+    }
+    let job = answer.json()?;
+    job.get("id")
+        .and_then(Value::as_str)
+        .map(str::to_owned)
+        .ok_or_else(|| CliError::Failed("the service answered a job without an id".to_owned()))
+}
+
+/// Shows progress until the job has ended; its energy trace.
+fn follow(
+    client: &ServiceClient,
+    service: &mut ServiceProcess,
+    id: &str,
+    interrupt: &Interrupt,
+) -> Result<Vec<Value>, CliError> {
+    let progress = Progress::new(WithoutTerminal::Lines);
+    let mut trace = Vec::new();
+    let mut after_seq = None;
+    loop {
+        if interrupt.is_set() {
+            return Err(CliError::Interrupted);
+        }
+        service.check_running()?;
+        // The job first: once it has ended, the trace read after it is whole.
+        let job = client.get_json(&format!("/v1/jobs/{id}"))?;
+        let query = after_seq.map(|seq: u64| format!("?after_seq={seq}")).unwrap_or_default();
+        let page = client.get_json(&format!("/v1/jobs/{id}/trace{query}"))?;
+        after_seq = page.get("next_after_seq").and_then(Value::as_u64).or(after_seq);
+        let points = page.get("points").and_then(Value::as_array).cloned().unwrap_or_default();
+        let complete = page.get("complete").and_then(Value::as_bool).unwrap_or(true);
+        trace.extend(points);
+        let text = |at: &str| job.pointer(at).and_then(Value::as_str).unwrap_or_default().to_owned();
+        progress.fraction(job.pointer("/progress/fraction").and_then(Value::as_f64).unwrap_or_default());
+        let state = text("/state");
+        let phase = text("/progress/phase");
+        progress.phase(if phase.is_empty() { &state } else { &phase });
+        match state.as_str() {
+            "queued" | "running" => std::thread::sleep(POLL_EVERY),
+            // A page of the trace may hold only a part of what is left.
+            "succeeded" if !complete => {}
+            "succeeded" => return Ok(trace),
+            _ => {
+                let error = job.get("error").cloned().unwrap_or_default();
+                let reason =
+                    error.get("detail").and_then(Value::as_str).map_or_else(|| error.to_string(), str::to_owned);
+                return Err(CliError::Failed(format!("the job ended as {state}: {reason}")));
+            }
+        }
+    }
+}
+
+/// The energy over the iterations of all rounds.
+fn show_energy(trace: &[Value]) -> Result<(), CliError> {
+    let points: Vec<(f64, u64)> = trace
+        .iter()
+        .filter_map(|p| Some((p.get("energy")?.as_f64()?, p.get("round").and_then(Value::as_u64).unwrap_or(0))))
+        .collect();
+    let energies: Vec<f64> = points.iter().map(|(energy, _)| *energy).collect();
+    let starts: Vec<usize> = (0..points.len()).filter(|&k| k == 0 || points[k].1 != points[k - 1].1).collect();
+    let lines = plot(&energies, &starts, 60, 10);
+    if lines.is_empty() {
+        return Ok(());
+    }
+    print(&format!("\nenergy, {} points in {} rounds (┴ a round begins)", points.len(), starts.len()))?;
+    lines.iter().try_for_each(|line| print(line))
+}

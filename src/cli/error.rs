@@ -1,0 +1,54 @@
+//! How a command ends, and with which exit code.
+
+use std::io;
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+/// Why a command did not do what was asked.
+#[derive(Debug, thiserror::Error)]
+pub enum CliError {
+    /// The input is at fault: a file, a parameter, a surface that is refused. Exit code 2, like a usage error.
+    #[error("{0}")]
+    BadInput(String),
+    /// The input was fine and yet there is no answer. Exit code 1.
+    #[error("{0}")]
+    Failed(String),
+    /// A file could not be written. Exit code 1.
+    #[error("cannot write {}: {source}; choose another folder with --out, or free some space", path.display())]
+    Write {
+        /// The file or folder.
+        path: PathBuf,
+        /// Why.
+        source: io::Error,
+    },
+    /// Ctrl-C or SIGTERM. Exit code 130, as shells expect.
+    #[error("stopped on request; nothing was written")]
+    Interrupted,
+    /// Whoever read the output closed it, as `head` does: not a fault. Exit code 0, no message.
+    #[error("the output was closed")]
+    OutputClosed,
+}
+
+impl CliError {
+    /// What the program exits with.
+    pub fn exit_code(&self) -> ExitCode {
+        ExitCode::from(match self {
+            CliError::BadInput(_) => 2,
+            CliError::Failed(_) | CliError::Write { .. } => 1,
+            CliError::Interrupted => 130,
+            CliError::OutputClosed => 0,
+        })
+    }
+
+    pub(super) fn write(path: &Path, source: io::Error) -> Self {
+        CliError::Write { path: path.to_owned(), source }
+    }
+
+    /// A fault of writing to the standard output.
+    pub(super) fn output(error: &io::Error) -> Self {
+        match error.kind() {
+            io::ErrorKind::BrokenPipe => CliError::OutputClosed,
+            _ => CliError::Failed(format!("cannot write to the standard output: {error}")),
+        }
+    }
+}

@@ -1,0 +1,49 @@
+//! Ctrl-C and SIGTERM: the first asks the computation to stop, the second ends the program at once.
+
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+/// Whether the program was asked to stop. Clones look at the same flag.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Interrupt(Arc<AtomicBool>);
+
+impl Interrupt {
+    /// Begins to listen, on a thread of its own. Where signals cannot be had, nothing is ever asked.
+    pub(super) fn listen() -> Self {
+        let interrupt = Interrupt::default();
+        let flag = interrupt.clone();
+        let listener = std::thread::Builder::new().name("signals".to_owned());
+        let _ = listener.spawn(move || {
+            let Ok(runtime) = tokio::runtime::Builder::new_current_thread().enable_all().build() else { return };
+            runtime.block_on(async {
+                while asked_to_stop().await {
+                    if flag.0.swap(true, Ordering::Relaxed) {
+                        std::process::exit(130);
+                    }
+                }
+            });
+        });
+        interrupt
+    }
+
+    pub(super) fn is_set(&self) -> bool {
+        self.0.load(Ordering::Relaxed)
+    }
+}
+
+#[cfg(unix)]
+async fn asked_to_stop() -> bool {
+    use tokio::signal::unix::{SignalKind, signal};
+    match signal(SignalKind::terminate()) {
+        Ok(mut terminate) => tokio::select! {
+            pressed = tokio::signal::ctrl_c() => pressed.is_ok(),
+            signalled = terminate.recv() => signalled.is_some(),
+        },
+        Err(_) => tokio::signal::ctrl_c().await.is_ok(),
+    }
+}
+
+#[cfg(not(unix))]
+async fn asked_to_stop() -> bool {
+    tokio::signal::ctrl_c().await.is_ok()
+}

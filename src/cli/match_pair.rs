@@ -1,0 +1,191 @@
+//! `homolog match SOURCE TARGET`: the pipeline of the service, without the service.
+
+use super::error::CliError;
+use super::files::{OutputFolder, file_name, read_input};
+use super::interrupt::Interrupt;
+use super::output::{note, print, print_json};
+use super::parameters::ParameterArgs;
+use super::progress::{Progress, WithoutTerminal};
+use super::seams::write_ply;
+use super::summary::summary;
+use crate::intake::IntakeLimits;
+use crate::matching::result::{Correspondences, ResultDocument};
+use crate::mesh::{FaceArity, SurfaceMesh};
+use crate::observe::{Observer, Phase, TracePoint};
+use crate::run::{InputFile, RunError, RunOutput, run_match};
+use clap::Args;
+use nalgebra::Point3;
+use serde::Serialize;
+use std::fmt::Write;
+use std::path::PathBuf;
+use std::sync::{Mutex, PoisonError};
+use std::time::Instant;
+
+/// Match two surfaces: dense correspondence and rigid transform
+#[derive(Debug, Clone, Args)]
+pub struct MatchArgs {
+    /// The surface that moves: NIfTI-1 label volume, PLY, STL or legacy VTK
+    pub source: PathBuf,
+    /// The surface that stays
+    pub target: PathBuf,
+    #[command(flatten)]
+    pub parameters: ParameterArgs,
+    /// Folder for result.json, correspondences.csv, source.ply, target.ply, aligned.ply and trace.jsonl
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// Print the result document, and nothing else, to the standard output
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Runs the command.
+///
+/// # Errors
+/// [`CliError`].
+pub fn run(args: &MatchArgs) -> Result<(), CliError> {
+    let limits = IntakeLimits::default();
+    let parameters = args.parameters.resolve()?;
+    let source = read_input(&args.source, &limits)?;
+    let target = read_input(&args.target, &limits)?;
+    // Before the work, so that a folder that cannot be written costs no minutes.
+    let folder = args.out.as_deref().map(OutputFolder::create).transpose()?;
+    let observer = Watcher::new(Interrupt::listen());
+    let outcome = run_match(
+        InputFile { bytes: &source, name: file_name(&args.source) },
+        InputFile { bytes: &target, name: file_name(&args.target) },
+        &parameters,
+        &limits,
+        &observer,
+    );
+    let trace = observer.finish();
+    let output = outcome.map_err(|error| match error {
+        RunError::Input { side, error } => {
+            let path = if side.name() == "source" { &args.source } else { &args.target };
+            CliError::BadInput(format!("{} {}: {error}", side.name(), path.display()))
+        }
+        error if error.is_cancelled() => CliError::Interrupted,
+        error => CliError::Failed(error.to_string()),
+    })?;
+    if let Some(folder) = &folder {
+        write_files(folder, &output, &trace)?;
+    }
+    if args.json {
+        return print_json(&output.document);
+    }
+    print(&summary(&output.document))?;
+    if let Some(folder) = &folder {
+        note(&format!("written to {}", folder.path().display()));
+    }
+    Ok(())
+}
+
+fn write_files(folder: &OutputFolder, output: &RunOutput, trace: &[TimedPoint]) -> Result<(), CliError> {
+    let document = &output.document;
+    folder.write_json("result.json", document)?;
+    if let Some(correspondences) = &document.correspondences {
+        folder.write("correspondences.csv", correspondences_csv(correspondences).as_bytes())?;
+    }
+    folder.write("source.ply", &write_ply(&output.source))?;
+    folder.write("target.ply", &write_ply(&output.target))?;
+    folder.write("aligned.ply", &write_ply(&aligned(&output.source, document)?))?;
+    let mut lines = String::new();
+    for point in trace {
+        let line = serde_json::to_string(point)
+            .map_err(|e| CliError::Failed(format!("the trace cannot be written as JSON: {e}")))?;
+        let _ = writeln!(lines, "{line}");
+    }
+    folder.write("trace.jsonl", lines.as_bytes())?;
+    Ok(())
+}
+
+/// `source` moved by the transform of a result. A reflection turns the faces, so that they still look outwards.
+fn aligned(source: &SurfaceMesh, document: &ResultDocument) -> Result<SurfaceMesh, CliError> {
+    let m = &document.transform.matrix;
+    let vertices = source
+        .vertices()
+        .iter()
+        .map(|p| Point3::from(std::array::from_fn(|r| m[r][0] * p.x + m[r][1] * p.y + m[r][2] * p.z + m[r][3])))
+        .collect();
+    let determinant = nalgebra::Matrix3::from_fn(|r, c| m[r][c]).determinant();
+    let indices = if determinant >= 0.0 {
+        source.indices().to_vec()
+    } else {
+        source.faces().flat_map(|f| f.iter().rev().copied()).collect()
+    };
+    let arity: FaceArity = source.arity();
+    SurfaceMesh::new(vertices, arity, indices)
+        .map_err(|e| CliError::Failed(format!("the aligned surface cannot be made: {e}")))
+}
+
+/// The columns of a correspondence, one line each, as the service answers them.
+fn correspondences_csv(c: &Correspondences) -> String {
+    let mut text = String::from("source,target,confidence,inlier\r\n");
+    for k in 0..c.source.len().min(c.target.len()) {
+        let confidence = c.confidence.get(k).map(f64::to_string).unwrap_or_default();
+        let inlier = c.inlier.get(k).map(bool::to_string).unwrap_or_default();
+        let _ = write!(text, "{},{},{confidence},{inlier}\r\n", c.source[k], c.target[k]);
+    }
+    text
+}
+
+/// A trace point with its place and time, as the service returns it.
+#[derive(Debug, Clone, Serialize)]
+struct TimedPoint {
+    seq: u64,
+    #[serde(flatten)]
+    point: TracePoint,
+    elapsed_ms: f64,
+}
+
+/// Shows progress, keeps the trace and passes an interrupt on.
+struct Watcher {
+    started: Instant,
+    progress: Progress,
+    interrupt: Interrupt,
+    trace: Mutex<Vec<TimedPoint>>,
+}
+
+impl Watcher {
+    fn new(interrupt: Interrupt) -> Self {
+        let progress = Progress::new(WithoutTerminal::Silent);
+        Watcher { started: Instant::now(), progress, interrupt, trace: Mutex::default() }
+    }
+
+    fn finish(self) -> Vec<TimedPoint> {
+        self.trace.into_inner().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+impl Observer for Watcher {
+    fn phase(&self, phase: Phase) {
+        self.progress.phase(phase.name());
+    }
+    fn progress(&self, fraction: f64) {
+        self.progress.fraction(fraction);
+    }
+    fn trace(&self, point: &TracePoint) {
+        let elapsed_ms = (self.started.elapsed().as_secs_f64() * 1e6).round() / 1e3;
+        let mut trace = self.trace.lock().unwrap_or_else(PoisonError::into_inner);
+        let seq = trace.len() as u64 + 1;
+        trace.push(TimedPoint { seq, point: point.clone(), elapsed_ms });
+    }
+    fn is_cancelled(&self) -> bool {
+        self.interrupt.is_set()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn correspondences_become_a_line_each() {
+        let c = Correspondences {
+            source: vec![0, 2],
+            target: vec![5, 1],
+            confidence: vec![0.5, 1.0],
+            inlier: vec![true, false],
+        };
+        assert_eq!(correspondences_csv(&c), "source,target,confidence,inlier\r\n0,5,0.5,true\r\n2,1,1,false\r\n");
+    }
+}

@@ -1,0 +1,57 @@
+//! A result document in a few lines for people.
+
+use crate::matching::result::ResultDocument;
+use std::fmt::Write;
+
+/// Transform, support, distances, energies and counts.
+pub(super) fn summary(result: &ResultDocument) -> String {
+    let (t, s, d) = (&result.transform, &result.support, &result.surface_distance);
+    let (e, p) = (&result.energy, &result.provenance);
+    let mut text = String::new();
+    let _ = writeln!(text, "target_from_source (mm)");
+    for row in &t.matrix {
+        let _ = writeln!(text, "  {:>10.5} {:>10.5} {:>10.5} {:>11.4}", row[0], row[1], row[2], row[3]);
+    }
+    let [x, y, z] = t.translation_mm;
+    let _ = writeln!(text, "rotation          {:.2}°", t.rotation_angle_deg);
+    let _ = writeln!(text, "translation       {x:.2}  {y:.2}  {z:.2} mm");
+    let _ = writeln!(
+        text,
+        "inliers           {} ({:.1} %) within {:.2} mm, RMS {:.3} mm, {} trials",
+        s.inliers,
+        100.0 * s.ratio,
+        s.tolerance_mm,
+        s.rms_mm,
+        s.trials
+    );
+    let _ = writeln!(
+        text,
+        "surface distance  mean {:.3} mm, 95th percentile {:.3} mm, maximum {:.3} mm",
+        d.mean_mm, d.p95_mm, d.max_mm
+    );
+    let _ = writeln!(
+        text,
+        "energy            {:.2} (from {:.2}; unary {:.2}, pairwise {:.2}), {}",
+        e.r#final,
+        e.initial,
+        e.unary,
+        e.pairwise,
+        match result.stop_reason {
+            crate::matching::result::StopReason::Converged => "converged",
+            crate::matching::result::StopReason::MaxIterations => "all iterations used",
+        }
+    );
+    let _ = writeln!(
+        text,
+        "map               {:.1} % of edges stay neighbors, {:.1} % of target vertices met",
+        100.0 * result.topology.consistency,
+        100.0 * result.topology.coverage
+    );
+    let _ = writeln!(text, "variables         {} source vertices", p.source.n_vertices);
+    let _ = writeln!(text, "labels            {} target vertices", p.target.n_vertices);
+    if let Some(total) = result.timings_ms.get("total") {
+        let _ = writeln!(text, "time              {:.2} s", total / 1000.0);
+    }
+    text.truncate(text.trim_end().len());
+    text
+}

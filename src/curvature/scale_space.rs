@@ -1,0 +1,86 @@
+//! Scale space of a surface by heat flow of its vertex positions.
+//!
+//! Source: implicit fairing, Desbrun, Meyer, Schröder, Barr 1999: one implicit step `(A + tL) p_σ = A p`, with the
+//! cotangent Laplacian `L` and the vertex areas `A` of the original surface and `t = σ²/2`. The step is solved by
+//! sparse Cholesky factorization of a symmetric positive definite matrix.
+
+use super::angle_defect::vertex_areas;
+use super::laplacian::cotangent_weights;
+use crate::mesh::SurfaceMesh;
+use faer::linalg::solvers::Solve;
+use faer::sparse::{SparseColMat, Triplet};
+use faer::{Mat, Side};
+use nalgebra::Point3;
+
+/// The heat-flow operator of one surface, from which smoothed copies at any scale are made.
+pub struct ScaleSpace<'a> {
+    mesh: &'a SurfaceMesh,
+    areas: Vec<f64>,
+    /// Upper-triangle entries of `L`, diagonal included.
+    laplacian: Vec<Triplet<usize, usize, f64>>,
+}
+
+/// Why a smoothed surface could not be made.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+pub enum ScaleSpaceError {
+    /// The linear system could not be factorized, because of degenerate faces.
+    #[error("the heat-flow system at scale {scale_mm} mm is not positive definite")]
+    NotPositiveDefinite {
+        /// Scale, mm.
+        scale_mm: f64,
+    },
+}
+
+impl<'a> ScaleSpace<'a> {
+    /// Prepares the operator of `mesh`. Cost `O(faces)`.
+    pub fn new(mesh: &'a SurfaceMesh) -> Self {
+        let n = mesh.n_vertices();
+        let mut laplacian = Vec::with_capacity(2 * mesh.indices().len() + n);
+        let mut diagonal = vec![0.0; n];
+        for w in cotangent_weights(mesh) {
+            diagonal[w.i] += w.weight;
+            diagonal[w.j] += w.weight;
+            laplacian.push(Triplet::new(w.i.max(w.j), w.i.min(w.j), -w.weight));
+        }
+        laplacian.extend(diagonal.iter().enumerate().map(|(i, &d)| Triplet::new(i, i, d)));
+        // A vertex between faces without area would make the mass matrix singular; a millionth of the mean keeps
+        // it solvable and does not move any other vertex measurably.
+        let mut areas = vertex_areas(mesh);
+        let floor = 1e-6 * areas.iter().sum::<f64>() / n as f64;
+        for area in &mut areas {
+            *area = area.max(floor);
+        }
+        ScaleSpace { mesh, areas, laplacian }
+    }
+
+    /// The surface at scale `scale_mm` (`σ`, mm): same faces, smoothed positions. `0` gives the surface itself.
+    ///
+    /// # Errors
+    /// [`ScaleSpaceError::NotPositiveDefinite`].
+    ///
+    /// # Cost
+    /// One sparse Cholesky factorization, about `O(n^1.5)` on surfaces; one thread, so the same bits everywhere.
+    pub fn smoothed(&self, scale_mm: f64) -> Result<SurfaceMesh, ScaleSpaceError> {
+        if scale_mm == 0.0 {
+            return Ok(self.mesh.clone());
+        }
+        let failed = ScaleSpaceError::NotPositiveDefinite { scale_mm };
+        let n = self.mesh.n_vertices();
+        let t = scale_mm * scale_mm / 2.0;
+        let entries: Vec<_> = self
+            .laplacian
+            .iter()
+            .map(|e| Triplet::new(e.row, e.col, t * e.val))
+            .chain(self.areas.iter().enumerate().map(|(i, &area)| Triplet::new(i, i, area)))
+            .collect();
+        let matrix = SparseColMat::<usize, f64>::try_new_from_triplets(n, n, &entries).map_err(|_| failed)?;
+        let factor = matrix.sp_cholesky(Side::Lower).map_err(|_| failed)?;
+        // About the centroid, so that a surface far from the origin loses no digits.
+        let center = self.mesh.centroid();
+        let v = self.mesh.vertices();
+        let right_side = Mat::from_fn(n, 3, |i, k| self.areas[i] * (v[i][k] - center[k]));
+        let smoothed = factor.solve(&right_side);
+        let vertices = (0..n).map(|i| Point3::from(std::array::from_fn(|k| smoothed[(i, k)] + center[k]))).collect();
+        self.mesh.with_vertices(vertices).map_err(|_| failed)
+    }
+}

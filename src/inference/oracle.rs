@@ -1,0 +1,86 @@
+//! Slow and obvious: exhaustive minimum and marginals, and belief propagation over all label pairs in 64 bits.
+
+use super::Product;
+use crate::mrf::MrfModel;
+
+/// Every labeling of the model with its energy, by counting.
+fn for_each_labeling(model: &MrfModel, mut visit: impl FnMut(&[u32], f64)) {
+    let (n, labels) = (model.n_variables(), model.n_labels() as u32);
+    let mut labeling = vec![0u32; n];
+    loop {
+        visit(&labeling, model.energy(&labeling).total());
+        let Some(at) = labeling.iter().position(|&x| x + 1 < labels) else { return };
+        labeling[at] += 1;
+        labeling[..at].fill(0);
+    }
+}
+
+/// Lowest energy of all labelings.
+pub fn exhaustive_minimum(model: &MrfModel) -> f64 {
+    let mut lowest = f64::INFINITY;
+    for_each_labeling(model, |_, energy| lowest = lowest.min(energy));
+    lowest
+}
+
+/// Marginal of every variable under `p(x) ∝ exp(−E(x))`.
+pub fn exhaustive_marginals(model: &MrfModel) -> Vec<Vec<f64>> {
+    let mut marginals = vec![vec![0.0; model.n_labels()]; model.n_variables()];
+    for_each_labeling(model, |labeling, energy| {
+        for (marginal, &x) in marginals.iter_mut().zip(labeling) {
+            marginal[x as usize] += (-energy).exp();
+        }
+    });
+    for marginal in &mut marginals {
+        let sum: f64 = marginal.iter().sum();
+        marginal.iter_mut().for_each(|p| *p /= sum);
+    }
+    marginals
+}
+
+/// Beliefs (summing to 1 for each variable) after `iterations` of the full update with the given damping and floor.
+pub fn full_update_beliefs(
+    model: &MrfModel,
+    product: Product,
+    iterations: usize,
+    damping: f64,
+    floor: f64,
+) -> Vec<Vec<f64>> {
+    let graph = &model.variables;
+    let n = model.n_labels();
+    let phi = |i: usize, x: usize| f64::from(-model.unary_row(i)[x]).exp();
+    let reverse = graph.reverse_edges();
+    let mut messages = vec![vec![1.0; n]; graph.n_directed_edges()];
+    for _ in 0..iterations {
+        let mut next = messages.clone();
+        for i in 0..graph.n_vertices() {
+            for edge in graph.row(i) {
+                let cavity = |x: usize| -> f64 {
+                    let others = graph.row(i).filter(|&e| e != edge);
+                    phi(i, x) * others.map(|e| messages[reverse[e] as usize][x]).product::<f64>()
+                };
+                let value = |y: usize| -> f64 {
+                    let terms = (0..n).map(|x| (-model.pairwise_potential(edge, x as u32, y as u32)).exp() * cavity(x));
+                    match product {
+                        Product::Max => terms.fold(0.0, f64::max),
+                        Product::Sum => terms.sum(),
+                    }
+                };
+                let raw: Vec<f64> = (0..n).map(value).collect();
+                let top = raw.iter().copied().fold(0.0, f64::max);
+                for y in 0..n {
+                    next[edge][y] = (1.0 - damping) * (raw[y] / top).max(floor) + damping * messages[edge][y];
+                }
+            }
+        }
+        messages = next;
+    }
+    (0..graph.n_vertices())
+        .map(|i| {
+            let belief: Vec<f64> = (0..n)
+                .map(|x| phi(i, x) * graph.row(i).map(|e| messages[reverse[e] as usize][x]).product::<f64>())
+                .collect();
+            let sum: f64 = belief.iter().sum();
+            belief.iter().map(|b| b / sum).collect()
+        })
+        .collect()
+}

@@ -1,0 +1,50 @@
+//! The rigid transform between two surfaces, from point pairs and from points alone.
+//!
+//! [`absolute_orientation`] fits a transform to pairs; [`ransac`] finds the pairs that agree with one transform among
+//! many that do not, from minimal samples of three; [`refine_icp`] improves a transform by closest points. Nothing
+//! here knows a mesh: points, pairs, and a [`ClosestSurfacePoint`] given by the caller.
+//!
+//! Transforms are `target_from_source`: `p' = R p + t`, mm.
+
+mod absolute_orientation;
+mod icp;
+mod ransac;
+mod three_point;
+mod transform;
+
+pub use absolute_orientation::{OrientationError, absolute_orientation};
+pub use icp::{ClosestSurfacePoint, IcpMetric, IcpOptions, IcpReport, refine_icp};
+pub use ransac::{RansacOptions, RansacReport, ransac};
+pub use three_point::{TripleError, frame_estimate};
+pub use transform::RigidTransform;
+
+#[cfg(test)]
+mod testing {
+    //! Random points and poses for the tests of this module.
+
+    use super::RigidTransform;
+    use nalgebra::{Point3, Rotation3, Vector3};
+    use rand_core::{Rng, SeedableRng};
+    use rand_xoshiro::Xoshiro256PlusPlus;
+
+    fn numbers(seed: u64) -> impl FnMut() -> f64 {
+        let mut rng = Xoshiro256PlusPlus::seed_from_u64(seed);
+        move || (rng.next_u64() >> 11) as f64 / (1u64 << 53) as f64
+    }
+
+    /// Points in a box of 40 × 20 × 10 mm.
+    pub fn cloud(seed: u64, n: usize) -> Vec<Point3<f64>> {
+        let mut number = numbers(seed);
+        (0..n).map(|_| Point3::new(40.0 * number(), 20.0 * number(), 10.0 * number())).collect()
+    }
+
+    /// Any rotation, a translation of up to 50 mm an axis.
+    pub fn pose(seed: u64) -> RigidTransform {
+        let mut number = numbers(seed);
+        let axis = Vector3::new(number() - 0.5, number() - 0.5, number() - 0.5);
+        let angle = std::f64::consts::PI * number();
+        let rotation = *Rotation3::new(axis.normalize() * angle).matrix();
+        let translation = Vector3::new(number() - 0.5, number() - 0.5, number() - 0.5) * 100.0;
+        RigidTransform { rotation, translation }
+    }
+}

@@ -1,0 +1,191 @@
+//! Repairs of a voxel set: the largest piece, and closing tunnels and cavities by a small change.
+//!
+//! [`fill`] never measures topology while it works: it starts from a set that has the right topology (a full box, or
+//! one voxel) and changes it towards the given set one simple point at a time, so that the topology stays right
+//! whatever happens. From the box, voxels far from the given set go first; what cannot go are thin membranes
+//! across tunnels and around cavities. From the voxel that lies deepest, deep voxels come first; what
+//! cannot come are thin cuts through handles. Mixtures, in which small membranes are kept and the rest is cut, are tried
+//! too, and the set that differs least is taken.
+
+use super::VoxelMask;
+use super::adjacency::{BettiNumbers, LocalTopology, components, flipped, is_well_composed, neighborhood};
+use super::distance::squared_distance;
+use std::cmp::Reverse;
+use std::collections::BinaryHeap;
+
+/// Whether voxels that touch along an edge or at a corner only may stay.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Contacts {
+    /// They may: enough where the set is filtered before a surface is made.
+    Allow,
+    /// They are parted or joined: the boundary of the set is then a 2-manifold.
+    Resolve,
+}
+
+/// A filled set and what it took.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FillOutcome {
+    /// The set: one piece, no tunnel, no cavity.
+    pub mask: VoxelMask,
+    /// Pieces, tunnels and cavities before.
+    pub before: BettiNumbers,
+    /// Voxels that came in.
+    pub n_added: usize,
+    /// Voxels that went.
+    pub n_removed: usize,
+}
+
+impl FillOutcome {
+    /// Voxels that changed sides.
+    pub fn n_changed(&self) -> usize {
+        self.n_added + self.n_removed
+    }
+}
+
+/// The 6-connected piece with the most voxels (the first of equals), the number of pieces and the number of voxels of
+/// the others. Cost `O(voxels)`.
+pub fn largest_component(mask: &VoxelMask) -> (VoxelMask, usize, usize) {
+    let (number, sizes) = components(mask, true);
+    let mut best = 0;
+    for (k, &size) in sizes.iter().enumerate() {
+        if size > sizes[best] {
+            best = k;
+        }
+    }
+    let voxels = number.iter().map(|&n| n as usize == best).collect();
+    let removed = sizes.iter().sum::<usize>() - sizes.get(best).copied().unwrap_or(0);
+    (mask.with_voxels(voxels), sizes.len(), removed)
+}
+
+/// `mask` with its tunnels and cavities closed by a small change: one piece with the topology of a ball, 6-connected
+/// foreground and 26-connected background. `mask` should be one piece: others are joined or lost.
+///
+/// Not the smallest change there is (that is NP-hard) but the smallest of a few good ones.
+///
+/// # Cost
+/// `O(voxels log voxels)`, at most ten times over.
+pub fn fill(mask: &VoxelMask, contacts: Contacts) -> FillOutcome {
+    let before = BettiNumbers::of(mask);
+    let unchanged = FillOutcome { mask: mask.clone(), before, n_added: 0, n_removed: 0 };
+    if mask.n_voxels() == 0 || before.is_ball() && (contacts == Contacts::Allow || is_well_composed(mask)) {
+        return unchanged;
+    }
+    let filler = Filler::new(mask, contacts);
+    let membranes = filler.approach(filler.box_around(), mask.voxels());
+    let mut best = membranes.clone();
+    let mut best_change = filler.change(&best);
+    for goal in filler.mixtures(&membranes) {
+        let cut = filler.approach(filler.deepest(), &goal);
+        let polished = filler.approach(cut, mask.voxels());
+        let change = filler.change(&polished);
+        if change < best_change {
+            (best, best_change) = (polished, change);
+        }
+    }
+    let count = |added: bool| mask.voxels.iter().zip(&best).filter(|&(&was, &is)| was != is && is == added).count();
+    let (n_added, n_removed) = (count(true), count(false));
+    FillOutcome { mask: mask.with_voxels(best), before, n_added, n_removed }
+}
+
+/// Mixtures tried at most, by size of the membranes that are kept.
+const MAX_MIXTURES: usize = 8;
+
+struct Filler<'a> {
+    mask: &'a VoxelMask,
+    contacts: Contacts,
+    local: LocalTopology,
+    /// Squared distance to the other side of the mask.
+    distance: Vec<u32>,
+}
+
+impl<'a> Filler<'a> {
+    fn new(mask: &'a VoxelMask, contacts: Contacts) -> Self {
+        let outside = squared_distance(mask.dims, |k| mask.voxels[k]);
+        let inside = squared_distance(mask.dims, |k| !mask.voxels[k]);
+        let distance = outside.iter().zip(&inside).map(|(&a, &b)| a.max(b)).collect();
+        Filler { mask, contacts, local: LocalTopology::new(), distance }
+    }
+
+    /// All voxels but the border of the box.
+    fn box_around(&self) -> Vec<bool> {
+        (0..self.mask.voxels.len()).map(|k| self.is_inner(k)).collect()
+    }
+
+    /// Only the voxel of the mask that lies deepest, the first of equals.
+    fn deepest(&self) -> Vec<bool> {
+        let inside = (0..self.distance.len()).filter(|&k| self.mask.voxels[k]);
+        let seed = inside.max_by_key(|&k| (self.distance[k], Reverse(k)));
+        (0..self.distance.len()).map(|k| Some(k) == seed).collect()
+    }
+
+    fn is_inner(&self, k: usize) -> bool {
+        let [nx, ny, nz] = self.mask.dims;
+        let (x, y, z) = (k % nx, k / nx % ny, k / (nx * ny));
+        x > 0 && y > 0 && z > 0 && x + 1 < nx && y + 1 < ny && z + 1 < nz
+    }
+
+    fn change(&self, voxels: &[bool]) -> usize {
+        self.mask.voxels.iter().zip(voxels).filter(|(a, b)| a != b).count()
+    }
+
+    /// The mask with none, the smallest, the smaller … of the connected pieces of `membranes − mask` added.
+    fn mixtures(&self, membranes: &[bool]) -> Vec<Vec<bool>> {
+        let added: Vec<bool> = membranes.iter().zip(&self.mask.voxels).map(|(&m, &v)| m && !v).collect();
+        let kept = added.iter().map(|a| !a).collect();
+        // As background of its complement, so that pieces which touch at a corner are one.
+        let (number, sizes) = components(&self.mask.with_voxels(kept), false);
+        let mut thresholds: Vec<usize> = sizes.clone();
+        thresholds.push(0);
+        thresholds.sort_unstable();
+        thresholds.dedup();
+        thresholds.truncate(MAX_MIXTURES);
+        let with = |limit: usize| -> Vec<bool> {
+            let small = |k: usize| sizes.get(number[k] as usize).is_some_and(|&size| size <= limit);
+            self.mask.voxels.iter().enumerate().map(|(k, &v)| v || added[k] && small(k)).collect()
+        };
+        thresholds.into_iter().map(with).collect()
+    }
+
+    /// `from` changed towards `goal`, voxels far from the boundary of the mask first, keeping its topology.
+    fn approach(&self, from: Vec<bool>, goal: &[bool]) -> Vec<bool> {
+        let strides = self.mask.strides();
+        let mut set = from;
+        let mut queued = vec![false; set.len()];
+        let mut queue = BinaryHeap::new();
+        for k in 0..set.len() {
+            if set[k] != goal[k]
+                && self.is_inner(k)
+                && strides.iter().any(|&s| set[k - s] != set[k] || set[k + s] != set[k])
+            {
+                queued[k] = true;
+                queue.push((self.distance[k], Reverse(k)));
+            }
+        }
+        while let Some((_, Reverse(k))) = queue.pop() {
+            queued[k] = false;
+            let block = neighborhood(&set, k, strides);
+            let allowed = self.local.is_simple(block)
+                && (self.contacts == Contacts::Allow || self.local.is_well_composed(flipped(block)));
+            if !allowed {
+                continue;
+            }
+            set[k] = !set[k];
+            // What was stuck around the changed voxel may now move.
+            for plane in [k - strides[2], k, k + strides[2]] {
+                for row in [plane - strides[1], plane, plane + strides[1]] {
+                    for next in row - 1..=row + 1 {
+                        if set[next] != goal[next] && !queued[next] && self.is_inner(next) {
+                            queued[next] = true;
+                            queue.push((self.distance[next], Reverse(next)));
+                        }
+                    }
+                }
+            }
+        }
+        set
+    }
+}
+
+#[cfg(test)]
+#[path = "repair_tests.rs"]
+mod tests;

@@ -1,0 +1,457 @@
+//! The rules of the source tree that no compiler checks: who may use whom, and how files look.
+//!
+//! ARCHITECTURE.md shows the table of arrows below; a test holds the two equal.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// Which modules of this crate each module may use; an entry may name a part of a module. Itself is always allowed.
+const ARROWS: &[(&str, &[&str])] = &[
+    ("observe", &[]),
+    ("graph", &[]),
+    ("mesh", &["graph"]),
+    ("volume", &["mesh"]),
+    ("formats", &["mesh", "volume"]),
+    ("curvature", &["graph", "mesh", "observe"]),
+    ("mrf", &["graph"]),
+    ("inference", &["graph", "mrf", "observe"]),
+    ("registration", &["observe"]),
+    ("intake", &["formats", "matching::parameters", "mesh", "volume"]),
+    ("matching", &["curvature", "graph", "inference", "intake::InputReport", "mesh", "mrf", "observe", "registration"]),
+    ("phantom", &["mesh", "volume"]),
+    ("run", &["intake", "matching", "mesh", "observe"]),
+    ("jobs", &["intake::InputReport", "matching::parameters", "matching::result", "mesh::topology", "observe"]),
+    ("store", &["jobs", "observe"]),
+    (
+        "worker",
+        &[
+            "formats",
+            "intake",
+            "jobs",
+            "matching::MatchError",
+            "matching::parameters",
+            "matching::result",
+            "mesh",
+            "observe",
+            "run",
+            "store::presence",
+        ],
+    ),
+    ("config", &["http", "intake", "jobs", "worker"]),
+    ("telemetry", &["config::LogFormat"]),
+    ("http", &["jobs"]),
+    ("app", &["config", "http", "intake", "jobs", "run", "store", "telemetry", "worker"]),
+    (
+        "cli",
+        &[
+            "app",
+            "config",
+            "formats",
+            "http",
+            "intake",
+            "matching",
+            "mesh",
+            "observe",
+            "phantom",
+            "run",
+            "telemetry",
+            "volume",
+        ],
+    ),
+];
+
+/// Modules that only compute: bytes and numbers in, numbers out.
+const NUMERICS: &[&str] = &[
+    "observe",
+    "graph",
+    "mesh",
+    "volume",
+    "formats",
+    "curvature",
+    "mrf",
+    "inference",
+    "registration",
+    "intake",
+    "matching",
+    "phantom",
+];
+
+/// What those never name: runtimes, databases, networks, files, clocks, the environment, the terminal.
+const NOT_IN_NUMERICS: &[&str] = &[
+    "tokio",
+    "tokio_util",
+    "sqlx",
+    "axum",
+    "tower",
+    "tower_http",
+    "http",
+    "ureq",
+    "indicatif",
+    "clap",
+    "jiff",
+    "uuid",
+    "async_trait",
+    "tracing",
+    "std::fs",
+    "std::net",
+    "std::env",
+    "std::process",
+    "std::time",
+    "Instant",
+    "SystemTime",
+];
+
+/// Further crates that a module of the service does not know.
+const NOT_IN: &[(&str, &[&str])] = &[
+    ("jobs", &["sqlx", "axum", "tower", "tower_http", "http", "nalgebra", "faer", "std::fs"]),
+    ("http", &["sqlx", "nalgebra", "faer"]),
+    ("worker", &["sqlx", "axum"]),
+    ("run", &["tokio", "sqlx", "axum", "std::fs"]),
+];
+
+const MAX_LINES: usize = 700;
+
+fn root() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+}
+
+/// The folder that is checked; another checkout's may be named to see whether a merge would pass.
+fn source_root() -> PathBuf {
+    std::env::var_os("HOMOLOG_TIDY_SRC").map_or_else(|| root().join("src"), PathBuf::from)
+}
+
+fn files_under(folder: &Path, extension: &str, into: &mut Vec<PathBuf>) {
+    let Ok(entries) = fs::read_dir(folder) else { return };
+    for entry in entries {
+        let path = entry.unwrap().path();
+        if path.is_dir() {
+            files_under(&path, extension, into);
+        } else if path.extension().is_some_and(|e| e == extension) {
+            into.push(path);
+        }
+    }
+}
+
+struct SourceFile {
+    name: String,
+    /// Module path from the crate root; empty for lib.rs and main.rs.
+    module: Vec<String>,
+    text: String,
+}
+
+fn sources() -> Vec<SourceFile> {
+    let root = source_root();
+    let mut paths = Vec::new();
+    files_under(&root, "rs", &mut paths);
+    paths.sort();
+    assert!(paths.len() > 10, "no sources under {}", root.display());
+    paths
+        .into_iter()
+        .map(|path| {
+            let relative = path.strip_prefix(&root).unwrap().with_extension("");
+            let mut module: Vec<String> =
+                relative.components().map(|c| c.as_os_str().to_str().unwrap().to_owned()).collect();
+            if module.last().is_some_and(|last| last == "mod") || module == ["lib"] || module == ["main"] {
+                module.pop();
+            }
+            let name = format!("src/{}", path.strip_prefix(&root).unwrap().display());
+            SourceFile { name, module, text: fs::read_to_string(&path).unwrap() }
+        })
+        .collect()
+}
+
+/// The code without comments, strings and tests, whose arrows are free. Tests stand at the end of a file, or in one
+/// whose name says so.
+fn production_code(file: &SourceFile) -> String {
+    if file.module.last().is_some_and(|m| m == "tests" || m.ends_with("_tests") || m == "testing") {
+        return String::new();
+    }
+    let mut code = String::new();
+    let mut lines = file.text.lines().peekable();
+    while let Some(line) = lines.next() {
+        if line.trim() == "#[cfg(test)]" {
+            // A test module in its own file, or in a block to the end of this one.
+            while lines.peek().is_some_and(|l| l.trim().starts_with("#[")) {
+                lines.next();
+            }
+            match lines.next() {
+                Some(item) if item.trim_end().ends_with(';') => continue,
+                _ => break,
+            }
+        }
+        let line = line.trim_start();
+        if !line.starts_with("//") {
+            let code_part = without_strings(line);
+            code.push_str(code_part.split("//").next().unwrap_or_default());
+            code.push('\n');
+        }
+    }
+    code
+}
+
+fn without_strings(line: &str) -> String {
+    let mut out = String::new();
+    let mut inside = false;
+    let mut escaped = false;
+    for c in line.chars() {
+        match (inside, escaped, c) {
+            (true, true, _) => escaped = false,
+            (true, false, '\\') => escaped = true,
+            (_, _, '"') => inside = !inside,
+            (false, _, c) => out.push(c),
+            _ => {}
+        }
+    }
+    out
+}
+
+/// Every path of this crate that `code` names, from the crate root: `crate::a::{b, c::d}` gives `a::b` and `a::c::d`.
+fn crate_paths(code: &str, module: &[String]) -> Vec<String> {
+    let mut found = Vec::new();
+    for start in ["crate::", "homolog::"] {
+        for (at, _) in code.match_indices(start) {
+            if !code[..at].ends_with(|c: char| c.is_alphanumeric() || c == '_' || c == ':' || c == '$') {
+                expand(&code[at + start.len()..], "", &mut found);
+            }
+        }
+    }
+    // Chains of `super` that leave the module's own top-level module.
+    for (at, _) in code.match_indices("super::") {
+        if code[..at].ends_with("::") || code[..at].ends_with(|c: char| c.is_alphanumeric() || c == '_') {
+            continue;
+        }
+        let mut rest = &code[at..];
+        let mut ups = 0;
+        while let Some(after) = rest.strip_prefix("super::") {
+            ups += 1;
+            rest = after;
+        }
+        if ups == module.len() {
+            expand(rest, "", &mut found);
+        }
+    }
+    found
+}
+
+/// Reads one path or group at the beginning of `code`; returns what is left.
+fn expand<'a>(code: &'a str, prefix: &str, found: &mut Vec<String>) -> &'a str {
+    let code = code.trim_start();
+    if let Some(mut rest) = code.strip_prefix('{') {
+        loop {
+            rest = rest.trim_start().trim_start_matches(',').trim_start();
+            match rest.strip_prefix('}') {
+                Some(after) => return after,
+                None if rest.is_empty() => return rest,
+                None => {
+                    let before = rest.len();
+                    rest = expand(rest, prefix, found);
+                    if rest.len() == before {
+                        return rest;
+                    }
+                }
+            }
+        }
+    }
+    let end = code.find(|c: char| !(c.is_alphanumeric() || c == '_' || c == '*')).unwrap_or(code.len());
+    let (word, rest) = code.split_at(end);
+    let path = if prefix.is_empty() { word.to_owned() } else { format!("{prefix}::{word}") };
+    if let Some(rest) = rest.strip_prefix("::") {
+        return expand(rest, &path, found);
+    }
+    if !word.is_empty() {
+        found.push(path);
+    }
+    // `x as y` inside a group.
+    let rest_trimmed = rest.trim_start();
+    match rest_trimmed.strip_prefix("as ") {
+        Some(after) => &after[after.find([',', '}', ';']).unwrap_or(after.len())..],
+        None => rest,
+    }
+}
+
+/// Whether `code` names `path` as the beginning of a path or as a whole word.
+fn names(code: &str, path: &str) -> bool {
+    code.match_indices(path).any(|(at, _)| {
+        let before = code[..at].chars().next_back();
+        let after = code[at + path.len()..].chars().next();
+        let word = |c: Option<char>| c.is_some_and(|c| c.is_alphanumeric() || c == '_');
+        let begins = !word(before) && before != Some(':') && before != Some('.');
+        // A lone crate name counts only as the head of a path or of a `use`; a variable may well be called `http`.
+        let is_type = path.starts_with(char::is_uppercase) || path.contains("::");
+        let heads = code[at + path.len()..].starts_with("::") || code[..at].ends_with("use ");
+        begins && !word(after) && (is_type || heads)
+    })
+}
+
+fn allowed(arrows: &[&str], path: &str) -> bool {
+    arrows.iter().any(|entry| path == *entry || path.strip_prefix(entry).is_some_and(|rest| rest.starts_with("::")))
+}
+
+#[test]
+fn no_arrow_points_where_it_must_not() {
+    let table: BTreeMap<_, _> = ARROWS.iter().copied().collect();
+    let mut faults = Vec::new();
+    for file in sources() {
+        let Some(module) = file.module.first() else { continue };
+        let Some(arrows) = table.get(module.as_str()) else {
+            faults.push(format!("{}: module {module} is not in the table of arrows", file.name));
+            continue;
+        };
+        for path in crate_paths(&production_code(&file), &file.module) {
+            let head = path.split("::").next().unwrap_or_default();
+            // Only modules; a name in capitals would be a re-export of the crate root, of which there are none.
+            if head != module && table.contains_key(head) && !allowed(arrows, &path) {
+                faults.push(format!("{}: {module} uses {path}", file.name));
+            }
+        }
+    }
+    faults.dedup();
+    assert!(faults.is_empty(), "arrows that are not allowed:\n{}", faults.join("\n"));
+}
+
+#[test]
+fn numerics_know_no_runtime_no_files_and_no_clock() {
+    let mut faults = Vec::new();
+    for file in sources() {
+        let Some(module) = file.module.first() else { continue };
+        let code = production_code(&file);
+        let numerics = if NUMERICS.contains(&module.as_str()) { NOT_IN_NUMERICS } else { &[] };
+        let further = NOT_IN.iter().filter(|(m, _)| m == module).flat_map(|(_, crates)| crates.iter());
+        for banned in numerics.iter().chain(further) {
+            if names(&code, banned) {
+                faults.push(format!("{}: names {banned}", file.name));
+            }
+        }
+    }
+    assert!(faults.is_empty(), "names that do not belong there:\n{}", faults.join("\n"));
+}
+
+#[test]
+fn the_http_layer_starts_no_computation() {
+    for file in sources().iter().filter(|f| f.module.first().is_some_and(|m| m == "http")) {
+        let code = production_code(file);
+        for banned in ["match_surfaces", "run_match", "prepare_surface"] {
+            assert!(!names(&code, banned) && !code.contains(&format!("{banned}(")), "{} calls {banned}", file.name);
+        }
+    }
+}
+
+#[test]
+fn every_source_file_says_what_it_is_and_is_short() {
+    let mut faults = Vec::new();
+    let mut others = Vec::new();
+    files_under(&root().join("tests"), "rs", &mut others);
+    files_under(&root().join("benches"), "rs", &mut others);
+    let others = others.into_iter().map(|path| {
+        let name = path.strip_prefix(root()).unwrap().display().to_string();
+        (name, fs::read_to_string(&path).unwrap())
+    });
+    for (name, text) in sources().into_iter().map(|f| (f.name, f.text)).chain(others) {
+        if !text.starts_with("//! ") {
+            faults.push(format!("{name}: does not begin with //!"));
+        }
+        let n_lines = text.lines().count();
+        if n_lines > MAX_LINES {
+            faults.push(format!("{name}: {n_lines} lines, more than {MAX_LINES}"));
+        }
+    }
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
+}
+
+#[test]
+fn the_library_prints_nothing() {
+    let mut faults = Vec::new();
+    for file in sources() {
+        let code = production_code(&file);
+        for banned in ["println!", "print!", "eprintln!", "eprint!", "dbg!", "todo!", "unimplemented!"] {
+            if code
+                .match_indices(banned)
+                .any(|(at, _)| !code[..at].ends_with(|c: char| c.is_alphanumeric() || c == '_'))
+            {
+                faults.push(format!("{}: {banned}", file.name));
+            }
+        }
+        if file.module.first().is_some_and(|m| m != "cli") && names(&code, "std::io::stdout") {
+            faults.push(format!("{}: writes to the standard output", file.name));
+        }
+    }
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
+}
+
+#[test]
+fn sql_stands_in_sql_files() {
+    let verbs = ["SELECT ", "INSERT INTO", "UPDATE ", "DELETE FROM", "CREATE TABLE", "BEGIN IMMEDIATE"];
+    let mut faults = Vec::new();
+    for file in sources() {
+        for (number, line) in file.text.lines().enumerate() {
+            let code = line.trim_start();
+            if !code.starts_with("//") && verbs.iter().any(|verb| code.contains(verb)) {
+                faults.push(format!("{}:{}: {code}", file.name, number + 1));
+            }
+        }
+    }
+    // One statement is text by its nature: a transaction is begun by the driver, not by a query file.
+    faults.retain(|fault| !fault.contains("begin_with(\"BEGIN IMMEDIATE\")"));
+    assert!(faults.is_empty(), "SQL outside .sql files:\n{}", faults.join("\n"));
+}
+
+#[test]
+fn the_table_of_arrows_is_the_one_in_the_architecture() {
+    let text = fs::read_to_string(root().join("ARCHITECTURE.md")).unwrap();
+    let row = |(module, arrows): &(&str, &[&str])| {
+        let list: Vec<_> = arrows.iter().map(|a| format!("`{a}`")).collect();
+        format!("| `{module}` | {} |", if list.is_empty() { "nothing".to_owned() } else { list.join(", ") })
+    };
+    let expected: Vec<String> = ARROWS.iter().map(row).collect();
+    let begin = "<!-- arrows: held equal to tests/suite/tidy.rs -->";
+    let section = text.split(begin).nth(1).expect("ARCHITECTURE.md has the marked table");
+    let found: Vec<&str> =
+        section.lines().skip_while(|l| !l.starts_with("| `")).take_while(|l| l.starts_with("| `")).collect();
+    assert_eq!(found, expected, "the table in ARCHITECTURE.md should be:\n{}", expected.join("\n"));
+}
+
+#[test]
+fn every_copy_source_of_the_dockerfile_exists() {
+    let text = fs::read_to_string(root().join("Dockerfile")).unwrap();
+    let ignored: Vec<String> = fs::read_to_string(root().join(".dockerignore"))
+        .unwrap()
+        .lines()
+        .filter_map(|line| line.strip_prefix('!').map(|kept| kept.trim_end_matches("/**").to_owned()))
+        .collect();
+    let mut n_sources = 0;
+    for line in text.lines().filter(|l| l.starts_with("COPY ") && !l.contains("--from=")) {
+        let words: Vec<&str> = line.split_whitespace().skip(1).filter(|w| !w.starts_with("--")).collect();
+        for source in &words[..words.len() - 1] {
+            assert!(root().join(source).exists(), "{line}: {source} does not exist");
+            assert!(ignored.contains(&source.trim_end_matches('/').to_owned()), ".dockerignore keeps {source} out");
+            n_sources += 1;
+        }
+    }
+    assert!(n_sources > 0);
+}
+
+#[test]
+fn what_the_sources_include_is_copied_into_the_container_build() {
+    let docker = fs::read_to_string(root().join("Dockerfile")).unwrap();
+    for file in sources() {
+        for (at, _) in file.text.match_indices("CARGO_MANIFEST_DIR\"), \"/") {
+            let path = &file.text[at + "CARGO_MANIFEST_DIR\"), \"/".len()..];
+            let top = path.split(['/', '"']).next().unwrap_or_default();
+            let copied = docker.lines().any(|l| l.starts_with("COPY ") && l.split_whitespace().any(|w| w == top));
+            assert!(copied, "{} includes {top}/, which the Dockerfile does not copy", file.name);
+        }
+    }
+}
+
+#[test]
+fn the_reader_of_paths_reads_paths() {
+    let code = "use crate::a::{self, b, c::{d, e as f}, g};\nlet x = crate::h::i(1); super::super::j::k();";
+    let module = ["m".to_owned(), "n".to_owned()];
+    let found = crate_paths(code, &module);
+    assert_eq!(found, ["a::self", "a::b", "a::c::d", "a::c::e", "a::g", "h::i", "j::k"]);
+    assert!(names("use tokio;", "tokio") && names("tokio::spawn(x)", "tokio"));
+    assert!(!names("let tokio = 1;", "tokio") && !names("crate::http::x", "http"));
+    assert!(names("let t = Instant::now();", "Instant") && !names("Instantly", "Instant"));
+    assert!(allowed(&["a::b"], "a::b::c") && !allowed(&["a::b"], "a::bc") && !allowed(&["a::b"], "a"));
+}

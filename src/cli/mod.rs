@@ -12,13 +12,12 @@ mod output;
 mod parameters;
 mod phantom;
 mod progress;
-mod seams;
+mod serve;
 mod summary;
 
 pub use error::CliError;
 
 use clap::{Parser, Subcommand};
-use seams::serve;
 use std::ffi::OsString;
 use std::process::ExitCode;
 
@@ -64,10 +63,10 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         }
     };
     let done = match cli.command {
-        Command::Serve(args) => return serve::serve(args),
-        Command::Worker(args) => return serve::worker(args),
-        Command::Openapi => return serve::print_openapi(),
-        Command::Problems => return serve::print_problems(),
+        Command::Serve(args) => serve::serve(args),
+        Command::Worker(args) => serve::worker(args),
+        Command::Openapi => serve::print_openapi(),
+        Command::Problems => serve::print_problems(),
         Command::Match(args) => match_pair::run(&args),
         Command::Inspect(args) => inspect::run(&args),
         Command::Phantom(args) => phantom::run(&args),

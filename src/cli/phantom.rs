@@ -3,8 +3,9 @@
 use super::error::CliError;
 use super::files::OutputFolder;
 use super::output::print;
-use super::seams::{write_nifti, write_ply};
-use crate::phantom::{DEFAULT_EDGE_MM, MAX_RMS_SHARE, PairRecipe, PhantomError, PhantomPair};
+use crate::formats::nifti::write_nifti_gz;
+use crate::formats::ply::write_ply;
+use crate::phantom::{DEFAULT_EDGE_MM, MAX_RMS_SHARE, PairRecipe, PhantomError, PhantomPair, PhantomVolume};
 use clap::{Args, ValueEnum};
 use nalgebra::Point3;
 use serde_json::json;
@@ -97,8 +98,8 @@ pub(super) fn write_pair(
     };
     match kind {
         Kind::Volume => {
-            written.push(folder.write(names[0], &write_nifti(&pair.source_volume(spacing_mm).map_err(bad)?)?)?);
-            written.push(folder.write(names[1], &write_nifti(&pair.target_volume(spacing_mm).map_err(bad)?)?)?);
+            written.push(folder.write(names[0], &volume_file(pair.source_volume(spacing_mm).map_err(bad)?)?)?);
+            written.push(folder.write(names[1], &volume_file(pair.target_volume(spacing_mm).map_err(bad)?)?)?);
             // A volume has no vertices to name; points spread over the true surface stand for them.
             let points = pair.source_surface(DEFAULT_EDGE_MM).map_err(bad)?;
             for p in points.mesh.vertices() {
@@ -165,4 +166,10 @@ impl Truth {
             source.x, source.y, source.z, target.x, target.y, target.z
         );
     }
+}
+
+/// The volume as compressed NIfTI-1.
+fn volume_file(volume: PhantomVolume) -> Result<Vec<u8>, CliError> {
+    let volume = volume.into_label_volume().map_err(|e| CliError::Failed(e.to_string()))?;
+    Ok(write_nifti_gz(&volume))
 }

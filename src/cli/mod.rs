@@ -12,13 +12,12 @@ mod output;
 mod parameters;
 mod phantom;
 mod progress;
-mod seams;
+mod serve;
 mod summary;
 
 pub use error::CliError;
 
 use clap::{Parser, Subcommand};
-use seams::serve;
 use std::ffi::OsString;
 use std::process::ExitCode;
 

@@ -3,10 +3,12 @@
 use super::error::CliError;
 use super::files::OutputFolder;
 use super::output::print;
-use super::seams::{write_nifti, write_ply};
-use crate::phantom::{DEFAULT_EDGE_MM, MAX_RMS_SHARE, PairRecipe, PhantomError, PhantomPair};
+use crate::formats::nifti::write_nifti_gz;
+use crate::formats::ply::write_ply;
+use crate::phantom::{DEFAULT_EDGE_MM, MAX_RMS_SHARE, PairRecipe, PhantomError, PhantomPair, PhantomVolume};
+use crate::volume::LabelVolume;
 use clap::{Args, ValueEnum};
-use nalgebra::Point3;
+use nalgebra::{Matrix4, Point3};
 use serde_json::json;
 use std::fmt::Write;
 use std::path::PathBuf;
@@ -97,8 +99,8 @@ pub(super) fn write_pair(
     };
     match kind {
         Kind::Volume => {
-            written.push(folder.write(names[0], &write_nifti(&pair.source_volume(spacing_mm).map_err(bad)?)?)?);
-            written.push(folder.write(names[1], &write_nifti(&pair.target_volume(spacing_mm).map_err(bad)?)?)?);
+            written.push(folder.write(names[0], &nifti(&pair.source_volume(spacing_mm).map_err(bad)?)?)?);
+            written.push(folder.write(names[1], &nifti(&pair.target_volume(spacing_mm).map_err(bad)?)?)?);
             // A volume has no vertices to name; points spread over the true surface stand for them.
             let points = pair.source_surface(DEFAULT_EDGE_MM).map_err(bad)?;
             for p in points.mesh.vertices() {
@@ -142,6 +144,15 @@ pub(super) fn write_pair(
         written.push(folder.write("truth.csv", truth.text.as_bytes())?);
     }
     Ok(written)
+}
+
+/// A phantom volume as a compressed NIfTI-1 file.
+fn nifti(volume: &PhantomVolume) -> Result<Vec<u8>, CliError> {
+    let affine = Matrix4::new_scaling(volume.spacing_mm).append_translation(&volume.origin_mm.coords);
+    let labels = volume.labels.iter().map(|&l| u32::from(l)).collect();
+    LabelVolume::new(volume.shape, labels, affine)
+        .map(|labels| write_nifti_gz(&labels))
+        .map_err(|e| CliError::Failed(format!("the volume cannot be written: {e}")))
 }
 
 /// The table of known correspondents.

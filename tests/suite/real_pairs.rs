@@ -4,19 +4,17 @@
 //! nothing: it is skipped, with the reason printed.
 
 use crate::data;
+use homolog::formats::ReadLimits;
 use homolog::formats::nifti::{read_nifti, write_nifti};
 use homolog::formats::ply::write_ply;
-use homolog::formats::ReadLimits;
 use homolog::intake::{IntakeLimits, prepare_surface};
 use homolog::matching::parameters::{MatchParameters, Method, preset};
 use homolog::mesh::{ClosestPointIndex, SurfaceMesh};
 use homolog::observe::Silent;
-use homolog::registration::{
-    ClosestSurfacePoint, IcpMetric, IcpOptions, RigidTransform, refine_icp,
-};
+use homolog::registration::{ClosestSurfacePoint, IcpMetric, IcpOptions, RigidTransform, refine_icp};
 use homolog::run::{InputFile, RunOutput, run_match};
 use homolog::volume::LabelVolume;
-use nalgebra::{Matrix4, Point3, Rotation3, UnitQuaternion, Quaternion, Vector3};
+use nalgebra::{Matrix4, Point3, Quaternion, Rotation3, UnitQuaternion, Vector3};
 use rand_core::{Rng, SeedableRng};
 use rand_xoshiro::Xoshiro256PlusPlus;
 
@@ -96,7 +94,8 @@ fn a_permuted_and_rotated_copy_is_found_exactly() {
         let target = moved_and_permuted(&source, &pose, &order);
         let output = run(&write_ply(&source), &write_ply(&target));
         let angle = degrees_between(&found(&output), &pose);
-        let exact = output.document.correspondences.as_ref().unwrap().target.iter().zip(&order).filter(|(a, b)| a == b).count();
+        let exact =
+            output.document.correspondences.as_ref().unwrap().target.iter().zip(&order).filter(|(a, b)| a == b).count();
         let share = exact as f64 / order.len() as f64;
         println!("copy {k}: rotation error {angle:.5} degrees, exact matches {share:.4}");
         assert!(angle < 0.1 && share >= 0.99, "subject {k}: {angle} degrees, {share} exact");
@@ -243,10 +242,10 @@ fn different_subjects_are_registered_from_any_orientation() {
             rotation: *Rotation3::identity().matrix(),
             translation: target.centroid() - source.centroid(),
         };
-        let options =
-            IcpOptions { metric: IcpMetric::PointToPoint, keep: 0.9, max_iterations: 100, tolerance: 1e-6 };
+        let options = IcpOptions { metric: IcpMetric::PointToPoint, keep: 0.9, max_iterations: 100, tolerance: 1e-6 };
         let closest = Surface(ClosestPointIndex::new(&target));
-        let reference = refine_icp(source.vertices(), &closest, &aligned, &options, &Silent).unwrap().target_from_source;
+        let reference =
+            refine_icp(source.vertices(), &closest, &aligned, &options, &Silent).unwrap().target_from_source;
 
         let mut draw = Draw::new(300 + k as u64);
         let (pose, order) = (draw.pose(), draw.permutation(target.n_vertices()));
@@ -260,7 +259,12 @@ fn different_subjects_are_registered_from_any_orientation() {
             moved_labels[new as usize] = label;
         }
         let c = output.document.correspondences.as_ref().unwrap();
-        let agree = c.source.iter().zip(&c.target).filter(|(i, x)| source_labels[**i as usize] == moved_labels[**x as usize]).count();
+        let agree = c
+            .source
+            .iter()
+            .zip(&c.target)
+            .filter(|(i, x)| source_labels[**i as usize] == moved_labels[**x as usize])
+            .count();
         agreement.push(agree as f64 / c.source.len() as f64);
         within += usize::from(angle < 10.0);
         println!("pair {k}: {angle:.2} degrees from the reference, label agreement {:.4}", agreement[k]);

@@ -1,0 +1,136 @@
+//! The settings, each from the command line or the environment, with its default.
+
+use crate::http::HttpLimits;
+use crate::intake::IntakeLimits;
+use crate::jobs::SubmissionLimits;
+use crate::worker::WorkerSettings;
+use std::net::SocketAddr;
+use std::path::PathBuf;
+use std::time::Duration;
+
+/// What every process of the service is told.
+#[derive(Debug, Clone, clap::Args)]
+pub struct ServiceSettings {
+    /// Where jobs and files are kept
+    #[arg(long, env = "HOMOLOG_DATA_DIR", default_value = "./homolog-data", value_name = "DIR")]
+    pub data_dir: PathBuf,
+    /// Jobs run at the same time; each uses all cores
+    #[arg(long, env = "HOMOLOG_WORKERS", default_value_t = 1, value_name = "N")]
+    pub workers: usize,
+    /// For how long a worker is given a job before it must have shown that it lives, ms
+    #[arg(long, env = "HOMOLOG_LEASE_MS", default_value_t = 15_000, value_parser = clap::value_parser!(u64).range(100..=3_600_000), value_name = "MS")]
+    pub lease_ms: u64,
+    /// How often it shows so, ms
+    #[arg(long, env = "HOMOLOG_HEARTBEAT_MS", default_value_t = 3_000, value_parser = clap::value_parser!(u64).range(20..=600_000), value_name = "MS")]
+    pub heartbeat_ms: u64,
+    /// How often an idle worker asks the queue, ms
+    #[arg(long, env = "HOMOLOG_POLL_MS", default_value_t = 250, value_parser = clap::value_parser!(u64).range(10..=60_000), value_name = "MS")]
+    pub poll_ms: u64,
+    /// Longest run of a job, s
+    #[arg(long, env = "HOMOLOG_MAX_RUN_S", default_value_t = 3_600, value_parser = clap::value_parser!(u64).range(1..=604_800), value_name = "S")]
+    pub max_run_s: u64,
+    /// Lost workers after which a job is dead
+    #[arg(long, env = "HOMOLOG_MAX_ATTEMPTS", default_value_t = 3, value_parser = clap::value_parser!(u32).range(1..=100), value_name = "N")]
+    pub max_attempts: u32,
+    /// Largest input file, bytes
+    #[arg(long, env = "HOMOLOG_MAX_FILE_BYTES", default_value_t = 64 << 20, value_name = "BYTES")]
+    pub max_file_bytes: usize,
+    /// Largest input file after decompression, bytes
+    #[arg(long, env = "HOMOLOG_MAX_INFLATED_BYTES", default_value_t = 512 << 20, value_name = "BYTES")]
+    pub max_inflated_bytes: usize,
+    /// Most vertices of an input surface
+    #[arg(long, env = "HOMOLOG_MAX_VERTICES", default_value_t = 200_000, value_name = "N")]
+    pub max_vertices: usize,
+    /// How long running jobs may go on after the first signal to end, ms; then they are given back
+    #[arg(long, env = "HOMOLOG_SHUTDOWN_GRACE_MS", default_value_t = 3_000, value_name = "MS")]
+    pub shutdown_grace_ms: u64,
+    /// Form of the log on standard error
+    #[arg(long, env = "HOMOLOG_LOG_FORMAT", value_enum, default_value_t = LogFormat::Text)]
+    pub log_format: LogFormat,
+    /// What is logged, as for RUST_LOG
+    #[arg(long, env = "HOMOLOG_LOG", default_value = "info,sqlx=warn", value_name = "FILTER")]
+    pub log: String,
+}
+
+/// Form of the log.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+pub enum LogFormat {
+    /// For people.
+    Text,
+    /// For machines, an object a line.
+    Json,
+}
+
+/// What a process that answers HTTP is told besides.
+#[derive(Debug, Clone, clap::Args)]
+pub struct HttpSettings {
+    /// Address to listen on
+    #[arg(long, env = "HOMOLOG_LISTEN", default_value = "127.0.0.1:8080", value_name = "ADDRESS:PORT")]
+    pub listen: SocketAddr,
+    /// Listen on an address that others can reach, without authentication
+    #[arg(long, env = "HOMOLOG_INSECURE")]
+    pub insecure: bool,
+    /// Most jobs that may wait
+    #[arg(long, env = "HOMOLOG_MAX_QUEUE", default_value_t = 1_000, value_name = "N")]
+    pub max_queue: u32,
+    /// Submissions read at the same time; each may hold two files in memory
+    #[arg(long, env = "HOMOLOG_MAX_UPLOADS", default_value_t = 4, value_name = "N")]
+    pub max_uploads: usize,
+    /// Inputs checked at the same time
+    #[arg(long, env = "HOMOLOG_MAX_CHECKS", default_value_t = 2, value_name = "N")]
+    pub max_checks: usize,
+    /// Longest time for a submission, s
+    #[arg(long, env = "HOMOLOG_UPLOAD_TIMEOUT_S", default_value_t = 300, value_parser = clap::value_parser!(u64).range(1..=86_400), value_name = "S")]
+    pub upload_timeout_s: u64,
+    /// Longest time for any other request, s
+    #[arg(long, env = "HOMOLOG_REQUEST_TIMEOUT_S", default_value_t = 60, value_parser = clap::value_parser!(u64).range(1..=3_600), value_name = "S")]
+    pub request_timeout_s: u64,
+}
+
+impl ServiceSettings {
+    /// Bounds on what is read.
+    pub fn intake_limits(&self) -> IntakeLimits {
+        IntakeLimits {
+            max_bytes: self.max_file_bytes,
+            max_inflated_bytes: self.max_inflated_bytes,
+            max_vertices: self.max_vertices,
+        }
+    }
+
+    /// Behavior of workers.
+    pub fn worker_settings(&self) -> WorkerSettings {
+        let lease = Duration::from_millis(self.lease_ms);
+        WorkerSettings {
+            slots: self.workers,
+            lease,
+            // A lease outlives two heartbeats that fail.
+            heartbeat: Duration::from_millis(self.heartbeat_ms).min(lease / 3),
+            poll: Duration::from_millis(self.poll_ms),
+            max_run: Duration::from_secs(self.max_run_s),
+            ..WorkerSettings::default()
+        }
+    }
+}
+
+impl HttpSettings {
+    /// Bounds on requests.
+    pub fn http_limits(&self, service: &ServiceSettings) -> HttpLimits {
+        HttpLimits {
+            max_file_bytes: service.max_file_bytes,
+            max_uploads: self.max_uploads,
+            max_upload_wait: Duration::from_secs(20),
+            upload_timeout: Duration::from_secs(self.upload_timeout_s),
+            request_timeout: Duration::from_secs(self.request_timeout_s),
+        }
+    }
+
+    /// Bounds on what is accepted.
+    pub fn submission_limits(&self, service: &ServiceSettings) -> SubmissionLimits {
+        SubmissionLimits {
+            max_queued: self.max_queue,
+            max_checks: self.max_checks,
+            max_check_wait: Duration::from_secs(60),
+            max_attempts: service.max_attempts,
+        }
+    }
+}

@@ -1,0 +1,126 @@
+//! What surrounds every request: its id, its span, its time limit, and problems where a layer answered none.
+
+use super::problem::{PROBLEM_JSON, Problem};
+use super::problem_table::ProblemKind;
+use super::router::HttpState;
+use axum::extract::{MatchedPath, Request, State};
+use axum::http::{HeaderMap, HeaderName, HeaderValue, Method, header};
+use axum::middleware::Next;
+use axum::response::{IntoResponse, Response};
+use std::time::Instant;
+use tracing::Instrument;
+
+/// The header that names a request.
+pub const REQUEST_ID: HeaderName = HeaderName::from_static("x-request-id");
+const TRACEPARENT: HeaderName = HeaderName::from_static("traceparent");
+
+tokio::task_local! {
+    static CURRENT: String;
+}
+
+/// The id of the request that is being answered.
+pub fn request_id() -> Option<String> {
+    CURRENT.try_with(Clone::clone).ok()
+}
+
+/// The client's id for its request if it is harmless in a log, else a new one.
+fn accepted_id(headers: &HeaderMap) -> String {
+    let offered = headers.get(REQUEST_ID).and_then(|v| v.to_str().ok()).filter(|id| {
+        (1..=128).contains(&id.len()) && id.bytes().all(|b| b.is_ascii_alphanumeric() || b"-_.:".contains(&b))
+    });
+    offered.map_or_else(|| uuid::Uuid::now_v7().to_string(), str::to_owned)
+}
+
+/// The trace id of a valid W3C `traceparent`.
+fn trace_id(headers: &HeaderMap) -> Option<&str> {
+    let value = headers.get(TRACEPARENT)?.to_str().ok()?;
+    let mut parts = value.split('-');
+    let (version, trace, parent, _flags) = (parts.next()?, parts.next()?, parts.next()?, parts.next()?);
+    let hex = |text: &str, length| text.len() == length && text.bytes().all(|b| b.is_ascii_hexdigit());
+    (hex(version, 2) && hex(trace, 32) && hex(parent, 16)).then_some(trace)
+}
+
+/// The outermost layer: names the request, logs its answer, and turns errors of other layers into problems.
+pub async fn surround(State(state): State<HttpState>, request: Request, next: Next) -> Response {
+    let id = accepted_id(request.headers());
+    let header = HeaderValue::from_str(&id).ok();
+    let route = request.extensions().get::<MatchedPath>().map(|p| p.as_str().to_owned());
+    let method = request.method().clone();
+    let span = tracing::info_span!(
+        "request",
+        request_id = %id,
+        trace_id = trace_id(request.headers()),
+        %method,
+        route = route.as_deref().unwrap_or("none"),
+    );
+    let began = Instant::now();
+    let limit = match (&method, route.as_deref()) {
+        (&Method::POST, Some("/v1/jobs")) => state.limits.upload_timeout,
+        _ => state.limits.request_timeout,
+    };
+    let answer = async {
+        let response = match tokio::time::timeout(limit, next.run(request)).await {
+            Ok(response) => response,
+            Err(_) => Problem::new(ProblemKind::Timeout).retry_after(5).into_response(),
+        };
+        let response = as_problem(response);
+        let elapsed_ms = began.elapsed().as_millis();
+        tracing::info!(status = response.status().as_u16(), elapsed_ms, "answered");
+        response
+    };
+    let mut response = CURRENT.scope(id, answer.instrument(span)).await;
+    if let Some(value) = header {
+        response.headers_mut().insert(REQUEST_ID, value);
+    }
+    response
+}
+
+/// Errors that no handler made (a path that is no UTF-8, a wrong method) as problems too.
+fn as_problem(response: Response) -> Response {
+    let status = response.status();
+    let is_error = status.is_client_error() || status.is_server_error();
+    let is_problem = response.headers().get(header::CONTENT_TYPE).is_some_and(|t| t == PROBLEM_JSON);
+    if !is_error || is_problem {
+        return response;
+    }
+    let allow = response.headers().get(header::ALLOW).cloned();
+    let mut problem = Problem::new(ProblemKind::from_status(status)).into_response();
+    if let Some(allow) = allow {
+        problem.headers_mut().insert(header::ALLOW, allow);
+    }
+    problem
+}
+
+/// What a panic of a handler is answered.
+pub fn panic_problem(_: Box<dyn std::any::Any + Send + 'static>) -> Response {
+    // The panic hook has logged where; what it said stays out of log and answer.
+    tracing::error!(request_id = request_id(), "a handler panicked");
+    Problem::new(ProblemKind::InternalError).into_response()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_harmless_request_ids_are_kept() {
+        let with = |value: &'static str| {
+            let mut headers = HeaderMap::new();
+            headers.insert(REQUEST_ID, HeaderValue::from_static(value));
+            accepted_id(&headers)
+        };
+        assert_eq!(with("abc-1.2:3_x"), "abc-1.2:3_x");
+        assert_ne!(with("two words"), "two words");
+        assert_ne!(with(""), "");
+    }
+
+    #[test]
+    fn traceparent_is_read() {
+        let mut headers = HeaderMap::new();
+        headers
+            .insert(TRACEPARENT, HeaderValue::from_static("00-0af7651916cd43dd8448eb211c80319c-b7ad6b7169203331-01"));
+        assert_eq!(trace_id(&headers), Some("0af7651916cd43dd8448eb211c80319c"));
+        headers.insert(TRACEPARENT, HeaderValue::from_static("nonsense"));
+        assert_eq!(trace_id(&headers), None);
+    }
+}

@@ -1,0 +1,21 @@
+//! How the outside asks: routes, problems, wire types and the OpenAPI document.
+//!
+//! Reading order: [`router`] (layers and routes), [`routes`] (a file a resource), [`upload`] (multipart under limits),
+//! [`wire`] (JSON forms), [`problem`] (every error there is), [`context`] (request ids, spans, the last resort).
+//!
+//! Invariant: every error answer is `application/problem+json`; an answer of 5xx hides its cause and carries the
+//! request id. Nothing here knows a store or how a match is computed.
+
+pub mod context;
+pub mod openapi;
+pub mod problem;
+pub mod problem_table;
+pub mod query;
+pub mod router;
+pub mod routes;
+pub mod upload;
+pub mod wire;
+
+mod conditional;
+
+pub use router::{HttpLimits, HttpState, router};

@@ -1,0 +1,39 @@
+//! The OpenAPI document: made from the routes, committed as `api/openapi.json`.
+
+use super::problem::ProblemDocument;
+use super::router::api;
+use utoipa::OpenApi;
+
+#[derive(OpenApi)]
+#[openapi(
+    info(
+        title = "homolog",
+        description = "Dense correspondence and rigid registration of anatomical surfaces. \
+                       Submit two surfaces, follow the job and its energy trace, fetch the result.",
+        license(name = "MIT OR Apache-2.0", identifier = "MIT OR Apache-2.0"),
+    ),
+    tags(
+        (name = "jobs", description = "Submit, follow, cancel, delete"),
+        (name = "results", description = "What a succeeded job leaves"),
+        (name = "methods", description = "What can be asked for"),
+        (name = "system", description = "For operators and machines"),
+    ),
+    components(schemas(ProblemDocument)),
+)]
+struct Description;
+
+/// Everything but the routes.
+pub(super) fn document() -> utoipa::openapi::OpenApi {
+    Description::openapi()
+}
+
+/// The document, pretty-printed, with a line's end at its end.
+///
+/// # Errors
+/// If it cannot be written as JSON.
+pub fn openapi_json() -> Result<String, serde_json::Error> {
+    let (_, document) = api().split_for_parts();
+    let mut text = serde_json::to_string_pretty(&document)?;
+    text.push('\n');
+    Ok(text)
+}

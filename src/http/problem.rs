@@ -1,0 +1,219 @@
+//! A problem as it is answered (RFC 9457), and what errors of the use cases become.
+
+use super::context::request_id;
+use super::problem_table::ProblemKind;
+use crate::jobs::{Failure, JobError, SubmitError};
+use axum::http::{HeaderValue, header};
+use axum::response::{IntoResponse, Response};
+use serde::{Deserialize, Serialize};
+use serde_json::{Map, Value, json};
+
+/// The media type of every error.
+pub const PROBLEM_JSON: &str = "application/problem+json";
+
+/// What a handler answers instead of what was asked for.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Problem {
+    kind: ProblemKind,
+    detail: Option<String>,
+    retry_after_s: Option<u32>,
+    members: Map<String, Value>,
+}
+
+/// A fault at one place of a request.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, utoipa::ToSchema)]
+pub struct FieldError {
+    /// JSON pointer: into the form (`/parameters/energy/alpha`, `/source`), or `/query/<name>`.
+    pub pointer: String,
+    /// Which kind of fault.
+    pub code: String,
+    /// What is wrong and what is allowed.
+    pub detail: String,
+}
+
+impl FieldError {
+    /// A fault.
+    pub fn new(pointer: impl Into<String>, code: &str, detail: impl Into<String>) -> Self {
+        FieldError { pointer: pointer.into(), code: code.to_owned(), detail: detail.into() }
+    }
+}
+
+/// The JSON form of a problem. Further members depend on the type.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, utoipa::ToSchema)]
+pub struct ProblemDocument {
+    /// Stable URI reference, `/problems/<slug>`.
+    pub r#type: String,
+    /// The same for every problem of this type.
+    pub title: String,
+    /// HTTP status.
+    pub status: u16,
+    /// What happened this time.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub detail: Option<String>,
+    /// The request, as in the service's log; absent in the `error` of a job.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub request_id: Option<String>,
+    /// Faults, each with its place.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub errors: Option<Vec<FieldError>>,
+    /// `source` or `target`, where one of them is the reason.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub input: Option<String>,
+    /// Topology of the surface that was refused.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schema(value_type = Option<crate::jobs::documents::TopologyReport>)]
+    pub topology: Option<Value>,
+    /// State of the job, where it is the reason.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub state: Option<crate::jobs::JobState>,
+}
+
+impl Problem {
+    /// A problem of this kind.
+    pub fn new(kind: ProblemKind) -> Self {
+        Problem { kind, detail: None, retry_after_s: None, members: Map::new() }
+    }
+
+    /// Says what happened this time.
+    #[must_use]
+    pub fn detail(mut self, detail: impl Into<String>) -> Self {
+        self.detail = Some(detail.into());
+        self
+    }
+
+    /// Adds faults with their places.
+    #[must_use]
+    pub fn errors(self, errors: &[FieldError]) -> Self {
+        self.member("errors", json!(errors))
+    }
+
+    /// Says when to ask again.
+    #[must_use]
+    pub fn retry_after(mut self, seconds: u32) -> Self {
+        self.retry_after_s = Some(seconds);
+        self
+    }
+
+    /// Adds a member.
+    #[must_use]
+    pub fn member(mut self, name: &str, value: Value) -> Self {
+        self.members.insert(name.to_owned(), value);
+        self
+    }
+
+    /// Its kind.
+    pub fn kind(&self) -> ProblemKind {
+        self.kind
+    }
+
+    /// A failure of the service: the cause goes to the log, the answer hides it.
+    pub fn internal(cause: &dyn std::error::Error) -> Self {
+        tracing::error!(request_id = request_id(), cause = %chain(cause), "a request failed");
+        Problem::new(ProblemKind::InternalError)
+    }
+
+    fn unavailable(cause: &dyn std::error::Error) -> Self {
+        tracing::error!(request_id = request_id(), cause = %chain(cause), "a dependency does not answer");
+        Problem::new(ProblemKind::Unavailable).retry_after(2)
+    }
+}
+
+/// An error with what caused it, for the log.
+fn chain(error: &dyn std::error::Error) -> String {
+    let mut text = error.to_string();
+    let mut cause = error.source();
+    while let Some(source) = cause {
+        text = format!("{text}: {source}");
+        cause = source.source();
+    }
+    text
+}
+
+impl IntoResponse for Problem {
+    fn into_response(self) -> Response {
+        let entry = self.kind.entry();
+        let mut body = Map::new();
+        body.insert("type".to_owned(), format!("/problems/{}", entry.slug).into());
+        body.insert("title".to_owned(), entry.title.into());
+        body.insert("status".to_owned(), entry.status.as_u16().into());
+        if let Some(detail) = self.detail {
+            body.insert("detail".to_owned(), detail.into());
+        }
+        if let Some(id) = request_id() {
+            body.insert("request_id".to_owned(), id.into());
+        }
+        body.extend(self.members);
+        let mut response = (entry.status, Value::Object(body).to_string()).into_response();
+        response.headers_mut().insert(header::CONTENT_TYPE, HeaderValue::from_static(PROBLEM_JSON));
+        if let Some(seconds) = self.retry_after_s {
+            response.headers_mut().insert(header::RETRY_AFTER, seconds.into());
+        }
+        response
+    }
+}
+
+impl From<JobError> for Problem {
+    fn from(error: JobError) -> Self {
+        let with_state = |kind, state: crate::jobs::JobState| {
+            Problem::new(kind).detail(format!("the job is {}", state.name())).member("state", state.name().into())
+        };
+        match error {
+            JobError::NotFound => Problem::new(ProblemKind::JobNotFound),
+            JobError::QueueFull { limit } => {
+                Problem::new(ProblemKind::QueueFull).detail(format!("{limit} jobs wait already")).retry_after(10)
+            }
+            JobError::StillActive { state } => with_state(ProblemKind::JobActive, state),
+            JobError::AlreadyFinal { state } => with_state(ProblemKind::JobFinished, state),
+            JobError::NotReady { state } => with_state(ProblemKind::ResultNotReady, state).retry_after(1),
+            JobError::NoResult { state } => with_state(ProblemKind::NoResult, state),
+            JobError::StorageFull => {
+                tracing::error!(request_id = request_id(), "no room in the store");
+                Problem::new(ProblemKind::StorageFull)
+            }
+            JobError::Unavailable(_) => Problem::unavailable(&error),
+            JobError::LeaseLost | JobError::Corrupt { .. } => Problem::internal(&error),
+        }
+    }
+}
+
+impl From<SubmitError> for Problem {
+    fn from(error: SubmitError) -> Self {
+        match error {
+            SubmitError::Parameters(faults) => {
+                let errors: Vec<_> = faults
+                    .into_iter()
+                    .map(|f| FieldError::new(format!("/parameters{}", f.pointer), &f.code, f.detail))
+                    .collect();
+                Problem::new(ProblemKind::InvalidParameters).errors(&errors)
+            }
+            SubmitError::Input { input, refusal } => {
+                let kind = ProblemKind::from_slug(&refusal.code).unwrap_or(ProblemKind::InvalidInput);
+                let error = FieldError::new(format!("/{input}"), &refusal.code, &refusal.detail);
+                let problem = Problem::new(kind).detail(refusal.detail).errors(&[error]).member("input", input.into());
+                match refusal.topology {
+                    Some(topology) => problem.member("topology", topology),
+                    None => problem,
+                }
+            }
+            SubmitError::Busy => Problem::new(ProblemKind::Busy).retry_after(5),
+            SubmitError::CheckFailed { .. } => Problem::internal(&error),
+            SubmitError::Job(error) => error.into(),
+        }
+    }
+}
+
+/// The `error` of a job.
+pub fn failure_document(failure: &Failure) -> ProblemDocument {
+    let entry = ProblemKind::from_slug(&failure.code).unwrap_or(ProblemKind::InvalidInput).entry();
+    ProblemDocument {
+        r#type: format!("/problems/{}", entry.slug),
+        title: entry.title.to_owned(),
+        status: entry.status.as_u16(),
+        detail: Some(failure.detail.clone()),
+        request_id: None,
+        errors: None,
+        input: failure.input.clone(),
+        topology: failure.topology.clone(),
+        state: None,
+    }
+}

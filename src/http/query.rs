@@ -1,0 +1,91 @@
+//! Query strings: every parameter known, given once and in range, or a problem that names all faults.
+
+use super::problem::{FieldError, Problem};
+use super::problem_table::ProblemKind;
+use axum::extract::{FromRequestParts, Query};
+use axum::http::request::Parts;
+use std::ops::RangeInclusive;
+use std::str::FromStr;
+
+/// The parameters of a query string, taken out one by one; [`QueryString::finish`] refuses what is left.
+#[derive(Debug)]
+pub struct QueryString {
+    pairs: Vec<(String, String)>,
+    faults: Vec<FieldError>,
+}
+
+impl<S: Send + Sync> FromRequestParts<S> for QueryString {
+    type Rejection = Problem;
+
+    async fn from_request_parts(parts: &mut Parts, state: &S) -> Result<Self, Problem> {
+        match Query::<Vec<(String, String)>>::from_request_parts(parts, state).await {
+            Ok(Query(pairs)) => Ok(QueryString { pairs, faults: Vec::new() }),
+            Err(rejection) => Err(Problem::new(ProblemKind::InvalidQuery).detail(rejection.body_text())),
+        }
+    }
+}
+
+impl QueryString {
+    /// All values of a parameter that may be repeated.
+    pub fn all(&mut self, name: &str) -> Vec<String> {
+        let (taken, kept) = std::mem::take(&mut self.pairs).into_iter().partition(|(n, _)| n == name);
+        self.pairs = kept;
+        let taken: Vec<(String, String)> = taken;
+        taken.into_iter().map(|(_, value)| value).collect()
+    }
+
+    /// The value of a parameter that may be given once.
+    pub fn text(&mut self, name: &str) -> Option<String> {
+        let mut values = self.all(name);
+        if values.len() > 1 {
+            self.fault(name, "repeated", "give it once");
+        }
+        values.pop()
+    }
+
+    /// A number within `range`.
+    pub fn number<T>(&mut self, name: &str, range: RangeInclusive<T>) -> Option<T>
+    where
+        T: FromStr + PartialOrd + std::fmt::Display,
+    {
+        let text = self.text(name)?;
+        match text.parse::<T>() {
+            Ok(value) if range.contains(&value) => Some(value),
+            _ => {
+                let detail = format!("must be a number from {} to {}", range.start(), range.end());
+                self.fault(name, "out_of_range", detail);
+                None
+            }
+        }
+    }
+
+    /// One of several words.
+    pub fn word<T: Copy>(&mut self, name: &str, words: &[(&str, T)]) -> Option<T> {
+        let text = self.text(name)?;
+        let found = words.iter().find(|(word, _)| *word == text).map(|(_, value)| *value);
+        if found.is_none() {
+            let known: Vec<_> = words.iter().map(|(word, _)| *word).collect();
+            self.fault(name, "out_of_range", format!("must be one of {}", known.join(", ")));
+        }
+        found
+    }
+
+    /// Notes a fault.
+    pub fn fault(&mut self, name: &str, code: &str, detail: impl Into<String>) {
+        self.faults.push(FieldError::new(format!("/query/{name}"), code, detail));
+    }
+
+    /// # Errors
+    /// All faults, and every parameter that nobody asked for.
+    pub fn finish(mut self) -> Result<(), Problem> {
+        for (name, _) in std::mem::take(&mut self.pairs) {
+            // The name is the client's own; it is cut so that the answer stays small.
+            let name: String = name.chars().take(64).collect();
+            self.fault(&name, "unknown", "this parameter is not known here");
+        }
+        if self.faults.is_empty() {
+            return Ok(());
+        }
+        Err(Problem::new(ProblemKind::InvalidQuery).errors(&self.faults))
+    }
+}

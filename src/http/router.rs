@@ -1,0 +1,91 @@
+//! The routes and the layers around them.
+
+use super::context::{panic_problem, surround};
+use super::openapi::document;
+use super::problem::Problem;
+use super::problem_table::ProblemKind;
+use super::routes;
+use crate::jobs::JobService;
+use axum::Router;
+use axum::extract::DefaultBodyLimit;
+use std::sync::Arc;
+use std::time::Duration;
+use tokio::sync::Semaphore;
+use tokio_util::sync::CancellationToken;
+use tower_http::catch_panic::CatchPanicLayer;
+use utoipa_axum::router::OpenApiRouter;
+use utoipa_axum::routes;
+
+/// Bounds on requests.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct HttpLimits {
+    /// Largest file of a submission.
+    pub max_file_bytes: usize,
+    /// Submissions that are read at the same time; each may hold two files in memory.
+    pub max_uploads: usize,
+    /// Longest wait for a free place among them.
+    pub max_upload_wait: Duration,
+    /// Longest time for a submission, its body included.
+    pub upload_timeout: Duration,
+    /// Longest time for any other request.
+    pub request_timeout: Duration,
+}
+
+impl HttpLimits {
+    /// Largest body: two files, the text fields and what frames them.
+    pub fn max_body_bytes(&self) -> usize {
+        self.max_file_bytes.saturating_mul(2).saturating_add(4 << 20)
+    }
+}
+
+/// What every handler has.
+#[derive(Clone)]
+pub struct HttpState {
+    /// The use cases.
+    pub service: Arc<JobService>,
+    /// Bounds.
+    pub limits: HttpLimits,
+    /// Places for submissions being read.
+    pub uploads: Arc<Semaphore>,
+    /// The process ends: long polls answer at once.
+    pub stop: CancellationToken,
+}
+
+impl HttpState {
+    /// The state over these use cases.
+    pub fn new(service: Arc<JobService>, limits: HttpLimits, stop: CancellationToken) -> Self {
+        let uploads = Arc::new(Semaphore::new(limits.max_uploads.max(1)));
+        HttpState { service, limits, uploads, stop }
+    }
+}
+
+/// Every route with its description.
+pub(super) fn api() -> OpenApiRouter<HttpState> {
+    OpenApiRouter::with_openapi(document())
+        .routes(routes!(routes::jobs::submit, routes::jobs::list))
+        .routes(routes!(routes::jobs::get, routes::jobs::delete))
+        .routes(routes!(routes::jobs::cancel))
+        .routes(routes!(routes::trace::trace))
+        .routes(routes!(routes::result::result))
+        .routes(routes!(routes::result::correspondences))
+        .routes(routes!(routes::surfaces::surface))
+        .routes(routes!(routes::surfaces::aligned))
+        .routes(routes!(routes::methods::list))
+        .routes(routes!(routes::methods::get))
+        .routes(routes!(routes::system::healthz))
+        .routes(routes!(routes::system::readyz))
+        .routes(routes!(routes::system::openapi_json))
+        .routes(routes!(routes::system::problem_type))
+}
+
+/// The service as one router.
+pub fn router(state: HttpState) -> Router {
+    let (router, _) = api().split_for_parts();
+    router
+        .fallback(|| async { Problem::new(ProblemKind::RouteNotFound) })
+        // Bodies are bounded where they are read; axum's own limit would answer without a problem.
+        .layer(DefaultBodyLimit::disable())
+        .layer(CatchPanicLayer::custom(panic_problem))
+        .layer(axum::middleware::from_fn_with_state(state.clone(), surround))
+        .with_state(state)
+}

@@ -1,0 +1,32 @@
+//! `/v1/methods`: what can be asked for, with the JSON Schema of its parameters.
+
+use crate::http::problem::{Problem, ProblemDocument};
+use crate::http::problem_table::ProblemKind;
+use crate::http::router::HttpState;
+use crate::http::wire::MethodListDocument;
+use crate::jobs::engine::MethodDescription;
+use axum::Json;
+use axum::extract::{Path, State};
+
+/// List the methods
+#[utoipa::path(
+    get, path = "/v1/methods", tag = "methods", operation_id = "list_methods",
+    responses((status = 200, description = "All methods, the default first", body = MethodListDocument))
+)]
+pub async fn list(State(state): State<HttpState>) -> Json<MethodListDocument> {
+    Json(MethodListDocument { methods: state.service.methods() })
+}
+
+/// Read a method
+#[utoipa::path(
+    get, path = "/v1/methods/{name}", tag = "methods", operation_id = "get_method",
+    params(("name" = String, Path, description = "The method")),
+    responses(
+        (status = 200, description = "The method", body = MethodDescription),
+        (status = 404, description = "No such method", body = ProblemDocument, content_type = "application/problem+json"),
+    )
+)]
+pub async fn get(State(state): State<HttpState>, Path(name): Path<String>) -> Result<Json<MethodDescription>, Problem> {
+    let found = state.service.methods().into_iter().find(|method| method.name == name);
+    found.map(Json).ok_or_else(|| Problem::new(ProblemKind::MethodNotFound))
+}

@@ -1,0 +1,133 @@
+//! The port to the computation: what jobs need from whoever checks inputs and computes results.
+//!
+//! The one real implementation is [`crate::worker::match_engine`]; tests put others in its place.
+
+use super::ports::ArtifactKind;
+use crate::observe::Observer;
+use serde::{Deserialize, Serialize};
+use serde_json::Value;
+
+/// Checks and computes.
+pub trait Engine: Send + Sync {
+    /// The methods there are, the default first.
+    fn methods(&self) -> Vec<MethodDescription>;
+
+    /// The effective parameters of a request.
+    ///
+    /// # Errors
+    /// Every fault with its place.
+    fn resolve(&self, request: &Value) -> Result<Resolved, Vec<ParameterFault>>;
+
+    /// Whether an input can be matched under these effective parameters. May take seconds; called on a blocking thread.
+    ///
+    /// # Errors
+    /// Why not.
+    fn check_input(&self, input: &InputBytes<'_>, parameters: &Value) -> Result<InputSummary, InputRefusal>;
+
+    /// Computes a result. Called on a thread of its own; may panic, which fails this job only.
+    ///
+    /// # Errors
+    /// Why there is none.
+    fn compute(&self, task: &ComputeTask, observer: &dyn Observer) -> Result<Vec<Product>, ComputeError>;
+}
+
+/// A method, for clients to choose.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, utoipa::ToSchema)]
+pub struct MethodDescription {
+    /// Name, as in the parameters.
+    pub name: String,
+    /// Version.
+    pub version: String,
+    /// One sentence for people.
+    pub description: String,
+    /// Effective parameters of a request that states nothing else.
+    pub defaults: Value,
+    /// JSON Schema of the parameters: ranges, units, what each does.
+    pub parameters_schema: Value,
+}
+
+/// Effective parameters.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Resolved {
+    /// Name of the method.
+    pub method: String,
+    /// Its version.
+    pub method_version: String,
+    /// Every value.
+    pub parameters: Value,
+}
+
+/// A fault in the parameters.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct ParameterFault {
+    /// JSON pointer into the parameters.
+    pub pointer: String,
+    /// Which kind.
+    pub code: String,
+    /// What is wrong and what is allowed.
+    pub detail: String,
+}
+
+/// The bytes of an input.
+#[derive(Debug, Clone, Copy)]
+pub struct InputBytes<'a> {
+    /// The whole file.
+    pub bytes: &'a [u8],
+    /// The endings of its name, such as `.nii.gz`.
+    pub name_hint: Option<&'a str>,
+}
+
+/// An input that can be matched.
+#[derive(Debug, Clone, PartialEq)]
+pub struct InputSummary {
+    /// Vertices of the surface to be matched.
+    pub n_vertices: u32,
+    /// Its faces.
+    pub n_faces: u32,
+    /// Format, topology and repairs.
+    pub report: Value,
+}
+
+/// An input that cannot be matched.
+#[derive(Debug, Clone, PartialEq)]
+pub struct InputRefusal {
+    /// Stable name of the problem.
+    pub code: String,
+    /// Where and why.
+    pub detail: String,
+    /// Topology of the surface that was refused.
+    pub topology: Option<Value>,
+}
+
+/// What is to be computed.
+#[derive(Debug, Clone)]
+pub struct ComputeTask {
+    /// Effective parameters.
+    pub parameters: Value,
+    /// Bytes of the source as uploaded.
+    pub source: Vec<u8>,
+    /// Endings of its name.
+    pub source_hint: Option<String>,
+    /// Bytes of the target as uploaded.
+    pub target: Vec<u8>,
+    /// Endings of its name.
+    pub target_hint: Option<String>,
+}
+
+/// One of the blobs that make a result.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Product {
+    /// Which.
+    pub kind: ArtifactKind,
+    /// Its bytes.
+    pub bytes: Vec<u8>,
+}
+
+/// Why there is no result.
+#[derive(Debug, Clone, PartialEq)]
+pub enum ComputeError {
+    /// The observer asked for the end.
+    Cancelled,
+    /// It cannot be computed.
+    Failed(super::job::Failure),
+}

@@ -1,0 +1,131 @@
+//! The states of a job and the only code that decides which follows which.
+//!
+//! A store reads a row, asks here, and writes the answer, all in one transaction; so both stores move jobs alike.
+
+use serde::{Deserialize, Serialize};
+
+/// Where a job stands. A finished state never changes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize, utoipa::ToSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum JobState {
+    /// Waits for a worker.
+    Queued,
+    /// A worker holds its lease.
+    Running,
+    /// Has a result.
+    Succeeded,
+    /// Ended without a result; `error` says why.
+    Failed,
+    /// Ended because somebody asked.
+    Cancelled,
+    /// Its deadline passed, or its result was removed when its time was over.
+    Expired,
+    /// Its workers crashed too often.
+    Dead,
+}
+
+impl JobState {
+    /// All states, in the order of a job's life.
+    pub const ALL: [JobState; 7] = [
+        JobState::Queued,
+        JobState::Running,
+        JobState::Succeeded,
+        JobState::Failed,
+        JobState::Cancelled,
+        JobState::Expired,
+        JobState::Dead,
+    ];
+
+    /// The name used in JSON and in the database.
+    pub fn name(self) -> &'static str {
+        match self {
+            JobState::Queued => "queued",
+            JobState::Running => "running",
+            JobState::Succeeded => "succeeded",
+            JobState::Failed => "failed",
+            JobState::Cancelled => "cancelled",
+            JobState::Expired => "expired",
+            JobState::Dead => "dead",
+        }
+    }
+
+    /// The state of this name.
+    pub fn from_name(name: &str) -> Option<JobState> {
+        JobState::ALL.into_iter().find(|s| s.name() == name)
+    }
+
+    /// Whether nothing can follow.
+    pub fn is_final(self) -> bool {
+        !matches!(self, JobState::Queued | JobState::Running)
+    }
+}
+
+/// What a request to cancel does to a job.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum CancelEffect {
+    /// Nobody works on it: it is cancelled at once.
+    CancelNow,
+    /// A worker holds it and is told through its heartbeat.
+    TellWorker,
+    /// It is cancelled already: asking again changes nothing.
+    AlreadyCancelled,
+    /// It ended otherwise.
+    AlreadyFinal,
+}
+
+/// What a request to cancel does to a job in `state`.
+pub fn cancel_effect(state: JobState) -> CancelEffect {
+    match state {
+        JobState::Queued => CancelEffect::CancelNow,
+        JobState::Running => CancelEffect::TellWorker,
+        JobState::Cancelled => CancelEffect::AlreadyCancelled,
+        JobState::Succeeded | JobState::Failed | JobState::Expired | JobState::Dead => CancelEffect::AlreadyFinal,
+    }
+}
+
+/// Where a running job goes whose worker is gone; `crashes` counts this one.
+///
+/// A crash is no failure: the job waits again until `max_attempts` of its workers were lost. Who asked for its
+/// end before gets it.
+pub fn state_after_crash(cancel_requested: bool, crashes: u32, max_attempts: u32) -> JobState {
+    if cancel_requested {
+        JobState::Cancelled
+    } else if crashes >= max_attempts {
+        JobState::Dead
+    } else {
+        JobState::Queued
+    }
+}
+
+/// Where a running job goes that its worker gives back, as at a shutdown, which is neither attempt nor crash.
+pub fn state_after_release(cancel_requested: bool) -> JobState {
+    if cancel_requested { JobState::Cancelled } else { JobState::Queued }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_lead_back() {
+        for state in JobState::ALL {
+            assert_eq!(JobState::from_name(state.name()), Some(state));
+            assert_eq!(serde_json::to_value(state).unwrap(), state.name());
+        }
+    }
+
+    #[test]
+    fn a_final_state_is_never_left_by_cancel() {
+        for state in JobState::ALL {
+            let changes = matches!(cancel_effect(state), CancelEffect::CancelNow | CancelEffect::TellWorker);
+            assert_eq!(changes, !state.is_final(), "{state:?}");
+        }
+    }
+
+    #[test]
+    fn the_crash_limit_ends_a_job() {
+        let after: Vec<_> = (1..=3).map(|n| state_after_crash(false, n, 3)).collect();
+        assert_eq!(after, [JobState::Queued, JobState::Queued, JobState::Dead]);
+        assert_eq!(state_after_crash(true, 1, 3), JobState::Cancelled);
+    }
+}

@@ -1,0 +1,135 @@
+//! Blobs in a folder, named by their content: `blobs/<tenant>/ab/cd/abcd…`.
+//!
+//! A blob is written to a temporary file, flushed to disk, renamed into place, and the folders that name it are
+//! flushed too; so what has a name is whole and survives loss of power. Equal content is stored once.
+
+use crate::jobs::{ArtifactKey, ArtifactStore, JobError};
+use async_trait::async_trait;
+use bytes::Bytes;
+use std::fs::{self, File};
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+/// No write takes this long; a temporary file older than this belongs to nobody.
+const STALE: Duration = Duration::from_secs(3600);
+
+/// A folder of blobs.
+#[derive(Debug, Clone)]
+pub struct FolderArtifacts {
+    blobs: PathBuf,
+    temporary: PathBuf,
+}
+
+impl FolderArtifacts {
+    /// The blobs under `data_dir`, which is made if it is not there.
+    ///
+    /// # Errors
+    /// [`JobError::Unavailable`] if it cannot be.
+    pub fn open(data_dir: &Path) -> Result<Self, JobError> {
+        let store = FolderArtifacts { blobs: data_dir.join("blobs"), temporary: data_dir.join("incoming") };
+        for folder in [&store.blobs, &store.temporary] {
+            fs::create_dir_all(folder).map_err(domain_error)?;
+        }
+        sync_folder(data_dir).map_err(domain_error)?;
+        Ok(store)
+    }
+
+    fn path(&self, key: &ArtifactKey) -> Result<PathBuf, JobError> {
+        let hash = &key.hash;
+        if hash.len() != 64 || !hash.bytes().all(|b| matches!(b, b'0'..=b'9' | b'a'..=b'f')) {
+            return Err(JobError::Corrupt { what: "a blob's address", source: None });
+        }
+        Ok(self.blobs.join(key.tenant.name()).join(&hash[0..2]).join(&hash[2..4]).join(hash))
+    }
+
+    fn write(&self, path: &Path, bytes: &[u8]) -> io::Result<()> {
+        if fs::metadata(path).is_ok_and(|m| m.len() == bytes.len() as u64) {
+            return Ok(()); // the name says the content, and only whole blobs get names
+        }
+        let temporary = self.temporary.join(uuid::Uuid::new_v4().to_string());
+        let written = (|| {
+            let mut file = File::create_new(&temporary)?;
+            file.write_all(bytes)?;
+            file.sync_all()?;
+            let parent = path.parent().ok_or(io::ErrorKind::InvalidInput)?;
+            fs::create_dir_all(parent)?;
+            fs::rename(&temporary, path)?;
+            // The blob's own folder and those above it, which may be new, up to the root of the blobs.
+            for folder in parent.ancestors().take_while(|folder| folder.starts_with(&self.blobs)) {
+                sync_folder(folder)?;
+            }
+            Ok(())
+        })();
+        if written.is_err() {
+            let _ = fs::remove_file(&temporary);
+        }
+        written
+    }
+}
+
+fn sync_folder(folder: &Path) -> io::Result<()> {
+    File::open(folder)?.sync_all()
+}
+
+fn domain_error(error: io::Error) -> JobError {
+    match error.kind() {
+        io::ErrorKind::StorageFull | io::ErrorKind::QuotaExceeded => JobError::StorageFull,
+        _ => JobError::Unavailable(Box::new(error)),
+    }
+}
+
+/// Runs file work where it may block.
+async fn blocking<T: Send + 'static>(work: impl FnOnce() -> io::Result<T> + Send + 'static) -> Result<T, JobError> {
+    match tokio::task::spawn_blocking(work).await {
+        Ok(done) => done.map_err(domain_error),
+        Err(join) => Err(JobError::Unavailable(Box::new(join))),
+    }
+}
+
+#[async_trait]
+impl ArtifactStore for FolderArtifacts {
+    async fn ping(&self) -> Result<(), JobError> {
+        let folders = [self.blobs.clone(), self.temporary.clone()];
+        blocking(move || folders.iter().try_for_each(|f| fs::metadata(f).map(|_| ()))).await
+    }
+
+    async fn put(&self, key: &ArtifactKey, bytes: Bytes) -> Result<(), JobError> {
+        let (store, path) = (self.clone(), self.path(key)?);
+        blocking(move || store.write(&path, &bytes)).await
+    }
+
+    async fn get(&self, key: &ArtifactKey) -> Result<Bytes, JobError> {
+        let path = self.path(key)?;
+        let bytes = blocking(move || fs::read(path)).await?;
+        if blake3::hash(&bytes).to_hex().as_str() != key.hash {
+            return Err(JobError::Corrupt { what: "a blob whose content is not its name", source: None });
+        }
+        Ok(bytes.into())
+    }
+
+    async fn remove(&self, key: &ArtifactKey) -> Result<(), JobError> {
+        let path = self.path(key)?;
+        blocking(move || match fs::remove_file(&path) {
+            Err(error) if error.kind() != io::ErrorKind::NotFound => Err(error),
+            _ => Ok(()),
+        })
+        .await
+    }
+
+    async fn sweep(&self) -> Result<u32, JobError> {
+        let temporary = self.temporary.clone();
+        blocking(move || {
+            let mut removed = 0;
+            for entry in fs::read_dir(temporary)? {
+                let entry = entry?;
+                let age = entry.metadata()?.modified()?.elapsed().unwrap_or_default();
+                if age > STALE && fs::remove_file(entry.path()).is_ok() {
+                    removed += 1;
+                }
+            }
+            Ok(removed)
+        })
+        .await
+    }
+}

@@ -1,0 +1,5 @@
+//! Blobs by content.
+
+pub mod folder;
+
+pub use folder::FolderArtifacts;

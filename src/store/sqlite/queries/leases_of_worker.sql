@@ -1,0 +1,4 @@
+-- leases_of_worker
+SELECT id, crashes, max_attempts, cancel_requested
+FROM jobs
+WHERE state = 'running' AND worker_id = ?1

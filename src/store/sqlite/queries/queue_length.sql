@@ -1,0 +1,2 @@
+-- queue_length
+SELECT COUNT(*) FROM jobs WHERE state = 'queued'

@@ -1,0 +1,29 @@
+//! Logs on standard error. They carry ids, never file names, labels or anything else that may name a patient.
+
+use crate::config::LogFormat;
+use tracing_subscriber::EnvFilter;
+
+/// Begins to log. A second call changes nothing.
+///
+/// # Errors
+/// If the filter cannot be read.
+pub fn start(format: LogFormat, filter: &str) -> Result<(), String> {
+    let filter = EnvFilter::try_new(filter).map_err(|e| format!("the log filter cannot be read: {e}"))?;
+    let builder = tracing_subscriber::fmt().with_env_filter(filter).with_writer(std::io::stderr).with_target(false);
+    // A subscriber that is there already, as in tests, stays.
+    let _ = match format {
+        LogFormat::Text => builder.with_ansi(std::io::IsTerminal::is_terminal(&std::io::stderr())).try_init(),
+        LogFormat::Json => builder.json().flatten_event(true).try_init(),
+    };
+    log_panics();
+    Ok(())
+}
+
+/// Panics are logged with their place only: their message may hold what the computation worked on.
+fn log_panics() {
+    std::panic::set_hook(Box::new(|panic| {
+        let place = panic.location().map(ToString::to_string);
+        let thread = std::thread::current().name().map(str::to_owned);
+        tracing::error!(place, thread, "panic");
+    }));
+}

@@ -1,0 +1,170 @@
+//! The engine of this service: what it checks and computes is a match of two surfaces.
+//!
+//! The only place where jobs meet [`crate::run`], [`crate::intake`] and [`crate::matching`].
+
+use super::surface_file::{moved, write_ply};
+use crate::intake::{IntakeError, IntakeLimits, prepare_surface};
+use crate::jobs::engine::{MethodDescription, Product, Resolved};
+use crate::jobs::{
+    ArtifactKind, ComputeError, ComputeTask, Engine, Failure, InputBytes, InputRefusal, InputSummary, ParameterFault,
+};
+use crate::matching::MatchError;
+use crate::matching::parameters::{MatchParameters, Method, preset, resolve};
+use crate::observe::Observer;
+use crate::run::{InputFile, RunError, RunOutput, run_match};
+use serde_json::{Value, json};
+use utoipa::{PartialSchema, ToSchema};
+
+/// Matches surfaces.
+#[derive(Debug, Clone, Copy)]
+pub struct MatchEngine {
+    /// Bounds on what is read.
+    pub limits: IntakeLimits,
+}
+
+impl Engine for MatchEngine {
+    fn methods(&self) -> Vec<MethodDescription> {
+        let schema = parameters_schema();
+        Method::ALL
+            .into_iter()
+            .map(|method| MethodDescription {
+                name: method.name().to_owned(),
+                version: env!("CARGO_PKG_VERSION").to_owned(),
+                description: method.description().to_owned(),
+                defaults: serde_json::to_value(preset(method)).unwrap_or(Value::Null),
+                parameters_schema: schema.clone(),
+            })
+            .collect()
+    }
+
+    fn resolve(&self, request: &Value) -> Result<Resolved, Vec<ParameterFault>> {
+        let parameters = resolve(request).map_err(|faults| {
+            faults
+                .into_iter()
+                .map(|f| ParameterFault { pointer: f.pointer, code: f.code, detail: f.detail })
+                .collect::<Vec<_>>()
+        })?;
+        let stored = serde_json::to_value(&parameters).map_err(|e| vec![unwritable(&e)])?;
+        Ok(Resolved {
+            method: parameters.method.name().to_owned(),
+            method_version: env!("CARGO_PKG_VERSION").to_owned(),
+            parameters: stored,
+        })
+    }
+
+    fn check_input(&self, input: &InputBytes<'_>, parameters: &Value) -> Result<InputSummary, InputRefusal> {
+        let parameters = effective(parameters).map_err(|failure| InputRefusal {
+            code: failure.code,
+            detail: failure.detail,
+            topology: None,
+        })?;
+        let name = input.name_hint.map(file_name);
+        let prepared = prepare_surface(input.bytes, name.as_deref(), &parameters.input, &self.limits)
+            .map_err(|error| refusal(&error))?;
+        Ok(InputSummary {
+            n_vertices: u32::try_from(prepared.mesh.n_vertices()).unwrap_or(u32::MAX),
+            n_faces: u32::try_from(prepared.mesh.n_faces()).unwrap_or(u32::MAX),
+            report: serde_json::to_value(&prepared.report).unwrap_or(Value::Null),
+        })
+    }
+
+    fn compute(&self, task: &ComputeTask, observer: &dyn Observer) -> Result<Vec<Product>, ComputeError> {
+        let parameters = effective(&task.parameters).map_err(ComputeError::Failed)?;
+        let (source_name, target_name) =
+            (task.source_hint.as_deref().map(file_name), task.target_hint.as_deref().map(file_name));
+        let source = InputFile { bytes: &task.source, name: source_name.as_deref() };
+        let target = InputFile { bytes: &task.target, name: target_name.as_deref() };
+        let output = run_match(source, target, &parameters, &self.limits, observer).map_err(compute_error)?;
+        products(output).map_err(ComputeError::Failed)
+    }
+}
+
+/// The blobs of a result. Correspondences are apart from the rest, so that each is read only when asked for.
+fn products(output: RunOutput) -> Result<Vec<Product>, Failure> {
+    let RunOutput { mut document, source, target } = output;
+    let aligned = moved(&source, &document.transform.matrix)?;
+    let correspondences = document.correspondences.take().unwrap_or_default();
+    let written = |e: serde_json::Error| Failure::new("internal-error", format!("the result cannot be written: {e}"));
+    Ok(vec![
+        Product { kind: ArtifactKind::Result, bytes: serde_json::to_vec(&document).map_err(written)? },
+        Product { kind: ArtifactKind::Correspondences, bytes: serde_json::to_vec(&correspondences).map_err(written)? },
+        Product { kind: ArtifactKind::SourceSurface, bytes: write_ply(&source) },
+        Product { kind: ArtifactKind::TargetSurface, bytes: write_ply(&target) },
+        Product { kind: ArtifactKind::Aligned, bytes: write_ply(&aligned) },
+    ])
+}
+
+/// Stored effective parameters resolve to themselves, unless another version stored them.
+fn effective(stored: &Value) -> Result<MatchParameters, Failure> {
+    resolve(stored).map_err(|faults| {
+        let first = faults.first().map(|f| format!("{}: {}", f.pointer, f.detail)).unwrap_or_default();
+        Failure::new("invalid-parameters", format!("this version does not take the stored parameters: {first}"))
+    })
+}
+
+/// A name that says nothing but the format.
+fn file_name(hint: &str) -> String {
+    format!("input{hint}")
+}
+
+fn refusal(error: &IntakeError) -> InputRefusal {
+    InputRefusal {
+        code: error.code().to_owned(),
+        detail: error.to_string(),
+        topology: error.topology().and_then(|report| serde_json::to_value(report).ok()),
+    }
+}
+
+fn compute_error(error: RunError) -> ComputeError {
+    if error.is_cancelled() {
+        return ComputeError::Cancelled;
+    }
+    ComputeError::Failed(match error {
+        RunError::Input { side, error } => {
+            let InputRefusal { code, detail, topology } = refusal(&error);
+            Failure { code, detail, input: Some(side.name().to_owned()), topology }
+        }
+        RunError::Match(MatchError::NoRegistration { .. }) => Failure::new("no-registration", error.to_string()),
+        RunError::Match(_) => Failure::new("match-failed", error.to_string()),
+    })
+}
+
+fn unwritable(error: &serde_json::Error) -> ParameterFault {
+    ParameterFault { pointer: String::new(), code: "out_of_range".to_owned(), detail: error.to_string() }
+}
+
+/// The parameters as JSON Schema that stands by itself: every value may be left out, its preset's is taken.
+fn parameters_schema() -> Value {
+    let mut named = Vec::new();
+    MatchParameters::schemas(&mut named);
+    let definitions: serde_json::Map<String, Value> = named
+        .into_iter()
+        .filter_map(|(name, schema)| serde_json::to_value(schema).ok().map(|value| (name, value)))
+        .collect();
+    let mut schema = serde_json::to_value(MatchParameters::schema()).unwrap_or(Value::Null);
+    if let Value::Object(root) = &mut schema {
+        root.insert("$schema".to_owned(), json!("https://json-schema.org/draft/2020-12/schema"));
+        root.insert("$defs".to_owned(), Value::Object(definitions));
+    }
+    standing_alone(&mut schema);
+    schema
+}
+
+/// Points references at `$defs` and frees objects of required keys, except where a list's entry needs them.
+fn standing_alone(schema: &mut Value) {
+    match schema {
+        Value::Object(map) => {
+            if let Some(Value::String(reference)) = map.get_mut("$ref") {
+                *reference = reference.replace("#/components/schemas/", "#/$defs/");
+            }
+            // An entry of `features` replaces the preset's list, so it has to be whole.
+            let is_entry = map.get("properties").is_some_and(|p| p.get("kind").is_some());
+            if !is_entry {
+                map.remove("required");
+            }
+            map.values_mut().for_each(standing_alone);
+        }
+        Value::Array(items) => items.iter_mut().for_each(standing_alone),
+        _ => {}
+    }
+}

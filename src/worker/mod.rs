@@ -1,0 +1,18 @@
+//! Workers: lease a job, read its inputs, compute on a thread of its own, finish under the fence.
+//!
+//! A worker knows nothing of what it computes: that is the [`crate::jobs::Engine`]'s, of which
+//! [`match_engine`] is the real one. Reading order: [`pool`] (slots), [`execution`] (one job from claim to finish),
+//! [`heartbeat`] (its own thread, so that no computation can starve it), [`recorder`] (trace and progress),
+//! [`control`] (how a computation is told to stop), [`housekeeper`] (jobs of the dead, blobs of nobody).
+
+pub mod control;
+pub mod execution;
+pub mod heartbeat;
+pub mod housekeeper;
+pub mod match_engine;
+pub mod pool;
+pub mod recorder;
+
+mod surface_file;
+
+pub use pool::{Pool, PoolParts, WorkerSettings};

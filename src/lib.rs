@@ -5,9 +5,9 @@
 //! - Numerics (no runtime, no database, no HTTP, no clock, no files): [`graph`], [`observe`], [`mesh`], [`volume`],
 //!   [`formats`], [`curvature`], [`mrf`], [`inference`], [`registration`], [`matching`], [`phantom`], [`intake`].
 //! - One match from uploaded bytes to the result document: [`run`].
-//! - The service: [`jobs`] (what a job is, and the ports), [`store`] (SQLite and a folder of blobs), [`worker`] (who runs
-//!   them), [`http`] (how the outside asks).
-//! - Wiring: [`config`], [`telemetry`], [`app`]; the command line: [`cli`].
+//! - The service: [`jobs`] (what a job is, and the ports), [`store`] (SQLite and a folder of blobs), [`worker`] (who
+//!   runs them), [`http`] (how the outside asks).
+//! - Wiring: [`app`], [`cli`], [`config`], [`telemetry`].
 
 pub mod graph;
 pub mod observe;
@@ -34,13 +34,14 @@ pub mod intake;
 pub mod run;
 
 pub mod jobs;
+
 pub mod store;
+
 pub mod worker;
 
 pub mod http;
 
-pub mod config;
-pub mod telemetry;
-
 pub mod app;
 pub mod cli;
+pub mod config;
+pub mod telemetry;

@@ -6,7 +6,7 @@ use crate::intake::{IntakeError, IntakeLimits, PreparedSurface, prepare_surface}
 use crate::matching::parameters::MatchParameters;
 use crate::matching::result::{InputProvenance, Provenance, ResultDocument};
 use crate::matching::{MatchError, match_surfaces};
-use crate::mesh::SurfaceMesh;
+use crate::mesh::{MeshError, SurfaceMesh};
 use crate::observe::{Cancelled, Observer, Phase, TracePoint};
 use std::collections::BTreeMap;
 use std::sync::{Mutex, PoisonError};
@@ -49,6 +49,16 @@ pub struct RunOutput {
     pub source: SurfaceMesh,
     /// The target surface, likewise.
     pub target: SurfaceMesh,
+}
+
+impl RunOutput {
+    /// The source surface moved onto the target by the transform of the result.
+    ///
+    /// # Errors
+    /// [`MeshError::NonFinite`] if the transform moves a vertex beyond the numbers there are.
+    pub fn aligned(&self) -> Result<SurfaceMesh, MeshError> {
+        self.source.moved(&self.document.transform.matrix)
+    }
 }
 
 /// Why a run has no result.

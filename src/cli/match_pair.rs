@@ -9,12 +9,10 @@ use super::progress::{Progress, WithoutTerminal};
 use super::summary::summary;
 use crate::formats::ply::write_ply;
 use crate::intake::IntakeLimits;
-use crate::matching::result::{Correspondences, ResultDocument};
-use crate::mesh::{FaceArity, SurfaceMesh};
+use crate::matching::result::Correspondences;
 use crate::observe::{Observer, Phase, TracePoint};
 use crate::run::{InputFile, RunError, RunOutput, run_match};
 use clap::Args;
-use nalgebra::Point3;
 use serde::Serialize;
 use std::fmt::Write;
 use std::path::PathBuf;
@@ -87,7 +85,8 @@ fn write_files(folder: &OutputFolder, output: &RunOutput, trace: &[TimedPoint]) 
     }
     folder.write("source.ply", &write_ply(&output.source))?;
     folder.write("target.ply", &write_ply(&output.target))?;
-    folder.write("aligned.ply", &write_ply(&aligned(&output.source, document)?))?;
+    let aligned = output.aligned().map_err(|e| CliError::Failed(format!("the aligned surface cannot be made: {e}")))?;
+    folder.write("aligned.ply", &write_ply(&aligned))?;
     let mut lines = String::new();
     for point in trace {
         let line = serde_json::to_string(point)
@@ -96,25 +95,6 @@ fn write_files(folder: &OutputFolder, output: &RunOutput, trace: &[TimedPoint]) 
     }
     folder.write("trace.jsonl", lines.as_bytes())?;
     Ok(())
-}
-
-/// `source` moved by the transform of a result. A reflection turns the faces, so that they still look outwards.
-fn aligned(source: &SurfaceMesh, document: &ResultDocument) -> Result<SurfaceMesh, CliError> {
-    let m = &document.transform.matrix;
-    let vertices = source
-        .vertices()
-        .iter()
-        .map(|p| Point3::from(std::array::from_fn(|r| m[r][0] * p.x + m[r][1] * p.y + m[r][2] * p.z + m[r][3])))
-        .collect();
-    let determinant = nalgebra::Matrix3::from_fn(|r, c| m[r][c]).determinant();
-    let indices = if determinant >= 0.0 {
-        source.indices().to_vec()
-    } else {
-        source.faces().flat_map(|f| f.iter().rev().copied()).collect()
-    };
-    let arity: FaceArity = source.arity();
-    SurfaceMesh::new(vertices, arity, indices)
-        .map_err(|e| CliError::Failed(format!("the aligned surface cannot be made: {e}")))
 }
 
 /// The columns of a correspondence, one line each, as the service answers them.

@@ -63,10 +63,10 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         }
     };
     let done = match cli.command {
-        Command::Serve(args) => return serve::serve(args),
-        Command::Worker(args) => return serve::worker(args),
-        Command::Openapi => return serve::print_openapi(),
-        Command::Problems => return serve::print_problems(),
+        Command::Serve(args) => serve::serve(args),
+        Command::Worker(args) => serve::worker(args),
+        Command::Openapi => serve::print_openapi(),
+        Command::Problems => serve::print_problems(),
         Command::Match(args) => match_pair::run(&args),
         Command::Inspect(args) => inspect::run(&args),
         Command::Phantom(args) => phantom::run(&args),

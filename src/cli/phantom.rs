@@ -6,9 +6,8 @@ use super::output::print;
 use crate::formats::nifti::write_nifti_gz;
 use crate::formats::ply::write_ply;
 use crate::phantom::{DEFAULT_EDGE_MM, MAX_RMS_SHARE, PairRecipe, PhantomError, PhantomPair, PhantomVolume};
-use crate::volume::LabelVolume;
 use clap::{Args, ValueEnum};
-use nalgebra::{Matrix4, Point3};
+use nalgebra::Point3;
 use serde_json::json;
 use std::fmt::Write;
 use std::path::PathBuf;
@@ -99,8 +98,8 @@ pub(super) fn write_pair(
     };
     match kind {
         Kind::Volume => {
-            written.push(folder.write(names[0], &nifti(&pair.source_volume(spacing_mm).map_err(bad)?)?)?);
-            written.push(folder.write(names[1], &nifti(&pair.target_volume(spacing_mm).map_err(bad)?)?)?);
+            written.push(folder.write(names[0], &volume_file(pair.source_volume(spacing_mm).map_err(bad)?)?)?);
+            written.push(folder.write(names[1], &volume_file(pair.target_volume(spacing_mm).map_err(bad)?)?)?);
             // A volume has no vertices to name; points spread over the true surface stand for them.
             let points = pair.source_surface(DEFAULT_EDGE_MM).map_err(bad)?;
             for p in points.mesh.vertices() {
@@ -146,15 +145,6 @@ pub(super) fn write_pair(
     Ok(written)
 }
 
-/// A phantom volume as a compressed NIfTI-1 file.
-fn nifti(volume: &PhantomVolume) -> Result<Vec<u8>, CliError> {
-    let affine = Matrix4::new_scaling(volume.spacing_mm).append_translation(&volume.origin_mm.coords);
-    let labels = volume.labels.iter().map(|&l| u32::from(l)).collect();
-    LabelVolume::new(volume.shape, labels, affine)
-        .map(|labels| write_nifti_gz(&labels))
-        .map_err(|e| CliError::Failed(format!("the volume cannot be written: {e}")))
-}
-
 /// The table of known correspondents.
 struct Truth {
     text: String,
@@ -176,4 +166,10 @@ impl Truth {
             source.x, source.y, source.z, target.x, target.y, target.z
         );
     }
+}
+
+/// The volume as compressed NIfTI-1.
+fn volume_file(volume: PhantomVolume) -> Result<Vec<u8>, CliError> {
+    let volume = volume.into_label_volume().map_err(|e| CliError::Failed(e.to_string()))?;
+    Ok(write_nifti_gz(&volume))
 }

@@ -1,12 +1,12 @@
 //! `homolog serve`, `homolog worker`, and the generated contract files.
 
+use super::error::CliError;
+use super::output::print;
 use crate::app::{self, App, AppError, Shutdown};
 use crate::config::{HttpSettings, ServiceSettings};
 use crate::http::openapi::openapi_json;
 use crate::http::problem_table::problems_markdown;
 use crate::telemetry;
-use std::io::Write;
-use std::process::ExitCode;
 use std::time::Duration;
 
 /// Arguments of `homolog serve`.
@@ -29,7 +29,7 @@ pub struct WorkerArgs {
 }
 
 /// Answers HTTP and runs jobs until a signal. Prints one line with the address when it is ready.
-pub fn serve(args: ServeArgs) -> ExitCode {
+pub fn serve(args: ServeArgs) -> Result<(), CliError> {
     let service = args.service.clone();
     in_runtime(&service, async move {
         let shutdown = Shutdown::default();
@@ -44,7 +44,7 @@ pub fn serve(args: ServeArgs) -> ExitCode {
 }
 
 /// Runs jobs until a signal.
-pub fn worker(args: WorkerArgs) -> ExitCode {
+pub fn worker(args: WorkerArgs) -> Result<(), CliError> {
     let service = args.service.clone();
     in_runtime(&service, async move {
         let shutdown = Shutdown::default();
@@ -57,46 +57,30 @@ pub fn worker(args: WorkerArgs) -> ExitCode {
 }
 
 /// Prints the OpenAPI document.
-pub fn print_openapi() -> ExitCode {
-    match openapi_json() {
-        Ok(text) => {
-            say(text.trim_end());
-            ExitCode::SUCCESS
-        }
-        Err(error) => complain(&error.to_string()),
-    }
+pub fn print_openapi() -> Result<(), CliError> {
+    let text = openapi_json().map_err(|e| CliError::Failed(e.to_string()))?;
+    print(text.trim_end())
 }
 
 /// Prints `api/problems.md`.
-pub fn print_problems() -> ExitCode {
-    say(problems_markdown().trim_end());
-    ExitCode::SUCCESS
+pub fn print_problems() -> Result<(), CliError> {
+    print(problems_markdown().trim_end())
 }
 
-fn in_runtime(settings: &ServiceSettings, work: impl Future<Output = Result<(), AppError>>) -> ExitCode {
-    if let Err(error) = telemetry::start(settings.log_format, &settings.log) {
-        return complain(&error);
-    }
-    let runtime = match tokio::runtime::Builder::new_multi_thread().enable_all().build() {
-        Ok(runtime) => runtime,
-        Err(error) => return complain(&AppError::Thread(error).to_string()),
-    };
+fn in_runtime(settings: &ServiceSettings, work: impl Future<Output = Result<(), AppError>>) -> Result<(), CliError> {
+    let failed = |error: AppError| CliError::Failed(error.to_string());
+    telemetry::start(settings.log_format, &settings.log).map_err(CliError::BadInput)?;
+    let runtime = tokio::runtime::Builder::new_multi_thread()
+        .enable_all()
+        .build()
+        .map_err(|error| failed(AppError::Thread(error)))?;
     let done = runtime.block_on(work);
     // A check of an input that still runs must not hold up the end.
     runtime.shutdown_background();
-    match done {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(error) => complain(&error.to_string()),
-    }
+    done.map_err(failed)
 }
 
-/// A line on standard output; a reader that is gone is no reason to fail.
+/// A line on standard output; a reader that is gone is no reason to stop serving.
 fn say(line: &str) {
-    let mut out = std::io::stdout().lock();
-    let _ = writeln!(out, "{line}").and_then(|()| out.flush());
-}
-
-fn complain(line: &str) -> ExitCode {
-    let _ = writeln!(std::io::stderr(), "homolog: {line}");
-    ExitCode::FAILURE
+    let _ = print(line);
 }

@@ -18,7 +18,7 @@ pub use canonical::{CanonicalMesh, canonicalize};
 pub use closest::{ClosestPoint, ClosestPointIndex};
 
 use crate::graph::EdgeGraph;
-use nalgebra::Point3;
+use nalgebra::{Matrix3, Point3, Vector3};
 
 /// A surface: `n` vertices in millimetres and faces of one arity (3 or 4), counter-clockwise seen from outside.
 #[derive(Debug, Clone, PartialEq)]
@@ -168,6 +168,21 @@ impl SurfaceMesh {
         SurfaceMesh { vertices, arity: self.arity, indices: self.indices.clone() }
     }
 
+    /// The mesh moved by a 4×4 matrix, row by row, whose last row is `0 0 0 1`. Faces still look outwards where it mirrors.
+    ///
+    /// # Errors
+    /// [`MeshError::NonFinite`].
+    pub fn moved(&self, matrix: &[[f64; 4]; 4]) -> Result<Self, MeshError> {
+        let linear = Matrix3::from_fn(|r, c| matrix[r][c]);
+        let translation = Vector3::from_fn(|r, _| matrix[r][3]);
+        let vertices = self.vertices.iter().map(|p| Point3::from(linear * p.coords + translation)).collect();
+        let mut indices = self.indices.clone();
+        if linear.determinant() < 0.0 {
+            indices.chunks_exact_mut(self.arity.n_corners()).for_each(<[u32]>::reverse);
+        }
+        SurfaceMesh::new(vertices, self.arity, indices)
+    }
+
     /// The faces as triangles: as they are, or every quad cut along its first diagonal.
     pub fn triangles(&self) -> Vec<[u32; 3]> {
         match self.arity {
@@ -191,5 +206,31 @@ impl SurfaceMesh {
         edges.sort_unstable();
         edges.dedup();
         edges
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_reflection_turns_the_faces() {
+        let ball = shapes::ellipsoid(Vector3::new(3.0, 2.0, 1.0), 2);
+        let mirror = [[-1.0, 0.0, 0.0, 5.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 0.0, 1.0]];
+        let image = ball.moved(&mirror).unwrap();
+        assert_eq!(image.vertices()[1].x, 5.0 - ball.vertices()[1].x);
+        assert!((image.signed_volume() - ball.signed_volume()).abs() < 1e-9 && ball.signed_volume() > 0.0);
+    }
+
+    #[test]
+    fn what_is_no_mesh_is_named() {
+        let p = |x: f64| Point3::new(x, 0.0, 1.0);
+        let new = |vertices, indices| SurfaceMesh::new(vertices, FaceArity::Triangle, indices).unwrap_err();
+        assert_eq!(new(vec![], vec![]), MeshError::Empty { n_vertices: 0, n_faces: 0 });
+        assert_eq!(new(vec![p(0.0), p(f64::NAN), p(1.0)], vec![0, 1, 2]), MeshError::NonFinite { vertex: 1 });
+        let out = MeshError::IndexOutOfRange { face: 0, vertex: 7, n_vertices: 3 };
+        assert_eq!(new(vec![p(0.0), p(2.0), p(1.0)], vec![0, 1, 7]), out);
+        assert_eq!(new(vec![p(0.0), p(2.0), p(1.0)], vec![0, 1, 1]), MeshError::RepeatedCorner { face: 0, vertex: 1 });
+        assert_eq!(new(vec![p(0.0)], vec![0, 1]), MeshError::RaggedFaces { n_indices: 2, n_corners: 3 });
     }
 }

@@ -2,7 +2,8 @@
 
 use super::PhantomError;
 use super::shape::{Part, Phantom};
-use nalgebra::{Point3, Vector3};
+use crate::volume::{LabelVolume, VolumeError};
+use nalgebra::{Matrix4, Point3, Vector3};
 use rayon::prelude::*;
 
 /// Most voxels of a phantom volume.
@@ -57,6 +58,16 @@ impl PhantomVolume {
             }
         });
         Ok(PhantomVolume { shape, spacing_mm, origin_mm: origin, labels })
+    }
+
+    /// The same volume in the form in which files are written and surfaces are made.
+    ///
+    /// # Errors
+    /// As [`LabelVolume::new`]; none for a volume made here.
+    pub fn into_label_volume(self) -> Result<LabelVolume, VolumeError> {
+        let mut affine = Matrix4::new_scaling(self.spacing_mm);
+        affine.fixed_view_mut::<3, 1>(0, 3).copy_from(&self.origin_mm.coords);
+        LabelVolume::new(self.shape, self.labels.into_iter().map(u32::from).collect(), affine)
     }
 
     /// Voxels that are not background.

@@ -2,7 +2,7 @@
 //!
 //! The only place where jobs meet [`crate::run`], [`crate::intake`] and [`crate::matching`].
 
-use super::surface_file::{moved, write_ply};
+use crate::formats::ply::write_ply;
 use crate::intake::{IntakeError, IntakeLimits, prepare_surface};
 use crate::jobs::engine::{MethodDescription, Product, Resolved};
 use crate::jobs::{
@@ -81,8 +81,10 @@ impl Engine for MatchEngine {
 
 /// The blobs of a result. Correspondences are apart from the rest, so that each is read only when asked for.
 fn products(output: RunOutput) -> Result<Vec<Product>, Failure> {
+    let aligned = output
+        .aligned()
+        .map_err(|_| Failure::new("internal-error", "the moved surface has coordinates that are not finite"))?;
     let RunOutput { mut document, source, target } = output;
-    let aligned = moved(&source, &document.transform.matrix)?;
     let correspondences = document.correspondences.take().unwrap_or_default();
     let written = |e: serde_json::Error| Failure::new("internal-error", format!("the result cannot be written: {e}"));
     Ok(vec![

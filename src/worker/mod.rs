@@ -13,6 +13,4 @@ pub mod match_engine;
 pub mod pool;
 pub mod recorder;
 
-mod surface_file;
-
 pub use pool::{Pool, PoolParts, WorkerSettings};

@@ -77,7 +77,6 @@ fn child_with_closed_output(command: &mut Command) -> std::process::Child {
 }
 
 #[test]
-#[ignore = "needs the readers and the pipeline: joined at merge"]
 fn match_prints_the_result_document_and_nothing_else() {
     let folder = tempfile::tempdir().unwrap();
     let (source, target) = small_pair(folder.path());
@@ -106,7 +105,6 @@ fn match_prints_the_result_document_and_nothing_else() {
 }
 
 #[test]
-#[ignore = "needs the readers: joined at merge"]
 fn inspect_reports_a_closed_surface_of_genus_zero() {
     let folder = tempfile::tempdir().unwrap();
     let (source, _) = small_pair(folder.path());
@@ -117,7 +115,6 @@ fn inspect_reports_a_closed_surface_of_genus_zero() {
 }
 
 #[test]
-#[ignore = "needs the service: joined at merge"]
 fn the_demo_runs_from_submission_to_aligned_surface() {
     let folder = tempfile::tempdir().unwrap();
     let (source, target) = small_pair(&folder.path().join("pair"));

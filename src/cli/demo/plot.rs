@@ -3,7 +3,9 @@
 /// Dots of a Braille character by column and row, as Unicode numbers them.
 const DOTS: [[u32; 4]; 2] = [[0x01, 0x02, 0x04, 0x40], [0x08, 0x10, 0x20, 0x80]];
 
-/// Lines of a plot of `values` over their index; `marks` are indices named on the axis. Empty without two finite values.
+/// Lines of a plot of `values` over their index; `marks` are indices named on the axis. The scale is logarithmic where
+/// all values are positive and the largest is more than ten times the smallest, else linear. Empty without two finite
+/// values.
 pub(super) fn plot(values: &[f64], marks: &[usize], width: usize, height: usize) -> Vec<String> {
     let finite: Vec<f64> = values.iter().copied().filter(|v| v.is_finite()).collect();
     let (width, height) = (width.max(2), height.max(2));
@@ -12,10 +14,12 @@ pub(super) fn plot(values: &[f64], marks: &[usize], width: usize, height: usize)
     }
     let low = finite.iter().copied().fold(f64::INFINITY, f64::min);
     let high = finite.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-    let span = if high > low { high - low } else { 1.0 };
+    let logarithmic = low > 0.0 && high > 10.0 * low;
+    let scale = |v: f64| if logarithmic { v.ln() } else { v };
+    let span = if high > low { scale(high) - scale(low) } else { 1.0 };
     let (columns, rows) = (2 * width, 4 * height);
     let column_of = |k: usize| k * (columns - 1) / (values.len() - 1).max(1);
-    let row_of = |v: f64| (((high - v) / span) * (rows - 1) as f64).round() as usize;
+    let row_of = |v: f64| (((scale(high) - scale(v)) / span) * (rows - 1) as f64).round() as usize;
     let mut cells = vec![vec![0u32; width]; height];
     let mut last: Option<(usize, usize)> = None;
     for (k, &v) in values.iter().enumerate() {
@@ -66,6 +70,13 @@ mod tests {
         let second: Vec<char> = lines[1].chars().collect();
         assert!(first[first.len() - 2] != '\u{2800}' && second[second.len() - 1] != '\u{2800}');
         assert!(lines[2].ends_with("└┴─"));
+    }
+
+    #[test]
+    fn a_wide_range_is_drawn_on_a_logarithmic_scale() {
+        // Equal ratios are a straight line: the middle value stands in the middle row.
+        let lines = plot(&[10_000.0, 100.0, 1.0], &[], 3, 3);
+        assert!(lines[1].chars().any(|c| ('\u{2801}'..='\u{28ff}').contains(&c)), "{lines:?}");
     }
 
     #[test]

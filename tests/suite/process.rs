@@ -205,7 +205,13 @@ fn well_formed() -> Vec<(&'static str, Vec<u8>)> {
 }
 
 /// A wrong submission of the kind `n`.
-fn malformed(client: &Client, url: &str, n: usize, rng: &mut Xoshiro256PlusPlus, files: &[(&str, Vec<u8>)]) -> Response {
+fn malformed(
+    client: &Client,
+    url: &str,
+    n: usize,
+    rng: &mut Xoshiro256PlusPlus,
+    files: &[(&str, Vec<u8>)],
+) -> Response {
     let post = || client.post(url);
     let mut below = |bound: usize| (rng.next_u64() % bound as u64) as usize;
     let (name, whole) = &files[below(files.len())];
@@ -240,7 +246,8 @@ fn malformed(client: &Client, url: &str, n: usize, rng: &mut Xoshiro256PlusPlus,
             post().multipart(with_source(bytes, name))
         }
         5 => {
-            let mut body = b"--x\r\nContent-Disposition: form-data; name=\"source\"; filename=\"a.ply\"\r\n\r\n".to_vec();
+            let mut body =
+                b"--x\r\nContent-Disposition: form-data; name=\"source\"; filename=\"a.ply\"\r\n\r\n".to_vec();
             body.extend_from_slice(whole);
             body.extend_from_slice(b"\r\n--x--\r\n");
             let cut = below(body.len() - 8);
@@ -248,12 +255,23 @@ fn malformed(client: &Client, url: &str, n: usize, rng: &mut Xoshiro256PlusPlus,
             post().header("content-type", "multipart/form-data; boundary=x").body(body)
         }
         6 => {
-            let kinds = ["application/json", "text/plain", "multipart/mixed; boundary=x", "multipart/form-data", "", "\u{e9}"];
+            let kinds =
+                ["application/json", "text/plain", "multipart/mixed; boundary=x", "multipart/form-data", "", "\u{e9}"];
             post().header("content-type", kinds[below(kinds.len())].as_bytes()).body(bytes)
         }
         _ => {
-            let texts = ["{", "[1,2", "{\"seed\": -1}", "{\"seed\": 1e999}", "{\"energy\": {\"alpha\": \"x\"}}", "nul",
-                "{\"features\": []}", "{\"input\": {\"labels\": [0]}}", "\u{0}", "{\"method\": {}}"];
+            let texts = [
+                "{",
+                "[1,2",
+                "{\"seed\": -1}",
+                "{\"seed\": 1e999}",
+                "{\"energy\": {\"alpha\": \"x\"}}",
+                "nul",
+                "{\"features\": []}",
+                "{\"input\": {\"labels\": [0]}}",
+                "\u{0}",
+                "{\"method\": {}}",
+            ];
             let nested = "[".repeat(100_000);
             let text = texts.get(below(texts.len() + 1)).map_or(nested, |text| (*text).to_owned());
             post().multipart(with_source(bytes, name).text("parameters", text))

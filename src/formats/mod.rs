@@ -134,3 +134,6 @@ fn format_of_name(name: &str) -> Option<InputFormat> {
 
 /// Plain bytes of a file that may be compressed.
 type Plain<'a> = Cow<'a, [u8]>;
+
+#[cfg(test)]
+mod tests;

@@ -73,7 +73,7 @@ fn check(header: &Header, file_bytes: usize, limits: &ReadLimits) -> Result<(), 
         let kind = face.properties.get(*name).map(|p| &p.data_type);
         matches!(kind, Some(PropertyType::List(_, t)) if !matches!(t, ScalarType::Float | ScalarType::Double))
     };
-    if !FACE_LISTS.iter().any(|name| is_list(&name)) {
+    if !FACE_LISTS.iter().any(is_list) {
         return Err(needs("a PLY file whose faces have no list of vertex indices"));
     }
     Polygons::check_count(vertex.count as u64, limits)?;

@@ -6,10 +6,10 @@ use crate::matching::parameters::{InputParameters, Repair, SurfaceKind};
 use crate::mesh::topology::{SurfaceFault, TopologyReport, analyze, topology_report};
 use crate::mesh::{MeshError, SurfaceMesh, repair};
 use crate::volume::smooth_surface::FieldRepair;
-use crate::volume::{self, BettiNumbers, Contacts, FillOutcome, LabelVolume, VoxelMask};
+use crate::volume::{self, BettiNumbers, Contacts, FillChange, LabelVolume, VoxelMask};
 
-/// Voxels of the box around a structure at most: 256³. Filling and filtering work on the whole box.
-const MAX_BOX_VOXELS: u64 = 1 << 24;
+/// Voxels of the box around a structure at most, 8 million: filling and filtering work on the whole box.
+const MAX_BOX_VOXELS: u64 = 1 << 23;
 
 /// Labels named in a refusal at most.
 pub(super) const MAX_NAMED_LABELS: usize = 50;
@@ -108,7 +108,10 @@ fn from_mesh(file: &MeshFile, allowed: &[Repair]) -> Result<Candidate, IntakeErr
         let merged = vertices - steps.mesh.n_vertices();
         let dropped = file.n_degenerate + faces.saturating_sub(steps.mesh.n_faces());
         if merged + dropped > 0 {
-            let detail = format!("{merged} of {vertices} vertices joined to another; {dropped} faces dropped");
+            let detail = format!(
+                "{merged} of {vertices} vertices joined to another; {} dropped",
+                counted(dropped as u32, "face", "faces")
+            );
             steps.repairs.push(RepairNote { repair: Repair::Weld, detail });
         }
     }
@@ -158,7 +161,7 @@ fn from_labels(
         let present = labels.into_iter().take(MAX_NAMED_LABELS).collect();
         return Err(IntakeError::EmptyStructure { wanted: parameters.labels.clone(), present, n_present });
     };
-    check_size(&mask, limits)?;
+    check_size(&mask, limits, 2.0)?;
     let both = [Repair::LargestComponent, Repair::Fill];
     let allowed = parameters.repair.as_deref().unwrap_or(&both);
     let (raw, _) = surface_of(&mask, parameters, FieldRepair::default())?;
@@ -177,35 +180,43 @@ fn from_labels(
             repaired = piece;
         }
     }
+    check_size(&repaired, limits, 1.25)?;
     let may_fill = allowed.contains(&Repair::Fill);
+    let field_repair = FieldRepair { largest_component: one_piece, fill: may_fill };
     // Filling several pieces would join them.
-    if may_fill && BettiNumbers::of(&repaired).n_pieces == 1 {
+    if may_fill && (one_piece || volume::largest_component(&repaired).1 == 1) {
         let contacts = match parameters.surface {
             SurfaceKind::Smooth => Contacts::Allow,
             SurfaceKind::Voxel => Contacts::Resolve,
         };
         let filled = volume::fill(&repaired, contacts);
-        if filled.n_changed() > 0 {
-            repairs.push(RepairNote { repair: Repair::Fill, detail: fill_detail(&filled) });
-            repaired = filled.mask;
+        if filled.change.n_changed() > 0 {
+            let not_again = FieldRepair { fill: false, ..field_repair };
+            let (mesh, notes) = surface_of(&filled.mask, parameters, not_again)?;
+            let notes = [repairs.clone(), vec![fill_note(filled.change, "")], notes].concat();
+            let candidate = Candidate::new(mesh, None, topology.clone(), notes);
+            // The filter may bridge a thin cut or part a membrane again. Then only what it leaves is filled.
+            if candidate.repaired.genus == Some(0) {
+                return Ok(candidate);
+            }
         }
     }
-    let field_repair = FieldRepair { largest_component: one_piece, fill: may_fill };
     let (mesh, notes) = surface_of(&repaired, parameters, field_repair)?;
     repairs.extend(notes);
     Ok(Candidate::new(mesh, None, topology, repairs))
 }
 
-/// Refuses structures whose surface or box would be too large before anything is made of them.
-fn check_size(mask: &VoxelMask, limits: &IntakeLimits) -> Result<(), IntakeError> {
+/// Refuses structures whose box or surface would be too large before anything is made of them.
+///
+/// A closed surface has about as many vertices as boundary faces. `slack` leaves room for what repairs and the filter
+/// will take away; what remains is counted exactly later.
+fn check_size(mask: &VoxelMask, limits: &IntakeLimits, slack: f64) -> Result<(), IntakeError> {
     let found = mask.dims().iter().map(|&d| d as u64).product();
     if found > MAX_BOX_VOXELS {
         let what = "voxels in the box around the structure";
         return Err(IntakeError::TooLarge { what, found, limit: MAX_BOX_VOXELS });
     }
-    // A closed surface has about as many vertices as boundary faces; twice as many leaves room for stray voxels
-    // that repairs will drop. What remains is counted exactly later.
-    let (found, limit) = (mask.n_boundary_faces() as u64, 2 * limits.max_vertices as u64);
+    let (found, limit) = (mask.n_boundary_faces() as u64, (slack * limits.max_vertices as f64) as u64);
     if found > limit {
         return Err(IntakeError::TooLarge { what: "boundary faces", found, limit });
     }
@@ -229,22 +240,22 @@ fn surface_of(
             format!("smoothing had parted the structure; {} voxels of smaller pieces dropped", surface.n_dropped);
         notes.push(RepairNote { repair: Repair::LargestComponent, detail });
     }
-    if surface.n_added + surface.n_removed > 0 {
-        let detail = format!(
-            "smoothing had left tunnels, cavities or touching parts; {} voxels of the smooth structure added, {} removed",
-            surface.n_added, surface.n_removed
-        );
-        notes.push(RepairNote { repair: Repair::Fill, detail });
-    }
+    notes.extend(surface.fill.map(|change| fill_note(change, " of the smoothed structure")));
     Ok((surface.mesh, notes))
 }
 
-fn fill_detail(filled: &FillOutcome) -> String {
-    let BettiNumbers { n_tunnels, n_cavities, .. } = filled.before;
+fn fill_note(change: FillChange, of_what: &str) -> RepairNote {
+    let BettiNumbers { n_tunnels, n_cavities, .. } = change.before;
     let what = if n_tunnels + n_cavities > 0 {
-        format!("closed {n_tunnels} tunnels and {n_cavities} cavities")
+        let tunnels = counted(n_tunnels, "tunnel", "tunnels");
+        format!("closed {tunnels} and {}{of_what}", counted(n_cavities, "cavity", "cavities"))
     } else {
-        "parted or joined voxels that touched only along an edge or at a corner".to_owned()
+        format!("parted or joined voxels{of_what} that touched only along an edge or at a corner")
     };
-    format!("{what}; {} voxels added, {} removed", filled.n_added, filled.n_removed)
+    let detail = format!("{what}; {} voxels added, {} removed", change.n_added, change.n_removed);
+    RepairNote { repair: Repair::Fill, detail }
+}
+
+fn counted(n: u32, one: &str, many: &str) -> String {
+    format!("{n} {}", if n == 1 { one } else { many })
 }

@@ -200,18 +200,7 @@ fn euler_number(mask: &VoxelMask) -> i64 {
 /// by their first voxel: 6-connected foreground, or 26-connected background.
 pub(super) fn components(mask: &VoxelMask, foreground: bool) -> (Vec<u32>, Vec<usize>) {
     let v = mask.voxels();
-    let [nx, ny, nz] = mask.dims().map(|n| n as i64);
-    let mut steps: Vec<[i64; 3]> = Vec::new();
-    for z in -1..=1i64 {
-        for y in -1..=1i64 {
-            for x in -1..=1i64 {
-                let distance = x.abs() + y.abs() + z.abs();
-                if distance > 0 && (!foreground || distance == 1) {
-                    steps.push([x, y, z]);
-                }
-            }
-        }
-    }
+    let steps = steps(mask, foreground);
     let mut number = vec![u32::MAX; v.len()];
     let mut sizes = Vec::new();
     let mut stack = Vec::new();
@@ -225,14 +214,10 @@ pub(super) fn components(mask: &VoxelMask, foreground: bool) -> (Vec<u32>, Vec<u
         stack.push(start);
         while let Some(at) = stack.pop() {
             size += 1;
-            let (x, y, z) = (at as i64 % nx, at as i64 / nx % ny, at as i64 / (nx * ny));
-            for [dx, dy, dz] in &steps {
-                let (x, y, z) = (x + dx, y + dy, z + dz);
-                if x < 0 || y < 0 || z < 0 || x >= nx || y >= ny || z >= nz {
-                    continue;
-                }
-                let next = ((z * ny + y) * nx + x) as usize;
-                if v[next] == foreground && number[next] == u32::MAX {
+            let inner = mask.is_inner(at);
+            for &(place, step) in &steps {
+                let next = at.wrapping_add_signed(step);
+                if (inner || mask.has_neighbor(at, place)) && v[next] == foreground && number[next] == u32::MAX {
                     number[next] = name;
                     stack.push(next);
                 }
@@ -241,4 +226,16 @@ pub(super) fn components(mask: &VoxelMask, foreground: bool) -> (Vec<u32>, Vec<u
         sizes.push(size);
     }
     (number, sizes)
+}
+
+/// The steps to neighbours of the foreground (6) or of the background (26), along the axes and in the array.
+fn steps(mask: &VoxelMask, foreground: bool) -> Vec<([i8; 3], isize)> {
+    let strides = mask.strides().map(|s| s as isize);
+    let place = |k: i8| [k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1];
+    let distance = |p: &[i8; 3]| p.iter().map(|c| c.abs()).sum::<i8>();
+    (0..27)
+        .map(place)
+        .filter(|p| distance(p) > 0 && (!foreground || distance(p) == 1))
+        .map(|p| (p, (0..3).map(|k| isize::from(p[k]) * strides[k]).sum()))
+        .collect()
 }

@@ -2,7 +2,7 @@
 //!
 //! A [`LabelVolume`] holds one label a voxel and the affine that takes voxel indices to world millimetres. The
 //! chosen labels make a [`VoxelMask`] ([`LabelVolume::mask`]), which [`repair`] mends and from which
-//! [`voxel_surface`] or [`smooth_surface`] make a closed surface.
+//! [`voxel_surface()`] or [`smooth_surface()`] make a closed surface.
 
 mod adjacency;
 mod distance;
@@ -11,7 +11,7 @@ pub mod smooth_surface;
 pub mod voxel_surface;
 
 pub use adjacency::{BettiNumbers, is_well_composed};
-pub use repair::{Contacts, FillOutcome, fill, largest_component};
+pub use repair::{Contacts, FillChange, FillOutcome, fill, largest_component};
 pub use smooth_surface::{SmoothSurface, smooth_surface};
 pub use voxel_surface::voxel_surface;
 
@@ -204,6 +204,24 @@ impl VoxelMask {
     /// Position of a voxel in [`VoxelMask::voxels`].
     fn index(&self, [x, y, z]: [usize; 3]) -> usize {
         (z * self.dims[1] + y) * self.dims[0] + x
+    }
+
+    /// Place of a voxel along each axis.
+    fn place(&self, index: usize) -> [usize; 3] {
+        let [nx, ny, _] = self.dims;
+        [index % nx, index / nx % ny, index / (nx * ny)]
+    }
+
+    /// Whether a voxel has all its 26 neighbours in the box.
+    fn is_inner(&self, index: usize) -> bool {
+        let place = self.place(index);
+        (0..3).all(|k| place[k] > 0 && place[k] + 1 < self.dims[k])
+    }
+
+    /// Whether the voxel one `step` away is in the box.
+    fn has_neighbor(&self, index: usize, step: [i8; 3]) -> bool {
+        let place = self.place(index);
+        (0..3).all(|k| place[k].checked_add_signed(step[k].into()).is_some_and(|c| c < self.dims[k]))
     }
 
     /// World place of a voxel coordinate, mm.

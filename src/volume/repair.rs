@@ -27,6 +27,13 @@ pub enum Contacts {
 pub struct FillOutcome {
     /// The set: one piece, no tunnel, no cavity.
     pub mask: VoxelMask,
+    /// What it took.
+    pub change: FillChange,
+}
+
+/// What it took to fill a set.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct FillChange {
     /// Pieces, tunnels and cavities before.
     pub before: BettiNumbers,
     /// Voxels that came in.
@@ -35,9 +42,9 @@ pub struct FillOutcome {
     pub n_removed: usize,
 }
 
-impl FillOutcome {
+impl FillChange {
     /// Voxels that changed sides.
-    pub fn n_changed(&self) -> usize {
+    pub fn n_changed(self) -> usize {
         self.n_added + self.n_removed
     }
 }
@@ -66,15 +73,18 @@ pub fn largest_component(mask: &VoxelMask) -> (VoxelMask, usize, usize) {
 /// `O(voxels log voxels)`, at most ten times over.
 pub fn fill(mask: &VoxelMask, contacts: Contacts) -> FillOutcome {
     let before = BettiNumbers::of(mask);
-    let unchanged = FillOutcome { mask: mask.clone(), before, n_added: 0, n_removed: 0 };
     if mask.n_voxels() == 0 || before.is_ball() && (contacts == Contacts::Allow || is_well_composed(mask)) {
-        return unchanged;
+        return FillOutcome { mask: mask.clone(), change: FillChange { before, n_added: 0, n_removed: 0 } };
     }
     let filler = Filler::new(mask, contacts);
     let membranes = filler.approach(filler.box_around(), mask.voxels());
     let mut best = membranes.clone();
     let mut best_change = filler.change(&best);
     for goal in filler.mixtures(&membranes) {
+        // What a mixture adds it will not take back.
+        if filler.change(&goal) >= best_change {
+            break;
+        }
         let cut = filler.approach(filler.deepest(), &goal);
         let polished = filler.approach(cut, mask.voxels());
         let change = filler.change(&polished);
@@ -83,8 +93,8 @@ pub fn fill(mask: &VoxelMask, contacts: Contacts) -> FillOutcome {
         }
     }
     let count = |added: bool| mask.voxels.iter().zip(&best).filter(|&(&was, &is)| was != is && is == added).count();
-    let (n_added, n_removed) = (count(true), count(false));
-    FillOutcome { mask: mask.with_voxels(best), before, n_added, n_removed }
+    let change = FillChange { before, n_added: count(true), n_removed: count(false) };
+    FillOutcome { mask: mask.with_voxels(best), change }
 }
 
 /// Mixtures tried at most, by size of the membranes that are kept.
@@ -108,7 +118,7 @@ impl<'a> Filler<'a> {
 
     /// All voxels but the border of the box.
     fn box_around(&self) -> Vec<bool> {
-        (0..self.mask.voxels.len()).map(|k| self.is_inner(k)).collect()
+        (0..self.mask.voxels.len()).map(|k| self.mask.is_inner(k)).collect()
     }
 
     /// Only the voxel of the mask that lies deepest, the first of equals.
@@ -118,17 +128,11 @@ impl<'a> Filler<'a> {
         (0..self.distance.len()).map(|k| Some(k) == seed).collect()
     }
 
-    fn is_inner(&self, k: usize) -> bool {
-        let [nx, ny, nz] = self.mask.dims;
-        let (x, y, z) = (k % nx, k / nx % ny, k / (nx * ny));
-        x > 0 && y > 0 && z > 0 && x + 1 < nx && y + 1 < ny && z + 1 < nz
-    }
-
     fn change(&self, voxels: &[bool]) -> usize {
         self.mask.voxels.iter().zip(voxels).filter(|(a, b)| a != b).count()
     }
 
-    /// The mask with none, the smallest, the smaller … of the connected pieces of `membranes − mask` added.
+    /// The mask with none, the smallest, then also larger ones … of the connected pieces of `membranes − mask` added.
     fn mixtures(&self, membranes: &[bool]) -> Vec<Vec<bool>> {
         let added: Vec<bool> = membranes.iter().zip(&self.mask.voxels).map(|(&m, &v)| m && !v).collect();
         let kept = added.iter().map(|a| !a).collect();
@@ -154,7 +158,7 @@ impl<'a> Filler<'a> {
         let mut queue = BinaryHeap::new();
         for k in 0..set.len() {
             if set[k] != goal[k]
-                && self.is_inner(k)
+                && self.mask.is_inner(k)
                 && strides.iter().any(|&s| set[k - s] != set[k] || set[k + s] != set[k])
             {
                 queued[k] = true;
@@ -174,7 +178,7 @@ impl<'a> Filler<'a> {
             for plane in [k - strides[2], k, k + strides[2]] {
                 for row in [plane - strides[1], plane, plane + strides[1]] {
                     for next in row - 1..=row + 1 {
-                        if set[next] != goal[next] && !queued[next] && self.is_inner(next) {
+                        if set[next] != goal[next] && !queued[next] && self.mask.is_inner(next) {
                             queued[next] = true;
                             queue.push((self.distance[next], Reverse(next)));
                         }

@@ -20,25 +20,25 @@ fn genus_of_boundary(mask: &VoxelMask) -> Option<u32> {
 fn a_ring_is_closed_by_one_voxel() {
     let ring = set([3, 3, 1], |p| p != [1, 1, 0]);
     let filled = fill(&ring, Contacts::Resolve);
-    assert_eq!(filled.before, BettiNumbers { n_pieces: 1, n_tunnels: 1, n_cavities: 0 });
-    assert_eq!((filled.n_changed(), genus_of_boundary(&filled.mask)), (1, Some(0)));
+    assert_eq!(filled.change.before, BettiNumbers { n_pieces: 1, n_tunnels: 1, n_cavities: 0 });
+    assert_eq!((filled.change.n_changed(), genus_of_boundary(&filled.mask)), (1, Some(0)));
 }
 
 #[test]
 fn a_thin_wide_ring_is_cut_and_a_thick_narrow_one_is_filled() {
     let thin = set([12, 12, 1], |[x, y, _]| x == 0 || y == 0 || x == 11 || y == 11);
     let cut = fill(&thin, Contacts::Resolve);
-    assert_eq!((cut.n_added, cut.n_removed), (0, 1));
+    assert_eq!((cut.change.n_added, cut.change.n_removed), (0, 1));
     let thick = set([9, 9, 5], |[x, y, _]| x != 4 || y != 4);
     let filled = fill(&thick, Contacts::Resolve);
-    assert_eq!((filled.n_added, filled.n_removed), (1, 0));
+    assert_eq!((filled.change.n_added, filled.change.n_removed), (1, 0));
 }
 
 #[test]
 fn a_cavity_is_filled() {
     let shell = set([5, 5, 5], |p| p != [2, 2, 2]);
     let filled = fill(&shell, Contacts::Allow);
-    assert_eq!(filled.before.n_cavities, 1);
+    assert_eq!(filled.change.before.n_cavities, 1);
     assert!(BettiNumbers::of(&filled.mask).is_ball());
 }
 
@@ -46,9 +46,9 @@ fn a_cavity_is_filled() {
 fn contacts_are_resolved_only_on_request() {
     let edge = set([3, 2, 2], |[x, y, z]| z == 0 || (x, y) == (0, 0) || (x, y) == (1, 1));
     assert!(!is_well_composed(&edge));
-    assert_eq!(fill(&edge, Contacts::Allow).n_changed(), 0);
+    assert_eq!(fill(&edge, Contacts::Allow).change.n_changed(), 0);
     let resolved = fill(&edge, Contacts::Resolve);
-    assert_eq!((resolved.n_changed(), genus_of_boundary(&resolved.mask)), (1, Some(0)));
+    assert_eq!((resolved.change.n_changed(), genus_of_boundary(&resolved.mask)), (1, Some(0)));
 }
 
 #[test]
@@ -87,7 +87,7 @@ proptest! {
             let filled = fill(&piece, contacts);
             prop_assert!(BettiNumbers::of(&filled.mask).is_ball());
             let again = fill(&filled.mask, contacts);
-            prop_assert_eq!(again.n_changed(), 0);
+            prop_assert_eq!(again.change.n_changed(), 0);
             if contacts == Contacts::Resolve {
                 prop_assert_eq!(analyze(&voxel_surface(&filled.mask).unwrap()).fault, None);
                 agrees_with_the_surface(&filled.mask)?;

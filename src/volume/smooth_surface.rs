@@ -1,12 +1,12 @@
 //! A smooth surface of a voxel set: the 0.5 iso-surface of the Gaussian-filtered mask.
 //!
-//! The filtered field is cut by marching cubes ([`cubes`]), whose surface is a closed 2-manifold by construction but
+//! The filtered field is cut by marching cubes (`cubes`), whose surface is a closed 2-manifold by construction but
 //! has the topology of the field: the filter may open a tunnel or part a thin bridge. [`smooth_surface`] says what
 //! came out; with `repair` it moves single lattice values across 0.5 until the surface is one sphere.
 
 mod cubes;
 
-use super::repair::{Contacts, fill, largest_component};
+use super::repair::{Contacts, FillChange, fill, largest_component};
 use super::{VoxelMask, spacing_mm};
 use crate::mesh::topology::analyze;
 use crate::mesh::{MeshError, SurfaceMesh};
@@ -28,10 +28,8 @@ pub struct SmoothSurface {
     pub mesh: SurfaceMesh,
     /// Lattice values outside the largest piece that were put below the level.
     pub n_dropped: usize,
-    /// Lattice values that were put above the level to close tunnels and cavities.
-    pub n_added: usize,
-    /// Lattice values that were put below the level to open handles.
-    pub n_removed: usize,
+    /// Lattice values that were put across the level to close tunnels and cavities and to part what touched, if any were.
+    pub fill: Option<FillChange>,
 }
 
 /// What may be done to the filtered field.
@@ -55,21 +53,21 @@ pub struct FieldRepair {
 pub fn smooth_surface(mask: &VoxelMask, smoothing_mm: f64, repair: FieldRepair) -> Result<SmoothSurface, MeshError> {
     let field = gaussian_filter(mask, smoothing_mm);
     let mesh = cubes::iso_surface(mask, &field, LEVEL)?;
-    let as_is = SmoothSurface { mesh, n_dropped: 0, n_added: 0, n_removed: 0 };
+    let as_is = SmoothSurface { mesh, n_dropped: 0, fill: None };
     let report = analyze(&as_is.mesh).report;
     let wanted = repair.largest_component && report.n_components > 1 || repair.fill && report.genus != Some(0);
     if !wanted {
         return Ok(as_is);
     }
     let above = mask.with_voxels(field.iter().map(|&f| f >= LEVEL).collect());
-    let (mut repaired, mut n_dropped, mut n_added, mut n_removed) = (above.clone(), 0, 0, 0);
+    let (mut repaired, mut n_dropped, mut change) = (above.clone(), 0, None);
     if repair.largest_component {
         (repaired, _, n_dropped) = largest_component(&repaired);
     }
     // Cutting a handle or parting islands is meaningful only within one piece.
     if repair.fill && super::BettiNumbers::of(&repaired).n_pieces == 1 {
         let filled = fill(&repaired, Contacts::Resolve);
-        (repaired, n_added, n_removed) = (filled.mask, filled.n_added, filled.n_removed);
+        (repaired, change) = (filled.mask, Some(filled.change));
     }
     let mut field = field;
     for (k, value) in field.iter_mut().enumerate() {
@@ -78,7 +76,7 @@ pub fn smooth_surface(mask: &VoxelMask, smoothing_mm: f64, repair: FieldRepair) 
         }
     }
     let mesh = cubes::iso_surface(mask, &field, LEVEL)?;
-    Ok(SmoothSurface { mesh, n_dropped, n_added, n_removed })
+    Ok(SmoothSurface { mesh, n_dropped, fill: change.filter(|c| c.n_changed() > 0) })
 }
 
 /// `mask` as 0 and 1, filtered; zero outside the box. Nothing outside the set's own box can reach the level, so the

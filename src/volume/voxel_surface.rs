@@ -22,7 +22,7 @@ pub fn voxel_surface(mask: &VoxelMask) -> Result<SurfaceMesh, MeshError> {
     let mut indices = Vec::new();
     let mirrors = mask.mirrors();
     for (at, _) in mask.voxels().iter().enumerate().filter(|&(_, &v)| v) {
-        let place = [at % nx, at / nx % ny, at / (nx * ny)];
+        let place = mask.place(at);
         for side in 0..6 {
             let (axis, high) = (side / 2, side % 2 == 1);
             let next = if high { at + strides[axis] } else { at - strides[axis] };

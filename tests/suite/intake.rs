@@ -1,9 +1,15 @@
 //! From files to closed surfaces of genus 0, or refusals that say where and why.
 
-use crate::real_data::real_files;
-use homolog::intake::{IntakeLimits, prepare_surface};
+use crate::real_data::{real, real_files};
+use homolog::formats::{FormatError, write_nifti, write_nifti_gz, write_ply, write_stl, write_vtk};
+use homolog::intake::{InputFormat, InputKind, IntakeError, IntakeLimits, PreparedSurface, inspect, prepare_surface};
 use homolog::matching::parameters::{InputParameters, Method, Repair, SurfaceKind, preset};
+use homolog::mesh::repair::turned;
 use homolog::mesh::topology::analyze;
+use homolog::mesh::{FaceArity, SurfaceMesh};
+use homolog::volume::LabelVolume;
+use nalgebra::{Matrix4, Point3};
+use proptest::prelude::*;
 
 fn defaults() -> InputParameters {
     preset(Method::Balanced).input
@@ -45,5 +51,207 @@ fn every_real_hippocampus_becomes_a_closed_surface_of_genus_0() {
             vertices[n - 1],
             vertices[n / 2]
         );
+    }
+}
+
+fn prepare(bytes: &[u8], parameters: &InputParameters) -> Result<PreparedSurface, IntakeError> {
+    prepare_surface(bytes, None, parameters, &IntakeLimits::default())
+}
+
+fn with_repair(repair: &[Repair]) -> InputParameters {
+    InputParameters { repair: Some(repair.to_vec()), ..defaults() }
+}
+
+/// A volume of 20 x 16 x 12 voxels of 1 mm; `inside` sees millimetres from its middle.
+fn volume(label: impl Fn([f64; 3]) -> u32) -> LabelVolume {
+    let dims = [20, 16, 12];
+    let place = |k: usize| [k % 20, k / 20 % 16, k / 320];
+    let middle = |k: usize| [0, 1, 2].map(|a| place(k)[a] as f64 - (dims[a] as f64 - 1.0) / 2.0);
+    let labels = (0..20 * 16 * 12).map(|k| label(middle(k))).collect();
+    LabelVolume::new(dims, labels, Matrix4::identity()).unwrap()
+}
+
+fn ring([x, y, z]: [f64; 3]) -> u32 {
+    u32::from(((x.hypot(y) - 5.0).hypot(z)) < 2.3)
+}
+
+fn ball(p: [f64; 3]) -> u32 {
+    u32::from(p.iter().map(|c| c * c).sum::<f64>() < 25.0)
+}
+
+fn ball_mesh() -> SurfaceMesh {
+    prepare(&write_nifti(&volume(ball)), &defaults()).unwrap().mesh
+}
+
+#[test]
+fn a_ring_is_filled_by_default_and_refused_without() {
+    for surface in [SurfaceKind::Smooth, SurfaceKind::Voxel] {
+        let bytes = write_nifti_gz(&volume(ring));
+        let parameters = InputParameters { surface, ..defaults() };
+        let prepared = prepare(&bytes, &parameters).unwrap();
+        assert_eq!(prepared.report.topology.genus, Some(1));
+        assert_eq!(prepared.report.repairs.len(), 1, "{:?}", prepared.report.repairs);
+        assert!(prepared.report.repairs[0].detail.starts_with("closed 1 tunnel and 0 cavities"));
+        assert_eq!(analyze(&prepared.mesh).fault, None);
+        let error = prepare(&bytes, &InputParameters { repair: Some(vec![]), ..parameters }).unwrap_err();
+        assert_eq!((error.code(), error.topology().unwrap().genus), ("unsuitable-surface", Some(1)));
+        let text = error.to_string();
+        assert!(text.contains("1 tunnel (genus 1)") && text.ends_with("\"repair\": [\"fill\"]"), "{text}");
+    }
+}
+
+#[test]
+fn islands_are_dropped_by_default_and_refused_without() {
+    let island = |p: [f64; 3]| ball(p) + u32::from(p[0] > 8.0 && p[1].abs() < 2.0 && p[2].abs() < 2.0);
+    let bytes = write_nifti(&volume(island));
+    let prepared = prepare(&bytes, &defaults()).unwrap();
+    assert_eq!(prepared.report.topology.n_components, 2);
+    assert_eq!(prepared.report.repairs[0].repair, Repair::LargestComponent);
+    assert_eq!(prepared.mesh, ball_mesh());
+    let error = prepare(&bytes, &with_repair(&[Repair::Fill])).unwrap_err().to_string();
+    assert!(error.contains("2 separate pieces") && error.contains("[\"largest_component\"]"), "{error}");
+}
+
+#[test]
+fn labels_are_chosen_or_named() {
+    let bytes = write_nifti(&volume(|p| ball(p) * if p[1] > 0.0 { 7 } else { 9 }));
+    let both = prepare(&bytes, &defaults()).unwrap().mesh;
+    assert_eq!(both, ball_mesh());
+    let choose = |labels: &[u32]| prepare(&bytes, &InputParameters { labels: Some(labels.to_vec()), ..defaults() });
+    assert_eq!(choose(&[9, 7]).unwrap().mesh, both);
+    let half = choose(&[7]).unwrap().mesh.signed_volume();
+    assert!((half / both.signed_volume() - 0.5).abs() < 0.05);
+    let error = choose(&[1, 2]).unwrap_err();
+    assert_eq!(error.code(), "empty-structure");
+    assert_eq!(error.to_string(), "no voxel has any of the labels [1, 2]; the volume holds [7, 9]");
+    let empty = prepare(&write_nifti(&volume(|_| 0)), &defaults()).unwrap_err();
+    assert_eq!(empty.to_string(), "no voxel has a label other than 0; the volume is empty");
+    let speck = write_nifti(&volume(|p| u32::from(p.iter().all(|c| c.abs() < 1.0 && *c > 0.0))));
+    let vanished = prepare(&speck, &InputParameters { smoothing_mm: 3.0, ..defaults() }).unwrap_err();
+    assert_eq!(vanished.code(), "empty-structure");
+}
+
+#[test]
+fn a_split_mesh_needs_weld_and_answers_in_its_own_numbering() {
+    let whole = ball_mesh();
+    // Every face with its own vertices, and one vertex that nobody uses in front.
+    let mut vertices = vec![Point3::new(50.0, 0.0, 0.0)];
+    vertices.extend(whole.indices().iter().map(|&v| whole.vertices()[v as usize]));
+    let n = vertices.len() as u32;
+    let split = SurfaceMesh::new(vertices, FaceArity::Triangle, (1..n).collect()).unwrap();
+    let bytes = write_ply(&split);
+    let error = prepare(&bytes, &defaults()).unwrap_err();
+    assert!(error.to_string().contains("joins vertices 1 and 2 near"), "{error}");
+    assert!(error.to_string().ends_with("\"repair\": [\"weld\"]"), "{error}");
+    let prepared = prepare(&bytes, &with_repair(&[Repair::Weld])).unwrap();
+    assert_eq!(prepared.mesh.n_vertices(), whole.n_vertices());
+    for (v, &uploaded) in prepared.uploaded_vertex.unwrap().iter().enumerate() {
+        assert_eq!(prepared.mesh.vertices()[v], split.vertices()[uploaded as usize]);
+    }
+    assert_eq!(prepared.report.repairs.len(), 1);
+    assert!(prepare(&write_stl(&whole), &defaults()).is_ok(), "STL is welded on reading");
+}
+
+#[test]
+fn a_good_mesh_passes_untouched_and_an_inside_out_one_is_turned() {
+    let whole = ball_mesh();
+    let prepared = prepare(&write_vtk(&whole), &defaults()).unwrap();
+    assert_eq!((&prepared.mesh, prepared.uploaded_vertex), (&whole, None));
+    assert!(prepared.report.repairs.is_empty() && !prepared.report.turned_outward);
+    let outward = prepare(&write_vtk(&turned(&whole)), &defaults()).unwrap();
+    assert_eq!(outward.mesh, whole);
+    assert!(outward.report.turned_outward && outward.report.topology.volume_mm3.unwrap() < 0.0);
+}
+
+#[test]
+fn holes_and_twists_are_refused_with_their_place() {
+    let whole = ball_mesh();
+    let open = SurfaceMesh::new(whole.vertices().to_vec(), FaceArity::Triangle, whole.indices()[3..].to_vec()).unwrap();
+    let error = prepare(&write_ply(&open), &with_repair(&[Repair::Weld, Repair::LargestComponent])).unwrap_err();
+    assert_eq!((error.code(), error.topology().unwrap().n_boundary_edges), ("unsuitable-surface", 3));
+    assert!(error.to_string().contains("3 edges have only one face"), "{error}");
+    let mut twisted = whole.indices().to_vec();
+    twisted.swap(0, 1);
+    let twisted = SurfaceMesh::new(whole.vertices().to_vec(), FaceArity::Triangle, twisted).unwrap();
+    let error = prepare(&write_ply(&twisted), &defaults()).unwrap_err();
+    assert!(error.to_string().contains("3 edges lie between faces of opposite orientation"), "{error}");
+}
+
+#[test]
+fn faces_that_name_a_vertex_twice_need_weld() {
+    let ply = "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n\
+        element face 5\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n\
+        3 0 2 1\n3 0 1 3\n3 1 1 2\n3 0 3 2\n3 1 2 3\n";
+    let error = prepare(ply.as_bytes(), &defaults()).unwrap_err();
+    assert_eq!(error.code(), "unsuitable-surface");
+    assert!(error.to_string().contains("the first is face 2 with vertex 1"), "{error}");
+    let prepared = prepare(ply.as_bytes(), &with_repair(&[Repair::Weld])).unwrap();
+    assert_eq!(prepared.mesh.n_faces(), 4);
+    assert_eq!(prepared.report.repairs[0].detail, "0 of 4 vertices joined to another; 1 face dropped");
+}
+
+#[test]
+fn limits_are_kept() {
+    let bytes = write_nifti_gz(&volume(ball));
+    let limited = |limits| prepare_surface(&bytes, None, &defaults(), &limits).unwrap_err().code();
+    let open = IntakeLimits::default();
+    assert_eq!(limited(IntakeLimits { max_bytes: 100, ..open }), "too-large");
+    assert_eq!(limited(IntakeLimits { max_inflated_bytes: 1000, ..open }), "too-large");
+    assert_eq!(limited(IntakeLimits { max_vertices: 10, ..open }), "too-large");
+    assert_eq!(limited(IntakeLimits { max_vertices: 300, ..open }), "too-large");
+    assert_eq!(prepare(b"nothing", &defaults()).unwrap_err(), IntakeError::UnknownFormat);
+    let cut = prepare(&bytes[..bytes.len() / 2], &defaults()).unwrap_err();
+    assert!(matches!(cut, IntakeError::Unreadable(FormatError::Gzip { .. })), "{cut:?}");
+}
+
+#[test]
+fn inspection_tells_what_preparation_would_do() {
+    let bytes = write_nifti(&volume(|p| ring(p) * 4));
+    let limits = IntakeLimits::default();
+    let seen = inspect(&bytes, None, &defaults(), &limits).unwrap();
+    let volume = seen.volume.unwrap();
+    assert_eq!((seen.format, seen.kind, seen.suitable), (InputFormat::Nifti, InputKind::LabelVolume, true));
+    assert_eq!((volume.dims, volume.spacing_mm, volume.labels[0].label), ([20, 16, 12], [1.0; 3], 4));
+    assert_eq!((seen.topology.unwrap().genus, seen.repaired_topology.unwrap().genus), (Some(1), Some(0)));
+    let refused = inspect(&bytes, None, &with_repair(&[]), &limits).unwrap();
+    assert_eq!((refused.suitable, refused.refusal.unwrap().code.as_str()), (false, "unsuitable-surface"));
+    let none = InputParameters { labels: Some(vec![1]), ..defaults() };
+    let empty = inspect(&bytes, None, &none, &limits).unwrap();
+    assert_eq!((empty.topology, empty.refusal.unwrap().code.as_str()), (None, "empty-structure"));
+}
+
+#[test]
+fn real_structures_say_which_repair_they_need() {
+    let Some(path) = real("structures/Model_17_left_hippocampus.vtk") else { return };
+    let bytes = std::fs::read(path).unwrap();
+    let error = prepare(&bytes, &defaults()).unwrap_err().to_string();
+    assert!(error.contains("\"repair\": [\"weld\""), "{error}");
+    let prepared = prepare(&bytes, &with_repair(&[Repair::Weld, Repair::LargestComponent])).unwrap();
+    assert_eq!(prepared.uploaded_vertex.unwrap().len(), prepared.mesh.n_vertices());
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(300))]
+
+    #[test]
+    fn damaged_files_neither_panic_nor_linger(
+        which in 0..3usize, flips in proptest::collection::vec((any::<prop::sample::Index>(), any::<u8>()), 1..5), head: bool,
+    ) {
+        let small = SurfaceMesh::new(
+            [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(Point3::from).to_vec(),
+            FaceArity::Triangle,
+            vec![0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3],
+        )
+        .unwrap();
+        let mut bytes = [write_nifti(&volume(ring)), write_ply(&small), write_stl(&small)][which].clone();
+        for (at, value) in flips {
+            let at = at.index(if head { bytes.len().min(348) } else { bytes.len() });
+            bytes[at] = value;
+        }
+        let start = std::time::Instant::now();
+        if let Ok(prepared) = prepare(&bytes, &with_repair(&[Repair::Weld, Repair::LargestComponent, Repair::Fill])) {
+            prop_assert_eq!(analyze(&prepared.mesh).fault, None);
+        }
+        prop_assert!(start.elapsed().as_secs() < 5);
     }
 }

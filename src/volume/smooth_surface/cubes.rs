@@ -229,13 +229,9 @@ fn shortest_triangulation(
                 _ if allowed(a, b) => length2(a, b),
                 _ => f64::INFINITY,
             };
-            let mut best = f64::INFINITY;
-            for m in a + 1..b {
-                if cost[a][m] + cost[m][b] < best {
-                    best = cost[a][m] + cost[m][b];
-                    split[a][b] = m;
-                }
-            }
+            let halves = (a + 1..b).map(|m| (cost[a][m] + cost[m][b], m));
+            let (best, m) = halves.reduce(|x, y| if y.0 < x.0 { y } else { x }).unwrap_or((f64::INFINITY, a));
+            split[a][b] = m;
             cost[a][b] = best + own;
         }
     }

@@ -1,0 +1,221 @@
+//! An engine that does as it is told, and a service over it on a port and in a folder of its own.
+
+use homolog::app::{self, App, Shutdown};
+use homolog::config::{HttpSettings, ServiceSettings};
+use homolog::jobs::engine::{MethodDescription, Product, Resolved};
+use homolog::jobs::{
+    ArtifactKind, ComputeError, ComputeTask, Engine, Failure, InputBytes, InputRefusal, InputSummary, ParameterFault,
+};
+use homolog::observe::{Observer, Phase, TracePoint};
+use reqwest::multipart::{Form, Part};
+use serde_json::{Value, json};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU32, Ordering};
+use std::time::{Duration, Instant};
+
+/// Numbers that a job's parameters may set: points of the trace, ms between them, and switches (not 0 = on).
+const KEYS: [&str; 6] = ["points", "step_ms", "fail", "panic", "deaf", "seed"];
+
+/// Does what the parameters say; counts how often it computed.
+#[derive(Debug, Default)]
+pub struct ObedientEngine {
+    pub computed: AtomicU32,
+}
+
+impl Engine for ObedientEngine {
+    fn methods(&self) -> Vec<MethodDescription> {
+        vec![MethodDescription {
+            name: "obedient".to_owned(),
+            version: "1".to_owned(),
+            description: "Does what it is told.".to_owned(),
+            defaults: json!({}),
+            parameters_schema: json!({"type": "object"}),
+        }]
+    }
+
+    fn resolve(&self, request: &Value) -> Result<Resolved, Vec<ParameterFault>> {
+        let faults: Vec<_> = request
+            .as_object()
+            .unwrap()
+            .iter()
+            .filter(|(key, value)| !KEYS.contains(&key.as_str()) || !value.is_u64())
+            .map(|(key, _)| ParameterFault {
+                pointer: format!("/{key}"),
+                code: "unknown_key".to_owned(),
+                detail: "unknown, or no number".to_owned(),
+            })
+            .collect();
+        if !faults.is_empty() {
+            return Err(faults);
+        }
+        let resolved =
+            Resolved { method: "obedient".to_owned(), method_version: "1".to_owned(), parameters: request.clone() };
+        Ok(resolved)
+    }
+
+    fn check_input(&self, input: &InputBytes<'_>, _: &Value) -> Result<InputSummary, InputRefusal> {
+        if input.bytes.starts_with(b"panic") {
+            panic!("told to");
+        }
+        if input.bytes.starts_with(b"bad") {
+            let topology = Some(json!({"n_components": 2}));
+            return Err(InputRefusal {
+                code: "unsuitable-surface".to_owned(),
+                detail: "two pieces".to_owned(),
+                topology,
+            });
+        }
+        Ok(InputSummary { n_vertices: 3, n_faces: 1, report: json!({"hint": input.name_hint}) })
+    }
+
+    fn compute(&self, task: &ComputeTask, observer: &dyn Observer) -> Result<Vec<Product>, ComputeError> {
+        self.computed.fetch_add(1, Ordering::SeqCst);
+        let number = |key: &str| task.parameters.get(key).and_then(Value::as_u64).unwrap_or(0);
+        let points = number("points");
+        observer.phase(Phase::Inference);
+        for i in 1..=points {
+            if number("deaf") == 0 && observer.is_cancelled() {
+                return Err(ComputeError::Cancelled);
+            }
+            let mut point = TracePoint::new(0, Phase::Inference, i as u32);
+            point.energy = Some(1000.0 / i as f64);
+            observer.trace(&point);
+            observer.progress(i as f64 / points as f64);
+            std::thread::sleep(Duration::from_millis(number("step_ms")));
+        }
+        if number("panic") != 0 {
+            panic!("told to, with Jane Doe in the message");
+        }
+        if number("fail") != 0 {
+            return Err(ComputeError::Failed(Failure::new("no-registration", "told to")));
+        }
+        let product = |kind, text: String| Product { kind, bytes: text.into_bytes() };
+        let columns = json!({"source": [0, 1], "target": [1, 0], "confidence": [0.5, 0.25], "inlier": [true, false]});
+        Ok(vec![
+            product(ArtifactKind::Result, json!({"transform": {"matrix": [[1.5]]}, "points": points}).to_string()),
+            product(ArtifactKind::Correspondences, columns.to_string()),
+            product(ArtifactKind::SourceSurface, "ply source".to_owned()),
+            product(ArtifactKind::TargetSurface, "ply target".to_owned()),
+            product(ArtifactKind::Aligned, "ply aligned".to_owned()),
+        ])
+    }
+}
+
+#[derive(Debug, clap::Parser)]
+struct Arguments {
+    #[command(flatten)]
+    http: HttpSettings,
+    #[command(flatten)]
+    service: ServiceSettings,
+}
+
+/// A service in this process.
+pub struct TestService {
+    pub base: String,
+    pub client: reqwest::Client,
+    pub engine: Arc<ObedientEngine>,
+    pub shutdown: Shutdown,
+    pub folder: Arc<tempfile::TempDir>,
+    running: tokio::task::JoinHandle<()>,
+}
+
+impl TestService {
+    pub async fn start(more: &[&str]) -> Self {
+        TestService::start_in(Arc::new(tempfile::tempdir().unwrap()), more).await
+    }
+
+    pub async fn start_in(folder: Arc<tempfile::TempDir>, more: &[&str]) -> Self {
+        let data_dir = folder.path().to_str().unwrap().to_owned();
+        let fixed = ["test", "--listen", "127.0.0.1:0", "--data-dir", &data_dir, "--poll-ms", "20"];
+        let Arguments { http, service } = clap::Parser::parse_from(fixed.iter().chain(more));
+        let shutdown = Shutdown::default();
+        let listener = app::listen(&http).await.unwrap();
+        let base = format!("http://{}", listener.local_addr().unwrap());
+        let engine = Arc::new(ObedientEngine::default());
+        let app = App::open(&service, Arc::clone(&engine) as Arc<dyn Engine>, &shutdown, true).await.unwrap();
+        let ends = shutdown.clone();
+        let running = tokio::spawn(async move { app.run(Some((listener, http, service)), &ends).await });
+        TestService { base, client: reqwest::Client::new(), engine, shutdown, folder, running }
+    }
+
+    /// Ends as after a signal; the folder stays with who holds it.
+    pub async fn end(self) -> Arc<tempfile::TempDir> {
+        self.shutdown.stop.cancel();
+        self.shutdown.give_back.cancel();
+        self.running.await.unwrap();
+        self.folder
+    }
+
+    pub async fn get(&self, path: &str) -> reqwest::Response {
+        self.client.get(format!("{}{path}", self.base)).send().await.unwrap()
+    }
+
+    pub async fn json(&self, path: &str) -> Value {
+        self.get(path).await.json().await.unwrap()
+    }
+
+    pub async fn post(&self, path: &str) -> reqwest::Response {
+        self.client.post(format!("{}{path}", self.base)).send().await.unwrap()
+    }
+
+    pub async fn delete(&self, path: &str) -> reqwest::Response {
+        self.client.delete(format!("{}{path}", self.base)).send().await.unwrap()
+    }
+
+    pub async fn send(&self, form: Form) -> reqwest::Response {
+        self.client.post(format!("{}/v1/jobs", self.base)).multipart(form).send().await.unwrap()
+    }
+
+    /// Submits and returns the id.
+    pub async fn submit(&self, parameters: Value) -> String {
+        let response = self.send(form("source", "target", &parameters)).await;
+        assert_eq!(response.status(), 202, "{}", response.text().await.unwrap());
+        response.json::<Value>().await.unwrap()["id"].as_str().unwrap().to_owned()
+    }
+
+    /// The job once `done` says so.
+    pub async fn until(&self, id: &str, done: impl Fn(&Value) -> bool) -> Value {
+        let began = Instant::now();
+        loop {
+            let job = self.json(&format!("/v1/jobs/{id}")).await;
+            if done(&job) {
+                return job;
+            }
+            assert!(began.elapsed() < Duration::from_secs(20), "still {job}");
+            tokio::time::sleep(Duration::from_millis(20)).await;
+        }
+    }
+
+    pub async fn until_final(&self, id: &str) -> Value {
+        self.until(id, |job| !["queued", "running"].contains(&job["state"].as_str().unwrap())).await
+    }
+
+    pub async fn until_running(&self, id: &str) -> Value {
+        self.until(id, |job| job["state"] == "running").await
+    }
+}
+
+/// The form of a submission.
+pub fn form(source: &str, target: &str, parameters: &Value) -> Form {
+    let file = |content: &str, name: &str| Part::bytes(content.as_bytes().to_vec()).file_name(name.to_owned());
+    Form::new()
+        .part("source", file(source, "Doe^Jane.nii.gz"))
+        .part("target", file(target, "target.ply"))
+        .text("parameters", parameters.to_string())
+}
+
+/// A problem of this status and type, as every error has to be.
+pub async fn problem(response: reqwest::Response, status: u16, slug: &str) -> Value {
+    let got = response.status().as_u16();
+    let media_type = response.headers().get("content-type").cloned();
+    let id = response.headers().get("x-request-id").unwrap().to_str().unwrap().to_owned();
+    let text = response.text().await.unwrap();
+    assert_eq!(got, status, "{text}");
+    assert_eq!(media_type.unwrap(), "application/problem+json");
+    let body: Value = serde_json::from_str(&text).unwrap();
+    assert_eq!(body["type"], format!("/problems/{slug}"), "{text}");
+    assert_eq!(body["status"], status);
+    assert!(body["title"].is_string());
+    assert_eq!(body["request_id"], id);
+    body
+}

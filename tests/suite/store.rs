@@ -1,0 +1,386 @@
+//! One suite for every job store: order, leases, fences, traces, ends.
+
+use homolog::jobs::job::Order;
+use homolog::jobs::{
+    ArtifactKey, ArtifactKind, ArtifactRef, ArtifactStore, Failure, Job, JobError, JobFilter, JobId, JobInput,
+    JobState, JobStore, Lease, LeaseStatus, NewJob, NumberedPoint, Outcome, PageRequest, Progress, Recovered, Tenant,
+    TraceChunk, WorkerId,
+};
+use homolog::observe::{Phase, TracePoint};
+use homolog::store::artifacts::FolderArtifacts;
+use homolog::store::sqlite::SqliteStore;
+use serde_json::json;
+use std::collections::BTreeMap;
+use std::sync::Arc;
+use std::time::Duration;
+
+const LONG: Duration = Duration::from_secs(60);
+const SHORT: Duration = Duration::from_millis(30);
+
+struct Fixture {
+    store: Arc<dyn JobStore>,
+    artifacts: FolderArtifacts,
+    worker: WorkerId,
+    tenant: Tenant,
+    folder: tempfile::TempDir,
+}
+
+impl Fixture {
+    async fn new() -> Self {
+        let folder = tempfile::tempdir().unwrap();
+        let store = Arc::new(SqliteStore::open(folder.path()).await.unwrap());
+        let artifacts = FolderArtifacts::open(folder.path()).unwrap();
+        Fixture { store, artifacts, worker: WorkerId::random(), tenant: Tenant::default(), folder }
+    }
+
+    async fn add(&self, priority: i32) -> Job {
+        self.store.insert(&new_job(priority), 1000, "").await.unwrap()
+    }
+
+    async fn claim(&self, duration: Duration) -> Lease {
+        self.store.claim(&self.worker, duration).await.unwrap().unwrap().lease
+    }
+
+    async fn state(&self, id: JobId) -> JobState {
+        self.store.get(&self.tenant, id).await.unwrap().state
+    }
+
+    async fn expire(&self) -> Recovered {
+        tokio::time::sleep(SHORT * 2).await;
+        self.store.recover_expired().await.unwrap()
+    }
+
+    async fn seqs(&self, id: JobId, after: u64, limit: u32) -> Vec<u64> {
+        let page = self.store.trace(&self.tenant, id, after, limit).await.unwrap();
+        page.points.iter().map(|p| p.seq).collect()
+    }
+}
+
+fn new_job(priority: i32) -> NewJob {
+    let input = |hash: char| JobInput {
+        hash: hash.to_string().repeat(64),
+        n_bytes: 1,
+        name_hint: None,
+        n_vertices: 1,
+        n_faces: 1,
+        report: json!({}),
+    };
+    NewJob {
+        id: JobId::new(),
+        tenant: Tenant::default(),
+        method: "m".to_owned(),
+        method_version: "1".to_owned(),
+        parameters: json!({"seed": 1}),
+        source: input('a'),
+        target: input('b'),
+        priority,
+        labels: BTreeMap::new(),
+        external_ref: None,
+        max_attempts: 3,
+    }
+}
+
+fn chunk(seqs: std::ops::RangeInclusive<u64>) -> TraceChunk {
+    let last = *seqs.end();
+    let points =
+        seqs.map(|seq| NumberedPoint { seq, point: TracePoint::new(0, Phase::Inference, seq as u32), elapsed_ms: seq });
+    let progress =
+        Progress { fraction: last as f64 / 100.0, phase: None, iteration: None, message: None, energy_latest: None };
+    TraceChunk { points: points.collect(), progress }
+}
+
+fn result(hash: char) -> Outcome {
+    let key = ArtifactKey { tenant: Tenant::default(), hash: hash.to_string().repeat(64) };
+    Outcome::Succeeded(vec![ArtifactRef { kind: ArtifactKind::Result, key, n_bytes: 1 }])
+}
+
+fn is_lost<T: std::fmt::Debug>(answer: Result<T, JobError>) -> bool {
+    matches!(answer, Err(JobError::LeaseLost))
+}
+
+#[tokio::test]
+async fn claims_go_by_priority_then_age() {
+    let f = Fixture::new().await;
+    let jobs = [f.add(0).await, f.add(5).await, f.add(0).await, f.add(-1).await, f.add(5).await];
+    let mut order = Vec::new();
+    while let Some(leased) = f.store.claim(&f.worker, LONG).await.unwrap() {
+        order.push(leased.lease.job_id);
+    }
+    assert_eq!(order, [1, 4, 0, 2, 3].map(|i: usize| jobs[i].id));
+}
+
+#[tokio::test(flavor = "multi_thread", worker_threads = 4)]
+async fn no_job_is_claimed_twice() {
+    let f = Fixture::new().await;
+    for _ in 0..40 {
+        f.add(0).await;
+    }
+    let mut claimers = tokio::task::JoinSet::new();
+    for _ in 0..8 {
+        // Each with connections of its own, as if in another process.
+        let store = SqliteStore::open(f.folder.path()).await.unwrap();
+        claimers.spawn(async move {
+            let worker = WorkerId::random();
+            let mut claimed = Vec::new();
+            while let Some(leased) = store.claim(&worker, LONG).await.unwrap() {
+                claimed.push((leased.lease.job_id, leased.lease.epoch));
+            }
+            claimed
+        });
+    }
+    let mut claimed: Vec<_> = claimers.join_all().await.concat();
+    claimed.sort();
+    assert_eq!(claimed.len(), 40);
+    claimed.dedup();
+    assert_eq!(claimed.len(), 40);
+}
+
+#[tokio::test]
+async fn a_stale_worker_changes_nothing() {
+    let f = Fixture::new().await;
+    let job = f.add(0).await;
+    let stale = f.claim(SHORT).await;
+    f.store.append_trace(&stale, &chunk(1..=3)).await.unwrap();
+    assert_eq!(f.expire().await, Recovered { queued: 1, ..Recovered::default() });
+    assert!(is_lost(f.store.finish(&stale, &result('c')).await), "queued again");
+    let fresh = f.claim(LONG).await;
+    assert_eq!(fresh.epoch, stale.epoch + 1);
+
+    assert!(is_lost(f.store.append_trace(&stale, &chunk(4..=5)).await));
+    assert!(is_lost(f.store.finish(&stale, &result('c')).await));
+    assert!(is_lost(f.store.release(&stale).await));
+    assert_eq!(f.store.heartbeat(&stale, LONG).await.unwrap(), LeaseStatus::Lost);
+    assert_eq!(f.store.lease_status(&stale).await.unwrap(), LeaseStatus::Lost);
+    assert_eq!(f.store.heartbeat(&fresh, LONG).await.unwrap(), LeaseStatus::Held);
+
+    f.store.finish(&fresh, &result('d')).await.unwrap();
+    assert!(is_lost(f.store.finish(&fresh, &result('e')).await), "a result is accepted once");
+    assert!(is_lost(f.store.finish(&fresh, &Outcome::Cancelled).await));
+    let (state, artifact) = f.store.artifact(&f.tenant, job.id, ArtifactKind::Result).await.unwrap();
+    assert_eq!(state, JobState::Succeeded);
+    assert_eq!(artifact.unwrap().key.hash, "d".repeat(64));
+}
+
+#[tokio::test]
+async fn a_heartbeat_keeps_a_lease() {
+    let f = Fixture::new().await;
+    f.add(0).await;
+    let lease = f.claim(SHORT).await;
+    f.store.heartbeat(&lease, LONG).await.unwrap();
+    assert_eq!(f.expire().await, Recovered::default());
+}
+
+#[tokio::test]
+async fn crashes_end_in_dead_and_others_go_on() {
+    let f = Fixture::new().await;
+    let poison = f.add(9).await;
+    let other = f.add(0).await;
+    for _ in 0..2 {
+        assert_eq!(f.claim(SHORT).await.job_id, poison.id);
+        assert_eq!(f.expire().await.queued, 1);
+    }
+    let last = f.claim(SHORT).await;
+    assert_eq!(f.expire().await.dead, 1);
+    let dead = f.store.get(&f.tenant, poison.id).await.unwrap();
+    assert_eq!((dead.state, dead.crashes, dead.attempt), (JobState::Dead, 3, 3));
+    assert_eq!(dead.error.unwrap().code, "crash-limit-reached");
+    assert!(is_lost(f.store.finish(&last, &result('c')).await));
+    assert_eq!(f.claim(LONG).await.job_id, other.id);
+}
+
+#[tokio::test]
+async fn a_lost_process_gives_up_its_jobs_at_once_and_others_keep_theirs() {
+    let f = Fixture::new().await;
+    let (first, second) = (f.add(0).await, f.add(0).await);
+    let gone = WorkerId::random();
+    f.store.claim(&gone, LONG).await.unwrap().unwrap();
+    f.claim(LONG).await;
+    assert_eq!(f.store.recover_worker(&gone).await.unwrap().queued, 1);
+    assert_eq!(f.state(first.id).await, JobState::Queued);
+    assert_eq!(f.state(second.id).await, JobState::Running);
+}
+
+#[tokio::test]
+async fn a_shutdown_is_no_attempt() {
+    let f = Fixture::new().await;
+    let job = f.add(0).await;
+    for _ in 0..5 {
+        let lease = f.claim(LONG).await;
+        f.store.release(&lease).await.unwrap();
+    }
+    let job = f.store.get(&f.tenant, job.id).await.unwrap();
+    assert_eq!((job.state, job.attempt, job.crashes, job.lease_epoch), (JobState::Queued, 0, 0, 5));
+}
+
+#[tokio::test]
+async fn readers_of_a_trace_see_every_point_once() {
+    let f = Fixture::new().await;
+    let job = f.add(0).await;
+    let lease = f.claim(SHORT).await;
+    f.store.append_trace(&lease, &chunk(1..=4)).await.unwrap();
+    f.store.append_trace(&lease, &chunk(5..=5)).await.unwrap();
+    // Written, but the answer was lost: the worker sends it again.
+    f.store.append_trace(&lease, &chunk(5..=5)).await.unwrap();
+    f.expire().await;
+    let lease = f.claim(LONG).await;
+    assert!(f.seqs(job.id, 0, 100).await.is_empty(), "what the lost worker traced is dropped");
+    for seqs in [1..=2, 3..=7, 8..=8] {
+        f.store.append_trace(&lease, &chunk(seqs)).await.unwrap();
+    }
+    assert_eq!(f.seqs(job.id, 0, 100).await, [1, 2, 3, 4, 5, 6, 7, 8]);
+    assert_eq!(f.seqs(job.id, 4, 2).await, [5, 6]);
+    assert!(f.seqs(job.id, 8, 100).await.is_empty());
+    let page = f.store.trace(&f.tenant, job.id, 0, 100).await.unwrap();
+    assert!(!page.complete);
+    f.store.finish(&lease, &result('c')).await.unwrap();
+    assert!(f.store.trace(&f.tenant, job.id, 0, 8).await.unwrap().complete);
+    assert!(!f.store.trace(&f.tenant, job.id, 0, 7).await.unwrap().complete);
+}
+
+#[tokio::test]
+async fn progress_never_goes_back_within_an_attempt() {
+    let f = Fixture::new().await;
+    let job = f.add(0).await;
+    let lease = f.claim(LONG).await;
+    for end in [50, 20] {
+        let fraction = TraceChunk { points: Vec::new(), ..chunk(1..=end) };
+        f.store.append_trace(&lease, &fraction).await.unwrap();
+        assert_eq!(f.store.get(&f.tenant, job.id).await.unwrap().progress.unwrap().fraction, 0.5);
+    }
+}
+
+#[tokio::test]
+async fn cancel_leads_to_exactly_one_end_from_every_state() {
+    let f = Fixture::new().await;
+    let queued = f.add(9).await;
+    assert_eq!(f.store.cancel(&f.tenant, queued.id).await.unwrap().state, JobState::Cancelled);
+    assert!(f.store.claim(&f.worker, LONG).await.unwrap().is_none());
+
+    let running = f.add(0).await;
+    let lease = f.claim(LONG).await;
+    let told = f.store.cancel(&f.tenant, running.id).await.unwrap();
+    assert_eq!((told.state, told.cancel_requested), (JobState::Running, true));
+    assert_eq!(f.store.lease_status(&lease).await.unwrap(), LeaseStatus::CancelRequested);
+    f.store.finish(&lease, &Outcome::Cancelled).await.unwrap();
+    assert!(is_lost(f.store.finish(&lease, &result('c')).await));
+    assert_eq!(f.state(running.id).await, JobState::Cancelled);
+    assert_eq!(f.store.cancel(&f.tenant, running.id).await.unwrap().state, JobState::Cancelled);
+
+    // A result that was ready when the request came counts.
+    let finishing = f.add(0).await;
+    let lease = f.claim(LONG).await;
+    f.store.cancel(&f.tenant, finishing.id).await.unwrap();
+    f.store.finish(&lease, &result('c')).await.unwrap();
+    assert_eq!(f.state(finishing.id).await, JobState::Succeeded);
+    assert!(matches!(f.store.cancel(&f.tenant, finishing.id).await, Err(JobError::AlreadyFinal { .. })));
+
+    // The worker is lost, or gives back, after the request.
+    for lost in [true, false] {
+        let job = f.add(0).await;
+        let lease = f.claim(SHORT).await;
+        f.store.cancel(&f.tenant, job.id).await.unwrap();
+        if lost {
+            assert_eq!(f.expire().await.cancelled, 1)
+        } else {
+            f.store.release(&lease).await.unwrap()
+        }
+        assert_eq!(f.state(job.id).await, JobState::Cancelled);
+    }
+
+    let failed = f.add(0).await;
+    let lease = f.claim(LONG).await;
+    f.store.finish(&lease, &Outcome::Failed(Failure::new("match-failed", "x"))).await.unwrap();
+    assert!(matches!(f.store.cancel(&f.tenant, failed.id).await, Err(JobError::AlreadyFinal { .. })));
+    assert_eq!(f.state(failed.id).await, JobState::Failed);
+}
+
+#[tokio::test]
+async fn the_queue_has_a_limit() {
+    let f = Fixture::new().await;
+    f.add(0).await;
+    let full = f.store.insert(&new_job(0), 1, "").await;
+    assert!(matches!(full, Err(JobError::QueueFull { limit: 1 })));
+    f.claim(LONG).await;
+    f.store.insert(&new_job(0), 1, "").await.unwrap();
+}
+
+#[tokio::test]
+async fn other_tenants_see_nothing() {
+    let f = Fixture::new().await;
+    let id = f.add(0).await.id;
+    let other = Tenant::new("other").unwrap();
+    assert!(matches!(f.store.get(&other, id).await, Err(JobError::NotFound)));
+    assert!(matches!(f.store.cancel(&other, id).await, Err(JobError::NotFound)));
+    assert!(matches!(f.store.delete(&other, id).await, Err(JobError::NotFound)));
+    assert!(matches!(f.store.trace(&other, id, 0, 1).await, Err(JobError::NotFound)));
+    assert!(matches!(f.store.artifact(&other, id, ArtifactKind::Source).await, Err(JobError::NotFound)));
+    let page = PageRequest { size: 10, after: None, order: Order::NewestFirst };
+    assert!(f.store.list(&other, &JobFilter::default(), &page).await.unwrap().jobs.is_empty());
+}
+
+#[tokio::test]
+async fn shared_blobs_stay_until_nobody_needs_them() {
+    let f = Fixture::new().await;
+    let bytes = |text: &'static str| bytes::Bytes::from_static(text.as_bytes());
+    let [source, target] = ["one", "two"].map(|text| ArtifactKey::of(&f.tenant, text.as_bytes()));
+    let mut jobs = Vec::new();
+    for holder in ["x", "y"] {
+        f.store.hold_blobs(holder, &[source.clone(), target.clone()], LONG).await.unwrap();
+        f.artifacts.put(&source, bytes("one")).await.unwrap();
+        f.artifacts.put(&target, bytes("two")).await.unwrap();
+        let mut job = new_job(0);
+        (job.source.hash, job.target.hash) = (source.hash.clone(), target.hash.clone());
+        jobs.push(f.store.insert(&job, 10, holder).await.unwrap());
+        f.store.cancel(&f.tenant, job.id).await.unwrap();
+    }
+    f.store.delete(&f.tenant, jobs[0].id).await.unwrap();
+    assert_eq!(f.store.remove_unreferenced_blobs(&f.artifacts).await.unwrap(), 0);
+    f.store.hold_blobs("z", std::slice::from_ref(&source), LONG).await.unwrap();
+    f.store.delete(&f.tenant, jobs[1].id).await.unwrap();
+    assert_eq!(f.store.remove_unreferenced_blobs(&f.artifacts).await.unwrap(), 1, "one is held by a submission");
+    assert_eq!(f.artifacts.get(&source).await.unwrap(), bytes("one"));
+    assert!(f.artifacts.get(&target).await.is_err());
+    f.store.drop_hold("z").await.unwrap();
+    assert_eq!(f.store.remove_unreferenced_blobs(&f.artifacts).await.unwrap(), 1);
+    // A hold whose holder died lapses.
+    f.store.hold_blobs("dead", std::slice::from_ref(&source), Duration::ZERO).await.unwrap();
+    f.artifacts.put(&source, bytes("one")).await.unwrap();
+    tokio::time::sleep(SHORT).await;
+    assert_eq!(f.store.remove_unreferenced_blobs(&f.artifacts).await.unwrap(), 1);
+}
+
+#[tokio::test]
+async fn a_blob_that_is_not_what_its_name_says_is_refused() {
+    let f = Fixture::new().await;
+    let key = ArtifactKey::of(&f.tenant, b"one");
+    f.artifacts.put(&key, bytes::Bytes::from_static(b"one")).await.unwrap();
+    let path = f.folder.path().join("blobs/default").join(&key.hash[..2]).join(&key.hash[2..4]).join(&key.hash);
+    std::fs::write(&path, b"two").unwrap();
+    assert!(matches!(f.artifacts.get(&key).await, Err(JobError::Corrupt { .. })));
+    let escape = ArtifactKey { tenant: f.tenant.clone(), hash: "../../../../etc/passwd".to_owned() };
+    assert!(f.artifacts.get(&escape).await.is_err());
+}
+
+#[tokio::test]
+async fn sqlite_is_set_to_be_durable() {
+    let folder = tempfile::tempdir().unwrap();
+    let store = SqliteStore::open(folder.path()).await.unwrap();
+    const FULL: i64 = 2;
+    assert_eq!(store.durability().await.unwrap(), (FULL, "wal".to_owned()));
+}
+
+#[tokio::test(flavor = "multi_thread", worker_threads = 4)]
+async fn many_may_open_a_new_store_at_once_and_what_is_there_stays() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut opening = tokio::task::JoinSet::new();
+    for _ in 0..8 {
+        let path = folder.path().to_owned();
+        opening.spawn(async move { SqliteStore::open(&path).await.map(|_| ()) });
+    }
+    assert!(opening.join_all().await.iter().all(Result::is_ok));
+    let store = SqliteStore::open(folder.path()).await.unwrap();
+    let id = store.insert(&new_job(0), 10, "").await.unwrap().id;
+    store.close().await;
+    let store = SqliteStore::open(folder.path()).await.unwrap();
+    assert_eq!(store.get(&Tenant::default(), id).await.unwrap().id, id);
+}

@@ -12,6 +12,7 @@ use std::sync::Arc;
 use std::time::Duration;
 use tokio::sync::Semaphore;
 use tokio_util::sync::CancellationToken;
+use tower::ServiceBuilder;
 use tower_http::catch_panic::CatchPanicLayer;
 use utoipa_axum::router::OpenApiRouter;
 use utoipa_axum::routes;
@@ -83,9 +84,13 @@ pub fn router(state: HttpState) -> Router {
     let (router, _) = api().split_for_parts();
     router
         .fallback(|| async { Problem::new(ProblemKind::RouteNotFound) })
-        // Bodies are bounded where they are read; axum's own limit would answer without a problem.
-        .layer(DefaultBodyLimit::disable())
-        .layer(CatchPanicLayer::custom(panic_problem))
-        .layer(axum::middleware::from_fn_with_state(state.clone(), surround))
+        .layer(
+            // Outermost first.
+            ServiceBuilder::new()
+                .layer(axum::middleware::from_fn_with_state(state.clone(), surround))
+                .layer(CatchPanicLayer::custom(panic_problem))
+                // Bodies are bounded where they are read; axum's own limit would answer without a problem.
+                .layer(DefaultBodyLimit::disable()),
+        )
         .with_state(state)
 }

@@ -1,6 +1,6 @@
 //! The rigid transform between two surfaces, from point pairs and from points alone.
 //!
-//! [`absolute_orientation`] fits a transform to pairs; [`ransac`] finds the pairs that agree with one transform among
+//! [`mod@absolute_orientation`] fits a transform to pairs; [`mod@ransac`] finds the pairs that agree with one transform among
 //! many that do not, from minimal samples of three; [`refine_icp`] improves a transform by closest points. Nothing
 //! here knows a mesh: points, pairs, and a [`ClosestSurfacePoint`] given by the caller.
 //!

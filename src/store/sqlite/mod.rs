@@ -138,7 +138,7 @@ fn domain_error(error: sqlx::Error) -> JobError {
 #[async_trait]
 impl JobStore for SqliteStore {
     async fn ping(&self) -> Result<(), JobError> {
-        sqlx::query("SELECT 1").execute(&self.readers).await.map(|_| ()).map_err(domain_error)
+        sqlx::query(query_text!("ping")).execute(&self.readers).await.map(|_| ()).map_err(domain_error)
     }
 
     async fn insert(&self, job: &NewJob, max_queued: u32, holder: &str) -> Result<Job, JobError> {

@@ -22,7 +22,7 @@ pub enum CliError {
         source: io::Error,
     },
     /// Ctrl-C or SIGTERM. Exit code 130, as shells expect.
-    #[error("stopped on request; nothing was written")]
+    #[error("stopped on request")]
     Interrupted,
     /// Whoever read the output closed it, as `head` does: not a fault. Exit code 0, no message.
     #[error("the output was closed")]

@@ -1,6 +1,6 @@
 //! How the outside asks: routes, problems, wire types and the OpenAPI document.
 //!
-//! Reading order: [`router`] (layers and routes), [`routes`] (a file a resource), [`upload`] (multipart under limits),
+//! Reading order: [`mod@router`] (layers and routes), [`routes`] (a file a resource), [`upload`] (multipart under limits),
 //! [`wire`] (JSON forms), [`problem`] (every error there is), [`context`] (request ids, spans, the last resort).
 //!
 //! Invariant: every error answer is `application/problem+json`; an answer of 5xx hides its cause and carries the

@@ -45,7 +45,7 @@ impl Side {
 pub struct RunOutput {
     /// The result document, correspondences included.
     pub document: ResultDocument,
-    /// The source surface whose vertices the correspondences count, unless they count those of the uploaded mesh.
+    /// The source surface whose vertices the correspondences count.
     pub source: SurfaceMesh,
     /// The target surface, likewise.
     pub target: SurfaceMesh,
@@ -124,14 +124,15 @@ pub fn run_match(
         timings_ms: timed.finish(),
         provenance,
     };
-    Ok(RunOutput { document, source: prepared_source.mesh, target: prepared_target.mesh })
+    let counted = |prepared: PreparedSurface| prepared.uploaded.map_or(prepared.mesh, |uploaded| uploaded.surface);
+    Ok(RunOutput { document, source: counted(prepared_source), target: counted(prepared_target) })
 }
 
 /// Turns vertices of the surface that was matched into those of the mesh as it was uploaded.
 fn count_uploaded_vertices(vertices: &mut [u32], prepared: &PreparedSurface) {
-    if let Some(uploaded) = &prepared.uploaded_vertex {
+    if let Some(uploaded) = &prepared.uploaded {
         for vertex in vertices {
-            *vertex = uploaded[*vertex as usize];
+            *vertex = uploaded.vertex[*vertex as usize];
         }
     }
 }

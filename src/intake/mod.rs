@@ -25,10 +25,19 @@ use utoipa::ToSchema;
 pub struct PreparedSurface {
     /// The surface, mm.
     pub mesh: SurfaceMesh,
-    /// For every vertex its index in the uploaded mesh (the first of those welded); `None`: indices are the mesh's own.
-    pub uploaded_vertex: Option<Vec<u32>>,
+    /// The uploaded mesh's own numbering; `None` where `mesh` already has it, or where a volume was uploaded.
+    pub uploaded: Option<UploadedNumbering>,
     /// What the input was and what was done to it.
     pub report: InputReport,
+}
+
+/// A repaired surface in the numbering of the mesh as it was uploaded.
+#[derive(Debug, Clone, PartialEq)]
+pub struct UploadedNumbering {
+    /// For every vertex of the repaired surface its index in the uploaded mesh (the first of those welded).
+    pub vertex: Vec<u32>,
+    /// The repaired faces over all uploaded vertices, those that no face uses any more included.
+    pub surface: SurfaceMesh,
 }
 
 /// What an input was, and what was done to it.
@@ -92,7 +101,16 @@ pub fn prepare_surface(
     }
     let Candidate { mesh, uploaded_vertex, topology, repairs, turned_outward, .. } = candidate;
     let report = InputReport { format, topology, repairs, turned_outward };
-    Ok(PreparedSurface { mesh, uploaded_vertex, report })
+    let uploaded = match (uploaded_vertex, &content) {
+        (Some(vertex), FileContent::Mesh(file)) => {
+            let indices = mesh.indices().iter().map(|&k| vertex[k as usize]).collect();
+            let surface = SurfaceMesh::new(file.mesh.vertices().to_vec(), mesh.arity(), indices)
+                .map_err(|e| IntakeError::Unreadable(e.into()))?;
+            Some(UploadedNumbering { vertex, surface })
+        }
+        _ => None,
+    };
+    Ok(PreparedSurface { mesh, uploaded, report })
 }
 
 fn read(

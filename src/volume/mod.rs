@@ -43,7 +43,7 @@ pub enum VolumeError {
     /// The affine cannot place voxels.
     #[error("the voxel-to-world affine is {fault}; store a valid one in the file")]
     Affine {
-        /// `not finite` or `singular`.
+        /// `not finite`, `singular`, or of which size.
         fault: &'static str,
     },
 }
@@ -145,6 +145,10 @@ fn spacing_mm(affine: &Matrix4<f64>) -> [f64; 3] {
 }
 
 /// Refuses an affine that is not finite or that flattens space.
+/// Voxel sizes that anatomy is imaged with, with room to spare. A size beyond is a damaged header or a wrong unit, and
+/// a filter in millimetres would span more voxels than can be counted.
+const SPACING_MM: std::ops::RangeInclusive<f64> = 1e-4..=1e3;
+
 fn check_affine(affine: &Matrix4<f64>) -> Result<(), VolumeError> {
     if !affine.iter().all(|x| x.is_finite()) {
         return Err(VolumeError::Affine { fault: "not finite" });
@@ -155,6 +159,9 @@ fn check_affine(affine: &Matrix4<f64>) -> Result<(), VolumeError> {
     // Sheared axes are fine; axes that nearly lie in a plane are a damaged header.
     if product.is_nan() || product <= 0.0 || !product.is_finite() || determinant.abs() <= 1e-6 * product {
         return Err(VolumeError::Affine { fault: "singular" });
+    }
+    if !columns.iter().all(|c| SPACING_MM.contains(&c.norm())) {
+        return Err(VolumeError::Affine { fault: "of voxels smaller than 0.0001 mm or larger than 1000 mm" });
     }
     Ok(())
 }

@@ -145,7 +145,7 @@ fn a_split_mesh_needs_weld_and_answers_in_its_own_numbering() {
     assert!(error.to_string().ends_with("\"repair\": [\"weld\"]"), "{error}");
     let prepared = prepare(&bytes, &with_repair(&[Repair::Weld])).unwrap();
     assert_eq!(prepared.mesh.n_vertices(), whole.n_vertices());
-    for (v, &uploaded) in prepared.uploaded_vertex.unwrap().iter().enumerate() {
+    for (v, &uploaded) in prepared.uploaded.unwrap().vertex.iter().enumerate() {
         assert_eq!(prepared.mesh.vertices()[v], split.vertices()[uploaded as usize]);
     }
     assert_eq!(prepared.report.repairs.len(), 1);
@@ -156,7 +156,7 @@ fn a_split_mesh_needs_weld_and_answers_in_its_own_numbering() {
 fn a_good_mesh_passes_untouched_and_an_inside_out_one_is_turned() {
     let whole = ball_mesh();
     let prepared = prepare(&write_vtk(&whole), &defaults()).unwrap();
-    assert_eq!((&prepared.mesh, prepared.uploaded_vertex), (&whole, None));
+    assert_eq!((&prepared.mesh, prepared.uploaded), (&whole, None));
     assert!(prepared.report.repairs.is_empty() && !prepared.report.turned_outward);
     let outward = prepare(&write_vtk(&turned(&whole)), &defaults()).unwrap();
     assert_eq!(outward.mesh, whole);
@@ -227,7 +227,24 @@ fn real_structures_say_which_repair_they_need() {
     let error = prepare(&bytes, &defaults()).unwrap_err().to_string();
     assert!(error.contains("\"repair\": [\"weld\""), "{error}");
     let prepared = prepare(&bytes, &with_repair(&[Repair::Weld, Repair::LargestComponent])).unwrap();
-    assert_eq!(prepared.uploaded_vertex.unwrap().len(), prepared.mesh.n_vertices());
+    let uploaded = prepared.uploaded.unwrap();
+    assert_eq!(uploaded.vertex.len(), prepared.mesh.n_vertices());
+    // The surface that goes with the answer has the file's numbering.
+    for (k, p) in prepared.mesh.vertices().iter().enumerate() {
+        assert_eq!(&uploaded.surface.vertices()[uploaded.vertex[k] as usize], p);
+    }
+    assert_eq!(uploaded.surface.n_faces(), prepared.mesh.n_faces());
+}
+
+/// Once, a spacing of 1e-30 mm made the smoothing filter as wide as numbers go, and reading never ended.
+#[test]
+fn voxels_of_no_anatomical_size_are_refused_at_once() {
+    for spacing in [1e-30, 1e-5, 2e3, 1e30] {
+        let mut affine = nalgebra::Matrix4::identity();
+        affine[(1, 1)] = spacing;
+        let refused = LabelVolume::new([1, 1, 1], vec![1], affine).unwrap_err();
+        assert!(refused.to_string().contains("smaller than 0.0001 mm or larger than 1000 mm"), "{refused}");
+    }
 }
 
 proptest! {
@@ -248,10 +265,8 @@ proptest! {
             let at = at.index(if head { bytes.len().min(348) } else { bytes.len() });
             bytes[at] = value;
         }
-        let start = std::time::Instant::now();
         if let Ok(prepared) = prepare(&bytes, &with_repair(&[Repair::Weld, Repair::LargestComponent, Repair::Fill])) {
             prop_assert_eq!(analyze(&prepared.mesh).fault, None);
         }
-        prop_assert!(start.elapsed().as_secs() < 5);
     }
 }

@@ -147,7 +147,7 @@ fn spacing_mm(affine: &Matrix4<f64>) -> [f64; 3] {
 /// Refuses an affine that is not finite or that flattens space.
 /// Voxel sizes that anatomy is imaged with, with room to spare. A size beyond is a damaged header or a wrong unit, and
 /// a filter in millimetres would span more voxels than can be counted.
-const SPACING_MM: std::ops::RangeInclusive<f64> = 1e-4..=1e3;
+const SPACING_MM: std::ops::RangeInclusive<f64> = 1e-4..=1e5;
 
 fn check_affine(affine: &Matrix4<f64>) -> Result<(), VolumeError> {
     if !affine.iter().all(|x| x.is_finite()) {
@@ -161,7 +161,7 @@ fn check_affine(affine: &Matrix4<f64>) -> Result<(), VolumeError> {
         return Err(VolumeError::Affine { fault: "singular" });
     }
     if !columns.iter().all(|c| SPACING_MM.contains(&c.norm())) {
-        return Err(VolumeError::Affine { fault: "of voxels smaller than 0.0001 mm or larger than 1000 mm" });
+        return Err(VolumeError::Affine { fault: "of voxels smaller than 0.0001 mm or larger than 100000 mm" });
     }
     Ok(())
 }

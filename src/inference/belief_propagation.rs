@@ -103,9 +103,7 @@ impl<'a> BeliefPropagation<'a> {
     pub fn new(model: &'a MrfModel, options: BpOptions) -> Self {
         let plan = BlockPlan::new(&model.variables);
         let stride = model.n_labels().next_multiple_of(LANES);
-        let mut row = vec![1.0f32; stride];
-        row[model.n_labels()..].fill(options.floor);
-        let messages = row.repeat(model.variables.n_directed_edges());
+        let messages = vec![1.0; stride * model.variables.n_directed_edges()];
         let (beta, scale) = (model.pairwise.beta, model.pairwise.length_scale);
         let factors = plan
             .blocks
@@ -129,8 +127,19 @@ impl<'a> BeliefPropagation<'a> {
             factors,
             model,
         };
+        this.forget();
         this.set_bias(|_, _| ());
         this
+    }
+
+    /// Makes all messages flat again, so that the next run starts cold.
+    pub fn forget(&mut self) {
+        let n = self.model.n_labels();
+        let floor = self.options.floor;
+        self.messages.par_chunks_mut(self.stride.max(1)).for_each(|row| {
+            row[..n].fill(1.0);
+            row[n..].fill(floor);
+        });
     }
 
     /// Sets the unary potentials to those of the model plus a bias: `add(i, row)` may add to the row of variable `i`.

@@ -10,6 +10,8 @@ mod pipeline;
 mod prepare;
 mod report;
 pub mod result;
+mod rivals;
+mod surface_index;
 #[cfg(test)]
 mod tests;
 

@@ -5,15 +5,15 @@ use super::parameters::{Algorithm, ClampingMode, MatchParameters, Refinement};
 use super::prepare::{Side, build_model};
 use super::report::{consistency, surface_distance, transform_document};
 use super::result::{Correspondences, EnergyDocument, StopReason, SupportDocument};
+use super::rivals::rival_pose;
+use super::surface_index::SurfaceIndex;
 use super::{MatchError, MatchOutcome};
 use crate::inference::{BeliefPropagation, BpOptions, BpOutcome, BpStop, Product};
-use crate::mesh::{ClosestPointIndex, SurfaceMesh};
+use crate::mesh::SurfaceMesh;
 use crate::mrf::MrfModel;
 use crate::observe::{Observer, Phase, TracePoint, checkpoint};
-use crate::registration::{
-    ClosestSurfacePoint, IcpMetric, IcpOptions, RansacOptions, RansacReport, RigidTransform, ransac, refine_icp,
-};
-use nalgebra::{Point3, Vector3};
+use crate::registration::{IcpMetric, IcpOptions, RansacOptions, RansacReport, RigidTransform, ransac, refine_icp};
+use nalgebra::Point3;
 
 /// Smallest value of a message; far below `exp(−T)` at the default truncation, so that it only keeps products finite.
 const MESSAGE_FLOOR: f32 = 1e-5;
@@ -26,6 +26,36 @@ const SOFT_SIGMA_EDGES: f64 = 2.0;
 const ICP_KEEP: f64 = 0.9;
 const ICP_ITERATIONS: u32 = 100;
 const ICP_TOLERANCE: f64 = 1e-6;
+
+/// Iterations of a round that starts warm.
+fn later_iterations(first: u32) -> u32 {
+    first.div_ceil(4).max(2)
+}
+
+/// Counts rounds and iterations, and how much of the planned work they are.
+struct Schedule {
+    rounds: u32,
+    iterations: u32,
+    planned: u32,
+}
+
+impl Schedule {
+    fn new(first: u32, n_rounds: u32) -> Self {
+        Schedule { rounds: 0, iterations: 0, planned: first + n_rounds * later_iterations(first) }
+    }
+
+    /// The number of the round that begins.
+    fn next_round(&mut self) -> u32 {
+        self.rounds += 1;
+        self.rounds - 1
+    }
+
+    /// One more iteration is done; the share of the whole work.
+    fn progress(&mut self) -> f64 {
+        self.iterations += 1;
+        0.05 + 0.9 * (f64::from(self.iterations) / f64::from(self.planned)).min(1.0)
+    }
+}
 
 /// A labeling with the registration it supports.
 struct Round {
@@ -88,23 +118,49 @@ impl Matcher<'_> {
             floor: MESSAGE_FLOOR,
             tolerance: p.inference.tolerance as f32,
         };
-        let n_rounds = if p.clamping.mode == ClampingMode::None { 0 } else { p.clamping.max_rounds };
+        let mode = p.clamping.mode;
+        let n_rounds = if mode == ClampingMode::None { 0 } else { p.clamping.max_rounds };
+        let mut schedule = Schedule::new(p.inference.max_iterations, n_rounds);
         let mut bp = BeliefPropagation::new(self.model, options);
-        let mut best = self.round(&mut bp, 0, n_rounds)?;
+        let mut best = self.round(&mut bp, &mut schedule, p.inference.max_iterations)?;
         let mut trials = best.registration.trials;
+        // Later rounds start from the messages of the round before and need fewer iterations.
+        let later = later_iterations(p.inference.max_iterations);
         for round in 1..=n_rounds {
             self.set_bias(&mut bp, &best);
-            let next = self.round(&mut bp, round, n_rounds)?;
+            let mut next = self.round(&mut bp, &mut schedule, later)?;
             trials += next.registration.trials;
-            let grown = next.registration.support > best.registration.support;
-            if grown || round == 1 && p.clamping.mode == ClampingMode::Soft {
-                best = next;
+            let first_feedback = round == 1 && mode == ClampingMode::Soft;
+            let vertices = (self.source.mesh().vertices(), self.target.mesh().vertices());
+            if first_feedback
+                && let Some(pose) = rival_pose(vertices.0, vertices.1, &self.closest, &next.transform, self.observer)?
+            {
+                let challenger = self.round_from(&mut bp, &mut schedule, &pose)?;
+                trials += challenger.registration.trials;
+                if challenger.bp.energy.total() < next.bp.energy.total() {
+                    next = challenger;
+                }
             }
-            if !grown {
+            // The first soft feedback is always taken: it is what the rivals were judged by.
+            if first_feedback || next.registration.support > best.registration.support {
+                best = next;
+            } else {
                 break;
             }
         }
         Ok((best, trials))
+    }
+
+    /// A whole round with cold messages and the feedback of `pose`.
+    fn round_from(
+        &self,
+        bp: &mut BeliefPropagation<'_>,
+        schedule: &mut Schedule,
+        pose: &RigidTransform,
+    ) -> Result<Round, MatchError> {
+        bp.forget();
+        self.set_soft_bias(bp, pose);
+        self.round(bp, schedule, self.parameters.inference.max_iterations)
     }
 
     fn set_bias(&self, bp: &mut BeliefPropagation<'_>, last: &Round) {
@@ -115,29 +171,25 @@ impl Matcher<'_> {
                     clamp_hard(last.bp.labeling[i], self.parameters.energy.truncation, row);
                 }
             }),
-            ClampingMode::Soft => {
-                let weights =
-                    SoftWeights { distance: 2.0, sigma_mm: SOFT_SIGMA_EDGES * self.edge_mm, cap: 10.0, normal: 3.0 };
-                let clamp = SoftClamp::new(
-                    weights,
-                    &last.transform,
-                    (self.source.mesh().vertices(), &self.source.normals),
-                    (self.target.mesh().vertices(), &self.target.normals),
-                );
-                bp.set_bias(|i, row| clamp.add(i, row));
-            }
+            ClampingMode::Soft => self.set_soft_bias(bp, &last.transform),
         }
     }
 
+    fn set_soft_bias(&self, bp: &mut BeliefPropagation<'_>, transform: &RigidTransform) {
+        let weights = SoftWeights { distance: 2.0, sigma_mm: SOFT_SIGMA_EDGES * self.edge_mm, cap: 10.0, normal: 3.0 };
+        let clamp = SoftClamp::new(
+            weights,
+            transform,
+            (self.source.mesh().vertices(), &self.source.normals),
+            (self.target.mesh().vertices(), &self.target.normals),
+        );
+        bp.set_bias(|i, row| clamp.add(i, row));
+    }
+
     /// Belief propagation, then RANSAC over its pairs, then refinement.
-    fn round(&self, bp: &mut BeliefPropagation<'_>, round: u32, n_rounds: u32) -> Result<Round, MatchError> {
+    fn round(&self, bp: &mut BeliefPropagation<'_>, schedule: &mut Schedule, budget: u32) -> Result<Round, MatchError> {
         let p = self.parameters;
-        // Later rounds start from the messages of the round before and need fewer iterations.
-        let budget =
-            if round == 0 { p.inference.max_iterations } else { p.inference.max_iterations.div_ceil(4).max(2) };
-        let first = f64::from(p.inference.max_iterations);
-        let whole = first + f64::from(n_rounds) * (first / 4.0);
-        let before = if round == 0 { 0.0 } else { first + f64::from(round - 1) * (first / 4.0) };
+        let round = schedule.next_round();
         self.observer.phase(Phase::Inference);
         let bp = bp.run(budget, self.observer, |iteration| {
             self.observer.trace(&TracePoint {
@@ -148,7 +200,7 @@ impl Matcher<'_> {
                 labels_changed: Some(iteration.labels_changed),
                 ..TracePoint::new(round, Phase::Inference, iteration.iteration)
             });
-            self.observer.progress(0.05 + 0.9 * ((before + f64::from(iteration.iteration)) / whole).min(1.0));
+            self.observer.progress(schedule.progress());
         })?;
         self.observer.phase(Phase::Registration);
         let images = self.images(&bp.labeling);
@@ -230,26 +282,5 @@ impl Matcher<'_> {
                 BpStop::MaxIterations => StopReason::MaxIterations,
             },
         }
-    }
-}
-
-/// The target surface as ICP sees it: closest points, with the normals of the vertices blended over the triangle.
-struct SurfaceIndex {
-    index: ClosestPointIndex,
-    normals: Vec<Vector3<f64>>,
-}
-
-impl SurfaceIndex {
-    fn new(surface: &SurfaceMesh) -> Self {
-        SurfaceIndex { index: ClosestPointIndex::new(surface), normals: surface.vertex_normals() }
-    }
-}
-
-impl ClosestSurfacePoint for SurfaceIndex {
-    fn closest(&self, query: &Point3<f64>) -> (Point3<f64>, Vector3<f64>) {
-        let found = self.index.closest(query);
-        let blended = (0..3)
-            .fold(Vector3::zeros(), |sum, k| sum + self.normals[found.triangle[k] as usize] * found.barycentric[k]);
-        (found.point, blended.try_normalize(1e-12).unwrap_or_else(Vector3::z))
     }
 }

@@ -9,7 +9,7 @@ use nalgebra::{Isometry3, Vector3};
 use serde_json::json;
 
 /// A lopsided bean of 642 vertices: no two places on it look alike.
-fn bean() -> SurfaceMesh {
+pub(super) fn bean() -> SurfaceMesh {
     let mesh = ellipsoid(Vector3::new(14.0, 6.0, 4.5), 3);
     let bent = mesh
         .vertices()
@@ -55,7 +55,7 @@ fn run(source: &SurfaceMesh, target: &SurfaceMesh, parameters: &MatchParameters)
     match_surfaces(source, target, parameters, &Silent).unwrap()
 }
 
-fn motion() -> Isometry3<f64> {
+pub(super) fn motion() -> Isometry3<f64> {
     Isometry3::new(Vector3::new(12.0, -30.0, 7.0), Vector3::new(1.9, -0.7, 2.2))
 }
 

@@ -8,12 +8,14 @@
 
 mod absolute_orientation;
 mod icp;
+mod principal_axes;
 mod ransac;
 mod three_point;
 mod transform;
 
 pub use absolute_orientation::{OrientationError, absolute_orientation};
 pub use icp::{ClosestSurfacePoint, IcpMetric, IcpOptions, IcpReport, refine_icp};
+pub use principal_axes::principal_axis_poses;
 pub use ransac::{RansacOptions, RansacReport, ransac};
 pub use three_point::{TripleError, frame_estimate};
 pub use transform::RigidTransform;

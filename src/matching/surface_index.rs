@@ -1,0 +1,26 @@
+//! A surface as ICP sees it.
+
+use crate::mesh::{ClosestPointIndex, SurfaceMesh};
+use crate::registration::ClosestSurfacePoint;
+use nalgebra::{Point3, Vector3};
+
+/// The target surface as ICP sees it: closest points, with the normals of the vertices blended over the triangle.
+pub(super) struct SurfaceIndex {
+    pub index: ClosestPointIndex,
+    normals: Vec<Vector3<f64>>,
+}
+
+impl SurfaceIndex {
+    pub fn new(surface: &SurfaceMesh) -> Self {
+        SurfaceIndex { index: ClosestPointIndex::new(surface), normals: surface.vertex_normals() }
+    }
+}
+
+impl ClosestSurfacePoint for SurfaceIndex {
+    fn closest(&self, query: &Point3<f64>) -> (Point3<f64>, Vector3<f64>) {
+        let found = self.index.closest(query);
+        let blended = (0..3)
+            .fold(Vector3::zeros(), |sum, k| sum + self.normals[found.triangle[k] as usize] * found.barycentric[k]);
+        (found.point, blended.try_normalize(1e-12).unwrap_or_else(Vector3::z))
+    }
+}

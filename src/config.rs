@@ -1,7 +1,7 @@
 //! The settings, each from the command line or the environment, with its default.
 
 use crate::http::HttpLimits;
-use crate::intake::IntakeLimits;
+use crate::intake::{DEFAULT_MATCH_BYTES, IntakeLimits};
 use crate::jobs::SubmissionLimits;
 use crate::worker::WorkerSettings;
 use std::net::SocketAddr;
@@ -41,6 +41,9 @@ pub struct ServiceSettings {
     /// Most vertices of an input surface
     #[arg(long, env = "HOMOLOG_MAX_VERTICES", default_value_t = 200_000, value_name = "N")]
     pub max_vertices: usize,
+    /// Most memory that one match may take, bytes
+    #[arg(long, env = "HOMOLOG_MAX_MATCH_BYTES", default_value_t = DEFAULT_MATCH_BYTES, value_name = "BYTES")]
+    pub max_match_bytes: u64,
     /// How long running jobs may go on after the first signal to end, ms; then they are given back
     #[arg(long, env = "HOMOLOG_SHUTDOWN_GRACE_MS", default_value_t = 3_000, value_name = "MS")]
     pub shutdown_grace_ms: u64,
@@ -68,7 +71,7 @@ pub struct HttpSettings {
     #[arg(long, env = "HOMOLOG_LISTEN", default_value = "127.0.0.1:8080", value_name = "ADDRESS:PORT")]
     pub listen: SocketAddr,
     /// Listen on an address that others can reach, without authentication
-    #[arg(long, env = "HOMOLOG_INSECURE")]
+    #[arg(long, env = "HOMOLOG_INSECURE", value_parser = clap::builder::FalseyValueParser::new())]
     pub insecure: bool,
     /// Most jobs that may wait
     #[arg(long, env = "HOMOLOG_MAX_QUEUE", default_value_t = 1_000, value_name = "N")]
@@ -94,6 +97,7 @@ impl ServiceSettings {
             max_bytes: self.max_file_bytes,
             max_inflated_bytes: self.max_inflated_bytes,
             max_vertices: self.max_vertices,
+            max_match_bytes: self.max_match_bytes,
         }
     }
 

@@ -5,7 +5,7 @@
 use crate::intake::{IntakeError, IntakeLimits, PreparedSurface, prepare_surface};
 use crate::matching::parameters::MatchParameters;
 use crate::matching::result::{InputProvenance, Provenance, ResultDocument};
-use crate::matching::{MatchError, match_surfaces};
+use crate::matching::{MatchError, match_memory_bytes, match_surfaces};
 use crate::mesh::{MeshError, SurfaceMesh};
 use crate::observe::{Cancelled, Observer, Phase, TracePoint};
 use std::collections::BTreeMap;
@@ -72,9 +72,36 @@ pub enum RunError {
         /// Why.
         error: IntakeError,
     },
+    /// Both surfaces are fine, but matching them takes more memory than is allowed.
+    #[error(
+        "matching {source_vertices} to {target_vertices} vertices takes {needed} bytes of memory, but {limit} are \
+         allowed; send coarser surfaces"
+    )]
+    TooLarge {
+        /// Source vertices.
+        source_vertices: usize,
+        /// Target vertices.
+        target_vertices: usize,
+        /// Memory it would take.
+        needed: u64,
+        /// Memory allowed.
+        limit: u64,
+    },
     /// The match found nothing.
     #[error(transparent)]
     Match(#[from] MatchError),
+}
+
+/// Refuses a pair whose match would take more memory than `limits` allow. `source` is vertices and faces.
+///
+/// # Errors
+/// [`RunError::TooLarge`].
+pub fn check_size(source: (usize, usize), target_vertices: usize, limits: &IntakeLimits) -> Result<(), RunError> {
+    let (needed, limit) = (match_memory_bytes(source, target_vertices), limits.max_match_bytes);
+    if needed > limit {
+        return Err(RunError::TooLarge { source_vertices: source.0, target_vertices, needed, limit });
+    }
+    Ok(())
 }
 
 /// Content address of a file: `blake3:` and 64 hexadecimal digits.
@@ -102,6 +129,8 @@ pub fn run_match(
     let (prepared_source, prepared_target) =
         rayon::join(|| prepare(Side::Source, source), || prepare(Side::Target, target));
     let (prepared_source, prepared_target) = (prepared_source?, prepared_target?);
+    let (source_mesh, target_mesh) = (&prepared_source.mesh, &prepared_target.mesh);
+    check_size((source_mesh.n_vertices(), source_mesh.n_faces()), target_mesh.n_vertices(), limits)?;
     let mut outcome = match_surfaces(&prepared_source.mesh, &prepared_target.mesh, parameters, &timed)?;
     count_uploaded_vertices(&mut outcome.correspondences.source, &prepared_source);
     count_uploaded_vertices(&mut outcome.correspondences.target, &prepared_target);

@@ -24,7 +24,7 @@ pub struct InspectArgs {
 /// Runs the command.
 ///
 /// # Errors
-/// [`CliError::BadInput`] for a file that cannot be read or whose surface is refused.
+/// [`CliError::BadInput`] for a file that cannot be read. A surface that a match would refuse is an answer.
 pub fn run(args: &InspectArgs) -> Result<(), CliError> {
     let limits = IntakeLimits::default();
     let parameters = args.parameters.resolve()?;

@@ -61,6 +61,7 @@ pub fn run(args: &MatchArgs) -> Result<(), CliError> {
             let path = if side.name() == "source" { &args.source } else { &args.target };
             CliError::BadInput(format!("{} {}: {error}", side.name(), path.display()))
         }
+        RunError::TooLarge { .. } => CliError::BadInput(error.to_string()),
         error if error.is_cancelled() => CliError::Interrupted,
         error => CliError::Failed(error.to_string()),
     })?;

@@ -6,6 +6,9 @@ use crate::volume::VolumeError;
 /// Why a file cannot be read. No text of the file is repeated, only places and numbers.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum FormatError {
+    /// No bytes.
+    #[error("the file is empty; write it again with the program that made it, or upload it again")]
+    Empty,
     /// None of the formats that are read.
     #[error("the file is none of NIfTI-1, PLY, STL, legacy VTK; convert it to one of them")]
     UnknownFormat,

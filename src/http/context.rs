@@ -7,7 +7,7 @@ use axum::extract::{MatchedPath, Request, State};
 use axum::http::{HeaderMap, HeaderName, HeaderValue, Method, header};
 use axum::middleware::Next;
 use axum::response::{IntoResponse, Response};
-use std::time::Instant;
+use std::time::{Duration, Instant};
 use tracing::Instrument;
 
 /// The header that names a request.
@@ -40,6 +40,10 @@ fn trace_id(headers: &HeaderMap) -> Option<&str> {
     (hex(version, 2) && hex(trace, 32) && hex(parent, 16)).then_some(trace)
 }
 
+/// Waiting for a place, draining a refused body, checking and storing two inputs: what a submission may take besides
+/// its upload.
+const AFTER_UPLOAD: Duration = Duration::from_secs(240);
+
 /// The outermost layer: names the request, logs its answer, and turns errors of other layers into problems.
 pub async fn surround(State(state): State<HttpState>, request: Request, next: Next) -> Response {
     let id = accepted_id(request.headers());
@@ -55,7 +59,8 @@ pub async fn surround(State(state): State<HttpState>, request: Request, next: Ne
     );
     let began = Instant::now();
     let limit = match (&method, route.as_deref()) {
-        (&Method::POST, Some("/v1/jobs")) => state.limits.upload_timeout,
+        // The handler bounds the upload itself, with a better answer; this is the last resort for what comes after.
+        (&Method::POST, Some("/v1/jobs")) => state.limits.upload_timeout + AFTER_UPLOAD,
         _ => state.limits.request_timeout,
     };
     let answer = async {

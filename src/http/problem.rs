@@ -195,6 +195,10 @@ impl From<SubmitError> for Problem {
                     None => problem,
                 }
             }
+            SubmitError::Pair(refusal) => {
+                Problem::new(ProblemKind::from_slug(&refusal.code).unwrap_or(ProblemKind::InvalidInput))
+                    .detail(refusal.detail)
+            }
             SubmitError::Busy => Problem::new(ProblemKind::Busy).retry_after(5),
             SubmitError::CheckFailed { .. } => Problem::internal(&error),
             SubmitError::Job(error) => error.into(),

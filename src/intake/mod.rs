@@ -72,11 +72,21 @@ pub struct IntakeLimits {
     pub max_inflated_bytes: usize,
     /// Most vertices of a surface.
     pub max_vertices: usize,
+    /// Most memory that one match may take, bytes; it grows with the product of both sizes.
+    pub max_match_bytes: u64,
 }
+
+/// What one match may take unless somebody says otherwise: surfaces of some 12,000 vertices each.
+pub const DEFAULT_MATCH_BYTES: u64 = 8 << 30;
 
 impl Default for IntakeLimits {
     fn default() -> Self {
-        IntakeLimits { max_bytes: 256 << 20, max_inflated_bytes: 1 << 30, max_vertices: 200_000 }
+        IntakeLimits {
+            max_bytes: 256 << 20,
+            max_inflated_bytes: 1 << 30,
+            max_vertices: 200_000,
+            max_match_bytes: DEFAULT_MATCH_BYTES,
+        }
     }
 }
 
@@ -121,6 +131,9 @@ fn read(
     if bytes.len() > limits.max_bytes {
         let (found, limit) = (bytes.len() as u64, limits.max_bytes as u64);
         return Err(IntakeError::TooLarge { what: "bytes", found, limit });
+    }
+    if bytes.is_empty() {
+        return Err(IntakeError::Unreadable(FormatError::Empty));
     }
     let read_limits = ReadLimits { max_inflated_bytes: limits.max_inflated_bytes, max_vertices: limits.max_vertices };
     crate::formats::read(bytes, file_name, &read_limits).map_err(|error| match error {

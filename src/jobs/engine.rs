@@ -24,6 +24,15 @@ pub trait Engine: Send + Sync {
     /// Why not.
     fn check_input(&self, input: &InputBytes<'_>, parameters: &Value) -> Result<InputSummary, InputRefusal>;
 
+    /// Whether two inputs, each fine by itself, can be matched within the limits. Quick.
+    ///
+    /// # Errors
+    /// Why not.
+    fn check_pair(&self, source: &InputSummary, target: &InputSummary) -> Result<(), InputRefusal> {
+        let _ = (source, target);
+        Ok(())
+    }
+
     /// Computes a result. Called on a thread of its own; may panic, which fails this job only.
     ///
     /// # Errors

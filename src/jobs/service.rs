@@ -71,6 +71,9 @@ pub enum SubmitError {
         /// Why.
         refusal: InputRefusal,
     },
+    /// Both inputs are right, but not together.
+    #[error("{}", .0.detail)]
+    Pair(InputRefusal),
     /// Too many inputs are being checked.
     #[error("too many inputs are being checked")]
     Busy,
@@ -118,6 +121,8 @@ impl JobService {
         self.refuse_when_full().await?;
         let source = self.check("source", &submission.source, &resolved.parameters).await?;
         let target = self.check("target", &submission.target, &resolved.parameters).await?;
+
+        self.engine.check_pair(&source, &target).map_err(SubmitError::Pair)?;
 
         let id = JobId::new();
         let holder = id.to_string();

@@ -109,6 +109,7 @@ pub struct FeatureParameters {
     #[serde(default = "angle_defect")]
     pub estimator: CurvatureEstimator,
     /// Scales `σ` of the heat flow before it is measured, mm.
+    #[serde(default = "default_scales")]
     pub scales_mm: Vec<f64>,
     /// Weight `w_f` in the unary potential.
     #[serde(default = "one")]
@@ -117,6 +118,10 @@ pub struct FeatureParameters {
 
 fn angle_defect() -> CurvatureEstimator {
     CurvatureEstimator::AngleDefect
+}
+
+fn default_scales() -> Vec<f64> {
+    vec![1.4, 2.8, 4.5]
 }
 
 fn one() -> f64 {
@@ -260,7 +265,7 @@ pub fn preset(method: Method) -> MatchParameters {
     let both = |kind| FeatureParameters {
         kind,
         estimator: CurvatureEstimator::AngleDefect,
-        scales_mm: vec![1.4, 2.8, 4.5],
+        scales_mm: default_scales(),
         weight: 1.0,
     };
     let balanced = MatchParameters {

@@ -142,9 +142,12 @@ impl Matcher<'_> {
                 }
             }
             // The first soft feedback is always taken: it is what the rivals were judged by.
-            if first_feedback || next.registration.support > best.registration.support {
+            let (support, before) = (next.registration.support, best.registration.support);
+            let lower = next.bp.energy.total() < best.bp.energy.total();
+            if first_feedback || support > before || support == before && lower {
                 best = next;
-            } else {
+            }
+            if !first_feedback && support <= before {
                 break;
             }
         }

@@ -11,7 +11,7 @@ use crate::jobs::{
 use crate::matching::MatchError;
 use crate::matching::parameters::{MatchParameters, Method, preset, resolve};
 use crate::observe::Observer;
-use crate::run::{InputFile, RunError, RunOutput, run_match};
+use crate::run::{InputFile, RunError, RunOutput, check_size, run_match};
 use serde_json::{Value, json};
 use utoipa::{PartialSchema, ToSchema};
 
@@ -65,6 +65,15 @@ impl Engine for MatchEngine {
             n_vertices: u32::try_from(prepared.mesh.n_vertices()).unwrap_or(u32::MAX),
             n_faces: u32::try_from(prepared.mesh.n_faces()).unwrap_or(u32::MAX),
             report: serde_json::to_value(&prepared.report).unwrap_or(Value::Null),
+        })
+    }
+
+    fn check_pair(&self, source: &InputSummary, target: &InputSummary) -> Result<(), InputRefusal> {
+        let source = (source.n_vertices as usize, source.n_faces as usize);
+        check_size(source, target.n_vertices as usize, &self.limits).map_err(|error| InputRefusal {
+            code: "too-large".to_owned(),
+            detail: error.to_string(),
+            topology: None,
         })
     }
 
@@ -126,6 +135,7 @@ fn compute_error(error: RunError) -> ComputeError {
             let InputRefusal { code, detail, topology } = refusal(&error);
             Failure { code, detail, input: Some(side.name().to_owned()), topology }
         }
+        RunError::TooLarge { .. } => Failure::new("too-large", error.to_string()),
         RunError::Match(MatchError::NoRegistration { .. }) => Failure::new("no-registration", error.to_string()),
         RunError::Match(_) => Failure::new("match-failed", error.to_string()),
     })

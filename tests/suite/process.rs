@@ -308,3 +308,47 @@ fn a_thousand_malformed_submissions_are_each_refused() {
     assert!(peak < 256, "{peak} MiB");
     assert_eq!(server.terminate(), Some(0));
 }
+
+#[test]
+fn a_pair_too_large_to_match_is_refused_before_it_is_queued() {
+    let folder = tempfile::tempdir().unwrap();
+    let [source, target] = pair(&folder.path().join("pair"));
+    let server = Server::start(&folder.path().join("data"), &["--max-match-bytes", "1000000"]);
+    let form = Form::new().part("source", Part::bytes(source)).part("target", Part::bytes(target));
+    let response = server.client.post(format!("{}/v1/jobs", server.base)).multipart(form).send().unwrap();
+    assert_eq!(response.status(), 413);
+    let problem: Value = response.json().unwrap();
+    assert_eq!(problem["type"], "/problems/too-large");
+    assert!(problem["detail"].as_str().unwrap().contains("1000000 are allowed"), "{problem}");
+    assert!(server.get("/v1/jobs")["jobs"].as_array().unwrap().is_empty());
+}
+
+#[test]
+fn a_query_that_is_not_known_submits_nothing() {
+    let folder = tempfile::tempdir().unwrap();
+    let [source, target] = pair(&folder.path().join("pair"));
+    let server = Server::start(&folder.path().join("data"), &[]);
+    let form = Form::new().part("source", Part::bytes(source)).part("target", Part::bytes(target));
+    let url = format!("{}/v1/jobs?dry_run=true", server.base);
+    let response = server.client.post(url).multipart(form).send().unwrap();
+    assert_eq!(response.status(), 400);
+    assert_eq!(response.json::<Value>().unwrap()["type"], "/problems/invalid-query");
+    assert!(server.get("/v1/jobs")["jobs"].as_array().unwrap().is_empty());
+}
+
+#[test]
+fn a_body_that_does_not_come_ends_in_408() {
+    use std::io::{Read, Write};
+    let folder = tempfile::tempdir().unwrap();
+    let server = Server::start(&folder.path().join("data"), &["--upload-timeout-s", "1"]);
+    let mut stream = std::net::TcpStream::connect(server.base.trim_start_matches("http://")).unwrap();
+    stream.set_read_timeout(Some(Duration::from_secs(60))).unwrap();
+    let head = "POST /v1/jobs HTTP/1.1\r\nHost: localhost\r\nContent-Type: multipart/form-data; boundary=b\r\n\
+                Content-Length: 1000\r\n\r\n--b\r\nContent-Disposition: form-data; name=\"source\"; filename=\"a.ply\"\r\n\r\nply";
+    stream.write_all(head.as_bytes()).unwrap();
+    let mut answer = [0u8; 4096];
+    let n = stream.read(&mut answer).unwrap();
+    let answer = String::from_utf8_lossy(&answer[..n]);
+    assert!(answer.starts_with("HTTP/1.1 408"), "{answer}");
+    assert!(answer.contains("application/problem+json") && answer.contains("/problems/upload-timeout"), "{answer}");
+}

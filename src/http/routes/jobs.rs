@@ -44,9 +44,13 @@ const LOOK: Duration = Duration::from_millis(200);
         (status = 507, description = "No room", body = ProblemDocument, content_type = "application/problem+json"),
     )
 )]
-pub async fn submit(State(state): State<HttpState>, request: Request) -> Result<Response, Problem> {
+pub async fn submit(State(state): State<HttpState>, query: QueryString, request: Request) -> Result<Response, Problem> {
     let (request, tap) = Tap::on(request, state.limits.max_body_bytes());
-    let accepted = accept(&state, request, &tap).await;
+    // A parameter that is not known must not submit what was meant to be tried only.
+    let accepted = match query.finish() {
+        Ok(()) => accept(&state, request, &tap).await,
+        Err(problem) => Err(problem),
+    };
     if accepted.is_err() {
         tap.drain().await;
     }
@@ -174,7 +178,12 @@ pub async fn get(
         (status = 409, description = "Finished already", body = ProblemDocument, content_type = "application/problem+json"),
     )
 )]
-pub async fn cancel(State(state): State<HttpState>, Path(id): Path<String>) -> Result<Response, Problem> {
+pub async fn cancel(
+    State(state): State<HttpState>,
+    Path(id): Path<String>,
+    query: QueryString,
+) -> Result<Response, Problem> {
+    query.finish()?;
     let job = state.service.cancel(&tenant(), job_id(&id)?).await?;
     let document = JobDocument::from(&job);
     let headers = [(header::LOCATION, document.links.job.clone()), (header::RETRY_AFTER, "1".to_owned())];
@@ -193,7 +202,12 @@ pub async fn cancel(State(state): State<HttpState>, Path(id): Path<String>) -> R
         (status = 409, description = "Not finished", body = ProblemDocument, content_type = "application/problem+json"),
     )
 )]
-pub async fn delete(State(state): State<HttpState>, Path(id): Path<String>) -> Result<StatusCode, Problem> {
+pub async fn delete(
+    State(state): State<HttpState>,
+    Path(id): Path<String>,
+    query: QueryString,
+) -> Result<StatusCode, Problem> {
+    query.finish()?;
     state.service.delete(&tenant(), job_id(&id)?).await?;
     Ok(StatusCode::NO_CONTENT)
 }

@@ -83,7 +83,9 @@ pub async fn correspondences(
     headers: HeaderMap,
     mut query: QueryString,
 ) -> Result<Response, Problem> {
-    let accepts_csv = headers.get(header::ACCEPT).and_then(|v| v.to_str().ok()).is_some_and(|v| v.contains("text/csv"));
+    // The first type listed is the one preferred by every client that lists more than one.
+    let accept = headers.get(header::ACCEPT).and_then(|v| v.to_str().ok()).unwrap_or_default();
+    let accepts_csv = accept.split([',', ';']).next().is_some_and(|first| first.trim() == "text/csv");
     let as_csv = query.word("format", &[("json", false), ("csv", true)]).unwrap_or(accepts_csv);
     query.finish()?;
     let part = state.service.result_part(&tenant(), job_id(&id)?, ArtifactKind::Correspondences).await?;

@@ -4,6 +4,7 @@ use super::{job_id, tenant};
 use crate::http::conditional::{is_fresh, not_modified, respond};
 use crate::http::problem::{Problem, ProblemDocument};
 use crate::http::problem_table::ProblemKind;
+use crate::http::query::QueryString;
 use crate::http::router::HttpState;
 use crate::jobs::{ArtifactKind, JobId};
 use axum::extract::{Path, State};
@@ -29,7 +30,9 @@ pub async fn surface(
     State(state): State<HttpState>,
     Path((id, which)): Path<(String, String)>,
     headers: HeaderMap,
+    query: QueryString,
 ) -> Result<Response, Problem> {
+    query.finish()?;
     let kind = match which.as_str() {
         "source" => ArtifactKind::SourceSurface,
         "target" => ArtifactKind::TargetSurface,
@@ -56,7 +59,9 @@ pub async fn aligned(
     State(state): State<HttpState>,
     Path(id): Path<String>,
     headers: HeaderMap,
+    query: QueryString,
 ) -> Result<Response, Problem> {
+    query.finish()?;
     file(&state, job_id(&id)?, ArtifactKind::Aligned, &headers).await
 }
 

@@ -273,7 +273,7 @@ pub fn preset(method: Method) -> MatchParameters {
         input: InputParameters { labels: None, surface: SurfaceKind::Smooth, smoothing_mm: 0.7, repair: None },
         features: vec![both(FeatureKind::GaussianCurvature), both(FeatureKind::MeanCurvature)],
         energy: EnergyParameters {
-            alpha: 2.0,
+            alpha: 1.0,
             beta: 0.0,
             truncation: 9.2,
             neighborhood_rings: 2,

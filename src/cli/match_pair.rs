@@ -9,7 +9,6 @@ use super::progress::{Progress, WithoutTerminal};
 use super::summary::summary;
 use crate::formats::ply::write_ply;
 use crate::intake::IntakeLimits;
-use crate::matching::result::Correspondences;
 use crate::observe::{Observer, Phase, TracePoint};
 use crate::run::{InputFile, RunError, RunOutput, run_match};
 use clap::Args;
@@ -82,7 +81,7 @@ fn write_files(folder: &OutputFolder, output: &RunOutput, trace: &[TimedPoint]) 
     let document = &output.document;
     folder.write_json("result.json", document)?;
     if let Some(correspondences) = &document.correspondences {
-        folder.write("correspondences.csv", correspondences_csv(correspondences).as_bytes())?;
+        folder.write("correspondences.csv", correspondences.to_csv().as_bytes())?;
     }
     folder.write("source.ply", &write_ply(&output.source))?;
     folder.write("target.ply", &write_ply(&output.target))?;
@@ -96,17 +95,6 @@ fn write_files(folder: &OutputFolder, output: &RunOutput, trace: &[TimedPoint]) 
     }
     folder.write("trace.jsonl", lines.as_bytes())?;
     Ok(())
-}
-
-/// The columns of a correspondence, one line each, as the service answers them.
-fn correspondences_csv(c: &Correspondences) -> String {
-    let mut text = String::from("source,target,confidence,inlier\r\n");
-    for k in 0..c.source.len().min(c.target.len()) {
-        let confidence = c.confidence.get(k).map(f64::to_string).unwrap_or_default();
-        let inlier = c.inlier.get(k).map(bool::to_string).unwrap_or_default();
-        let _ = write!(text, "{},{},{confidence},{inlier}\r\n", c.source[k], c.target[k]);
-    }
-    text
 }
 
 /// A trace point with its place and time, as the service returns it.
@@ -152,21 +140,5 @@ impl Observer for Watcher {
     }
     fn is_cancelled(&self) -> bool {
         self.interrupt.is_set()
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn correspondences_become_a_line_each() {
-        let c = Correspondences {
-            source: vec![0, 2],
-            target: vec![5, 1],
-            confidence: vec![0.5, 1.0],
-            inlier: vec![true, false],
-        };
-        assert_eq!(correspondences_csv(&c), "source,target,confidence,inlier\r\n0,5,0.5,true\r\n2,1,1,false\r\n");
     }
 }

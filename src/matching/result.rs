@@ -3,6 +3,7 @@
 use super::parameters::MatchParameters;
 use crate::intake::InputReport;
 use serde::{Deserialize, Serialize};
+use std::fmt::Write;
 use utoipa::ToSchema;
 
 /// Everything a finished match says. Lengths mm, angles degrees where the name says so.
@@ -105,6 +106,20 @@ pub struct Correspondences {
     pub inlier: Vec<bool>,
 }
 
+impl Correspondences {
+    /// The columns as CSV (RFC 4180): a header, then a line for each correspondence.
+    pub fn to_csv(&self) -> String {
+        let mut text = String::with_capacity(32 * self.source.len() + 40);
+        text.push_str("source,target,confidence,inlier\r\n");
+        let rows = self.source.iter().zip(&self.target).zip(self.confidence.iter().zip(&self.inlier));
+        for ((source, target), (confidence, inlier)) in rows {
+            // Writing to a string cannot fail.
+            let _ = write!(text, "{source},{target},{confidence},{inlier}\r\n");
+        }
+        text
+    }
+}
+
 /// Why inference ended. Not converging is an outcome, not an error.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
 #[serde(rename_all = "snake_case")]
@@ -143,4 +158,20 @@ pub struct InputProvenance {
     pub n_faces: u32,
     /// Format, topology and repairs.
     pub report: InputReport,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn csv_has_a_header_and_a_row_for_each_pair() {
+        let columns = Correspondences {
+            source: vec![0, 1],
+            target: vec![5, 4],
+            confidence: vec![0.5, 1.0],
+            inlier: vec![true, false],
+        };
+        assert_eq!(columns.to_csv(), "source,target,confidence,inlier\r\n0,5,0.5,true\r\n1,4,1,false\r\n");
+    }
 }

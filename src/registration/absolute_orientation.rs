@@ -112,6 +112,9 @@ mod tests {
         #[test]
         fn a_moved_cloud_gives_its_motion(seed in any::<u64>(), n in 3usize..40) {
             let (points, truth) = (cloud(seed, n), pose(seed ^ 1));
+            // Three random points can lie close to a line, about which a rotation is lost in rounding.
+            let widest = (points[1] - points[0]).cross(&(points[2] - points[0])).norm();
+            prop_assume!(n > 5 || widest > 20.0);
             let moved: Vec<_> = points.iter().map(|p| truth.apply(p)).collect();
             let found = absolute_orientation(&points, &moved, None, false).unwrap();
             prop_assert!((found.rotation - truth.rotation).norm() < 1e-9);

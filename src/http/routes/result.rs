@@ -11,7 +11,6 @@ use crate::jobs::{ArtifactKind, JobError};
 use axum::extract::{Path, State};
 use axum::http::{HeaderMap, header};
 use axum::response::Response;
-use std::fmt::Write;
 
 /// Read the result
 #[utoipa::path(
@@ -96,7 +95,7 @@ pub async fn correspondences(
     let stored = state.service.read(&part).await?;
     let mut response = if as_csv {
         let columns: Correspondences = serde_json::from_slice(&stored).map_err(|e| Problem::internal(&e))?;
-        respond(&headers, &etag, "text/csv; charset=utf-8; header=present", csv(&columns))
+        respond(&headers, &etag, "text/csv; charset=utf-8; header=present", columns.to_csv())
     } else {
         respond(&headers, &etag, "application/json", stored)
     };
@@ -104,33 +103,6 @@ pub async fn correspondences(
     Ok(response)
 }
 
-fn csv(columns: &Correspondences) -> String {
-    let mut text = String::with_capacity(32 * columns.source.len() + 40);
-    text.push_str("source,target,confidence,inlier\r\n");
-    let rows = columns.source.iter().zip(&columns.target).zip(columns.confidence.iter().zip(&columns.inlier));
-    for ((source, target), (confidence, inlier)) in rows {
-        // Writing to a string cannot fail.
-        let _ = write!(text, "{source},{target},{confidence},{inlier}\r\n");
-    }
-    text
-}
-
 fn unreadable() -> Problem {
     Problem::internal(&JobError::Corrupt { what: "a stored result", source: None })
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn csv_has_a_header_and_a_row_for_each_pair() {
-        let columns = Correspondences {
-            source: vec![0, 1],
-            target: vec![5, 4],
-            confidence: vec![0.5, 1.0],
-            inlier: vec![true, false],
-        };
-        assert_eq!(csv(&columns), "source,target,confidence,inlier\r\n0,5,0.5,true\r\n1,4,1,false\r\n");
-    }
 }

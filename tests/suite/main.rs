@@ -4,7 +4,6 @@
 mod api;
 mod cli;
 mod contract;
-mod data;
 mod formats;
 mod intake;
 mod jobs;

@@ -19,3 +19,13 @@ pub fn real_files(folder: &str) -> Vec<PathBuf> {
     files.sort();
     files
 }
+
+/// Contents of the first `n` hippocampus label volumes by name; `None`, with a printed reason, where they are absent.
+pub fn hippocampi(n: usize) -> Option<Vec<Vec<u8>>> {
+    let files = real_files("hippocampus");
+    if files.is_empty() {
+        return None;
+    }
+    assert!(files.len() >= n, "{n} label volumes are needed, {} are there", files.len());
+    Some(files[..n].iter().map(|path| std::fs::read(path).unwrap()).collect())
+}

@@ -3,7 +3,7 @@
 //! The label volumes are not part of this repository; where they are absent every test here says so and passes
 //! nothing: it is skipped, with the reason printed.
 
-use crate::data;
+use crate::real_data::hippocampi;
 use homolog::formats::ReadLimits;
 use homolog::formats::nifti::{read_nifti, write_nifti};
 use homolog::formats::ply::write_ply;
@@ -86,7 +86,7 @@ fn degrees_between(a: &RigidTransform, b: &RigidTransform) -> f64 {
 
 #[test]
 fn a_permuted_and_rotated_copy_is_found_exactly() {
-    let Some(subjects) = data::hippocampi(10, "a_permuted_and_rotated_copy_is_found_exactly") else { return };
+    let Some(subjects) = hippocampi(10) else { return };
     for (k, bytes) in subjects.iter().enumerate() {
         let mut draw = Draw::new(100 + k as u64);
         let source = surface_of(bytes);
@@ -182,7 +182,7 @@ fn trilinear(values: &[f64], dims: [usize; 3], at: &Point3<f64>) -> f64 {
 
 #[test]
 fn a_rotated_and_resampled_volume_is_found() {
-    let Some(subjects) = data::hippocampi(10, "a_rotated_and_resampled_volume_is_found") else { return };
+    let Some(subjects) = hippocampi(10) else { return };
     for (k, bytes) in subjects.iter().enumerate() {
         let volume = read_nifti(bytes, &ReadLimits::default()).unwrap();
         let (turned, motion) = resampled(&volume, &Draw::new(200 + k as u64).pose());
@@ -229,7 +229,7 @@ fn vertex_labels(volume: &LabelVolume, mesh: &SurfaceMesh) -> Vec<u32> {
 #[test]
 fn different_subjects_are_registered_from_any_orientation() {
     const PAIRS: usize = 30;
-    let Some(subjects) = data::hippocampi(2 * PAIRS, "different_subjects_are_registered_from_any_orientation") else {
+    let Some(subjects) = hippocampi(2 * PAIRS) else {
         return;
     };
     let mut within = 0;

@@ -29,7 +29,9 @@ const LAST_ANSWERS: Duration = Duration::from_secs(5);
 #[derive(Debug, thiserror::Error)]
 pub enum AppError {
     /// Others could reach the service, and nobody would be asked who they are.
-    #[error("{0} can be reached from outside and there would be no authentication: say --auth keys, listen on 127.0.0.1, or say --insecure")]
+    #[error(
+        "{0} can be reached from outside and there would be no authentication: say --auth keys, listen on 127.0.0.1, or say --insecure"
+    )]
     Insecure(SocketAddr),
     /// The address cannot be had.
     #[error("cannot listen on {address}: {error}")]

@@ -1,8 +1,8 @@
 //! The settings, each from the command line or the environment, with its default.
 
+use crate::http::AuthMode;
 use crate::http::HttpLimits;
 use crate::intake::{DEFAULT_MATCH_BYTES, IntakeLimits};
-use crate::http::AuthMode;
 use crate::jobs::{Retention, SubmissionLimits};
 use crate::store::sql::DatabaseLocation;
 use crate::worker::WorkerSettings;

@@ -56,19 +56,14 @@ pub trait MeshStore: Send + Sync {
     async fn get_mesh(&self, tenant: &Tenant, hash: &str) -> Result<Mesh, JobError>;
 
     /// A part of the list of uploads.
-    async fn list_meshes(
-        &self,
-        tenant: &Tenant,
-        size: u32,
-        after: Option<(i64, String)>,
-    ) -> Result<MeshPage, JobError>;
+    async fn list_meshes(&self, tenant: &Tenant, size: u32, after: Option<(i64, String)>)
+    -> Result<MeshPage, JobError>;
 
     /// Forgets an upload. `MeshInUse` while jobs refer to it.
     async fn delete_mesh(&self, tenant: &Tenant, hash: &str) -> Result<(), JobError>;
 
     /// What checking it for `input_key` found earlier.
-    async fn mesh_check(&self, tenant: &Tenant, hash: &str, input_key: &str)
-    -> Result<Option<CheckOutcome>, JobError>;
+    async fn mesh_check(&self, tenant: &Tenant, hash: &str, input_key: &str) -> Result<Option<CheckOutcome>, JobError>;
 
     /// Remembers what checking it found.
     async fn save_mesh_check(

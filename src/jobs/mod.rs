@@ -48,6 +48,4 @@ pub use submission::{
     Accepted, BatchPair, BatchSubmission, Details, Submission, SubmitError, SubmittedFile, SubmittedInput, Validated,
 };
 pub use trace::{NumberedPoint, Progress, TraceChunk, TracePage};
-pub use webhook::{
-    Attempted, Delivery, DeliveryPage, DeliveryState, DueDelivery, Webhook, WebhookPage, WebhookStore,
-};
+pub use webhook::{Attempted, Delivery, DeliveryPage, DeliveryState, DueDelivery, Webhook, WebhookPage, WebhookStore};

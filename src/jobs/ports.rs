@@ -76,10 +76,7 @@ impl ArtifactKey {
     /// The address of what a lease made.
     pub fn of_result(lease: &Lease, bytes: &[u8]) -> Self {
         let hash = blake3::hash(bytes).to_hex();
-        ArtifactKey {
-            tenant: lease.tenant.clone(),
-            path: format!("results/{}/{}/{hash}", lease.job_id, lease.epoch),
-        }
+        ArtifactKey { tenant: lease.tenant.clone(), path: format!("results/{}/{}/{hash}", lease.job_id, lease.epoch) }
     }
 
     /// The address with this path; `None` if no address has it.
@@ -206,12 +203,8 @@ pub trait JobStore: Send + Sync {
 
     /// The next job to run, leased: highest priority, then oldest. Drops what an earlier epoch traced. It may run for
     /// `max_run` unless its submitter allowed less.
-    async fn claim(
-        &self,
-        worker: &WorkerId,
-        lease: Duration,
-        max_run: Duration,
-    ) -> Result<Option<LeasedJob>, JobError>;
+    async fn claim(&self, worker: &WorkerId, lease: Duration, max_run: Duration)
+    -> Result<Option<LeasedJob>, JobError>;
 
     /// Prolongs a lease.
     async fn heartbeat(&self, lease: &Lease, duration: Duration) -> Result<LeaseStatus, JobError>;

@@ -436,12 +436,7 @@ impl JobService {
     }
 
     /// Stores a job and what it was sent with.
-    async fn store_job(
-        &self,
-        job: NewJob,
-        inputs: Vec<CheckedInput>,
-        once: Option<Once>,
-    ) -> Result<Job, SubmitError> {
+    async fn store_job(&self, job: NewJob, inputs: Vec<CheckedInput>, once: Option<Once>) -> Result<Job, SubmitError> {
         let holder = job.id.to_string();
         let keys: Vec<ArtifactKey> = [&job.source, &job.target]
             .into_iter()

@@ -86,12 +86,7 @@ impl JobService {
     ///
     /// # Errors
     /// [`JobError`].
-    pub async fn meshes(
-        &self,
-        tenant: &Tenant,
-        size: u32,
-        after: Option<(i64, String)>,
-    ) -> Result<MeshPage, JobError> {
+    pub async fn meshes(&self, tenant: &Tenant, size: u32, after: Option<(i64, String)>) -> Result<MeshPage, JobError> {
         self.stores.meshes.list_meshes(tenant, size, after).await
     }
 

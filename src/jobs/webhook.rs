@@ -178,7 +178,13 @@ pub trait WebhookStore: Send + Sync {
     ) -> Result<DeliveryPage, JobError>;
 
     /// Makes a delivery that no job is the reason of.
-    async fn insert_delivery(&self, tenant: &Tenant, id: &str, event: &str, payload: &str) -> Result<Delivery, JobError>;
+    async fn insert_delivery(
+        &self,
+        tenant: &Tenant,
+        id: &str,
+        event: &str,
+        payload: &str,
+    ) -> Result<Delivery, JobError>;
 
     /// Makes deliveries of the changes since the last time. Returns how many.
     async fn tell_changes(&self) -> Result<u32, JobError>;

@@ -42,7 +42,6 @@ impl Presence {
         fs::rename(&draft, &own)?;
         Ok(Presence { folder, own, _lock: lock })
     }
-
 }
 
 impl Processes for Presence {

@@ -46,7 +46,11 @@ impl Housekeeper {
             for process in departed {
                 let recovered = self.store.recover_worker(process.worker()).await?;
                 if recovered.total() > 0 {
-                    tracing::warn!(worker = process.worker().name(), ?recovered, "jobs of a lost process are taken back");
+                    tracing::warn!(
+                        worker = process.worker().name(),
+                        ?recovered,
+                        "jobs of a lost process are taken back"
+                    );
                 }
                 total += recovered.total();
                 process.forget();

@@ -14,7 +14,7 @@ use std::sync::atomic::{AtomicU32, Ordering};
 use std::time::{Duration, Instant};
 
 /// Numbers that a job's parameters may set: points of the trace, ms between them, and switches (not 0 = on).
-const KEYS: [&str; 6] = ["points", "step_ms", "fail", "panic", "deaf", "seed"];
+const KEYS: [&str; 8] = ["points", "step_ms", "fail", "panic", "abort", "deaf", "sign", "seed"];
 
 /// Does what the parameters say; counts how often it computed.
 #[derive(Debug, Default)]
@@ -48,8 +48,13 @@ impl Engine for ObedientEngine {
         if !faults.is_empty() {
             return Err(faults);
         }
-        let resolved =
-            Resolved { method: "obedient".to_owned(), method_version: "1".to_owned(), parameters: request.clone() };
+        let resolved = Resolved {
+            method: "obedient".to_owned(),
+            method_version: "1".to_owned(),
+            parameters: request.clone(),
+            input_key: String::new(),
+            result_version: "1".to_owned(),
+        };
         Ok(resolved)
     }
 
@@ -83,16 +88,23 @@ impl Engine for ObedientEngine {
             observer.progress(i as f64 / points as f64);
             std::thread::sleep(Duration::from_millis(number("step_ms")));
         }
+        if number("abort") != 0 {
+            std::process::abort();
+        }
         if number("panic") != 0 {
             panic!("told to, with Jane Doe in the message");
         }
         if number("fail") != 0 {
             return Err(ComputeError::Failed(Failure::new("no-registration", "told to")));
         }
+        let mut result = json!({"transform": {"matrix": [[1.5]]}, "points": points});
+        if number("sign") != 0 {
+            result["process"] = json!(std::process::id());
+        }
         let product = |kind, text: String| Product { kind, bytes: text.into_bytes() };
         let columns = json!({"source": [0, 1], "target": [1, 0], "confidence": [0.5, 0.25], "inlier": [true, false]});
         Ok(vec![
-            product(ArtifactKind::Result, json!({"transform": {"matrix": [[1.5]]}, "points": points}).to_string()),
+            product(ArtifactKind::Result, result.to_string()),
             product(ArtifactKind::Correspondences, columns.to_string()),
             product(ArtifactKind::SourceSurface, "ply source".to_owned()),
             product(ArtifactKind::TargetSurface, "ply target".to_owned()),

@@ -111,7 +111,12 @@ pub async fn list(State(state): State<HttpState>, mut query: QueryString) -> Res
             }
         }
     }
-    let filter = JobFilter { states, method: query.text("method"), external_ref: query.text("external_ref"), ..JobFilter::default() };
+    let filter = JobFilter {
+        states,
+        method: query.text("method"),
+        external_ref: query.text("external_ref"),
+        ..JobFilter::default()
+    };
     let order = query.word("order", &[("desc", Order::NewestFirst), ("asc", Order::OldestFirst)]).unwrap_or_default();
     let size = query.number("page_size", 1..=MAX_PAGE).unwrap_or(DEFAULT_PAGE);
     let token = query.text("page_token").filter(|token| !token.is_empty());

@@ -7,9 +7,10 @@
 use crate::jobs::{ArtifactKey, ArtifactStore, ArtifactWriter, JobError, Tenant};
 use async_trait::async_trait;
 use bytes::{Bytes, BytesMut};
-use object_store::aws::{AmazonS3, AmazonS3Builder};
+use object_store::aws::{AmazonS3, AmazonS3Builder, AmazonS3ConfigKey};
 use object_store::path::Path;
 use object_store::{ClientOptions, MultipartUpload, ObjectStore, ObjectStoreExt, PutPayload, RetryConfig};
+use std::str::FromStr;
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -37,15 +38,32 @@ impl S3Artifacts {
     /// # Errors
     /// [`JobError::Unavailable`] if the address or the environment is not right. Does not connect yet.
     pub fn open(url: &str) -> Result<Self, JobError> {
+        S3Artifacts::open_with(
+            url,
+            std::env::vars_os().filter_map(|(name, value)| Some((name.into_string().ok()?, value.into_string().ok()?))),
+        )
+    }
+
+    /// The same with variables of the caller's instead of the environment.
+    ///
+    /// # Errors
+    /// As for [`S3Artifacts::open`].
+    pub fn open_with(url: &str, variables: impl IntoIterator<Item = (String, String)>) -> Result<Self, JobError> {
         crate::tls::prepare();
         let rest = url.strip_prefix("s3://").unwrap_or(url);
         let (bucket, prefix) = rest.split_once('/').unwrap_or((rest, ""));
         let retry = RetryConfig { max_retries: 4, retry_timeout: RETRY, ..RetryConfig::default() };
-        let options = ClientOptions::new().with_timeout(REQUEST).with_connect_timeout(CONNECT);
-        let builder = AmazonS3Builder::from_env().with_bucket_name(bucket).with_retry(retry);
-        // Options of the environment that concern the client, such as AWS_ALLOW_HTTP, would be replaced by ours.
-        let allow_http = std::env::var("AWS_ALLOW_HTTP").is_ok_and(|v| v == "true" || v == "1");
-        let client = builder.with_client_options(options.with_allow_http(allow_http)).build().map_err(domain_error)?;
+        let mut builder = AmazonS3Builder::new().with_bucket_name(bucket).with_retry(retry);
+        let mut options = ClientOptions::new().with_timeout(REQUEST).with_connect_timeout(CONNECT);
+        for (name, value) in variables {
+            let name = name.to_ascii_lowercase();
+            if name == "aws_allow_http" {
+                options = options.with_allow_http(value == "true" || value == "1");
+            } else if let (true, Ok(key)) = (name.starts_with("aws_"), AmazonS3ConfigKey::from_str(&name)) {
+                builder = builder.with_config(key, value);
+            }
+        }
+        let client = builder.with_client_options(options).build().map_err(domain_error)?;
         Ok(S3Artifacts { client: Arc::new(client), prefix: Path::from(prefix) })
     }
 
@@ -60,9 +78,15 @@ impl S3Artifacts {
 
 fn domain_error(error: object_store::Error) -> JobError {
     match error {
-        object_store::Error::NotFound { .. } => JobError::Corrupt { what: "a blob that is not there", source: Some(Box::new(error)) },
+        object_store::Error::NotFound { .. } => {
+            JobError::Corrupt { what: "a blob that is not there", source: Some(Box::new(error)) }
+        }
         // What S3-compatible servers say when a quota or a disk is full.
-        other if ["InsufficientStorage", "XMinioStorageFull", "QuotaExceeded", "507"].iter().any(|sign| format!("{other:?}").contains(sign)) => {
+        other
+            if ["InsufficientStorage", "XMinioStorageFull", "QuotaExceeded", "507"]
+                .iter()
+                .any(|sign| format!("{other:?}").contains(sign)) =>
+        {
             JobError::StorageFull
         }
         other => JobError::Unavailable(Box::new(other)),

@@ -118,8 +118,7 @@ impl SqlStore {
             for holder in session.rows(sql!("lapsed_holders"), bind![]).await? {
                 end_hold(&mut session, &holder.get::<String>(0)?).await?;
             }
-            let candidates =
-                session.rows(sql!("lock_candidates"), bind![REMOVALS_AT_ONCE, REMOVAL_LAPSES]).await?;
+            let candidates = session.rows(sql!("lock_candidates"), bind![REMOVALS_AT_ONCE, REMOVAL_LAPSES]).await?;
             let mut unneeded = Vec::new();
             for row in &candidates {
                 let (tenant, path): (String, String) = (row.get("tenant")?, row.get("path")?);

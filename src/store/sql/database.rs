@@ -8,7 +8,9 @@ use super::dialect::{Dialect, Sql};
 use crate::jobs::JobError;
 use sqlx::pool::PoolConnection;
 use sqlx::postgres::{PgConnectOptions, PgListener, PgPool, PgPoolOptions, PgRow};
-use sqlx::sqlite::{SqliteConnectOptions, SqliteJournalMode, SqlitePool, SqlitePoolOptions, SqliteRow, SqliteSynchronous};
+use sqlx::sqlite::{
+    SqliteConnectOptions, SqliteJournalMode, SqlitePool, SqlitePoolOptions, SqliteRow, SqliteSynchronous,
+};
 use sqlx::{AssertSqlSafe, ColumnIndex, Postgres, Row as _, Sqlite};
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
@@ -309,15 +311,24 @@ pub(super) enum Row {
 }
 
 /// What a column may be read as, in both databases.
-pub(super) trait Column: for<'r> sqlx::Decode<'r, Sqlite> + sqlx::Type<Sqlite> + for<'r> sqlx::Decode<'r, Postgres> + sqlx::Type<Postgres> {}
+pub(super) trait Column:
+    for<'r> sqlx::Decode<'r, Sqlite> + sqlx::Type<Sqlite> + for<'r> sqlx::Decode<'r, Postgres> + sqlx::Type<Postgres>
+{
+}
 impl<T> Column for T where
-    T: for<'r> sqlx::Decode<'r, Sqlite> + sqlx::Type<Sqlite> + for<'r> sqlx::Decode<'r, Postgres> + sqlx::Type<Postgres>
+    T: for<'r> sqlx::Decode<'r, Sqlite>
+        + sqlx::Type<Sqlite>
+        + for<'r> sqlx::Decode<'r, Postgres>
+        + sqlx::Type<Postgres>
 {
 }
 
 impl Row {
     /// A column by name or place.
-    pub(super) fn get<T: Column>(&self, column: impl ColumnIndex<SqliteRow> + ColumnIndex<PgRow>) -> Result<T, JobError> {
+    pub(super) fn get<T: Column>(
+        &self,
+        column: impl ColumnIndex<SqliteRow> + ColumnIndex<PgRow>,
+    ) -> Result<T, JobError> {
         match self {
             Row::Sqlite(row) => row.try_get(column),
             Row::Postgres(row) => row.try_get(column),
@@ -422,7 +433,9 @@ impl Session {
         let text = AssertSqlSafe(text.to_owned());
         let done = match &mut self.link {
             Link::Sqlite(Some(connection)) => {
-                in_time(SQLITE_PATIENCE + Duration::from_secs(2), sqlx::raw_sql(text).execute(&mut **connection)).await.map(|_| ())
+                in_time(SQLITE_PATIENCE + Duration::from_secs(2), sqlx::raw_sql(text).execute(&mut **connection))
+                    .await
+                    .map(|_| ())
             }
             Link::Postgres(Some(connection)) => {
                 in_time(POSTGRES_PATIENCE, sqlx::raw_sql(text).execute(&mut **connection)).await.map(|_| ())
@@ -462,10 +475,15 @@ fn is_end_of_session(error: &sqlx::Error) -> bool {
     code.is_some_and(|code| code.starts_with("57P") || code == "25P03" || code.starts_with("08"))
 }
 
-async fn in_time<T>(patience: Duration, answer: impl Future<Output = Result<T, sqlx::Error>>) -> Result<T, sqlx::Error> {
+async fn in_time<T>(
+    patience: Duration,
+    answer: impl Future<Output = Result<T, sqlx::Error>>,
+) -> Result<T, sqlx::Error> {
     match tokio::time::timeout(patience, answer).await {
         Ok(answer) => answer,
-        Err(_) => Err(sqlx::Error::Io(std::io::Error::new(std::io::ErrorKind::TimedOut, "the database did not answer"))),
+        Err(_) => {
+            Err(sqlx::Error::Io(std::io::Error::new(std::io::ErrorKind::TimedOut, "the database did not answer")))
+        }
     }
 }
 
@@ -484,4 +502,3 @@ pub(super) fn domain_error(error: sqlx::Error) -> JobError {
     });
     if is_full { JobError::StorageFull } else { JobError::Unavailable(Box::new(error)) }
 }
-

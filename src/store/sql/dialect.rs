@@ -94,7 +94,8 @@ mod tests {
 
     #[test]
     fn optional_lines_and_parameters() {
-        let text = "-- name\nSELECT a\nWHERE t = :tenant\nAND b = :b -- when b\nAND c = :c OR d = :c -- when c\nLIMIT :size";
+        let text =
+            "-- name\nSELECT a\nWHERE t = :tenant\nAND b = :b -- when b\nAND c = :c OR d = :c -- when c\nLIMIT :size";
         let (all, names) = with_options(text, &["c"]);
         assert_eq!(all, "SELECT a\nWHERE t = $1\nAND c = $2 OR d = $2 \nLIMIT $3\n");
         assert_eq!(names, ["tenant", "c", "size"]);

@@ -75,12 +75,7 @@ impl MeshStore for SqlStore {
         session.end(done).await
     }
 
-    async fn mesh_check(
-        &self,
-        tenant: &Tenant,
-        hash: &str,
-        input_key: &str,
-    ) -> Result<Option<CheckOutcome>, JobError> {
+    async fn mesh_check(&self, tenant: &Tenant, hash: &str, input_key: &str) -> Result<Option<CheckOutcome>, JobError> {
         let mut session = self.database.reading().await?;
         let found: Option<String> = session.value(sql!("get_mesh_check"), bind![tenant, hash, input_key]).await?;
         found.map(|text| rows::json("a check", &text)).transpose()

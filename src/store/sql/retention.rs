@@ -16,7 +16,10 @@ impl SqlStore {
     pub(super) async fn count_purge(&self, retention: &Retention) -> Result<Purged, JobError> {
         let mut session = self.database.snapshot().await?;
         let done = async {
-            let mut purged = Purged { results: n(session.row(sql!("count_results_to_purge"), bind![]).await?)?, ..Purged::default() };
+            let mut purged = Purged {
+                results: n(session.row(sql!("count_results_to_purge"), bind![]).await?)?,
+                ..Purged::default()
+            };
             if let Some(keep) = retention.jobs {
                 purged.jobs = n(session.row(sql!("count_jobs_to_purge"), bind![keep]).await?)?;
                 purged.changes = n(session.row(sql!("count_old_changes"), bind![keep]).await?)?;

@@ -142,7 +142,13 @@ impl WebhookStore for SqlStore {
         Ok(DeliveryPage { deliveries, next })
     }
 
-    async fn insert_delivery(&self, tenant: &Tenant, id: &str, event: &str, payload: &str) -> Result<Delivery, JobError> {
+    async fn insert_delivery(
+        &self,
+        tenant: &Tenant,
+        id: &str,
+        event: &str,
+        payload: &str,
+    ) -> Result<Delivery, JobError> {
         let mut session = self.database.begin().await?;
         let done = async {
             find_webhook(&mut session, tenant, id).await?;
@@ -201,8 +207,7 @@ impl WebhookStore for SqlStore {
         let mut session = self.database.begin().await?;
         let done = match attempted {
             Attempted::Delivered { status } => {
-                let arguments =
-                    bind![id, DeliveryState::Delivered.name(), Some(u32::from(*status)), None::<&str>];
+                let arguments = bind![id, DeliveryState::Delivered.name(), Some(u32::from(*status)), None::<&str>];
                 session.execute(sql!("end_delivery"), arguments).await
             }
             Attempted::Retry { after, status, error } => {

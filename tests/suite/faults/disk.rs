@@ -1,0 +1,201 @@
+//! A15: small disks that can be filled.
+
+use super::client::{Client, id_of, steps};
+use super::site::{Backend, SOON, Site};
+use serde_json::json;
+use std::fs::{self, File};
+use std::io::{BufRead, BufReader, Write};
+use std::path::{Path, PathBuf};
+use std::process::{Child, Command, Stdio};
+use std::time::{Duration, Instant};
+use tempfile::TempDir;
+
+/// A disk of a few MiB, in memory. A shell keeps it mounted, and unmounts it when this, or the test's process, ends.
+struct Disk {
+    folder: TempDir,
+    keeper: Child,
+}
+
+impl Disk {
+    /// `None` where mounting is not allowed, which is said.
+    fn of_mib(size: u32) -> Option<Self> {
+        let folder = tempfile::tempdir().unwrap();
+        let script = format!(
+            "trap '' INT TERM HUP; mount -t tmpfs -o size={size}m,mode=1777 tmpfs \"$1\" || exit 1; \
+             echo mounted; cat >/dev/null; umount -l \"$1\""
+        );
+        let mut keeper = Command::new("sh")
+            .args(["-c", &script, "sh"])
+            .arg(folder.path())
+            .stdin(Stdio::piped())
+            .stdout(Stdio::piped())
+            .stderr(Stdio::null())
+            .spawn()
+            .unwrap();
+        let mut answer = String::new();
+        BufReader::new(keeper.stdout.take().unwrap()).read_line(&mut answer).unwrap();
+        if answer.trim() == "mounted" {
+            return Some(Disk { folder, keeper });
+        }
+        let _ = keeper.wait();
+        println!("skipped: no small disk can be mounted here; that takes root");
+        None
+    }
+
+    fn path(&self) -> &Path {
+        self.folder.path()
+    }
+
+    /// Takes all room but `left` bytes.
+    fn fill(&self, left: u64) {
+        self.empty();
+        let mut file = File::create(self.filler()).unwrap();
+        let block = vec![0xa5; 4096];
+        let mut n_bytes = 0;
+        while file.write_all(&block).is_ok() {
+            n_bytes += block.len() as u64;
+        }
+        file.set_len(n_bytes.saturating_sub(left)).unwrap();
+    }
+
+    /// Gives the room back.
+    fn empty(&self) {
+        let _ = fs::remove_file(self.filler());
+    }
+
+    fn filler(&self) -> PathBuf {
+        self.path().join("filler")
+    }
+}
+
+impl Drop for Disk {
+    fn drop(&mut self) {
+        drop(self.keeper.stdin.take());
+        let _ = self.keeper.wait();
+    }
+}
+
+/// A submission that meets a full disk: refused as such, within a while.
+async fn is_refused(client: &Client, source: &str) {
+    let asked = Instant::now();
+    let (status, body) = client.try_submit_files(source, "target", &steps(1, 1)).await.unwrap();
+    assert!([503, 507].contains(&status), "{status}: {body}");
+    assert!(asked.elapsed() < Duration::from_secs(40), "{:?}", asked.elapsed());
+}
+
+/// Everything that is listed runs: nothing was published half.
+async fn all_of(client: &Client, acknowledged: &[String]) {
+    let listed = client.list().await;
+    for id in acknowledged {
+        assert!(listed.iter().any(|(listed, _)| listed == id), "{id} was acknowledged and is lost");
+    }
+    for (id, _) in &listed {
+        client.until_succeeded(id, SOON * 3).await;
+        assert!(client.json(&format!("/v1/jobs/{id}/result")).await["points"].is_u64());
+    }
+}
+
+#[tokio::test]
+async fn a15_sqlite() {
+    let Some(disk) = Disk::of_mib(16) else { return };
+    let Some(site) = Site::open_on(Backend::Sqlite, disk.path(), disk.path()) else { return };
+    let node = site.serve(&["--workers", "1"]);
+    let client = site.client(&node);
+    let database = site.database().await;
+    database.watch().await;
+    let mut acknowledged = vec![client.submit(steps(1, 1)).await];
+    client.until_succeeded(&acknowledged[0], SOON).await;
+
+    // Room for rows, and none for the file.
+    let large = "s".repeat(2 << 20);
+    disk.fill(512 << 10);
+    let before = (client.list().await, site.blobs());
+    is_refused(&client, &large).await;
+    assert_eq!((client.list().await, site.blobs()), before);
+    let incoming: Vec<_> = fs::read_dir(site.data_dir().join("incoming")).unwrap().collect();
+    assert!(incoming.is_empty(), "{incoming:?}");
+    disk.empty();
+    acknowledged.push(id_of(&client.try_submit_files(&large, "target", &steps(1, 1)).await.unwrap().1));
+
+    // No room at all, while a job runs: its end waits for room.
+    let running = client.submit(steps(60, 25)).await;
+    client.until_traced(&running, 3, SOON).await;
+    disk.fill(0);
+    is_refused(&client, "source").await;
+    tokio::time::sleep(Duration::from_secs(4)).await;
+    is_refused(&client, "source").await;
+    assert_eq!(client.job(&running).await["id"], json!(running), "what is there can be read");
+    assert_eq!(database.number("SELECT COUNT(*) FROM seen_results").await, 2);
+    disk.empty();
+    acknowledged.push(running.clone());
+    all_of(&client, &acknowledged).await;
+    assert_eq!(database.n_results(&running).await, 1);
+    let id = client.submit(steps(1, 1)).await;
+    client.until_succeeded(&id, SOON).await;
+}
+
+#[tokio::test]
+async fn a15_postgres_database() {
+    let Some(disk) = Disk::of_mib(160) else { return };
+    let Some(mut site) = Site::open_on(Backend::Postgres, disk.path(), &std::env::temp_dir()) else { return };
+    let node = site.serve(&["--workers", "1", "--max-attempts", "20"]);
+    let client = site.client(&node);
+    let database = site.database().await;
+    database.watch().await;
+    let mut acknowledged = vec![client.submit(steps(60, 25)).await];
+    client.until_traced(&acknowledged[0], 3, SOON).await;
+    disk.fill(0);
+    let (began, mut n_refused) = (Instant::now(), 0);
+    // What is written goes into room taken earlier, until that is full; then every submission is refused.
+    while n_refused < 5 {
+        let (status, body) = client.try_submit(&steps(1, 1)).await.unwrap();
+        match status {
+            202 => acknowledged.push(id_of(&body)),
+            503 | 507 => n_refused += 1,
+            other => panic!("{other}: {body}"),
+        }
+        assert!(began.elapsed() < Duration::from_secs(120), "the disk never gets full");
+        // Fills the log of the database faster than jobs do.
+        database
+            .try_execute("CREATE TABLE IF NOT EXISTS ballast AS SELECT repeat('x', 100) FROM generate_series(1, 20000)")
+            .await;
+        database.try_execute("UPDATE ballast SET repeat = repeat || 'y'").await;
+    }
+    disk.empty();
+    let cluster = site.cluster.as_mut().unwrap();
+    if !cluster.is_running() {
+        // Without room for its log the server ends itself; somebody has to start it.
+        cluster.start_again();
+    }
+    let began = Instant::now();
+    while client.try_submit(&steps(1, 1)).await.unwrap().0 != 202 {
+        assert!(began.elapsed() < Duration::from_secs(60), "no submission is taken though there is room");
+        tokio::time::sleep(Duration::from_millis(500)).await;
+    }
+    all_of(&client, &acknowledged).await;
+    let (jobs, results) = site.database().await.jobs_and_results().await;
+    assert_eq!(jobs, results);
+}
+
+#[tokio::test]
+async fn a15_postgres_blobs() {
+    let Some(disk) = Disk::of_mib(8) else { return };
+    let Some(site) = Site::open_on(Backend::Postgres, &std::env::temp_dir(), disk.path()) else { return };
+    let node = site.serve(&["--workers", "1"]);
+    let client = site.client(&node);
+    let database = site.database().await;
+    database.watch().await;
+    let mut acknowledged = vec![client.submit(steps(60, 25)).await];
+    client.until_traced(&acknowledged[0], 3, SOON).await;
+    disk.fill(0);
+    let listed = client.list().await.len();
+    for _ in 0..3 {
+        is_refused(&client, "another source").await;
+    }
+    assert_eq!(client.list().await.len(), listed);
+    tokio::time::sleep(Duration::from_secs(3)).await;
+    disk.empty();
+    acknowledged.push(client.submit(steps(1, 1)).await);
+    all_of(&client, &acknowledged).await;
+    assert_eq!(database.jobs_and_results().await, (2, 2));
+}

@@ -1,0 +1,88 @@
+//! A5, A18: processes that are asked to end.
+
+use super::client::steps;
+use super::on_both;
+use super::site::{Backend, SOON, Site};
+use serde_json::json;
+use std::time::Duration;
+
+on_both!(
+    a05_a_job_that_ends_within_the_grace_is_ended,
+    a05_a_job_that_outlasts_the_grace_is_given_back,
+    a05_a_second_signal_gives_back_at_once,
+    a18_idle_followers_do_not_hold_up_the_end,
+);
+
+/// How long an ending may take besides its grace, on a loaded machine.
+const ENDING: Duration = Duration::from_secs(8);
+
+async fn a05_a_job_that_ends_within_the_grace_is_ended(backend: Backend) {
+    let Some(site) = Site::open(backend) else { return };
+    let mut node = site.serve(&["--shutdown-grace-ms", "20000"]);
+    let client = site.client(&node);
+    let id = client.submit(steps(60, 25)).await;
+    let waiting = client.submit(steps(1, 1)).await;
+    client.until_traced(&id, 5, SOON).await;
+    node.terminate();
+    let (status, took) = node.ended().await;
+    assert!(status.success(), "{status}");
+    assert!(took < Duration::from_secs(12), "it waits for the job, not for the whole grace: {took:?}");
+    let later = site.serve(&["--workers", "0"]);
+    let client = site.client(&later);
+    let job = client.job(&id).await;
+    assert_eq!((&job["state"], &job["attempt"]), (&json!("succeeded"), &json!(1)));
+    assert_eq!(client.job(&waiting).await["state"], "queued", "it claims nothing more");
+}
+
+async fn a05_a_job_that_outlasts_the_grace_is_given_back(backend: Backend) {
+    ends_and_gives_back(backend, "1000", 1, Duration::from_secs(1)).await;
+}
+
+async fn a05_a_second_signal_gives_back_at_once(backend: Backend) {
+    ends_and_gives_back(backend, "60000", 2, Duration::ZERO).await;
+}
+
+async fn ends_and_gives_back(backend: Backend, grace_ms: &str, n_signals: u32, at_least: Duration) {
+    let Some(site) = Site::open(backend) else { return };
+    let mut node = site.serve(&["--shutdown-grace-ms", grace_ms]);
+    let client = site.client(&node);
+    let id = client.submit(steps(1_000, 25)).await;
+    client.until_traced(&id, 5, SOON).await;
+    for _ in 0..n_signals {
+        node.terminate();
+        // Signals that come together are one.
+        tokio::time::sleep(Duration::from_millis(300)).await;
+    }
+    let (status, took) = node.ended().await;
+    assert!(status.success(), "{status}");
+    assert!(took + Duration::from_millis(500) > at_least, "{took:?}");
+    assert!(took < at_least + ENDING, "{took:?}");
+    let later = site.serve(&["--workers", "0"]);
+    let job = site.client(&later).job(&id).await;
+    assert_eq!((&job["state"], &job["attempt"]), (&json!("queued"), &json!(0)), "a shutdown is no attempt");
+}
+
+async fn a18_idle_followers_do_not_hold_up_the_end(backend: Backend) {
+    let Some(site) = Site::open(backend) else { return };
+    let mut node = site.serve(&["--workers", "0", "--shutdown-grace-ms", "1000"]);
+    let client = site.client(&node);
+    let id = client.submit(steps(1, 1)).await;
+    let mut followers = tokio::task::JoinSet::new();
+    for _ in 0..50 {
+        let response = client.get(&format!("/v1/jobs/{id}/events")).await.unwrap();
+        assert_eq!(response.status(), 200);
+        assert!(response.headers()["content-type"].to_str().unwrap().starts_with("text/event-stream"));
+        // Read to its end, which has to come.
+        followers.spawn(response.text());
+    }
+    tokio::time::sleep(Duration::from_secs(1)).await;
+    assert_eq!(followers.len(), 50);
+    assert!(followers.try_join_next().is_none(), "nothing ends a follower of a waiting job");
+    node.terminate();
+    let (status, took) = node.ended().await;
+    assert!(status.success(), "{status}");
+    assert!(took < Duration::from_secs(1) + ENDING, "{took:?}");
+    for followed in followers.join_all().await {
+        assert!(followed.is_ok(), "a stream is ended, not cut: {followed:?}");
+    }
+}

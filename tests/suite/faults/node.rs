@@ -1,0 +1,209 @@
+//! Nodes: the service in processes of their own, with the obedient engine, to be killed, stopped and asked to end.
+//!
+//! A node is this test binary once more, told to run the one ignored test below. It ends with the test that started
+//! it, also when that is killed.
+
+use crate::jobs_support::ObedientEngine;
+use homolog::app::{self, App, Shutdown};
+use homolog::config::{HttpSettings, ServiceSettings};
+use homolog::jobs::Engine;
+use homolog::telemetry;
+use rustix::process::{Pid, Signal, kill_process};
+use std::io::{BufRead, BufReader, Write};
+use std::path::{Path, PathBuf};
+use std::process::{Child, Command, ExitStatus, Stdio};
+use std::sync::Arc;
+use std::sync::mpsc::{Receiver, channel};
+use std::time::{Duration, Instant};
+
+/// Says what a node is: `serve` or `worker`.
+const ROLE: &str = "FAULTS_NODE_ROLE";
+/// Its arguments, a line each.
+const ARGUMENTS: &str = "FAULTS_NODE_ARGUMENTS";
+/// What it prints, followed by its address, when it is ready.
+const READY: &str = "node-is-ready";
+/// Longest wait for a node to begin or to end, on a loaded machine.
+const PATIENCE: Duration = Duration::from_secs(60);
+
+/// A node; killed when dropped.
+pub struct Node {
+    process: Child,
+    /// Where it answers; empty for a worker.
+    pub base: String,
+    log: PathBuf,
+}
+
+/// Why a node did not begin: what it said.
+#[derive(Debug)]
+pub struct NotStarted(pub String);
+
+/// A node that was started and may not be ready yet.
+pub struct Starting {
+    node: Node,
+    base: Receiver<String>,
+}
+
+impl Starting {
+    /// Starts a node whose log goes to `log`. Only from the thread of the test: with it, the node ends.
+    pub fn new(role: &str, arguments: &[String], environment: &[(&str, String)], log: &Path) -> Self {
+        let file = std::fs::File::create(log).unwrap();
+        let mut command = Command::new(std::env::current_exe().unwrap());
+        command.args(["--exact", "faults::node::node_process", "--ignored", "--nocapture"]);
+        for (name, _) in std::env::vars_os() {
+            if name.to_str().is_some_and(|name| name.starts_with("HOMOLOG_") || name.starts_with("AWS_")) {
+                command.env_remove(name);
+            }
+        }
+        command.env(ROLE, role).env(ARGUMENTS, arguments.join("\n")).env("RUST_BACKTRACE", "0");
+        command.envs(environment.iter().map(|(name, value)| (name, value)));
+        command.stdin(Stdio::null()).stdout(Stdio::piped()).stderr(file);
+        let mut process = command.spawn().unwrap();
+        let (sender, receiver) = channel();
+        let output = process.stdout.take().unwrap();
+        // Read to the end, so that the node never waits for a reader.
+        std::thread::spawn(move || {
+            for line in BufReader::new(output).lines().map_while(Result::ok) {
+                if let Some((_, base)) = line.split_once(READY) {
+                    let _ = sender.send(base.trim().to_owned());
+                }
+            }
+        });
+        Starting { node: Node { process, base: String::new(), log: log.to_owned() }, base: receiver }
+    }
+
+    /// Waits until it answers, or says why it does not.
+    pub fn ready(self) -> Result<Node, NotStarted> {
+        let Starting { mut node, base } = self;
+        match base.recv_timeout(PATIENCE) {
+            Ok(base) => {
+                node.base = base;
+                Ok(node)
+            }
+            Err(_) => {
+                node.kill();
+                Err(NotStarted(node.log()))
+            }
+        }
+    }
+}
+
+impl Node {
+    /// SIGKILL.
+    pub fn kill(&mut self) {
+        let _ = self.process.kill();
+        let _ = self.process.wait();
+    }
+
+    /// SIGSTOP: it sleeps, its connections and locks stay.
+    pub fn freeze(&self) {
+        self.signal(Signal::STOP);
+    }
+
+    /// SIGCONT.
+    pub fn thaw(&self) {
+        self.signal(Signal::CONT);
+    }
+
+    /// SIGTERM: asks to end; a second time insists.
+    pub fn terminate(&self) {
+        self.signal(Signal::TERM);
+    }
+
+    /// Waits for its end. Returns how it ended and how long that took.
+    pub async fn ended(&mut self) -> (ExitStatus, Duration) {
+        let began = Instant::now();
+        loop {
+            if let Some(status) = self.process.try_wait().unwrap() {
+                return (status, began.elapsed());
+            }
+            assert!(began.elapsed() < PATIENCE, "the node does not end: {}", self.log());
+            tokio::time::sleep(Duration::from_millis(10)).await;
+        }
+    }
+
+    /// Whether it runs.
+    pub fn is_running(&mut self) -> bool {
+        self.process.try_wait().unwrap().is_none()
+    }
+
+    /// What it logged.
+    pub fn log(&self) -> String {
+        std::fs::read_to_string(&self.log).unwrap_or_default()
+    }
+
+    /// Waits until its log holds `text`.
+    pub async fn until_logged(&self, text: &str, patience: Duration) {
+        let began = Instant::now();
+        while !self.log().contains(text) {
+            assert!(began.elapsed() < patience, "no '{text}' in {}", self.log());
+            tokio::time::sleep(Duration::from_millis(20)).await;
+        }
+    }
+
+    fn signal(&self, signal: Signal) {
+        kill_process(Pid::from_child(&self.process), signal).unwrap();
+    }
+}
+
+impl Drop for Node {
+    fn drop(&mut self) {
+        if std::thread::panicking() {
+            let log = self.log();
+            let lines: Vec<_> = log.lines().collect();
+            println!("--- {}\n{}", self.log.display(), lines[lines.len().saturating_sub(40)..].join("\n"));
+        }
+        self.kill();
+        let _ = std::fs::remove_file(&self.log);
+    }
+}
+
+#[derive(Debug, clap::Parser)]
+struct Arguments {
+    #[command(flatten)]
+    http: HttpSettings,
+    #[command(flatten)]
+    service: ServiceSettings,
+}
+
+#[test]
+#[ignore = "runs as a node of the other tests"]
+fn node_process() {
+    let (Ok(role), Ok(arguments)) = (std::env::var(ROLE), std::env::var(ARGUMENTS)) else { return };
+    #[cfg(target_os = "linux")]
+    rustix::process::set_parent_process_death_signal(Some(Signal::KILL)).unwrap();
+    let arguments = std::iter::once("node").chain(arguments.lines());
+    let Arguments { http, service } = clap::Parser::parse_from(arguments);
+    telemetry::start(service.log_format, &service.log).unwrap();
+    let runtime = tokio::runtime::Builder::new_multi_thread().worker_threads(2).enable_all().build().unwrap();
+    let begun = runtime.block_on(serve(&role, http, service));
+    if let Err(error) = &begun {
+        eprintln!("not started: {error}");
+    }
+    runtime.shutdown_background();
+    // Not back to the test harness, which would print.
+    std::process::exit(i32::from(begun.is_err()));
+}
+
+/// As `homolog serve` and `homolog worker`, with another engine.
+async fn serve(role: &str, http: HttpSettings, service: ServiceSettings) -> Result<(), app::AppError> {
+    let shutdown = Shutdown::default();
+    shutdown.follow_signals(Duration::from_millis(service.shutdown_grace_ms));
+    let engine = Arc::new(ObedientEngine::default()) as Arc<dyn Engine>;
+    if role == "worker" {
+        let app = App::open(&service, engine, &shutdown, false).await?;
+        say_ready("");
+        app.run(None, &shutdown).await;
+        return Ok(());
+    }
+    let listener = app::listen(&http).await?;
+    let base = format!("http://{}", listener.local_addr().unwrap());
+    let app = App::open(&service, engine, &shutdown, true).await?;
+    say_ready(&base);
+    app.run(Some((listener, http, service)), &shutdown).await;
+    Ok(())
+}
+
+fn say_ready(base: &str) {
+    println!("\n{READY} {base}");
+    std::io::stdout().flush().unwrap();
+}

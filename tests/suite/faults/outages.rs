@@ -1,0 +1,247 @@
+//! A6, A7, A21: databases and blob stores that are away, hints that do not come, clocks that are wrong.
+
+use super::client::{Client, id_of, steps};
+use super::node::Node;
+use super::postgres::Cluster;
+use super::proxy::{Network, Proxy};
+use super::s3::S3Server;
+use super::site::{Backend, LEASE, SOON, Site};
+use super::witness::Database;
+use super::{on_both, on_postgres, seconds};
+use serde_json::Value;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::{Duration, Instant};
+use tokio::task::JoinHandle;
+
+on_both!(a07_without_hints_a_job_runs_within_the_poll_interval);
+on_postgres!(
+    a06_the_database_is_stopped,
+    a06_the_database_crashes,
+    a06_connections_to_the_database_are_half_open,
+    a06_connections_to_the_database_are_cut,
+    a06_the_blob_store_refuses,
+    a06_connections_to_the_blob_store_are_half_open,
+    a21_a_workers_wrong_clock_moves_no_lease,
+);
+
+/// Longest that a request may take when what it needs is away.
+const NO_HANG: Duration = Duration::from_secs(30);
+
+/// A node behind a network that can fail, and somebody who submits all the time.
+struct Outage {
+    site: Site,
+    database: Proxy,
+    blobs: Proxy,
+    node: Node,
+    client: Client,
+    witness: Database,
+    long: String,
+    end: Arc<AtomicBool>,
+    submitting: JoinHandle<Vec<Answer>>,
+}
+
+/// What a submission was answered, and how long that took.
+struct Answer {
+    status: u16,
+    body: Value,
+    took: Duration,
+}
+
+impl Outage {
+    async fn prepare() -> Option<Self> {
+        let site = Site::open(Backend::Postgres)?;
+        let database = Proxy::to(site.cluster.as_ref().unwrap().port());
+        let blobs = Proxy::to(site.s3.as_ref().unwrap().port());
+        let mut environment = S3Server::environment(blobs.port());
+        environment.push(("HOMOLOG_DATABASE_URL", Cluster::url_at(database.port())));
+        let node = site.node("serve", &["--workers", "2", "--max-attempts", "20"], &environment).unwrap();
+        let client = site.client(&node);
+        let witness = site.database().await;
+        witness.watch().await;
+        let long = client.submit(steps(200, 25)).await;
+        client.until_traced(&long, 5, SOON).await;
+        let end = Arc::new(AtomicBool::new(false));
+        let submitting = tokio::spawn(keep_submitting(client.clone(), Arc::clone(&end)));
+        tokio::time::sleep(Duration::from_secs(1)).await;
+        Some(Outage { site, database, blobs, node, client, witness, long, end, submitting })
+    }
+
+    /// Waits through the outage and sees that the service says so, and lives.
+    async fn endure(&self, length: Duration, what: &str) {
+        let began = Instant::now();
+        let mut said = false;
+        while began.elapsed() < length || !said {
+            let asked = Instant::now();
+            let ready = self.client.get("/readyz").await.unwrap();
+            assert!(asked.elapsed() < NO_HANG, "/readyz takes {:?}", asked.elapsed());
+            if ready.status() == 503 {
+                let body = ready.text().await.unwrap();
+                said |= body.contains(what);
+            }
+            assert_eq!(self.client.get("/healthz").await.unwrap().status(), 200, "liveness touches nothing");
+            assert!(began.elapsed() < length + NO_HANG, "/readyz does not name {what}");
+            tokio::time::sleep(Duration::from_millis(200)).await;
+        }
+    }
+
+    /// The outage is over: submissions are taken again, and nothing that was acknowledged is lost.
+    async fn recovered(mut self, refused_meanwhile: bool) {
+        let over = Instant::now();
+        loop {
+            match self.client.try_submit(&steps(1, 1)).await {
+                Ok((202, _)) => break,
+                _ => assert!(over.elapsed() < NO_HANG, "no submission is taken after the outage"),
+            }
+            tokio::time::sleep(Duration::from_millis(200)).await;
+        }
+        tokio::time::sleep(Duration::from_secs(1)).await;
+        self.end.store(true, Ordering::Release);
+        let answers = self.submitting.await.unwrap();
+        for Answer { status, body, took } in &answers {
+            assert!([202, 503].contains(status), "{status}: {body}");
+            assert!(*took < NO_HANG, "a submission takes {took:?}");
+        }
+        assert!(answers.iter().any(|a| a.status == 202));
+        assert_eq!(answers.iter().any(|a| a.status == 503), refused_meanwhile, "{} answers", answers.len());
+        self.client.until_succeeded(&self.long, SOON * 2).await;
+        for answer in answers.iter().filter(|a| a.status == 202) {
+            self.client.until_succeeded(&id_of(&answer.body), SOON * 2).await;
+        }
+        let (jobs, results) = self.witness.jobs_and_results().await;
+        assert_eq!(jobs, results, "each result is accepted once");
+        assert!(self.node.is_running());
+    }
+}
+
+async fn keep_submitting(client: Client, end: Arc<AtomicBool>) -> Vec<Answer> {
+    let mut answers = Vec::new();
+    while !end.load(Ordering::Acquire) {
+        let asked = Instant::now();
+        let (status, body) = client.try_submit(&steps(2, 5)).await.unwrap_or((0, Value::Null));
+        answers.push(Answer { status, body, took: asked.elapsed() });
+        tokio::time::sleep(Duration::from_millis(100)).await;
+    }
+    answers
+}
+
+async fn a06_the_database_is_stopped() {
+    let Some(mut outage) = Outage::prepare().await else { return };
+    outage.site.cluster.as_mut().unwrap().stop_fast();
+    outage.endure(seconds(5, 60), "job_store").await;
+    outage.site.cluster.as_mut().unwrap().start_again();
+    outage.recovered(true).await;
+}
+
+async fn a06_the_database_crashes() {
+    let Some(mut outage) = Outage::prepare().await else { return };
+    outage.site.cluster.as_mut().unwrap().kill();
+    outage.endure(seconds(1, 10), "job_store").await;
+    outage.site.cluster.as_mut().unwrap().start_again();
+    outage.recovered(true).await;
+}
+
+async fn a06_connections_to_the_database_are_half_open() {
+    let Some(outage) = Outage::prepare().await else { return };
+    outage.database.set(Network::Silent);
+    outage.endure(seconds(5, 60), "job_store").await;
+    outage.database.set(Network::Up);
+    outage.recovered(true).await;
+}
+
+async fn a06_connections_to_the_database_are_cut() {
+    let Some(outage) = Outage::prepare().await else { return };
+    for _ in 0..seconds(5, 60).as_secs() {
+        outage.database.cut();
+        tokio::time::sleep(Duration::from_secs(1)).await;
+    }
+    // Whether a request was under way at the moment of a cut is chance; now none gets through.
+    outage.database.set(Network::Refusing);
+    outage.database.cut();
+    outage.endure(Duration::from_secs(1), "job_store").await;
+    outage.database.set(Network::Up);
+    outage.recovered(true).await;
+}
+
+async fn a06_the_blob_store_refuses() {
+    let Some(outage) = Outage::prepare().await else { return };
+    outage.blobs.set(Network::Refusing);
+    outage.blobs.cut();
+    outage.endure(seconds(5, 60), "artifact_store").await;
+    outage.blobs.set(Network::Up);
+    outage.recovered(true).await;
+}
+
+async fn a06_connections_to_the_blob_store_are_half_open() {
+    let Some(outage) = Outage::prepare().await else { return };
+    outage.blobs.set(Network::Silent);
+    outage.endure(seconds(5, 60), "artifact_store").await;
+    outage.blobs.set(Network::Up);
+    outage.recovered(true).await;
+}
+
+async fn a07_without_hints_a_job_runs_within_the_poll_interval(backend: Backend) {
+    let Some(site) = Site::open(backend) else { return };
+    // Between processes on SQLite there are no hints.
+    let silent: &[&str] = if backend == Backend::Postgres { &["--notify", "false"] } else { &[] };
+    let front = site.serve(&[&["--workers", "0"], silent].concat());
+    let client = site.client(&front);
+    let _worker = site.worker(&[&["--poll-ms", "700"], silent].concat());
+    for _ in 0..3 {
+        let id = client.submit(steps(1, 1)).await;
+        let submitted = Instant::now();
+        client.until_succeeded(&id, SOON).await;
+        assert!(submitted.elapsed() < Duration::from_millis(700) + Duration::from_secs(3), "{:?}", submitted.elapsed());
+    }
+}
+
+/// Only the wall clock is wrong: the other one measures intervals, and no fault sets it back.
+fn wrong_clock(offset: &str) -> Option<Vec<(&'static str, String)>> {
+    let mut libraries =
+        std::fs::read_dir("/usr/lib").ok()?.flatten().map(|d| d.path().join("faketime/libfaketime.so.1"));
+    let library = libraries.find(|path| path.exists())?;
+    Some(vec![
+        ("LD_PRELOAD", library.to_str()?.to_owned()),
+        ("FAKETIME", offset.to_owned()),
+        ("FAKETIME_DONT_FAKE_MONOTONIC", "1".to_owned()),
+        ("DONT_FAKE_MONOTONIC", "1".to_owned()),
+    ])
+}
+
+/// On SQLite the database's clock is the machine's own, and a worker has no other.
+async fn a21_a_workers_wrong_clock_moves_no_lease() {
+    let Some(site) = Site::open(Backend::Postgres) else { return };
+    let front = site.serve(&["--workers", "0"]);
+    let client = site.client(&front);
+    let database = site.database().await;
+    database.watch().await;
+    for offset in ["+1h", "-1h"] {
+        let Some(clock) = wrong_clock(offset) else {
+            println!("skipped: no libfaketime; apt-get install faketime");
+            return;
+        };
+        // A worker of the wrong time keeps its lease for several times its length, beside one of the right time.
+        let mut wrong = site.node("worker", &[], &clock).unwrap();
+        let id = client.submit(steps(120, 50)).await;
+        client.until_traced(&id, 5, SOON).await;
+        let right = site.worker(&[]);
+        let job = client.until_succeeded(&id, SOON).await;
+        assert_eq!(job["attempt"], 1, "{job}");
+        assert_eq!(client.seqs(&id).await, (1..=120).collect::<Vec<_>>());
+        drop(right);
+        // When it dies, its job is rescued neither an hour late nor at once by another of the wrong time.
+        let id = client.submit(steps(100, 25)).await;
+        client.until_traced(&id, 5, SOON).await;
+        wrong.kill();
+        let killed = Instant::now();
+        let _rescuer = site.node("worker", &[], &clock).unwrap();
+        client.until(&id, SOON, |job| job["attempt"] == 2).await;
+        assert!(killed.elapsed() < LEASE + Duration::from_secs(6), "{:?}", killed.elapsed());
+        let job = client.until_succeeded(&id, SOON).await;
+        let moment: jiff::Timestamp = job["finished_at"].as_str().unwrap().parse().unwrap();
+        let off = jiff::Timestamp::now().duration_since(moment);
+        assert!(off.abs() < jiff::SignedDuration::from_secs(300), "times are the database's: off by {off:?}");
+    }
+    let (jobs, results) = database.jobs_and_results().await;
+    assert_eq!(jobs, results);
+}

@@ -1,0 +1,168 @@
+//! A place where the service runs: a database and a store of blobs of their own, nodes on them, and who looks at them
+//! from outside.
+
+use super::client::Client;
+use super::node::{Node, NotStarted, Starting};
+use super::postgres::Cluster;
+use super::s3::S3Server;
+use super::witness::Database;
+use homolog::jobs::{ArtifactStore, JobStore};
+use homolog::store::artifacts::{FolderArtifacts, S3Artifacts};
+use homolog::store::sql::{DatabaseLocation, SqlStore};
+use std::cell::Cell;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::time::Duration;
+use tempfile::TempDir;
+
+/// The lease of all nodes unless a test says otherwise.
+pub const LEASE: Duration = Duration::from_secs(2);
+/// How long what happens within a lease, a poll and a round of housekeeping may take on a loaded machine.
+pub const SOON: Duration = Duration::from_secs(20);
+
+/// What a node keeps jobs and blobs in.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Backend {
+    /// SQLite and a folder.
+    Sqlite,
+    /// PostgreSQL and S3.
+    Postgres,
+}
+
+/// A database, a store of blobs, and nothing that runs on them yet.
+pub struct Site {
+    pub folder: TempDir,
+    pub cluster: Option<Cluster>,
+    pub s3: Option<S3Server>,
+    n_nodes: Cell<usize>,
+}
+
+impl Site {
+    /// An empty one. `None` if this machine cannot have it, which is said.
+    pub fn open(backend: Backend) -> Option<Self> {
+        Site::open_on(backend, &std::env::temp_dir(), &std::env::temp_dir())
+    }
+
+    /// One whose database and whose S3 objects are on these disks; on SQLite both are on the first.
+    pub fn open_on(backend: Backend, database_disk: &Path, s3_disk: &Path) -> Option<Self> {
+        let (cluster, s3) = match backend {
+            Backend::Sqlite => (None, None),
+            Backend::Postgres => (Some(Cluster::start_under(database_disk)?), Some(S3Server::start_under(s3_disk))),
+        };
+        let folder = tempfile::tempdir_in(if cluster.is_none() { database_disk } else { Path::new("/tmp") }).unwrap();
+        Some(Site { folder, cluster, s3, n_nodes: Cell::new(0) })
+    }
+
+    /// The folder that nodes are told to use.
+    pub fn data_dir(&self) -> PathBuf {
+        self.folder.path().join("data")
+    }
+
+    /// What nodes are told by default; what a test passes as arguments outweighs it.
+    pub fn environment(&self) -> Vec<(&'static str, String)> {
+        let mut environment: Vec<_> = [
+            ("HOMOLOG_LISTEN", "127.0.0.1:0"),
+            ("HOMOLOG_POLL_MS", "50"),
+            ("HOMOLOG_LEASE_MS", "2000"),
+            ("HOMOLOG_HEARTBEAT_MS", "300"),
+            ("HOMOLOG_MAX_QUEUE", "100000"),
+            ("HOMOLOG_MAX_UPLOADS", "16"),
+        ]
+        .map(|(name, value)| (name, value.to_owned()))
+        .into();
+        environment.push(("HOMOLOG_DATA_DIR", self.data_dir().to_str().unwrap().to_owned()));
+        if let (Some(cluster), Some(s3)) = (&self.cluster, &self.s3) {
+            environment.push(("HOMOLOG_DATABASE_URL", cluster.url()));
+            environment.extend(S3Server::environment(s3.port()));
+        }
+        environment
+    }
+
+    /// A node that answers HTTP and, unless told otherwise, runs jobs.
+    pub fn serve(&self, arguments: &[&str]) -> Node {
+        self.node("serve", arguments, &[]).unwrap_or_else(|NotStarted(log)| panic!("{log}"))
+    }
+
+    /// A node that only runs jobs.
+    pub fn worker(&self, arguments: &[&str]) -> Node {
+        self.node("worker", arguments, &[]).unwrap_or_else(|NotStarted(log)| panic!("{log}"))
+    }
+
+    /// A node with further variables, which may outweigh those of the site.
+    pub fn node(&self, role: &str, arguments: &[&str], more: &[(&'static str, String)]) -> Result<Node, NotStarted> {
+        self.begin_node(role, arguments, more).ready()
+    }
+
+    /// A node that is not waited for.
+    pub fn begin_node(&self, role: &str, arguments: &[&str], more: &[(&'static str, String)]) -> Starting {
+        self.n_nodes.set(self.n_nodes.get() + 1);
+        // The log is not on the disk that a test may have filled.
+        let log = std::env::temp_dir().join(format!("homolog-node-{}-{}.log", std::process::id(), self.n_nodes.get()));
+        let arguments: Vec<_> = arguments.iter().map(|a| (*a).to_owned()).collect();
+        let environment = self.environment();
+        let environment: Vec<_> = environment.into_iter().chain(more.iter().cloned()).collect();
+        Starting::new(role, &arguments, &environment, &log)
+    }
+
+    /// Who speaks to a node.
+    pub fn client(&self, node: &Node) -> Client {
+        Client::of(&node.base)
+    }
+
+    /// Where jobs are.
+    pub fn location(&self) -> DatabaseLocation {
+        match &self.cluster {
+            None => DatabaseLocation::Folder(self.data_dir()),
+            Some(cluster) => DatabaseLocation::Postgres { url: cluster.url(), max_connections: 8, notify: true },
+        }
+    }
+
+    /// A blob store as nodes have it.
+    pub fn artifacts(&self) -> Arc<dyn ArtifactStore> {
+        match &self.s3 {
+            None => Arc::new(FolderArtifacts::open(&self.data_dir()).unwrap()),
+            Some(s3) => {
+                let variables = S3Server::environment(s3.port());
+                let url = variables.iter().find(|(name, _)| *name == "HOMOLOG_ARTIFACTS_URL").unwrap().1.clone();
+                let variables = variables.into_iter().map(|(name, value)| (name.to_owned(), value));
+                Arc::new(S3Artifacts::open_with(&url, variables).unwrap())
+            }
+        }
+    }
+
+    /// Connections of one's own to the job store, as another process would have.
+    pub async fn store(&self) -> Arc<dyn JobStore> {
+        std::fs::create_dir_all(self.data_dir()).unwrap();
+        Arc::new(SqlStore::open(&self.location()).await.unwrap())
+    }
+
+    /// A look into the database past the service. It has to have its tables already.
+    pub async fn database(&self) -> Database {
+        match &self.cluster {
+            None => Database::sqlite(&self.data_dir().join("homolog.sqlite")).await,
+            Some(cluster) => Database::postgres(&cluster.url()).await,
+        }
+    }
+
+    /// The names of all blobs that are stored, sorted.
+    pub fn blobs(&self) -> Vec<String> {
+        let root = match &self.s3 {
+            None => self.data_dir().join("blobs"),
+            Some(s3) => s3.bucket(),
+        };
+        let mut found = Vec::new();
+        names_under(&root, &mut found);
+        found.sort();
+        found
+    }
+}
+
+fn names_under(folder: &Path, into: &mut Vec<String>) {
+    for entry in std::fs::read_dir(folder).into_iter().flatten().flatten() {
+        if entry.path().is_dir() {
+            names_under(&entry.path(), into);
+        } else {
+            into.push(entry.file_name().to_string_lossy().into_owned());
+        }
+    }
+}

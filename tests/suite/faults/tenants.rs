@@ -1,0 +1,86 @@
+//! A19: what one tenant can learn of another's by any route: nothing.
+
+use super::client::{Client, id_of, steps};
+use super::on_both;
+use super::site::{Backend, SOON, Site};
+use serde_json::Value;
+use std::process::Command;
+
+on_both!(a19_another_tenants_things_are_not_there);
+
+/// A new key of this tenant, for everything.
+fn key(site: &Site, tenant: &str) -> String {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_homolog"));
+    command.args(["keys", "create", "--tenant", tenant, "--scope", "submit", "--scope", "read", "--scope", "admin"]);
+    let done = command.envs(site.environment()).output().unwrap();
+    assert!(done.status.success(), "{}", String::from_utf8_lossy(&done.stderr));
+    String::from_utf8(done.stdout).unwrap().split_whitespace().last().unwrap().to_owned()
+}
+
+fn client_with(base: &str, key: &str) -> Client {
+    let mut headers = reqwest::header::HeaderMap::new();
+    headers.insert("authorization", format!("Bearer {key}").parse().unwrap());
+    let http = reqwest::Client::builder().default_headers(headers).no_proxy().build().unwrap();
+    Client { base: base.to_owned(), http }
+}
+
+async fn a19_another_tenants_things_are_not_there(backend: Backend) {
+    let Some(site) = Site::open(backend) else { return };
+    let node = site.serve(&[]);
+    let openapi = site.client(&node).json("/openapi.json").await;
+    let owner = client_with(&node.base, &key(&site, "owner"));
+    let other = client_with(&node.base, &key(&site, "other"));
+    let job = owner.submit(steps(3, 1)).await;
+    owner.until_succeeded(&job, SOON).await;
+    let mesh = owner.http.post(format!("{}/v1/meshes", node.base)).body("ply mesh of the owner");
+    let mesh: Value = mesh.send().await.unwrap().json().await.unwrap();
+    let mesh = id_of(&mesh);
+    // The other has a job too, so that lists are not merely empty.
+    let own = other.submit(steps(1, 1)).await;
+    other.until_succeeded(&own, SOON).await;
+
+    let mut n_asked = 0;
+    for (path, operations) in openapi["paths"].as_object().unwrap() {
+        if !path.starts_with("/v1/") {
+            continue;
+        }
+        let (held, absent) = if path.starts_with("/v1/meshes") {
+            (mesh.clone(), format!("blake3:{}", "0".repeat(64)))
+        } else {
+            (job.clone(), uuid::Uuid::now_v7().to_string())
+        };
+        for method in
+            operations.as_object().unwrap().keys().filter(|m| ["get", "head", "post", "delete"].contains(&m.as_str()))
+        {
+            let ask = async |id: &str| {
+                let url = format!("{}{}", node.base, path.replace("{id}", id).replace("{hash}", id));
+                let request = other.http.request(method.to_uppercase().parse().unwrap(), url);
+                let response = request.send().await.unwrap();
+                let status = response.status().as_u16();
+                let text = response.text().await.unwrap_or_default();
+                let mut body: Value = serde_json::from_str(&text).unwrap_or(Value::String(text));
+                if let Some(members) = body.as_object_mut() {
+                    members.remove("request_id");
+                }
+                (status, body)
+            };
+            let (status, body) = ask(&held).await;
+            if path.contains('{') {
+                assert!(status >= 400, "{method} {path}: {status}");
+                let nothing = ask(&absent).await;
+                assert_eq!((status, &body), (nothing.0, &nothing.1), "{method} {path} tells what is there");
+                if method == "get" || method == "delete" {
+                    assert_eq!(status, 404, "{method} {path}");
+                }
+            }
+            let text = body.to_string();
+            assert!(!text.contains(&job) && !text.contains(&mesh), "{method} {path} tells of another's: {text}");
+            n_asked += 1;
+        }
+    }
+    assert!(n_asked > 15, "{n_asked} routes");
+    // By its content too: the same bytes are the other's own mesh, new to it.
+    let again = other.http.post(format!("{}/v1/meshes", node.base)).body("ply mesh of the owner").send().await.unwrap();
+    assert_eq!(again.status(), 201, "that somebody has these bytes is not told");
+    assert_eq!(owner.job(&job).await["state"], "succeeded");
+}

@@ -1,0 +1,228 @@
+//! A look into the database past the service, and a witness in it: triggers that note what was accepted, whatever the
+//! service says.
+
+use super::node::Node;
+use sqlx::sqlite::{SqliteConnectOptions, SqliteJournalMode};
+use sqlx::{AssertSqlSafe, PgPool, Sqlite, SqlitePool, Transaction};
+use std::path::Path;
+use std::time::Duration;
+
+/// The database of a site.
+#[derive(Debug, Clone)]
+pub enum Database {
+    Sqlite(SqlitePool),
+    Postgres(PgPool),
+}
+
+impl Database {
+    pub async fn sqlite(file: &Path) -> Self {
+        let options = SqliteConnectOptions::new()
+            .filename(file)
+            .journal_mode(SqliteJournalMode::Wal)
+            .busy_timeout(Duration::from_secs(30));
+        Database::Sqlite(SqlitePool::connect_with(options).await.unwrap())
+    }
+
+    pub async fn postgres(url: &str) -> Self {
+        Database::Postgres(PgPool::connect(url).await.unwrap())
+    }
+
+    /// Runs a statement.
+    pub async fn execute(&self, text: &str) {
+        let text = AssertSqlSafe(text.to_owned());
+        match self {
+            Database::Sqlite(pool) => drop(sqlx::raw_sql(text).execute(pool).await.unwrap()),
+            Database::Postgres(pool) => drop(sqlx::raw_sql(text).execute(pool).await.unwrap()),
+        }
+    }
+
+    /// Runs a statement that may fail.
+    pub async fn try_execute(&self, text: &str) {
+        let text = AssertSqlSafe(text.to_owned());
+        let _ = match self {
+            Database::Sqlite(pool) => sqlx::raw_sql(text).execute(pool).await.is_ok(),
+            Database::Postgres(pool) => sqlx::raw_sql(text).execute(pool).await.is_ok(),
+        };
+    }
+
+    /// A transaction that has read and stays open until the answer is dropped.
+    pub async fn hold_open(&self) -> Box<dyn std::any::Any + Send> {
+        match self {
+            Database::Sqlite(pool) => {
+                let mut held = pool.begin().await.unwrap();
+                let _: i64 = sqlx::query_scalar("SELECT COUNT(*) FROM jobs").fetch_one(&mut *held).await.unwrap();
+                Box::new(held)
+            }
+            Database::Postgres(pool) => {
+                let mut held = pool.begin_with("BEGIN ISOLATION LEVEL REPEATABLE READ").await.unwrap();
+                let _: i64 = sqlx::query_scalar("SELECT COUNT(*) FROM jobs").fetch_one(&mut *held).await.unwrap();
+                Box::new(held)
+            }
+        }
+    }
+
+    /// The one right to write to SQLite, held until the answer is dropped.
+    pub async fn hold_lock(&self) -> Transaction<'static, Sqlite> {
+        let Database::Sqlite(pool) = self else { panic!("PostgreSQL has no such lock") };
+        pool.begin_with("BEGIN IMMEDIATE").await.unwrap()
+    }
+
+    /// The one number that a query answers.
+    pub async fn number(&self, text: &str) -> i64 {
+        let text = AssertSqlSafe(text.to_owned());
+        match self {
+            Database::Sqlite(pool) => sqlx::query_scalar(text).fetch_one(pool).await.unwrap(),
+            Database::Postgres(pool) => sqlx::query_scalar(text).fetch_one(pool).await.unwrap(),
+        }
+    }
+
+    /// The texts of the one column that a query answers.
+    pub async fn texts(&self, text: &str) -> Vec<String> {
+        let text = AssertSqlSafe(text.to_owned());
+        match self {
+            Database::Sqlite(pool) => sqlx::query_scalar(text).fetch_all(pool).await.unwrap(),
+            Database::Postgres(pool) => sqlx::query_scalar(text).fetch_all(pool).await.unwrap(),
+        }
+    }
+
+    /// Every table in which some column of some row holds `text`, with the number of such rows.
+    pub async fn tables_with(&self, text: &str) -> Vec<(String, i64)> {
+        let mut found = Vec::new();
+        let tables = match self {
+            Database::Sqlite(_) => "SELECT name FROM sqlite_master WHERE type = 'table'",
+            Database::Postgres(_) => "SELECT tablename::text FROM pg_tables WHERE schemaname = 'public'",
+        };
+        for table in self.texts(tables).await {
+            let condition = match self {
+                Database::Sqlite(_) => {
+                    let columns = self.texts(&format!("SELECT name FROM pragma_table_info('{table}')")).await;
+                    let each = columns.iter().map(|c| format!("CAST(\"{c}\" AS TEXT) LIKE '%{text}%'"));
+                    each.collect::<Vec<_>>().join(" OR ")
+                }
+                Database::Postgres(_) => format!("t::text LIKE '%{text}%'"),
+            };
+            let n = self.number(&format!("SELECT COUNT(*) FROM {table} AS t WHERE {condition}")).await;
+            if n > 0 {
+                found.push((table, n));
+            }
+        }
+        found
+    }
+
+    /// From now on every accepted result and every claim is noted.
+    pub async fn watch(&self) {
+        self.execute(
+            "CREATE TABLE seen_results (job_id TEXT NOT NULL, epoch BIGINT NOT NULL);
+             CREATE TABLE seen_claims (job_id TEXT NOT NULL, epoch BIGINT NOT NULL);",
+        )
+        .await;
+        match self {
+            Database::Sqlite(_) => {
+                self.execute(
+                    "CREATE TRIGGER see_result AFTER UPDATE OF state ON jobs WHEN NEW.state = 'succeeded'
+                     BEGIN INSERT INTO seen_results VALUES (NEW.id, NEW.lease_epoch); END;
+                     CREATE TRIGGER see_claim AFTER UPDATE OF lease_epoch ON jobs
+                     BEGIN INSERT INTO seen_claims VALUES (NEW.id, NEW.lease_epoch); END;",
+                )
+                .await;
+            }
+            Database::Postgres(_) => {
+                self.execute(
+                    "CREATE FUNCTION see_result() RETURNS trigger LANGUAGE plpgsql AS
+                     $$ BEGIN INSERT INTO seen_results VALUES (NEW.id::text, NEW.lease_epoch); RETURN NULL; END $$;
+                     CREATE FUNCTION see_claim() RETURNS trigger LANGUAGE plpgsql AS
+                     $$ BEGIN INSERT INTO seen_claims VALUES (NEW.id::text, NEW.lease_epoch); RETURN NULL; END $$;
+                     CREATE TRIGGER see_result AFTER UPDATE OF state ON jobs
+                     FOR EACH ROW WHEN (NEW.state = 'succeeded') EXECUTE FUNCTION see_result();
+                     CREATE TRIGGER see_claim AFTER UPDATE OF lease_epoch ON jobs
+                     FOR EACH ROW EXECUTE FUNCTION see_claim();",
+                )
+                .await;
+            }
+        }
+    }
+
+    /// From now on no lease can be prolonged, while all else works.
+    pub async fn fail_heartbeats(&self) {
+        match self {
+            Database::Sqlite(_) => {
+                self.execute(
+                    "CREATE TRIGGER fail_heartbeat BEFORE UPDATE OF lease_expires_at ON jobs
+                     WHEN NEW.state = 'running' AND OLD.state = 'running' AND NEW.lease_epoch = OLD.lease_epoch
+                     BEGIN SELECT RAISE(ABORT, 'told to fail'); END",
+                )
+                .await;
+            }
+            Database::Postgres(_) => {
+                self.execute(
+                    "CREATE FUNCTION fail_heartbeat() RETURNS trigger LANGUAGE plpgsql AS
+                     $$ BEGIN RAISE EXCEPTION 'told to fail'; END $$;
+                     CREATE TRIGGER fail_heartbeat BEFORE UPDATE OF lease_expires_at ON jobs FOR EACH ROW
+                     WHEN (NEW.state = 'running' AND OLD.state = 'running' AND NEW.lease_epoch = OLD.lease_epoch)
+                     EXECUTE FUNCTION fail_heartbeat();",
+                )
+                .await;
+            }
+        }
+    }
+
+    /// Ends that.
+    pub async fn allow_heartbeats(&self) {
+        match self {
+            Database::Sqlite(_) => self.execute("DROP TRIGGER fail_heartbeat").await,
+            Database::Postgres(_) => self.execute("DROP TRIGGER fail_heartbeat ON jobs").await,
+        }
+    }
+
+    /// SIGSTOP to a node, at a moment when it holds no lock: what a sleeping holder of a lock does to the others is
+    /// another question.
+    pub async fn freeze(&self, node: &Node) {
+        for _ in 0..100 {
+            node.freeze();
+            if !self.is_locked().await {
+                return;
+            }
+            node.thaw();
+            tokio::time::sleep(Duration::from_millis(20)).await;
+        }
+        panic!("the node always holds a lock");
+    }
+
+    async fn is_locked(&self) -> bool {
+        match self {
+            Database::Sqlite(pool) => {
+                let mut connection = pool.acquire().await.unwrap();
+                sqlx::query("PRAGMA busy_timeout = 300").execute(&mut *connection).await.unwrap();
+                let locked = sqlx::query("BEGIN IMMEDIATE").execute(&mut *connection).await.is_err();
+                if !locked {
+                    sqlx::query("ROLLBACK").execute(&mut *connection).await.unwrap();
+                }
+                sqlx::query("PRAGMA busy_timeout = 30000").execute(&mut *connection).await.unwrap();
+                locked
+            }
+            Database::Postgres(pool) => {
+                let mut transaction = pool.begin().await.unwrap();
+                sqlx::query("SELECT 1 FROM jobs FOR UPDATE NOWAIT").execute(&mut *transaction).await.is_err()
+            }
+        }
+    }
+
+    /// How often a result of the job was accepted.
+    pub async fn n_results(&self, id: &str) -> i64 {
+        self.number(&format!("SELECT COUNT(*) FROM seen_results WHERE job_id = '{id}'")).await
+    }
+
+    /// Jobs of which a result was accepted, and results: equal if each was accepted once.
+    pub async fn jobs_and_results(&self) -> (i64, i64) {
+        let jobs = self.number("SELECT COUNT(DISTINCT job_id) FROM seen_results").await;
+        (jobs, self.number("SELECT COUNT(*) FROM seen_results").await)
+    }
+
+    /// Claims, and claims that differ in job or epoch: equal if none was made twice.
+    pub async fn claims(&self) -> (i64, i64) {
+        let all = self.number("SELECT COUNT(*) FROM seen_claims").await;
+        let distinct =
+            self.number("SELECT COUNT(*) FROM (SELECT DISTINCT job_id, epoch FROM seen_claims) AS each_once").await;
+        (all, distinct)
+    }
+}

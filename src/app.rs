@@ -1,11 +1,11 @@
 //! The wiring: which store, which engine, which workers, and how a process begins and ends.
 
 use crate::config::{HttpSettings, ServiceSettings};
-use crate::http::{HttpState, router};
-use crate::jobs::{ArtifactStore, Engine, JobError, JobService, JobStore, WorkerId};
-use crate::store::artifacts::FolderArtifacts;
+use crate::http::{AuthMode, HttpState, router};
+use crate::jobs::{ArtifactStore, Engine, JobError, JobService, JobStore, Processes, Stores, WorkerId};
+use crate::store::artifacts::{FolderArtifacts, S3Artifacts};
 use crate::store::presence::{Ownership, Presence};
-use crate::store::sqlite::SqliteStore;
+use crate::store::sql::SqlStore;
 use crate::worker::heartbeat::Heart;
 use crate::worker::housekeeper::Housekeeper;
 use crate::worker::match_engine::MatchEngine;
@@ -20,6 +20,8 @@ use tokio_util::sync::CancellationToken;
 
 /// How long a new `serve` waits for its predecessor to leave the data directory.
 const TAKEOVER: Duration = Duration::from_secs(10);
+/// Connections of the heart.
+const HEART_CONNECTIONS: u32 = 2;
 /// How long open connections may hold up the end of a process after its jobs are settled.
 const LAST_ANSWERS: Duration = Duration::from_secs(5);
 
@@ -27,7 +29,7 @@ const LAST_ANSWERS: Duration = Duration::from_secs(5);
 #[derive(Debug, thiserror::Error)]
 pub enum AppError {
     /// Others could reach the service, and nobody would be asked who they are.
-    #[error("{0} can be reached from outside and there is no authentication: listen on 127.0.0.1, or say --insecure")]
+    #[error("{0} can be reached from outside and there would be no authentication: say --auth keys, listen on 127.0.0.1, or say --insecure")]
     Insecure(SocketAddr),
     /// The address cannot be had.
     #[error("cannot listen on {address}: {error}")]
@@ -104,7 +106,7 @@ async fn wait_for_signal() {
 pub struct App {
     parts: PoolParts,
     housekeeper: Housekeeper,
-    stores: [SqliteStore; 2],
+    stores: [SqlStore; 2],
     _ownership: Option<Ownership>,
 }
 
@@ -121,29 +123,35 @@ impl App {
     ) -> Result<Self, AppError> {
         let data_dir = settings.data_dir.clone();
         let unusable = |error| AppError::DataDir { path: data_dir.clone(), error };
-        std::fs::create_dir_all(&data_dir).map_err(unusable)?;
-        let ownership = if serves {
+        let is_shared = settings.database_url.is_some();
+        if !is_shared || settings.artifacts_url.is_none() {
+            std::fs::create_dir_all(&data_dir).map_err(unusable)?;
+        }
+        // Only one process serves a SQLite database; a PostgreSQL server is there for many.
+        let ownership = if serves && !is_shared {
             Some(Ownership::take(&data_dir, TAKEOVER).map_err(unusable)?.ok_or(AppError::Taken(data_dir.clone()))?)
         } else {
             None
         };
         let database = |e: JobError| AppError::Store { what: "the database", error: with_causes(&e) };
-        let store = SqliteStore::open(&data_dir).await.map_err(database)?;
+        let store = open_database(settings).await?;
         // Heartbeats have connections of their own, so that they never wait behind other work of this process.
-        let heart_store = SqliteStore::open(&data_dir).await.map_err(database)?;
-        let artifacts = FolderArtifacts::open(&data_dir)
-            .map_err(|e| AppError::Store { what: "the folder of blobs", error: with_causes(&e) })?;
+        let heart_store = SqlStore::open(&settings.database(HEART_CONNECTIONS)).await.map_err(database)?;
+        let artifacts = open_artifacts(settings)?;
         let worker = WorkerId::random();
-        let presence = Presence::announce(&data_dir, &worker).map_err(unusable)?;
+        let processes: Option<Arc<dyn Processes>> = match is_shared {
+            true => None,
+            false => Some(Arc::new(Presence::announce(&data_dir, &worker).map_err(unusable)?)),
+        };
         let worker_settings = settings.worker_settings();
         let heart = Heart::start(Arc::new(heart_store.clone()), worker_settings.heartbeat, worker_settings.lease)
             .map_err(AppError::Thread)?;
         let job_store: Arc<dyn JobStore> = Arc::new(store.clone());
-        let artifacts: Arc<dyn ArtifactStore> = Arc::new(artifacts);
         let housekeeper = Housekeeper {
             store: Arc::clone(&job_store),
             artifacts: Arc::clone(&artifacts),
-            presence: Arc::new(presence),
+            processes,
+            retention: settings.retention(),
         };
         housekeeper.recover().await.map_err(database)?;
         let parts = PoolParts {
@@ -163,16 +171,25 @@ impl App {
     /// Runs jobs, and answers HTTP on `listener` if there is one, until `shutdown`.
     pub async fn run(self, http: Option<(TcpListener, HttpSettings, ServiceSettings)>, shutdown: &Shutdown) {
         let housekeeping = tokio::spawn(self.housekeeper.clone().run(shutdown.stop.clone()));
+        let hints = {
+            let (store, queued) = (Arc::clone(&self.parts.store), Arc::clone(&self.parts.queued));
+            tokio::spawn(async move { store.follow_hints(&queued).await })
+        };
         let pool = Pool::start(&self.parts);
         let server = http.map(|(listener, http, service)| {
-            let use_cases = JobService::new(
-                Arc::clone(&self.parts.store),
-                Arc::clone(&self.parts.artifacts),
-                Arc::clone(&self.parts.engine),
-                http.submission_limits(&service),
-                Arc::clone(&self.parts.queued),
-            );
-            let state = HttpState::new(Arc::new(use_cases), http.http_limits(&service), shutdown.stop.clone());
+            let own = Arc::new(self.stores[0].clone());
+            let stores = Stores {
+                jobs: Arc::clone(&self.parts.store),
+                meshes: own.clone(),
+                keys: own.clone(),
+                webhooks: own,
+                artifacts: Arc::clone(&self.parts.artifacts),
+            };
+            let engine = Arc::clone(&self.parts.engine);
+            let queued = Arc::clone(&self.parts.queued);
+            let use_cases = JobService::new(stores, engine, http.submission_limits(&service), queued);
+            let auth = http.auth_mode().unwrap_or(AuthMode::Keys);
+            let state = HttpState::new(Arc::new(use_cases), http.http_limits(&service), auth, shutdown.stop.clone());
             let stop = shutdown.stop.clone();
             tokio::spawn(async move {
                 let serving = axum::serve(listener, router(state)).with_graceful_shutdown(stop.cancelled_owned());
@@ -183,6 +200,7 @@ impl App {
         });
         shutdown.stop.cancelled().await;
         pool.ended().await;
+        hints.abort();
         let _ = housekeeping.await;
         if let Some(server) = server
             && tokio::time::timeout(LAST_ANSWERS, server).await.is_err()
@@ -196,6 +214,27 @@ impl App {
     }
 }
 
+/// The database of the settings, its tables up to date.
+///
+/// # Errors
+/// [`AppError::Store`].
+pub async fn open_database(settings: &ServiceSettings) -> Result<SqlStore, AppError> {
+    let opened = SqlStore::open(&settings.database(settings.database_connections)).await;
+    opened.map_err(|e| AppError::Store { what: "the database", error: with_causes(&e) })
+}
+
+/// The blob store of the settings.
+///
+/// # Errors
+/// [`AppError::Store`].
+pub fn open_artifacts(settings: &ServiceSettings) -> Result<Arc<dyn ArtifactStore>, AppError> {
+    let failed = |what| move |e: JobError| AppError::Store { what, error: with_causes(&e) };
+    Ok(match &settings.artifacts_url {
+        None => Arc::new(FolderArtifacts::open(&settings.data_dir).map_err(failed("the folder of blobs"))?),
+        Some(url) => Arc::new(S3Artifacts::open(url).map_err(failed("the S3-compatible store"))?),
+    })
+}
+
 /// The engine of this program.
 pub fn engine(settings: &ServiceSettings) -> Arc<dyn Engine> {
     Arc::new(MatchEngine { limits: settings.intake_limits() })
@@ -207,7 +246,7 @@ pub fn engine(settings: &ServiceSettings) -> Arc<dyn Engine> {
 /// [`AppError::Insecure`], [`AppError::Listen`].
 pub async fn listen(http: &HttpSettings) -> Result<TcpListener, AppError> {
     let address = http.listen;
-    if !address.ip().is_loopback() && !http.insecure {
+    if http.auth_mode().is_none() {
         return Err(AppError::Insecure(address));
     }
     TcpListener::bind(address).await.map_err(|error| AppError::Listen { address, error })

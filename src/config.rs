@@ -2,7 +2,9 @@
 
 use crate::http::HttpLimits;
 use crate::intake::{DEFAULT_MATCH_BYTES, IntakeLimits};
-use crate::jobs::SubmissionLimits;
+use crate::http::AuthMode;
+use crate::jobs::{Retention, SubmissionLimits};
+use crate::store::sql::DatabaseLocation;
 use crate::worker::WorkerSettings;
 use std::net::SocketAddr;
 use std::path::PathBuf;
@@ -14,6 +16,24 @@ pub struct ServiceSettings {
     /// Where jobs and files are kept
     #[arg(long, env = "HOMOLOG_DATA_DIR", default_value = "./homolog-data", value_name = "DIR")]
     pub data_dir: PathBuf,
+    /// PostgreSQL for jobs and queue, as postgres://user:password@host/database; absent: SQLite in the data directory
+    #[arg(long, env = "HOMOLOG_DATABASE_URL", hide_env_values = true, value_name = "URL")]
+    pub database_url: Option<String>,
+    /// Most connections of this process to PostgreSQL, besides two for heartbeats
+    #[arg(long, env = "HOMOLOG_DATABASE_CONNECTIONS", default_value_t = 8, value_parser = clap::value_parser!(u32).range(2..=200), value_name = "N")]
+    pub database_connections: u32,
+    /// Whether processes on PostgreSQL tell each other of queued jobs (LISTEN/NOTIFY); only makes them start sooner
+    #[arg(long, env = "HOMOLOG_NOTIFY", default_value_t = true, action = clap::ArgAction::Set, value_name = "BOOL")]
+    pub notify: bool,
+    /// S3-compatible store of files, as s3://bucket/prefix, with AWS_* in the environment; absent: a folder in the data directory
+    #[arg(long, env = "HOMOLOG_ARTIFACTS_URL", value_name = "URL")]
+    pub artifacts_url: Option<String>,
+    /// How long results and traces are kept after the end of a job, days; 0 for ever
+    #[arg(long, env = "HOMOLOG_RETAIN_RESULTS_DAYS", default_value_t = 90.0, value_parser = days, value_name = "DAYS")]
+    pub retain_results_days: f64,
+    /// How long records of jobs are kept after their end, and all that belongs to them, days; 0 for ever
+    #[arg(long, env = "HOMOLOG_RETAIN_JOBS_DAYS", default_value_t = 365.0, value_parser = days, value_name = "DAYS")]
+    pub retain_jobs_days: f64,
     /// Jobs run at the same time; each uses all cores
     #[arg(long, env = "HOMOLOG_WORKERS", default_value_t = 1, value_name = "N")]
     pub workers: usize,
@@ -70,10 +90,16 @@ pub struct HttpSettings {
     /// Address to listen on
     #[arg(long, env = "HOMOLOG_LISTEN", default_value = "127.0.0.1:8080", value_name = "ADDRESS:PORT")]
     pub listen: SocketAddr,
-    /// Listen on an address that others can reach, without authentication
+    /// Listen on an address that others can reach, without API keys
     #[arg(long, env = "HOMOLOG_INSECURE", value_parser = clap::builder::FalseyValueParser::new())]
     pub insecure: bool,
-    /// Most jobs that may wait
+    /// Who may ask: anyone, or holders of API keys; absent: anyone on a loopback address, holders of keys elsewhere
+    #[arg(long, env = "HOMOLOG_AUTH", value_enum)]
+    pub auth: Option<AuthMode>,
+    /// Most jobs of a batch
+    #[arg(long, env = "HOMOLOG_MAX_BATCH", default_value_t = 1_000, value_name = "N")]
+    pub max_batch: usize,
+    /// Most jobs of a tenant that may wait
     #[arg(long, env = "HOMOLOG_MAX_QUEUE", default_value_t = 1_000, value_name = "N")]
     pub max_queue: u32,
     /// Submissions read at the same time; each may hold two files in memory
@@ -90,7 +116,35 @@ pub struct HttpSettings {
     pub request_timeout_s: u64,
 }
 
+/// A number of days that a duration can hold.
+fn days(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(days) if (0.0..=36_500.0).contains(&days) => Ok(days),
+        _ => Err("a number of days from 0 to 36500 is needed here".to_owned()),
+    }
+}
+
+/// Zero days are for ever.
+fn retained(days: f64) -> Option<Duration> {
+    (days > 0.0).then(|| Duration::from_secs_f64(days * 86_400.0))
+}
+
 impl ServiceSettings {
+    /// Where jobs are; `connections` at most if that is a server.
+    pub fn database(&self, connections: u32) -> DatabaseLocation {
+        match &self.database_url {
+            None => DatabaseLocation::Folder(self.data_dir.clone()),
+            Some(url) => {
+                DatabaseLocation::Postgres { url: url.clone(), max_connections: connections, notify: self.notify }
+            }
+        }
+    }
+
+    /// How long things are kept.
+    pub fn retention(&self) -> Retention {
+        Retention { results: retained(self.retain_results_days), jobs: retained(self.retain_jobs_days) }
+    }
+
     /// Bounds on what is read.
     pub fn intake_limits(&self) -> IntakeLimits {
         IntakeLimits {
@@ -111,12 +165,24 @@ impl ServiceSettings {
             heartbeat: Duration::from_millis(self.heartbeat_ms).min(lease / 3),
             poll: Duration::from_millis(self.poll_ms),
             max_run: Duration::from_secs(self.max_run_s),
+            keep_results: self.retention().results,
             ..WorkerSettings::default()
         }
     }
 }
 
 impl HttpSettings {
+    /// Who may ask. `None`: anyone who can reach the address would be let in, and nobody said that this is wanted.
+    pub fn auth_mode(&self) -> Option<AuthMode> {
+        let is_local = self.listen.ip().is_loopback();
+        match self.auth {
+            Some(AuthMode::None) if !is_local && !self.insecure => None,
+            Some(mode) => Some(mode),
+            None if is_local || self.insecure => Some(AuthMode::None),
+            None => Some(AuthMode::Keys),
+        }
+    }
+
     /// Bounds on requests.
     pub fn http_limits(&self, service: &ServiceSettings) -> HttpLimits {
         HttpLimits {
@@ -135,6 +201,11 @@ impl HttpSettings {
             max_checks: self.max_checks,
             max_check_wait: Duration::from_secs(60),
             max_attempts: service.max_attempts,
+            max_batch: self.max_batch,
+            once_for: Duration::from_secs(24 * 3600),
+            keep_results: service.retention().results,
+            max_file_bytes: service.max_file_bytes,
+            max_run: Duration::from_secs(service.max_run_s),
         }
     }
 }

@@ -45,3 +45,4 @@ pub mod app;
 pub mod cli;
 pub mod config;
 pub mod telemetry;
+mod tls;

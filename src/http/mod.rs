@@ -6,6 +6,7 @@
 //! Invariant: every error answer is `application/problem+json`; an answer of 5xx hides its cause and carries the
 //! request id. Nothing here knows a store or how a match is computed.
 
+pub mod auth;
 pub mod context;
 pub mod openapi;
 pub mod problem;
@@ -18,4 +19,5 @@ pub mod wire;
 
 mod conditional;
 
+pub use auth::AuthMode;
 pub use router::{HttpLimits, HttpState, router};

@@ -3,7 +3,7 @@
 use super::context::request_id;
 use super::problem_table::ProblemKind;
 use crate::jobs::{Failure, JobError, SubmitError};
-use axum::http::{HeaderValue, header};
+use axum::http::{HeaderValue, StatusCode, header};
 use axum::response::{IntoResponse, Response};
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value, json};
@@ -145,6 +145,9 @@ impl IntoResponse for Problem {
         body.extend(self.members);
         let mut response = (entry.status, Value::Object(body).to_string()).into_response();
         response.headers_mut().insert(header::CONTENT_TYPE, HeaderValue::from_static(PROBLEM_JSON));
+        if entry.status == StatusCode::UNAUTHORIZED {
+            response.headers_mut().insert(header::WWW_AUTHENTICATE, HeaderValue::from_static("Bearer"));
+        }
         if let Some(seconds) = self.retry_after_s {
             response.headers_mut().insert(header::RETRY_AFTER, seconds.into());
         }
@@ -159,6 +162,12 @@ impl From<JobError> for Problem {
         };
         match error {
             JobError::NotFound => Problem::new(ProblemKind::JobNotFound),
+            JobError::MeshNotFound => Problem::new(ProblemKind::MeshNotFound),
+            JobError::BatchNotFound => Problem::new(ProblemKind::BatchNotFound),
+            JobError::WebhookNotFound => Problem::new(ProblemKind::WebhookNotFound),
+            JobError::MeshInUse => Problem::new(ProblemKind::MeshInUse),
+            JobError::Gone => Problem::new(ProblemKind::Expired),
+            JobError::BeingRemoved => Problem::new(ProblemKind::Unavailable).retry_after(2),
             JobError::QueueFull { limit } => {
                 Problem::new(ProblemKind::QueueFull).detail(format!("{limit} jobs wait already")).retry_after(10)
             }
@@ -199,6 +208,20 @@ impl From<SubmitError> for Problem {
                 Problem::new(ProblemKind::from_slug(&refusal.code).unwrap_or(ProblemKind::InvalidInput))
                     .detail(refusal.detail)
             }
+            SubmitError::Batch(faults) => {
+                let errors: Vec<_> = faults
+                    .into_iter()
+                    .map(|(number, side, refusal)| {
+                        FieldError::new(format!("/pairs/{number}/{side}"), &refusal.code, refusal.detail)
+                    })
+                    .collect();
+                Problem::new(ProblemKind::UnsuitableBatch).errors(&errors)
+            }
+            SubmitError::BatchTooLarge { limit } => Problem::new(ProblemKind::TooLarge)
+                .detail(format!("a batch has at most {limit} jobs"))
+                .member("limit_jobs", limit.into()),
+            SubmitError::InProgress => Problem::new(ProblemKind::IdempotencyKeyInProgress).retry_after(1),
+            SubmitError::OtherRequest => Problem::new(ProblemKind::IdempotencyKeyReused),
             SubmitError::Busy => Problem::new(ProblemKind::Busy).retry_after(5),
             SubmitError::CheckFailed { .. } => Problem::internal(&error),
             SubmitError::Job(error) => error.into(),

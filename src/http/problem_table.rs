@@ -47,6 +47,16 @@ problems! {
         "Check the path against /openapi.json.";
     JobNotFound = "job-not-found", NOT_FOUND, "No such job",
         "Check the id; a deleted job is gone for good.";
+    MeshNotFound = "mesh-not-found", NOT_FOUND, "No such mesh",
+        "Upload it with POST /v1/meshes; its id is the hash of its content.";
+    BatchNotFound = "batch-not-found", NOT_FOUND, "No such batch",
+        "Check the id.";
+    WebhookNotFound = "webhook-not-found", NOT_FOUND, "No such webhook",
+        "Check the id.";
+    Unauthenticated = "unauthenticated", UNAUTHORIZED, "A valid API key is needed",
+        "Send Authorization: Bearer and a key that is neither expired nor revoked.";
+    ScopeMissing = "scope-missing", FORBIDDEN, "The API key does not allow this",
+        "Ask the operator for a key with the scope that the detail names.";
     MethodNotFound = "method-not-found", NOT_FOUND, "No such matching method",
         "GET /v1/methods lists those there are.";
     ProblemNotFound = "problem-not-found", NOT_FOUND, "No such problem type",
@@ -87,6 +97,18 @@ problems! {
         "Submit again over a faster connection, or send smaller files.";
     Timeout = "timeout", SERVICE_UNAVAILABLE, "The answer took too long",
         "Ask again after the time in Retry-After.";
+    MeshInUse = "mesh-in-use", CONFLICT, "Jobs refer to the mesh",
+        "Delete those jobs first, or wait until their retention is over.";
+    Expired = "expired", GONE, "The result was removed when its time was over",
+        "Submit the inputs again.";
+    DeadlinePassed = "deadline-passed", UNPROCESSABLE_ENTITY, "The job's deadline passed before a worker was free",
+        "Submit again with a later deadline or a higher priority.";
+    IdempotencyKeyReused = "idempotency-key-reused", UNPROCESSABLE_ENTITY, "Another request was made with this Idempotency-Key",
+        "Take a new key for a new request.";
+    IdempotencyKeyInProgress = "idempotency-key-in-progress", CONFLICT, "The same request is being worked on",
+        "Send it again after the time in Retry-After; it will be answered alike.";
+    UnsuitableBatch = "unsuitable-batch", UNPROCESSABLE_ENTITY, "Some jobs of the batch cannot be made",
+        "Each entry of errors points at a pair and says why; nothing was made.";
     ResultNotReady = "result-not-ready", CONFLICT, "The job is not finished",
         "Follow the job until its state is final; state says what it is now.";
     NoResult = "no-result", CONFLICT, "The job ended without a result",

@@ -1,5 +1,6 @@
 //! The routes and the layers around them.
 
+use super::auth::AuthMode;
 use super::context::{panic_problem, surround};
 use super::openapi::document;
 use super::problem::Problem;
@@ -48,15 +49,17 @@ pub struct HttpState {
     pub limits: HttpLimits,
     /// Places for submissions being read.
     pub uploads: Arc<Semaphore>,
+    /// Who may ask.
+    pub auth: AuthMode,
     /// The process ends: long polls answer at once.
     pub stop: CancellationToken,
 }
 
 impl HttpState {
     /// The state over these use cases.
-    pub fn new(service: Arc<JobService>, limits: HttpLimits, stop: CancellationToken) -> Self {
+    pub fn new(service: Arc<JobService>, limits: HttpLimits, auth: AuthMode, stop: CancellationToken) -> Self {
         let uploads = Arc::new(Semaphore::new(limits.max_uploads.max(1)));
-        HttpState { service, limits, uploads, stop }
+        HttpState { service, limits, uploads, auth, stop }
     }
 }
 

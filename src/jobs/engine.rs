@@ -64,6 +64,10 @@ pub struct Resolved {
     pub method_version: String,
     /// Every value.
     pub parameters: Value,
+    /// What the check of an input depends on, as a text: checks of one file under equal keys find the same.
+    pub input_key: String,
+    /// Version of all that a result depends on besides inputs and parameters; equal ones give the same bytes.
+    pub result_version: String,
 }
 
 /// A fault in the parameters.
@@ -87,7 +91,7 @@ pub struct InputBytes<'a> {
 }
 
 /// An input that can be matched.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct InputSummary {
     /// Vertices of the surface to be matched.
     pub n_vertices: u32,
@@ -98,7 +102,7 @@ pub struct InputSummary {
 }
 
 /// An input that cannot be matched.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct InputRefusal {
     /// Stable name of the problem.
     pub code: String,

@@ -38,6 +38,24 @@ pub enum JobError {
         /// Its state.
         state: JobState,
     },
+    /// No such upload of this tenant.
+    #[error("no such mesh")]
+    MeshNotFound,
+    /// No such batch of this tenant.
+    #[error("no such batch")]
+    BatchNotFound,
+    /// No such webhook of this tenant.
+    #[error("no such webhook")]
+    WebhookNotFound,
+    /// Jobs refer to the upload.
+    #[error("jobs refer to the mesh")]
+    MeshInUse,
+    /// The result was removed when its time was over.
+    #[error("the result was removed")]
+    Gone,
+    /// A blob is being removed; it can be written again in a moment.
+    #[error("the blob is being removed")]
+    BeingRemoved,
     /// The lease is somebody else's now, or the job is finished or gone.
     #[error("the lease is lost")]
     LeaseLost,

@@ -1,5 +1,6 @@
 //! The record of a job, what makes a new one, and how lists of them are asked for.
 
+use super::batch::BatchId;
 use super::state::JobState;
 use super::trace::Progress;
 use jiff::Timestamp;
@@ -151,6 +152,18 @@ pub struct Job {
     pub cancel_requested: bool,
     /// Why it has no result.
     pub error: Option<Failure>,
+    /// Longest run that its submitter allows.
+    pub max_run_ms: Option<u64>,
+    /// The job that this one tries again.
+    pub retry_of: Option<JobId>,
+    /// The batch that it belongs to.
+    pub batch_id: Option<BatchId>,
+    /// Whether it was answered from an equal job's result.
+    pub cached: bool,
+    /// When its result was removed.
+    pub purged_at: Option<Timestamp>,
+    /// W3C trace context of its submission.
+    pub traceparent: Option<String>,
     /// Raised at every claim; fences everything a worker writes.
     pub lease_epoch: u64,
     /// The database's clock when this was read.
@@ -158,6 +171,29 @@ pub struct Job {
 }
 
 impl Job {
+    /// The job as it was when it was accepted: what its submission was answered.
+    #[must_use]
+    pub fn as_accepted(&self) -> Job {
+        if self.cached {
+            return self.clone();
+        }
+        Job {
+            state: JobState::Queued,
+            attempt: 0,
+            crashes: 0,
+            progress: None,
+            queue_position: None,
+            started_at: None,
+            finished_at: None,
+            expires_at: None,
+            cancel_requested: false,
+            error: None,
+            purged_at: None,
+            lease_epoch: 0,
+            ..self.clone()
+        }
+    }
+
     /// Remaining time, ms, if the rest goes as fast as what is done. `None` before a twentieth is done.
     pub fn eta_ms(&self) -> Option<u64> {
         let (progress, started) = (self.progress.as_ref()?, self.started_at?);
@@ -194,6 +230,20 @@ pub struct NewJob {
     pub external_ref: Option<String>,
     /// Crashes after which it is dead.
     pub max_attempts: u32,
+    /// When it is too late to begin.
+    pub deadline_at: Option<Timestamp>,
+    /// Longest run that its submitter allows.
+    pub max_run_ms: Option<u64>,
+    /// The job that this one tries again.
+    pub retry_of: Option<JobId>,
+    /// The batch that it belongs to.
+    pub batch_id: Option<BatchId>,
+    /// Jobs with this key have the same result; `None` if it must be computed.
+    pub cache_key: Option<String>,
+    /// Whether the result of an equal job may be its own.
+    pub use_cache: bool,
+    /// W3C trace context of its submission.
+    pub traceparent: Option<String>,
 }
 
 /// Which jobs a list shows; an empty filter shows all of the tenant.
@@ -205,6 +255,14 @@ pub struct JobFilter {
     pub method: Option<String>,
     /// This external reference.
     pub external_ref: Option<String>,
+    /// This batch.
+    pub batch_id: Option<BatchId>,
+    /// All of these labels.
+    pub labels: BTreeMap<String, String>,
+    /// Made at this time or later.
+    pub created_from: Option<Timestamp>,
+    /// Made before this time.
+    pub created_before: Option<Timestamp>,
 }
 
 /// Order of a list by time of making.

@@ -1,26 +1,53 @@
 //! Jobs: what they are, the states they pass through, who may change them, and the ports to what stores and computes.
 //!
 //! Reading order: [`state`] (the machine), [`job`] (the record), [`lease`] (who works on it, fenced by an epoch),
-//! [`trace`] (what a running job tells), [`ports`] (stores) and [`engine`] (the computation), [`service`] (use cases).
+//! [`trace`] (what a running job tells), [`ports`] (stores) and [`engine`] (the computation), [`service`] (use cases),
+//! [`submission`], [`uploads`], [`follow`]; beside the job: [`admission`], [`mod@batch`], [`change`], [`mesh`], [`key`],
+//! [`webhook`], [`retention`].
 //!
 //! Invariant: nothing here knows SQL, HTTP or how a match is computed. Parameters, reports and results are JSON
 //! values and blobs that pass through.
 
+pub mod admission;
+pub mod batch;
+pub mod change;
 pub mod documents;
 pub mod engine;
 pub mod error;
+pub mod follow;
 pub mod job;
+pub mod key;
 pub mod lease;
+pub mod mesh;
 pub mod ports;
+pub mod retention;
 pub mod service;
 pub mod state;
+pub mod submission;
 pub mod trace;
+pub mod uploads;
+pub mod webhook;
 
+pub use admission::{Admission, Made, Once, OnceStatus};
+pub use batch::{Batch, BatchId, BatchPage, NewBatch};
+pub use change::{Change, ChangePage};
 pub use engine::{ComputeError, ComputeTask, Engine, InputBytes, InputRefusal, InputSummary, ParameterFault};
 pub use error::JobError;
 pub use job::{Failure, Job, JobFilter, JobId, JobInput, JobPage, NewJob, Order, PageRequest, Tenant};
+pub use key::{ApiKey, KeyStore, Scope, SecretKey};
 pub use lease::{Lease, LeaseStatus, LeasedJob, Recovered, WorkerId};
-pub use ports::{ArtifactKey, ArtifactKind, ArtifactRef, ArtifactStore, JobStore, Outcome};
-pub use service::{JobService, Submission, SubmissionLimits, SubmitError, SubmittedFile};
+pub use mesh::{CheckOutcome, Mesh, MeshPage, MeshStore};
+pub use ports::{
+    ArtifactKey, ArtifactKind, ArtifactRef, ArtifactStore, ArtifactWriter, DepartedProcess, JobStore, Outcome,
+    Processes,
+};
+pub use retention::{Overdue, Purged, Retention};
+pub use service::{BulkCancelled, JobService, Stores, SubmissionLimits};
 pub use state::{CancelEffect, JobState, cancel_effect, state_after_crash, state_after_release};
+pub use submission::{
+    Accepted, BatchPair, BatchSubmission, Details, Submission, SubmitError, SubmittedFile, SubmittedInput, Validated,
+};
 pub use trace::{NumberedPoint, Progress, TraceChunk, TracePage};
+pub use webhook::{
+    Attempted, Delivery, DeliveryPage, DeliveryState, DueDelivery, Webhook, WebhookPage, WebhookStore,
+};

@@ -1,25 +1,28 @@
 //! The use cases: what the outside may ask of jobs.
+//!
+//! Submissions are in [`super::submission`], uploads in [`super::uploads`], following a job in [`super::follow`].
 
-use super::engine::{Engine, InputBytes, InputRefusal, InputSummary, MethodDescription, ParameterFault};
+use super::batch::{Batch, BatchId, BatchPage};
+use super::change::ChangePage;
+use super::engine::{Engine, MethodDescription};
 use super::error::JobError;
-use super::job::{Job, JobFilter, JobId, JobInput, JobPage, NewJob, PageRequest, Tenant};
-use super::ports::{ArtifactKey, ArtifactKind, ArtifactRef, ArtifactStore, JobStore};
+use super::follow::{Feed, Feeds};
+use super::job::{Cursor, Job, JobFilter, JobId, JobPage, Order, PageRequest, Tenant};
+use super::key::{ApiKey, KeyStore, SecretKey};
+use super::mesh::MeshStore;
+use super::ports::{ArtifactKind, ArtifactRef, ArtifactStore, JobStore};
 use super::state::JobState;
 use super::trace::TracePage;
+use super::webhook::WebhookStore;
 use bytes::Bytes;
-use serde_json::Value;
-use std::collections::BTreeMap;
 use std::sync::Arc;
 use std::time::Duration;
 use tokio::sync::{Notify, Semaphore};
 
-/// How long a submission may take between writing its blobs and storing its job.
-const HOLD: Duration = Duration::from_secs(600);
-
-/// Bounds on what is accepted.
+/// Bounds on what is accepted, and how long it is kept.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct SubmissionLimits {
-    /// Most jobs that may wait.
+    /// Most jobs of a tenant that may wait.
     pub max_queued: u32,
     /// Most inputs checked at the same time.
     pub max_checks: usize,
@@ -27,180 +30,163 @@ pub struct SubmissionLimits {
     pub max_check_wait: Duration,
     /// Crashes after which a job is dead.
     pub max_attempts: u32,
+    /// Most jobs of a batch.
+    pub max_batch: usize,
+    /// How long an idempotency key is remembered.
+    pub once_for: Duration,
+    /// How long results are kept; for ever if `None`.
+    pub keep_results: Option<Duration>,
+    /// Largest upload, bytes.
+    pub max_file_bytes: usize,
+    /// Longest run of a job.
+    pub max_run: Duration,
 }
 
-/// A job to be accepted.
-#[derive(Debug, Clone)]
-pub struct Submission {
-    /// Owner.
-    pub tenant: Tenant,
-    /// The surface that moves.
-    pub source: SubmittedFile,
-    /// The surface that stays.
-    pub target: SubmittedFile,
-    /// Parameters as asked for.
-    pub parameters: Value,
-    /// −100 to 100, higher first.
-    pub priority: i32,
-    /// The submitter's own marks.
-    pub labels: BTreeMap<String, String>,
-    /// The submitter's own name for it.
-    pub external_ref: Option<String>,
+/// All that the use cases keep things in.
+#[derive(Clone)]
+pub struct Stores {
+    /// Jobs.
+    pub jobs: Arc<dyn JobStore>,
+    /// Uploads.
+    pub meshes: Arc<dyn MeshStore>,
+    /// API keys.
+    pub keys: Arc<dyn KeyStore>,
+    /// Webhooks.
+    pub webhooks: Arc<dyn WebhookStore>,
+    /// Blobs.
+    pub artifacts: Arc<dyn ArtifactStore>,
 }
 
-/// An uploaded file.
-#[derive(Debug, Clone)]
-pub struct SubmittedFile {
-    /// All of it.
-    pub bytes: Bytes,
-    /// The endings of its name.
-    pub name_hint: Option<String>,
-}
-
-/// Why a job is not accepted.
-#[derive(Debug, thiserror::Error)]
-pub enum SubmitError {
-    /// The parameters are not right.
-    #[error("{} faults in the parameters", .0.len())]
-    Parameters(Vec<ParameterFault>),
-    /// An input is not right.
-    #[error("{input}: {}", refusal.detail)]
-    Input {
-        /// `source` or `target`.
-        input: &'static str,
-        /// Why.
-        refusal: InputRefusal,
-    },
-    /// Both inputs are right, but not together.
-    #[error("{}", .0.detail)]
-    Pair(InputRefusal),
-    /// Too many inputs are being checked.
-    #[error("too many inputs are being checked")]
-    Busy,
-    /// A check ended in a panic.
-    #[error("checking {input} failed")]
-    CheckFailed {
-        /// `source` or `target`.
-        input: &'static str,
-    },
-    /// The store.
-    #[error(transparent)]
-    Job(#[from] JobError),
-}
-
-/// The use cases over one store, one blob store and one engine.
+/// The use cases over these stores and one engine.
 pub struct JobService {
-    store: Arc<dyn JobStore>,
-    artifacts: Arc<dyn ArtifactStore>,
-    engine: Arc<dyn Engine>,
-    limits: SubmissionLimits,
-    checks: Arc<Semaphore>,
+    pub(super) stores: Stores,
+    pub(super) engine: Arc<dyn Engine>,
+    pub(super) limits: SubmissionLimits,
+    pub(super) checks: Arc<Semaphore>,
     /// Wakes workers of this process; polling is the truth, this only makes it prompt.
-    queued: Arc<Notify>,
+    pub(super) queued: Arc<Notify>,
+    feeds: Feeds,
+}
+
+/// What a cancellation of many jobs did.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct BulkCancelled {
+    /// Jobs that were cancelled at once.
+    pub cancelled: u32,
+    /// Running jobs whose workers were told.
+    pub told: u32,
 }
 
 impl JobService {
     /// The use cases; `queued` is notified of every accepted job.
-    pub fn new(
-        store: Arc<dyn JobStore>,
-        artifacts: Arc<dyn ArtifactStore>,
-        engine: Arc<dyn Engine>,
-        limits: SubmissionLimits,
-        queued: Arc<Notify>,
-    ) -> Self {
+    pub fn new(stores: Stores, engine: Arc<dyn Engine>, limits: SubmissionLimits, queued: Arc<Notify>) -> Self {
         let checks = Arc::new(Semaphore::new(limits.max_checks.max(1)));
-        JobService { store, artifacts, engine, limits, checks, queued }
+        let feeds = Feeds::new(Arc::clone(&stores.jobs));
+        JobService { stores, engine, limits, checks, queued, feeds }
     }
 
-    /// Accepts a job: checks parameters and both inputs, stores the blobs, then the job. On return it is durable.
+    /// Bounds on what is accepted.
+    pub fn limits(&self) -> &SubmissionLimits {
+        &self.limits
+    }
+
+    /// Records of webhooks.
+    pub fn webhooks(&self) -> &dyn WebhookStore {
+        self.stores.webhooks.as_ref()
+    }
+
+    /// Whose key this is, and what it allows; `None` for a key that is not valid.
     ///
     /// # Errors
-    /// [`SubmitError`].
-    pub async fn submit(&self, submission: Submission) -> Result<Job, SubmitError> {
-        let resolved = self.engine.resolve(&submission.parameters).map_err(SubmitError::Parameters)?;
-        self.refuse_when_full().await?;
-        let source = self.check("source", &submission.source, &resolved.parameters).await?;
-        let target = self.check("target", &submission.target, &resolved.parameters).await?;
-
-        self.engine.check_pair(&source, &target).map_err(SubmitError::Pair)?;
-
-        let id = JobId::new();
-        let holder = id.to_string();
-        let files = [&submission.source, &submission.target];
-        let keys = files.map(|file| ArtifactKey::of(&submission.tenant, &file.bytes));
-        let input = |file: &SubmittedFile, key: &ArtifactKey, summary: InputSummary| JobInput {
-            hash: key.hash.clone(),
-            n_bytes: file.bytes.len() as u64,
-            name_hint: file.name_hint.clone(),
-            n_vertices: summary.n_vertices,
-            n_faces: summary.n_faces,
-            report: summary.report,
-        };
-        let job = NewJob {
-            id,
-            tenant: submission.tenant.clone(),
-            method: resolved.method,
-            method_version: resolved.method_version,
-            parameters: resolved.parameters,
-            source: input(&submission.source, &keys[0], source),
-            target: input(&submission.target, &keys[1], target),
-            priority: submission.priority,
-            labels: submission.labels.clone(),
-            external_ref: submission.external_ref.clone(),
-            max_attempts: self.limits.max_attempts,
-        };
-        // The hold comes before the blobs: a removal that runs meanwhile leaves them alone.
-        self.store.hold_blobs(&holder, &keys, HOLD).await?;
-        let stored = async {
-            for (key, file) in keys.iter().zip(files) {
-                self.artifacts.put(key, file.bytes.clone()).await?;
-            }
-            self.store.insert(&job, self.limits.max_queued, &holder).await
-        }
-        .await;
-        match stored {
-            Ok(job) => {
-                self.queued.notify_one();
-                Ok(job)
-            }
-            Err(error) => {
-                // The hold lapses by itself if this does not succeed either.
-                if self.store.drop_hold(&holder).await.is_ok() {
-                    let _ = self.store.remove_unreferenced_blobs(self.artifacts.as_ref()).await;
-                }
-                Err(error.into())
-            }
-        }
+    /// [`JobError`].
+    pub async fn authenticate(&self, key: &SecretKey) -> Result<Option<ApiKey>, JobError> {
+        let stored = self.stores.keys.get_key(key.id()).await?;
+        Ok(stored.filter(|stored| stored.is_valid && key.has_hash(&stored.hash)))
     }
 
-    /// [`JobError::QueueFull`] if no job would be accepted now; asked before an upload is read.
+    /// [`JobError::QueueFull`] if no job of the tenant would be accepted now; asked before an upload is read.
     ///
     /// # Errors
     /// That, and those of the store.
-    pub async fn refuse_when_full(&self) -> Result<(), JobError> {
+    pub async fn refuse_when_full(&self, tenant: &Tenant) -> Result<(), JobError> {
         let limit = self.limits.max_queued;
-        if self.store.queue_length().await? >= limit { Err(JobError::QueueFull { limit }) } else { Ok(()) }
+        let waiting = self.stores.jobs.queue_length(Some(tenant)).await?;
+        if waiting >= limit { Err(JobError::QueueFull { limit }) } else { Ok(()) }
     }
 
-    async fn check(
-        &self,
-        input: &'static str,
-        file: &SubmittedFile,
-        parameters: &Value,
-    ) -> Result<InputSummary, SubmitError> {
-        let permit = tokio::time::timeout(self.limits.max_check_wait, Arc::clone(&self.checks).acquire_owned());
-        let Ok(Ok(permit)) = permit.await else { return Err(SubmitError::Busy) };
-        let (engine, file, parameters) = (Arc::clone(&self.engine), file.clone(), parameters.clone());
-        let checked = tokio::task::spawn_blocking(move || {
-            let _permit = permit; // given back when the check ends, also if nobody waits for it any more
-            let bytes = InputBytes { bytes: &file.bytes, name_hint: file.name_hint.as_deref() };
-            engine.check_input(&bytes, &parameters)
-        });
-        match checked.await {
-            Ok(Ok(summary)) => Ok(summary),
-            Ok(Err(refusal)) => Err(SubmitError::Input { input, refusal }),
-            Err(_) => Err(SubmitError::CheckFailed { input }),
+    /// Jobs that wait and jobs that run, of all tenants.
+    ///
+    /// # Errors
+    /// [`JobError`].
+    pub async fn load(&self) -> Result<(u32, u32), JobError> {
+        Ok((self.stores.jobs.queue_length(None).await?, self.stores.jobs.running_count().await?))
+    }
+
+    /// Follows a job: one reader of the store for all who follow it in this process.
+    ///
+    /// # Errors
+    /// [`JobError::NotFound`].
+    pub async fn follow(&self, tenant: &Tenant, id: JobId) -> Result<Arc<Feed>, JobError> {
+        self.feeds.follow(tenant, id).await
+    }
+
+    /// Cancels all jobs that a filter shows and that are not finished.
+    ///
+    /// # Errors
+    /// [`JobError`]; what was cancelled before stays so.
+    pub async fn cancel_all(&self, tenant: &Tenant, filter: &JobFilter) -> Result<BulkCancelled, JobError> {
+        let mut filter = filter.clone();
+        filter.states.retain(|state| !state.is_final());
+        if filter.states.is_empty() {
+            // Waiting ones first, so that none of them begins while others are cancelled.
+            filter.states = vec![JobState::Queued, JobState::Running];
         }
+        let mut done = BulkCancelled::default();
+        for state in filter.states.clone() {
+            let filter = JobFilter { states: vec![state], ..filter.clone() };
+            let mut page = PageRequest { size: 200, after: None, order: Order::OldestFirst };
+            loop {
+                let JobPage { jobs, next } = self.stores.jobs.list(tenant, &filter, &page).await?;
+                for job in jobs {
+                    match self.stores.jobs.cancel(tenant, job.id).await {
+                        Ok(job) if job.state == JobState::Cancelled => done.cancelled += 1,
+                        Ok(_) => done.told += 1,
+                        // It ended or was removed at this moment.
+                        Err(JobError::AlreadyFinal { .. } | JobError::NotFound) => {}
+                        Err(error) => return Err(error),
+                    }
+                }
+                page.after = next;
+                if next.is_none() {
+                    break;
+                }
+            }
+        }
+        Ok(done)
+    }
+
+    /// A batch with its counts.
+    ///
+    /// # Errors
+    /// [`JobError::BatchNotFound`].
+    pub async fn batch(&self, tenant: &Tenant, id: BatchId) -> Result<Batch, JobError> {
+        self.stores.jobs.get_batch(tenant, id).await
+    }
+
+    /// A part of the list of batches.
+    ///
+    /// # Errors
+    /// [`JobError`].
+    pub async fn batches(&self, tenant: &Tenant, size: u32, after: Option<Cursor>) -> Result<BatchPage, JobError> {
+        self.stores.jobs.list_batches(tenant, size, after).await
+    }
+
+    /// State changes after number `since`.
+    ///
+    /// # Errors
+    /// [`JobError`].
+    pub async fn changes(&self, tenant: &Tenant, since: u64, limit: u32) -> Result<ChangePage, JobError> {
+        self.stores.jobs.changes(tenant, since, limit).await
     }
 
     /// A job.
@@ -208,7 +194,7 @@ impl JobService {
     /// # Errors
     /// [`JobError`].
     pub async fn get(&self, tenant: &Tenant, id: JobId) -> Result<Job, JobError> {
-        self.store.get(tenant, id).await
+        self.stores.jobs.get(tenant, id).await
     }
 
     /// A part of the list of jobs.
@@ -216,7 +202,7 @@ impl JobService {
     /// # Errors
     /// [`JobError`].
     pub async fn list(&self, tenant: &Tenant, filter: &JobFilter, page: &PageRequest) -> Result<JobPage, JobError> {
-        self.store.list(tenant, filter, page).await
+        self.stores.jobs.list(tenant, filter, page).await
     }
 
     /// Asks for a job's end.
@@ -224,7 +210,7 @@ impl JobService {
     /// # Errors
     /// [`JobError::AlreadyFinal`] if it ended otherwise.
     pub async fn cancel(&self, tenant: &Tenant, id: JobId) -> Result<Job, JobError> {
-        self.store.cancel(tenant, id).await
+        self.stores.jobs.cancel(tenant, id).await
     }
 
     /// Removes a finished job with its trace, and its blobs unless other jobs refer to them.
@@ -232,12 +218,16 @@ impl JobService {
     /// # Errors
     /// [`JobError::StillActive`].
     pub async fn delete(&self, tenant: &Tenant, id: JobId) -> Result<(), JobError> {
-        self.store.delete(tenant, id).await?;
+        self.stores.jobs.delete(tenant, id).await?;
         // What cannot be removed now stays noted and is tried again by the housekeeper.
-        if let Err(error) = self.store.remove_unreferenced_blobs(self.artifacts.as_ref()).await {
+        if let Err(error) = self.remove_unreferenced_blobs().await {
             tracing::warn!(job_id = %id, %error, "blobs of a deleted job remain for now");
         }
         Ok(())
+    }
+
+    pub(super) async fn remove_unreferenced_blobs(&self) -> Result<u32, JobError> {
+        self.stores.jobs.remove_unreferenced_blobs(self.stores.artifacts.as_ref()).await
     }
 
     /// A part of a job's trace.
@@ -245,7 +235,7 @@ impl JobService {
     /// # Errors
     /// [`JobError`].
     pub async fn trace(&self, tenant: &Tenant, id: JobId, after_seq: u64, limit: u32) -> Result<TracePage, JobError> {
-        self.store.trace(tenant, id, after_seq, limit).await
+        self.stores.jobs.trace(tenant, id, after_seq, limit).await
     }
 
     /// Where a part of a succeeded job's result is.
@@ -253,7 +243,7 @@ impl JobService {
     /// # Errors
     /// [`JobError::NotReady`] before the job is finished, [`JobError::NoResult`] if it ended without one.
     pub async fn result_part(&self, tenant: &Tenant, id: JobId, kind: ArtifactKind) -> Result<ArtifactRef, JobError> {
-        match self.store.artifact(tenant, id, kind).await? {
+        match self.stores.jobs.artifact(tenant, id, kind).await? {
             (JobState::Succeeded, Some(artifact)) => Ok(artifact),
             (JobState::Succeeded, None) => {
                 Err(JobError::Corrupt { what: "a succeeded job without its result", source: None })
@@ -268,7 +258,7 @@ impl JobService {
     /// # Errors
     /// [`JobError`].
     pub async fn read(&self, artifact: &ArtifactRef) -> Result<Bytes, JobError> {
-        self.artifacts.get(&artifact.key).await
+        self.stores.artifacts.get(&artifact.key).await
     }
 
     /// The methods there are.
@@ -278,6 +268,6 @@ impl JobService {
 
     /// Whether the job store and the blob store answer.
     pub async fn dependencies(&self) -> [(&'static str, Result<(), JobError>); 2] {
-        [("job_store", self.store.ping().await), ("artifact_store", self.artifacts.ping().await)]
+        [("job_store", self.stores.jobs.ping().await), ("artifact_store", self.stores.artifacts.ping().await)]
     }
 }

@@ -1,7 +1,8 @@
 //! Where jobs and blobs are kept: behind the ports of [`crate::jobs`].
 //!
-//! [`sqlite`] holds jobs on one machine, [`artifacts`] the blobs, [`presence`] tells living processes from dead ones.
+//! [`sql`] holds jobs in SQLite or PostgreSQL, [`artifacts`] the blobs in a folder or an S3-compatible store,
+//! [`presence`] tells living processes of one machine from dead ones.
 
 pub mod artifacts;
 pub mod presence;
-pub mod sqlite;
+pub mod sql;

@@ -4,7 +4,7 @@
 //! another's file knows that process is gone, and its jobs need not wait for their leases to run out. A process that
 //! only sleeps keeps its lock; there the lease decides.
 
-use crate::jobs::WorkerId;
+use crate::jobs::{DepartedProcess, Processes, WorkerId};
 use std::fs::{self, File, TryLockError};
 use std::io;
 use std::path::{Path, PathBuf};
@@ -18,11 +18,10 @@ pub struct Presence {
     _lock: File,
 }
 
-/// A process that is gone; its jobs may be taken. Its file is removed by [`Departed::forget`].
+/// A process that is gone; its jobs may be taken. Its file is removed when it is forgotten.
 #[derive(Debug)]
-pub struct Departed {
-    /// Who it was.
-    pub worker: WorkerId,
+struct Departed {
+    worker: WorkerId,
     path: PathBuf,
     _lock: File,
 }
@@ -44,12 +43,11 @@ impl Presence {
         Ok(Presence { folder, own, _lock: lock })
     }
 
-    /// The processes that are gone and not forgotten yet.
-    ///
-    /// # Errors
-    /// Of the file system.
-    pub fn departed(&self) -> io::Result<Vec<Departed>> {
-        let mut gone = Vec::new();
+}
+
+impl Processes for Presence {
+    fn departed(&self) -> io::Result<Vec<Box<dyn DepartedProcess>>> {
+        let mut gone: Vec<Box<dyn DepartedProcess>> = Vec::new();
         for entry in fs::read_dir(&self.folder)? {
             let path = entry?.path();
             if path == self.own || path.extension().is_none_or(|e| e != "lock") {
@@ -59,7 +57,7 @@ impl Presence {
             // Another process may forget the same one first.
             let Ok(lock) = File::open(&path) else { continue };
             match lock.try_lock() {
-                Ok(()) => gone.push(Departed { worker: WorkerId::from_name(&name), path, _lock: lock }),
+                Ok(()) => gone.push(Box::new(Departed { worker: WorkerId::from_name(&name), path, _lock: lock })),
                 Err(TryLockError::WouldBlock) => {}
                 Err(TryLockError::Error(error)) => return Err(error),
             }
@@ -68,9 +66,12 @@ impl Presence {
     }
 }
 
-impl Departed {
-    /// Removes its file, once its jobs are taken care of.
-    pub fn forget(self) {
+impl DepartedProcess for Departed {
+    fn worker(&self) -> &WorkerId {
+        &self.worker
+    }
+
+    fn forget(self: Box<Self>) {
         let _ = fs::remove_file(&self.path);
     }
 }

@@ -20,6 +20,9 @@ const HOLD: Duration = Duration::from_secs(600);
 /// How long a store that does not answer is asked again; then the lease runs out and the job is run anew.
 const STORE_PATIENCE: Duration = Duration::from_secs(60);
 
+/// How long a slot waits after a store was away for longer than that.
+const AFTER_OUTAGE: Duration = Duration::from_secs(5);
+
 /// What the computation's thread answers.
 type Computed = Result<Vec<Product>, ComputeError>;
 
@@ -55,7 +58,13 @@ pub async fn execute(parts: &PoolParts, leased: LeasedJob) {
         Ok(task) => task,
         Err(error) => {
             tracing::error!(job_id = %lease.job_id, error = %with_sources(&error), "inputs could not be read");
-            settle(parts, &lease, None, Ending::Fail(internal_error())).await;
+            // A store that is away is no fault of the job's; what it holds unreadably is lost for every worker.
+            let ending = if is_passing(&error) { Ending::GiveBack } else { Ending::Fail(internal_error()) };
+            let pause = matches!(ending, Ending::GiveBack);
+            settle(parts, &lease, None, ending).await;
+            if pause {
+                sleep(AFTER_OUTAGE).await;
+            }
             return;
         }
     };
@@ -69,7 +78,8 @@ pub async fn execute(parts: &PoolParts, leased: LeasedJob) {
             return;
         }
     };
-    let (computed, unsaved) = follow(parts, &lease, &control, &recorder, &mut answer).await;
+    let allowed = job.max_run_ms.map_or(parts.settings.max_run, Duration::from_millis).min(parts.settings.max_run);
+    let (computed, unsaved) = follow(parts, &lease, &control, &recorder, allowed, &mut answer).await;
     let still_running = computed.is_none();
     let ending = decide(computed, control.cause());
     let last = [unsaved, recorder.take()];
@@ -85,8 +95,10 @@ pub async fn execute(parts: &PoolParts, leased: LeasedJob) {
 }
 
 async fn read_input(parts: &PoolParts, lease: &Lease, input: &JobInput) -> Result<Vec<u8>, JobError> {
-    let key = ArtifactKey { tenant: lease.tenant.clone(), hash: input.hash.clone() };
-    Ok(parts.artifacts.get(&key).await?.into())
+    let key = ArtifactKey::of_hash(&lease.tenant, &input.hash);
+    let key = key.ok_or(JobError::Corrupt { what: "an input's hash", source: None })?;
+    let bytes = insist(|| parts.artifacts.get(&key)).await?;
+    Ok(bytes.into())
 }
 
 fn start_computation(
@@ -111,10 +123,11 @@ async fn follow(
     lease: &Lease,
     control: &Control,
     recorder: &Recorder,
+    max_run: Duration,
     answer: &mut oneshot::Receiver<Computed>,
 ) -> (Option<Computed>, Option<TraceChunk>) {
     let settings = &parts.settings;
-    let time_limit = tokio::time::Instant::now() + settings.max_run;
+    let time_limit = tokio::time::Instant::now() + max_run;
     let mut give_up_at = None;
     let mut unsaved: Option<TraceChunk> = None;
     let mut ticks = interval(settings.flush);
@@ -185,16 +198,16 @@ async fn settle(
             Ending::Publish(products) => {
                 let artifacts = publish(parts, lease, products).await?;
                 let outcome = Outcome::Succeeded(artifacts);
-                insist(|| parts.store.finish(lease, &outcome)).await?;
+                insist(|| parts.store.finish(lease, &outcome, parts.settings.keep_results)).await?;
                 Ok("succeeded")
             }
             Ending::Fail(failure) => {
                 let outcome = Outcome::Failed(failure);
-                insist(|| parts.store.finish(lease, &outcome)).await?;
+                insist(|| parts.store.finish(lease, &outcome, parts.settings.keep_results)).await?;
                 Ok("failed")
             }
             Ending::Cancel => {
-                insist(|| parts.store.finish(lease, &Outcome::Cancelled)).await?;
+                insist(|| parts.store.finish(lease, &Outcome::Cancelled, None)).await?;
                 Ok("cancelled")
             }
             Ending::GiveBack => {
@@ -207,6 +220,12 @@ async fn settle(
     match written.await {
         Ok(name) => name,
         Err(JobError::LeaseLost) => "lease lost",
+        // The result is lost and will be computed anew; that the blob store was away must not count as a crash.
+        Err(error) if is_passing(&error) && parts.store.release(lease).await.is_ok() => {
+            tracing::error!(job_id = %lease.job_id, error = %with_sources(&error), "the result could not be stored");
+            sleep(AFTER_OUTAGE).await;
+            "given back"
+        }
         Err(error) => {
             tracing::error!(job_id = %lease.job_id, error = %with_sources(&error), "the job's end could not be stored");
             "not stored"
@@ -218,13 +237,13 @@ async fn publish(parts: &PoolParts, lease: &Lease, products: Vec<Product>) -> Re
     let products: Vec<_> = products
         .into_iter()
         .map(|p| {
-            let key = ArtifactKey::of(&lease.tenant, &p.bytes);
+            let key = ArtifactKey::of_result(lease, &p.bytes);
             (ArtifactRef { kind: p.kind, key, n_bytes: p.bytes.len() as u64 }, bytes::Bytes::from(p.bytes))
         })
         .collect();
     let keys: Vec<_> = products.iter().map(|(artifact, _)| artifact.key.clone()).collect();
     let holder = lease.holder();
-    insist(|| parts.store.hold_blobs(&holder, &keys, HOLD)).await?;
+    insist(|| parts.store.hold_blobs(&holder, &keys, HOLD, Some(lease))).await?;
     for (artifact, bytes) in &products {
         insist(|| parts.artifacts.put(&artifact.key, bytes.clone())).await?;
     }
@@ -232,18 +251,23 @@ async fn publish(parts: &PoolParts, lease: &Lease, products: Vec<Product>) -> Re
 }
 
 /// Does `work` again while the store does not answer, for a while. The fence makes a repeat harmless.
-async fn insist<F: Future<Output = Result<(), JobError>>>(work: impl Fn() -> F) -> Result<(), JobError> {
+async fn insist<T, F: Future<Output = Result<T, JobError>>>(work: impl Fn() -> F) -> Result<T, JobError> {
     let began = Instant::now();
     let mut wait = Duration::from_millis(50);
     loop {
         match work().await {
-            Err(JobError::Unavailable(_) | JobError::StorageFull) if began.elapsed() < STORE_PATIENCE => {
+            Err(error) if is_passing(&error) && began.elapsed() < STORE_PATIENCE => {
                 sleep(wait).await;
                 wait = (wait * 2).min(Duration::from_secs(2));
             }
             done => return done,
         }
     }
+}
+
+/// Whether the same may succeed later.
+fn is_passing(error: &JobError) -> bool {
+    matches!(error, JobError::Unavailable(_) | JobError::StorageFull | JobError::BeingRemoved)
 }
 
 fn internal_error() -> Failure {

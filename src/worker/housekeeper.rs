@@ -1,8 +1,7 @@
 //! What has to be done now and then in every process: jobs of the dead go back to the queue, blobs of nobody go.
 
 use super::pool::with_sources;
-use crate::jobs::{ArtifactStore, JobError, JobStore};
-use crate::store::presence::Presence;
+use crate::jobs::{ArtifactStore, JobError, JobStore, Processes, Retention};
 use std::sync::Arc;
 use std::time::Duration;
 use tokio_util::sync::CancellationToken;
@@ -11,6 +10,12 @@ use tokio_util::sync::CancellationToken;
 const ROUND: Duration = Duration::from_secs(1);
 /// Rounds between sweeps of what interrupted writes left.
 const ROUNDS_BETWEEN_SWEEPS: u64 = 600;
+/// Rounds between looks for what outlived its retention.
+const ROUNDS_BETWEEN_PURGES: u64 = 60;
+/// Jobs purged in one round.
+const PURGED_AT_ONCE: u32 = 1000;
+/// How long after the end of its run time a job is taken from a worker that should have ended it.
+const OVERDUE_PATIENCE: Duration = Duration::from_secs(30);
 
 /// What housekeeping works with.
 #[derive(Clone)]
@@ -19,8 +24,10 @@ pub struct Housekeeper {
     pub store: Arc<dyn JobStore>,
     /// Blobs.
     pub artifacts: Arc<dyn ArtifactStore>,
-    /// Processes on this data directory.
-    pub presence: Arc<Presence>,
+    /// Processes that share this one's data, where the system can tell whether they live.
+    pub processes: Option<Arc<dyn Processes>>,
+    /// How long things are kept.
+    pub retention: Retention,
 }
 
 impl Housekeeper {
@@ -29,19 +36,21 @@ impl Housekeeper {
     /// # Errors
     /// Of the store.
     pub async fn recover(&self) -> Result<u32, JobError> {
-        let presence = Arc::clone(&self.presence);
-        let departed = tokio::task::spawn_blocking(move || presence.departed()).await;
-        let departed = departed
-            .map_err(|join| JobError::Unavailable(Box::new(join)))?
-            .map_err(|error| JobError::Unavailable(Box::new(error)))?;
         let mut total = 0;
-        for process in departed {
-            let recovered = self.store.recover_worker(&process.worker).await?;
-            if recovered.total() > 0 {
-                tracing::warn!(worker = process.worker.name(), ?recovered, "jobs of a lost process are taken back");
+        if let Some(processes) = &self.processes {
+            let processes = Arc::clone(processes);
+            let departed = tokio::task::spawn_blocking(move || processes.departed()).await;
+            let departed = departed
+                .map_err(|join| JobError::Unavailable(Box::new(join)))?
+                .map_err(|error| JobError::Unavailable(Box::new(error)))?;
+            for process in departed {
+                let recovered = self.store.recover_worker(process.worker()).await?;
+                if recovered.total() > 0 {
+                    tracing::warn!(worker = process.worker().name(), ?recovered, "jobs of a lost process are taken back");
+                }
+                total += recovered.total();
+                process.forget();
             }
-            total += recovered.total();
-            process.forget();
         }
         let recovered = self.store.recover_expired().await?;
         if recovered.total() > 0 {
@@ -65,6 +74,16 @@ impl Housekeeper {
 
     async fn round(&self, round: u64) -> Result<(), JobError> {
         self.recover().await?;
+        let overdue = self.store.end_overdue(OVERDUE_PATIENCE).await?;
+        if overdue.expired + overdue.stuck > 0 {
+            tracing::warn!(?overdue, "jobs whose time was over are ended");
+        }
+        if round.is_multiple_of(ROUNDS_BETWEEN_PURGES) {
+            let purged = self.store.purge(&self.retention, PURGED_AT_ONCE, false).await?;
+            if !purged.is_nothing() {
+                tracing::info!(?purged, "what outlived its retention is removed");
+            }
+        }
         self.store.remove_unreferenced_blobs(self.artifacts.as_ref()).await?;
         if round.is_multiple_of(ROUNDS_BETWEEN_SWEEPS) {
             self.artifacts.sweep().await?;

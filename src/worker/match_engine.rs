@@ -5,6 +5,7 @@
 use crate::formats::ply::write_ply;
 use crate::intake::{IntakeError, IntakeLimits, prepare_surface};
 use crate::jobs::engine::{MethodDescription, Product, Resolved};
+use crate::jobs::uploads::input_key;
 use crate::jobs::{
     ArtifactKind, ComputeError, ComputeTask, Engine, Failure, InputBytes, InputRefusal, InputSummary, ParameterFault,
 };
@@ -48,6 +49,8 @@ impl Engine for MatchEngine {
         Ok(Resolved {
             method: parameters.method.name().to_owned(),
             method_version: env!("CARGO_PKG_VERSION").to_owned(),
+            input_key: input_key(&stored),
+            result_version: concat!(env!("CARGO_PKG_VERSION"), "+", env!("HOMOLOG_COMMIT")).to_owned(),
             parameters: stored,
         })
     }

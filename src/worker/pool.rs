@@ -29,6 +29,8 @@ pub struct WorkerSettings {
     pub max_run: Duration,
     /// How long a stopped computation may take before its job is ended without it.
     pub stop_patience: Duration,
+    /// How long results are kept; for ever if `None`.
+    pub keep_results: Option<Duration>,
     /// How long its slot then waits for it before the thread is given up.
     pub abandon_after: Duration,
 }
@@ -42,6 +44,7 @@ impl Default for WorkerSettings {
             poll: Duration::from_millis(250),
             flush: Duration::from_millis(200),
             max_run: Duration::from_secs(3600),
+            keep_results: None,
             stop_patience: Duration::from_millis(500),
             abandon_after: Duration::from_secs(10),
         }
@@ -99,7 +102,7 @@ async fn run_slot(parts: PoolParts) {
             pause(&parts, AFTER_ERROR).await;
             continue;
         }
-        match parts.store.claim(&parts.worker, parts.settings.lease).await {
+        match parts.store.claim(&parts.worker, parts.settings.lease, parts.settings.max_run).await {
             Ok(Some(leased)) => execute(&parts, leased).await,
             Ok(None) => pause(&parts, parts.settings.poll).await,
             Err(error) => {

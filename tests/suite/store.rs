@@ -2,7 +2,7 @@
 
 use homolog::jobs::job::Order;
 use homolog::jobs::{
-    ArtifactKey, ArtifactKind, ArtifactRef, ArtifactStore, Failure, Job, JobError, JobFilter, JobId, JobInput,
+    Admission, ArtifactKey, ArtifactKind, ArtifactRef, ArtifactStore, Failure, Job, JobError, JobFilter, JobId, JobInput,
     JobState, JobStore, Lease, LeaseStatus, NewJob, NumberedPoint, Outcome, PageRequest, Progress, Recovered, Tenant,
     TraceChunk, WorkerId,
 };

@@ -9,7 +9,7 @@ use crate::http::router::HttpState;
 use crate::http::upload::{Tap, read_submission};
 use crate::http::wire::{JobDocument, JobListDocument, SubmissionForm};
 use crate::jobs::job::Cursor;
-use crate::jobs::{Job, JobFilter, JobState, Order, PageRequest, Submission};
+use crate::jobs::{Details, Job, JobFilter, JobState, Order, PageRequest, Submission, SubmittedInput, Tenant};
 use axum::Json;
 use axum::extract::{Path, Request, State};
 use axum::http::{HeaderMap, StatusCode, header};
@@ -60,22 +60,28 @@ pub async fn submit(State(state): State<HttpState>, query: QueryString, request:
 }
 
 async fn accept(state: &HttpState, request: Request, tap: &Tap) -> Result<Job, Problem> {
-    state.service.refuse_when_full().await?;
+    let tenant = Tenant::default();
+    state.service.refuse_when_full(&tenant).await?;
     let place = tokio::time::timeout(state.limits.max_upload_wait, Arc::clone(&state.uploads).acquire_owned()).await;
     // Held until the job is stored: so many submissions are in memory at most.
     let Ok(Ok(_place)) = place else { return Err(Problem::new(ProblemKind::Busy).retry_after(5)) };
     let reading = tokio::time::timeout(state.limits.upload_timeout, read_submission(request, tap, &state.limits));
     let upload = reading.await.map_err(|_| Problem::new(ProblemKind::UploadTimeout))??;
     let submission = Submission {
-        tenant: tenant(),
-        source: upload.source,
-        target: upload.target,
+        tenant,
+        source: SubmittedInput::File(upload.source),
+        target: SubmittedInput::File(upload.target),
         parameters: upload.parameters,
-        priority: upload.priority,
-        labels: upload.labels,
-        external_ref: upload.external_ref,
+        details: Details {
+            priority: upload.priority,
+            labels: upload.labels,
+            external_ref: upload.external_ref,
+            compute_anew: true,
+            ..Details::default()
+        },
+        idempotency_key: None,
     };
-    Ok(state.service.submit(submission).await?)
+    Ok(state.service.submit(submission).await?.made)
 }
 
 /// List jobs
@@ -105,7 +111,7 @@ pub async fn list(State(state): State<HttpState>, mut query: QueryString) -> Res
             }
         }
     }
-    let filter = JobFilter { states, method: query.text("method"), external_ref: query.text("external_ref") };
+    let filter = JobFilter { states, method: query.text("method"), external_ref: query.text("external_ref"), ..JobFilter::default() };
     let order = query.word("order", &[("desc", Order::NewestFirst), ("asc", Order::OldestFirst)]).unwrap_or_default();
     let size = query.number("page_size", 1..=MAX_PAGE).unwrap_or(DEFAULT_PAGE);
     let token = query.text("page_token").filter(|token| !token.is_empty());

@@ -40,7 +40,7 @@ pub async fn result(
     let document = state.service.result_part(&tenant(), id, ArtifactKind::Result).await?;
     // Results never change, so the address of the blob is the validator.
     let form = if with_correspondences { "full" } else { "brief" };
-    let etag = format!("\"{}-{form}\"", &document.key.hash[..32]);
+    let etag = format!("\"{}-{form}\"", &document.key.hash()[..32]);
     if is_fresh(&headers, &etag) {
         return Ok(not_modified(&etag));
     }
@@ -88,7 +88,7 @@ pub async fn correspondences(
     let as_csv = query.word("format", &[("json", false), ("csv", true)]).unwrap_or(accepts_csv);
     query.finish()?;
     let part = state.service.result_part(&tenant(), job_id(&id)?, ArtifactKind::Correspondences).await?;
-    let etag = format!("\"{}-{}\"", &part.key.hash[..32], if as_csv { "csv" } else { "json" });
+    let etag = format!("\"{}-{}\"", &part.key.hash()[..32], if as_csv { "csv" } else { "json" });
     if is_fresh(&headers, &etag) {
         return Ok(not_modified(&etag));
     }

@@ -67,7 +67,7 @@ pub async fn aligned(
 
 async fn file(state: &HttpState, id: JobId, kind: ArtifactKind, headers: &HeaderMap) -> Result<Response, Problem> {
     let part = state.service.result_part(&tenant(), id, kind).await?;
-    let etag = format!("\"{}\"", &part.key.hash[..32]);
+    let etag = format!("\"{}\"", &part.key.hash()[..32]);
     if is_fresh(headers, &etag) {
         return Ok(not_modified(&etag));
     }

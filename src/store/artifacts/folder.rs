@@ -1,9 +1,9 @@
-//! Blobs in a folder, named by their content: `blobs/<tenant>/ab/cd/abcd…`.
+//! Blobs in a folder: `blobs/<tenant>/ab/cd/abcd…` for uploads, `blobs/<tenant>/results/<job>/<epoch>/…` for results.
 //!
 //! A blob is written to a temporary file, flushed to disk, renamed into place, and the folders that name it are
 //! flushed too; so what has a name is whole and survives loss of power. Equal content is stored once.
 
-use crate::jobs::{ArtifactKey, ArtifactStore, JobError};
+use crate::jobs::{ArtifactKey, ArtifactStore, ArtifactWriter, JobError, Tenant};
 use async_trait::async_trait;
 use bytes::Bytes;
 use std::fs::{self, File};
@@ -35,12 +35,22 @@ impl FolderArtifacts {
         Ok(store)
     }
 
-    fn path(&self, key: &ArtifactKey) -> Result<PathBuf, JobError> {
-        let hash = &key.hash;
-        if hash.len() != 64 || !hash.bytes().all(|b| matches!(b, b'0'..=b'9' | b'a'..=b'f')) {
-            return Err(JobError::Corrupt { what: "a blob's address", source: None });
+    /// Keys have only harmless parts: no path leaves the folder.
+    fn path(&self, key: &ArtifactKey) -> PathBuf {
+        self.blobs.join(key.tenant.name()).join(key.path())
+    }
+
+    /// Gives a written file its name.
+    fn publish(&self, file: &File, temporary: &Path, path: &Path) -> io::Result<()> {
+        file.sync_all()?;
+        let parent = path.parent().ok_or(io::ErrorKind::InvalidInput)?;
+        fs::create_dir_all(parent)?;
+        fs::rename(temporary, path)?;
+        // The blob's own folder and those above it, which may be new, up to the root of the blobs.
+        for folder in parent.ancestors().take_while(|folder| folder.starts_with(&self.blobs)) {
+            sync_folder(folder)?;
         }
-        Ok(self.blobs.join(key.tenant.name()).join(&hash[0..2]).join(&hash[2..4]).join(hash))
+        Ok(())
     }
 
     fn write(&self, path: &Path, bytes: &[u8]) -> io::Result<()> {
@@ -51,20 +61,41 @@ impl FolderArtifacts {
         let written = (|| {
             let mut file = File::create_new(&temporary)?;
             file.write_all(bytes)?;
-            file.sync_all()?;
-            let parent = path.parent().ok_or(io::ErrorKind::InvalidInput)?;
-            fs::create_dir_all(parent)?;
-            fs::rename(&temporary, path)?;
-            // The blob's own folder and those above it, which may be new, up to the root of the blobs.
-            for folder in parent.ancestors().take_while(|folder| folder.starts_with(&self.blobs)) {
-                sync_folder(folder)?;
-            }
-            Ok(())
+            self.publish(&file, &temporary, path)
         })();
         if written.is_err() {
             let _ = fs::remove_file(&temporary);
         }
         written
+    }
+}
+
+/// A blob that is written to a temporary file in parts.
+struct FolderWriter {
+    store: FolderArtifacts,
+    temporary: PathBuf,
+    file: Option<File>,
+}
+
+#[async_trait]
+impl ArtifactWriter for FolderWriter {
+    async fn write(&mut self, part: Bytes) -> Result<(), JobError> {
+        let mut file = self.file.take().ok_or_else(|| domain_error(io::ErrorKind::InvalidInput.into()))?;
+        let file = blocking(move || file.write_all(&part).map(|()| file)).await?;
+        self.file = Some(file);
+        Ok(())
+    }
+
+    async fn commit(mut self: Box<Self>, key: &ArtifactKey) -> Result<(), JobError> {
+        let file = self.file.take().ok_or_else(|| domain_error(io::ErrorKind::InvalidInput.into()))?;
+        let (store, temporary, path) = (self.store.clone(), self.temporary.clone(), self.store.path(key));
+        blocking(move || store.publish(&file, &temporary, &path)).await
+    }
+}
+
+impl Drop for FolderWriter {
+    fn drop(&mut self) {
+        let _ = fs::remove_file(&self.temporary); // gone already if it was committed
     }
 }
 
@@ -95,21 +126,31 @@ impl ArtifactStore for FolderArtifacts {
     }
 
     async fn put(&self, key: &ArtifactKey, bytes: Bytes) -> Result<(), JobError> {
-        let (store, path) = (self.clone(), self.path(key)?);
+        let (store, path) = (self.clone(), self.path(key));
         blocking(move || store.write(&path, &bytes)).await
     }
 
+    async fn begin(&self, _: &Tenant) -> Result<Box<dyn ArtifactWriter>, JobError> {
+        let store = self.clone();
+        let writer = blocking(move || {
+            let temporary = store.temporary.join(uuid::Uuid::new_v4().to_string());
+            let file = Some(File::create_new(&temporary)?);
+            Ok(FolderWriter { store, temporary, file })
+        });
+        Ok(Box::new(writer.await?))
+    }
+
     async fn get(&self, key: &ArtifactKey) -> Result<Bytes, JobError> {
-        let path = self.path(key)?;
+        let path = self.path(key);
         let bytes = blocking(move || fs::read(path)).await?;
-        if blake3::hash(&bytes).to_hex().as_str() != key.hash {
+        if blake3::hash(&bytes).to_hex().as_str() != key.hash() {
             return Err(JobError::Corrupt { what: "a blob whose content is not its name", source: None });
         }
         Ok(bytes.into())
     }
 
     async fn remove(&self, key: &ArtifactKey) -> Result<(), JobError> {
-        let path = self.path(key)?;
+        let path = self.path(key);
         blocking(move || match fs::remove_file(&path) {
             Err(error) if error.kind() != io::ErrorKind::NotFound => Err(error),
             _ => Ok(()),

@@ -1,5 +1,7 @@
 //! Blobs by content.
 
 pub mod folder;
+pub mod s3;
 
 pub use folder::FolderArtifacts;
+pub use s3::S3Artifacts;

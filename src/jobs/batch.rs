@@ -1,0 +1,79 @@
+//! Batches: many jobs made at once, and counted together.
+
+use super::job::{Cursor, Tenant};
+use super::state::JobState;
+use jiff::Timestamp;
+use std::collections::BTreeMap;
+
+/// Identity of a batch: a UUIDv7.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct BatchId(uuid::Uuid);
+
+impl BatchId {
+    /// A new id.
+    pub fn random() -> Self {
+        BatchId(uuid::Uuid::now_v7())
+    }
+
+    /// The id written in `text`, in the usual hyphenated form.
+    pub fn parse(text: &str) -> Option<Self> {
+        if text.len() != 36 {
+            return None;
+        }
+        uuid::Uuid::try_parse(text).ok().map(BatchId)
+    }
+}
+
+impl std::fmt::Display for BatchId {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        self.0.as_hyphenated().fmt(f)
+    }
+}
+
+/// A batch to be stored.
+#[derive(Debug, Clone, PartialEq)]
+pub struct NewBatch {
+    /// Identity.
+    pub id: BatchId,
+    /// Owner.
+    pub tenant: Tenant,
+    /// The submitter's own marks.
+    pub labels: BTreeMap<String, String>,
+    /// The submitter's own name for it.
+    pub external_ref: Option<String>,
+}
+
+/// A batch as stored.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Batch {
+    /// Identity.
+    pub id: BatchId,
+    /// Owner.
+    pub tenant: Tenant,
+    /// Jobs it was made with.
+    pub n_jobs: u32,
+    /// The submitter's own marks.
+    pub labels: BTreeMap<String, String>,
+    /// The submitter's own name for it.
+    pub external_ref: Option<String>,
+    /// When it was accepted.
+    pub created_at: Timestamp,
+    /// How many of its jobs are in each state; those deleted since are in none.
+    pub counts: BTreeMap<JobState, u32>,
+}
+
+impl Batch {
+    /// Whether no job of it waits or runs.
+    pub fn is_finished(&self) -> bool {
+        self.counts.iter().all(|(state, &n)| state.is_final() || n == 0)
+    }
+}
+
+/// A part of a list.
+#[derive(Debug, Clone, PartialEq)]
+pub struct BatchPage {
+    /// The batches.
+    pub batches: Vec<Batch>,
+    /// Where the next page begins, if there is one.
+    pub next: Option<Cursor>,
+}

@@ -1,0 +1,161 @@
+//! API keys: who asks, and what they may.
+
+use super::error::JobError;
+use super::job::Tenant;
+use async_trait::async_trait;
+use jiff::Timestamp;
+use serde::{Deserialize, Serialize};
+use std::time::Duration;
+
+/// What a key allows.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Scope {
+    /// Look at everything of the tenant.
+    Read,
+    /// Submit, cancel, retry and delete jobs; upload.
+    Submit,
+    /// Webhooks, and what operators need.
+    Admin,
+}
+
+impl Scope {
+    /// All scopes.
+    pub const ALL: [Scope; 3] = [Scope::Read, Scope::Submit, Scope::Admin];
+
+    /// The name used in JSON, on the command line and in the database.
+    pub fn name(self) -> &'static str {
+        match self {
+            Scope::Read => "read",
+            Scope::Submit => "submit",
+            Scope::Admin => "admin",
+        }
+    }
+
+    /// The scope of this name.
+    pub fn from_name(name: &str) -> Option<Scope> {
+        Scope::ALL.into_iter().find(|scope| scope.name() == name)
+    }
+}
+
+/// A key as it is given to its owner, once.
+#[derive(Clone, PartialEq, Eq)]
+pub struct SecretKey {
+    id: String,
+    secret: String,
+}
+
+const PREFIX: &str = "hml";
+
+impl SecretKey {
+    /// A random key: 256 bits, from the system's generator by way of two random UUIDs and a hash.
+    pub fn random() -> Self {
+        let id = uuid::Uuid::new_v4().simple().to_string()[..12].to_owned();
+        let mut hasher = blake3::Hasher::new();
+        // Each carries 122 random bits.
+        for _ in 0..4 {
+            hasher.update(uuid::Uuid::new_v4().as_bytes());
+        }
+        SecretKey { id, secret: hasher.finalize().to_hex().to_string() }
+    }
+
+    /// The key written in `text`.
+    pub fn parse(text: &str) -> Option<Self> {
+        let mut parts = text.split('_');
+        let (prefix, id, secret) = (parts.next()?, parts.next()?, parts.next()?);
+        let is_hex = |text: &str| text.bytes().all(|b| b.is_ascii_hexdigit());
+        let whole = prefix == PREFIX && id.len() == 12 && secret.len() == 64 && parts.next().is_none();
+        (whole && is_hex(id) && is_hex(secret)).then(|| SecretKey { id: id.to_owned(), secret: secret.to_owned() })
+    }
+
+    /// Its public part.
+    pub fn id(&self) -> &str {
+        &self.id
+    }
+
+    /// What is stored of the secret part. It is long and random, so a fast hash is enough.
+    pub fn hash(&self) -> String {
+        blake3::hash(self.secret.as_bytes()).to_hex().to_string()
+    }
+
+    /// Whether this is the key with that stored hash; takes the same time whatever differs.
+    pub fn has_hash(&self, stored: &str) -> bool {
+        blake3::Hash::from_hex(stored).is_ok_and(|stored| stored == blake3::hash(self.secret.as_bytes()))
+    }
+
+    /// The text for its owner.
+    pub fn reveal(&self) -> String {
+        format!("{PREFIX}_{}_{}", self.id, self.secret)
+    }
+}
+
+impl std::fmt::Debug for SecretKey {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "SecretKey({})", self.id)
+    }
+}
+
+/// A key as stored.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct ApiKey {
+    /// Public part.
+    pub id: String,
+    /// Whose requests it makes.
+    pub tenant: Tenant,
+    /// What its maker called it.
+    pub name: String,
+    /// Hash of its secret part.
+    pub hash: String,
+    /// What it allows.
+    pub scopes: Vec<Scope>,
+    /// When it was made.
+    pub created_at: Timestamp,
+    /// When it ends.
+    pub expires_at: Option<Timestamp>,
+    /// When it was revoked.
+    pub revoked_at: Option<Timestamp>,
+    /// Whether it is neither expired nor revoked, by the database's clock.
+    pub is_valid: bool,
+}
+
+/// Records of keys.
+#[async_trait]
+pub trait KeyStore: Send + Sync {
+    /// Stores a key that ends after `valid_for`, or never.
+    async fn insert_key(
+        &self,
+        key: &SecretKey,
+        tenant: &Tenant,
+        name: &str,
+        scopes: &[Scope],
+        valid_for: Option<Duration>,
+    ) -> Result<(), JobError>;
+
+    /// The key with this public part.
+    async fn get_key(&self, id: &str) -> Result<Option<ApiKey>, JobError>;
+
+    /// All keys.
+    async fn list_keys(&self) -> Result<Vec<ApiKey>, JobError>;
+
+    /// Ends a key now. `false` if there is none, or it was revoked before.
+    async fn revoke_key(&self, id: &str) -> Result<bool, JobError>;
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn keys_are_read_back_and_say_nothing_in_logs() {
+        let key = SecretKey::random();
+        let again = SecretKey::parse(&key.reveal()).unwrap();
+        assert_eq!(again, key);
+        assert!(again.has_hash(&key.hash()));
+        assert!(!again.has_hash(&SecretKey::random().hash()));
+        assert!(!format!("{key:?}").contains(&key.secret));
+        let text = key.reveal();
+        for wrong in ["", "hml", "hml_x_y", &text[1..], &text[..text.len() - 1], &format!("{text}_")] {
+            assert!(SecretKey::parse(wrong).is_none(), "{wrong}");
+        }
+    }
+}

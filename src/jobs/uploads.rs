@@ -1,0 +1,171 @@
+//! Uploads: stored as they arrive, checked afterwards, and checked once for each way of preparing them.
+
+use super::engine::{InputBytes, Resolved};
+use super::error::JobError;
+use super::job::Tenant;
+use super::mesh::{CheckOutcome, Mesh, MeshPage};
+use super::ports::{ArtifactKey, ArtifactWriter};
+use super::service::JobService;
+use super::submission::{SubmitError, SubmittedFile};
+use bytes::Bytes;
+use serde_json::{Value, json};
+use std::sync::Arc;
+use std::time::Duration;
+
+/// How long an upload may take between its last byte and its record.
+const HOLD: Duration = Duration::from_secs(600);
+
+/// An upload on its way in.
+pub struct Upload {
+    tenant: Tenant,
+    writer: Box<dyn ArtifactWriter>,
+    hasher: blake3::Hasher,
+    n_bytes: u64,
+}
+
+impl Upload {
+    /// Bytes so far.
+    pub fn n_bytes(&self) -> u64 {
+        self.n_bytes
+    }
+
+    /// Adds a part.
+    ///
+    /// # Errors
+    /// Of the store.
+    pub async fn write(&mut self, part: Bytes) -> Result<(), JobError> {
+        self.n_bytes += part.len() as u64;
+        self.hasher.update(&part);
+        self.writer.write(part).await
+    }
+}
+
+impl JobService {
+    /// Begins an upload; nothing is kept unless [`JobService::end_upload`] is reached.
+    ///
+    /// # Errors
+    /// Of the store.
+    pub async fn begin_upload(&self, tenant: &Tenant) -> Result<Upload, JobError> {
+        let writer = self.stores.artifacts.begin(tenant).await?;
+        Ok(Upload { tenant: tenant.clone(), writer, hasher: blake3::Hasher::new(), n_bytes: 0 })
+    }
+
+    /// Names and records an upload. Returns it, and whether it is new.
+    ///
+    /// # Errors
+    /// Of the stores.
+    pub async fn end_upload(&self, upload: Upload, name_hint: Option<&str>) -> Result<(Mesh, bool), JobError> {
+        let Upload { tenant, writer, hasher, n_bytes } = upload;
+        let hash = hasher.finalize().to_hex().to_string();
+        let key = ArtifactKey::of_hash(&tenant, &hash)
+            .ok_or(JobError::Corrupt { what: "the hash of an upload", source: None })?;
+        let holder = format!("upload:{}", uuid::Uuid::new_v4());
+        self.stores.jobs.hold_blobs(&holder, std::slice::from_ref(&key), HOLD, None).await?;
+        let recorded = async {
+            writer.commit(&key).await?;
+            self.stores.meshes.insert_mesh(&key, n_bytes, name_hint, &holder).await
+        };
+        match recorded.await {
+            Ok(is_new) => Ok((self.stores.meshes.get_mesh(&tenant, &hash).await?, is_new)),
+            Err(error) => {
+                let _ = self.stores.jobs.drop_hold(&holder).await;
+                Err(error)
+            }
+        }
+    }
+
+    /// An upload.
+    ///
+    /// # Errors
+    /// [`JobError::MeshNotFound`].
+    pub async fn mesh(&self, tenant: &Tenant, hash: &str) -> Result<Mesh, JobError> {
+        self.stores.meshes.get_mesh(tenant, hash).await
+    }
+
+    /// A part of the list of uploads.
+    ///
+    /// # Errors
+    /// [`JobError`].
+    pub async fn meshes(
+        &self,
+        tenant: &Tenant,
+        size: u32,
+        after: Option<(i64, String)>,
+    ) -> Result<MeshPage, JobError> {
+        self.stores.meshes.list_meshes(tenant, size, after).await
+    }
+
+    /// The bytes of an upload.
+    ///
+    /// # Errors
+    /// [`JobError`].
+    pub async fn mesh_content(&self, mesh: &Mesh) -> Result<Bytes, JobError> {
+        self.stores.artifacts.get(&mesh.key).await
+    }
+
+    /// Forgets an upload.
+    ///
+    /// # Errors
+    /// [`JobError::MeshInUse`] while jobs refer to it.
+    pub async fn delete_mesh(&self, tenant: &Tenant, hash: &str) -> Result<(), JobError> {
+        self.stores.meshes.delete_mesh(tenant, hash).await?;
+        if let Err(error) = self.remove_unreferenced_blobs().await {
+            tracing::warn!(%error, "the blob of a deleted mesh remains for now");
+        }
+        Ok(())
+    }
+
+    /// What checking an upload with the default parameters finds.
+    ///
+    /// # Errors
+    /// [`SubmitError::Busy`], and those of the stores.
+    pub async fn mesh_report(&self, mesh: &Mesh) -> Result<CheckOutcome, SubmitError> {
+        let resolved = self.engine.resolve(&Value::Object(serde_json::Map::new())).map_err(SubmitError::Parameters)?;
+        self.check_mesh(mesh, "mesh", &resolved).await
+    }
+
+    /// What checking an upload finds, from its record or by reading it.
+    pub(super) async fn check_mesh(
+        &self,
+        mesh: &Mesh,
+        input: &'static str,
+        resolved: &Resolved,
+    ) -> Result<CheckOutcome, SubmitError> {
+        let (tenant, hash) = (&mesh.key.tenant, mesh.key.hash());
+        let input_key = &resolved.input_key;
+        if let Some(found) = self.stores.meshes.mesh_check(tenant, hash, input_key).await? {
+            return Ok(found);
+        }
+        let file = SubmittedFile { bytes: self.mesh_content(mesh).await?, name_hint: mesh.name_hint.clone() };
+        let found = self.inspect(input, file, resolved).await?;
+        self.stores.meshes.save_mesh_check(tenant, hash, input_key, &found).await?;
+        Ok(found)
+    }
+
+    /// Has the engine check a file.
+    pub(super) async fn inspect(
+        &self,
+        input: &'static str,
+        file: SubmittedFile,
+        resolved: &Resolved,
+    ) -> Result<CheckOutcome, SubmitError> {
+        let permit = tokio::time::timeout(self.limits.max_check_wait, Arc::clone(&self.checks).acquire_owned());
+        let Ok(Ok(permit)) = permit.await else { return Err(SubmitError::Busy) };
+        let (engine, parameters) = (Arc::clone(&self.engine), resolved.parameters.clone());
+        let checked = tokio::task::spawn_blocking(move || {
+            let _permit = permit; // given back when the check ends, also if nobody waits for it any more
+            let bytes = InputBytes { bytes: &file.bytes, name_hint: file.name_hint.as_deref() };
+            engine.check_input(&bytes, &parameters)
+        });
+        match checked.await {
+            Ok(Ok(summary)) => Ok(CheckOutcome::Fit(summary)),
+            Ok(Err(refusal)) => Ok(CheckOutcome::Unfit(refusal)),
+            Err(_) => Err(SubmitError::CheckFailed { input }),
+        }
+    }
+}
+
+/// The key of a check by default: all that the parameters say of inputs.
+pub fn input_key(parameters: &Value) -> String {
+    parameters.get("input").cloned().unwrap_or_else(|| json!({})).to_string()
+}

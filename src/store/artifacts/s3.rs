@@ -1,0 +1,171 @@
+//! Blobs in an S3-compatible store: `<prefix>/blobs/<tenant>/…`, named as in a folder.
+//!
+//! The store answers a write when it is durable. What comes in parts goes to `<prefix>/incoming/` by a multipart upload
+//! and is copied to its name when that is known, inside the store. An upload that was interrupted leaves parts that
+//! only the store sees: give the bucket a lifecycle rule that aborts incomplete multipart uploads.
+
+use crate::jobs::{ArtifactKey, ArtifactStore, ArtifactWriter, JobError, Tenant};
+use async_trait::async_trait;
+use bytes::{Bytes, BytesMut};
+use object_store::aws::{AmazonS3, AmazonS3Builder};
+use object_store::path::Path;
+use object_store::{ClientOptions, MultipartUpload, ObjectStore, ObjectStoreExt, PutPayload, RetryConfig};
+use std::sync::Arc;
+use std::time::Duration;
+
+/// Longest time for one request; blobs are a few megabytes.
+const REQUEST: Duration = Duration::from_secs(30);
+/// Longest wait for a connection.
+const CONNECT: Duration = Duration::from_secs(5);
+/// How long failing requests are tried again; whoever asks has patience of its own.
+const RETRY: Duration = Duration::from_secs(10);
+/// Size of the parts of a multipart upload; the least that S3 allows is 5 MiB.
+const PART: usize = 8 << 20;
+/// No upload takes this long; what is older in `incoming/` belongs to nobody.
+const STALE: Duration = Duration::from_secs(24 * 3600);
+
+/// An S3-compatible store of blobs.
+#[derive(Debug, Clone)]
+pub struct S3Artifacts {
+    client: Arc<AmazonS3>,
+    prefix: Path,
+}
+
+impl S3Artifacts {
+    /// The store at `s3://bucket/prefix`; credentials, region and endpoint come from the environment, as `AWS_*`.
+    ///
+    /// # Errors
+    /// [`JobError::Unavailable`] if the address or the environment is not right. Does not connect yet.
+    pub fn open(url: &str) -> Result<Self, JobError> {
+        crate::tls::prepare();
+        let rest = url.strip_prefix("s3://").unwrap_or(url);
+        let (bucket, prefix) = rest.split_once('/').unwrap_or((rest, ""));
+        let retry = RetryConfig { max_retries: 4, retry_timeout: RETRY, ..RetryConfig::default() };
+        let options = ClientOptions::new().with_timeout(REQUEST).with_connect_timeout(CONNECT);
+        let builder = AmazonS3Builder::from_env().with_bucket_name(bucket).with_retry(retry);
+        // Options of the environment that concern the client, such as AWS_ALLOW_HTTP, would be replaced by ours.
+        let allow_http = std::env::var("AWS_ALLOW_HTTP").is_ok_and(|v| v == "true" || v == "1");
+        let client = builder.with_client_options(options.with_allow_http(allow_http)).build().map_err(domain_error)?;
+        Ok(S3Artifacts { client: Arc::new(client), prefix: Path::from(prefix) })
+    }
+
+    fn path(&self, key: &ArtifactKey) -> Path {
+        Path::from(format!("{}/blobs/{}/{}", self.prefix, key.tenant.name(), key.path()))
+    }
+
+    fn incoming(&self) -> Path {
+        Path::from(format!("{}/incoming", self.prefix))
+    }
+}
+
+fn domain_error(error: object_store::Error) -> JobError {
+    match error {
+        object_store::Error::NotFound { .. } => JobError::Corrupt { what: "a blob that is not there", source: Some(Box::new(error)) },
+        // What S3-compatible servers say when a quota or a disk is full.
+        other if ["InsufficientStorage", "XMinioStorageFull", "QuotaExceeded", "507"].iter().any(|sign| format!("{other:?}").contains(sign)) => {
+            JobError::StorageFull
+        }
+        other => JobError::Unavailable(Box::new(other)),
+    }
+}
+
+#[async_trait]
+impl ArtifactStore for S3Artifacts {
+    async fn ping(&self) -> Result<(), JobError> {
+        match self.client.head(&Path::from(format!("{}/.homolog", self.prefix))).await {
+            Ok(_) | Err(object_store::Error::NotFound { .. }) => Ok(()),
+            Err(error) => Err(domain_error(error)),
+        }
+    }
+
+    async fn put(&self, key: &ArtifactKey, bytes: Bytes) -> Result<(), JobError> {
+        self.client.put(&self.path(key), PutPayload::from_bytes(bytes)).await.map(|_| ()).map_err(domain_error)
+    }
+
+    async fn begin(&self, _: &Tenant) -> Result<Box<dyn ArtifactWriter>, JobError> {
+        let incoming = Path::from(format!("{}/{}", self.incoming(), uuid::Uuid::new_v4()));
+        Ok(Box::new(S3Writer { store: self.clone(), incoming, upload: None, buffer: BytesMut::new() }))
+    }
+
+    async fn get(&self, key: &ArtifactKey) -> Result<Bytes, JobError> {
+        let bytes = async { self.client.get(&self.path(key)).await?.bytes().await }.await.map_err(domain_error)?;
+        if blake3::hash(&bytes).to_hex().as_str() != key.hash() {
+            return Err(JobError::Corrupt { what: "a blob whose content is not its name", source: None });
+        }
+        Ok(bytes)
+    }
+
+    async fn remove(&self, key: &ArtifactKey) -> Result<(), JobError> {
+        match self.client.delete(&self.path(key)).await {
+            Ok(()) | Err(object_store::Error::NotFound { .. }) => Ok(()),
+            Err(error) => Err(domain_error(error)),
+        }
+    }
+
+    async fn sweep(&self) -> Result<u32, JobError> {
+        let listed = self.client.list_with_delimiter(Some(&self.incoming())).await.map_err(domain_error)?;
+        let mut removed = 0;
+        for object in listed.objects {
+            let age = std::time::SystemTime::from(object.last_modified).elapsed().unwrap_or_default();
+            if age > STALE && self.client.delete(&object.location).await.is_ok() {
+                removed += 1;
+            }
+        }
+        Ok(removed)
+    }
+}
+
+/// A blob that is uploaded in parts; a small one stays in memory until its name is known.
+struct S3Writer {
+    store: S3Artifacts,
+    incoming: Path,
+    upload: Option<Box<dyn MultipartUpload>>,
+    buffer: BytesMut,
+}
+
+impl S3Writer {
+    async fn send_part(&mut self) -> Result<(), JobError> {
+        let part = PutPayload::from_bytes(self.buffer.split().freeze());
+        let upload = match &mut self.upload {
+            Some(upload) => upload,
+            None => {
+                let begun = self.store.client.put_multipart(&self.incoming).await.map_err(domain_error)?;
+                self.upload.insert(begun)
+            }
+        };
+        upload.put_part(part).await.map_err(domain_error)
+    }
+}
+
+#[async_trait]
+impl ArtifactWriter for S3Writer {
+    async fn write(&mut self, part: Bytes) -> Result<(), JobError> {
+        self.buffer.extend_from_slice(&part);
+        if self.buffer.len() >= PART { self.send_part().await } else { Ok(()) }
+    }
+
+    async fn commit(mut self: Box<Self>, key: &ArtifactKey) -> Result<(), JobError> {
+        if self.upload.is_none() {
+            let bytes = self.buffer.split().freeze();
+            return self.store.put(key, bytes).await;
+        }
+        if !self.buffer.is_empty() {
+            self.send_part().await?;
+        }
+        if let Some(upload) = &mut self.upload {
+            upload.complete().await.map_err(domain_error)?;
+        }
+        self.upload = None;
+        let copied = self.store.client.copy(&self.incoming, &self.store.path(key)).await.map_err(domain_error);
+        let _ = self.store.client.delete(&self.incoming).await; // else the sweep finds it
+        copied
+    }
+}
+
+impl Drop for S3Writer {
+    fn drop(&mut self) {
+        if let (Some(mut upload), Ok(runtime)) = (self.upload.take(), tokio::runtime::Handle::try_current()) {
+            runtime.spawn(async move { upload.abort().await });
+        }
+    }
+}

@@ -1,0 +1,62 @@
+//! Batches and their counts.
+
+use super::database::{Row, Session, bind};
+use super::dialect::sql;
+use super::{SqlStore, rows};
+use crate::jobs::job::{Cursor, JobId};
+use crate::jobs::{Batch, BatchId, BatchPage, JobError, Tenant};
+use std::collections::BTreeMap;
+
+/// A batch by its id, in any session.
+pub(super) async fn find_batch(session: &mut Session, tenant: &Tenant, id: BatchId) -> Result<Batch, JobError> {
+    let row = session.row(sql!("get_batch"), bind![id, tenant]).await?.ok_or(JobError::BatchNotFound)?;
+    batch(session, &row).await
+}
+
+async fn batch(session: &mut Session, row: &Row) -> Result<Batch, JobError> {
+    let id = rows::batch_id(&row.get::<String>("id")?)?;
+    let mut counts = BTreeMap::new();
+    for count in session.rows(sql!("batch_counts"), bind![id]).await? {
+        counts.insert(rows::state(&count.get::<String>("state")?)?, count.count("n")?);
+    }
+    Ok(Batch {
+        id,
+        tenant: rows::tenant(&row.get::<String>("tenant")?)?,
+        n_jobs: row.count("n_jobs")?,
+        labels: rows::json("a batch's labels", &row.get::<String>("labels")?)?,
+        external_ref: row.get("external_ref")?,
+        created_at: rows::time(row.get("created_at")?)?,
+        counts,
+    })
+}
+
+impl SqlStore {
+    pub(super) async fn read_batch(&self, tenant: &Tenant, id: BatchId) -> Result<Batch, JobError> {
+        find_batch(&mut self.database.reading().await?, tenant, id).await
+    }
+
+    pub(super) async fn read_batches(
+        &self,
+        tenant: &Tenant,
+        size: u32,
+        after: Option<Cursor>,
+    ) -> Result<BatchPage, JobError> {
+        let mut session = self.database.reading().await?;
+        let arguments =
+            bind![tenant, after.map(|c| c.created_at_ms), after.map(|c| c.id.to_string()), i64::from(size) + 1];
+        let found = session.rows(sql!("list_batches"), arguments).await?;
+        let mut batches = Vec::new();
+        for row in found.iter().take(size as usize) {
+            batches.push(batch(&mut session, row).await?);
+        }
+        let next = match batches.last() {
+            Some(last) if found.len() > size as usize => {
+                // A cursor names what it stands at by a job's id; a batch's has the same form.
+                let id = JobId::parse(&last.id.to_string());
+                id.map(|id| Cursor { created_at_ms: last.created_at.as_millisecond(), id })
+            }
+            _ => None,
+        };
+        Ok(BatchPage { batches, next })
+    }
+}

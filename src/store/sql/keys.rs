@@ -1,0 +1,54 @@
+//! Records of API keys.
+
+use super::database::{Row, bind};
+use super::dialect::sql;
+use super::{SqlStore, rows};
+use crate::jobs::{ApiKey, JobError, KeyStore, Scope, SecretKey, Tenant};
+use async_trait::async_trait;
+use std::time::Duration;
+
+fn api_key(row: &Row) -> Result<ApiKey, JobError> {
+    Ok(ApiKey {
+        id: row.get("id")?,
+        tenant: rows::tenant(&row.get::<String>("tenant")?)?,
+        name: row.get("name")?,
+        hash: row.get("hash")?,
+        scopes: rows::json("a key's scopes", &row.get::<String>("scopes")?)?,
+        created_at: rows::time(row.get("created_at")?)?,
+        expires_at: rows::maybe_time(row, "expires_at")?,
+        revoked_at: rows::maybe_time(row, "revoked_at")?,
+        is_valid: row.get("is_valid")?,
+    })
+}
+
+#[async_trait]
+impl KeyStore for SqlStore {
+    async fn insert_key(
+        &self,
+        key: &SecretKey,
+        tenant: &Tenant,
+        name: &str,
+        scopes: &[Scope],
+        valid_for: Option<Duration>,
+    ) -> Result<(), JobError> {
+        let scopes = rows::to_json("scopes", &scopes)?;
+        let mut session = self.database.begin().await?;
+        let arguments = bind![key.id(), tenant, name, key.hash(), scopes, valid_for];
+        let done = session.execute(sql!("insert_key"), arguments).await;
+        session.end(done).await.map(|_| ())
+    }
+
+    async fn get_key(&self, id: &str) -> Result<Option<ApiKey>, JobError> {
+        self.database.reading().await?.row(sql!("get_key"), bind![id]).await?.as_ref().map(api_key).transpose()
+    }
+
+    async fn list_keys(&self) -> Result<Vec<ApiKey>, JobError> {
+        self.database.reading().await?.rows(sql!("list_keys"), bind![]).await?.iter().map(api_key).collect()
+    }
+
+    async fn revoke_key(&self, id: &str) -> Result<bool, JobError> {
+        let mut session = self.database.begin().await?;
+        let done = session.execute(sql!("revoke_key"), bind![id]).await;
+        Ok(session.end(done).await? == 1)
+    }
+}

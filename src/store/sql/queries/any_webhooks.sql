@@ -1,0 +1,2 @@
+-- any_webhooks
+SELECT EXISTS (SELECT 1 FROM webhooks)

@@ -1,0 +1,5 @@
+-- blob_is_needed
+SELECT
+    EXISTS (SELECT 1 FROM job_artifacts WHERE tenant = $1 AND path = $2)
+    OR EXISTS (SELECT 1 FROM meshes WHERE tenant = $1 AND path = $2)
+    OR EXISTS (SELECT 1 FROM blob_holds WHERE tenant = $1 AND path = $2)

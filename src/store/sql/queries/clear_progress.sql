@@ -1,0 +1,2 @@
+-- clear_progress
+DELETE FROM job_progress WHERE job_id = $1

@@ -1,0 +1,2 @@
+-- clear_trace
+DELETE FROM trace_chunks WHERE job_id = $1

@@ -1,0 +1,2 @@
+-- count_crash
+UPDATE jobs SET crashes = crashes + 1 WHERE id = $1

@@ -1,0 +1,2 @@
+-- count_jobs_to_purge
+SELECT COUNT(*) FROM jobs WHERE finished_at IS NOT NULL AND finished_at <= {now} - $1

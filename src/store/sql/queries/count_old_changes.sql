@@ -1,0 +1,2 @@
+-- count_old_changes
+SELECT COUNT(*) FROM changes WHERE at <= {now} - $1

@@ -1,0 +1,2 @@
+-- count_old_deliveries
+SELECT COUNT(*) FROM webhook_deliveries WHERE created_at <= {now} - $1

@@ -1,0 +1,2 @@
+-- count_webhooks
+SELECT COUNT(*) FROM webhooks WHERE tenant = $1

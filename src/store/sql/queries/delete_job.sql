@@ -1,0 +1,2 @@
+-- delete_job
+DELETE FROM jobs WHERE id = $1

@@ -1,0 +1,2 @@
+-- delete_mesh
+DELETE FROM meshes WHERE tenant = $1 AND hash = $2

@@ -1,0 +1,2 @@
+-- drop_hold
+DELETE FROM blob_holds WHERE holder = $1

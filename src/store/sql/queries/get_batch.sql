@@ -1,0 +1,2 @@
+-- get_batch
+SELECT * FROM batches WHERE id = $1 AND tenant = $2

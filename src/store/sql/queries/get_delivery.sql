@@ -1,0 +1,2 @@
+-- get_delivery
+SELECT * FROM webhook_deliveries WHERE id = $1

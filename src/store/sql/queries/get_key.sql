@@ -1,0 +1,2 @@
+-- get_key
+SELECT *, (revoked_at IS NULL AND (expires_at IS NULL OR expires_at > {now})) AS is_valid FROM api_keys WHERE id = $1

@@ -1,0 +1,2 @@
+-- get_leased_job
+SELECT * FROM job_records WHERE id = $1

@@ -1,0 +1,2 @@
+-- get_mesh
+SELECT * FROM meshes WHERE tenant = $1 AND hash = $2

@@ -1,0 +1,2 @@
+-- last_change
+SELECT COALESCE(MAX(seq), 0) FROM changes

@@ -1,0 +1,2 @@
+-- lock_change_counter
+UPDATE counters SET value = value WHERE name = 'changes' RETURNING value

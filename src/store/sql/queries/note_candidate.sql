@@ -1,0 +1,2 @@
+-- note_candidate
+UPDATE blobs SET is_candidate = TRUE WHERE tenant = $1 AND path = $2

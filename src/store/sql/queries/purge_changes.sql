@@ -1,0 +1,2 @@
+-- purge_changes
+DELETE FROM changes WHERE at <= {now} - $1

@@ -1,0 +1,10 @@
+-- release_job
+UPDATE jobs
+SET
+    state = 'queued',
+    attempt = attempt - 1,
+    worker_id = NULL,
+    lease_expires_at = NULL,
+    run_deadline_at = NULL,
+    started_at = NULL
+WHERE id = $1 AND state = 'running'

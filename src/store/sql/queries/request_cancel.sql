@@ -1,0 +1,2 @@
+-- request_cancel
+UPDATE jobs SET cancel_requested = TRUE WHERE id = $1

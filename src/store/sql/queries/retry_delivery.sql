@@ -1,0 +1,2 @@
+-- retry_delivery
+UPDATE webhook_deliveries SET next_at = {now} + $2, status = $3, error = $4 WHERE id = $1 AND state = 'pending'

@@ -1,0 +1,2 @@
+-- running_count
+SELECT COUNT(*) FROM jobs WHERE state = 'running'

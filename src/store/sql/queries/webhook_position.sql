@@ -1,0 +1,2 @@
+-- webhook_position
+SELECT value FROM counters WHERE name = 'webhooks'

@@ -1,0 +1,181 @@
+//! Jobs, lists, traces and references.
+
+use super::database::{Argument, Session, bind};
+use super::dialect::{sql, with_options};
+use super::{SqlStore, rows};
+use crate::jobs::job::{Cursor, Order};
+use crate::jobs::{
+    ArtifactKey, ArtifactKind, ArtifactRef, Job, JobError, JobFilter, JobId, JobPage, JobState, NumberedPoint,
+    PageRequest, Tenant, TracePage,
+};
+
+/// Labels that one list may be filtered by: as many as `list_jobs.sql` has lines for.
+pub(crate) const MAX_LABEL_FILTERS: usize = 4;
+
+/// A job by its id, in any session.
+pub(super) async fn find_job(session: &mut Session, tenant: &Tenant, id: JobId) -> Result<Job, JobError> {
+    let row = session.row(sql!("get_job"), bind![id, tenant]).await?;
+    rows::job(&row.ok_or(JobError::NotFound)?)
+}
+
+impl SqlStore {
+    pub(super) async fn get_job(&self, tenant: &Tenant, id: JobId) -> Result<Job, JobError> {
+        let mut session = self.database.reading().await?;
+        let mut job = find_job(&mut session, tenant, id).await?;
+        if job.state == JobState::Queued {
+            let place = bind![job.priority, job.created_at.as_millisecond(), id];
+            let position: Option<i64> = session.value(sql!("queue_position"), place).await?;
+            job.queue_position = position.map(i64::unsigned_abs);
+        }
+        Ok(job)
+    }
+
+    pub(super) async fn count_queue(&self, tenant: Option<&Tenant>) -> Result<u32, JobError> {
+        let mut session = self.database.reading().await?;
+        let row = match tenant {
+            Some(tenant) => session.row(sql!("queue_length_of_tenant"), bind![tenant, i64::from(u32::MAX)]).await?,
+            None => session.row(sql!("queue_length"), bind![]).await?,
+        };
+        row.map_or(Ok(0), |row| row.count(0))
+    }
+
+    pub(super) async fn count_running(&self) -> Result<u32, JobError> {
+        let row = self.database.reading().await?.row(sql!("running_count"), bind![]).await?;
+        row.map_or(Ok(0), |row| row.count(0))
+    }
+
+    /// Each state is read by itself, along its index, and the pages are merged: whatever the filter, the cost is that
+    /// of a few pages, however many jobs there are.
+    pub(super) async fn list_jobs(
+        &self,
+        tenant: &Tenant,
+        filter: &JobFilter,
+        page: &PageRequest,
+    ) -> Result<JobPage, JobError> {
+        let mut session = self.database.snapshot().await?;
+        let read = async {
+            let mut jobs = Vec::new();
+            if filter.states.is_empty() {
+                jobs = list_state(&mut session, tenant, filter, None, page).await?;
+            }
+            for &state in &filter.states {
+                jobs.extend(list_state(&mut session, tenant, filter, Some(state), page).await?);
+            }
+            Ok(jobs)
+        };
+        let read = read.await;
+        let mut jobs = session.end(read).await?;
+        let place = |job: &Job| (job.created_at, job.id);
+        match page.order {
+            Order::NewestFirst => jobs.sort_by_key(|job| std::cmp::Reverse(place(job))),
+            Order::OldestFirst => jobs.sort_by_key(place),
+        }
+        jobs.dedup_by_key(|job| job.id);
+        let more = jobs.len() > page.size as usize;
+        jobs.truncate(page.size as usize);
+        let next = jobs
+            .last()
+            .filter(|_| more)
+            .map(|job| Cursor { created_at_ms: job.created_at.as_millisecond(), id: job.id });
+        Ok(JobPage { jobs, next })
+    }
+
+    pub(super) async fn read_trace(
+        &self,
+        tenant: &Tenant,
+        id: JobId,
+        after_seq: u64,
+        limit: u32,
+    ) -> Result<TracePage, JobError> {
+        // State and points of the same moment: `complete` must not hide a last chunk.
+        let mut session = self.database.snapshot().await?;
+        let read = async {
+            let state: Option<String> = session.value(sql!("job_state"), bind![id, tenant]).await?;
+            let state = rows::state(&state.ok_or(JobError::NotFound)?)?;
+            // A chunk has at least a point; the first may reach back before `after`.
+            let arguments = bind![id, after_seq, i64::from(limit) + 2];
+            Ok((state, session.rows(sql!("trace_chunks_after"), arguments).await?))
+        };
+        let read = read.await;
+        let (state, chunks) = session.end(read).await?;
+        let mut points: Vec<NumberedPoint> = Vec::new();
+        for chunk in &chunks {
+            points.extend(rows::json::<Vec<NumberedPoint>>("a trace chunk", &chunk.get::<String>(0)?)?);
+        }
+        points.retain(|p| p.seq > after_seq);
+        let more = points.len() > limit as usize;
+        points.truncate(limit as usize);
+        let next_after_seq = points.last().map_or(after_seq, |p| p.seq);
+        Ok(TracePage { points, next_after_seq, complete: state.is_final() && !more })
+    }
+
+    pub(super) async fn get_artifact(
+        &self,
+        tenant: &Tenant,
+        id: JobId,
+        kind: ArtifactKind,
+    ) -> Result<(JobState, Option<ArtifactRef>), JobError> {
+        let mut session = self.database.reading().await?;
+        let row = session.row(sql!("get_artifact"), bind![id, tenant, kind.name()]).await?;
+        let row = row.ok_or(JobError::NotFound)?;
+        if row.get::<Option<i64>>("purged_at")?.is_some() {
+            return Err(JobError::Gone);
+        }
+        let artifact = match (row.get::<Option<String>>("path")?, row.get::<Option<i64>>("n_bytes")?) {
+            (Some(path), Some(n_bytes)) => {
+                let key = ArtifactKey::from_path(tenant, &path);
+                let key = key.ok_or(JobError::Corrupt { what: "a blob's address", source: None })?;
+                Some(ArtifactRef { kind, key, n_bytes: n_bytes.unsigned_abs() })
+            }
+            _ => None,
+        };
+        Ok((rows::state(&row.get::<String>("state")?)?, artifact))
+    }
+}
+
+async fn list_state(
+    session: &mut Session,
+    tenant: &Tenant,
+    filter: &JobFilter,
+    state: Option<JobState>,
+    page: &PageRequest,
+) -> Result<Vec<Job>, JobError> {
+    const LABELS: [[&str; 2]; MAX_LABEL_FILTERS] =
+        [["label_a", "value_a"], ["label_b", "value_b"], ["label_c", "value_c"], ["label_d", "value_d"]];
+    let after = page.after;
+    let newest = page.order == Order::NewestFirst;
+    let mut values: Vec<(&str, Argument)> = vec![
+        ("tenant", tenant.into()),
+        // One more than asked for tells whether there is a next page.
+        ("size", (i64::from(page.size) + 1).into()),
+    ];
+    let mut wanted = vec![if newest { "newest" } else { "oldest" }];
+    let mut want = |name: &'static str, value: Option<Argument>| {
+        if let Some(value) = value {
+            wanted.push(name);
+            values.push((name, value));
+        }
+    };
+    want("state", state.map(Argument::from));
+    want("method", filter.method.as_ref().map(Argument::from));
+    want("reference", filter.external_ref.as_ref().map(Argument::from));
+    want("batch", filter.batch_id.map(Argument::from));
+    want("created_from", filter.created_from.map(|t| t.as_millisecond().into()));
+    want("created_before", filter.created_before.map(|t| t.as_millisecond().into()));
+    for ([label, value], (name, text)) in LABELS.into_iter().zip(&filter.labels) {
+        want(label, Some(name.into()));
+        want(value, Some(text.into()));
+    }
+    if let Some(after) = after {
+        wanted.push(if newest { "after_newest" } else { "after_oldest" });
+        values.push(("after_time", after.created_at_ms.into()));
+        values.push(("after_id", after.id.into()));
+    }
+    let (text, names) = with_options(include_str!("queries/list_jobs.sql"), &wanted);
+    let mut arguments = Vec::new();
+    for name in &names {
+        let value = values.iter().find(|(n, _)| n == name).map(|(_, value)| value.clone());
+        arguments.push(value.ok_or(JobError::Corrupt { what: "a list's query", source: None })?);
+    }
+    session.fetch(text, arguments).await?.iter().map(rows::job).collect()
+}

@@ -1,2 +1,0 @@
--- clear_progress
-DELETE FROM job_progress WHERE job_id = ?1

@@ -1,2 +1,0 @@
--- clear_trace
-DELETE FROM trace_chunks WHERE job_id = ?1

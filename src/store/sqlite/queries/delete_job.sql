@@ -1,2 +1,0 @@
--- delete_job
-DELETE FROM jobs WHERE id = ?1

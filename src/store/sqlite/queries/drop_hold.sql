@@ -1,2 +1,0 @@
--- drop_hold
-DELETE FROM blob_holds WHERE holder = ?1

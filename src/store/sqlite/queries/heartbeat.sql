@@ -1,5 +1,0 @@
--- heartbeat
-UPDATE jobs
-SET lease_expires_at = CAST(unixepoch('subsec') * 1000 AS INTEGER) + ?3
-WHERE id = ?1 AND lease_epoch = ?2 AND state = 'running'
-RETURNING cancel_requested

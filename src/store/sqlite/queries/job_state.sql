@@ -1,2 +1,0 @@
--- job_state
-SELECT state FROM jobs WHERE id = ?1 AND tenant = ?2

@@ -1,2 +1,0 @@
--- request_cancel
-UPDATE jobs SET cancel_requested = 1 WHERE id = ?1

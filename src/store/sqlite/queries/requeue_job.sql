@@ -1,8 +1,0 @@
--- requeue_job
-UPDATE jobs
-SET
-    state = 'queued',
-    worker_id = NULL,
-    lease_expires_at = NULL,
-    started_at = NULL
-WHERE id = ?1 AND state = 'running'

@@ -62,7 +62,7 @@ fn domain_error(error: object_store::Error) -> JobError {
     match error {
         object_store::Error::NotFound { .. } => JobError::Corrupt { what: "a blob that is not there", source: Some(Box::new(error)) },
         // What S3-compatible servers say when a quota or a disk is full.
-        other if ["InsufficientStorage", "XMinioStorageFull", "QuotaExceeded", "507"].iter().any(|sign| format!("{other:?}").contains(sign)) => {
+        other if ["InsufficientStorage", "XMinioStorageFull", "QuotaExceeded", "status: 507"].iter().any(|sign| format!("{other:?}").contains(sign)) => {
             JobError::StorageFull
         }
         other => JobError::Unavailable(Box::new(other)),

@@ -1,8 +1,8 @@
 //! The job store as workers use it, past HTTP and past processes.
 
 use homolog::jobs::{
-    ArtifactKey, ArtifactKind, ArtifactRef, JobError, JobId, JobInput, JobState, JobStore, Lease, LeaseStatus, NewJob,
-    NumberedPoint, Outcome, Progress, Recovered, Tenant, TraceChunk, WorkerId,
+    Admission, ArtifactKey, ArtifactKind, ArtifactRef, JobError, JobId, JobInput, JobState, JobStore, Lease,
+    LeaseStatus, NewJob, NumberedPoint, Outcome, Progress, Recovered, Tenant, TraceChunk, WorkerId,
 };
 use homolog::observe::{Phase, TracePoint};
 use serde_json::json;
@@ -25,12 +25,13 @@ pub struct Queue {
 impl Queue {
     /// Adds a job.
     pub async fn add(&self) -> Result<JobId, JobError> {
-        self.store.insert(&new_job(), 1_000_000, "").await.map(|job| job.id)
+        let admission = Admission { max_queued: 1_000_000, holder: String::new(), keep_result: None, once: None };
+        self.store.insert(&new_job(), &admission).await.map(|job| job.id)
     }
 
     /// The next job for a worker of this name.
     pub async fn claim(&self, worker: &str, duration: Duration) -> Result<Option<Lease>, JobError> {
-        let claimed = self.store.claim(&WorkerId::from_name(worker), duration).await?;
+        let claimed = self.store.claim(&WorkerId::from_name(worker), duration, LONG).await?;
         Ok(claimed.map(|leased| leased.lease))
     }
 
@@ -40,17 +41,23 @@ impl Queue {
 
     /// Ends a job with a result whose content is `text`.
     pub async fn finish(&self, lease: &Lease, text: &str) -> Result<(), JobError> {
-        let key = ArtifactKey::of(&lease.tenant, text.as_bytes());
+        let key = ArtifactKey::of_result(lease, text.as_bytes());
         let result = ArtifactRef { kind: ArtifactKind::Result, key, n_bytes: text.len() as u64 };
-        self.store.finish(lease, &Outcome::Succeeded(vec![result])).await
+        self.store.finish(lease, &Outcome::Succeeded(vec![result]), None).await
     }
 
     pub async fn finish_cancelled(&self, lease: &Lease) -> Result<(), JobError> {
-        self.store.finish(lease, &Outcome::Cancelled).await
+        self.store.finish(lease, &Outcome::Cancelled, None).await
     }
 
     pub async fn heartbeat(&self, lease: &Lease) -> Result<LeaseStatus, JobError> {
         self.store.heartbeat(lease, LONG).await
+    }
+
+    /// Announces a blob that a worker is about to write.
+    pub async fn hold(&self, lease: &Lease, text: &str) -> Result<(), JobError> {
+        let key = ArtifactKey::of_result(lease, text.as_bytes());
+        self.store.hold_blobs(&lease.holder(), &[key], LONG, Some(lease)).await
     }
 
     pub async fn cancel(&self, id: JobId) -> Result<JobState, JobError> {
@@ -64,7 +71,7 @@ impl Queue {
     /// The hash of the job's result.
     pub async fn result_hash(&self, id: JobId) -> String {
         let (_, artifact) = self.store.artifact(&Tenant::default(), id, ArtifactKind::Result).await.unwrap();
-        artifact.unwrap().key.hash
+        artifact.unwrap().key.hash().to_owned()
     }
 
     pub async fn seqs(&self, id: JobId) -> Vec<u64> {
@@ -106,6 +113,13 @@ fn new_job() -> NewJob {
         labels: BTreeMap::new(),
         external_ref: None,
         max_attempts: 3,
+        deadline_at: None,
+        max_run_ms: None,
+        retry_of: None,
+        batch_id: None,
+        cache_key: None,
+        use_cache: false,
+        traceparent: None,
     }
 }
 

@@ -7,7 +7,7 @@ use super::postgres::Cluster;
 use super::s3::S3Server;
 use super::witness::Database;
 use homolog::jobs::JobStore;
-use homolog::store::sqlite::SqliteStore;
+use homolog::store::sql::{DatabaseLocation, SqlStore};
 use std::cell::Cell;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -111,10 +111,11 @@ impl Site {
     /// Connections of one's own to the job store, as another process would have.
     pub async fn store(&self) -> Arc<dyn JobStore> {
         std::fs::create_dir_all(self.data_dir()).unwrap();
-        match &self.cluster {
-            None => Arc::new(SqliteStore::open(&self.data_dir()).await.unwrap()),
-            Some(_) => unimplemented!("the store on PostgreSQL"),
-        }
+        let location = match &self.cluster {
+            None => DatabaseLocation::Folder(self.data_dir()),
+            Some(cluster) => DatabaseLocation::Postgres { url: cluster.url(), max_connections: 4, notify: true },
+        };
+        Arc::new(SqlStore::open(&location).await.unwrap())
     }
 
     /// A look into the database past the service. It has to have its tables already.

@@ -1,6 +1,7 @@
 # make demo    build, start the service, match a pair over HTTP, show the result
 #              SOURCE=a.nii.gz TARGET=b.nii.gz: your own pair; KEEP=1: leave the service running
-# make test    every test
+# make test    every test; those of faults in a short form
+# make faults  the service while things break, in full length: an hour, or with TEST=a06 one of its points
 # make check   format, lints, documentation, unused dependencies
 # make build   target/release/homolog
 # make api     writes the generated files under api/ anew
@@ -9,12 +10,13 @@
 SHELL := /usr/bin/env bash
 .SHELLFLAGS := -eu -o pipefail -c
 .DEFAULT_GOAL := help
-.PHONY: help demo test check build api bench
+.PHONY: help demo test faults check build api bench
 
 CARGO ?= cargo
 SOURCE ?=
 TARGET ?=
 KEEP ?=
+TEST ?=
 DEMO_OUT ?= target/demo
 
 help:
@@ -35,6 +37,14 @@ test:
 	  set -x; $(CARGO) nextest run --locked --no-fail-fast; $(CARGO) test --locked --doc; \
 	else \
 	  set -x; $(CARGO) test --locked --no-fail-fast; \
+	fi
+
+faults:
+	@scripts/setup test
+	@export HOMOLOG_FAULTS=full; if $(CARGO) nextest --version >/dev/null 2>&1; then \
+	  set -x; $(CARGO) nextest run --locked --profile faults --no-fail-fast -E 'test(/^faults::.*$(TEST)/)'; \
+	else \
+	  set -x; $(CARGO) test --locked --no-fail-fast --test suite -- faults:: --test-threads 2; \
 	fi
 
 check:

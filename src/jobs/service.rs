@@ -19,6 +19,9 @@ use std::sync::Arc;
 use std::time::Duration;
 use tokio::sync::{Notify, Semaphore};
 
+/// Longest look at a dependency: who asks is a supervisor with little patience.
+const LOOK: Duration = Duration::from_secs(3);
+
 /// Bounds on what is accepted, and how long it is kept.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct SubmissionLimits {
@@ -268,6 +271,13 @@ impl JobService {
 
     /// Whether the job store and the blob store answer.
     pub async fn dependencies(&self) -> [(&'static str, Result<(), JobError>); 2] {
-        [("job_store", self.stores.jobs.ping().await), ("artifact_store", self.stores.artifacts.ping().await)]
+        let looks = tokio::join!(
+            tokio::time::timeout(LOOK, self.stores.jobs.ping()),
+            tokio::time::timeout(LOOK, self.stores.artifacts.ping()),
+        );
+        let answer = |look: Result<Result<(), JobError>, tokio::time::error::Elapsed>| {
+            look.unwrap_or_else(|late| Err(JobError::Unavailable(Box::new(late))))
+        };
+        [("job_store", answer(looks.0)), ("artifact_store", answer(looks.1))]
     }
 }

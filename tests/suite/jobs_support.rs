@@ -48,14 +48,13 @@ impl Engine for ObedientEngine {
         if !faults.is_empty() {
             return Err(faults);
         }
-        let resolved = Resolved {
+        Ok(Resolved {
             method: "obedient".to_owned(),
             method_version: "1".to_owned(),
             parameters: request.clone(),
             input_key: String::new(),
             result_version: "1".to_owned(),
-        };
-        Ok(resolved)
+        })
     }
 
     fn check_input(&self, input: &InputBytes<'_>, _: &Value) -> Result<InputSummary, InputRefusal> {

@@ -83,7 +83,7 @@ fn domain_error(error: object_store::Error) -> JobError {
         }
         // What S3-compatible servers say when a quota or a disk is full.
         other
-            if ["InsufficientStorage", "XMinioStorageFull", "QuotaExceeded", "507"]
+            if ["InsufficientStorage", "XMinioStorageFull", "QuotaExceeded", "status: 507"]
                 .iter()
                 .any(|sign| format!("{other:?}").contains(sign)) =>
         {

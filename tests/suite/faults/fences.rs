@@ -61,6 +61,7 @@ async fn a02_without_the_fence_a_result_would_be_accepted_twice(backend: Backend
     queue.append(&fresh, 1..=2).await.unwrap();
 
     assert!(is_lost(&queue.append(&stale, 4..=5).await));
+    assert!(is_lost(&queue.hold(&stale, "stale").await));
     assert!(is_lost(&queue.finish(&stale, "stale").await));
     assert_eq!(queue.heartbeat(&stale).await.unwrap(), LeaseStatus::Lost);
     queue.finish(&fresh, "fresh").await.unwrap();

@@ -98,7 +98,7 @@ async fn a23_nodes_killed_at_random_lose_nothing(backend: Backend) {
     let Some(site) = Site::open(backend) else { return };
     // What survives takes the submissions; the two others are killed and started again.
     let arguments = ["--workers", "2", "--max-attempts", "100"];
-    let front = site.serve(&arguments);
+    let front = site.serve(&[&arguments[2..], &["--workers", "1"]].concat());
     let client = site.client(&front);
     let database = site.database().await;
     database.watch().await;
@@ -150,7 +150,7 @@ async fn submit_over(client: Client, n_jobs: u64, time: Duration) -> Vec<String>
     let mut ids = Vec::new();
     let pause = time.mul_f64(0.8) / n_jobs as u32;
     for _ in 0..n_jobs {
-        ids.push(client.submit(steps(12, 25)).await);
+        ids.push(client.submit(steps(12, 50)).await);
         tokio::time::sleep(pause).await;
     }
     ids

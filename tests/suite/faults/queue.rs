@@ -31,7 +31,7 @@ impl Queue {
 
     /// The next job for a worker of this name.
     pub async fn claim(&self, worker: &str, duration: Duration) -> Result<Option<Lease>, JobError> {
-        let claimed = self.store.claim(&WorkerId::from_name(worker), duration, Duration::from_secs(3600)).await?;
+        let claimed = self.store.claim(&WorkerId::from_name(worker), duration, LONG).await?;
         Ok(claimed.map(|leased| leased.lease))
     }
 
@@ -41,7 +41,7 @@ impl Queue {
 
     /// Ends a job with a result whose content is `text`.
     pub async fn finish(&self, lease: &Lease, text: &str) -> Result<(), JobError> {
-        let key = ArtifactKey::of(&lease.tenant, text.as_bytes());
+        let key = ArtifactKey::of_result(lease, text.as_bytes());
         let result = ArtifactRef { kind: ArtifactKind::Result, key, n_bytes: text.len() as u64 };
         self.store.finish(lease, &Outcome::Succeeded(vec![result]), None).await
     }
@@ -52,6 +52,12 @@ impl Queue {
 
     pub async fn heartbeat(&self, lease: &Lease) -> Result<LeaseStatus, JobError> {
         self.store.heartbeat(lease, LONG).await
+    }
+
+    /// Announces a blob that a worker is about to write.
+    pub async fn hold(&self, lease: &Lease, text: &str) -> Result<(), JobError> {
+        let key = ArtifactKey::of_result(lease, text.as_bytes());
+        self.store.hold_blobs(&lease.holder(), &[key], LONG, Some(lease)).await
     }
 
     pub async fn cancel(&self, id: JobId) -> Result<JobState, JobError> {

@@ -63,6 +63,8 @@ problems! {
         "Send multipart/form-data (RFC 7578) with the fields source and target, each a file, and optionally parameters, labels, external_ref, priority.";
     BadRequest = "bad-request", BAD_REQUEST, "The request cannot be understood",
         "Check path, headers and body against /openapi.json.";
+    NotAcceptable = "not-acceptable", NOT_ACCEPTABLE, "The resource cannot be had in a format that Accept allows",
+        "available lists the formats; ask for one by Accept or by ?format=.";
     UnsupportedMediaType = "unsupported-media-type", UNSUPPORTED_MEDIA_TYPE, "The body's media type is not taken here",
         "Send a submission as multipart/form-data with a boundary.";
     UnknownFormat = "unknown-format", UNSUPPORTED_MEDIA_TYPE, "An input's file format is not known",
@@ -122,6 +124,7 @@ impl ProblemKind {
         match status {
             StatusCode::NOT_FOUND => ProblemKind::RouteNotFound,
             StatusCode::METHOD_NOT_ALLOWED => ProblemKind::MethodNotAllowed,
+            StatusCode::NOT_ACCEPTABLE => ProblemKind::NotAcceptable,
             StatusCode::PAYLOAD_TOO_LARGE => ProblemKind::BodyTooLarge,
             StatusCode::UNSUPPORTED_MEDIA_TYPE => ProblemKind::UnsupportedMediaType,
             StatusCode::REQUEST_TIMEOUT => ProblemKind::UploadTimeout,

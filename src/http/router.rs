@@ -69,6 +69,7 @@ pub(super) fn api() -> OpenApiRouter<HttpState> {
         .routes(routes!(routes::trace::trace))
         .routes(routes!(routes::result::result))
         .routes(routes!(routes::result::correspondences))
+        .routes(routes!(routes::result::transform))
         .routes(routes!(routes::surfaces::surface))
         .routes(routes!(routes::surfaces::aligned))
         .routes(routes!(routes::methods::list))

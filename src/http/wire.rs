@@ -156,15 +156,17 @@ pub struct JobResultDocument {
 pub struct ResultLinks {
     /// The job.
     pub job: String,
-    /// The source surface whose vertices the correspondences count, PLY.
+    /// The rigid transform: JSON, text, ITK or FreeSurfer.
+    pub transform: String,
+    /// The source surface whose vertices the correspondences count: PLY, VTK, GIFTI or STL.
     pub source_surface: String,
-    /// The target surface whose vertices the correspondences count, PLY.
+    /// The target surface whose vertices the correspondences count, likewise.
     pub target_surface: String,
-    /// The dense correspondence, JSON or CSV.
+    /// The dense correspondence: JSON, CSV, NumPy or Arrow, or PLY, VTK or GIFTI with arrays for the source's vertices.
     pub correspondences: String,
     /// The energy trace.
     pub trace: String,
-    /// The source surface moved onto the target, PLY.
+    /// The source surface moved onto the target: PLY, VTK, GIFTI or STL.
     pub aligned: String,
 }
 
@@ -307,6 +309,7 @@ impl ResultLinks {
     pub fn of(id: crate::jobs::JobId) -> Self {
         let path = format!("/v1/jobs/{id}");
         ResultLinks {
+            transform: format!("{path}/transform"),
             source_surface: format!("{path}/surfaces/source"),
             target_surface: format!("{path}/surfaces/target"),
             correspondences: format!("{path}/correspondences"),

@@ -16,6 +16,9 @@ use tokio::sync::{Notify, Semaphore};
 /// How long a submission may take between writing its blobs and storing its job.
 const HOLD: Duration = Duration::from_secs(600);
 
+/// Parts of results read and made into other formats at the same time.
+const MAX_PRESENTATIONS: usize = 4;
+
 /// Bounds on what is accepted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct SubmissionLimits {
@@ -92,9 +95,11 @@ pub enum SubmitError {
 pub struct JobService {
     store: Arc<dyn JobStore>,
     artifacts: Arc<dyn ArtifactStore>,
-    engine: Arc<dyn Engine>,
+    pub(super) engine: Arc<dyn Engine>,
     limits: SubmissionLimits,
     checks: Arc<Semaphore>,
+    /// Parts of results made into other formats at the same time; each is in memory twice.
+    pub(super) presentations: Arc<Semaphore>,
     /// Wakes workers of this process; polling is the truth, this only makes it prompt.
     queued: Arc<Notify>,
 }
@@ -109,7 +114,8 @@ impl JobService {
         queued: Arc<Notify>,
     ) -> Self {
         let checks = Arc::new(Semaphore::new(limits.max_checks.max(1)));
-        JobService { store, artifacts, engine, limits, checks, queued }
+        let presentations = Arc::new(Semaphore::new(MAX_PRESENTATIONS));
+        JobService { store, artifacts, engine, limits, checks, presentations, queued }
     }
 
     /// Accepts a job: checks parameters and both inputs, stores the blobs, then the job. On return it is durable.

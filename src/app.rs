@@ -1,15 +1,19 @@
 //! The wiring: which store, which engine, which workers, and how a process begins and ends.
 
 use crate::config::{HttpSettings, ServiceSettings};
-use crate::http::{AuthMode, HttpState, router};
+use crate::http::{AuthMode, HttpState, probe_router, router};
 use crate::jobs::{ArtifactStore, Engine, JobError, JobService, JobStore, Processes, Stores, WorkerId};
 use crate::store::artifacts::{FolderArtifacts, S3Artifacts};
 use crate::store::presence::{Ownership, Presence};
 use crate::store::sql::SqlStore;
+use crate::telemetry;
+use crate::worker::courier::Courier;
 use crate::worker::heartbeat::Heart;
 use crate::worker::housekeeper::Housekeeper;
 use crate::worker::match_engine::MatchEngine;
+use crate::worker::quota::Quota;
 use crate::worker::{Pool, PoolParts};
+use axum::Router;
 use std::net::SocketAddr;
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -52,8 +56,8 @@ pub enum AppError {
     /// Another process serves it.
     #[error("another `homolog serve` uses the data directory {}; `homolog worker` may share it", .0.display())]
     Taken(PathBuf),
-    /// A store cannot be opened.
-    #[error("{what} cannot be opened: {error}")]
+    /// A store cannot be used.
+    #[error("{what} cannot be used: {error}")]
     Store {
         /// Which.
         what: &'static str,
@@ -164,37 +168,74 @@ impl App {
             worker,
             settings: worker_settings,
             queued: Arc::new(Notify::new()),
+            quota: Arc::default(),
             stop: shutdown.stop.clone(),
             give_back: shutdown.give_back.clone(),
         };
         Ok(App { parts, housekeeper, stores: [store, heart_store], _ownership: ownership })
     }
 
+    /// Has the process end by itself, after so long without a job or after so many.
+    pub fn limit_to(&mut self, quota: Quota) {
+        self.parts.quota = Arc::new(quota);
+    }
+
     /// Runs jobs, and answers HTTP on `listener` if there is one, until `shutdown`.
     pub async fn run(self, http: Option<(TcpListener, HttpSettings, ServiceSettings)>, shutdown: &Shutdown) {
-        let housekeeping = tokio::spawn(self.housekeeper.clone().run(shutdown.stop.clone()));
-        let hints = {
-            let (store, queued) = (Arc::clone(&self.parts.store), Arc::clone(&self.parts.queued));
-            tokio::spawn(async move { store.follow_hints(&queued).await })
+        let Some((listener, http, service)) = http else { return self.run_with(None, None, shutdown).await };
+        let auth = http.auth_mode().unwrap_or(AuthMode::Keys);
+        let state = self.http_state(&http, &service, auth, shutdown);
+        let courier = match Courier::new(Arc::new(self.stores[0].clone()), http.courier_settings()) {
+            Ok(courier) => Some(courier),
+            Err(error) => {
+                tracing::error!(%error, "webhooks are not delivered");
+                None
+            }
         };
+        self.run_with(Some((listener, router(state))), courier, shutdown).await;
+    }
+
+    /// Runs jobs, and answers supervisors on `listener`, until `shutdown`.
+    pub async fn run_with_probes(self, listener: TcpListener, service: &ServiceSettings, shutdown: &Shutdown) {
+        let state = self.http_state(&HttpSettings::default(), service, AuthMode::Keys, shutdown);
+        self.run_with(Some((listener, probe_router(state))), None, shutdown).await;
+    }
+
+    fn http_state(
+        &self,
+        http: &HttpSettings,
+        service: &ServiceSettings,
+        auth: AuthMode,
+        shutdown: &Shutdown,
+    ) -> HttpState {
+        let own = Arc::new(self.stores[0].clone());
+        let stores = Stores {
+            jobs: Arc::clone(&self.parts.store),
+            meshes: own.clone(),
+            keys: own.clone(),
+            webhooks: own,
+            artifacts: Arc::clone(&self.parts.artifacts),
+        };
+        let (engine, queued) = (Arc::clone(&self.parts.engine), Arc::clone(&self.parts.queued));
+        let use_cases = JobService::new(stores, engine, http.submission_limits(service), queued);
+        HttpState::new(Arc::new(use_cases), http.http_limits(service), auth, shutdown.stop.clone())
+            .with_metrics(telemetry::metrics_text)
+    }
+
+    async fn run_with(self, http: Option<(TcpListener, Router)>, courier: Option<Courier>, shutdown: &Shutdown) {
+        telemetry::metrics_text(); // collected from here on
+        let housekeeping = tokio::spawn(self.housekeeper.clone().run(shutdown.stop.clone()));
+        let mut aside = tokio::task::JoinSet::new();
+        let (store, queued) = (Arc::clone(&self.parts.store), Arc::clone(&self.parts.queued));
+        aside.spawn(async move { store.follow_hints(&queued).await });
+        if let Some(courier) = courier {
+            aside.spawn(courier.run(shutdown.stop.clone()));
+        }
         let pool = Pool::start(&self.parts);
-        let server = http.map(|(listener, http, service)| {
-            let own = Arc::new(self.stores[0].clone());
-            let stores = Stores {
-                jobs: Arc::clone(&self.parts.store),
-                meshes: own.clone(),
-                keys: own.clone(),
-                webhooks: own,
-                artifacts: Arc::clone(&self.parts.artifacts),
-            };
-            let engine = Arc::clone(&self.parts.engine);
-            let queued = Arc::clone(&self.parts.queued);
-            let use_cases = JobService::new(stores, engine, http.submission_limits(&service), queued);
-            let auth = http.auth_mode().unwrap_or(AuthMode::Keys);
-            let state = HttpState::new(Arc::new(use_cases), http.http_limits(&service), auth, shutdown.stop.clone());
+        let server = http.map(|(listener, router)| {
             let stop = shutdown.stop.clone();
             tokio::spawn(async move {
-                let serving = axum::serve(listener, router(state)).with_graceful_shutdown(stop.cancelled_owned());
+                let serving = axum::serve(listener, router).with_graceful_shutdown(stop.cancelled_owned());
                 if let Err(error) = serving.await {
                     tracing::error!(%error, "the server ended");
                 }
@@ -202,7 +243,7 @@ impl App {
         });
         shutdown.stop.cancelled().await;
         pool.ended().await;
-        hints.abort();
+        aside.shutdown().await;
         let _ = housekeeping.await;
         if let Some(server) = server
             && tokio::time::timeout(LAST_ANSWERS, server).await.is_err()
@@ -251,7 +292,20 @@ pub async fn listen(http: &HttpSettings) -> Result<TcpListener, AppError> {
     if http.auth_mode().is_none() {
         return Err(AppError::Insecure(address));
     }
+    bind(address).await
+}
+
+/// A listener on this address.
+///
+/// # Errors
+/// [`AppError::Listen`].
+pub async fn bind(address: SocketAddr) -> Result<TcpListener, AppError> {
     TcpListener::bind(address).await.map_err(|error| AppError::Listen { address, error })
+}
+
+/// What a store's failure is to a process that needs it.
+pub fn store_error(what: &'static str, error: &JobError) -> AppError {
+    AppError::Store { what, error: with_causes(error) }
 }
 
 fn with_causes(error: &dyn std::error::Error) -> String {

@@ -6,6 +6,7 @@ use crate::intake::{DEFAULT_MATCH_BYTES, IntakeLimits};
 use crate::jobs::{Retention, SubmissionLimits};
 use crate::store::sql::DatabaseLocation;
 use crate::worker::WorkerSettings;
+use crate::worker::courier::CourierSettings;
 use std::net::SocketAddr;
 use std::path::PathBuf;
 use std::time::Duration;
@@ -96,6 +97,12 @@ pub struct HttpSettings {
     /// Who may ask: anyone, or holders of API keys; absent: anyone on a loopback address, holders of keys elsewhere
     #[arg(long, env = "HOMOLOG_AUTH", value_enum)]
     pub auth: Option<AuthMode>,
+    /// Let webhooks go to private addresses, such as those of this network
+    #[arg(long, env = "HOMOLOG_ALLOW_PRIVATE_WEBHOOKS", value_parser = clap::builder::FalseyValueParser::new())]
+    pub allow_private_webhooks: bool,
+    /// Pause after the first failed delivery of an event, ms; each further one is three times as long
+    #[arg(long, env = "HOMOLOG_WEBHOOK_PAUSE_MS", default_value_t = 5_000, value_parser = clap::value_parser!(u64).range(10..=3_600_000), value_name = "MS")]
+    pub webhook_pause_ms: u64,
     /// Most jobs of a batch
     #[arg(long, env = "HOMOLOG_MAX_BATCH", default_value_t = 1_000, value_name = "N")]
     pub max_batch: usize,
@@ -127,6 +134,20 @@ fn days(text: &str) -> Result<f64, String> {
 /// Zero days are for ever.
 fn retained(days: f64) -> Option<Duration> {
     (days > 0.0).then(|| Duration::from_secs_f64(days * 86_400.0))
+}
+
+/// What a process that only runs jobs is told besides.
+#[derive(Debug, Clone, Default, clap::Args)]
+pub struct WorkerProcessSettings {
+    /// End when there was no job for so long, s; absent: never
+    #[arg(long, env = "HOMOLOG_EXIT_WHEN_IDLE_S", value_name = "S")]
+    pub exit_when_idle_s: Option<u64>,
+    /// End after so many jobs; absent: never
+    #[arg(long, env = "HOMOLOG_MAX_JOBS", value_parser = clap::value_parser!(u64).range(1..), value_name = "N")]
+    pub max_jobs: Option<u64>,
+    /// Address to answer /healthz, /readyz and /metrics on; absent: none
+    #[arg(long, env = "HOMOLOG_PROBE_LISTEN", value_name = "ADDRESS:PORT")]
+    pub probe_listen: Option<SocketAddr>,
 }
 
 impl ServiceSettings {
@@ -171,6 +192,18 @@ impl ServiceSettings {
     }
 }
 
+impl Default for HttpSettings {
+    /// What holds where nothing is said.
+    fn default() -> Self {
+        #[derive(clap::Parser)]
+        struct Alone {
+            #[command(flatten)]
+            http: HttpSettings,
+        }
+        <Alone as clap::Parser>::parse_from(["homolog"]).http
+    }
+}
+
 impl HttpSettings {
     /// Who may ask. `None`: anyone who can reach the address would be let in, and nobody said that this is wanted.
     pub fn auth_mode(&self) -> Option<AuthMode> {
@@ -191,6 +224,15 @@ impl HttpSettings {
             max_upload_wait: Duration::from_secs(20),
             upload_timeout: Duration::from_secs(self.upload_timeout_s),
             request_timeout: Duration::from_secs(self.request_timeout_s),
+            allow_private_webhooks: self.allow_private_webhooks,
+        }
+    }
+
+    /// How webhooks are delivered.
+    pub fn courier_settings(&self) -> CourierSettings {
+        CourierSettings {
+            allow_private: self.allow_private_webhooks,
+            first_pause: Duration::from_millis(self.webhook_pause_ms),
         }
     }
 

@@ -1,6 +1,8 @@
 //! Logs on standard error. They carry ids, never file names, labels or anything else that may name a patient.
 
 use crate::config::LogFormat;
+use metrics_exporter_prometheus::{PrometheusBuilder, PrometheusHandle};
+use std::sync::OnceLock;
 use tracing_subscriber::EnvFilter;
 
 /// Begins to log. A second call changes nothing.
@@ -26,4 +28,18 @@ fn log_panics() {
         let thread = std::thread::current().name().map(str::to_owned);
         tracing::error!(place, thread, "panic");
     }));
+}
+
+/// The metrics of this process, collected from the first call on, in the text format of Prometheus.
+pub fn metrics_text() -> String {
+    static RECORDER: OnceLock<Option<PrometheusHandle>> = OnceLock::new();
+    let recorder = RECORDER.get_or_init(|| {
+        let buckets = [0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 30.0];
+        let builder = PrometheusBuilder::new().set_buckets(&buckets).ok()?;
+        builder.install_recorder().ok()
+    });
+    recorder.as_ref().map_or_else(String::new, |recorder| {
+        recorder.run_upkeep();
+        recorder.render()
+    })
 }

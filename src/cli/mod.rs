@@ -1,6 +1,7 @@
 //! The command line: one file a command. Commands print answers to the standard output, everything else to the
 //! standard error, and end with 0 (done), 1 (failed), 2 (bad input) or 130 (stopped on request).
 
+mod admin;
 mod demo;
 mod error;
 mod files;
@@ -35,6 +36,9 @@ enum Command {
     Serve(serve::ServeArgs),
     /// Run workers for a service that runs elsewhere
     Worker(serve::WorkerArgs),
+    Migrate(admin::MigrateArgs),
+    Keys(admin::KeysArgs),
+    Purge(admin::PurgeArgs),
     Match(match_pair::MatchArgs),
     Inspect(inspect::InspectArgs),
     Phantom(phantom::PhantomArgs),
@@ -65,6 +69,9 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
     let done = match cli.command {
         Command::Serve(args) => serve::serve(args),
         Command::Worker(args) => serve::worker(args),
+        Command::Migrate(args) => admin::migrate(&args),
+        Command::Keys(args) => admin::keys(&args),
+        Command::Purge(args) => admin::purge(&args),
         Command::Openapi => serve::print_openapi(),
         Command::Problems => serve::print_problems(),
         Command::Match(args) => match_pair::run(&args),

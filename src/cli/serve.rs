@@ -3,10 +3,11 @@
 use super::error::CliError;
 use super::output::print;
 use crate::app::{self, App, AppError, Shutdown};
-use crate::config::{HttpSettings, ServiceSettings};
+use crate::config::{HttpSettings, ServiceSettings, WorkerProcessSettings};
 use crate::http::openapi::openapi_json;
 use crate::http::problem_table::problems_markdown;
 use crate::telemetry;
+use crate::worker::quota::Quota;
 use std::time::Duration;
 
 /// Arguments of `homolog serve`.
@@ -23,7 +24,10 @@ pub struct ServeArgs {
 /// Arguments of `homolog worker`.
 #[derive(Debug, Clone, clap::Args)]
 pub struct WorkerArgs {
-    /// Everything.
+    /// How long it lives.
+    #[command(flatten)]
+    pub process: WorkerProcessSettings,
+    /// Everything else.
     #[command(flatten)]
     pub service: ServiceSettings,
 }
@@ -43,15 +47,26 @@ pub fn serve(args: ServeArgs) -> Result<(), CliError> {
     })
 }
 
-/// Runs jobs until a signal.
+/// Runs jobs until a signal, or until its own end as the arguments say.
 pub fn worker(args: WorkerArgs) -> Result<(), CliError> {
     let service = args.service.clone();
     in_runtime(&service, async move {
         let shutdown = Shutdown::default();
         shutdown.follow_signals(Duration::from_millis(args.service.shutdown_grace_ms));
-        let app = App::open(&args.service, app::engine(&args.service), &shutdown, false).await?;
-        say(&format!("homolog worker runs jobs of {}", args.service.data_dir.display()));
-        app.run(None, &shutdown).await;
+        let probes = match args.process.probe_listen {
+            Some(address) => Some(app::bind(address).await?),
+            None => None,
+        };
+        let mut app = App::open(&args.service, app::engine(&args.service), &shutdown, false).await?;
+        app.limit_to(Quota::new(args.process.exit_when_idle_s.map(Duration::from_secs), args.process.max_jobs));
+        say(&match &args.service.database_url {
+            None => format!("homolog worker runs jobs of {}", args.service.data_dir.display()),
+            Some(_) => "homolog worker runs jobs of the database".to_owned(),
+        });
+        match probes {
+            Some(listener) => app.run_with_probes(listener, &args.service, &shutdown).await,
+            None => app.run(None, &shutdown).await,
+        }
         Ok(())
     })
 }
@@ -67,7 +82,7 @@ pub fn print_problems() -> Result<(), CliError> {
     print(problems_markdown().trim_end())
 }
 
-fn in_runtime(settings: &ServiceSettings, work: impl Future<Output = Result<(), AppError>>) -> Result<(), CliError> {
+pub(super) fn in_runtime(settings: &ServiceSettings, work: impl Future<Output = Result<(), AppError>>) -> Result<(), CliError> {
     let failed = |error: AppError| CliError::Failed(error.to_string());
     telemetry::start(settings.log_format, &settings.log).map_err(CliError::BadInput)?;
     let runtime = tokio::runtime::Builder::new_multi_thread()

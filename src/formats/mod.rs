@@ -1,4 +1,5 @@
-//! Untrusted bytes to meshes and label volumes, and back; a file a format.
+//! Untrusted bytes to meshes and label volumes, and back; a file a format. What a match leaves is written besides: pairs
+//! of vertices as tables ([`npy`], [`arrow`]), values of vertices beside their mesh, and transforms ([`transform`]).
 //!
 //! Readers take the whole file as a slice and [`ReadLimits`]. No allocation trusts a count that the length of the
 //! file does not back, so a small file cannot ask for much memory or time. [`read`] detects the format
@@ -7,19 +8,27 @@
 
 mod error;
 mod gzip;
+mod pairs;
 mod polygons;
 mod text;
+mod vertex_arrays;
 
+pub mod arrow;
+pub mod gifti;
 pub mod nifti;
+pub mod npy;
 pub mod ply;
 pub mod stl;
+pub mod transform;
 pub mod vtk;
 
 pub use error::FormatError;
 pub use nifti::{write_nifti, write_nifti_gz};
+pub use pairs::PairColumns;
 pub use ply::write_ply;
 pub use polygons::MeshFile;
 pub use stl::write_stl;
+pub use vertex_arrays::{VertexArray, VertexValues};
 pub use vtk::write_vtk;
 
 use crate::volume::LabelVolume;
@@ -135,5 +144,7 @@ fn format_of_name(name: &str) -> Option<InputFormat> {
 /// Plain bytes of a file that may be compressed.
 type Plain<'a> = Cow<'a, [u8]>;
 
+#[cfg(test)]
+mod export_tests;
 #[cfg(test)]
 mod tests;

@@ -3,6 +3,7 @@
 //! Elements other than `vertex` and `face`, and properties other than positions and vertex lists, are skipped.
 
 use super::polygons::{MeshFile, Polygons};
+use super::vertex_arrays::{VertexArray, VertexValues, fitting};
 use super::{FormatError, ReadLimits};
 use crate::mesh::SurfaceMesh;
 use nalgebra::Point3;
@@ -170,16 +171,37 @@ fn wide<T: Into<i64>>(list: Vec<T>) -> Vec<i64> {
 
 /// A binary little-endian PLY file, positions in double precision. Reading it back gives the same mesh to the bit.
 pub fn write_ply(mesh: &SurfaceMesh) -> Vec<u8> {
-    let header = format!(
+    write_ply_with(mesh, &[])
+}
+
+/// The same with further properties of the vertices: `int`, `double` and `uchar`.
+pub fn write_ply_with(mesh: &SurfaceMesh, arrays: &[VertexArray]) -> Vec<u8> {
+    let arrays: Vec<_> = fitting(mesh, arrays).collect();
+    let mut header = format!(
         "ply\nformat binary_little_endian 1.0\ncomment millimetres\nelement vertex {}\nproperty double x\n\
-         property double y\nproperty double z\nelement face {}\nproperty list uchar int vertex_indices\nend_header\n",
-        mesh.n_vertices(),
-        mesh.n_faces()
+         property double y\nproperty double z\n",
+        mesh.n_vertices()
     );
+    for VertexArray { name, values } in &arrays {
+        let kind = match values {
+            VertexValues::Int(_) => "int",
+            VertexValues::Real(_) => "double",
+            VertexValues::Byte(_) => "uchar",
+        };
+        header.push_str(&format!("property {kind} {name}\n"));
+    }
+    header.push_str(&format!("element face {}\nproperty list uchar int vertex_indices\nend_header\n", mesh.n_faces()));
     let mut file = header.into_bytes();
-    file.reserve(mesh.n_vertices() * 24 + mesh.n_faces() * 17);
-    for c in mesh.vertices().iter().flat_map(|p| p.iter()) {
-        file.extend(c.to_le_bytes());
+    file.reserve(mesh.n_vertices() * (24 + 8 * arrays.len()) + mesh.n_faces() * 17);
+    for (vertex, position) in mesh.vertices().iter().enumerate() {
+        file.extend(position.iter().flat_map(|c| c.to_le_bytes()));
+        for array in &arrays {
+            match &array.values {
+                VertexValues::Int(v) => file.extend(v[vertex].to_le_bytes()),
+                VertexValues::Real(v) => file.extend(v[vertex].to_le_bytes()),
+                VertexValues::Byte(v) => file.push(v[vertex]),
+            }
+        }
     }
     for face in mesh.faces() {
         file.push(face.len() as u8);

@@ -6,6 +6,7 @@
 
 use super::polygons::{MeshFile, Polygons};
 use super::text::Scanner;
+use super::vertex_arrays::{VertexArray, VertexValues, fitting};
 use super::{FormatError, ReadLimits};
 use crate::mesh::SurfaceMesh;
 use nalgebra::Point3;
@@ -269,6 +270,12 @@ fn integers(raw: &[u8], element: Element) -> Vec<i64> {
 
 /// A binary legacy VTK file, version 3.0, double precision. Reading it back gives the same mesh to the bit.
 pub fn write_vtk(mesh: &SurfaceMesh) -> Vec<u8> {
+    write_vtk_with(mesh, &[])
+}
+
+/// The same with `POINT_DATA`: a field of arrays of `int`, `double` and `unsigned_char`.
+pub fn write_vtk_with(mesh: &SurfaceMesh, arrays: &[VertexArray]) -> Vec<u8> {
+    let arrays: Vec<_> = fitting(mesh, arrays).collect();
     let mut file = b"# vtk DataFile Version 3.0\nsurface, millimetres\nBINARY\nDATASET POLYDATA\n".to_vec();
     file.extend(format!("POINTS {} double\n", mesh.n_vertices()).into_bytes());
     file.extend(mesh.vertices().iter().flat_map(|p| p.iter()).flat_map(|c| c.to_be_bytes()));
@@ -279,5 +286,19 @@ pub fn write_vtk(mesh: &SurfaceMesh) -> Vec<u8> {
         file.extend(face.iter().flat_map(|v| v.to_be_bytes()));
     }
     file.push(b'\n');
+    if !arrays.is_empty() {
+        let head = format!("POINT_DATA {}\nFIELD FieldData {}\n", mesh.n_vertices(), arrays.len());
+        file.extend(head.into_bytes());
+    }
+    for VertexArray { name, values } in arrays {
+        let (kind, bytes): (_, Vec<u8>) = match values {
+            VertexValues::Int(v) => ("int", v.iter().flat_map(|x| x.to_be_bytes()).collect()),
+            VertexValues::Real(v) => ("double", v.iter().flat_map(|x| x.to_be_bytes()).collect()),
+            VertexValues::Byte(v) => ("unsigned_char", v.clone()),
+        };
+        file.extend(format!("{name} 1 {} {kind}\n", values.len()).into_bytes());
+        file.extend(bytes);
+        file.push(b'\n');
+    }
     file
 }

@@ -1,5 +1,6 @@
 //! What surrounds every request: its id, its span, its time limit, and problems where a layer answered none.
 
+use super::preferences::{trace_id, traceparent};
 use super::problem::{PROBLEM_JSON, Problem};
 use super::problem_table::ProblemKind;
 use super::router::HttpState;
@@ -12,7 +13,6 @@ use tracing::Instrument;
 
 /// The header that names a request.
 pub const REQUEST_ID: HeaderName = HeaderName::from_static("x-request-id");
-const TRACEPARENT: HeaderName = HeaderName::from_static("traceparent");
 
 tokio::task_local! {
     static CURRENT: String;
@@ -31,15 +31,6 @@ fn accepted_id(headers: &HeaderMap) -> String {
     offered.map_or_else(|| uuid::Uuid::now_v7().to_string(), str::to_owned)
 }
 
-/// The trace id of a valid W3C `traceparent`.
-fn trace_id(headers: &HeaderMap) -> Option<&str> {
-    let value = headers.get(TRACEPARENT)?.to_str().ok()?;
-    let mut parts = value.split('-');
-    let (version, trace, parent, _flags) = (parts.next()?, parts.next()?, parts.next()?, parts.next()?);
-    let hex = |text: &str, length| text.len() == length && text.bytes().all(|b| b.is_ascii_hexdigit());
-    (hex(version, 2) && hex(trace, 32) && hex(parent, 16)).then_some(trace)
-}
-
 /// Waiting for a place, draining a refused body, checking and storing two inputs: what a submission may take besides
 /// its upload.
 const AFTER_UPLOAD: Duration = Duration::from_secs(240);
@@ -53,14 +44,14 @@ pub async fn surround(State(state): State<HttpState>, request: Request, next: Ne
     let span = tracing::info_span!(
         "request",
         request_id = %id,
-        trace_id = trace_id(request.headers()),
+        trace_id = traceparent(request.headers()).as_deref().and_then(trace_id),
         %method,
         route = route.as_deref().unwrap_or("none"),
     );
     let began = Instant::now();
     let limit = match (&method, route.as_deref()) {
         // The handler bounds the upload itself, with a better answer; this is the last resort for what comes after.
-        (&Method::POST, Some("/v1/jobs")) => state.limits.upload_timeout + AFTER_UPLOAD,
+        (&Method::POST, Some("/v1/jobs" | "/v1/meshes" | "/v1/batches")) => state.limits.upload_timeout + AFTER_UPLOAD,
         _ => state.limits.request_timeout,
     };
     let answer = async {
@@ -71,6 +62,14 @@ pub async fn surround(State(state): State<HttpState>, request: Request, next: Ne
         let response = as_problem(response);
         let elapsed_ms = began.elapsed().as_millis();
         tracing::info!(status = response.status().as_u16(), elapsed_ms, "answered");
+        let labels = [
+            ("method", method.as_str().chars().take(16).collect::<String>()),
+            ("route", route.clone().unwrap_or_else(|| "none".to_owned())),
+            ("status", response.status().as_u16().to_string()),
+        ];
+        metrics::counter!("homolog_http_requests_total", &labels).increment(1);
+        metrics::histogram!("homolog_http_request_seconds", "route" => labels[1].1.clone())
+            .record(began.elapsed().as_secs_f64());
         response
     };
     let mut response = CURRENT.scope(id, answer.instrument(span)).await;
@@ -117,15 +116,5 @@ mod tests {
         assert_eq!(with("abc-1.2:3_x"), "abc-1.2:3_x");
         assert_ne!(with("two words"), "two words");
         assert_ne!(with(""), "");
-    }
-
-    #[test]
-    fn traceparent_is_read() {
-        let mut headers = HeaderMap::new();
-        headers
-            .insert(TRACEPARENT, HeaderValue::from_static("00-0af7651916cd43dd8448eb211c80319c-b7ad6b7169203331-01"));
-        assert_eq!(trace_id(&headers), Some("0af7651916cd43dd8448eb211c80319c"));
-        headers.insert(TRACEPARENT, HeaderValue::from_static("nonsense"));
-        assert_eq!(trace_id(&headers), None);
     }
 }

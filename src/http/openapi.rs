@@ -14,6 +14,9 @@ use utoipa::OpenApi;
     ),
     tags(
         (name = "jobs", description = "Submit, follow, cancel, delete"),
+        (name = "batches", description = "Many jobs at once"),
+        (name = "meshes", description = "Uploads that jobs can name"),
+        (name = "webhooks", description = "Being told of changes"),
         (name = "results", description = "What a succeeded job leaves"),
         (name = "methods", description = "What can be asked for"),
         (name = "system", description = "For operators and machines"),

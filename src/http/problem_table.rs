@@ -70,11 +70,15 @@ problems! {
     InvalidQuery = "invalid-query", BAD_REQUEST, "The query string has faults",
         "Each entry of errors names a parameter of the query and says what is allowed.";
     MalformedMultipart = "malformed-multipart", BAD_REQUEST, "The multipart body cannot be read",
-        "Send multipart/form-data (RFC 7578) with the fields source and target, each a file, and optionally parameters, labels, external_ref, priority.";
+        "Send multipart/form-data (RFC 7578) with the fields source and target, each a file, and optionally parameters, labels, external_ref, priority, deadline_at, max_run_s, use_cache.";
+    MalformedJson = "malformed-json", BAD_REQUEST, "The JSON body cannot be read",
+        "The detail names the line and the column.";
     BadRequest = "bad-request", BAD_REQUEST, "The request cannot be understood",
         "Check path, headers and body against /openapi.json.";
+    NotAcceptable = "not-acceptable", NOT_ACCEPTABLE, "The resource cannot be had in a format that Accept allows",
+        "available lists the formats; ask for one by Accept or by ?format=.";
     UnsupportedMediaType = "unsupported-media-type", UNSUPPORTED_MEDIA_TYPE, "The body's media type is not taken here",
-        "Send a submission as multipart/form-data with a boundary.";
+        "Send a submission as multipart/form-data with a boundary, or as application/json.";
     UnknownFormat = "unknown-format", UNSUPPORTED_MEDIA_TYPE, "An input's file format is not known",
         "Send NIfTI-1 (.nii, .nii.gz), PLY, STL or legacy VTK.";
     UnreadableFile = "unreadable-file", UNPROCESSABLE_ENTITY, "An input cannot be read",
@@ -107,6 +111,8 @@ problems! {
         "Take a new key for a new request.";
     IdempotencyKeyInProgress = "idempotency-key-in-progress", CONFLICT, "The same request is being worked on",
         "Send it again after the time in Retry-After; it will be answered alike.";
+    TooManyWebhooks = "too-many-webhooks", CONFLICT, "As many webhooks as a tenant may have",
+        "Delete one that is not needed any more.";
     UnsuitableBatch = "unsuitable-batch", UNPROCESSABLE_ENTITY, "Some jobs of the batch cannot be made",
         "Each entry of errors points at a pair and says why; nothing was made.";
     ResultNotReady = "result-not-ready", CONFLICT, "The job is not finished",
@@ -144,6 +150,7 @@ impl ProblemKind {
         match status {
             StatusCode::NOT_FOUND => ProblemKind::RouteNotFound,
             StatusCode::METHOD_NOT_ALLOWED => ProblemKind::MethodNotAllowed,
+            StatusCode::NOT_ACCEPTABLE => ProblemKind::NotAcceptable,
             StatusCode::PAYLOAD_TOO_LARGE => ProblemKind::BodyTooLarge,
             StatusCode::UNSUPPORTED_MEDIA_TYPE => ProblemKind::UnsupportedMediaType,
             StatusCode::REQUEST_TIMEOUT => ProblemKind::UploadTimeout,

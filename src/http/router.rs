@@ -9,6 +9,7 @@ use super::routes;
 use crate::jobs::JobService;
 use axum::Router;
 use axum::extract::DefaultBodyLimit;
+use axum::routing::get;
 use std::sync::Arc;
 use std::time::Duration;
 use tokio::sync::Semaphore;
@@ -31,6 +32,8 @@ pub struct HttpLimits {
     pub upload_timeout: Duration,
     /// Longest time for any other request.
     pub request_timeout: Duration,
+    /// Whether webhooks may go to private addresses.
+    pub allow_private_webhooks: bool,
 }
 
 impl HttpLimits {
@@ -51,6 +54,8 @@ pub struct HttpState {
     pub uploads: Arc<Semaphore>,
     /// Who may ask.
     pub auth: AuthMode,
+    /// The metrics of the process, in the text format of Prometheus.
+    pub metrics: Arc<dyn Fn() -> String + Send + Sync>,
     /// The process ends: long polls answer at once.
     pub stop: CancellationToken,
 }
@@ -59,8 +64,27 @@ impl HttpState {
     /// The state over these use cases.
     pub fn new(service: Arc<JobService>, limits: HttpLimits, auth: AuthMode, stop: CancellationToken) -> Self {
         let uploads = Arc::new(Semaphore::new(limits.max_uploads.max(1)));
-        HttpState { service, limits, uploads, auth, stop }
+        HttpState { service, limits, uploads, auth, metrics: Arc::new(String::new), stop }
     }
+}
+
+impl HttpState {
+    /// Has `/metrics` answer with this.
+    #[must_use]
+    pub fn with_metrics(mut self, metrics: impl Fn() -> String + Send + Sync + 'static) -> Self {
+        self.metrics = Arc::new(metrics);
+        self
+    }
+}
+
+/// Only what supervisors ask of a process that runs jobs and answers nobody else.
+pub fn probe_router(state: HttpState) -> Router {
+    Router::new()
+        .route("/healthz", get(routes::system::healthz))
+        .route("/readyz", get(routes::system::readyz))
+        .route("/metrics", get(routes::system::metrics))
+        .fallback(|| async { Problem::new(ProblemKind::RouteNotFound) })
+        .with_state(state)
 }
 
 /// Every route with its description.
@@ -68,16 +92,33 @@ pub(super) fn api() -> OpenApiRouter<HttpState> {
     OpenApiRouter::with_openapi(document())
         .routes(routes!(routes::jobs::submit, routes::jobs::list))
         .routes(routes!(routes::jobs::get, routes::jobs::delete))
+        .routes(routes!(routes::jobs::cancel_many))
         .routes(routes!(routes::jobs::cancel))
+        .routes(routes!(routes::jobs::retry))
+        .routes(routes!(routes::events::events))
         .routes(routes!(routes::trace::trace))
         .routes(routes!(routes::result::result))
         .routes(routes!(routes::result::correspondences))
+        .routes(routes!(routes::result::transform))
         .routes(routes!(routes::surfaces::surface))
         .routes(routes!(routes::surfaces::aligned))
+        .routes(routes!(routes::changes::list))
+        .routes(routes!(routes::batches::submit, routes::batches::list))
+        .routes(routes!(routes::batches::get))
+        .routes(routes!(routes::batches::jobs))
+        .routes(routes!(routes::batches::cancel))
+        .routes(routes!(routes::meshes::upload, routes::meshes::list))
+        .routes(routes!(routes::meshes::get, routes::meshes::delete))
+        .routes(routes!(routes::meshes::content))
+        .routes(routes!(routes::webhooks::create, routes::webhooks::list))
+        .routes(routes!(routes::webhooks::get, routes::webhooks::update, routes::webhooks::delete))
+        .routes(routes!(routes::webhooks::deliveries))
+        .routes(routes!(routes::webhooks::test))
         .routes(routes!(routes::methods::list))
         .routes(routes!(routes::methods::get))
         .routes(routes!(routes::system::healthz))
         .routes(routes!(routes::system::readyz))
+        .routes(routes!(routes::system::metrics))
         .routes(routes!(routes::system::openapi_json))
         .routes(routes!(routes::system::problem_type))
 }

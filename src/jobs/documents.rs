@@ -3,5 +3,5 @@
 
 pub use crate::intake::InputReport;
 pub use crate::matching::parameters::MatchParameters;
-pub use crate::matching::result::{Correspondences, ResultDocument};
+pub use crate::matching::result::{Correspondences, ResultDocument, TransformDocument};
 pub use crate::mesh::topology::TopologyReport;

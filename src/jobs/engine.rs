@@ -3,6 +3,7 @@
 //! The one real implementation is [`crate::worker::match_engine`]; tests put others in its place.
 
 use super::ports::ArtifactKind;
+use super::presentation::{PartFormat, PresentError, ResultPart};
 use crate::observe::Observer;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
@@ -38,6 +39,16 @@ pub trait Engine: Send + Sync {
     /// # Errors
     /// Why there is none.
     fn compute(&self, task: &ComputeTask, observer: &dyn Observer) -> Result<Vec<Product>, ComputeError>;
+
+    /// A part of a result in another format than the stored one, from its stored blobs in the order in which the part
+    /// names them. Called on a blocking thread.
+    ///
+    /// # Errors
+    /// [`PresentError`].
+    fn present(&self, part: ResultPart, format: PartFormat, stored: &[&[u8]]) -> Result<Vec<u8>, PresentError> {
+        let _ = stored;
+        Err(PresentError::NotOffered { part, format })
+    }
 }
 
 /// A method, for clients to choose.

@@ -3,11 +3,12 @@
 //! Reading order: [`state`] (the machine), [`job`] (the record), [`lease`] (who works on it, fenced by an epoch),
 //! [`trace`] (what a running job tells), [`ports`] (stores) and [`engine`] (the computation), [`service`] (use cases),
 //! [`submission`], [`uploads`], [`follow`]; beside the job: [`admission`], [`mod@batch`], [`change`], [`mesh`], [`key`],
-//! [`webhook`], [`retention`].
+//! [`webhook`], [`retention`], [`presentation`] (a result in the formats in which it can be had).
 //!
 //! Invariant: nothing here knows SQL, HTTP or how a match is computed. Parameters, reports and results are JSON
 //! values and blobs that pass through.
 
+pub mod address;
 pub mod admission;
 pub mod batch;
 pub mod change;
@@ -21,6 +22,7 @@ pub mod lease;
 pub mod mesh;
 pub mod ports;
 pub mod retention;
+pub mod presentation;
 pub mod service;
 pub mod state;
 pub mod submission;
@@ -38,11 +40,12 @@ pub use key::{ApiKey, KeyStore, Scope, SecretKey};
 pub use lease::{Lease, LeaseStatus, LeasedJob, Recovered, WorkerId};
 pub use mesh::{CheckOutcome, Mesh, MeshPage, MeshStore};
 pub use ports::{
-    ArtifactKey, ArtifactKind, ArtifactRef, ArtifactStore, ArtifactWriter, DepartedProcess, JobStore, Outcome,
+    ArtifactKey, ArtifactKind, ArtifactRef, ArtifactStore, ArtifactWriter, DepartedProcess, JobStore, Load, Outcome,
     Processes,
 };
 pub use retention::{Overdue, Purged, Retention};
 pub use service::{BulkCancelled, JobService, Stores, SubmissionLimits};
+pub use presentation::{PartFormat, PresentError, Presentation, ResultPart};
 pub use state::{CancelEffect, JobState, cancel_effect, state_after_crash, state_after_release};
 pub use submission::{
     Accepted, BatchPair, BatchSubmission, Details, Submission, SubmitError, SubmittedFile, SubmittedInput, Validated,

@@ -114,6 +114,17 @@ pub struct ArtifactRef {
     pub n_bytes: u64,
 }
 
+/// What waits and what runs.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Load {
+    /// Jobs that wait.
+    pub queued: u32,
+    /// Jobs that run.
+    pub running: u32,
+    /// For how long the oldest of those that wait does so.
+    pub oldest_queued: Duration,
+}
+
 /// How a run ended.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Outcome {
@@ -156,8 +167,8 @@ pub trait JobStore: Send + Sync {
     /// Jobs of a tenant that wait; of all tenants for `None`.
     async fn queue_length(&self, tenant: Option<&Tenant>) -> Result<u32, JobError>;
 
-    /// Jobs that run, of all tenants.
-    async fn running_count(&self) -> Result<u32, JobError>;
+    /// What waits and what runs, of all tenants.
+    async fn load(&self) -> Result<Load, JobError>;
 
     /// A job with its progress and, while queued, its place.
     async fn get(&self, tenant: &Tenant, id: JobId) -> Result<Job, JobError>;

@@ -10,7 +10,7 @@ use super::follow::{Feed, Feeds};
 use super::job::{Cursor, Job, JobFilter, JobId, JobPage, Order, PageRequest, Tenant};
 use super::key::{ApiKey, KeyStore, SecretKey};
 use super::mesh::MeshStore;
-use super::ports::{ArtifactKind, ArtifactRef, ArtifactStore, JobStore};
+use super::ports::{ArtifactKind, ArtifactRef, ArtifactStore, JobStore, Load};
 use super::state::JobState;
 use super::trace::TracePage;
 use super::webhook::WebhookStore;
@@ -21,6 +21,9 @@ use tokio::sync::{Notify, Semaphore};
 
 /// Longest look at a dependency: who asks is a supervisor with little patience.
 const LOOK: Duration = Duration::from_secs(3);
+
+/// Parts of results read and made into other formats at the same time.
+const MAX_PRESENTATIONS: usize = 4;
 
 /// Bounds on what is accepted, and how long it is kept.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -66,6 +69,8 @@ pub struct JobService {
     pub(super) engine: Arc<dyn Engine>,
     pub(super) limits: SubmissionLimits,
     pub(super) checks: Arc<Semaphore>,
+    /// Parts of results made into other formats at the same time; each is in memory twice.
+    pub(super) presentations: Arc<Semaphore>,
     /// Wakes workers of this process; polling is the truth, this only makes it prompt.
     pub(super) queued: Arc<Notify>,
     feeds: Feeds,
@@ -84,8 +89,9 @@ impl JobService {
     /// The use cases; `queued` is notified of every accepted job.
     pub fn new(stores: Stores, engine: Arc<dyn Engine>, limits: SubmissionLimits, queued: Arc<Notify>) -> Self {
         let checks = Arc::new(Semaphore::new(limits.max_checks.max(1)));
+        let presentations = Arc::new(Semaphore::new(MAX_PRESENTATIONS));
         let feeds = Feeds::new(Arc::clone(&stores.jobs));
-        JobService { stores, engine, limits, checks, queued, feeds }
+        JobService { stores, engine, limits, checks, presentations, queued, feeds }
     }
 
     /// Bounds on what is accepted.
@@ -117,12 +123,12 @@ impl JobService {
         if waiting >= limit { Err(JobError::QueueFull { limit }) } else { Ok(()) }
     }
 
-    /// Jobs that wait and jobs that run, of all tenants.
+    /// What waits and what runs, of all tenants.
     ///
     /// # Errors
     /// [`JobError`].
-    pub async fn load(&self) -> Result<(u32, u32), JobError> {
-        Ok((self.stores.jobs.queue_length(None).await?, self.stores.jobs.running_count().await?))
+    pub async fn load(&self) -> Result<Load, JobError> {
+        self.stores.jobs.load().await
     }
 
     /// Follows a job: one reader of the store for all who follow it in this process.

@@ -39,7 +39,9 @@ enum Ending {
 /// Runs a claimed job to its end. Never fails: what goes wrong becomes the job's outcome, or the lease runs out.
 pub async fn execute(parts: &PoolParts, leased: LeasedJob) {
     let LeasedJob { lease, job } = leased;
-    tracing::info!(job_id = %lease.job_id, epoch = lease.epoch, attempt = job.attempt, "job begins");
+    // Logs of the submission and of its run can be joined by the client's own trace.
+    let trace = job.traceparent.as_deref();
+    tracing::info!(job_id = %lease.job_id, epoch = lease.epoch, attempt = job.attempt, traceparent = trace, "job begins");
     let began = Instant::now();
     let control = Arc::new(Control::default());
     let _watch = parts.heart.watch(&lease, Arc::clone(&control));
@@ -86,6 +88,8 @@ pub async fn execute(parts: &PoolParts, leased: LeasedJob) {
     let name = settle(parts, &lease, Some(last), ending).await;
     let elapsed_ms = began.elapsed().as_millis();
     tracing::info!(job_id = %lease.job_id, epoch = lease.epoch, elapsed_ms, end = name, "job ends");
+    metrics::counter!("homolog_jobs_finished_total", "end" => name).increment(1);
+    metrics::histogram!("homolog_job_seconds").record(began.elapsed().as_secs_f64());
     if still_running && control.cause() != Some(StopCause::Shutdown) {
         // Its job is ended; the slot is not free while the thread still takes the cores.
         if tokio::time::timeout(parts.settings.abandon_after, &mut answer).await.is_err() {

@@ -59,6 +59,7 @@ impl Housekeeper {
         let recovered = self.store.recover_expired().await?;
         if recovered.total() > 0 {
             tracing::warn!(?recovered, "jobs whose leases ran out are taken back");
+            metrics::counter!("homolog_leases_expired_total").increment(recovered.total().into());
         }
         Ok(total + recovered.total())
     }

@@ -2,12 +2,14 @@
 //!
 //! The only place where jobs meet [`crate::run`], [`crate::intake`] and [`crate::matching`].
 
+use super::presentation;
 use crate::formats::ply::write_ply;
 use crate::intake::{IntakeError, IntakeLimits, prepare_surface};
 use crate::jobs::engine::{MethodDescription, Product, Resolved};
 use crate::jobs::uploads::input_key;
 use crate::jobs::{
     ArtifactKind, ComputeError, ComputeTask, Engine, Failure, InputBytes, InputRefusal, InputSummary, ParameterFault,
+    PartFormat, PresentError, ResultPart,
 };
 use crate::matching::MatchError;
 use crate::matching::parameters::{MatchParameters, Method, preset, resolve};
@@ -88,6 +90,10 @@ impl Engine for MatchEngine {
         let target = InputFile { bytes: &task.target, name: target_name.as_deref() };
         let output = run_match(source, target, &parameters, &self.limits, observer).map_err(compute_error)?;
         products(output).map_err(ComputeError::Failed)
+    }
+
+    fn present(&self, part: ResultPart, format: PartFormat, stored: &[&[u8]]) -> Result<Vec<u8>, PresentError> {
+        presentation::present(part, format, stored)
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::execution::execute;
 use super::heartbeat::Heart;
+use super::quota::Quota;
 use crate::jobs::{ArtifactStore, Engine, JobStore, WorkerId};
 use std::sync::Arc;
 use std::time::Duration;
@@ -68,6 +69,8 @@ pub struct PoolParts {
     pub settings: WorkerSettings,
     /// A hint that a job was queued in this process.
     pub queued: Arc<Notify>,
+    /// When a process that only runs jobs ends by itself.
+    pub quota: Arc<Quota>,
     /// No further claims.
     pub stop: CancellationToken,
     /// Running jobs are given back at once.
@@ -102,8 +105,22 @@ async fn run_slot(parts: PoolParts) {
             pause(&parts, AFTER_ERROR).await;
             continue;
         }
-        match parts.store.claim(&parts.worker, parts.settings.lease, parts.settings.max_run).await {
-            Ok(Some(leased)) => execute(&parts, leased).await,
+        if parts.quota.is_over() {
+            tracing::info!("this process was to end about now");
+            parts.stop.cancel();
+            return;
+        }
+        if !parts.quota.begin() {
+            pause(&parts, parts.settings.poll).await;
+            continue;
+        }
+        let claimed = parts.store.claim(&parts.worker, parts.settings.lease, parts.settings.max_run).await;
+        parts.quota.claimed(matches!(claimed, Ok(Some(_))));
+        match claimed {
+            Ok(Some(leased)) => {
+                execute(&parts, leased).await;
+                parts.quota.ended();
+            }
             Ok(None) => pause(&parts, parts.settings.poll).await,
             Err(error) => {
                 tracing::warn!(error = %with_sources(&error), "no job could be claimed");

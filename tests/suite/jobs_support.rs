@@ -5,6 +5,7 @@ use homolog::config::{HttpSettings, ServiceSettings};
 use homolog::jobs::engine::{MethodDescription, Product, Resolved};
 use homolog::jobs::{
     ArtifactKind, ComputeError, ComputeTask, Engine, Failure, InputBytes, InputRefusal, InputSummary, ParameterFault,
+    PartFormat, PresentError, ResultPart,
 };
 use homolog::observe::{Observer, Phase, TracePoint};
 use reqwest::multipart::{Form, Part};
@@ -110,6 +111,10 @@ impl Engine for ObedientEngine {
             product(ArtifactKind::Aligned, "ply aligned".to_owned()),
         ])
     }
+
+    fn present(&self, part: ResultPart, format: PartFormat, stored: &[&[u8]]) -> Result<Vec<u8>, PresentError> {
+        homolog::worker::presentation::present(part, format, stored)
+    }
 }
 
 #[derive(Debug, clap::Parser)]
@@ -136,6 +141,11 @@ impl TestService {
     }
 
     pub async fn start_in(folder: Arc<tempfile::TempDir>, more: &[&str]) -> Self {
+        TestService::start_with(folder, more, None).await
+    }
+
+    /// With another engine than the obedient one, which then only stands by.
+    pub async fn start_with(folder: Arc<tempfile::TempDir>, more: &[&str], other: Option<Arc<dyn Engine>>) -> Self {
         let data_dir = folder.path().to_str().unwrap().to_owned();
         let fixed = ["test", "--listen", "127.0.0.1:0", "--data-dir", &data_dir, "--poll-ms", "20"];
         let Arguments { http, service } = clap::Parser::parse_from(fixed.iter().chain(more));
@@ -143,7 +153,8 @@ impl TestService {
         let listener = app::listen(&http).await.unwrap();
         let base = format!("http://{}", listener.local_addr().unwrap());
         let engine = Arc::new(ObedientEngine::default());
-        let app = App::open(&service, Arc::clone(&engine) as Arc<dyn Engine>, &shutdown, true).await.unwrap();
+        let used = other.unwrap_or_else(|| Arc::clone(&engine) as Arc<dyn Engine>);
+        let app = App::open(&service, used, &shutdown, true).await.unwrap();
         let ends = shutdown.clone();
         let running = tokio::spawn(async move { app.run(Some((listener, http, service)), &ends).await });
         TestService { base, client: reqwest::Client::new(), engine, shutdown, folder, running }

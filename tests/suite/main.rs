@@ -13,5 +13,6 @@ mod phantom;
 mod process;
 mod real_data;
 mod real_pairs;
+mod representations;
 mod store;
 mod tidy;

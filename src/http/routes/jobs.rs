@@ -1,15 +1,17 @@
-//! `/v1/jobs`: submit, list, look, cancel, delete.
+//! `/v1/jobs`: submit, list, look, cancel, try again, delete.
 
-use super::{job_id, tenant};
+use super::{batch_id, job_id, page};
+use crate::http::auth::{Reader, Submitter};
 use crate::http::conditional::{etag_of, is_fresh, respond};
+use crate::http::preferences::{idempotency_key, traceparent, wanted_wait};
 use crate::http::problem::{Problem, ProblemDocument};
 use crate::http::problem_table::ProblemKind;
 use crate::http::query::QueryString;
 use crate::http::router::HttpState;
-use crate::http::upload::{Tap, read_submission};
-use crate::http::wire::{JobDocument, JobListDocument, SubmissionForm};
-use crate::jobs::job::Cursor;
-use crate::jobs::{Details, Job, JobFilter, JobState, Order, PageRequest, Submission, SubmittedInput, Tenant};
+use crate::http::submission::{self, Request as Submitted, SubmissionDocument, SubmissionForm};
+use crate::http::upload::Tap;
+use crate::http::wire::{BulkCancelDocument, JobDocument, JobListDocument, ValidationDocument};
+use crate::jobs::{Accepted, Job, JobFilter, JobId, JobState, Order, PageRequest, Submission, Tenant, Validated};
 use axum::Json;
 use axum::extract::{Path, Request, State};
 use axum::http::{HeaderMap, StatusCode, header};
@@ -17,71 +19,186 @@ use axum::response::{IntoResponse, Response};
 use std::sync::Arc;
 use std::time::Duration;
 
-const DEFAULT_PAGE: u32 = 50;
-const MAX_PAGE: u32 = 500;
 /// Longest long poll, s.
 const MAX_WAIT_S: u32 = 30;
-/// How often a long poll looks: a read by primary key.
-const LOOK: Duration = Duration::from_millis(200);
+/// Most labels that a list can be filtered by.
+const MAX_LABELS: usize = 4;
 
 /// Submit a job
 ///
-/// One multipart request with two files is the whole submission. Parameters and both inputs are checked before the
-/// answer; a 202 is durable.
+/// One multipart request with two files is the whole submission; or JSON that names uploaded meshes by their id or
+/// holds small files in base64. Parameters and both inputs are checked before the answer; a 202 is durable.
+///
+/// A request with an `Idempotency-Key` can be sent again after an answer that got lost: it makes one job, and the same
+/// request is answered as the first time. `Prefer: wait=N` has the answer wait for the end of the job. An equal request
+/// of the same tenant is answered from the first result (`cached`) unless `use_cache` is false.
 #[utoipa::path(
     post, path = "/v1/jobs", tag = "jobs", operation_id = "submit_job",
-    request_body(content = SubmissionForm, content_type = "multipart/form-data"),
+    params(
+        ("validate_only" = Option<bool>, Query, description = "`true` checks everything and makes nothing"),
+        ("Idempotency-Key" = Option<String>, Header, description = "1 to 128 visible ASCII characters"),
+        ("Prefer" = Option<String>, Header, description = "`wait=N`: answer 200 with the finished job if it ends within N s, at most 30"),
+        ("traceparent" = Option<String>, Header, description = "W3C trace context, kept with the job"),
+    ),
+    request_body(content(
+        (SubmissionForm = "multipart/form-data"),
+        (SubmissionDocument = "application/json"),
+    )),
     responses(
+        (status = 200, description = "Finished within the wait, or with `validate_only` what would be done", content((JobDocument = "application/json"), (ValidationDocument = "application/json"))),
         (status = 202, description = "Accepted", body = JobDocument, headers(
-            ("Location" = String, description = "The job"), ("Retry-After" = u32, description = "When to look, s"))),
-        (status = 400, description = "The multipart body cannot be read", body = ProblemDocument, content_type = "application/problem+json"),
+            ("Location" = String, description = "The job"), ("Retry-After" = u32, description = "When to look, s"),
+            ("Idempotency-Replayed" = bool, description = "Present where an earlier request made the job"))),
+        (status = 400, description = "The body or the query cannot be read", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 401, description = "No valid key", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 403, description = "The key does not allow it", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 404, description = "A mesh that is named is not there", body = ProblemDocument, content_type = "application/problem+json"),
         (status = 408, description = "The body took too long", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 409, description = "The same request is being worked on", body = ProblemDocument, content_type = "application/problem+json"),
         (status = 413, description = "Over a limit", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 415, description = "No multipart, or an unknown file format", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 422, description = "Faults in fields, parameters or inputs", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 415, description = "Neither multipart nor JSON, or an unknown file format", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 422, description = "Faults in fields, parameters or inputs, or an Idempotency-Key of another request", body = ProblemDocument, content_type = "application/problem+json"),
         (status = 429, description = "The queue is full", body = ProblemDocument, content_type = "application/problem+json"),
         (status = 503, description = "Busy, or a dependency does not answer", body = ProblemDocument, content_type = "application/problem+json"),
         (status = 507, description = "No room", body = ProblemDocument, content_type = "application/problem+json"),
     )
 )]
-pub async fn submit(State(state): State<HttpState>, query: QueryString, request: Request) -> Result<Response, Problem> {
+pub async fn submit(
+    State(state): State<HttpState>,
+    Submitter(tenant): Submitter,
+    mut query: QueryString,
+    request: Request,
+) -> Result<Response, Problem> {
+    let headers = request.headers().clone();
     let (request, tap) = Tap::on(request, state.limits.max_body_bytes());
+    let validate_only = query.word("validate_only", &[("true", true), ("false", false)]).unwrap_or(false);
     // A parameter that is not known must not submit what was meant to be tried only.
-    let accepted = match query.finish() {
-        Ok(()) => accept(&state, request, &tap).await,
+    let taken = match query.finish() {
+        Ok(()) => take(&state, tenant.clone(), request, &tap, &headers, validate_only).await,
         Err(problem) => Err(problem),
     };
-    if accepted.is_err() {
+    if taken.is_err() {
         tap.drain().await;
     }
-    let document = JobDocument::from(&accepted?);
-    let headers = [(header::LOCATION, document.links.job.clone()), (header::RETRY_AFTER, "1".to_owned())];
-    Ok((StatusCode::ACCEPTED, headers, Json(document)).into_response())
+    match taken? {
+        Taken::Tried(validated) => Ok(Json(ValidationDocument::from(validated)).into_response()),
+        Taken::Accepted(Accepted { made, replayed }) => {
+            let wait = wanted_wait(&headers, MAX_WAIT_S);
+            let mut response = match wait {
+                Some(wait) => after_wait(&state, &tenant, made, wait).await?,
+                None => accepted(&made),
+            };
+            if replayed {
+                response.headers_mut().insert("idempotency-replayed", header::HeaderValue::from_static("true"));
+            }
+            Ok(response)
+        }
+    }
 }
 
-async fn accept(state: &HttpState, request: Request, tap: &Tap) -> Result<Job, Problem> {
-    let tenant = Tenant::default();
+enum Taken {
+    Accepted(Accepted<Job>),
+    Tried(Box<Validated>),
+}
+
+async fn take(
+    state: &HttpState,
+    tenant: Tenant,
+    request: Request,
+    tap: &Tap,
+    headers: &HeaderMap,
+    validate_only: bool,
+) -> Result<Taken, Problem> {
+    let idempotency_key = idempotency_key(headers)?;
     state.service.refuse_when_full(&tenant).await?;
     let place = tokio::time::timeout(state.limits.max_upload_wait, Arc::clone(&state.uploads).acquire_owned()).await;
     // Held until the job is stored: so many submissions are in memory at most.
     let Ok(Ok(_place)) = place else { return Err(Problem::new(ProblemKind::Busy).retry_after(5)) };
-    let reading = tokio::time::timeout(state.limits.upload_timeout, read_submission(request, tap, &state.limits));
-    let upload = reading.await.map_err(|_| Problem::new(ProblemKind::UploadTimeout))??;
-    let submission = Submission {
-        tenant,
-        source: SubmittedInput::File(upload.source),
-        target: SubmittedInput::File(upload.target),
-        parameters: upload.parameters,
-        details: Details {
-            priority: upload.priority,
-            labels: upload.labels,
-            external_ref: upload.external_ref,
-            compute_anew: true,
-            ..Details::default()
-        },
-        idempotency_key: None,
+    let reading = submission::read(request, tap, &state.limits, state.service.limits());
+    let reading = tokio::time::timeout(state.limits.upload_timeout, reading);
+    let Submitted { source, target, parameters, mut details } =
+        reading.await.map_err(|_| Problem::new(ProblemKind::UploadTimeout))??;
+    details.traceparent = traceparent(headers);
+    let submission = Submission { tenant, source, target, parameters, details, idempotency_key };
+    Ok(if validate_only {
+        Taken::Tried(Box::new(state.service.validate(submission).await?))
+    } else {
+        Taken::Accepted(state.service.submit(submission).await?)
+    })
+}
+
+/// 202 with the job.
+fn accepted(job: &Job) -> Response {
+    let document = JobDocument::from(job);
+    let headers = [(header::LOCATION, document.links.job.clone()), (header::RETRY_AFTER, "1".to_owned())];
+    (StatusCode::ACCEPTED, headers, Json(document)).into_response()
+}
+
+/// 200 with the finished job if it ends in time, else 202.
+async fn after_wait(state: &HttpState, tenant: &Tenant, made: Job, wait: Duration) -> Result<Response, Problem> {
+    let feed = state.service.follow(tenant, made.id).await?;
+    let mut seen = feed.seen();
+    let ended = seen.wait_for(|seen| seen.job.state.is_final() || seen.removed);
+    let ended = tokio::select! {
+        ended = tokio::time::timeout(wait, ended) => ended.is_ok(),
+        () = state.stop.cancelled() => false,
     };
-    Ok(state.service.submit(submission).await?.made)
+    let mut response = if ended {
+        let job = state.service.get(tenant, made.id).await?;
+        let document = JobDocument::from(&job);
+        let location = [(header::CONTENT_LOCATION, document.links.job.clone())];
+        (StatusCode::OK, location, Json(document)).into_response()
+    } else {
+        accepted(&made)
+    };
+    if let Ok(applied) = header::HeaderValue::from_str(&format!("wait={}", wait.as_secs())) {
+        response.headers_mut().insert("preference-applied", applied);
+    }
+    Ok(response)
+}
+
+/// The filter that a query string asks for.
+fn filter(query: &mut QueryString) -> JobFilter {
+    let mut filter = JobFilter { method: query.text("method"), ..JobFilter::default() };
+    for name in query.all("state").iter().flat_map(|list| list.split(',')) {
+        match JobState::from_name(name.trim()) {
+            Some(state) if filter.states.contains(&state) => {}
+            Some(state) => filter.states.push(state),
+            None => {
+                let known: Vec<_> = JobState::ALL.iter().map(|s| s.name()).collect();
+                query.fault("state", "out_of_range", format!("states are {}", known.join(", ")));
+            }
+        }
+    }
+    filter.external_ref = query.text("external_ref");
+    if let Some(batch) = query.text("batch") {
+        match batch_id(&batch) {
+            Ok(id) => filter.batch_id = Some(id),
+            Err(_) => query.fault("batch", "out_of_range", "the id of a batch is needed here"),
+        }
+    }
+    for label in query.all("label") {
+        match label.split_once(':') {
+            Some((name, value)) => {
+                filter.labels.insert(name.to_owned(), value.to_owned());
+            }
+            None => query.fault("label", "out_of_range", "write a label as name:value"),
+        }
+    }
+    if filter.labels.len() > MAX_LABELS {
+        query.fault("label", "out_of_range", format!("at most {MAX_LABELS} labels"));
+    }
+    for (name, time) in
+        [("created_from", &mut filter.created_from), ("created_before", &mut filter.created_before)]
+    {
+        if let Some(text) = query.text(name) {
+            match text.parse() {
+                Ok(parsed) => *time = Some(parsed),
+                Err(_) => query.fault(name, "out_of_range", "an RFC 3339 time is needed here, as 2026-11-21T08:00:00Z"),
+            }
+        }
+    }
+    filter
 }
 
 /// List jobs
@@ -91,6 +208,10 @@ async fn accept(state: &HttpState, request: Request, tap: &Tap) -> Result<Job, P
         ("state" = Option<String>, Query, description = "Only these states; separate several by commas, or repeat"),
         ("method" = Option<String>, Query, description = "Only this method"),
         ("external_ref" = Option<String>, Query, description = "Only this external reference"),
+        ("batch" = Option<String>, Query, description = "Only this batch"),
+        ("label" = Option<String>, Query, description = "Only this label, as `name:value`; repeat for several, at most 4"),
+        ("created_from" = Option<String>, Query, description = "Only made at this RFC 3339 time or later"),
+        ("created_before" = Option<String>, Query, description = "Only made before this RFC 3339 time"),
         ("order" = Option<String>, Query, description = "`desc` (the newest first, the default) or `asc`"),
         ("page_size" = Option<u32>, Query, minimum = 1, maximum = 500, description = "Most jobs of a page; 50 if absent"),
         ("page_token" = Option<String>, Query, description = "`next_page_token` of the page before"),
@@ -100,33 +221,55 @@ async fn accept(state: &HttpState, request: Request, tap: &Tap) -> Result<Job, P
         (status = 400, description = "Faults in the query", body = ProblemDocument, content_type = "application/problem+json"),
     )
 )]
-pub async fn list(State(state): State<HttpState>, mut query: QueryString) -> Result<Json<JobListDocument>, Problem> {
-    let mut states = Vec::new();
-    for name in query.all("state").iter().flat_map(|list| list.split(',')) {
-        match JobState::from_name(name.trim()) {
-            Some(state) => states.push(state),
-            None => {
-                let known: Vec<_> = JobState::ALL.iter().map(|s| s.name()).collect();
-                query.fault("state", "out_of_range", format!("states are {}", known.join(", ")));
-            }
-        }
-    }
-    let filter = JobFilter {
-        states,
-        method: query.text("method"),
-        external_ref: query.text("external_ref"),
-        ..JobFilter::default()
-    };
+pub async fn list(
+    State(state): State<HttpState>,
+    Reader(tenant): Reader,
+    mut query: QueryString,
+) -> Result<Json<JobListDocument>, Problem> {
+    let filter = filter(&mut query);
     let order = query.word("order", &[("desc", Order::NewestFirst), ("asc", Order::OldestFirst)]).unwrap_or_default();
-    let size = query.number("page_size", 1..=MAX_PAGE).unwrap_or(DEFAULT_PAGE);
-    let token = query.text("page_token").filter(|token| !token.is_empty());
-    let after = token.as_deref().and_then(Cursor::from_token);
-    if token.is_some() && after.is_none() {
-        query.fault("page_token", "out_of_range", "hand back a next_page_token as it was given");
+    let (size, after) = page(&mut query);
+    query.finish()?;
+    let page = state.service.list(&tenant, &filter, &PageRequest { size, after, order }).await?;
+    Ok(Json(JobListDocument::from(&page)))
+}
+
+/// Ask for the end of many jobs
+///
+/// Of all that the filter shows and that are not finished. Without a filter `all=true` is needed.
+#[utoipa::path(
+    post, path = "/v1/jobs/cancel", tag = "jobs", operation_id = "cancel_jobs",
+    params(
+        ("state" = Option<String>, Query, description = "Only `queued` or `running`"),
+        ("method" = Option<String>, Query, description = "Only this method"),
+        ("external_ref" = Option<String>, Query, description = "Only this external reference"),
+        ("batch" = Option<String>, Query, description = "Only this batch"),
+        ("label" = Option<String>, Query, description = "Only this label, as `name:value`; repeat for several, at most 4"),
+        ("created_from" = Option<String>, Query, description = "Only made at this RFC 3339 time or later"),
+        ("created_before" = Option<String>, Query, description = "Only made before this RFC 3339 time"),
+        ("all" = Option<bool>, Query, description = "`true` for all jobs"),
+    ),
+    responses(
+        (status = 202, description = "Asked for", body = BulkCancelDocument),
+        (status = 400, description = "Faults in the query", body = ProblemDocument, content_type = "application/problem+json"),
+    )
+)]
+pub async fn cancel_many(
+    State(state): State<HttpState>,
+    Submitter(tenant): Submitter,
+    mut query: QueryString,
+) -> Result<(StatusCode, Json<BulkCancelDocument>), Problem> {
+    let filter = filter(&mut query);
+    let all = query.word("all", &[("true", true), ("false", false)]).unwrap_or(false);
+    if filter == JobFilter::default() && !all {
+        query.fault("all", "missing", "say which jobs, or all=true");
+    }
+    if filter.states.iter().any(|state| state.is_final()) {
+        query.fault("state", "out_of_range", "only queued and running jobs can be cancelled");
     }
     query.finish()?;
-    let page = state.service.list(&tenant(), &filter, &PageRequest { size, after, order }).await?;
-    Ok(Json(JobListDocument::from(&page)))
+    let done = state.service.cancel_all(&tenant, &filter).await?;
+    Ok((StatusCode::ACCEPTED, Json(BulkCancelDocument { cancelled: done.cancelled, told: done.told })))
 }
 
 /// Look at a job
@@ -149,6 +292,7 @@ pub async fn list(State(state): State<HttpState>, mut query: QueryString) -> Res
 )]
 pub async fn get(
     State(state): State<HttpState>,
+    Reader(tenant): Reader,
     Path(id): Path<String>,
     headers: HeaderMap,
     mut query: QueryString,
@@ -156,24 +300,35 @@ pub async fn get(
     let wait = query.number("wait", 0..=MAX_WAIT_S).unwrap_or(0);
     query.finish()?;
     let id = job_id(&id)?;
+    let (first, body) = look(&state, &tenant, id).await?;
+    let etag = etag_of(&body);
+    let known = !headers.contains_key(header::IF_NONE_MATCH) || is_fresh(&headers, &etag);
+    if wait == 0 || first.state.is_final() || !known {
+        return Ok(respond(&headers, &etag, "application/json", body));
+    }
     let until = tokio::time::Instant::now() + Duration::from_secs(wait.into());
-    let conditional = headers.contains_key(header::IF_NONE_MATCH);
-    let mut first: Option<String> = None;
+    let feed = state.service.follow(&tenant, id).await?;
+    let mut seen = feed.seen();
     loop {
-        let job = state.service.get(&tenant(), id).await?;
-        let body = json_body(&JobDocument::from(&job))?;
-        let etag = etag_of(&body);
-        let changed =
-            if conditional { !is_fresh(&headers, &etag) } else { *first.get_or_insert_with(|| etag.clone()) != etag };
-        let over = tokio::time::Instant::now() >= until || state.stop.is_cancelled();
-        if changed || over || job.state.is_final() {
-            return Ok(respond(&headers, &etag, "application/json", body));
-        }
-        tokio::select! {
-            () = tokio::time::sleep_until(until.min(tokio::time::Instant::now() + LOOK)) => {}
-            () = state.stop.cancelled() => {}
+        let over = tokio::select! {
+            // Fails when the reader ended; then there is nothing to wait for.
+            changed = seen.changed() => changed.is_err(),
+            () = tokio::time::sleep_until(until) => true,
+            () = state.stop.cancelled() => true,
+        };
+        // The feed says when to look; the answer is what the store says now.
+        let (job, body) = look(&state, &tenant, id).await?;
+        let now = etag_of(&body);
+        if now != etag || over || job.state.is_final() {
+            return Ok(respond(&headers, &now, "application/json", body));
         }
     }
+}
+
+async fn look(state: &HttpState, tenant: &Tenant, id: JobId) -> Result<(Job, Vec<u8>), Problem> {
+    let job = state.service.get(tenant, id).await?;
+    let body = serde_json::to_vec(&JobDocument::from(&job)).map_err(|e| Problem::internal(&e))?;
+    Ok((job, body))
 }
 
 /// Ask for a job's end
@@ -191,14 +346,39 @@ pub async fn get(
 )]
 pub async fn cancel(
     State(state): State<HttpState>,
+    Submitter(tenant): Submitter,
     Path(id): Path<String>,
     query: QueryString,
 ) -> Result<Response, Problem> {
     query.finish()?;
-    let job = state.service.cancel(&tenant(), job_id(&id)?).await?;
-    let document = JobDocument::from(&job);
-    let headers = [(header::LOCATION, document.links.job.clone()), (header::RETRY_AFTER, "1".to_owned())];
-    Ok((StatusCode::ACCEPTED, headers, Json(document)).into_response())
+    Ok(accepted(&state.service.cancel(&tenant, job_id(&id)?).await?))
+}
+
+/// Try a job again
+///
+/// Makes a new job of a finished one, with the same inputs and parameters, which is computed anew. `retry_of` names the
+/// first.
+#[utoipa::path(
+    post, path = "/v1/jobs/{id}/retry", tag = "jobs", operation_id = "retry_job",
+    params(("id" = String, Path, description = "The finished job")),
+    responses(
+        (status = 202, description = "The new job", body = JobDocument, headers(
+            ("Location" = String, description = "The new job"), ("Retry-After" = u32, description = "When to look, s"))),
+        (status = 404, description = "No such job", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 409, description = "Not finished", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 410, description = "Its inputs were removed when their time was over", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 429, description = "The queue is full", body = ProblemDocument, content_type = "application/problem+json"),
+    )
+)]
+pub async fn retry(
+    State(state): State<HttpState>,
+    Submitter(tenant): Submitter,
+    Path(id): Path<String>,
+    headers: HeaderMap,
+    query: QueryString,
+) -> Result<Response, Problem> {
+    query.finish()?;
+    Ok(accepted(&state.service.retry(&tenant, job_id(&id)?, traceparent(&headers)).await?))
 }
 
 /// Delete a job
@@ -215,14 +395,11 @@ pub async fn cancel(
 )]
 pub async fn delete(
     State(state): State<HttpState>,
+    Submitter(tenant): Submitter,
     Path(id): Path<String>,
     query: QueryString,
 ) -> Result<StatusCode, Problem> {
     query.finish()?;
-    state.service.delete(&tenant(), job_id(&id)?).await?;
+    state.service.delete(&tenant, job_id(&id)?).await?;
     Ok(StatusCode::NO_CONTENT)
-}
-
-fn json_body(document: &JobDocument) -> Result<Vec<u8>, Problem> {
-    serde_json::to_vec(document).map_err(|e| Problem::internal(&e))
 }

@@ -1,15 +1,17 @@
-//! `/v1/jobs/{id}/result` and `/correspondences`.
+//! `/v1/jobs/{id}/result`, `/correspondences` and `/transform`.
 
-use super::{job_id, tenant};
+use super::job_id;
+use crate::http::auth::Reader;
 use crate::http::conditional::{is_fresh, not_modified, respond};
 use crate::http::problem::{Problem, ProblemDocument};
 use crate::http::query::QueryString;
+use crate::http::representation::answer;
 use crate::http::router::HttpState;
 use crate::http::wire::{JobResultDocument, ResultLinks};
-use crate::jobs::documents::Correspondences;
-use crate::jobs::{ArtifactKind, JobError};
+use crate::jobs::documents::{Correspondences, TransformDocument};
+use crate::jobs::{ArtifactKind, JobError, ResultPart};
 use axum::extract::{Path, State};
-use axum::http::{HeaderMap, header};
+use axum::http::HeaderMap;
 use axum::response::Response;
 
 /// Read the result
@@ -30,6 +32,7 @@ use axum::response::Response;
 )]
 pub async fn result(
     State(state): State<HttpState>,
+    Reader(tenant): Reader,
     Path(id): Path<String>,
     headers: HeaderMap,
     mut query: QueryString,
@@ -37,7 +40,7 @@ pub async fn result(
     let with_correspondences = query.word("correspondences", &[("true", true), ("false", false)]).unwrap_or(true);
     query.finish()?;
     let id = job_id(&id)?;
-    let document = state.service.result_part(&tenant(), id, ArtifactKind::Result).await?;
+    let document = state.service.result_part(&tenant, id, ArtifactKind::Result).await?;
     // Results never change, so the address of the blob is the validator.
     let form = if with_correspondences { "full" } else { "brief" };
     let etag = format!("\"{}-{form}\"", &document.key.hash()[..32]);
@@ -48,7 +51,7 @@ pub async fn result(
     let stored = state.service.read(&document).await?;
     let mut body = stored.strip_suffix(b"}").ok_or_else(unreadable)?.to_vec();
     if with_correspondences {
-        let part = state.service.result_part(&tenant(), id, ArtifactKind::Correspondences).await?;
+        let part = state.service.result_part(&tenant, id, ArtifactKind::Correspondences).await?;
         body.extend_from_slice(b",\"correspondences\":");
         body.extend_from_slice(&state.service.read(&part).await?);
     }
@@ -60,47 +63,88 @@ pub async fn result(
 
 /// Read the dense correspondence
 ///
-/// JSON in columns, or CSV with `?format=csv` or `Accept: text/csv`.
+/// As a table with a row for each pair: JSON in columns, CSV, NumPy (`.npy`, one structured array) or Arrow (IPC file,
+/// also known as Feather 2), each with `source`, `target`, `confidence` and `inlier`.
+///
+/// Or as the source surface with these values for each vertex: PLY (properties), legacy VTK (`POINT_DATA`) or GIFTI
+/// (further data arrays; single precision, quads cut in two). A vertex without a correspondence has `target` −1,
+/// `confidence` 0 and `inlier` 0.
 #[utoipa::path(
     get, path = "/v1/jobs/{id}/correspondences", tag = "results", operation_id = "get_correspondences",
     params(
         ("id" = String, Path, description = "The job"),
-        ("format" = Option<String>, Query, description = "`json` or `csv`; goes before `Accept`"),
+        ("format" = Option<String>, Query, description = "`json`, `csv`, `npy`, `arrow`, `ply`, `vtk` or `gifti`; goes before `Accept`"),
+        ("Accept" = Option<String>, Header, description = "Media types with quality values; JSON if absent"),
         ("If-None-Match" = Option<String>, Header, description = "The ETag of an earlier answer"),
     ),
     responses(
-        (status = 200, description = "The correspondence", content((Correspondences = "application/json"), (String = "text/csv")), headers(("ETag" = String))),
+        (status = 200, description = "The correspondence", content(
+            (Correspondences = "application/json"), (String = "text/csv"), (Vec<u8> = "application/x-npy"),
+            (Vec<u8> = "application/vnd.apache.arrow.file"), (Vec<u8> = "model/ply"), (Vec<u8> = "model/vtk"),
+            (String = "application/gifti+xml"),
+        ), headers(
+            ("ETag" = String, description = "Of this format"), ("Vary" = String, description = "`accept`"),
+            ("Content-Disposition" = String, description = "A name for the file; not with JSON"),
+        )),
         (status = 304, description = "Unchanged"),
         (status = 400, description = "Faults in the query", body = ProblemDocument, content_type = "application/problem+json"),
         (status = 404, description = "No such job", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 406, description = "No format that `Accept` allows; `available` lists them", body = ProblemDocument, content_type = "application/problem+json"),
         (status = 409, description = "Not finished, or ended without a result", body = ProblemDocument, content_type = "application/problem+json"),
     )
 )]
 pub async fn correspondences(
     State(state): State<HttpState>,
+    Reader(tenant): Reader,
     Path(id): Path<String>,
     headers: HeaderMap,
-    mut query: QueryString,
+    query: QueryString,
 ) -> Result<Response, Problem> {
-    // The first type listed is the one preferred by every client that lists more than one.
-    let accept = headers.get(header::ACCEPT).and_then(|v| v.to_str().ok()).unwrap_or_default();
-    let accepts_csv = accept.split([',', ';']).next().is_some_and(|first| first.trim() == "text/csv");
-    let as_csv = query.word("format", &[("json", false), ("csv", true)]).unwrap_or(accepts_csv);
-    query.finish()?;
-    let part = state.service.result_part(&tenant(), job_id(&id)?, ArtifactKind::Correspondences).await?;
-    let etag = format!("\"{}-{}\"", &part.key.hash()[..32], if as_csv { "csv" } else { "json" });
-    if is_fresh(&headers, &etag) {
-        return Ok(not_modified(&etag));
-    }
-    let stored = state.service.read(&part).await?;
-    let mut response = if as_csv {
-        let columns: Correspondences = serde_json::from_slice(&stored).map_err(|e| Problem::internal(&e))?;
-        respond(&headers, &etag, "text/csv; charset=utf-8; header=present", columns.to_csv())
-    } else {
-        respond(&headers, &etag, "application/json", stored)
-    };
-    response.headers_mut().insert(header::VARY, header::HeaderValue::from_static("accept"));
-    Ok(response)
+    answer(&state, &tenant, job_id(&id)?, ResultPart::Correspondences, &headers, query).await
+}
+
+/// Read the rigid transform
+///
+/// It moves points of the source onto the target: `p' = R p + t`, in millimetres and the coordinates of the inputs.
+///
+/// JSON as in the result; plain text, four lines of four numbers (`numpy.loadtxt`); an ITK transform file (`tfm`) or a
+/// FreeSurfer linear transform array (`lta`). The last two take the inputs' coordinates for RAS, as in NIfTI.
+///
+/// The ITK file holds what ITK, ANTs and 3D Slicer expect: LPS coordinates, and the map from points of the target
+/// (fixed) to points of the source (moving), which is the inverse of the JSON's matrix. Use it as it is to resample the
+/// source image onto the target's grid; in 3D Slicer apply it to the source. The FreeSurfer file is of type 1 (RAS to
+/// RAS), source to target, with both volume geometries marked invalid, as they are not known.
+#[utoipa::path(
+    get, path = "/v1/jobs/{id}/transform", tag = "results", operation_id = "get_transform",
+    params(
+        ("id" = String, Path, description = "The job"),
+        ("format" = Option<String>, Query, description = "`json`, `text`, `tfm` or `lta`; goes before `Accept`"),
+        ("Accept" = Option<String>, Header, description = "Media types with quality values; JSON if absent"),
+        ("If-None-Match" = Option<String>, Header, description = "The ETag of an earlier answer"),
+    ),
+    responses(
+        (status = 200, description = "The transform", content(
+            (TransformDocument = "application/json"), (String = "text/plain"), (String = "application/x-itk-transform"),
+            (String = "application/x-freesurfer-lta"),
+        ), headers(
+            ("ETag" = String, description = "Of this format"), ("Vary" = String, description = "`accept`"),
+            ("Content-Disposition" = String, description = "A name for the file; not with JSON and text"),
+        )),
+        (status = 304, description = "Unchanged"),
+        (status = 400, description = "Faults in the query", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 404, description = "No such job", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 406, description = "No format that `Accept` allows; `available` lists them", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 409, description = "Not finished, or ended without a result", body = ProblemDocument, content_type = "application/problem+json"),
+    )
+)]
+pub async fn transform(
+    State(state): State<HttpState>,
+    Reader(tenant): Reader,
+    Path(id): Path<String>,
+    headers: HeaderMap,
+    query: QueryString,
+) -> Result<Response, Problem> {
+    answer(&state, &tenant, job_id(&id)?, ResultPart::Transform, &headers, query).await
 }
 
 fn unreadable() -> Problem {

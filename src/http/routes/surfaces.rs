@@ -1,75 +1,90 @@
 //! `/v1/jobs/{id}/surfaces/{which}` and `/aligned`: surfaces as files.
 
-use super::{job_id, tenant};
-use crate::http::conditional::{is_fresh, not_modified, respond};
+use super::job_id;
+use crate::http::auth::Reader;
 use crate::http::problem::{Problem, ProblemDocument};
 use crate::http::problem_table::ProblemKind;
 use crate::http::query::QueryString;
+use crate::http::representation::answer;
 use crate::http::router::HttpState;
-use crate::jobs::{ArtifactKind, JobId};
+use crate::jobs::ResultPart;
 use axum::extract::{Path, State};
 use axum::http::HeaderMap;
 use axum::response::Response;
 
 /// Read a surface whose vertices the correspondences count
+///
+/// Binary PLY and legacy VTK are exact and keep quads. GIFTI and STL have single precision and triangles only: quads
+/// are cut in two. STL has no shared vertices, so the numbers of the vertices are lost: correspondences do not fit it.
 #[utoipa::path(
     get, path = "/v1/jobs/{id}/surfaces/{which}", tag = "results", operation_id = "get_surface",
     params(
         ("id" = String, Path, description = "The job"),
         ("which" = String, Path, description = "`source` or `target`"),
+        ("format" = Option<String>, Query, description = "`ply`, `vtk`, `gifti` or `stl`; goes before `Accept`"),
+        ("Accept" = Option<String>, Header, description = "Media types with quality values; PLY if absent"),
         ("If-None-Match" = Option<String>, Header, description = "The ETag of an earlier answer"),
     ),
     responses(
-        (status = 200, description = "Binary PLY, mm", content_type = "model/ply", body = Vec<u8>, headers(("ETag" = String))),
+        (status = 200, description = "The surface, mm", content(
+            (Vec<u8> = "model/ply"), (Vec<u8> = "model/vtk"), (String = "application/gifti+xml"), (Vec<u8> = "model/stl"),
+        ), headers(
+            ("ETag" = String, description = "Of this format"), ("Vary" = String, description = "`accept`"),
+            ("Content-Disposition" = String, description = "A name for the file"),
+        )),
         (status = 304, description = "Unchanged"),
+        (status = 400, description = "Faults in the query", body = ProblemDocument, content_type = "application/problem+json"),
         (status = 404, description = "No such job or surface", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 406, description = "No format that `Accept` allows; `available` lists them", body = ProblemDocument, content_type = "application/problem+json"),
         (status = 409, description = "Not finished, or ended without a result", body = ProblemDocument, content_type = "application/problem+json"),
     )
 )]
 pub async fn surface(
     State(state): State<HttpState>,
+    Reader(tenant): Reader,
     Path((id, which)): Path<(String, String)>,
     headers: HeaderMap,
     query: QueryString,
 ) -> Result<Response, Problem> {
-    query.finish()?;
-    let kind = match which.as_str() {
-        "source" => ArtifactKind::SourceSurface,
-        "target" => ArtifactKind::TargetSurface,
+    let part = match which.as_str() {
+        "source" => ResultPart::SourceSurface,
+        "target" => ResultPart::TargetSurface,
         _ => return Err(Problem::new(ProblemKind::RouteNotFound).detail("surfaces are source and target")),
     };
-    file(&state, job_id(&id)?, kind, &headers).await
+    answer(&state, &tenant, job_id(&id)?, part, &headers, query).await
 }
 
 /// Read the source surface moved onto the target
+///
+/// Formats as for the surfaces themselves.
 #[utoipa::path(
     get, path = "/v1/jobs/{id}/aligned", tag = "results", operation_id = "get_aligned",
     params(
         ("id" = String, Path, description = "The job"),
+        ("format" = Option<String>, Query, description = "`ply`, `vtk`, `gifti` or `stl`; goes before `Accept`"),
+        ("Accept" = Option<String>, Header, description = "Media types with quality values; PLY if absent"),
         ("If-None-Match" = Option<String>, Header, description = "The ETag of an earlier answer"),
     ),
     responses(
-        (status = 200, description = "Binary PLY, mm", content_type = "model/ply", body = Vec<u8>, headers(("ETag" = String))),
+        (status = 200, description = "The surface, mm", content(
+            (Vec<u8> = "model/ply"), (Vec<u8> = "model/vtk"), (String = "application/gifti+xml"), (Vec<u8> = "model/stl"),
+        ), headers(
+            ("ETag" = String, description = "Of this format"), ("Vary" = String, description = "`accept`"),
+            ("Content-Disposition" = String, description = "A name for the file"),
+        )),
         (status = 304, description = "Unchanged"),
+        (status = 400, description = "Faults in the query", body = ProblemDocument, content_type = "application/problem+json"),
         (status = 404, description = "No such job", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 406, description = "No format that `Accept` allows; `available` lists them", body = ProblemDocument, content_type = "application/problem+json"),
         (status = 409, description = "Not finished, or ended without a result", body = ProblemDocument, content_type = "application/problem+json"),
     )
 )]
 pub async fn aligned(
     State(state): State<HttpState>,
+    Reader(tenant): Reader,
     Path(id): Path<String>,
     headers: HeaderMap,
     query: QueryString,
 ) -> Result<Response, Problem> {
-    query.finish()?;
-    file(&state, job_id(&id)?, ArtifactKind::Aligned, &headers).await
-}
-
-async fn file(state: &HttpState, id: JobId, kind: ArtifactKind, headers: &HeaderMap) -> Result<Response, Problem> {
-    let part = state.service.result_part(&tenant(), id, kind).await?;
-    let etag = format!("\"{}\"", &part.key.hash()[..32]);
-    if is_fresh(headers, &etag) {
-        return Ok(not_modified(&etag));
-    }
-    Ok(respond(headers, &etag, "model/ply", state.service.read(&part).await?))
+    answer(&state, &tenant, job_id(&id)?, ResultPart::Aligned, &headers, query).await
 }

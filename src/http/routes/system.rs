@@ -46,6 +46,28 @@ pub async fn readyz(State(state): State<HttpState>) -> Response {
         .into_response()
 }
 
+/// Metrics of the process and of the queue
+///
+/// Text format of Prometheus. Nothing in it names a job, a file or a patient.
+#[utoipa::path(
+    get, path = "/metrics", tag = "system", operation_id = "metrics",
+    responses((status = 200, description = "Metrics", content_type = "text/plain", body = String))
+)]
+pub async fn metrics(State(state): State<HttpState>) -> Response {
+    match state.service.load().await {
+        Ok(load) => {
+            metrics::gauge!("homolog_jobs", "state" => "queued").set(load.queued);
+            metrics::gauge!("homolog_jobs", "state" => "running").set(load.running);
+            metrics::gauge!("homolog_queue_oldest_age_seconds").set(load.oldest_queued.as_secs_f64());
+            metrics::gauge!("homolog_job_store_up").set(1.0);
+        }
+        // What the process itself counts is worth having all the more while the store is away.
+        Err(_) => metrics::gauge!("homolog_job_store_up").set(0.0),
+    }
+    let text = (state.metrics)();
+    (StatusCode::OK, [(header::CONTENT_TYPE, "text/plain; version=0.0.4; charset=utf-8")], text).into_response()
+}
+
 /// The OpenAPI document
 #[utoipa::path(
     get, path = "/openapi.json", tag = "system", operation_id = "openapi",

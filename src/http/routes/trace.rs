@@ -1,6 +1,7 @@
 //! `/v1/jobs/{id}/trace`: the energy trace, live.
 
-use super::{job_id, tenant};
+use super::job_id;
+use crate::http::auth::Reader;
 use crate::http::problem::{Problem, ProblemDocument};
 use crate::http::query::QueryString;
 use crate::http::router::HttpState;
@@ -29,12 +30,13 @@ const MAX_POINTS: u32 = 10_000;
 )]
 pub async fn trace(
     State(state): State<HttpState>,
+    Reader(tenant): Reader,
     Path(id): Path<String>,
     mut query: QueryString,
 ) -> Result<Json<TraceDocument>, Problem> {
     let after_seq = query.number("after_seq", 0..=u64::MAX).unwrap_or(0);
     let limit = query.number("limit", 1..=MAX_POINTS).unwrap_or(DEFAULT_POINTS);
     query.finish()?;
-    let page = state.service.trace(&tenant(), job_id(&id)?, after_seq, limit).await?;
+    let page = state.service.trace(&tenant, job_id(&id)?, after_seq, limit).await?;
     Ok(Json(page.into()))
 }

@@ -28,7 +28,7 @@ pub use database::DatabaseLocation;
 
 use crate::jobs::{
     Admission, ArtifactKey, ArtifactKind, ArtifactRef, ArtifactStore, Batch, BatchId, BatchPage, ChangePage, Job,
-    JobError, JobFilter, JobId, JobPage, JobState, JobStore, Lease, LeaseStatus, LeasedJob, NewBatch, NewJob, Once,
+    JobError, JobFilter, JobId, JobPage, JobState, JobStore, Lease, LeaseStatus, LeasedJob, Load, NewBatch, NewJob, Once,
     OnceStatus, Outcome, Overdue, PageRequest, Purged, Recovered, Retention, Tenant, TraceChunk, TracePage, WorkerId,
     job::Cursor,
 };
@@ -113,8 +113,8 @@ impl JobStore for SqlStore {
         self.count_queue(tenant).await
     }
 
-    async fn running_count(&self) -> Result<u32, JobError> {
-        self.count_running().await
+    async fn load(&self) -> Result<Load, JobError> {
+        self.read_load().await
     }
 
     async fn get(&self, tenant: &Tenant, id: JobId) -> Result<Job, JobError> {

@@ -5,7 +5,7 @@ use super::dialect::{sql, with_options};
 use super::{SqlStore, rows};
 use crate::jobs::job::{Cursor, Order};
 use crate::jobs::{
-    ArtifactKey, ArtifactKind, ArtifactRef, Job, JobError, JobFilter, JobId, JobPage, JobState, NumberedPoint,
+    ArtifactKey, ArtifactKind, ArtifactRef, Job, JobError, JobFilter, JobId, JobPage, JobState, Load, NumberedPoint,
     PageRequest, Tenant, TracePage,
 };
 
@@ -39,9 +39,15 @@ impl SqlStore {
         row.map_or(Ok(0), |row| row.count(0))
     }
 
-    pub(super) async fn count_running(&self) -> Result<u32, JobError> {
-        let row = self.database.reading().await?.row(sql!("running_count"), bind![]).await?;
-        row.map_or(Ok(0), |row| row.count(0))
+    pub(super) async fn read_load(&self) -> Result<Load, JobError> {
+        let row = self.database.reading().await?.row(sql!("load"), bind![]).await?;
+        let row = row.ok_or(JobError::Corrupt { what: "the load", source: None })?;
+        let age: i64 = row.get("oldest_ms")?;
+        Ok(Load {
+            queued: row.count("queued")?,
+            running: row.count("running")?,
+            oldest_queued: std::time::Duration::from_millis(age.max(0).unsigned_abs()),
+        })
     }
 
     /// Each state is read by itself, along its index, and the pages are merged: whatever the filter, the cost is that

@@ -1,0 +1,237 @@
+//! The Arrow IPC **file** format (`.arrow`, Feather version 2): one record batch, not compressed.
+//!
+//! Source: "Arrow Columnar Format", section "Serialization and Interprocess Communication", and the schemas
+//! `Schema.fbs`, `Message.fbs` and `File.fbs`. The metadata are FlatBuffers; the few tables that four plain columns
+//! need are laid out here by [`Flat`], because the Arrow library is larger than all of this crate.
+
+use super::PairColumns;
+
+const MAGIC: &[u8] = b"ARROW1";
+/// Begins every message, before the length of its metadata.
+const CONTINUATION: [u8; 4] = [0xff; 4];
+/// Alignment of messages, bodies and buffers within the file.
+const ALIGNMENT: usize = 8;
+/// `MetadataVersion.V5`.
+const VERSION: i16 = 4;
+
+/// The columns `source` and `target` (uint32), `confidence` (float64) and `inlier` (bool), none nullable.
+pub fn write_arrow(pairs: &PairColumns<'_>) -> Vec<u8> {
+    let n = pairs.len();
+    let mut body = Body::default();
+    body.add(pairs.source[..n].iter().flat_map(|v| v.to_le_bytes()));
+    body.add(pairs.target[..n].iter().flat_map(|v| v.to_le_bytes()));
+    body.add(pairs.confidence[..n].iter().flat_map(|v| v.to_le_bytes()));
+    // Eight truth values a byte, the first in the lowest bit.
+    let bits = pairs.inlier[..n].chunks(8);
+    body.add(bits.map(|byte| byte.iter().enumerate().fold(0u8, |sum, (k, &bit)| sum | u8::from(bit) << k)));
+
+    let mut file = MAGIC.to_vec();
+    file.resize(ALIGNMENT, 0);
+    message(&mut file, &schema_message(), &[]);
+    let offset = file.len();
+    let metadata_length = message(&mut file, &batch_message(n, &body), &body.bytes);
+    file.extend(CONTINUATION);
+    file.extend([0; 4]); // the end of the stream of messages
+    let footer = footer(offset, metadata_length, body.bytes.len());
+    file.extend(&footer);
+    file.extend((footer.len() as u32).to_le_bytes());
+    file.extend(MAGIC);
+    file
+}
+
+/// Adds a message; returns the length of everything before its body.
+fn message(file: &mut Vec<u8>, metadata: &[u8], body: &[u8]) -> usize {
+    let padded = metadata.len().next_multiple_of(ALIGNMENT);
+    file.extend(CONTINUATION);
+    file.extend((padded as u32).to_le_bytes());
+    file.extend(metadata);
+    file.resize(file.len() + padded - metadata.len(), 0);
+    file.extend(body);
+    8 + padded
+}
+
+/// The buffers of a record batch: for each column an empty one, as nothing is null, and its values.
+#[derive(Default)]
+struct Body {
+    bytes: Vec<u8>,
+    places: Vec<[i64; 2]>,
+}
+
+impl Body {
+    fn add(&mut self, values: impl Iterator<Item = u8>) {
+        let offset = self.bytes.len();
+        self.bytes.extend(values);
+        self.places.push([offset as i64, 0]);
+        self.places.push([offset as i64, (self.bytes.len() - offset) as i64]);
+        self.bytes.resize(self.bytes.len().next_multiple_of(ALIGNMENT), 0);
+    }
+}
+
+fn schema_message() -> Vec<u8> {
+    let mut flat = Flat::default();
+    // Message: version, header type (1 = Schema), header, body length.
+    let root = flat.root(&[Field::I16(VERSION), Field::U8(1), Field::Link, Field::I64(0)]);
+    let schema = schema(&mut flat);
+    flat.link(root[0], schema);
+    flat.bytes
+}
+
+/// The `Schema` table; returns its place.
+fn schema(flat: &mut Flat) -> usize {
+    // Schema: endianness (0 = little), fields.
+    let (place, links) = flat.table(&[Field::I16(0), Field::Link]);
+    let (fields, slots) = flat.vector_of_links(4);
+    flat.link(links[0], fields);
+    // Type: 2 = Int, 3 = FloatingPoint, 6 = Bool.
+    for (slot, (name, kind)) in slots.into_iter().zip([("source", 2), ("target", 2), ("confidence", 3), ("inlier", 6)])
+    {
+        // Field: name, nullable, type's kind, type, dictionary, children.
+        let (field, links) =
+            flat.table(&[Field::Link, Field::U8(0), Field::U8(kind), Field::Link, Field::Absent, Field::Link]);
+        flat.link(slot, field);
+        let name = flat.string(name);
+        flat.link(links[0], name);
+        let (kind, _) = match kind {
+            2 => flat.table(&[Field::I32(32), Field::U8(0)]), // Int: width in bits, signed
+            3 => flat.table(&[Field::I16(2)]),                // FloatingPoint: precision (2 = double)
+            _ => flat.table(&[]),
+        };
+        flat.link(links[1], kind);
+        let (children, _) = flat.vector_of_links(0);
+        flat.link(links[2], children);
+    }
+    place
+}
+
+fn batch_message(n_rows: usize, body: &Body) -> Vec<u8> {
+    let mut flat = Flat::default();
+    // Message: version, header type (3 = RecordBatch), header, body length.
+    let root = flat.root(&[Field::I16(VERSION), Field::U8(3), Field::Link, Field::I64(body.bytes.len() as i64)]);
+    // RecordBatch: length, nodes, buffers.
+    let (batch, links) = flat.table(&[Field::I64(n_rows as i64), Field::Link, Field::Link]);
+    flat.link(root[0], batch);
+    // FieldNode: length, nulls; one for each column.
+    let nodes = flat.vector_of_longs(&[[n_rows as i64, 0]; 4]);
+    flat.link(links[0], nodes);
+    // Buffer: offset in the body, length.
+    let buffers = flat.vector_of_longs(&body.places);
+    flat.link(links[1], buffers);
+    flat.bytes
+}
+
+fn footer(offset: usize, metadata_length: usize, body_length: usize) -> Vec<u8> {
+    let mut flat = Flat::default();
+    // Footer: version, schema, dictionaries, record batches.
+    let root = flat.root(&[Field::I16(VERSION), Field::Link, Field::Link, Field::Link]);
+    let schema = schema(&mut flat);
+    flat.link(root[0], schema);
+    let none = flat.vector_of_longs::<3>(&[]);
+    flat.link(root[1], none);
+    // Block: offset in the file, length of the metadata (32 bits and padding), length of the body.
+    let blocks = flat.vector_of_longs(&[[offset as i64, metadata_length as i64, body_length as i64]]);
+    flat.link(root[2], blocks);
+    flat.bytes
+}
+
+/// A FlatBuffer written front to back: links point forward and are filled in when their goal is known.
+#[derive(Default)]
+struct Flat {
+    bytes: Vec<u8>,
+}
+
+/// A field of a table, in the order of its schema.
+#[derive(Clone, Copy)]
+enum Field {
+    Absent,
+    U8(u8),
+    I16(i16),
+    I32(i32),
+    I64(i64),
+    /// To a table, vector or string that follows.
+    Link,
+}
+
+impl Field {
+    fn bytes(self) -> Vec<u8> {
+        match self {
+            Field::Absent => Vec::new(),
+            Field::U8(v) => vec![v],
+            Field::I16(v) => v.to_le_bytes().to_vec(),
+            Field::I32(v) => v.to_le_bytes().to_vec(),
+            Field::I64(v) => v.to_le_bytes().to_vec(),
+            Field::Link => vec![0; 4],
+        }
+    }
+}
+
+impl Flat {
+    /// The first table, which the buffer's first four bytes point at; returns the places of its links.
+    fn root(&mut self, fields: &[Field]) -> Vec<usize> {
+        self.bytes.resize(4, 0);
+        let (place, links) = self.table(fields);
+        self.link(0, place);
+        links
+    }
+
+    /// A table behind its vtable. Returns its place and those of its links.
+    fn table(&mut self, fields: &[Field]) -> (usize, Vec<usize>) {
+        let vtable_length = 4 + 2 * fields.len();
+        // The table is aligned for its widest field; its first four bytes lead back to the vtable.
+        let vtable = (self.bytes.len() + vtable_length).next_multiple_of(8) - vtable_length;
+        let place = vtable + vtable_length;
+        let (mut inline, mut offsets, mut links) = (vec![0; 4], Vec::new(), Vec::new());
+        for field in fields {
+            let value = field.bytes();
+            if value.is_empty() {
+                offsets.push(0);
+                continue;
+            }
+            inline.resize(inline.len().next_multiple_of(value.len()), 0);
+            offsets.push(inline.len() as u16);
+            if matches!(field, Field::Link) {
+                links.push(place + inline.len());
+            }
+            inline.extend(value);
+        }
+        inline[..4].copy_from_slice(&(vtable_length as i32).to_le_bytes());
+        self.bytes.resize(vtable, 0);
+        self.bytes.extend((vtable_length as u16).to_le_bytes());
+        self.bytes.extend((inline.len() as u16).to_le_bytes());
+        self.bytes.extend(offsets.iter().flat_map(|o| o.to_le_bytes()));
+        self.bytes.extend(inline);
+        (place, links)
+    }
+
+    /// A vector of links; returns its place and those of the links.
+    fn vector_of_links(&mut self, n: usize) -> (usize, Vec<usize>) {
+        let place = self.bytes.len().next_multiple_of(4);
+        self.bytes.resize(place, 0);
+        self.bytes.extend((n as u32).to_le_bytes());
+        self.bytes.resize(place + 4 + 4 * n, 0);
+        (place, (0..n).map(|k| place + 4 + 4 * k).collect())
+    }
+
+    /// A vector of structs of `N` 64-bit numbers.
+    fn vector_of_longs<const N: usize>(&mut self, items: &[[i64; N]]) -> usize {
+        // The elements are aligned; their number stands before them.
+        let place = (self.bytes.len() + 4).next_multiple_of(8) - 4;
+        self.bytes.resize(place, 0);
+        self.bytes.extend((items.len() as u32).to_le_bytes());
+        self.bytes.extend(items.iter().flatten().flat_map(|v| v.to_le_bytes()));
+        place
+    }
+
+    fn string(&mut self, text: &str) -> usize {
+        let place = self.bytes.len().next_multiple_of(4);
+        self.bytes.resize(place, 0);
+        self.bytes.extend((text.len() as u32).to_le_bytes());
+        self.bytes.extend(text.as_bytes());
+        self.bytes.push(0);
+        place
+    }
+
+    /// Points the link at `from` to `to`, which stands behind it.
+    fn link(&mut self, from: usize, to: usize) {
+        self.bytes[from..from + 4].copy_from_slice(&((to - from) as u32).to_le_bytes());
+    }
+}

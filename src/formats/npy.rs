@@ -1,0 +1,35 @@
+//! NumPy's `.npy`, version 1.0: one structured array.
+//!
+//! Source: NumPy Enhancement Proposal 1, "A Simple File Format for NumPy Arrays". The array is read by
+//! `numpy.load(file)` without pickling; `array["target"]` is a column.
+
+use super::PairColumns;
+
+const MAGIC: &[u8] = b"\x93NUMPY\x01\x00";
+/// What the header is padded to, so that the data begin aligned.
+const ALIGNMENT: usize = 64;
+
+/// The columns as a one-dimensional structured array with the fields `source` and `target` (`<u4`), `confidence` (`<f8`)
+/// and `inlier` (`|b1`), 17 bytes a row.
+pub fn write_npy(pairs: &PairColumns<'_>) -> Vec<u8> {
+    let n = pairs.len();
+    let mut header = format!(
+        "{{'descr': [('source', '<u4'), ('target', '<u4'), ('confidence', '<f8'), ('inlier', '|b1')], \
+         'fortran_order': False, 'shape': ({n},), }}"
+    );
+    let begin = MAGIC.len() + 2;
+    let padded = (begin + header.len() + 1).next_multiple_of(ALIGNMENT);
+    header.extend(std::iter::repeat_n(' ', padded - begin - header.len() - 1));
+    header.push('\n');
+    let mut file = MAGIC.to_vec();
+    file.extend((header.len() as u16).to_le_bytes());
+    file.extend(header.into_bytes());
+    file.reserve(17 * n);
+    for (source, target, confidence, inlier) in pairs.rows() {
+        file.extend(source.to_le_bytes());
+        file.extend(target.to_le_bytes());
+        file.extend(confidence.to_le_bytes());
+        file.push(inlier.into());
+    }
+    file
+}

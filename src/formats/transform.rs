@@ -1,0 +1,53 @@
+//! Rigid and affine transforms as files that other programs apply.
+//!
+//! The matrix taken is `target_from_source`, 4×4, row by row: it moves points of the source, in RAS millimetres as in
+//! NIfTI, onto the target. What a file holds is what its program expects, which is not always that matrix.
+
+use nalgebra::Matrix4;
+
+/// The matrix itself as text: four lines of four numbers, as `numpy.loadtxt` and most registration programs read it.
+pub fn write_matrix_text(target_from_source: &[[f64; 4]; 4]) -> String {
+    target_from_source.iter().map(|row| row.map(|v| format!("{v:?}")).join(" ") + "\n").collect()
+}
+
+/// An ITK transform file (`.tfm`), as ITK, ANTs and 3D Slicer read it. `None` if the matrix has no inverse.
+///
+/// ITK counts in LPS and transforms points of the fixed image to the moving one, because resampling asks for each
+/// fixed voxel where in the moving image it comes from. With the target fixed and the source moving, the file
+/// therefore holds `F · target_from_source⁻¹ · F`, where `F = diag(−1, −1, 1, 1)` swaps RAS and LPS. To resample the
+/// source image onto the grid of the target it is used as it is; in 3D Slicer it is applied to the source node.
+///
+/// # Source
+/// ITK Software Guide, "Transforms"; 3D Slicer developer guide, "Transforms" (file convention LPS, fixed to moving).
+pub fn write_itk_transform(target_from_source: &[[f64; 4]; 4]) -> Option<String> {
+    let forward = Matrix4::from_fn(|r, c| target_from_source[r][c]);
+    let inverse = forward.try_inverse().filter(|m| m.iter().all(|v| v.is_finite()))?;
+    let flip = Matrix4::from_diagonal(&nalgebra::Vector4::new(-1.0, -1.0, 1.0, 1.0));
+    let lps = flip * inverse * flip;
+    // The linear part row by row, then the translation; the center stays at the origin. Adding zero makes −0 a 0.
+    let linear = (0..9).map(|k| lps[(k / 3, k % 3)]);
+    let parameters: Vec<String> = linear.chain((0..3).map(|r| lps[(r, 3)])).map(|v| format!("{:?}", v + 0.0)).collect();
+    Some(format!(
+        "#Insight Transform File V1.0\n#Transform 0\nTransform: AffineTransform_double_3_3\nParameters: {}\n\
+         FixedParameters: 0 0 0\n",
+        parameters.join(" ")
+    ))
+}
+
+/// A FreeSurfer linear transform array (`.lta`) of type 1 (RAS to RAS), source to target: the matrix as it is.
+///
+/// The geometry of the two volumes is not known here. It is written as invalid, with the values that FreeSurfer itself
+/// gives an unknown volume; programs that need it take `--src` and `--trg` (`lta_convert`) or `--mov` and `--targ`.
+///
+/// # Source
+/// FreeSurfer, `LTAwrite` and `VOL_GEOM::write`.
+pub fn write_lta(target_from_source: &[[f64; 4]; 4]) -> String {
+    let row = |row: &[f64; 4]| row.map(|v| format!("{v:.15e}")).join(" ") + "\n";
+    let matrix: String = target_from_source.iter().map(row).collect();
+    let geometry = "valid = 0  # volume info invalid\nfilename = unknown\nvolume = 256 256 256\nvoxelsize = 1 1 1\n\
+                    xras   = -1 0 0\nyras   = 0 0 -1\nzras   = 0 1 0\ncras   = 0 0 0\n";
+    format!(
+        "type      = 1 # LINEAR_RAS_TO_RAS\nnxforms   = 1\nmean      = 0.0000 0.0000 0.0000\nsigma     = 1.0000\n1 4 4\n\
+         {matrix}src volume info\n{geometry}dst volume info\n{geometry}"
+    )
+}

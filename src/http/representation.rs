@@ -1,0 +1,98 @@
+//! Parts of results as they are answered: chosen by `?format=`, else by `Accept`, each with its own validator.
+
+use super::accept::preferred;
+use super::conditional::{is_fresh, not_modified, respond};
+use super::problem::Problem;
+use super::problem_table::ProblemKind;
+use super::query::QueryString;
+use super::router::HttpState;
+use crate::jobs::{JobId, PartFormat, ResultPart, Tenant};
+use axum::http::{HeaderMap, HeaderValue, header};
+use axum::response::{IntoResponse, Response};
+use serde_json::json;
+
+/// How a format is answered.
+struct Form {
+    /// What `Accept` is compared with.
+    media_type: &'static str,
+    /// `Content-Type`.
+    content_type: &'static str,
+    /// The file's ending, where a client would keep a file rather than read the answer.
+    ending: Option<&'static str>,
+}
+
+fn form(format: PartFormat) -> Form {
+    let (media_type, content_type, ending) = match format {
+        PartFormat::Json => ("application/json", "application/json", None),
+        PartFormat::Csv => ("text/csv", "text/csv; charset=utf-8; header=present", Some("csv")),
+        PartFormat::Npy => ("application/x-npy", "application/x-npy", Some("npy")),
+        PartFormat::Arrow => ("application/vnd.apache.arrow.file", "application/vnd.apache.arrow.file", Some("arrow")),
+        PartFormat::Ply => ("model/ply", "model/ply", Some("ply")),
+        PartFormat::Vtk => ("model/vtk", "model/vtk", Some("vtk")),
+        PartFormat::Gifti => ("application/gifti+xml", "application/gifti+xml", Some("surf.gii")),
+        PartFormat::Stl => ("model/stl", "model/stl", Some("stl")),
+        PartFormat::Text => ("text/plain", "text/plain; charset=utf-8", None),
+        PartFormat::Itk => ("application/x-itk-transform", "application/x-itk-transform", Some("tfm")),
+        PartFormat::Lta => ("application/x-freesurfer-lta", "application/x-freesurfer-lta", Some("lta")),
+    };
+    Form { media_type, content_type, ending }
+}
+
+/// Answers a part of a job's result in the format that is asked for.
+pub(super) async fn answer(
+    state: &HttpState,
+    tenant: &Tenant,
+    id: JobId,
+    part: ResultPart,
+    headers: &HeaderMap,
+    query: QueryString,
+) -> Result<Response, Problem> {
+    let Some(format) = choose(part, headers, query)? else {
+        // Whoever may not see the job learns nothing by asking for a format that there is not.
+        state.service.get(tenant, id).await?;
+        return Ok(varying(not_acceptable(part).into_response()));
+    };
+    let wanted = state.service.presentation(tenant, id, part, format).await?;
+    let etag = format!("\"{}\"", wanted.validator());
+    if is_fresh(headers, &etag) {
+        return Ok(varying(not_modified(&etag)));
+    }
+    let form = form(format);
+    let response = respond(headers, &etag, form.content_type, state.service.present(&wanted).await?);
+    Ok(varying(named(response, id, part, form.ending)))
+}
+
+/// The format to answer in; `None` if `Accept` allows none of those there are.
+///
+/// # Errors
+/// Faults in the query.
+fn choose(part: ResultPart, headers: &HeaderMap, mut query: QueryString) -> Result<Option<PartFormat>, Problem> {
+    let formats = part.formats();
+    let words: Vec<_> = formats.iter().map(|&format| (format.name(), format)).collect();
+    let asked = query.word("format", &words);
+    query.finish()?;
+    let offered: Vec<_> = formats.iter().map(|&format| form(format).media_type).collect();
+    Ok(asked.or_else(|| preferred(headers, &offered).map(|index| formats[index])))
+}
+
+fn not_acceptable(part: ResultPart) -> Problem {
+    let available = part.formats().iter().map(|&f| json!({"format": f.name(), "media_type": form(f).media_type}));
+    Problem::new(ProblemKind::NotAcceptable).member("available", available.collect())
+}
+
+/// Says that the answer depends on `Accept`.
+fn varying(mut response: Response) -> Response {
+    response.headers_mut().insert(header::VARY, HeaderValue::from_static("accept"));
+    response
+}
+
+/// Gives a file a name, made of nothing that a client sent.
+fn named(mut response: Response, id: JobId, part: ResultPart, ending: Option<&str>) -> Response {
+    if let Some(ending) = ending {
+        let value = format!("attachment; filename=\"homolog-{id}-{}.{ending}\"", part.name());
+        if let Ok(value) = HeaderValue::from_str(&value) {
+            response.headers_mut().insert(header::CONTENT_DISPOSITION, value);
+        }
+    }
+    response
+}

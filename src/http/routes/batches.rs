@@ -1,0 +1,282 @@
+//! `/v1/batches`: many jobs made at once.
+
+use super::{batch_id, page};
+use crate::http::auth::{Reader, Submitter};
+use crate::http::conditional::{etag_of, respond};
+use crate::http::preferences::{idempotency_key, traceparent};
+use crate::http::problem::{FieldError, Problem, ProblemDocument};
+use crate::http::problem_table::ProblemKind;
+use crate::http::query::QueryString;
+use crate::http::router::HttpState;
+use crate::http::submission::{DetailsDocument, check_details, media_type, mesh_hash, read_json};
+use crate::http::upload::Tap;
+use crate::http::wire::{BatchDocument, BatchListDocument, BulkCancelDocument, JobListDocument};
+use crate::jobs::{Accepted, Batch, BatchPair, BatchSubmission, JobFilter, Order, PageRequest, Tenant};
+use axum::Json;
+use axum::extract::{Path, Request, State};
+use axum::http::{HeaderMap, StatusCode, header};
+use axum::response::{IntoResponse, Response};
+use serde::{Deserialize, Serialize};
+use serde_json::Value;
+use std::collections::BTreeMap;
+use utoipa::ToSchema;
+
+/// Faults that are named; more say nothing new.
+const NAMED_FAULTS: usize = 16;
+
+/// A batch: either `template` and `subjects`, or `pairs`. Meshes are named by the ids of uploads.
+#[derive(Debug, Clone, Deserialize, Serialize, ToSchema)]
+#[serde(deny_unknown_fields)]
+pub struct BatchSubmissionDocument {
+    /// The surface that every subject is matched with; it is the target.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub template: Option<String>,
+    /// The surfaces that move onto the template, one job each.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub subjects: Vec<SubjectDocument>,
+    /// Pairs, one job each.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub pairs: Vec<PairDocument>,
+    /// Parameters of all jobs.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schema(value_type = Option<Object>)]
+    pub parameters: Option<Value>,
+    /// Of all jobs; `external_ref` is the batch's own.
+    #[serde(flatten)]
+    pub details: DetailsDocument,
+}
+
+/// A subject of a batch.
+#[derive(Debug, Clone, Deserialize, Serialize, ToSchema)]
+#[serde(deny_unknown_fields)]
+pub struct SubjectDocument {
+    /// The surface that moves.
+    pub mesh_id: String,
+    /// The submitter's own name for the job.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub external_ref: Option<String>,
+    /// Its marks, joined with those of the batch.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub labels: BTreeMap<String, String>,
+}
+
+/// A pair of a batch.
+#[derive(Debug, Clone, Deserialize, Serialize, ToSchema)]
+#[serde(deny_unknown_fields)]
+pub struct PairDocument {
+    /// The surface that moves.
+    pub source: String,
+    /// The surface that stays.
+    pub target: String,
+    /// The submitter's own name for the job.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub external_ref: Option<String>,
+    /// Its marks, joined with those of the batch.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub labels: BTreeMap<String, String>,
+}
+
+/// Submit a batch
+///
+/// One template against many subjects, or a list of pairs. All jobs are made at once, or none; faults name the pair by
+/// its place in the list, as `/pairs/3/source`.
+#[utoipa::path(
+    post, path = "/v1/batches", tag = "batches", operation_id = "submit_batch",
+    params(("Idempotency-Key" = Option<String>, Header, description = "1 to 128 visible ASCII characters")),
+    request_body = BatchSubmissionDocument,
+    responses(
+        (status = 202, description = "Accepted", body = BatchDocument, headers(
+            ("Location" = String, description = "The batch"), ("Retry-After" = u32, description = "When to look, s"))),
+        (status = 400, description = "The body cannot be read", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 409, description = "The same request is being worked on", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 413, description = "More jobs than a batch may have", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 415, description = "No JSON", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 422, description = "Faults in fields, parameters or meshes, or an Idempotency-Key of another request", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 429, description = "The queue has no room for all", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 503, description = "Busy, or a dependency does not answer", body = ProblemDocument, content_type = "application/problem+json"),
+    )
+)]
+pub async fn submit(
+    State(state): State<HttpState>,
+    Submitter(tenant): Submitter,
+    query: QueryString,
+    request: Request,
+) -> Result<Response, Problem> {
+    let headers = request.headers().clone();
+    let (request, tap) = Tap::on(request, state.limits.max_body_bytes());
+    let taken = match query.finish() {
+        Ok(()) => take(&state, tenant, request, &tap, &headers).await,
+        Err(problem) => Err(problem),
+    };
+    if taken.is_err() {
+        tap.drain().await;
+    }
+    let Accepted { made, replayed } = taken?;
+    let document = BatchDocument::from(&made);
+    let location = [(header::LOCATION, document.links.batch.clone()), (header::RETRY_AFTER, "1".to_owned())];
+    let mut response = (StatusCode::ACCEPTED, location, Json(document)).into_response();
+    if replayed {
+        response.headers_mut().insert("idempotency-replayed", header::HeaderValue::from_static("true"));
+    }
+    Ok(response)
+}
+
+async fn take(
+    state: &HttpState,
+    tenant: Tenant,
+    request: Request,
+    tap: &Tap,
+    headers: &HeaderMap,
+) -> Result<Accepted<Batch>, Problem> {
+    let idempotency_key = idempotency_key(headers)?;
+    if media_type(&request) != "application/json" {
+        return Err(Problem::new(ProblemKind::UnsupportedMediaType));
+    }
+    let reading = tokio::time::timeout(state.limits.upload_timeout, read_json(request, tap, &state.limits));
+    let document: BatchSubmissionDocument = reading.await.map_err(|_| Problem::new(ProblemKind::UploadTimeout))??;
+    let BatchSubmissionDocument { template, subjects, pairs, parameters, details } = document;
+    let (parameters, mut details) = check_details(parameters, details, state.service.limits())?;
+    details.traceparent = traceparent(headers);
+    let pairs = match (template, subjects.is_empty(), pairs.is_empty()) {
+        (Some(template), false, true) => subjects
+            .into_iter()
+            .map(|SubjectDocument { mesh_id, external_ref, labels }| PairDocument {
+                source: mesh_id,
+                target: template.clone(),
+                external_ref,
+                labels,
+            })
+            .collect(),
+        (None, true, false) => pairs,
+        _ => {
+            let detail = "either template and at least one of subjects, or at least one of pairs is needed";
+            return Err(Problem::new(ProblemKind::InvalidRequest).errors(&[FieldError::new("", "missing", detail)]));
+        }
+    };
+    let mut faults = Vec::new();
+    let mut named = |number: usize, side: &str, id: &str| {
+        mesh_hash(id).unwrap_or_else(|| {
+            let pointer = format!("/pairs/{number}/{side}");
+            faults.push(FieldError::new(pointer, "out_of_range", "blake3: and 64 hexadecimal digits are needed here"));
+            String::new()
+        })
+    };
+    let pairs: Vec<BatchPair> = pairs
+        .into_iter()
+        .enumerate()
+        .map(|(number, pair)| BatchPair {
+            source: named(number, "source", &pair.source),
+            target: named(number, "target", &pair.target),
+            external_ref: pair.external_ref,
+            labels: pair.labels,
+        })
+        .collect();
+    faults.truncate(NAMED_FAULTS);
+    if !faults.is_empty() {
+        return Err(Problem::new(ProblemKind::InvalidRequest).errors(&faults));
+    }
+    let submission = BatchSubmission { tenant, pairs, parameters, details, idempotency_key };
+    Ok(state.service.submit_batch(submission).await?)
+}
+
+/// List batches
+#[utoipa::path(
+    get, path = "/v1/batches", tag = "batches", operation_id = "list_batches",
+    params(
+        ("page_size" = Option<u32>, Query, minimum = 1, maximum = 500, description = "Most entries of a page; 50 if absent"),
+        ("page_token" = Option<String>, Query, description = "`next_page_token` of the page before"),
+    ),
+    responses(
+        (status = 200, description = "A page", body = BatchListDocument),
+        (status = 400, description = "Faults in the query", body = ProblemDocument, content_type = "application/problem+json"),
+    )
+)]
+pub async fn list(
+    State(state): State<HttpState>,
+    Reader(tenant): Reader,
+    mut query: QueryString,
+) -> Result<Json<BatchListDocument>, Problem> {
+    let (size, after) = page(&mut query);
+    query.finish()?;
+    let page = state.service.batches(&tenant, size, after).await?;
+    Ok(Json(BatchListDocument {
+        batches: page.batches.iter().map(BatchDocument::from).collect(),
+        next_page_token: page.next.map(|cursor| cursor.to_token()),
+    }))
+}
+
+/// Look at a batch
+#[utoipa::path(
+    get, path = "/v1/batches/{id}", tag = "batches", operation_id = "get_batch",
+    params(
+        ("id" = String, Path, description = "The batch"),
+        ("If-None-Match" = Option<String>, Header, description = "The ETag of an earlier answer"),
+    ),
+    responses(
+        (status = 200, description = "The batch, with the number of its jobs in each state", body = BatchDocument, headers(("ETag" = String))),
+        (status = 304, description = "Unchanged"),
+        (status = 404, description = "No such batch", body = ProblemDocument, content_type = "application/problem+json"),
+    )
+)]
+pub async fn get(
+    State(state): State<HttpState>,
+    Reader(tenant): Reader,
+    Path(id): Path<String>,
+    headers: HeaderMap,
+    query: QueryString,
+) -> Result<Response, Problem> {
+    query.finish()?;
+    let batch = state.service.batch(&tenant, batch_id(&id)?).await?;
+    let body = serde_json::to_vec(&BatchDocument::from(&batch)).map_err(|e| Problem::internal(&e))?;
+    Ok(respond(&headers, &etag_of(&body), "application/json", body))
+}
+
+/// List the jobs of a batch
+#[utoipa::path(
+    get, path = "/v1/batches/{id}/jobs", tag = "batches", operation_id = "list_batch_jobs",
+    params(
+        ("id" = String, Path, description = "The batch"),
+        ("page_size" = Option<u32>, Query, minimum = 1, maximum = 500, description = "Most jobs of a page; 50 if absent"),
+        ("page_token" = Option<String>, Query, description = "`next_page_token` of the page before"),
+    ),
+    responses(
+        (status = 200, description = "A page, in the order of the submission", body = JobListDocument),
+        (status = 400, description = "Faults in the query", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 404, description = "No such batch", body = ProblemDocument, content_type = "application/problem+json"),
+    )
+)]
+pub async fn jobs(
+    State(state): State<HttpState>,
+    Reader(tenant): Reader,
+    Path(id): Path<String>,
+    mut query: QueryString,
+) -> Result<Json<JobListDocument>, Problem> {
+    let (size, after) = page(&mut query);
+    query.finish()?;
+    let id = state.service.batch(&tenant, batch_id(&id)?).await?.id;
+    let filter = JobFilter { batch_id: Some(id), ..JobFilter::default() };
+    let page = state.service.list(&tenant, &filter, &PageRequest { size, after, order: Order::OldestFirst }).await?;
+    Ok(Json(JobListDocument::from(&page)))
+}
+
+/// Ask for the end of a batch
+#[utoipa::path(
+    post, path = "/v1/batches/{id}/cancel", tag = "batches", operation_id = "cancel_batch",
+    params(("id" = String, Path, description = "The batch")),
+    responses(
+        (status = 202, description = "Asked for", body = BulkCancelDocument),
+        (status = 404, description = "No such batch", body = ProblemDocument, content_type = "application/problem+json"),
+    )
+)]
+pub async fn cancel(
+    State(state): State<HttpState>,
+    Submitter(tenant): Submitter,
+    Path(id): Path<String>,
+    query: QueryString,
+) -> Result<(StatusCode, Json<BulkCancelDocument>), Problem> {
+    query.finish()?;
+    let id = state.service.batch(&tenant, batch_id(&id)?).await?.id;
+    let filter = JobFilter { batch_id: Some(id), ..JobFilter::default() };
+    let done = state.service.cancel_all(&tenant, &filter).await?;
+    Ok((StatusCode::ACCEPTED, Json(BulkCancelDocument { cancelled: done.cancelled, told: done.told })))
+}

@@ -1,0 +1,153 @@
+//! `/v1/jobs/{id}/events`: a job's events as they happen.
+
+use super::job_id;
+use crate::http::auth::Reader;
+use crate::http::problem::{FieldError, Problem, ProblemDocument};
+use crate::http::problem_table::ProblemKind;
+use crate::http::query::QueryString;
+use crate::http::router::HttpState;
+use crate::http::wire::JobDocument;
+use crate::jobs::follow::{Feed, Seen};
+use axum::extract::{Path, State};
+use axum::http::{HeaderMap, HeaderName, HeaderValue, header};
+use axum::response::sse::{Event, KeepAlive, Sse};
+use axum::response::{IntoResponse, Response};
+use futures_util::Stream;
+use std::collections::VecDeque;
+use std::convert::Infallible;
+use std::sync::Arc;
+use std::time::Duration;
+use tokio::sync::watch;
+use tokio_util::sync::CancellationToken;
+
+/// Between two comments on a stream on which nothing happens: proxies close what is silent.
+const HEARTBEAT: Duration = Duration::from_secs(15);
+const LAST_EVENT_ID: HeaderName = HeaderName::from_static("last-event-id");
+
+/// Follow a job
+///
+/// Server-sent events: `state` (the job, when its state changes), `progress`, `trace` (a point; `id` is its `seq`), and
+/// `done` (the finished job), after which the stream ends. A client that comes back with `Last-Event-ID` gets the trace
+/// from there on, without a gap or a repeat. The stream also ends when the service does; come back then.
+#[utoipa::path(
+    get, path = "/v1/jobs/{id}/events", tag = "jobs", operation_id = "follow_job",
+    params(
+        ("id" = String, Path, description = "The job"),
+        ("Last-Event-ID" = Option<String>, Header, description = "`seq` of the last trace point that was seen"),
+    ),
+    responses(
+        (status = 200, description = "Events", content_type = "text/event-stream", body = String),
+        (status = 400, description = "No such Last-Event-ID", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 404, description = "No such job", body = ProblemDocument, content_type = "application/problem+json"),
+    )
+)]
+pub async fn events(
+    State(state): State<HttpState>,
+    Reader(tenant): Reader,
+    Path(id): Path<String>,
+    headers: HeaderMap,
+    query: QueryString,
+) -> Result<Response, Problem> {
+    query.finish()?;
+    let after_seq = match headers.get(LAST_EVENT_ID) {
+        None => 0,
+        Some(value) => value.to_str().ok().and_then(|text| text.trim().parse().ok()).ok_or_else(|| {
+            let detail = "the id of an event of this stream is needed here";
+            let fault = FieldError::new("/headers/last-event-id", "out_of_range", detail);
+            Problem::new(ProblemKind::BadRequest).detail(detail).errors(&[fault])
+        })?,
+    };
+    let feed = state.service.follow(&tenant, job_id(&id)?).await?;
+    let follower = Follower::new(feed, after_seq, state.stop.clone());
+    let events = Sse::new(follower.into_stream()).keep_alive(KeepAlive::new().interval(HEARTBEAT).text("alive"));
+    let mut response = events.into_response();
+    // Some proxies hold back what they pass on until there is enough of it.
+    response.headers_mut().insert("x-accel-buffering", HeaderValue::from_static("no"));
+    response.headers_mut().insert(header::CACHE_CONTROL, HeaderValue::from_static("no-store"));
+    Ok(response)
+}
+
+/// One who follows: what was sent, and what is to be sent next.
+struct Follower {
+    seen: watch::Receiver<Arc<Seen>>,
+    stop: CancellationToken,
+    last_seq: u64,
+    last: Option<Arc<Seen>>,
+    waiting: VecDeque<Event>,
+    ended: bool,
+    /// Keeps the reader of the store at work.
+    _feed: Arc<Feed>,
+}
+
+impl Follower {
+    fn new(feed: Arc<Feed>, last_seq: u64, stop: CancellationToken) -> Self {
+        let mut seen = feed.seen();
+        seen.mark_changed(); // what is seen already is sent too
+        Follower { seen, stop, last_seq, last: None, waiting: VecDeque::new(), ended: false, _feed: feed }
+    }
+
+    fn into_stream(self) -> impl Stream<Item = Result<Event, Infallible>> {
+        futures_util::stream::unfold(self, |mut follower| async move {
+            let event = follower.next().await?;
+            Some((Ok(event), follower))
+        })
+    }
+
+    async fn next(&mut self) -> Option<Event> {
+        loop {
+            if let Some(event) = self.waiting.pop_front() {
+                return Some(event);
+            }
+            if self.ended {
+                return None;
+            }
+            tokio::select! {
+                changed = self.seen.changed() => {
+                    // The reader is gone: the job is finished or was removed, and all of it was seen.
+                    if changed.is_err() {
+                        return None;
+                    }
+                }
+                () = self.stop.cancelled() => return None,
+            }
+            let seen = Arc::clone(&self.seen.borrow_and_update());
+            self.note(seen);
+        }
+    }
+
+    /// Queues what is new.
+    fn note(&mut self, seen: Arc<Seen>) {
+        if seen.removed {
+            self.ended = true;
+            return;
+        }
+        let before = self.last.as_ref().map(|last| &last.job);
+        let document = JobDocument::from(&seen.job);
+        let state_changed = before.is_none_or(|job| (job.state, job.attempt) != (seen.job.state, seen.job.attempt));
+        if state_changed {
+            self.push("state", &document);
+        }
+        for point in seen.points_after(self.last_seq) {
+            if let Ok(event) = Event::default().event("trace").id(point.seq.to_string()).json_data(point) {
+                self.waiting.push_back(event);
+            }
+        }
+        self.last_seq = seen.points.last().and_then(|chunk| chunk.last()).map_or(self.last_seq, |p| p.seq.max(self.last_seq));
+        if let Some(progress) = &document.progress
+            && before.is_none_or(|job| job.progress != seen.job.progress)
+        {
+            self.push("progress", progress);
+        }
+        if seen.complete {
+            self.push("done", &document);
+            self.ended = true;
+        }
+        self.last = Some(seen);
+    }
+
+    fn push(&mut self, name: &str, data: &impl serde::Serialize) {
+        if let Ok(event) = Event::default().event(name).json_data(data) {
+            self.waiting.push_back(event);
+        }
+    }
+}

@@ -1,0 +1,301 @@
+//! `/v1/meshes`: uploads by the hash of their content.
+
+use super::{DEFAULT_PAGE, MAX_PAGE};
+use crate::http::auth::{Reader, Submitter};
+use crate::http::conditional::{is_fresh, not_modified, respond};
+use crate::http::problem::{Problem, ProblemDocument};
+use crate::http::problem_table::ProblemKind;
+use crate::http::query::QueryString;
+use crate::http::router::HttpState;
+use crate::http::submission::{media_type, mesh_hash};
+use crate::http::upload::{Tap, name_hint};
+use crate::http::wire::{MeshDocument, MeshListDocument};
+use crate::jobs::{Mesh, Tenant};
+use axum::Json;
+use axum::extract::multipart::MultipartError;
+use axum::extract::{FromRequest, Multipart, Path, Request, State};
+use axum::http::{HeaderMap, Method, StatusCode, header};
+use axum::response::{IntoResponse, Response};
+use bytes::Bytes;
+use http_body_util::BodyExt;
+use std::sync::Arc;
+
+/// Upload a mesh or a label volume
+///
+/// As the raw body (with `?file_name=` where the bytes alone do not tell the format), or as the field `file` of a
+/// multipart form. The bytes go to the store as they arrive. The id is the hash of the content: the same bytes again
+/// answer 200 with what is there. The answer says whether it can be matched with default parameters; it is kept also
+/// where it cannot, as other parameters may allow repairs.
+#[utoipa::path(
+    post, path = "/v1/meshes", tag = "meshes", operation_id = "upload_mesh",
+    params(
+        ("file_name" = Option<String>, Query, description = "Name of the file; only its endings are kept"),
+        ("inspect" = Option<bool>, Query, description = "`false` stores it without reading it; a job that names it will"),
+    ),
+    request_body(content(
+        (Vec<u8> = "application/octet-stream"),
+        (MeshForm = "multipart/form-data"),
+    )),
+    responses(
+        (status = 200, description = "Held already", body = MeshDocument, headers(("Location" = String, description = "The upload"))),
+        (status = 201, description = "Uploaded", body = MeshDocument, headers(("Location" = String, description = "The upload"))),
+        (status = 400, description = "The body or the query cannot be read", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 408, description = "The body took too long", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 413, description = "Over a limit", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 415, description = "A body of this media type is not taken", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 422, description = "An empty body, or a form without a file", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 503, description = "Busy, or a dependency does not answer", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 507, description = "No room", body = ProblemDocument, content_type = "application/problem+json"),
+    )
+)]
+pub async fn upload(
+    State(state): State<HttpState>,
+    Submitter(tenant): Submitter,
+    mut query: QueryString,
+    request: Request,
+) -> Result<Response, Problem> {
+    let (request, tap) = Tap::on(request, state.limits.max_file_bytes.saturating_add(1 << 20));
+    let inspect = query.word("inspect", &[("true", true), ("false", false)]).unwrap_or(true);
+    let file_name = query.text("file_name");
+    let stored = match query.finish() {
+        Ok(()) => store(&state, &tenant, file_name, request, &tap).await,
+        Err(problem) => Err(problem),
+    };
+    if stored.is_err() {
+        tap.drain().await;
+    }
+    let (mesh, is_new) = stored?;
+    let check = if inspect { Some(state.service.mesh_report(&mesh).await?) } else { None };
+    let document = MeshDocument::of(&mesh, check);
+    let status = if is_new { StatusCode::CREATED } else { StatusCode::OK };
+    Ok((status, [(header::LOCATION, document.links.mesh.clone())], Json(document)).into_response())
+}
+
+/// The form of an upload.
+#[derive(Debug, Clone, utoipa::ToSchema)]
+#[allow(dead_code, reason = "describes a multipart form")]
+pub struct MeshForm {
+    /// NIfTI-1 label volume, PLY, STL or legacy VTK.
+    #[schema(format = Binary)]
+    file: String,
+}
+
+async fn store(
+    state: &HttpState,
+    tenant: &Tenant,
+    file_name: Option<String>,
+    request: Request,
+    tap: &Tap,
+) -> Result<(Mesh, bool), Problem> {
+    let place = tokio::time::timeout(state.limits.max_upload_wait, Arc::clone(&state.uploads).acquire_owned()).await;
+    let Ok(Ok(_place)) = place else { return Err(Problem::new(ProblemKind::Busy).retry_after(5)) };
+    let reading = async {
+        match media_type(&request).as_str() {
+            "multipart/form-data" => store_form(state, tenant, request, tap).await,
+            "application/json" => Err(Problem::new(ProblemKind::UnsupportedMediaType)),
+            _ => store_raw(state, tenant, file_name, request, tap).await,
+        }
+    };
+    let reading = tokio::time::timeout(state.limits.upload_timeout, reading);
+    reading.await.map_err(|_| Problem::new(ProblemKind::UploadTimeout))?
+}
+
+fn too_large(state: &HttpState) -> Problem {
+    let limit = state.limits.max_file_bytes;
+    Problem::new(ProblemKind::TooLarge)
+        .detail(format!("the file has more than {limit} bytes"))
+        .member("limit_bytes", limit.into())
+}
+
+fn empty() -> Problem {
+    Problem::new(ProblemKind::EmptyStructure).detail("the file is empty")
+}
+
+async fn store_raw(
+    state: &HttpState,
+    tenant: &Tenant,
+    file_name: Option<String>,
+    request: Request,
+    tap: &Tap,
+) -> Result<(Mesh, bool), Problem> {
+    let mut upload = state.service.begin_upload(tenant).await?;
+    let mut body = request.into_body();
+    while let Some(frame) = body.frame().await {
+        let frame = frame.map_err(|_| {
+            if tap.is_over() { too_large(state) } else { Problem::new(ProblemKind::BadRequest).detail("the body broke off") }
+        })?;
+        if let Ok(part) = frame.into_data() {
+            if upload.n_bytes() + part.len() as u64 > state.limits.max_file_bytes as u64 {
+                return Err(too_large(state));
+            }
+            upload.write(part).await?;
+        }
+    }
+    if upload.n_bytes() == 0 {
+        return Err(empty());
+    }
+    Ok(state.service.end_upload(upload, file_name.as_deref().and_then(name_hint).as_deref()).await?)
+}
+
+async fn store_form(
+    state: &HttpState,
+    tenant: &Tenant,
+    request: Request,
+    tap: &Tap,
+) -> Result<(Mesh, bool), Problem> {
+    let refuse = |error: &MultipartError| {
+        if tap.is_over() {
+            too_large(state)
+        } else {
+            Problem::new(ProblemKind::MalformedMultipart).detail(error.body_text())
+        }
+    };
+    let mut form = Multipart::from_request(request, &())
+        .await
+        .map_err(|e| Problem::new(ProblemKind::MalformedMultipart).detail(e.body_text()))?;
+    while let Some(mut field) = form.next_field().await.map_err(|e| refuse(&e))? {
+        if field.name() != Some("file") {
+            continue;
+        }
+        let hint = field.file_name().and_then(name_hint);
+        let mut upload = state.service.begin_upload(tenant).await?;
+        while let Some(part) = field.chunk().await.map_err(|e| refuse(&e))? {
+            if upload.n_bytes() + part.len() as u64 > state.limits.max_file_bytes as u64 {
+                return Err(too_large(state));
+            }
+            upload.write(part).await?;
+        }
+        if upload.n_bytes() == 0 {
+            return Err(empty());
+        }
+        return Ok(state.service.end_upload(upload, hint.as_deref()).await?);
+    }
+    let detail = "send the file in the field `file`";
+    let fault = crate::http::problem::FieldError::new("/file", "missing", detail);
+    Err(Problem::new(ProblemKind::InvalidRequest).errors(&[fault]))
+}
+
+/// The hash that a path names; what cannot be an id names none.
+fn hash(id: &str) -> Result<String, Problem> {
+    mesh_hash(id).ok_or_else(|| Problem::new(ProblemKind::MeshNotFound))
+}
+
+/// List uploads
+#[utoipa::path(
+    get, path = "/v1/meshes", tag = "meshes", operation_id = "list_meshes",
+    params(
+        ("page_size" = Option<u32>, Query, minimum = 1, maximum = 500, description = "Most entries of a page; 50 if absent"),
+        ("page_token" = Option<String>, Query, description = "`next_page_token` of the page before"),
+    ),
+    responses(
+        (status = 200, description = "A page", body = MeshListDocument),
+        (status = 400, description = "Faults in the query", body = ProblemDocument, content_type = "application/problem+json"),
+    )
+)]
+pub async fn list(
+    State(state): State<HttpState>,
+    Reader(tenant): Reader,
+    mut query: QueryString,
+) -> Result<Json<MeshListDocument>, Problem> {
+    let size = query.number("page_size", 1..=MAX_PAGE).unwrap_or(DEFAULT_PAGE);
+    let token = query.text("page_token").filter(|token| !token.is_empty());
+    let after = token.as_deref().and_then(|token| {
+        let (time, hash) = token.split_once('.')?;
+        Some((i64::from_str_radix(time, 16).ok()?, mesh_hash(&format!("blake3:{hash}"))?))
+    });
+    if token.is_some() && after.is_none() {
+        query.fault("page_token", "out_of_range", "hand back a next_page_token as it was given");
+    }
+    query.finish()?;
+    let page = state.service.meshes(&tenant, size, after).await?;
+    Ok(Json(MeshListDocument {
+        meshes: page.meshes.iter().map(|mesh| MeshDocument::of(mesh, None)).collect(),
+        next_page_token: page.next.map(|(time, hash)| format!("{time:x}.{hash}")),
+    }))
+}
+
+/// Look at an upload
+#[utoipa::path(
+    get, path = "/v1/meshes/{id}", tag = "meshes", operation_id = "get_mesh",
+    params(
+        ("id" = String, Path, description = "`blake3:` and 64 hexadecimal digits"),
+        ("If-None-Match" = Option<String>, Header, description = "The ETag of an earlier answer"),
+    ),
+    responses(
+        (status = 200, description = "The upload and what inspecting it found", body = MeshDocument, headers(("ETag" = String))),
+        (status = 304, description = "Unchanged"),
+        (status = 404, description = "No such mesh", body = ProblemDocument, content_type = "application/problem+json"),
+    )
+)]
+pub async fn get(
+    State(state): State<HttpState>,
+    Reader(tenant): Reader,
+    Path(id): Path<String>,
+    headers: HeaderMap,
+    query: QueryString,
+) -> Result<Response, Problem> {
+    query.finish()?;
+    let mesh = state.service.mesh(&tenant, &hash(&id)?).await?;
+    // Neither the bytes nor what default parameters find in them ever change.
+    let etag = format!("\"{}-{}\"", &mesh.key.hash()[..32], env!("CARGO_PKG_VERSION"));
+    if is_fresh(&headers, &etag) {
+        return Ok(not_modified(&etag));
+    }
+    let check = state.service.mesh_report(&mesh).await?;
+    let body = serde_json::to_vec(&MeshDocument::of(&mesh, Some(check))).map_err(|e| Problem::internal(&e))?;
+    Ok(respond(&headers, &etag, "application/json", body))
+}
+
+/// Read the bytes of an upload
+#[utoipa::path(
+    get, path = "/v1/meshes/{id}/content", tag = "meshes", operation_id = "get_mesh_content",
+    params(
+        ("id" = String, Path, description = "`blake3:` and 64 hexadecimal digits"),
+        ("If-None-Match" = Option<String>, Header, description = "The ETag of an earlier answer"),
+    ),
+    responses(
+        (status = 200, description = "The bytes as they were uploaded", content_type = "application/octet-stream", body = Vec<u8>, headers(("ETag" = String))),
+        (status = 304, description = "Unchanged"),
+        (status = 404, description = "No such mesh", body = ProblemDocument, content_type = "application/problem+json"),
+    )
+)]
+pub async fn content(
+    State(state): State<HttpState>,
+    Reader(tenant): Reader,
+    method: Method,
+    Path(id): Path<String>,
+    headers: HeaderMap,
+    query: QueryString,
+) -> Result<Response, Problem> {
+    query.finish()?;
+    let mesh = state.service.mesh(&tenant, &hash(&id)?).await?;
+    let etag = format!("\"{}\"", &mesh.key.hash()[..32]);
+    if is_fresh(&headers, &etag) {
+        return Ok(not_modified(&etag));
+    }
+    let bytes = if method == Method::HEAD { Bytes::new() } else { state.service.mesh_content(&mesh).await? };
+    Ok(respond(&headers, &etag, "application/octet-stream", bytes))
+}
+
+/// Delete an upload
+///
+/// Jobs that name it keep it: delete them first, or wait until their retention is over.
+#[utoipa::path(
+    delete, path = "/v1/meshes/{id}", tag = "meshes", operation_id = "delete_mesh",
+    params(("id" = String, Path, description = "`blake3:` and 64 hexadecimal digits")),
+    responses(
+        (status = 204, description = "Gone"),
+        (status = 404, description = "No such mesh", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 409, description = "Jobs refer to it", body = ProblemDocument, content_type = "application/problem+json"),
+    )
+)]
+pub async fn delete(
+    State(state): State<HttpState>,
+    Submitter(tenant): Submitter,
+    Path(id): Path<String>,
+    query: QueryString,
+) -> Result<StatusCode, Problem> {
+    query.finish()?;
+    state.service.delete_mesh(&tenant, &hash(&id)?).await?;
+    Ok(StatusCode::NO_CONTENT)
+}

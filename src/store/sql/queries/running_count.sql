@@ -1,2 +1,0 @@
--- running_count
-SELECT COUNT(*) FROM jobs WHERE state = 'running'

@@ -1,0 +1,113 @@
+//! Stored parts of a result in other file formats.
+
+use crate::formats::arrow::write_arrow;
+use crate::formats::gifti::write_gifti;
+use crate::formats::npy::write_npy;
+use crate::formats::ply::{read_ply, write_ply_with};
+use crate::formats::transform::{write_itk_transform, write_lta, write_matrix_text};
+use crate::formats::vtk::write_vtk_with;
+use crate::formats::{PairColumns, ReadLimits, VertexArray, VertexValues, write_stl};
+use crate::jobs::{PartFormat, PresentError, ResultPart};
+use crate::matching::result::{Correspondences, TransformDocument};
+use crate::mesh::SurfaceMesh;
+use serde::Deserialize;
+
+/// What stands in `target` where a source vertex has no correspondence. Its confidence and its mark as inlier are 0.
+pub const NO_TARGET: i32 = -1;
+
+/// A part in a format, from its stored blobs: the correspondences' JSON and the source surface, the result document, or
+/// the surface's PLY.
+///
+/// # Errors
+/// [`PresentError`].
+pub fn present(part: ResultPart, format: PartFormat, stored: &[&[u8]]) -> Result<Vec<u8>, PresentError> {
+    match (part, stored) {
+        (ResultPart::Correspondences, [columns]) => table(&correspondences(columns)?, format),
+        (ResultPart::Correspondences, [columns, surface]) => {
+            let mesh = surface_mesh(surface)?;
+            let arrays = vertex_arrays(&correspondences(columns)?, mesh.n_vertices());
+            surface_file(&mesh, &arrays, format)
+        }
+        (ResultPart::Transform, [result]) => transform(result, format)?,
+        (_, [surface]) => surface_file(&surface_mesh(surface)?, &[], format),
+        _ => None,
+    }
+    .ok_or(PresentError::NotOffered { part, format })
+}
+
+fn table(pairs: &Correspondences, format: PartFormat) -> Option<Vec<u8>> {
+    let Correspondences { source, target, confidence, inlier } = pairs;
+    let columns = PairColumns { source, target, confidence, inlier };
+    match format {
+        PartFormat::Csv => Some(pairs.to_csv().into_bytes()),
+        PartFormat::Npy => Some(write_npy(&columns)),
+        PartFormat::Arrow => Some(write_arrow(&columns)),
+        _ => None,
+    }
+}
+
+fn surface_file(mesh: &SurfaceMesh, arrays: &[VertexArray], format: PartFormat) -> Option<Vec<u8>> {
+    match format {
+        PartFormat::Ply => Some(write_ply_with(mesh, arrays)),
+        PartFormat::Vtk => Some(write_vtk_with(mesh, arrays)),
+        PartFormat::Gifti => Some(write_gifti(mesh, arrays)),
+        // STL has no place for arrays.
+        PartFormat::Stl if arrays.is_empty() => Some(write_stl(mesh)),
+        _ => None,
+    }
+}
+
+/// The columns spread over the vertices of the source surface.
+fn vertex_arrays(pairs: &Correspondences, n_vertices: usize) -> Vec<VertexArray> {
+    let mut target = vec![NO_TARGET; n_vertices];
+    let mut confidence = vec![0.0; n_vertices];
+    let mut inlier = vec![0; n_vertices];
+    let values = pairs.confidence.iter().zip(&pairs.inlier);
+    for ((&source, &image), (&belief, &supports)) in pairs.source.iter().zip(&pairs.target).zip(values) {
+        let vertex = source as usize;
+        if vertex < n_vertices {
+            target[vertex] = i32::try_from(image).unwrap_or(NO_TARGET);
+            confidence[vertex] = belief;
+            inlier[vertex] = u8::from(supports);
+        }
+    }
+    vec![
+        VertexArray { name: "target", values: VertexValues::Int(target) },
+        VertexArray { name: "confidence", values: VertexValues::Real(confidence) },
+        VertexArray { name: "inlier", values: VertexValues::Byte(inlier) },
+    ]
+}
+
+fn transform(result: &[u8], format: PartFormat) -> Result<Option<Vec<u8>>, PresentError> {
+    /// The one member of the result document that is needed here.
+    #[derive(Deserialize)]
+    struct Stored {
+        transform: TransformDocument,
+    }
+    let Stored { transform } =
+        serde_json::from_slice(result).map_err(|error| unreadable("a stored transform", error))?;
+    Ok(match format {
+        PartFormat::Json => Some(serde_json::to_vec(&transform).map_err(|e| unreadable("a transform as JSON", e))?),
+        PartFormat::Text => Some(write_matrix_text(&transform.matrix).into_bytes()),
+        PartFormat::Itk => {
+            let text = write_itk_transform(&transform.matrix);
+            Some(text.ok_or(PresentError::Unreadable { what: "a matrix without inverse", source: None })?.into_bytes())
+        }
+        PartFormat::Lta => Some(write_lta(&transform.matrix).into_bytes()),
+        _ => None,
+    })
+}
+
+fn correspondences(stored: &[u8]) -> Result<Correspondences, PresentError> {
+    serde_json::from_slice(stored).map_err(|error| unreadable("stored correspondences", error))
+}
+
+/// A surface that this program wrote. The limits for uploads are no matter here: they may have been lowered since.
+fn surface_mesh(stored: &[u8]) -> Result<SurfaceMesh, PresentError> {
+    let limits = ReadLimits { max_vertices: usize::MAX, ..ReadLimits::default() };
+    read_ply(stored, &limits).map(|file| file.mesh).map_err(|error| unreadable("a stored surface", error))
+}
+
+fn unreadable(what: &'static str, error: impl std::error::Error + Send + Sync + 'static) -> PresentError {
+    PresentError::Unreadable { what, source: Some(Box::new(error)) }
+}

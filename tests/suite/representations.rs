@@ -1,0 +1,210 @@
+//! Results of a real match in every format: chosen by query or `Accept`, named, validated, and right to the number.
+
+use super::jobs_support::{TestService, problem};
+use homolog::formats::{FileContent, ReadLimits, read, write_nifti_gz};
+use homolog::intake::IntakeLimits;
+use homolog::mesh::{FaceArity, SurfaceMesh};
+use homolog::phantom::{PairRecipe, PhantomPair};
+use homolog::worker::match_engine::MatchEngine;
+use nalgebra::{Matrix4, Point3};
+use reqwest::multipart::{Form, Part};
+use reqwest::{Response, header::HeaderMap};
+use serde_json::{Value, json};
+use std::sync::Arc;
+
+/// A service with a finished match of two small voxel surfaces; the path of the job.
+async fn matched() -> (TestService, String) {
+    let recipe = PairRecipe {
+        subject: 1,
+        target_subject: 1,
+        deform_share: 0.0,
+        deform_seed: 0,
+        pose_seed: Some(4),
+        permute_seed: None,
+    };
+    let pair = PhantomPair::new(recipe).unwrap();
+    let volumes = [pair.source_volume(2.0).unwrap(), pair.target_volume(2.0).unwrap()];
+    let [source, target] = volumes.map(|v| Part::bytes(write_nifti_gz(&v.into_label_volume().unwrap())));
+    let form = Form::new()
+        .part("source", source.file_name("Doe^Jane.nii.gz"))
+        .part("target", target.file_name("b.nii.gz"))
+        .text("parameters", json!({"input": {"surface": "voxel"}}).to_string());
+    let folder = Arc::new(tempfile::tempdir().unwrap());
+    let engine = Arc::new(MatchEngine { limits: IntakeLimits::default() });
+    let service = TestService::start_with(folder, &[], Some(engine)).await;
+    let response = service.send(form).await;
+    assert_eq!(response.status(), 202, "{}", response.text().await.unwrap());
+    let job: Value = response.json().await.unwrap();
+    let id = job["id"].as_str().unwrap();
+    let job = service.until_final(id).await;
+    assert_eq!(job["state"], "succeeded", "{job}");
+    (service, format!("/v1/jobs/{id}"))
+}
+
+async fn accepting(service: &TestService, path: &str, accept: &str) -> Response {
+    service.client.get(format!("{}{path}", service.base)).header("accept", accept).send().await.unwrap()
+}
+
+async fn bytes(service: &TestService, path: &str) -> Vec<u8> {
+    let response = service.get(path).await;
+    assert_eq!(response.status(), 200, "{path}");
+    response.bytes().await.unwrap().to_vec()
+}
+
+fn mesh_of(bytes: &[u8]) -> SurfaceMesh {
+    match read(bytes, None, &ReadLimits::default()).unwrap().1 {
+        FileContent::Mesh(file) => file.mesh,
+        FileContent::Labels(_) => panic!("a mesh is expected"),
+    }
+}
+
+/// A format, its media type, and the ending of its file.
+type Offered = (&'static str, &'static str, Option<&'static str>);
+
+/// Parts, their formats with media type and ending; the first is what is answered unasked.
+const PARTS: [(&str, &[Offered]); 5] = [
+    (
+        "correspondences",
+        &[
+            ("json", "application/json", None),
+            ("csv", "text/csv", Some("csv")),
+            ("npy", "application/x-npy", Some("npy")),
+            ("arrow", "application/vnd.apache.arrow.file", Some("arrow")),
+            ("ply", "model/ply", Some("ply")),
+            ("vtk", "model/vtk", Some("vtk")),
+            ("gifti", "application/gifti+xml", Some("surf.gii")),
+        ],
+    ),
+    (
+        "transform",
+        &[
+            ("json", "application/json", None),
+            ("text", "text/plain", None),
+            ("tfm", "application/x-itk-transform", Some("tfm")),
+            ("lta", "application/x-freesurfer-lta", Some("lta")),
+        ],
+    ),
+    ("surfaces/source", SURFACE),
+    ("surfaces/target", SURFACE),
+    ("aligned", SURFACE),
+];
+
+const SURFACE: &[Offered] = &[
+    ("ply", "model/ply", Some("ply")),
+    ("vtk", "model/vtk", Some("vtk")),
+    ("gifti", "application/gifti+xml", Some("surf.gii")),
+    ("stl", "model/stl", Some("stl")),
+];
+
+fn text(headers: &HeaderMap, name: &str) -> Option<String> {
+    headers.get(name).map(|value| value.to_str().unwrap().to_owned())
+}
+
+#[tokio::test]
+async fn every_part_comes_in_every_format_it_has() {
+    let (service, job) = matched().await;
+    let id = job.rsplit('/').next().unwrap();
+    let mut etags = Vec::new();
+    for (part, formats) in PARTS {
+        let path = format!("{job}/{part}");
+        let unasked = service.get(&path).await;
+        assert_eq!(unasked.headers()["content-type"], formats[0].1);
+        for &(format, media_type, ending) in formats {
+            let by_query = accepting(&service, &format!("{path}?format={format}"), "image/png").await;
+            assert_eq!(by_query.status(), 200, "{path} {format}: the query goes before Accept");
+            let headers = by_query.headers().clone();
+            assert!(text(&headers, "content-type").unwrap().starts_with(media_type), "{path} {format}");
+            assert_eq!(text(&headers, "vary").as_deref(), Some("accept"));
+            assert_eq!(text(&headers, "cache-control").as_deref(), Some("private, no-cache"));
+            let name = part.trim_start_matches("surfaces/");
+            let disposition = ending.map(|e| format!("attachment; filename=\"homolog-{id}-{name}.{e}\""));
+            assert_eq!(text(&headers, "content-disposition"), disposition);
+            let etag = text(&headers, "etag").unwrap();
+            let body = by_query.bytes().await.unwrap();
+            let by_accept = accepting(&service, &path, &format!("image/png, {media_type};q=0.4")).await;
+            assert_eq!(text(by_accept.headers(), "etag").unwrap(), etag);
+            assert_eq!(by_accept.bytes().await.unwrap(), body);
+            let again = service.client.get(format!("{}{path}?format={format}", service.base));
+            let again = again.header("if-none-match", &etag).send().await.unwrap();
+            assert_eq!((again.status().as_u16(), text(again.headers(), "vary").as_deref()), (304, Some("accept")));
+            etags.push(etag);
+        }
+        let refused = accepting(&service, &path, "image/png, */*;q=0").await;
+        assert_eq!(text(refused.headers(), "vary").as_deref(), Some("accept"));
+        let body = problem(refused, 406, "not-acceptable").await;
+        let available: Vec<_> =
+            body["available"].as_array().unwrap().iter().map(|a| a["format"].as_str().unwrap()).collect();
+        assert_eq!(available, formats.iter().map(|f| f.0).collect::<Vec<_>>());
+        problem(service.get(&format!("{path}?format=docx")).await, 400, "invalid-query").await;
+        problem(service.get(&format!("{path}?format=ply&format=vtk")).await, 400, "invalid-query").await;
+    }
+    let n_etags = etags.len();
+    etags.sort();
+    etags.dedup();
+    assert_eq!(etags.len(), n_etags, "each representation has a validator of its own");
+    let unknown = accepting(&service, "/v1/jobs/00000000-0000-0000-0000-000000000000/aligned", "image/png").await;
+    problem(unknown, 404, "job-not-found").await;
+
+    // The numbers of all formats are those of the JSON.
+    let columns = service.json(&format!("{job}/correspondences")).await;
+    let column = |name: &str| columns[name].as_array().unwrap().clone();
+    let n = column("source").len();
+    assert!(n > 400, "{n}");
+    let csv = String::from_utf8(bytes(&service, &format!("{job}/correspondences?format=csv")).await).unwrap();
+    assert_eq!(csv.lines().count(), n + 1);
+    let npy = bytes(&service, &format!("{job}/correspondences?format=npy")).await;
+    for (row, record) in npy[npy.len() - 17 * n..].chunks_exact(17).enumerate() {
+        let number = |at: usize| u64::from(u32::from_le_bytes(*record[at..].first_chunk().unwrap()));
+        assert_eq!((number(0), number(4)), (column_u64(&columns, "source", row), column_u64(&columns, "target", row)));
+        let confidence = f64::from_le_bytes(*record[8..].first_chunk().unwrap());
+        assert_eq!(
+            (columns["confidence"][row].as_f64(), columns["inlier"][row].as_bool()),
+            (Some(confidence), Some(record[16] == 1))
+        );
+    }
+    let source = mesh_of(&bytes(&service, &format!("{job}/surfaces/source")).await);
+    assert_eq!(source.arity(), FaceArity::Quad, "faces of voxels");
+    for format in ["ply", "vtk"] {
+        assert_eq!(mesh_of(&bytes(&service, &format!("{job}/correspondences?format={format}")).await), source);
+        assert_eq!(mesh_of(&bytes(&service, &format!("{job}/surfaces/source?format={format}")).await), source);
+    }
+    let stl = mesh_of(&bytes(&service, &format!("{job}/surfaces/source?format=stl")).await);
+    assert_eq!((stl.n_faces(), stl.n_vertices()), (2 * source.n_faces(), source.n_vertices()));
+
+    // All forms of the transform say the same.
+    let transform = service.json(&format!("{job}/transform")).await;
+    assert_eq!(transform, service.json(&format!("{job}/result?correspondences=false")).await["transform"]);
+    let matrix = Matrix4::from_fn(|r, c| transform["matrix"][r][c].as_f64().unwrap());
+    let aligned = mesh_of(&bytes(&service, &format!("{job}/aligned")).await);
+    let moved = matrix.transform_point(&source.vertices()[7]);
+    assert!((moved - aligned.vertices()[7]).norm() < 1e-9);
+    let table = String::from_utf8(bytes(&service, &format!("{job}/transform?format=text")).await).unwrap();
+    let numbers: Vec<f64> = table.split_whitespace().map(|w| w.parse().unwrap()).collect();
+    assert_eq!(Matrix4::from_row_slice(&numbers), matrix);
+    let tfm = String::from_utf8(bytes(&service, &format!("{job}/transform?format=tfm")).await).unwrap();
+    let line = tfm.lines().find_map(|l| l.strip_prefix("Parameters: ")).unwrap();
+    let p: Vec<f64> = line.split_whitespace().map(|w| w.parse().unwrap()).collect();
+    let itk =
+        Matrix4::new(p[0], p[1], p[2], p[9], p[3], p[4], p[5], p[10], p[6], p[7], p[8], p[11], 0.0, 0.0, 0.0, 1.0);
+    let lps = |q: &Point3<f64>| Point3::new(-q.x, -q.y, q.z);
+    let back = itk.transform_point(&lps(&aligned.vertices()[7]));
+    assert!((back - lps(&source.vertices()[7])).norm() < 1e-9, "a point of the target is taken to the source");
+    service.end().await;
+}
+
+fn column_u64(columns: &Value, name: &str, row: usize) -> u64 {
+    columns[name][row].as_u64().unwrap()
+}
+
+#[tokio::test]
+async fn a_stored_part_that_cannot_be_read_is_an_internal_error() {
+    // The obedient engine stores words in the place of surfaces.
+    let service = TestService::start(&[]).await;
+    let id = service.submit(json!({})).await;
+    service.until_final(&id).await;
+    for path in ["aligned?format=vtk", "correspondences?format=ply", "transform?format=tfm"] {
+        let body = problem(service.get(&format!("/v1/jobs/{id}/{path}")).await, 500, "internal-error").await;
+        assert!(body.get("detail").is_none());
+    }
+    service.end().await;
+}

@@ -1,7 +1,7 @@
 //! The wiring: which store, which engine, which workers, and how a process begins and ends.
 
 use crate::config::{HttpSettings, ServiceSettings};
-use crate::http::{HttpState, router};
+use crate::http::{HttpState, router, serve};
 use crate::jobs::{ArtifactStore, Engine, JobError, JobService, JobStore, WorkerId};
 use crate::store::artifacts::FolderArtifacts;
 use crate::store::presence::{Ownership, Presence};
@@ -172,22 +172,19 @@ impl App {
                 http.submission_limits(&service),
                 Arc::clone(&self.parts.queued),
             );
-            let state = HttpState::new(Arc::new(use_cases), http.http_limits(&service), shutdown.stop.clone());
-            let stop = shutdown.stop.clone();
-            tokio::spawn(async move {
-                let serving = axum::serve(listener, router(state)).with_graceful_shutdown(stop.cancelled_owned());
-                if let Err(error) = serving.await {
-                    tracing::error!(%error, "the server ended");
-                }
-            })
+            let state = HttpState::new(Arc::new(use_cases), http.http_limits(&service), shutdown.stop.clone())
+                .for_hosts(http.hosts());
+            tokio::spawn(serve(listener, router(state), http.connection_limits(), shutdown.stop.clone()))
         });
         shutdown.stop.cancelled().await;
         pool.ended().await;
         let _ = housekeeping.await;
-        if let Some(server) = server
-            && tokio::time::timeout(LAST_ANSWERS, server).await.is_err()
+        if let Some(mut server) = server
+            && tokio::time::timeout(LAST_ANSWERS, &mut server).await.is_err()
         {
             tracing::warn!("connections are still open; they are cut");
+            server.abort();
+            let _ = server.await;
         }
         for store in &self.stores {
             store.close().await;

@@ -1,6 +1,6 @@
 //! The settings, each from the command line or the environment, with its default.
 
-use crate::http::HttpLimits;
+use crate::http::{AllowedHosts, ConnectionLimits, HttpLimits};
 use crate::intake::{DEFAULT_MATCH_BYTES, IntakeLimits};
 use crate::jobs::SubmissionLimits;
 use crate::worker::WorkerSettings;
@@ -88,6 +88,15 @@ pub struct HttpSettings {
     /// Longest time for any other request, s
     #[arg(long, env = "HOMOLOG_REQUEST_TIMEOUT_S", default_value_t = 60, value_parser = clap::value_parser!(u64).range(1..=3_600), value_name = "S")]
     pub request_timeout_s: u64,
+    /// Longest time for the headers of a request, s; a connection may idle as long
+    #[arg(long, env = "HOMOLOG_HEADER_TIMEOUT_S", default_value_t = 10, value_parser = clap::value_parser!(u64).range(1..=3_600), value_name = "S")]
+    pub header_timeout_s: u64,
+    /// Most open connections; further ones wait
+    #[arg(long, env = "HOMOLOG_MAX_CONNECTIONS", default_value_t = 1_024, value_parser = clap::value_parser!(u32).range(1..), value_name = "N")]
+    pub max_connections: u32,
+    /// A name under which this service may be asked besides localhost, where it listens on a loopback address; repeatable
+    #[arg(long = "allowed-host", env = "HOMOLOG_ALLOWED_HOSTS", value_delimiter = ',', value_name = "NAME")]
+    pub allowed_hosts: Vec<String>,
 }
 
 impl ServiceSettings {
@@ -126,6 +135,20 @@ impl HttpSettings {
             upload_timeout: Duration::from_secs(self.upload_timeout_s),
             request_timeout: Duration::from_secs(self.request_timeout_s),
         }
+    }
+
+    /// Bounds on connections.
+    pub fn connection_limits(&self) -> ConnectionLimits {
+        ConnectionLimits {
+            header_timeout: Duration::from_secs(self.header_timeout_s),
+            max_connections: self.max_connections as usize,
+        }
+    }
+
+    /// Which hosts a request may name. On an address that others reach, any: they know the service by names that it
+    /// does not know itself, and who may use it is asked otherwise.
+    pub fn hosts(&self) -> Option<AllowedHosts> {
+        self.listen.ip().is_loopback().then(|| AllowedHosts::new(self.allowed_hosts.iter().cloned()))
     }
 
     /// Bounds on what is accepted.

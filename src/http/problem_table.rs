@@ -61,6 +61,8 @@ problems! {
         "Each entry of errors names a parameter of the query and says what is allowed.";
     MalformedMultipart = "malformed-multipart", BAD_REQUEST, "The multipart body cannot be read",
         "Send multipart/form-data (RFC 7578) with the fields source and target, each a file, and optionally parameters, labels, external_ref, priority.";
+    HostNotAllowed = "host-not-allowed", FORBIDDEN, "The request names a host that is not this service",
+        "Ask for localhost or a loopback address; the operator allows other names with --allowed-host.";
     BadRequest = "bad-request", BAD_REQUEST, "The request cannot be understood",
         "Check path, headers and body against /openapi.json.";
     NotAcceptable = "not-acceptable", NOT_ACCEPTABLE, "The resource cannot be had in a format that Accept allows",

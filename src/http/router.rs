@@ -1,6 +1,7 @@
 //! The routes and the layers around them.
 
 use super::context::{panic_problem, surround};
+use super::hosts::{AllowedHosts, check_host};
 use super::openapi::document;
 use super::problem::Problem;
 use super::problem_table::ProblemKind;
@@ -8,6 +9,7 @@ use super::routes;
 use crate::jobs::JobService;
 use axum::Router;
 use axum::extract::DefaultBodyLimit;
+use axum::routing::get;
 use std::sync::Arc;
 use std::time::Duration;
 use tokio::sync::Semaphore;
@@ -48,6 +50,8 @@ pub struct HttpState {
     pub limits: HttpLimits,
     /// Places for submissions being read.
     pub uploads: Arc<Semaphore>,
+    /// Which hosts a request may name; `None`: any.
+    pub hosts: Option<Arc<AllowedHosts>>,
     /// The process ends: long polls answer at once.
     pub stop: CancellationToken,
 }
@@ -56,7 +60,14 @@ impl HttpState {
     /// The state over these use cases.
     pub fn new(service: Arc<JobService>, limits: HttpLimits, stop: CancellationToken) -> Self {
         let uploads = Arc::new(Semaphore::new(limits.max_uploads.max(1)));
-        HttpState { service, limits, uploads, stop }
+        HttpState { service, limits, uploads, hosts: None, stop }
+    }
+
+    /// Answers only requests that name these hosts.
+    #[must_use]
+    pub fn for_hosts(mut self, hosts: Option<AllowedHosts>) -> Self {
+        self.hosts = hosts.map(Arc::new);
+        self
     }
 }
 
@@ -84,12 +95,16 @@ pub(super) fn api() -> OpenApiRouter<HttpState> {
 pub fn router(state: HttpState) -> Router {
     let (router, _) = api().split_for_parts();
     router
+        .route("/docs", get(routes::docs::leave))
+        .route("/docs/", get(routes::docs::page))
+        .route("/docs/{*path}", get(routes::docs::asset))
         .fallback(|| async { Problem::new(ProblemKind::RouteNotFound) })
         .layer(
             // Outermost first.
             ServiceBuilder::new()
                 .layer(axum::middleware::from_fn_with_state(state.clone(), surround))
                 .layer(CatchPanicLayer::custom(panic_problem))
+                .layer(axum::middleware::from_fn_with_state(state.clone(), check_host))
                 // Bodies are bounded where they are read; axum's own limit would answer without a problem.
                 .layer(DefaultBodyLimit::disable()),
         )

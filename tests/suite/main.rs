@@ -4,6 +4,7 @@
 mod api;
 mod cli;
 mod contract;
+mod docs;
 mod formats;
 mod intake;
 mod jobs;
@@ -13,5 +14,6 @@ mod process;
 mod real_data;
 mod real_pairs;
 mod representations;
+mod server;
 mod store;
 mod tidy;

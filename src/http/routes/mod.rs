@@ -1,5 +1,6 @@
 //! The handlers, a file a resource.
 
+pub mod docs;
 pub mod jobs;
 pub mod methods;
 pub mod result;

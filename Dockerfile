@@ -12,6 +12,7 @@ WORKDIR /build
 # The official image holds a C compiler, which the bundled SQLite needs.
 COPY Cargo.toml Cargo.lock build.rs ./
 COPY src src
+COPY api api
 # No checkout in here: the commit comes from outside, or is "unknown".
 ARG HOMOLOG_COMMIT=""
 RUN cargo build --release --locked --bin homolog && mkdir /data

@@ -1,7 +1,7 @@
 //! The wiring: which store, which engine, which workers, and how a process begins and ends.
 
 use crate::config::{HttpSettings, ServiceSettings};
-use crate::http::{AuthMode, HttpState, probe_router, router};
+use crate::http::{AuthMode, ConnectionLimits, HttpState, probe_router, router, serve};
 use crate::jobs::{ArtifactStore, Engine, JobError, JobService, JobStore, Processes, Stores, WorkerId};
 use crate::store::artifacts::{FolderArtifacts, S3Artifacts};
 use crate::store::presence::{Ownership, Presence};
@@ -192,13 +192,14 @@ impl App {
                 None
             }
         };
-        self.run_with(Some((listener, router(state))), courier, shutdown).await;
+        self.run_with(Some((listener, router(state), http.connection_limits())), courier, shutdown).await;
     }
 
     /// Runs jobs, and answers supervisors on `listener`, until `shutdown`.
     pub async fn run_with_probes(self, listener: TcpListener, service: &ServiceSettings, shutdown: &Shutdown) {
-        let state = self.http_state(&HttpSettings::default(), service, AuthMode::Keys, shutdown);
-        self.run_with(Some((listener, probe_router(state))), None, shutdown).await;
+        let http = HttpSettings::default();
+        let state = self.http_state(&http, service, AuthMode::Keys, shutdown);
+        self.run_with(Some((listener, probe_router(state), http.connection_limits())), None, shutdown).await;
     }
 
     fn http_state(
@@ -220,9 +221,15 @@ impl App {
         let use_cases = JobService::new(stores, engine, http.submission_limits(service), queued);
         HttpState::new(Arc::new(use_cases), http.http_limits(service), auth, shutdown.stop.clone())
             .with_metrics(telemetry::metrics_text)
+            .for_hosts(http.hosts())
     }
 
-    async fn run_with(self, http: Option<(TcpListener, Router)>, courier: Option<Courier>, shutdown: &Shutdown) {
+    async fn run_with(
+        self,
+        http: Option<(TcpListener, Router, ConnectionLimits)>,
+        courier: Option<Courier>,
+        shutdown: &Shutdown,
+    ) {
         telemetry::metrics_text(); // collected from here on
         let housekeeping = tokio::spawn(self.housekeeper.clone().run(shutdown.stop.clone()));
         let mut aside = tokio::task::JoinSet::new();
@@ -232,23 +239,18 @@ impl App {
             aside.spawn(courier.run(shutdown.stop.clone()));
         }
         let pool = Pool::start(&self.parts);
-        let server = http.map(|(listener, router)| {
-            let stop = shutdown.stop.clone();
-            tokio::spawn(async move {
-                let serving = axum::serve(listener, router).with_graceful_shutdown(stop.cancelled_owned());
-                if let Err(error) = serving.await {
-                    tracing::error!(%error, "the server ended");
-                }
-            })
-        });
+        let server =
+            http.map(|(listener, router, limits)| tokio::spawn(serve(listener, router, limits, shutdown.stop.clone())));
         shutdown.stop.cancelled().await;
         pool.ended().await;
         aside.shutdown().await;
         let _ = housekeeping.await;
-        if let Some(server) = server
-            && tokio::time::timeout(LAST_ANSWERS, server).await.is_err()
+        if let Some(mut server) = server
+            && tokio::time::timeout(LAST_ANSWERS, &mut server).await.is_err()
         {
             tracing::warn!("connections are still open; they are cut");
+            server.abort();
+            let _ = server.await;
         }
         for store in &self.stores {
             store.close().await;

@@ -1,7 +1,6 @@
 //! The settings, each from the command line or the environment, with its default.
 
-use crate::http::AuthMode;
-use crate::http::HttpLimits;
+use crate::http::{AllowedHosts, AuthMode, ConnectionLimits, HttpLimits};
 use crate::intake::{DEFAULT_MATCH_BYTES, IntakeLimits};
 use crate::jobs::{Retention, SubmissionLimits};
 use crate::store::sql::DatabaseLocation;
@@ -121,6 +120,15 @@ pub struct HttpSettings {
     /// Longest time for any other request, s
     #[arg(long, env = "HOMOLOG_REQUEST_TIMEOUT_S", default_value_t = 60, value_parser = clap::value_parser!(u64).range(1..=3_600), value_name = "S")]
     pub request_timeout_s: u64,
+    /// Longest time for the headers of a request, s; a connection may idle as long
+    #[arg(long, env = "HOMOLOG_HEADER_TIMEOUT_S", default_value_t = 10, value_parser = clap::value_parser!(u64).range(1..=3_600), value_name = "S")]
+    pub header_timeout_s: u64,
+    /// Most open connections; further ones wait
+    #[arg(long, env = "HOMOLOG_MAX_CONNECTIONS", default_value_t = 1_024, value_parser = clap::value_parser!(u32).range(1..), value_name = "N")]
+    pub max_connections: u32,
+    /// A name under which this service may be asked besides localhost, where it listens on a loopback address; repeatable
+    #[arg(long = "allowed-host", env = "HOMOLOG_ALLOWED_HOSTS", value_delimiter = ',', value_name = "NAME")]
+    pub allowed_hosts: Vec<String>,
 }
 
 /// A number of days that a duration can hold.
@@ -234,6 +242,21 @@ impl HttpSettings {
             allow_private: self.allow_private_webhooks,
             first_pause: Duration::from_millis(self.webhook_pause_ms),
         }
+    }
+
+    /// Bounds on connections.
+    pub fn connection_limits(&self) -> ConnectionLimits {
+        ConnectionLimits {
+            header_timeout: Duration::from_secs(self.header_timeout_s),
+            max_connections: self.max_connections as usize,
+        }
+    }
+
+    /// Which hosts a request may name. On an address that others reach, any: they know the service by names that it
+    /// does not know itself, and who may use it is asked otherwise.
+    pub fn hosts(&self) -> Option<AllowedHosts> {
+        let is_open = self.listen.ip().is_loopback() && self.auth_mode() == Some(AuthMode::None);
+        is_open.then(|| AllowedHosts::new(self.allowed_hosts.iter().cloned()))
     }
 
     /// Bounds on what is accepted.

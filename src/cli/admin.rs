@@ -5,7 +5,7 @@ use super::output::print;
 use super::serve::in_runtime;
 use crate::app::{self, AppError};
 use crate::config::ServiceSettings;
-use crate::jobs::{ApiKey, ArtifactStore as _, JobError, JobStore as _, KeyStore as _, Purged, Scope, SecretKey, Tenant};
+use crate::jobs::{ApiKey, JobError, JobStore as _, KeyStore as _, Purged, Scope, SecretKey, Tenant};
 use crate::store::sql::SqlStore;
 use std::time::Duration;
 
@@ -93,7 +93,9 @@ pub fn keys(args: &KeysArgs) -> Result<(), CliError> {
             let mut scopes = Vec::new();
             for word in scope {
                 let scope = Scope::from_name(word.trim());
-                scopes.push(scope.ok_or_else(|| CliError::BadInput(format!("--scope: read, submit, admin, not {word}")))?);
+                scopes.push(
+                    scope.ok_or_else(|| CliError::BadInput(format!("--scope: read, submit, admin, not {word}")))?,
+                );
             }
             scopes.sort_unstable();
             scopes.dedup();

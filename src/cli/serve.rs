@@ -82,7 +82,10 @@ pub fn print_problems() -> Result<(), CliError> {
     print(problems_markdown().trim_end())
 }
 
-pub(super) fn in_runtime(settings: &ServiceSettings, work: impl Future<Output = Result<(), AppError>>) -> Result<(), CliError> {
+pub(super) fn in_runtime(
+    settings: &ServiceSettings,
+    work: impl Future<Output = Result<(), AppError>>,
+) -> Result<(), CliError> {
     let failed = |error: AppError| CliError::Failed(error.to_string());
     telemetry::start(settings.log_format, &settings.log).map_err(CliError::BadInput)?;
     let runtime = tokio::runtime::Builder::new_multi_thread()

@@ -1,5 +1,6 @@
 //! The OpenAPI document: made from the routes, committed as `api/openapi.json`.
 
+use super::examples;
 use super::problem::ProblemDocument;
 use super::router::api;
 use utoipa::OpenApi;
@@ -35,7 +36,8 @@ pub(super) fn document() -> utoipa::openapi::OpenApi {
 /// # Errors
 /// If it cannot be written as JSON.
 pub fn openapi_json() -> Result<String, serde_json::Error> {
-    let (_, document) = api().split_for_parts();
+    let (_, mut document) = api().split_for_parts();
+    examples::complete(&mut document);
     let mut text = serde_json::to_string_pretty(&document)?;
     text.push('\n');
     Ok(text)

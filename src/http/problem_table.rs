@@ -73,6 +73,8 @@ problems! {
         "Send multipart/form-data (RFC 7578) with the fields source and target, each a file, and optionally parameters, labels, external_ref, priority, deadline_at, max_run_s, use_cache.";
     MalformedJson = "malformed-json", BAD_REQUEST, "The JSON body cannot be read",
         "The detail names the line and the column.";
+    HostNotAllowed = "host-not-allowed", FORBIDDEN, "The request names a host that is not this service",
+        "Ask for localhost or a loopback address; the operator allows other names with --allowed-host.";
     BadRequest = "bad-request", BAD_REQUEST, "The request cannot be understood",
         "Check path, headers and body against /openapi.json.";
     NotAcceptable = "not-acceptable", NOT_ACCEPTABLE, "The resource cannot be had in a format that Accept allows",

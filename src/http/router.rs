@@ -2,6 +2,7 @@
 
 use super::auth::AuthMode;
 use super::context::{panic_problem, surround};
+use super::hosts::{AllowedHosts, check_host};
 use super::openapi::document;
 use super::problem::Problem;
 use super::problem_table::ProblemKind;
@@ -56,6 +57,8 @@ pub struct HttpState {
     pub auth: AuthMode,
     /// The metrics of the process, in the text format of Prometheus.
     pub metrics: Arc<dyn Fn() -> String + Send + Sync>,
+    /// Which hosts a request may name; `None`: any.
+    pub hosts: Option<Arc<AllowedHosts>>,
     /// The process ends: long polls answer at once.
     pub stop: CancellationToken,
 }
@@ -64,7 +67,14 @@ impl HttpState {
     /// The state over these use cases.
     pub fn new(service: Arc<JobService>, limits: HttpLimits, auth: AuthMode, stop: CancellationToken) -> Self {
         let uploads = Arc::new(Semaphore::new(limits.max_uploads.max(1)));
-        HttpState { service, limits, uploads, auth, metrics: Arc::new(String::new), stop }
+        HttpState { service, limits, uploads, auth, metrics: Arc::new(String::new), hosts: None, stop }
+    }
+
+    /// Answers only requests that name these hosts.
+    #[must_use]
+    pub fn for_hosts(mut self, hosts: Option<AllowedHosts>) -> Self {
+        self.hosts = hosts.map(Arc::new);
+        self
     }
 }
 
@@ -127,12 +137,16 @@ pub(super) fn api() -> OpenApiRouter<HttpState> {
 pub fn router(state: HttpState) -> Router {
     let (router, _) = api().split_for_parts();
     router
+        .route("/docs", get(routes::docs::leave))
+        .route("/docs/", get(routes::docs::page))
+        .route("/docs/{*path}", get(routes::docs::asset))
         .fallback(|| async { Problem::new(ProblemKind::RouteNotFound) })
         .layer(
             // Outermost first.
             ServiceBuilder::new()
                 .layer(axum::middleware::from_fn_with_state(state.clone(), surround))
                 .layer(CatchPanicLayer::custom(panic_problem))
+                .layer(axum::middleware::from_fn_with_state(state.clone(), check_host))
                 // Bodies are bounded where they are read; axum's own limit would answer without a problem.
                 .layer(DefaultBodyLimit::disable()),
         )

@@ -173,8 +173,7 @@ pub(super) async fn read_json<T: DeserializeOwned>(
     limits: &HttpLimits,
 ) -> Result<T, Problem> {
     let limit = MAX_JSON_BYTES.min(limits.max_body_bytes());
-    let too_large =
-        || Problem::new(ProblemKind::BodyTooLarge).member("limit_bytes", limit.into());
+    let too_large = || Problem::new(ProblemKind::BodyTooLarge).member("limit_bytes", limit.into());
     let body = match axum::body::to_bytes(request.into_body(), limit).await {
         Ok(body) => body,
         Err(_) if tap.is_over() => return Err(too_large()),
@@ -197,7 +196,8 @@ pub(super) async fn read_json<T: DeserializeOwned>(
             return Problem::new(ProblemKind::MalformedJson).detail(detail);
         }
         let path = error.path().to_string();
-        let pointer = if path == "." { String::new() } else { format!("/{}", path.replace(['.', '['], "/").replace(']', "")) };
+        let pointer =
+            if path == "." { String::new() } else { format!("/{}", path.replace(['.', '['], "/").replace(']', "")) };
         // What serde says may repeat what the client wrote, no more.
         let fault = FieldError::new(pointer, "wrong_form", inner.to_string().chars().take(200).collect::<String>());
         Problem::new(ProblemKind::InvalidRequest).errors(&[fault])

@@ -82,9 +82,28 @@ mod tests {
     #[test]
     fn private_addresses_are_known_in_every_dress() {
         for address in [
-            "127.0.0.1", "10.1.2.3", "172.16.0.1", "192.168.1.1", "169.254.169.254", "100.64.0.1", "0.0.0.0",
-            "224.0.0.1", "255.255.255.255", "198.18.0.1", "::1", "::", "fe80::1", "fc00::1", "fd12::1", "ff02::1",
-            "::ffff:127.0.0.1", "::ffff:10.0.0.1", "64:ff9b::7f00:1", "2002:7f00:1::", "2001:db8::1", "2001::1",
+            "127.0.0.1",
+            "10.1.2.3",
+            "172.16.0.1",
+            "192.168.1.1",
+            "169.254.169.254",
+            "100.64.0.1",
+            "0.0.0.0",
+            "224.0.0.1",
+            "255.255.255.255",
+            "198.18.0.1",
+            "::1",
+            "::",
+            "fe80::1",
+            "fc00::1",
+            "fd12::1",
+            "ff02::1",
+            "::ffff:127.0.0.1",
+            "::ffff:10.0.0.1",
+            "64:ff9b::7f00:1",
+            "2002:7f00:1::",
+            "2001:db8::1",
+            "2001::1",
         ] {
             assert!(!is_public(address.parse().unwrap()), "{address}");
         }
@@ -96,8 +115,17 @@ mod tests {
     #[test]
     fn urls_are_judged() {
         for wrong in [
-            "", "example.org", "ftp://example.org", "file:///etc/passwd", "https://user:pw@example.org/", "https://",
-            "http://127.0.0.1/", "http://0x7f000001/", "http://2130706433/", "http://[::1]:80/", "http://localhost/",
+            "",
+            "example.org",
+            "ftp://example.org",
+            "file:///etc/passwd",
+            "https://user:pw@example.org/",
+            "https://",
+            "http://127.0.0.1/",
+            "http://0x7f000001/",
+            "http://2130706433/",
+            "http://[::1]:80/",
+            "http://localhost/",
             "http://a.localhost./",
         ] {
             assert!(check_url(wrong, false).is_err(), "{wrong}");

@@ -21,8 +21,8 @@ pub mod key;
 pub mod lease;
 pub mod mesh;
 pub mod ports;
-pub mod retention;
 pub mod presentation;
+pub mod retention;
 pub mod service;
 pub mod state;
 pub mod submission;
@@ -43,9 +43,9 @@ pub use ports::{
     ArtifactKey, ArtifactKind, ArtifactRef, ArtifactStore, ArtifactWriter, DepartedProcess, JobStore, Load, Outcome,
     Processes,
 };
+pub use presentation::{PartFormat, PresentError, Presentation, ResultPart};
 pub use retention::{Overdue, Purged, Retention};
 pub use service::{BulkCancelled, JobService, Stores, SubmissionLimits};
-pub use presentation::{PartFormat, PresentError, Presentation, ResultPart};
 pub use state::{CancelEffect, JobState, cancel_effect, state_after_crash, state_after_release};
 pub use submission::{
     Accepted, BatchPair, BatchSubmission, Details, Submission, SubmitError, SubmittedFile, SubmittedInput, Validated,

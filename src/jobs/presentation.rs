@@ -1,6 +1,6 @@
 //! The parts of a result in the file formats in which they can be had.
 //!
-//! Each part is stored in one form; the [`Engine`](super::Engine) makes the others from it when they are asked for.
+//! Each part is stored in one form; the [`Engine`] makes the others from it when they are asked for.
 
 use super::engine::Engine;
 use super::error::JobError;

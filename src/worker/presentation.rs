@@ -111,3 +111,36 @@ fn surface_mesh(stored: &[u8]) -> Result<SurfaceMesh, PresentError> {
 fn unreadable(what: &'static str, error: impl std::error::Error + Send + Sync + 'static) -> PresentError {
     PresentError::Unreadable { what, source: Some(Box::new(error)) }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn vertices_without_a_correspondence_are_filled_as_documented() {
+        let pairs = Correspondences {
+            source: vec![3, 1, 9],
+            target: vec![7, 0, 2],
+            confidence: vec![0.5, 0.25, 1.0],
+            inlier: vec![true, false, true],
+        };
+        let arrays = vertex_arrays(&pairs, 5);
+        let values: Vec<_> = arrays.into_iter().map(|array| (array.name, array.values)).collect();
+        let expected = [
+            ("target", VertexValues::Int(vec![NO_TARGET, 0, NO_TARGET, 7, NO_TARGET])),
+            ("confidence", VertexValues::Real(vec![0.0, 0.25, 0.0, 0.5, 0.0])),
+            ("inlier", VertexValues::Byte(vec![0, 0, 0, 1, 0])),
+        ];
+        assert_eq!(values, expected, "a vertex that the surface does not have is left out");
+    }
+
+    #[test]
+    fn what_a_part_is_not_made_as_is_refused() {
+        let columns = br#"{"source": [], "target": [], "confidence": [], "inlier": []}"#.as_slice();
+        for (part, format) in [(ResultPart::Correspondences, PartFormat::Lta), (ResultPart::Aligned, PartFormat::Stl)] {
+            let error = present(part, format, &[columns]).unwrap_err();
+            let refused = matches!(error, PresentError::NotOffered { .. });
+            assert_eq!(refused, part == ResultPart::Correspondences, "{error}");
+        }
+    }
+}

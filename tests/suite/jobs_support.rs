@@ -147,8 +147,11 @@ impl TestService {
     /// With another engine than the obedient one, which then only stands by.
     pub async fn start_with(folder: Arc<tempfile::TempDir>, more: &[&str], other: Option<Arc<dyn Engine>>) -> Self {
         let data_dir = folder.path().to_str().unwrap().to_owned();
-        let fixed = ["test", "--listen", "127.0.0.1:0", "--data-dir", &data_dir, "--poll-ms", "20"];
-        let Arguments { http, service } = clap::Parser::parse_from(fixed.iter().chain(more));
+        let mut arguments = vec!["test", "--data-dir", &data_dir, "--poll-ms", "20"];
+        if !more.contains(&"--listen") {
+            arguments.extend(["--listen", "127.0.0.1:0"]);
+        }
+        let Arguments { http, service } = clap::Parser::parse_from(arguments.iter().chain(more));
         let shutdown = Shutdown::default();
         let listener = app::listen(&http).await.unwrap();
         let base = format!("http://{}", listener.local_addr().unwrap());

@@ -4,6 +4,7 @@
 mod api;
 mod cli;
 mod contract;
+mod docs;
 mod faults;
 mod formats;
 mod intake;
@@ -14,5 +15,6 @@ mod process;
 mod real_data;
 mod real_pairs;
 mod representations;
+mod server;
 mod store;
 mod tidy;

@@ -121,7 +121,8 @@ impl Follower {
             self.ended = true;
             return;
         }
-        let before = self.last.as_ref().map(|last| &last.job);
+        let before = self.last.take();
+        let before = before.as_ref().map(|last| &last.job);
         let document = JobDocument::from(&seen.job);
         let state_changed = before.is_none_or(|job| (job.state, job.attempt) != (seen.job.state, seen.job.attempt));
         if state_changed {
@@ -132,7 +133,8 @@ impl Follower {
                 self.waiting.push_back(event);
             }
         }
-        self.last_seq = seen.points.last().and_then(|chunk| chunk.last()).map_or(self.last_seq, |p| p.seq.max(self.last_seq));
+        self.last_seq =
+            seen.points.last().and_then(|chunk| chunk.last()).map_or(self.last_seq, |p| p.seq.max(self.last_seq));
         if let Some(progress) = &document.progress
             && before.is_none_or(|job| job.progress != seen.job.progress)
         {

@@ -188,9 +188,7 @@ fn filter(query: &mut QueryString) -> JobFilter {
     if filter.labels.len() > MAX_LABELS {
         query.fault("label", "out_of_range", format!("at most {MAX_LABELS} labels"));
     }
-    for (name, time) in
-        [("created_from", &mut filter.created_from), ("created_before", &mut filter.created_before)]
-    {
+    for (name, time) in [("created_from", &mut filter.created_from), ("created_before", &mut filter.created_before)] {
         if let Some(text) = query.text(name) {
             match text.parse() {
                 Ok(parsed) => *time = Some(parsed),

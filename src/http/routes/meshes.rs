@@ -122,7 +122,11 @@ async fn store_raw(
     let mut body = request.into_body();
     while let Some(frame) = body.frame().await {
         let frame = frame.map_err(|_| {
-            if tap.is_over() { too_large(state) } else { Problem::new(ProblemKind::BadRequest).detail("the body broke off") }
+            if tap.is_over() {
+                too_large(state)
+            } else {
+                Problem::new(ProblemKind::BadRequest).detail("the body broke off")
+            }
         })?;
         if let Ok(part) = frame.into_data() {
             if upload.n_bytes() + part.len() as u64 > state.limits.max_file_bytes as u64 {
@@ -137,12 +141,7 @@ async fn store_raw(
     Ok(state.service.end_upload(upload, file_name.as_deref().and_then(name_hint).as_deref()).await?)
 }
 
-async fn store_form(
-    state: &HttpState,
-    tenant: &Tenant,
-    request: Request,
-    tap: &Tap,
-) -> Result<(Mesh, bool), Problem> {
+async fn store_form(state: &HttpState, tenant: &Tenant, request: Request, tap: &Tap) -> Result<(Mesh, bool), Problem> {
     let refuse = |error: &MultipartError| {
         if tap.is_over() {
             too_large(state)

@@ -73,8 +73,7 @@ pub async fn result(
     get, path = "/v1/jobs/{id}/correspondences", tag = "results", operation_id = "get_correspondences",
     params(
         ("id" = String, Path, description = "The job"),
-        ("format" = Option<String>, Query, description = "`json`, `csv`, `npy`, `arrow`, `ply`, `vtk` or `gifti`; goes before `Accept`"),
-        ("Accept" = Option<String>, Header, description = "Media types with quality values; JSON if absent"),
+        ("format" = Option<String>, Query, description = "`json`, `csv`, `npy`, `arrow`, `ply`, `vtk` or `gifti`; goes before `Accept`, JSON if neither is given"),
         ("If-None-Match" = Option<String>, Header, description = "The ETag of an earlier answer"),
     ),
     responses(
@@ -118,8 +117,7 @@ pub async fn correspondences(
     get, path = "/v1/jobs/{id}/transform", tag = "results", operation_id = "get_transform",
     params(
         ("id" = String, Path, description = "The job"),
-        ("format" = Option<String>, Query, description = "`json`, `text`, `tfm` or `lta`; goes before `Accept`"),
-        ("Accept" = Option<String>, Header, description = "Media types with quality values; JSON if absent"),
+        ("format" = Option<String>, Query, description = "`json`, `text`, `tfm` or `lta`; goes before `Accept`, JSON if neither is given"),
         ("If-None-Match" = Option<String>, Header, description = "The ETag of an earlier answer"),
     ),
     responses(

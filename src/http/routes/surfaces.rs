@@ -21,8 +21,7 @@ use axum::response::Response;
     params(
         ("id" = String, Path, description = "The job"),
         ("which" = String, Path, description = "`source` or `target`"),
-        ("format" = Option<String>, Query, description = "`ply`, `vtk`, `gifti` or `stl`; goes before `Accept`"),
-        ("Accept" = Option<String>, Header, description = "Media types with quality values; PLY if absent"),
+        ("format" = Option<String>, Query, description = "`ply`, `vtk`, `gifti` or `stl`; goes before `Accept`, PLY if neither is given"),
         ("If-None-Match" = Option<String>, Header, description = "The ETag of an earlier answer"),
     ),
     responses(
@@ -61,8 +60,7 @@ pub async fn surface(
     get, path = "/v1/jobs/{id}/aligned", tag = "results", operation_id = "get_aligned",
     params(
         ("id" = String, Path, description = "The job"),
-        ("format" = Option<String>, Query, description = "`ply`, `vtk`, `gifti` or `stl`; goes before `Accept`"),
-        ("Accept" = Option<String>, Header, description = "Media types with quality values; PLY if absent"),
+        ("format" = Option<String>, Query, description = "`ply`, `vtk`, `gifti` or `stl`; goes before `Accept`, PLY if neither is given"),
         ("If-None-Match" = Option<String>, Header, description = "The ETag of an earlier answer"),
     ),
     responses(

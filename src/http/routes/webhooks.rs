@@ -372,7 +372,8 @@ pub async fn test(
     query: QueryString,
 ) -> Result<(StatusCode, Json<DeliveryDocument>), Problem> {
     query.finish()?;
-    let payload = json!({"type": "webhook.test", "timestamp": Timestamp::now(), "data": {"webhook_id": id}}).to_string();
+    let payload =
+        json!({"type": "webhook.test", "timestamp": Timestamp::now(), "data": {"webhook_id": id}}).to_string();
     let made = state.service.webhooks().insert_delivery(&tenant, &id, "webhook.test", &payload).await?;
     Ok((StatusCode::ACCEPTED, Json(made.into())))
 }

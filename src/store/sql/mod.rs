@@ -28,9 +28,9 @@ pub use database::DatabaseLocation;
 
 use crate::jobs::{
     Admission, ArtifactKey, ArtifactKind, ArtifactRef, ArtifactStore, Batch, BatchId, BatchPage, ChangePage, Job,
-    JobError, JobFilter, JobId, JobPage, JobState, JobStore, Lease, LeaseStatus, LeasedJob, Load, NewBatch, NewJob, Once,
-    OnceStatus, Outcome, Overdue, PageRequest, Purged, Recovered, Retention, Tenant, TraceChunk, TracePage, WorkerId,
-    job::Cursor,
+    JobError, JobFilter, JobId, JobPage, JobState, JobStore, Lease, LeaseStatus, LeasedJob, Load, NewBatch, NewJob,
+    Once, OnceStatus, Outcome, Overdue, PageRequest, Purged, Recovered, Retention, Tenant, TraceChunk, TracePage,
+    WorkerId, job::Cursor,
 };
 use async_trait::async_trait;
 use database::{Database, bind};

@@ -1,0 +1,154 @@
+//! Examples of bodies in the OpenAPI document, and the errors that every operation may answer.
+//!
+//! JSON examples are files under `api/examples`, taken from a real run; a test holds each against its schema.
+
+use super::problem_table::ProblemKind;
+use axum::http::StatusCode;
+use serde_json::{Value, json};
+use utoipa::openapi::path::Operation;
+use utoipa::openapi::request_body::RequestBody;
+use utoipa::openapi::{Content, OpenApi, Ref, RefOr, Response};
+
+macro_rules! file {
+    ($name:literal) => {
+        include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/api/examples/", $name))
+    };
+}
+
+/// The name of an operation, and the body that is sent or answered where all goes well.
+const REQUESTS: &[(&str, &str)] = &[("submit_job", file!("submission.json"))];
+const ANSWERS: &[(&str, &str)] = &[
+    ("submit_job", file!("job_queued.json")),
+    ("list_jobs", file!("job_list.json")),
+    ("get_job", file!("job_running.json")),
+    ("cancel_job", file!("job_cancelled.json")),
+    ("get_trace", file!("trace.json")),
+    ("get_result", file!("result.json")),
+    ("get_correspondences", file!("correspondences.json")),
+    ("get_transform", file!("transform.json")),
+    ("list_methods", file!("method_list.json")),
+    ("get_method", file!("method.json")),
+    ("healthz", file!("healthz.json")),
+    ("readyz", file!("readyz.json")),
+];
+/// Bodies of text, by media type.
+const TEXTS: &[(&str, &str)] = &[
+    ("text/csv", "source,target,confidence,inlier\r\n0,236,0.12614987790584564,true\r\n"),
+    ("text/plain", "1.0 0.0 0.0 12.5\n0.0 1.0 0.0 -3.25\n0.0 0.0 1.0 40.0\n0.0 0.0 0.0 1.0\n"),
+    (
+        "application/x-itk-transform",
+        "#Insight Transform File V1.0\n#Transform 0\nTransform: AffineTransform_double_3_3\n\
+         Parameters: 1.0 0.0 0.0 0.0 1.0 0.0 0.0 0.0 1.0 12.5 -3.25 -40.0\nFixedParameters: 0 0 0\n",
+    ),
+    (
+        "application/x-freesurfer-lta",
+        "type      = 1 # LINEAR_RAS_TO_RAS\nnxforms   = 1\nmean      = 0.0000 0.0000 0.0000\nsigma     = 1.0000\n1 4 4\n\
+         1 0 0 12.5\n0 1 0 -3.25\n0 0 1 40\n0 0 0 1\nsrc volume info\nvalid = 0  # volume info invalid\n...\n",
+    ),
+];
+/// What every operation may answer, whatever it does.
+const ALWAYS: [(StatusCode, &str); 3] = [
+    (StatusCode::FORBIDDEN, "The request names a host that is not this service"),
+    (StatusCode::INTERNAL_SERVER_ERROR, "The service failed"),
+    (StatusCode::SERVICE_UNAVAILABLE, "A dependency does not answer, or not in time"),
+];
+const PROBLEM: &str = super::problem::PROBLEM_JSON;
+
+/// Completes every operation.
+pub(super) fn complete(document: &mut OpenApi) {
+    for item in document.paths.paths.values_mut() {
+        let operations = [&mut item.get, &mut item.post, &mut item.put, &mut item.patch, &mut item.delete];
+        operations.into_iter().flatten().for_each(complete_operation);
+    }
+}
+
+fn complete_operation(operation: &mut Operation) {
+    let name = operation.operation_id.clone().unwrap_or_default();
+    let named = |table: &[(&str, &str)]| {
+        let found = table.iter().find(|(operation, _)| *operation == name);
+        found.and_then(|(_, text)| serde_json::from_str::<Value>(text).ok())
+    };
+    if let Some(RefOr::T(RequestBody { content, .. })) = &mut operation.request_body {
+        content.values_mut().for_each(|content| set(content, named(REQUESTS)));
+    }
+    for (status, description) in ALWAYS {
+        let schema = Ref::from_schema_name("ProblemDocument");
+        let content = Content::new(Some(schema));
+        let response = || Response::builder().description(description).content(PROBLEM, content).build();
+        operation.responses.responses.entry(status.as_str().to_owned()).or_insert_with(|| response().into());
+    }
+    for (status, response) in &mut operation.responses.responses {
+        let RefOr::T(response) = response else { continue };
+        let status = status.parse().unwrap_or(StatusCode::OK);
+        for (media_type, content) in &mut response.content {
+            let example = match media_type.as_str() {
+                PROBLEM => Some(problem(typical(&name, status))),
+                "application/json" if name == "problem_type" => Some(problem_type()),
+                "application/json" => named(ANSWERS),
+                text => TEXTS.iter().find(|(kind, _)| *kind == text).map(|(_, text)| json!(text)),
+            };
+            set(content, example);
+        }
+    }
+}
+
+fn set(content: &mut RefOr<Content>, example: Option<Value>) {
+    if let (RefOr::T(content), Some(example)) = (content, example)
+        && content.example.is_none()
+    {
+        content.example = Some(example);
+    }
+}
+
+/// The kind of problem that a status of an operation most often means.
+fn typical(operation: &str, status: StatusCode) -> ProblemKind {
+    match (operation, status) {
+        ("get_method", StatusCode::NOT_FOUND) => ProblemKind::MethodNotFound,
+        ("problem_type", StatusCode::NOT_FOUND) => ProblemKind::ProblemNotFound,
+        (_, StatusCode::NOT_FOUND) => ProblemKind::JobNotFound,
+        ("submit_job", StatusCode::BAD_REQUEST) => ProblemKind::MalformedMultipart,
+        (_, StatusCode::BAD_REQUEST) => ProblemKind::InvalidQuery,
+        (_, StatusCode::FORBIDDEN) => ProblemKind::HostNotAllowed,
+        ("cancel_job", StatusCode::CONFLICT) => ProblemKind::JobFinished,
+        ("delete_job", StatusCode::CONFLICT) => ProblemKind::JobActive,
+        (_, StatusCode::CONFLICT) => ProblemKind::ResultNotReady,
+        (_, StatusCode::PAYLOAD_TOO_LARGE) => ProblemKind::TooLarge,
+        (_, StatusCode::UNSUPPORTED_MEDIA_TYPE) => ProblemKind::UnknownFormat,
+        (_, StatusCode::UNPROCESSABLE_ENTITY) => ProblemKind::InvalidParameters,
+        (_, StatusCode::TOO_MANY_REQUESTS) => ProblemKind::QueueFull,
+        ("submit_job", StatusCode::SERVICE_UNAVAILABLE) => ProblemKind::Busy,
+        (_, StatusCode::INSUFFICIENT_STORAGE) => ProblemKind::StorageFull,
+        (_, status) => ProblemKind::from_status(status),
+    }
+}
+
+fn problem(kind: ProblemKind) -> Value {
+    let entry = kind.entry();
+    let mut body = json!({
+        "type": format!("/problems/{}", entry.slug), "title": entry.title, "status": entry.status.as_u16(),
+        "request_id": "01a1fd75-113e-74d9-9ded-f0dd4fe414eb",
+    });
+    let error = |pointer: &str, code: &str, detail: &str| json!([{"pointer": pointer, "code": code, "detail": detail}]);
+    match kind {
+        ProblemKind::InvalidParameters => {
+            let detail = "must be a number from 0 to 100";
+            body["errors"] = error("/parameters/energy/alpha", "out_of_range", detail);
+        }
+        ProblemKind::InvalidQuery => {
+            body["errors"] = error("/query/wait", "out_of_range", "must be a number from 0 to 30");
+        }
+        ProblemKind::ResultNotReady | ProblemKind::JobActive => body["state"] = json!("running"),
+        ProblemKind::JobFinished => body["state"] = json!("succeeded"),
+        ProblemKind::TooLarge => body["input"] = json!("source"),
+        _ => {}
+    }
+    body
+}
+
+fn problem_type() -> Value {
+    let entry = ProblemKind::QueueFull.entry();
+    json!({
+        "type": format!("/problems/{}", entry.slug), "status": entry.status.as_u16(), "title": entry.title,
+        "advice": entry.advice,
+    })
+}

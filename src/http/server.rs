@@ -1,0 +1,96 @@
+//! The server loop: accepts connections up to a limit, gives each request's headers a time, and ends in good order.
+//!
+//! HTTP/1.1 without TLS. hyper's own connection is used and not the one that detects HTTP/2, because detection reads
+//! the first bytes without a time limit.
+
+use axum::Router;
+use axum::body::Body;
+use hyper::server::conn::http1;
+use hyper_util::rt::{TokioIo, TokioTimer};
+use hyper_util::service::TowerToHyperService;
+use std::io::ErrorKind;
+use std::sync::Arc;
+use std::time::Duration;
+use tokio::net::{TcpListener, TcpStream};
+use tokio::sync::Semaphore;
+use tokio::task::JoinSet;
+use tokio_util::sync::CancellationToken;
+use tower::ServiceExt;
+
+/// How long nothing is accepted when the system has no more file descriptors or memory.
+const EXHAUSTED: Duration = Duration::from_millis(500);
+
+/// Bounds on connections.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct ConnectionLimits {
+    /// Longest time from when a connection is open, or its last answer sent, to the end of the next request's headers.
+    /// So it is also the longest time that a connection may idle.
+    pub header_timeout: Duration,
+    /// Most open connections. Further ones wait in the system's queue until one closes.
+    pub max_connections: usize,
+}
+
+/// Serves until `stop`. Then nothing more is accepted, idle connections are closed at once, and what is being answered
+/// is answered to its end. Whoever cannot wait for that drops the future, which cuts the connections.
+pub async fn serve(listener: TcpListener, router: Router, limits: ConnectionLimits, stop: CancellationToken) {
+    let places = Arc::new(Semaphore::new(limits.max_connections.clamp(1, Semaphore::MAX_PERMITS)));
+    let mut connections = JoinSet::new();
+    let mut http = http1::Builder::new();
+    http.timer(TokioTimer::new()).header_read_timeout(limits.header_timeout);
+    loop {
+        let accepted = tokio::select! {
+            accepted = async {
+                // The place comes first: a connection that is not accepted costs this process nothing.
+                let place = Arc::clone(&places).acquire_owned().await.ok();
+                (accept(&listener).await, place)
+            } => accepted,
+            () = stop.cancelled() => break,
+        };
+        let (stream, place) = accepted;
+        // What has ended is forgotten, so that the set stays as small as the number of open connections.
+        while connections.try_join_next().is_some() {}
+        let (http, router, stop) = (http.clone(), router.clone(), stop.clone());
+        connections.spawn(async move {
+            let _place = place;
+            converse(stream, &http, router, stop).await;
+        });
+    }
+    drop(listener);
+    while connections.join_next().await.is_some() {}
+}
+
+/// The next connection. Errors of one connection are none of the listener's.
+async fn accept(listener: &TcpListener) -> TcpStream {
+    loop {
+        match listener.accept().await {
+            Ok((stream, _)) => return stream,
+            Err(error) => match error.kind() {
+                ErrorKind::ConnectionRefused | ErrorKind::ConnectionAborted | ErrorKind::ConnectionReset => {}
+                _ => {
+                    tracing::error!(%error, "no connection can be accepted now");
+                    tokio::time::sleep(EXHAUSTED).await;
+                }
+            },
+        }
+    }
+}
+
+/// One connection from its first request to its end.
+async fn converse(stream: TcpStream, http: &http1::Builder, router: Router, stop: CancellationToken) {
+    // Answers are written whole; waiting for more to send would only delay them. Without it they are still right.
+    let _ = stream.set_nodelay(true);
+    let service = router.map_request(|request: hyper::Request<hyper::body::Incoming>| request.map(Body::new));
+    let connection = http.serve_connection(TokioIo::new(stream), TowerToHyperService::new(service));
+    let mut connection = std::pin::pin!(connection);
+    let ended = tokio::select! {
+        ended = connection.as_mut() => ended,
+        () = stop.cancelled() => {
+            connection.as_mut().graceful_shutdown();
+            connection.await
+        }
+    };
+    if let Err(error) = ended {
+        // Clients that go away are everyday; the address stays out of the log.
+        tracing::debug!(%error, "a connection ended early");
+    }
+}

@@ -1,0 +1,152 @@
+//! The server loop: slow headers, too many connections, the end; and which hosts a request may name.
+
+use super::jobs_support::{TestService, form, problem};
+use serde_json::json;
+use std::time::{Duration, Instant};
+use tokio::io::{AsyncReadExt, AsyncWriteExt};
+use tokio::net::TcpStream;
+use tokio::time::timeout;
+
+async fn connect(service: &TestService) -> TcpStream {
+    TcpStream::connect(service.base.strip_prefix("http://").unwrap()).await.unwrap()
+}
+
+/// A request to be answered, on a connection that then stays open.
+const PING: &[u8] = b"GET /healthz HTTP/1.1\r\nhost: localhost\r\n\r\n";
+
+/// Sends a request and reads its answer to the end of its body.
+async fn ping(stream: &mut TcpStream) -> String {
+    stream.write_all(PING).await.unwrap();
+    answer(stream).await
+}
+
+async fn answer(stream: &mut TcpStream) -> String {
+    let mut text = Vec::new();
+    while !text.ends_with(b"}") {
+        let n = stream.read_buf(&mut text).await.unwrap();
+        assert!(n > 0, "closed after {:?}", String::from_utf8_lossy(&text));
+    }
+    String::from_utf8(text).unwrap()
+}
+
+/// Reads until the other side closes; what came before that.
+async fn until_closed(stream: &mut TcpStream) -> Vec<u8> {
+    let mut rest = Vec::new();
+    // A reset is an end too.
+    let _ = timeout(Duration::from_secs(5), stream.read_to_end(&mut rest)).await.expect("still open");
+    rest
+}
+
+#[tokio::test]
+async fn slow_headers_and_idle_connections_are_closed_after_their_time() {
+    let service = TestService::start(&["--header-timeout-s", "1"]).await;
+    let began = Instant::now();
+    let (mut silent, mut half, mut trickle, mut idle) =
+        (connect(&service).await, connect(&service).await, connect(&service).await, connect(&service).await);
+    half.write_all(b"GET /healthz HTTP/1.1\r\nhos").await.unwrap();
+    let dripping = tokio::spawn(async move {
+        for byte in PING.iter().cycle() {
+            if trickle.write_all(&[*byte]).await.is_err() || began.elapsed() > Duration::from_secs(4) {
+                break;
+            }
+            tokio::time::sleep(Duration::from_millis(50)).await;
+        }
+        began.elapsed()
+    });
+    assert!(ping(&mut idle).await.starts_with("HTTP/1.1 200"));
+    for stream in [&mut silent, &mut half, &mut idle] {
+        until_closed(stream).await;
+    }
+    let elapsed = began.elapsed();
+    assert!(elapsed > Duration::from_millis(900) && elapsed < Duration::from_secs(3), "{elapsed:?}");
+    assert!(dripping.await.unwrap() < Duration::from_secs(3), "a byte now and then gains no time");
+    assert_eq!(service.json("/healthz").await["status"], "alive");
+    service.end().await;
+}
+
+#[tokio::test]
+async fn connections_beyond_the_limit_wait_for_one_to_close() {
+    let service = TestService::start(&["--max-connections", "2", "--workers", "0"]).await;
+    let (mut first, mut second) = (connect(&service).await, connect(&service).await);
+    ping(&mut first).await;
+    ping(&mut second).await;
+    let mut third = connect(&service).await;
+    third.write_all(PING).await.unwrap();
+    let mut byte = [0];
+    assert!(timeout(Duration::from_millis(300), third.read(&mut byte)).await.is_err(), "it waits");
+    ping(&mut second).await;
+    drop(first);
+    let served = timeout(Duration::from_secs(3), answer(&mut third)).await.expect("served when another closes");
+    assert!(served.starts_with("HTTP/1.1 200"), "{served}");
+    drop((second, third));
+    service.end().await;
+}
+
+#[tokio::test]
+async fn idle_connections_do_not_hold_up_the_end() {
+    let service = TestService::start(&["--header-timeout-s", "60"]).await;
+    let (mut idle, silent) = (connect(&service).await, connect(&service).await);
+    ping(&mut idle).await;
+    let began = Instant::now();
+    service.end().await;
+    assert!(began.elapsed() < Duration::from_secs(2), "{:?}", began.elapsed());
+    assert!(until_closed(&mut idle).await.is_empty());
+    drop(silent);
+}
+
+#[tokio::test]
+async fn what_is_being_asked_is_answered_before_the_end() {
+    let service = TestService::start(&["--workers", "0"]).await;
+    let id = service.submit(json!({})).await;
+    let mut waiting = connect(&service).await;
+    let request = format!("GET /v1/jobs/{id}?wait=30 HTTP/1.1\r\nhost: localhost\r\n\r\n");
+    waiting.write_all(request.as_bytes()).await.unwrap();
+    tokio::time::sleep(Duration::from_millis(300)).await;
+    let base = service.base.clone();
+    service.end().await;
+    let answer = String::from_utf8(until_closed(&mut waiting).await).unwrap();
+    assert!(answer.starts_with("HTTP/1.1 200") && answer.contains(&id), "{answer}");
+    assert!(TcpStream::connect(base.strip_prefix("http://").unwrap()).await.is_err(), "nobody listens any more");
+}
+
+#[tokio::test]
+async fn a_request_that_never_ends_is_cut_at_the_end() {
+    let service = TestService::start(&[]).await;
+    let mut stuck = connect(&service).await;
+    let head = "POST /v1/jobs HTTP/1.1\r\nhost: localhost\r\ncontent-type: multipart/form-data; boundary=x\r\ncontent-length: 1000\r\n\r\n--x\r\n";
+    stuck.write_all(head.as_bytes()).await.unwrap();
+    tokio::time::sleep(Duration::from_millis(200)).await;
+    let began = Instant::now();
+    service.end().await;
+    assert!(began.elapsed() < Duration::from_secs(8), "{:?}", began.elapsed());
+    until_closed(&mut stuck).await;
+}
+
+#[tokio::test]
+async fn only_names_of_this_machine_are_answered() {
+    let service = TestService::start(&["--allowed-host", "imaging.example", "--workers", "0"]).await;
+    let get = |host: &str| service.client.get(format!("{}/v1/jobs", service.base)).header("host", host.to_owned());
+    for host in ["localhost", "localhost:1234", "127.0.0.1", "127.1.2.3:80", "[::1]:8080", "Imaging.Example:443"] {
+        assert_eq!(get(host).send().await.unwrap().status(), 200, "{host}");
+    }
+    for host in ["rebound.example", "rebound.example:8080", "10.0.0.1", "localhost.rebound.example"] {
+        problem(get(host).send().await.unwrap(), 403, "host-not-allowed").await;
+    }
+    let page = |origin: &str| get("localhost").header("origin", origin.to_owned());
+    assert_eq!(page("http://localhost:3000").send().await.unwrap().status(), 200);
+    for origin in ["https://page.example", "null", "http://127.0.0.1.page.example"] {
+        problem(page(origin).send().await.unwrap(), 403, "host-not-allowed").await;
+    }
+    let submit = service.client.post(format!("{}/v1/jobs", service.base)).header("origin", "http://page.example");
+    problem(submit.multipart(form("a", "b", &json!({}))).send().await.unwrap(), 403, "host-not-allowed").await;
+    assert_eq!(service.json("/v1/jobs").await["jobs"], json!([]), "nothing was submitted");
+    service.end().await;
+}
+
+#[tokio::test]
+async fn a_service_for_others_answers_to_any_name() {
+    let service = TestService::start(&["--listen", "0.0.0.0:0", "--insecure"]).await;
+    let request = service.client.get(format!("{}/healthz", service.base)).header("host", "imaging.example");
+    assert_eq!(request.send().await.unwrap().status(), 200);
+    service.end().await;
+}

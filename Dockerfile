@@ -4,9 +4,9 @@
 #   docker run --rm -v homolog-data:/data homolog keys create --tenant default --scope submit,read
 #   docker run --rm -p 127.0.0.1:8080:8080 -v homolog-data:/data homolog
 #
-# In a container the service listens on 0.0.0.0, or nobody outside it could reach it; on any address but a loopback one it
-# asks for an API key, which the second line makes and prints once. Without keys, on a machine of one's own, append
-# `serve --insecure` to the third line. deploy/ has complete set-ups: one machine, several parts, Kubernetes.
+# In a container the service listens on 0.0.0.0, or nobody outside it could reach it; on any address but a loopback one
+# it asks for an API key, which the second line makes and prints once. Without keys, on a machine of one's own, append
+# `serve --auth none --insecure` to the third line. deploy/ has complete set-ups: one machine, parts apart, Kubernetes.
 
 FROM rust:1.95-slim-bookworm AS build
 WORKDIR /build

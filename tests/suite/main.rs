@@ -4,6 +4,7 @@
 mod api;
 mod cli;
 mod contract;
+mod deploy;
 mod formats;
 mod intake;
 mod jobs;

@@ -6,6 +6,7 @@ mod cli;
 mod contract;
 mod docs;
 mod faults;
+mod deploy;
 mod formats;
 mod intake;
 mod jobs;

@@ -1,7 +1,7 @@
 # make demo    build, start the service, match a pair over HTTP, show the result
 #              SOURCE=a.nii.gz TARGET=b.nii.gz: your own pair; KEEP=1: leave the service running
 # make test    every test; those of faults in a short form
-# make faults  the service while things break, in full length: an hour, or with TEST=a06 one of its points
+# make faults  the service while things break, in full length, half an hour; TEST=a06: one of its points
 # make check   format, lints, documentation, unused dependencies
 # make build   target/release/homolog
 # make api     writes the generated files under api/ anew

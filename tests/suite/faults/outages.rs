@@ -18,6 +18,7 @@ on_both!(a07_without_hints_a_job_runs_within_the_poll_interval);
 on_postgres!(
     a06_the_database_is_stopped,
     a06_the_database_crashes,
+    a06_the_database_hangs,
     a06_connections_to_the_database_are_half_open,
     a06_connections_to_the_database_are_cut,
     a06_the_blob_store_refuses,
@@ -146,6 +147,14 @@ async fn a06_the_database_crashes() {
     outage.site.cluster.as_mut().unwrap().kill();
     outage.endure(seconds(1, 10), "job_store").await;
     outage.site.cluster.as_mut().unwrap().start_again();
+    outage.recovered().await;
+}
+
+async fn a06_the_database_hangs() {
+    let Some(outage) = Outage::prepare().await else { return };
+    outage.site.cluster.as_ref().unwrap().freeze();
+    outage.endure(seconds(3, 60), "job_store").await;
+    outage.site.cluster.as_ref().unwrap().thaw();
     outage.recovered().await;
 }
 

@@ -9,9 +9,9 @@ use super::witness::Database;
 use homolog::jobs::{ArtifactStore, JobStore};
 use homolog::store::artifacts::{FolderArtifacts, S3Artifacts};
 use homolog::store::sql::{DatabaseLocation, SqlStore};
-use std::cell::Cell;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
+use std::sync::atomic::{AtomicU32, Ordering};
 use std::time::Duration;
 use tempfile::TempDir;
 
@@ -34,7 +34,6 @@ pub struct Site {
     pub folder: TempDir,
     pub cluster: Option<Cluster>,
     pub s3: Option<S3Server>,
-    n_nodes: Cell<usize>,
 }
 
 impl Site {
@@ -49,8 +48,8 @@ impl Site {
             Backend::Sqlite => (None, None),
             Backend::Postgres => (Some(Cluster::start_under(database_disk)?), Some(S3Server::start_under(s3_disk))),
         };
-        let folder = tempfile::tempdir_in(if cluster.is_none() { database_disk } else { Path::new("/tmp") }).unwrap();
-        Some(Site { folder, cluster, s3, n_nodes: Cell::new(0) })
+        let folder = if cluster.is_none() { tempfile::tempdir_in(database_disk) } else { tempfile::tempdir() };
+        Some(Site { folder: folder.unwrap(), cluster, s3 })
     }
 
     /// The folder that nodes are told to use.
@@ -95,9 +94,10 @@ impl Site {
 
     /// A node that is not waited for.
     pub fn begin_node(&self, role: &str, arguments: &[&str], more: &[(&'static str, String)]) -> Starting {
-        self.n_nodes.set(self.n_nodes.get() + 1);
+        static N_NODES: AtomicU32 = AtomicU32::new(0);
+        let n = N_NODES.fetch_add(1, Ordering::Relaxed);
         // The log is not on the disk that a test may have filled.
-        let log = std::env::temp_dir().join(format!("homolog-node-{}-{}.log", std::process::id(), self.n_nodes.get()));
+        let log = std::env::temp_dir().join(format!("homolog-node-{}-{}.log", std::process::id(), n));
         let arguments: Vec<_> = arguments.iter().map(|a| (*a).to_owned()).collect();
         let environment = self.environment();
         let environment: Vec<_> = environment.into_iter().chain(more.iter().cloned()).collect();

@@ -5,9 +5,9 @@
 //! - Numerics (no runtime, no database, no HTTP, no clock, no files): [`graph`], [`observe`], [`mesh`], [`volume`],
 //!   [`formats`], [`curvature`], [`mrf`], [`inference`], [`registration`], [`matching`], [`phantom`], [`intake`].
 //! - One match from uploaded bytes to the result document: [`run`].
-//! - The service: [`jobs`] (what a job is, and the ports), [`store`] (SQLite and a folder of blobs), [`worker`] (who
+//! - The service: [`jobs`] (what a job is, and the ports), [`store`] (SQLite or PostgreSQL, and blobs), [`worker`] (who
 //!   runs them), [`http`] (how the outside asks).
-//! - Wiring: [`app`], [`cli`], [`config`], [`telemetry`].
+//! - Wiring: [`app`], [`cli`], [`config`], [`telemetry`], [`tls`].
 
 pub mod graph;
 pub mod observe;
@@ -45,4 +45,4 @@ pub mod app;
 pub mod cli;
 pub mod config;
 pub mod telemetry;
-mod tls;
+pub mod tls;

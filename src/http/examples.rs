@@ -15,13 +15,39 @@ macro_rules! file {
     };
 }
 
-/// The name of an operation, and the body that is sent or answered where all goes well.
-const REQUESTS: &[(&str, &str)] = &[("submit_job", file!("submission.json"))];
+/// The name of an operation, a media type, and the body that is sent.
+const REQUESTS: &[(&str, &str, &str)] = &[
+    ("submit_job", "multipart/form-data", file!("submission.json")),
+    ("submit_job", "application/json", file!("submission_by_reference.json")),
+    ("submit_batch", "application/json", file!("batch_submission.json")),
+    ("create_webhook", "application/json", file!("webhook_submission.json")),
+    ("update_webhook", "application/json", file!("webhook_change.json")),
+    ("upload_mesh", "multipart/form-data", r#"{"file": "(binary content of a file)"}"#),
+    ("upload_mesh", "application/octet-stream", r#""(binary content of a file)""#),
+];
+/// The name of an operation, and the JSON that is answered where all goes well.
 const ANSWERS: &[(&str, &str)] = &[
     ("submit_job", file!("job_queued.json")),
     ("list_jobs", file!("job_list.json")),
     ("get_job", file!("job_running.json")),
     ("cancel_job", file!("job_cancelled.json")),
+    ("cancel_jobs", file!("bulk_cancel.json")),
+    ("retry_job", file!("job_retry.json")),
+    ("list_changes", file!("changes.json")),
+    ("submit_batch", file!("batch.json")),
+    ("get_batch", file!("batch.json")),
+    ("list_batches", file!("batch_list.json")),
+    ("list_batch_jobs", file!("job_list.json")),
+    ("cancel_batch", file!("bulk_cancel.json")),
+    ("upload_mesh", file!("mesh.json")),
+    ("get_mesh", file!("mesh.json")),
+    ("list_meshes", file!("mesh_list.json")),
+    ("create_webhook", file!("webhook_created.json")),
+    ("get_webhook", file!("webhook.json")),
+    ("update_webhook", file!("webhook.json")),
+    ("list_webhooks", file!("webhook_list.json")),
+    ("list_deliveries", file!("delivery_list.json")),
+    ("test_webhook", file!("delivery.json")),
     ("get_trace", file!("trace.json")),
     ("get_result", file!("result.json")),
     ("get_correspondences", file!("correspondences.json")),
@@ -34,6 +60,10 @@ const ANSWERS: &[(&str, &str)] = &[
 /// Bodies of text, by media type.
 const TEXTS: &[(&str, &str)] = &[
     ("text/csv", "source,target,confidence,inlier\r\n0,236,0.12614987790584564,true\r\n"),
+    (
+        "text/event-stream",
+        "event: trace\nid: 7\ndata: {\"seq\":7,\"round\":0,\"phase\":\"inference\",\"iteration\":7,\"elapsed_ms\":410}\n\n",
+    ),
     ("text/plain", "1.0 0.0 0.0 12.5\n0.0 1.0 0.0 -3.25\n0.0 0.0 1.0 40.0\n0.0 0.0 0.0 1.0\n"),
     (
         "application/x-itk-transform",
@@ -47,8 +77,10 @@ const TEXTS: &[(&str, &str)] = &[
     ),
 ];
 /// What every operation may answer, whatever it does.
-const ALWAYS: [(StatusCode, &str); 3] = [
-    (StatusCode::FORBIDDEN, "The request names a host that is not this service"),
+const ALWAYS: [(StatusCode, &str); 5] = [
+    (StatusCode::BAD_REQUEST, "The query or the path cannot be understood"),
+    (StatusCode::UNAUTHORIZED, "No valid API key"),
+    (StatusCode::FORBIDDEN, "The request names a host that is not this service, or the key does not allow it"),
     (StatusCode::INTERNAL_SERVER_ERROR, "The service failed"),
     (StatusCode::SERVICE_UNAVAILABLE, "A dependency does not answer, or not in time"),
 ];
@@ -69,9 +101,17 @@ fn complete_operation(operation: &mut Operation) {
         found.and_then(|(_, text)| serde_json::from_str::<Value>(text).ok())
     };
     if let Some(RefOr::T(RequestBody { content, .. })) = &mut operation.request_body {
-        content.values_mut().for_each(|content| set(content, named(REQUESTS)));
+        for (media_type, content) in content {
+            let found = REQUESTS.iter().find(|(operation, kind, _)| *operation == name && kind == media_type);
+            set(content, found.and_then(|(_, _, text)| serde_json::from_str(text).ok()));
+        }
     }
+    let asks_for_keys =
+        operation.tags.as_ref().is_none_or(|tags| !tags.iter().any(|tag| tag == "system" || tag == "methods"));
     for (status, description) in ALWAYS {
+        if status == StatusCode::UNAUTHORIZED && !asks_for_keys {
+            continue;
+        }
         let schema = Ref::from_schema_name("ProblemDocument");
         let content = Content::new(Some(schema));
         let response = || Response::builder().description(description).content(PROBLEM, content).build();
@@ -84,6 +124,7 @@ fn complete_operation(operation: &mut Operation) {
             let example = match media_type.as_str() {
                 PROBLEM => Some(problem(typical(&name, status))),
                 "application/json" if name == "problem_type" => Some(problem_type()),
+                "text/plain" if name == "metrics" => Some(json!("homolog_jobs{state=\"queued\"} 3\n")),
                 "application/json" => named(ANSWERS),
                 text => TEXTS.iter().find(|(kind, _)| *kind == text).map(|(_, text)| json!(text)),
             };
@@ -105,7 +146,24 @@ fn typical(operation: &str, status: StatusCode) -> ProblemKind {
     match (operation, status) {
         ("get_method", StatusCode::NOT_FOUND) => ProblemKind::MethodNotFound,
         ("problem_type", StatusCode::NOT_FOUND) => ProblemKind::ProblemNotFound,
+        ("get_mesh" | "get_mesh_content" | "delete_mesh", StatusCode::NOT_FOUND) => ProblemKind::MeshNotFound,
+        ("get_batch" | "list_batch_jobs" | "cancel_batch", StatusCode::NOT_FOUND) => ProblemKind::BatchNotFound,
+        (
+            "get_webhook" | "update_webhook" | "delete_webhook" | "list_deliveries" | "test_webhook",
+            StatusCode::NOT_FOUND,
+        ) => ProblemKind::WebhookNotFound,
         (_, StatusCode::NOT_FOUND) => ProblemKind::JobNotFound,
+        (_, StatusCode::UNAUTHORIZED) => ProblemKind::Unauthenticated,
+        (_, StatusCode::GONE) => ProblemKind::Expired,
+        (_, StatusCode::REQUEST_TIMEOUT) => ProblemKind::UploadTimeout,
+        ("delete_mesh", StatusCode::CONFLICT) => ProblemKind::MeshInUse,
+        ("create_webhook", StatusCode::CONFLICT) => ProblemKind::TooManyWebhooks,
+        ("submit_job" | "submit_batch", StatusCode::CONFLICT) => ProblemKind::IdempotencyKeyInProgress,
+        ("retry_job", StatusCode::CONFLICT) => ProblemKind::JobActive,
+        ("submit_batch", StatusCode::UNPROCESSABLE_ENTITY) => ProblemKind::UnsuitableBatch,
+        ("create_webhook" | "update_webhook" | "upload_mesh", StatusCode::UNPROCESSABLE_ENTITY) => {
+            ProblemKind::InvalidRequest
+        }
         ("submit_job", StatusCode::BAD_REQUEST) => ProblemKind::MalformedMultipart,
         (_, StatusCode::BAD_REQUEST) => ProblemKind::InvalidQuery,
         (_, StatusCode::FORBIDDEN) => ProblemKind::HostNotAllowed,

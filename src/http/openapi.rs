@@ -3,7 +3,8 @@
 use super::examples;
 use super::problem::ProblemDocument;
 use super::router::api;
-use utoipa::OpenApi;
+use utoipa::openapi::security::{Http, HttpAuthScheme, SecurityRequirement, SecurityScheme};
+use utoipa::{Modify, OpenApi};
 
 #[derive(OpenApi)]
 #[openapi(
@@ -23,8 +24,21 @@ use utoipa::OpenApi;
         (name = "system", description = "For operators and machines"),
     ),
     components(schemas(ProblemDocument)),
+    modifiers(&Keys),
 )]
 struct Description;
+
+/// API keys, which are asked for unless the service listens to this machine only.
+struct Keys;
+
+impl Modify for Keys {
+    fn modify(&self, document: &mut utoipa::openapi::OpenApi) {
+        let components = document.components.get_or_insert_default();
+        components.add_security_scheme("bearerAuth", SecurityScheme::Http(Http::new(HttpAuthScheme::Bearer)));
+        let keys = SecurityRequirement::new("bearerAuth", Vec::<String>::new());
+        document.security = Some(vec![keys, SecurityRequirement::default()]);
+    }
+}
 
 /// Everything but the routes.
 pub(super) fn document() -> utoipa::openapi::OpenApi {

@@ -243,6 +243,17 @@ pub struct ValidationDocument {
     pub target: ValidatedInputDocument,
 }
 
+/// What a submission is answered with 200.
+#[derive(Debug, Clone, ToSchema)]
+#[serde(untagged)]
+#[allow(dead_code, reason = "describes answers, each of which is made by itself")]
+pub enum SubmissionAnswer {
+    /// The job, finished within the wait.
+    Finished(Box<JobDocument>),
+    /// With `validate_only`.
+    Tried(Box<ValidationDocument>),
+}
+
 /// An input that was checked.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, ToSchema)]
 pub struct ValidatedInputDocument {

@@ -311,7 +311,9 @@ async fn every_wrong_request_is_a_problem() {
         problem(response, 405, "method-not-allowed").await;
     }
     let jobs = || service.client.post(format!("{}/v1/jobs", service.base));
-    problem(jobs().json(&json!({})).send().await.unwrap(), 415, "unsupported-media-type").await;
+    problem(jobs().json(&json!({})).send().await.unwrap(), 422, "invalid-request").await;
+    let text = jobs().header("content-type", "text/plain").body("x");
+    problem(text.send().await.unwrap(), 415, "unsupported-media-type").await;
     problem(jobs().send().await.unwrap(), 415, "unsupported-media-type").await;
     let multipart =
         |kind: &str, body: &str| jobs().header("content-type", kind.to_owned()).body(body.to_owned()).send();

@@ -152,6 +152,7 @@ impl TestService {
             arguments.extend(["--listen", "127.0.0.1:0"]);
         }
         let Arguments { http, service } = clap::Parser::parse_from(arguments.iter().chain(more));
+        homolog::tls::prepare();
         let shutdown = Shutdown::default();
         let listener = app::listen(&http).await.unwrap();
         let base = format!("http://{}", listener.local_addr().unwrap());

@@ -24,6 +24,7 @@ struct Server {
 
 impl Server {
     fn start(data_dir: &Path, more: &[&str]) -> Self {
+        homolog::tls::prepare();
         let mut process = homolog()
             .args(["serve", "--listen", "127.0.0.1:0", "--log", "warn", "--data-dir"])
             .arg(data_dir)

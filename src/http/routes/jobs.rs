@@ -10,7 +10,7 @@ use crate::http::query::QueryString;
 use crate::http::router::HttpState;
 use crate::http::submission::{self, Request as Submitted, SubmissionDocument, SubmissionForm};
 use crate::http::upload::Tap;
-use crate::http::wire::{BulkCancelDocument, JobDocument, JobListDocument, ValidationDocument};
+use crate::http::wire::{BulkCancelDocument, JobDocument, JobListDocument, SubmissionAnswer, ValidationDocument};
 use crate::jobs::{Accepted, Job, JobFilter, JobId, JobState, Order, PageRequest, Submission, Tenant, Validated};
 use axum::Json;
 use axum::extract::{Path, Request, State};
@@ -45,7 +45,7 @@ const MAX_LABELS: usize = 4;
         (SubmissionDocument = "application/json"),
     )),
     responses(
-        (status = 200, description = "Finished within the wait, or with `validate_only` what would be done", content((JobDocument = "application/json"), (ValidationDocument = "application/json"))),
+        (status = 200, description = "Finished within the wait, or with `validate_only` what would be done", body = SubmissionAnswer),
         (status = 202, description = "Accepted", body = JobDocument, headers(
             ("Location" = String, description = "The job"), ("Retry-After" = u32, description = "When to look, s"),
             ("Idempotency-Replayed" = bool, description = "Present where an earlier request made the job"))),

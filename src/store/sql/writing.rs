@@ -158,7 +158,7 @@ impl SqlStore {
 /// Removes a job's row and all that hangs on it; its blobs become candidates for removal.
 pub(super) async fn remove_job(session: &mut Session, id: JobId) -> Result<(), JobError> {
     blobs::note_candidates_of_job(session, id).await?;
-    for query in [sql!("delete_once_of_job"), sql!("delete_job")] {
+    for query in [sql!("delete_once_of_job"), sql!("delete_changes_of_job"), sql!("delete_job")] {
         session.execute(query, bind![id]).await?;
     }
     Ok(())

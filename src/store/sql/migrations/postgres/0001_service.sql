@@ -202,6 +202,7 @@ CREATE INDEX changes_unnumbered ON changes (id) WHERE seq IS NULL;
 CREATE INDEX changes_of_tenant ON changes (tenant, seq);
 
 CREATE INDEX changes_by_time ON changes (at);
+CREATE INDEX changes_by_job ON changes (job_id);
 
 CREATE TABLE counters (
     name  TEXT COLLATE "C" PRIMARY KEY,

@@ -150,6 +150,7 @@ CREATE TABLE changes (
 CREATE INDEX changes_unnumbered ON changes (id) WHERE seq IS NULL;
 CREATE INDEX changes_of_tenant ON changes (tenant, seq);
 CREATE INDEX changes_by_time ON changes (at);
+CREATE INDEX changes_by_job ON changes (job_id);
 
 CREATE TABLE counters (
     name  TEXT PRIMARY KEY,

@@ -1,0 +1,159 @@
+//! Webhooks, against receivers on loopback that check what they get.
+
+use super::jobs_support::{TestService, problem};
+use axum::extract::State;
+use axum::http::{HeaderMap, StatusCode};
+use axum::routing::post;
+use bytes::Bytes;
+use serde_json::{Value, json};
+use std::sync::{Arc, Mutex};
+use std::time::{Duration, Instant};
+
+const SETTINGS: [&str; 3] = ["--allow-private-webhooks", "--webhook-pause-ms", "50"];
+
+/// A receiver that answers as it is told, and keeps what came.
+#[derive(Clone, Default)]
+struct Receiver {
+    answers: Arc<Mutex<Vec<u16>>>,
+    received: Arc<Mutex<Vec<(HeaderMap, String)>>>,
+}
+
+impl Receiver {
+    async fn start(answers: &[u16]) -> (Self, String) {
+        let receiver = Receiver { answers: Arc::new(Mutex::new(answers.to_vec())), ..Receiver::default() };
+        let listener = tokio::net::TcpListener::bind("127.0.0.1:0").await.unwrap();
+        let url = format!("http://{}/hook", listener.local_addr().unwrap());
+        let router = axum::Router::new().route("/hook", post(receive)).with_state(receiver.clone());
+        tokio::spawn(async move { axum::serve(listener, router).await });
+        (receiver, url)
+    }
+
+    fn received(&self) -> Vec<(HeaderMap, String)> {
+        self.received.lock().unwrap().clone()
+    }
+
+    async fn until(&self, n: usize) -> Vec<(HeaderMap, String)> {
+        let began = Instant::now();
+        while self.received().len() < n {
+            assert!(began.elapsed() < Duration::from_secs(15), "{} of {n}", self.received().len());
+            tokio::time::sleep(Duration::from_millis(20)).await;
+        }
+        self.received()
+    }
+}
+
+async fn receive(State(receiver): State<Receiver>, headers: HeaderMap, body: Bytes) -> StatusCode {
+    receiver.received.lock().unwrap().push((headers, String::from_utf8(body.to_vec()).unwrap()));
+    let mut answers = receiver.answers.lock().unwrap();
+    let status = if answers.is_empty() { 204 } else { answers.remove(0) };
+    StatusCode::from_u16(status).unwrap()
+}
+
+async fn create(service: &TestService, body: &Value) -> reqwest::Response {
+    service.client.post(format!("{}/v1/webhooks", service.base)).json(body).send().await.unwrap()
+}
+
+async fn made(service: &TestService, body: &Value) -> Value {
+    let response = create(service, body).await;
+    assert_eq!(response.status(), 201);
+    response.json().await.unwrap()
+}
+
+/// The log of a webhook once `done` says so.
+async fn log(service: &TestService, id: &str, done: impl Fn(&[Value]) -> bool) -> Vec<Value> {
+    let began = Instant::now();
+    loop {
+        let page = service.json(&format!("/v1/webhooks/{id}/deliveries")).await;
+        let entries = page["deliveries"].as_array().unwrap().clone();
+        if done(&entries) {
+            return entries;
+        }
+        assert!(began.elapsed() < Duration::from_secs(15), "{entries:?}");
+        tokio::time::sleep(Duration::from_millis(30)).await;
+    }
+}
+
+#[tokio::test]
+async fn deliveries_are_signed_and_tried_until_they_are_taken() {
+    let service = TestService::start(&SETTINGS).await;
+    let (receiver, url) = Receiver::start(&[500, 302]).await;
+    let webhook = made(&service, &json!({"url": url, "states": ["succeeded", "failed"]})).await;
+    let (id, secret) = (webhook["id"].as_str().unwrap(), webhook["secret"].as_str().unwrap());
+    assert!(service.json(&format!("/v1/webhooks/{id}")).await.get("secret").is_none(), "shown once");
+    let job = service.submit(json!({})).await;
+    service.until_final(&job).await;
+    let received = receiver.until(3).await;
+    let verifier = standardwebhooks::Webhook::new(secret).unwrap();
+    for (headers, body) in &received {
+        verifier.verify(body.as_bytes(), headers).unwrap();
+        assert_eq!(headers["webhook-id"], received[0].0["webhook-id"], "the same at every attempt");
+        assert!(verifier.verify(body.replace("succeeded", "failed").as_bytes(), headers).is_err());
+    }
+    let event: Value = serde_json::from_str(&received[0].1).unwrap();
+    assert_eq!((&event["type"], &event["data"]["job_id"]), (&json!("job.succeeded"), &json!(job)));
+    let entries = log(&service, id, |log| log.iter().any(|entry| entry["state"] == "delivered")).await;
+    assert_eq!(entries.len(), 1, "only the states that were asked for");
+    assert_eq!((&entries[0]["attempts"], &entries[0]["status"]), (&json!(3), &json!(204)));
+    tokio::time::sleep(Duration::from_millis(700)).await;
+    assert_eq!(receiver.received().len(), 3, "no more once it was taken, and the redirect was not followed");
+    service.end().await;
+}
+
+#[tokio::test]
+async fn a_receiver_that_is_gone_ends_its_webhook() {
+    let service = TestService::start(&SETTINGS).await;
+    let (receiver, url) = Receiver::start(&[410]).await;
+    let webhook = made(&service, &json!({"url": url})).await;
+    let id = webhook["id"].as_str().unwrap();
+    let path = format!("/v1/webhooks/{id}");
+    let tested = service.post(&format!("{path}/test")).await;
+    assert_eq!(tested.status(), 202);
+    receiver.until(1).await;
+    log(&service, id, |log| log.iter().any(|entry| entry["state"] == "failed")).await;
+    let ended = service.json(&path).await;
+    assert_eq!(
+        (&ended["enabled"], &ended["disabled_because"]),
+        (&json!(false), &json!("the receiver answered 410 Gone"))
+    );
+    service.until_final(&service.submit(json!({})).await).await;
+    tokio::time::sleep(Duration::from_millis(1200)).await;
+    assert_eq!(receiver.received().len(), 1);
+    let change = service.client.patch(format!("{}{path}", service.base)).json(&json!({"enabled": true}));
+    let again: Value = change.send().await.unwrap().json().await.unwrap();
+    assert_eq!((&again["enabled"], again.get("disabled_because")), (&json!(true), None));
+    service.post(&format!("{path}/test")).await;
+    receiver.until(2).await;
+    assert_eq!(service.delete(&path).await.status(), 204);
+    problem(service.get(&path).await, 404, "webhook-not-found").await;
+    service.end().await;
+}
+
+#[tokio::test]
+async fn private_addresses_are_refused_unless_allowed() {
+    let service = TestService::start(&[]).await;
+    for url in ["http://127.0.0.1:1/", "http://169.254.169.254/latest", "http://[::1]/", "http://localhost/", "x"] {
+        let refused = problem(create(&service, &json!({"url": url})).await, 422, "invalid-request").await;
+        assert_eq!(refused["errors"][0]["pointer"], "/url", "{url}");
+    }
+    problem(create(&service, &json!({"url": "https://example.org/", "x": 1})).await, 422, "invalid-request").await;
+    problem(
+        create(&service, &json!({"url": "https://example.org/", "states": ["lost"]})).await,
+        422,
+        "invalid-request",
+    )
+    .await;
+    service.end().await;
+
+    // Allowed when it was made, and not any more: judged again at every delivery.
+    let service = TestService::start(&SETTINGS).await;
+    let (receiver, url) = Receiver::start(&[]).await;
+    let webhook = made(&service, &json!({"url": url})).await;
+    let id = webhook["id"].as_str().unwrap().to_owned();
+    let folder = service.end().await;
+    let service = TestService::start_in(folder, &["--webhook-pause-ms", "50"]).await;
+    service.post(&format!("/v1/webhooks/{id}/test")).await;
+    let entries = log(&service, &id, |log| log.iter().any(|entry| entry["error"].is_string())).await;
+    assert_eq!(entries[0]["error"], "a public address is needed here");
+    assert!(receiver.received().is_empty());
+    service.end().await;
+}

@@ -3,6 +3,7 @@
 # make test    every test; those of faults in a short form
 # make faults  the service while things break, in full length, half an hour; TEST=a06: one of its points
 # make check   format, lints, documentation, unused dependencies
+# make contract  a running service held against its OpenAPI document by schemathesis
 # make build   target/release/homolog
 # make api     writes the generated files under api/ anew
 # make bench   benchmarks
@@ -10,13 +11,14 @@
 SHELL := /usr/bin/env bash
 .SHELLFLAGS := -eu -o pipefail -c
 .DEFAULT_GOAL := help
-.PHONY: help demo test faults check build api bench
+.PHONY: help demo test faults check contract build api bench
 
 CARGO ?= cargo
 SOURCE ?=
 TARGET ?=
 KEEP ?=
 TEST ?=
+EXAMPLES ?= 50
 DEMO_OUT ?= target/demo
 
 help:
@@ -53,6 +55,11 @@ check:
 	$(CARGO) clippy --locked --all-targets -- -D warnings
 	RUSTDOCFLAGS="-D warnings" $(CARGO) doc --locked --no-deps --document-private-items
 	target/tools/bin/cargo-machete
+
+contract:
+	@scripts/setup test
+	$(CARGO) build --locked
+	scripts/check-contract $(EXAMPLES)
 
 api:
 	@scripts/setup build

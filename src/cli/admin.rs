@@ -143,10 +143,11 @@ pub fn purge(args: &PurgeArgs) -> Result<(), CliError> {
             let purged = store.purge(&retention, AT_ONCE, dry_run).await?;
             total.results += purged.results;
             total.jobs += purged.jobs;
+            total.meshes += purged.meshes;
             total.changes += purged.changes;
             total.deliveries += purged.deliveries;
             total.idempotency_keys += purged.idempotency_keys;
-            if dry_run || purged.results + purged.jobs == 0 {
+            if dry_run || purged.results + purged.jobs + purged.meshes == 0 {
                 break;
             }
         }
@@ -156,9 +157,9 @@ pub fn purge(args: &PurgeArgs) -> Result<(), CliError> {
             blobs += artifacts.sweep().await?;
         }
         let verb = if dry_run { "would be removed" } else { "removed" };
-        let Purged { results, jobs, changes, deliveries, idempotency_keys } = total;
+        let Purged { results, jobs, meshes, changes, deliveries, idempotency_keys } = total;
         Ok(format!(
-            "{verb}: results of {results} jobs, {jobs} jobs, {changes} changes, {deliveries} deliveries, \
+            "{verb}: results of {results} jobs, {jobs} jobs, {meshes} meshes, {changes} changes, {deliveries} deliveries, \
              {idempotency_keys} idempotency keys{}",
             if dry_run { String::new() } else { format!(", {blobs} files") }
         ))

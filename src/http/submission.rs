@@ -13,7 +13,7 @@ use base64::prelude::BASE64_STANDARD;
 use bytes::Bytes;
 use jiff::Timestamp;
 use serde::de::DeserializeOwned;
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Deserializer, Serialize};
 use serde_json::Value;
 use std::collections::{BTreeMap, BTreeSet};
 use utoipa::ToSchema;
@@ -68,8 +68,10 @@ pub struct SubmissionForm {
 #[serde(deny_unknown_fields)]
 pub struct SubmissionDocument {
     /// The surface that moves.
+    #[serde(deserialize_with = "object")]
     pub source: SubmittedInputDocument,
     /// The surface that stays.
+    #[serde(deserialize_with = "object")]
     pub target: SubmittedInputDocument,
     /// What differs from the preset that `method` names.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -188,6 +190,11 @@ pub(super) async fn read_json<T: DeserializeOwned>(
             return Err(Problem::new(ProblemKind::BadRequest).detail("the body broke off"));
         }
     };
+    // Forms would also be read from arrays, by the order of their fields, which nobody can mean.
+    if body.iter().find(|b| !b.is_ascii_whitespace()).is_some_and(|&b| b == b'[') {
+        let fault = FieldError::new("", "wrong_form", "a JSON object is needed here");
+        return Err(Problem::new(ProblemKind::InvalidRequest).errors(&[fault]));
+    }
     let mut reader = serde_json::Deserializer::from_slice(&body);
     serde_path_to_error::deserialize(&mut reader).map_err(|error| {
         let inner = error.inner();
@@ -202,6 +209,12 @@ pub(super) async fn read_json<T: DeserializeOwned>(
         let fault = FieldError::new(pointer, "wrong_form", inner.to_string().chars().take(200).collect::<String>());
         Problem::new(ProblemKind::InvalidRequest).errors(&[fault])
     })
+}
+
+/// Reads a form from a JSON object only.
+fn object<'de, D: Deserializer<'de>, T: DeserializeOwned>(deserializer: D) -> Result<T, D::Error> {
+    let members = serde_json::Map::deserialize(deserializer)?;
+    T::deserialize(Value::Object(members)).map_err(serde::de::Error::custom)
 }
 
 /// The hash in a mesh's id.

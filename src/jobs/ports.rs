@@ -164,8 +164,8 @@ pub trait JobStore: Send + Sync {
     /// Gives a key up after nothing was made for it.
     async fn give_up_once(&self, once: &Once) -> Result<(), JobError>;
 
-    /// Jobs of a tenant that wait; of all tenants for `None`.
-    async fn queue_length(&self, tenant: Option<&Tenant>) -> Result<u32, JobError>;
+    /// Jobs of a tenant that wait, counted up to `at_most`.
+    async fn queue_length(&self, tenant: &Tenant, at_most: u32) -> Result<u32, JobError>;
 
     /// What waits and what runs, of all tenants.
     async fn load(&self) -> Result<Load, JobError>;

@@ -7,8 +7,8 @@ use std::time::Duration;
 pub struct Retention {
     /// Results and traces after the end of their job.
     pub results: Option<Duration>,
-    /// Records of jobs, and with them everything else, after the end of the job. Also the feed of changes and the log
-    /// of deliveries.
+    /// Records of jobs, and with them everything else, after the end of the job. Also uploads that no job refers to, the
+    /// feed of changes and the log of deliveries.
     pub jobs: Option<Duration>,
 }
 
@@ -19,6 +19,8 @@ pub struct Purged {
     pub results: u64,
     /// Jobs that went altogether.
     pub jobs: u64,
+    /// Uploads that no job refers to.
+    pub meshes: u64,
     /// Entries of the feed of changes.
     pub changes: u64,
     /// Entries of the log of deliveries.

@@ -119,7 +119,7 @@ impl JobService {
     /// That, and those of the store.
     pub async fn refuse_when_full(&self, tenant: &Tenant) -> Result<(), JobError> {
         let limit = self.limits.max_queued;
-        let waiting = self.stores.jobs.queue_length(Some(tenant)).await?;
+        let waiting = self.stores.jobs.queue_length(tenant, limit).await?;
         if waiting >= limit { Err(JobError::QueueFull { limit }) } else { Ok(()) }
     }
 

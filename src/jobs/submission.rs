@@ -16,8 +16,9 @@ use std::time::Duration;
 
 /// How long a submission may take between writing its blobs and storing its job.
 const HOLD: Duration = Duration::from_secs(600);
-/// How long a request with an idempotency key may take before another may take its place.
-const BUSY: Duration = Duration::from_secs(900);
+/// How long checking and storing a request with an idempotency key may take before another may take its place: the
+/// process that had it may have died.
+const BUSY: Duration = Duration::from_secs(240);
 /// Faults of a batch that are named; more say nothing new.
 const NAMED_FAULTS: usize = 16;
 

@@ -320,7 +320,7 @@ async fn events_tell_a_job_from_its_beginning_to_its_end() {
 
     let later = service.client.get(&url).header("last-event-id", "9").send().await.unwrap();
     let rest = tokio::time::timeout(Duration::from_secs(20), events(later)).await.unwrap();
-    let seqs: Vec<_> = rest.iter().filter_map(|(name, id, _)| (name == "trace").then(|| id.unwrap())).collect();
+    let seqs: Vec<_> = rest.iter().filter(|event| event.0 == "trace").map(|event| event.1.unwrap()).collect();
     assert_eq!(seqs, [10, 11, 12], "no gap and no repeat");
     let wrong = service.client.get(&url).header("last-event-id", "x").send().await.unwrap();
     problem(wrong, 400, "bad-request").await;

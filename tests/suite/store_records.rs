@@ -172,7 +172,7 @@ async fn a_batch_is_made_whole_or_not_at_all(f: Fixture) {
     wrong[2].id = wrong[0].id;
     assert!(f.store.insert_batch(&batch, &wrong, &room(10)).await.is_err());
     assert!(matches!(f.store.get_batch(&f.tenant, id).await, Err(JobError::BatchNotFound)));
-    assert_eq!(f.store.queue_length(None).await.unwrap(), 0);
+    assert_eq!(f.store.queue_length(&f.tenant, 10).await.unwrap(), 0);
 
     let made = f.store.insert_batch(&batch, &jobs, &room(10)).await.unwrap();
     assert_eq!(made.counts, BTreeMap::from([(JobState::Queued, 3)]));
@@ -239,6 +239,14 @@ async fn meshes_are_kept_while_jobs_refer_to_them(f: Fixture) {
     assert!(f.artifacts.get(&key).await.is_ok(), "the upload itself refers to it");
     f.store.delete_mesh(&f.tenant, key.hash()).await.unwrap();
     assert_eq!(f.store.remove_unreferenced_blobs(f.artifacts.as_ref()).await.unwrap(), 1);
+
+    // One that nobody used for as long as records are kept goes too.
+    f.store.insert_mesh(&key, 4, None, "").await.unwrap();
+    tokio::time::sleep(SHORT * 2).await;
+    let keep = Retention { results: None, jobs: Some(SHORT) };
+    assert_eq!(f.store.purge(&keep, 10, true).await.unwrap().meshes, 1);
+    assert_eq!(f.store.purge(&keep, 10, false).await.unwrap().meshes, 1);
+    assert!(matches!(f.store.get_mesh(&f.tenant, key.hash()).await, Err(JobError::MeshNotFound)));
 }
 
 async fn keys_end_when_revoked_or_expired(f: Fixture) {

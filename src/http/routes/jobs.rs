@@ -82,7 +82,8 @@ pub async fn submit(
     }
     match taken? {
         Taken::Tried(validated) => Ok(Json(ValidationDocument::from(validated)).into_response()),
-        Taken::Accepted(Accepted { made, replayed }) => {
+        Taken::Accepted(accepted_now) => {
+            let Accepted { made, replayed } = *accepted_now;
             let wait = wanted_wait(&headers, MAX_WAIT_S);
             let mut response = match wait {
                 Some(wait) => after_wait(&state, &tenant, made, wait).await?,
@@ -97,7 +98,7 @@ pub async fn submit(
 }
 
 enum Taken {
-    Accepted(Accepted<Job>),
+    Accepted(Box<Accepted<Job>>),
     Tried(Box<Validated>),
 }
 
@@ -123,7 +124,7 @@ async fn take(
     Ok(if validate_only {
         Taken::Tried(Box::new(state.service.validate(submission).await?))
     } else {
-        Taken::Accepted(state.service.submit(submission).await?)
+        Taken::Accepted(Box::new(state.service.submit(submission).await?))
     })
 }
 

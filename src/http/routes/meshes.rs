@@ -33,7 +33,7 @@ use std::sync::Arc;
         ("inspect" = Option<bool>, Query, description = "`false` stores it without reading it; a job that names it will"),
     ),
     request_body(content(
-        (Vec<u8> = "application/octet-stream"),
+        (FileBytes = "application/octet-stream"),
         (MeshForm = "multipart/form-data"),
     )),
     responses(
@@ -70,6 +70,12 @@ pub async fn upload(
     let status = if is_new { StatusCode::CREATED } else { StatusCode::OK };
     Ok((status, [(header::LOCATION, document.links.mesh.clone())], Json(document)).into_response())
 }
+
+/// A file as it is.
+#[derive(Debug, Clone, utoipa::ToSchema)]
+#[schema(value_type = String, format = Binary)]
+#[allow(dead_code, reason = "describes a body that is read as it comes")]
+pub struct FileBytes(String);
 
 /// The form of an upload.
 #[derive(Debug, Clone, utoipa::ToSchema)]

@@ -109,8 +109,8 @@ impl JobStore for SqlStore {
         self.drop_once(once).await
     }
 
-    async fn queue_length(&self, tenant: Option<&Tenant>) -> Result<u32, JobError> {
-        self.count_queue(tenant).await
+    async fn queue_length(&self, tenant: &Tenant, at_most: u32) -> Result<u32, JobError> {
+        self.count_queue(tenant, at_most).await
     }
 
     async fn load(&self) -> Result<Load, JobError> {

@@ -30,12 +30,9 @@ impl SqlStore {
         Ok(job)
     }
 
-    pub(super) async fn count_queue(&self, tenant: Option<&Tenant>) -> Result<u32, JobError> {
+    pub(super) async fn count_queue(&self, tenant: &Tenant, at_most: u32) -> Result<u32, JobError> {
         let mut session = self.database.reading().await?;
-        let row = match tenant {
-            Some(tenant) => session.row(sql!("queue_length_of_tenant"), bind![tenant, i64::from(u32::MAX)]).await?,
-            None => session.row(sql!("queue_length"), bind![]).await?,
-        };
+        let row = session.row(sql!("queue_length_of_tenant"), bind![tenant, at_most]).await?;
         row.map_or(Ok(0), |row| row.count(0))
     }
 

@@ -6,7 +6,7 @@
 use super::database::{Row, bind};
 use super::dialect::sql;
 use super::{SqlStore, blobs, rows, writing};
-use crate::jobs::{JobError, Purged, Retention};
+use crate::jobs::{JobError, MeshStore, Purged, Retention};
 
 fn n(row: Option<Row>) -> Result<u64, JobError> {
     Ok(row.map_or(Ok(0), |row| row.get::<i64>(0))?.unsigned_abs())
@@ -22,6 +22,7 @@ impl SqlStore {
             };
             if let Some(keep) = retention.jobs {
                 purged.jobs = n(session.row(sql!("count_jobs_to_purge"), bind![keep]).await?)?;
+                purged.meshes = n(session.row(sql!("count_meshes_to_purge"), bind![keep]).await?)?;
                 purged.changes = n(session.row(sql!("count_old_changes"), bind![keep]).await?)?;
                 purged.deliveries = n(session.row(sql!("count_old_deliveries"), bind![keep]).await?)?;
             }
@@ -64,6 +65,15 @@ impl SqlStore {
                 };
                 let done = done.await;
                 purged.jobs += u64::from(session.end(done).await?);
+            }
+            for row in self.database.reading().await?.rows(sql!("meshes_to_purge"), bind![keep, limit]).await? {
+                let tenant = rows::tenant(&row.get::<String>("tenant")?)?;
+                match self.delete_mesh(&tenant, &row.get::<String>("hash")?).await {
+                    Ok(()) => purged.meshes += 1,
+                    // A job refers to it since, or somebody else removed it.
+                    Err(JobError::MeshInUse | JobError::MeshNotFound) => {}
+                    Err(error) => return Err(error),
+                }
             }
             let mut session = self.database.begin().await?;
             let done = async {

@@ -3,7 +3,7 @@
 use super::client::{Client, id_of, steps};
 use super::on_both;
 use super::site::{Backend, SOON, Site};
-use serde_json::Value;
+use serde_json::{Value, json};
 use std::process::Command;
 
 on_both!(a19_another_tenants_things_are_not_there);
@@ -26,7 +26,7 @@ fn client_with(base: &str, key: &str) -> Client {
 
 async fn a19_another_tenants_things_are_not_there(backend: Backend) {
     let Some(site) = Site::open(backend) else { return };
-    let node = site.serve(&[]);
+    let node = site.serve(&["--auth", "keys"]);
     let openapi = site.client(&node).json("/openapi.json").await;
     let owner = client_with(&node.base, &key(&site, "owner"));
     let other = client_with(&node.base, &key(&site, "other"));
@@ -35,6 +35,13 @@ async fn a19_another_tenants_things_are_not_there(backend: Backend) {
     let mesh = owner.http.post(format!("{}/v1/meshes", node.base)).body("ply mesh of the owner");
     let mesh: Value = mesh.send().await.unwrap().json().await.unwrap();
     let mesh = id_of(&mesh);
+    let post = async |path: &str, body: Value| {
+        let sent = owner.http.post(format!("{}{path}", node.base)).json(&body).send().await.unwrap();
+        assert!(sent.status().is_success(), "{path}: {}", sent.status());
+        id_of(&sent.json().await.unwrap())
+    };
+    let batch = post("/v1/batches", json!({"pairs": [{"source": mesh, "target": mesh}]})).await;
+    let webhook = post("/v1/webhooks", json!({"url": "https://example.org/", "states": ["dead"]})).await;
     // The other has a job too, so that lists are not merely empty.
     let own = other.submit(steps(1, 1)).await;
     other.until_succeeded(&own, SOON).await;
@@ -46,6 +53,10 @@ async fn a19_another_tenants_things_are_not_there(backend: Backend) {
         }
         let (held, absent) = if path.starts_with("/v1/meshes") {
             (mesh.clone(), format!("blake3:{}", "0".repeat(64)))
+        } else if path.starts_with("/v1/batches") {
+            (batch.clone(), uuid::Uuid::now_v7().to_string())
+        } else if path.starts_with("/v1/webhooks") {
+            (webhook.clone(), uuid::Uuid::now_v7().to_string())
         } else {
             (job.clone(), uuid::Uuid::now_v7().to_string())
         };
@@ -74,7 +85,8 @@ async fn a19_another_tenants_things_are_not_there(backend: Backend) {
                 }
             }
             let text = body.to_string();
-            assert!(!text.contains(&job) && !text.contains(&mesh), "{method} {path} tells of another's: {text}");
+            let told = [&job, &mesh, &batch, &webhook].into_iter().any(|id| text.contains(id.as_str()));
+            assert!(!told, "{method} {path} tells of another's: {text}");
             n_asked += 1;
         }
     }

@@ -1,0 +1,6 @@
+-- count_meshes_to_purge
+SELECT COUNT(*)
+FROM meshes
+WHERE
+    created_at <= {now} - $1
+    AND NOT EXISTS (SELECT 1 FROM job_artifacts AS a WHERE a.tenant = meshes.tenant AND a.path = meshes.path)

@@ -1,0 +1,7 @@
+-- meshes_to_purge
+SELECT tenant, hash
+FROM meshes
+WHERE
+    created_at <= {now} - $1
+    AND NOT EXISTS (SELECT 1 FROM job_artifacts AS a WHERE a.tenant = meshes.tenant AND a.path = meshes.path)
+LIMIT $2

@@ -1,2 +1,0 @@
--- queue_length
-SELECT COUNT(*) FROM jobs WHERE state = 'queued'

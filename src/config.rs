@@ -124,7 +124,7 @@ pub struct HttpSettings {
     #[arg(long, env = "HOMOLOG_HEADER_TIMEOUT_S", default_value_t = 10, value_parser = clap::value_parser!(u64).range(1..=3_600), value_name = "S")]
     pub header_timeout_s: u64,
     /// Most open connections; further ones wait
-    #[arg(long, env = "HOMOLOG_MAX_CONNECTIONS", default_value_t = 1_024, value_parser = clap::value_parser!(u32).range(1..), value_name = "N")]
+    #[arg(long, env = "HOMOLOG_MAX_CONNECTIONS", default_value_t = 4_096, value_parser = clap::value_parser!(u32).range(1..), value_name = "N")]
     pub max_connections: u32,
     /// A name under which this service may be asked besides localhost, where it listens on a loopback address; repeatable
     #[arg(long = "allowed-host", env = "HOMOLOG_ALLOWED_HOSTS", value_delimiter = ',', value_name = "NAME")]

@@ -34,6 +34,7 @@ pub struct WorkerArgs {
 
 /// Answers HTTP and runs jobs until a signal. Prints one line with the address when it is ready.
 pub fn serve(args: ServeArgs) -> Result<(), CliError> {
+    raise_file_limit();
     let service = args.service.clone();
     in_runtime(&service, async move {
         let shutdown = Shutdown::default();
@@ -97,6 +98,19 @@ pub(super) fn in_runtime(
     runtime.shutdown_background();
     done.map_err(failed)
 }
+
+/// Each connection is an open file; many systems allow a process fewer than it may ask for.
+#[cfg(unix)]
+fn raise_file_limit() {
+    use rustix::process::{Resource, Rlimit, getrlimit, setrlimit};
+    let Rlimit { maximum, .. } = getrlimit(Resource::Nofile);
+    let wanted = Rlimit { current: maximum.map_or(Some(65_536), |most| Some(most.min(65_536))), maximum };
+    // Where it is not granted, the limit that there is holds.
+    let _ = setrlimit(Resource::Nofile, wanted);
+}
+
+#[cfg(not(unix))]
+fn raise_file_limit() {}
 
 /// A line on standard output; a reader that is gone is no reason to stop serving.
 fn say(line: &str) {

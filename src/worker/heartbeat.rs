@@ -5,6 +5,7 @@
 
 use super::control::{Control, StopCause};
 use crate::jobs::{JobError, JobStore, Lease, LeaseStatus};
+use futures_util::future::join_all;
 use std::collections::HashMap;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
@@ -98,40 +99,51 @@ impl Shared {
 
 async fn beat(shared: &Shared, store: &dyn JobStore, interval: Duration, duration: Duration) {
     let watched: Vec<(Lease, Watched)> = shared.lock().iter().map(|(l, w)| (l.clone(), w.clone())).collect();
-    for (lease, Watched { control, prolonged, tried }) in watched {
-        let asked = Instant::now();
-        let due = asked - tried >= interval;
-        let answer = if due { store.heartbeat(&lease, duration).await } else { store.lease_status(&lease).await };
-        shared.healthy.store(answer.is_ok(), Ordering::Release);
-        let mut held = shared.lock();
-        let Some(entry) = held.get_mut(&lease) else { continue };
-        if due {
-            entry.tried = asked;
-        }
-        match answer {
-            Ok(LeaseStatus::Lost) | Err(JobError::LeaseLost) => control.stop(StopCause::LeaseLost),
-            Ok(status) => {
-                if due {
-                    entry.prolonged = asked;
-                }
-                if status == LeaseStatus::CancelRequested {
-                    control.stop(StopCause::CancelRequested);
-                }
-            }
-            Err(error) => {
-                tracing::warn!(job_id = %lease.job_id, %error, "heartbeat failed");
-                // Tried again at the next look, not only after a whole interval.
-                if let Some(earlier) = asked.checked_sub(interval) {
-                    entry.tried = earlier;
-                }
-                // By now another worker may have the job; the fence would refuse what this one writes.
-                if prolonged.elapsed() > duration {
-                    control.stop(StopCause::LeaseLost);
-                }
-            }
-        }
-    }
+    // Side by side: a store that swallows one question must not hold up the others until their leases ran out.
+    join_all(watched.iter().map(|(lease, watched)| look(shared, store, lease, watched, interval, duration))).await;
     if shared.lock().is_empty() && !shared.healthy.load(Ordering::Acquire) {
         shared.healthy.store(store.ping().await.is_ok(), Ordering::Release);
+    }
+}
+
+/// Prolongs a lease if that is due, else only looks at it, and tells its computation what the store says.
+async fn look(
+    shared: &Shared,
+    store: &dyn JobStore,
+    lease: &Lease,
+    Watched { control, prolonged, tried }: &Watched,
+    interval: Duration,
+    duration: Duration,
+) {
+    let asked = Instant::now();
+    let due = asked - *tried >= interval;
+    let answer = if due { store.heartbeat(lease, duration).await } else { store.lease_status(lease).await };
+    shared.healthy.store(answer.is_ok(), Ordering::Release);
+    let mut held = shared.lock();
+    let Some(entry) = held.get_mut(lease) else { return };
+    if due {
+        entry.tried = asked;
+    }
+    match answer {
+        Ok(LeaseStatus::Lost) | Err(JobError::LeaseLost) => control.stop(StopCause::LeaseLost),
+        Ok(status) => {
+            if due {
+                entry.prolonged = asked;
+            }
+            if status == LeaseStatus::CancelRequested {
+                control.stop(StopCause::CancelRequested);
+            }
+        }
+        Err(error) => {
+            tracing::warn!(job_id = %lease.job_id, %error, "heartbeat failed");
+            // Tried again at the next look, not only after a whole interval.
+            if let Some(earlier) = asked.checked_sub(interval) {
+                entry.tried = earlier;
+            }
+            // By now another worker may have the job; the fence would refuse what this one writes.
+            if prolonged.elapsed() > duration {
+                control.stop(StopCause::LeaseLost);
+            }
+        }
     }
 }

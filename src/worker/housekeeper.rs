@@ -37,6 +37,7 @@ impl Housekeeper {
     /// Of the store.
     pub async fn recover(&self) -> Result<u32, JobError> {
         let mut total = 0;
+        let mut dead = 0;
         if let Some(processes) = &self.processes {
             let processes = Arc::clone(processes);
             let departed = tokio::task::spawn_blocking(move || processes.departed()).await;
@@ -53,6 +54,7 @@ impl Housekeeper {
                     );
                 }
                 total += recovered.total();
+                dead += recovered.dead;
                 process.forget();
             }
         }
@@ -61,6 +63,7 @@ impl Housekeeper {
             tracing::warn!(?recovered, "jobs whose leases ran out are taken back");
             metrics::counter!("homolog_leases_expired_total").increment(recovered.total().into());
         }
+        metrics::counter!("homolog_jobs_dead_total").increment((dead + recovered.dead).into());
         Ok(total + recovered.total())
     }
 

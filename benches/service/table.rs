@@ -75,10 +75,11 @@ async fn fill(database: &Database, from: u64, to: u64) {
                 CASE WHEN n % 4 = 0 THEN -1 ELSE 0 END,
                 model.created_at - 100000000 + n, model.created_at - 100000000 + n, {COLUMNS}
          FROM model, {series};
-         INSERT INTO job_labels (job_id, tenant, name, value)
+         INSERT INTO job_labels (job_id, tenant, name, value, created_at)
          SELECT {id}, CASE WHEN n % 4 = 0 THEN 'other' ELSE 'default' END, 'study',
-                CASE WHEN n IN (41, 42, 43, 45, 46, 47, 49, 50, 51, 53) THEN 'few' ELSE 'all' END
-         FROM {series};"
+                CASE WHEN n IN (41, 42, 43, 45, 46, 47, 49, 50, 51, 53) THEN 'few' ELSE 'all' END,
+                model.created_at - 100000000 + n
+         FROM model, {series};"
     );
     database.execute(&text).await;
     // By itself: it cannot stand in a transaction.

@@ -6,12 +6,13 @@
 # make contract  a running service held against its OpenAPI document by schemathesis
 # make build   target/release/homolog
 # make api     writes the generated files under api/ anew
-# make bench   benchmarks
+# make bench   benchmarks of a match
+# make bench-service  benchmarks of the service; PART=poll: one of its parts
 
 SHELL := /usr/bin/env bash
 .SHELLFLAGS := -eu -o pipefail -c
 .DEFAULT_GOAL := help
-.PHONY: help demo test faults check contract build api bench
+.PHONY: help demo test faults check contract build api bench bench-service
 
 CARGO ?= cargo
 SOURCE ?=
@@ -19,6 +20,7 @@ TARGET ?=
 KEEP ?=
 TEST ?=
 EXAMPLES ?= 50
+PART ?=
 DEMO_OUT ?= target/demo
 
 help:
@@ -75,4 +77,15 @@ bench:
 	$(CARGO) bench --locked --bench matching -- | tee target/bench.md
 	record="benches/records/$$(date -u +%Y-%m-%d)-$$(git rev-parse --short HEAD 2>/dev/null || echo unknown).md"; \
 	  { echo "# Benchmarks, $$(date -u +%Y-%m-%d); command: make bench"; echo; cat target/bench.md; } > "$$record"; \
+	  echo "record: $$record"
+
+# The peer is built apart, since nothing of it is a dependency; where it cannot be, its row says so.
+bench-service:
+	@scripts/setup test
+	mkdir -p benches/records
+	$(CARGO) build --release --locked --manifest-path benches/peers/graphile/Cargo.toml --target-dir target/peer || true
+	@peer="$$PWD/target/peer/release/graphile-peer"; if [ -x "$$peer" ]; then export HOMOLOG_BENCH_PEER="$$peer"; fi; \
+	  set -x; $(CARGO) bench --locked --bench service -- $(PART) | tee target/bench-service.md
+	record="benches/records/$$(date -u +%Y-%m-%d)-$$(git rev-parse --short HEAD 2>/dev/null || echo unknown)-service.md"; \
+	  { echo "# Benchmarks of the service, $$(date -u +%Y-%m-%d); command: make bench-service"; echo; cat target/bench-service.md; } > "$$record"; \
 	  echo "record: $$record"

@@ -1,6 +1,7 @@
 //! One text for each query, and what the two databases say differently in it.
 //!
-//! A query stands once, in `queries/`, with these marks: `{now}` is the database's clock in ms, `{for_update}` locks the
+//! A query stands once, in `queries/`, with these marks: `{now}` is the database's clock in ms, at the beginning of
+//! the statement (a clock that moved meanwhile could not be looked up in an index), `{for_update}` locks the
 //! rows read until the transaction ends, `{skip_locked}` does so and leaves out rows that another has locked. SQLite
 //! needs neither lock: its write transactions follow one another.
 
@@ -28,7 +29,7 @@ impl Sql {
         Sql {
             sqlite: filled("CAST(unixepoch('subsec') * 1000 AS INTEGER)", "", ""),
             postgres: filled(
-                "CAST(EXTRACT(EPOCH FROM clock_timestamp()) * 1000 AS BIGINT)",
+                "CAST(EXTRACT(EPOCH FROM statement_timestamp()) * 1000 AS BIGINT)",
                 "FOR UPDATE",
                 "FOR UPDATE SKIP LOCKED",
             ),

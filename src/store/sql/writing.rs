@@ -52,7 +52,7 @@ async fn add_job(session: &mut Session, job: &NewJob, keep_result: Option<Durati
     ];
     session.execute(sql!("insert_job"), arguments).await?;
     for (name, value) in &job.labels {
-        session.execute(sql!("insert_label"), bind![job.id, &job.tenant, name, value]).await?;
+        session.execute(sql!("insert_label"), bind![job.id, name, value]).await?;
     }
     for (kind, input) in [(ArtifactKind::Source, &job.source), (ArtifactKind::Target, &job.target)] {
         let key = ArtifactKey::of_hash(&job.tenant, &input.hash);

@@ -92,14 +92,16 @@ CREATE TABLE job_artifacts (
 CREATE INDEX job_artifacts_by_path ON job_artifacts (tenant, path);
 
 CREATE TABLE job_labels (
-    job_id TEXT COLLATE "C" NOT NULL REFERENCES jobs (id) ON DELETE CASCADE,
-    tenant TEXT COLLATE "C" NOT NULL,
-    name   TEXT COLLATE "C" NOT NULL,
-    value  TEXT COLLATE "C" NOT NULL,
+    job_id     TEXT COLLATE "C" NOT NULL REFERENCES jobs (id) ON DELETE CASCADE,
+    tenant     TEXT COLLATE "C" NOT NULL,
+    name       TEXT COLLATE "C" NOT NULL,
+    value      TEXT COLLATE "C" NOT NULL,
+    -- The job's, so that the index below has the jobs of a label in the order of lists.
+    created_at BIGINT NOT NULL,
     PRIMARY KEY (job_id, name)
 );
 
-CREATE INDEX job_labels_by_value ON job_labels (tenant, name, value, job_id);
+CREATE INDEX job_labels_by_value ON job_labels (tenant, name, value, created_at, job_id);
 
 CREATE TABLE blobs (
     tenant         TEXT COLLATE "C" NOT NULL,
@@ -259,7 +261,8 @@ CREATE TRIGGER job_inserted AFTER INSERT ON jobs FOR EACH ROW EXECUTE FUNCTION n
 CREATE TRIGGER job_changed AFTER UPDATE OF state ON jobs
 FOR EACH ROW WHEN (OLD.state <> NEW.state) EXECUTE FUNCTION note_change();
 
--- A job with what is read beside it.
+-- A job with what is read beside it. The clock stands still during a statement: with one that does not, PostgreSQL
+-- would read all of the view before it takes a page of it.
 CREATE VIEW job_records AS
 SELECT
     jobs.*,
@@ -268,6 +271,6 @@ SELECT
     job_progress.iteration,
     job_progress.message,
     job_progress.energy_latest,
-    CAST(EXTRACT(EPOCH FROM clock_timestamp()) * 1000 AS BIGINT) AS read_at
+    CAST(EXTRACT(EPOCH FROM statement_timestamp()) * 1000 AS BIGINT) AS read_at
 FROM jobs
 LEFT JOIN job_progress ON job_progress.job_id = jobs.id;

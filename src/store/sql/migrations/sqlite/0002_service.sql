@@ -22,17 +22,19 @@ CREATE INDEX jobs_to_purge ON jobs (expires_at) WHERE purged_at IS NULL AND expi
 CREATE INDEX jobs_finished ON jobs (finished_at) WHERE finished_at IS NOT NULL;
 
 CREATE TABLE job_labels (
-    job_id TEXT NOT NULL REFERENCES jobs (id) ON DELETE CASCADE,
-    tenant TEXT NOT NULL,
-    name   TEXT NOT NULL,
-    value  TEXT NOT NULL,
+    job_id     TEXT NOT NULL REFERENCES jobs (id) ON DELETE CASCADE,
+    tenant     TEXT NOT NULL,
+    name       TEXT NOT NULL,
+    value      TEXT NOT NULL,
+    -- The job's, so that the index below has the jobs of a label in the order of lists.
+    created_at INTEGER NOT NULL,
     PRIMARY KEY (job_id, name)
 ) STRICT, WITHOUT ROWID;
 
-CREATE INDEX job_labels_by_value ON job_labels (tenant, name, value, job_id);
+CREATE INDEX job_labels_by_value ON job_labels (tenant, name, value, created_at, job_id);
 
-INSERT INTO job_labels (job_id, tenant, name, value)
-SELECT jobs.id, jobs.tenant, label.key, label.value FROM jobs, json_each(jobs.labels) AS label;
+INSERT INTO job_labels (job_id, tenant, name, value, created_at)
+SELECT jobs.id, jobs.tenant, label.key, label.value, jobs.created_at FROM jobs, json_each(jobs.labels) AS label;
 
 -- Blobs by their path under the tenant: inputs by content, results by the lease that made them.
 CREATE TABLE blobs (

@@ -1,0 +1,121 @@
+//! The service under load: submissions, claims, polling while all cores compute, large tables, followers, memory.
+//!
+//! `make bench-service` runs this and keeps what it prints as a dated record under `benches/records/`. `--quick` is a
+//! smoke run whose figures mean nothing; a word (`submit`, `claim`, `poll`, `table`, `follow`, `idle`, `upload`) runs
+//! one part. PostgreSQL is a private cluster as in the tests of faults; where there is none, its rows are missing. No
+//! test depends on it.
+#![allow(clippy::unwrap_used, clippy::print_stdout, clippy::panic, missing_docs)]
+
+#[path = "service/http.rs"]
+mod http;
+#[path = "service/memory.rs"]
+mod memory;
+#[path = "service/node.rs"]
+mod node;
+#[path = "service/place.rs"]
+mod place;
+#[path = "../tests/suite/faults/postgres.rs"]
+#[allow(dead_code, reason = "the tests use more of it")]
+mod postgres;
+#[path = "service/queue.rs"]
+mod queue;
+#[path = "../tests/suite/faults/s3.rs"]
+#[allow(dead_code, unused_imports, reason = "the tests use more of it")]
+mod s3;
+#[path = "service/table.rs"]
+mod table;
+
+use std::time::Duration;
+
+/// How long and how large.
+#[derive(Debug, Clone, Copy)]
+pub struct Scale {
+    pub quick: bool,
+}
+
+impl Scale {
+    /// How long to measure a rate.
+    pub fn time(self) -> Duration {
+        if self.quick { Duration::from_millis(500) } else { Duration::from_secs(10) }
+    }
+
+    pub fn pick<T>(self, quick: T, full: T) -> T {
+        if self.quick { quick } else { full }
+    }
+}
+
+/// Latencies of a run, sorted.
+pub struct Latencies(Vec<f64>);
+
+impl Latencies {
+    pub fn new(mut seconds: Vec<f64>) -> Self {
+        seconds.sort_by(f64::total_cmp);
+        Latencies(seconds)
+    }
+
+    pub fn len(&self) -> usize {
+        self.0.len()
+    }
+
+    /// A quantile, ms.
+    pub fn ms(&self, quantile: f64) -> f64 {
+        let last = self.0.len().saturating_sub(1);
+        self.0.get((last as f64 * quantile).round() as usize).map_or(f64::NAN, |s| s * 1e3)
+    }
+}
+
+fn machine() -> String {
+    let info = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
+    let model = info
+        .lines()
+        .find_map(|l| l.strip_prefix("model name"))
+        .map_or("unknown processor", |m| m.trim_matches([':', ' ', '\t']));
+    let cores = std::thread::available_parallelism().map_or(1, usize::from);
+    let load = std::fs::read_to_string("/proc/loadavg").unwrap_or_default();
+    let load = load.split_whitespace().next().unwrap_or("unknown").to_owned();
+    format!("{model}, {cores} cores; load before the run: {load}")
+}
+
+fn main() {
+    if node::is_wanted() {
+        return node::run();
+    }
+    let words: Vec<String> = std::env::args().skip(1).filter(|a| a != "--bench").collect();
+    let scale = Scale { quick: words.iter().any(|w| w == "--quick") };
+    let parts: Vec<_> = words.iter().filter(|w| !w.starts_with("--")).collect();
+    let wanted = |name: &str| parts.is_empty() || parts.iter().any(|w| *w == name);
+    homolog::tls::prepare();
+    place::allow_many_files();
+    println!("machine: {}", machine());
+    println!("commit: {}", option_env!("HOMOLOG_COMMIT").unwrap_or("unknown"));
+    if scale.quick {
+        println!("a smoke run: its figures mean nothing");
+    }
+    // On this thread, with which the processes it starts end.
+    let runtime = tokio::runtime::Builder::new_multi_thread().worker_threads(2).enable_all().build().unwrap();
+    runtime.block_on(async {
+        if wanted("submit") {
+            queue::submissions(scale).await;
+            http::submissions(scale).await;
+        }
+        if wanted("claim") {
+            queue::claims(scale).await;
+        }
+        if wanted("poll") {
+            http::polling(scale).await;
+        }
+        if wanted("table") {
+            table::latencies(scale).await;
+        }
+        if wanted("follow") {
+            http::followers(scale).await;
+        }
+        if wanted("idle") {
+            memory::idle(scale).await;
+        }
+        if wanted("upload") {
+            memory::upload(scale).await;
+        }
+    });
+    runtime.shutdown_background();
+}

@@ -1,0 +1,174 @@
+//! The service in a process of its own: the program itself, or this one with an engine that does as it is told.
+
+use homolog::app::{self, App, Shutdown};
+use homolog::config::{HttpSettings, ServiceSettings};
+use homolog::jobs::engine::{MethodDescription, Product, Resolved};
+use homolog::jobs::{
+    ArtifactKind, ComputeError, ComputeTask, Engine, InputBytes, InputRefusal, InputSummary, ParameterFault,
+    PartFormat, PresentError, ResultPart,
+};
+use homolog::observe::{Observer, Phase, TracePoint};
+use rayon::prelude::*;
+use rustix::process::{Pid, Signal, kill_process};
+use serde_json::{Value, json};
+use std::io::{BufRead, BufReader};
+use std::process::{Child, Command, Stdio};
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+/// Set in a process that is a node.
+const IS_NODE: &str = "SERVICE_BENCH_NODE";
+/// Threads that compute beside the service, at the priority of all other threads.
+pub const SPINNERS: &str = "SERVICE_BENCH_SPINNERS";
+
+/// A process of the service; killed when dropped.
+pub struct Node {
+    process: Child,
+    /// `127.0.0.1:port`.
+    pub address: String,
+}
+
+impl Node {
+    /// This program, with the engine below.
+    pub fn start(environment: &[(&'static str, String)]) -> Self {
+        let mut command = Command::new(std::env::current_exe().unwrap());
+        command.env(IS_NODE, "1");
+        Node::spawn(command, environment)
+    }
+
+    /// `homolog serve`.
+    pub fn program(environment: &[(&'static str, String)]) -> Self {
+        // The kernel ends it with this process, also when that is killed.
+        let mut command = Command::new("setpriv");
+        command.args(["--pdeathsig", "KILL", "--", env!("CARGO_BIN_EXE_homolog"), "serve"]);
+        Node::spawn(command, environment)
+    }
+
+    fn spawn(mut command: Command, environment: &[(&'static str, String)]) -> Self {
+        for (name, _) in std::env::vars_os() {
+            if name.to_str().is_some_and(|name| name.starts_with("HOMOLOG_") || name.starts_with("AWS_")) {
+                command.env_remove(name);
+            }
+        }
+        command.env("HOMOLOG_LOG", "error").envs(environment.iter().map(|(name, value)| (name, value)));
+        let mut process = command.stdin(Stdio::null()).stdout(Stdio::piped()).spawn().unwrap();
+        let mut line = String::new();
+        BufReader::new(process.stdout.take().unwrap()).read_line(&mut line).unwrap();
+        let address = line.trim().rsplit("http://").next().unwrap().to_owned();
+        assert!(!address.is_empty(), "the service does not start");
+        Node { process, address }
+    }
+
+    /// A line of `/proc/<pid>/status` in kB, as MiB.
+    pub fn status_mib(&self, name: &str) -> f64 {
+        let status = std::fs::read_to_string(format!("/proc/{}/status", self.process.id())).unwrap();
+        let line = status.lines().find(|l| l.starts_with(&format!("{name}:"))).unwrap();
+        line.split_whitespace().nth(1).unwrap().parse::<f64>().unwrap() / 1024.0
+    }
+}
+
+impl Drop for Node {
+    fn drop(&mut self) {
+        let _ = kill_process(Pid::from_child(&self.process), Signal::KILL);
+        let _ = self.process.wait();
+    }
+}
+
+/// Whether this process is to be a node.
+pub fn is_wanted() -> bool {
+    std::env::var_os(IS_NODE).is_some()
+}
+
+#[derive(Debug, clap::Parser)]
+struct Arguments {
+    #[command(flatten)]
+    http: HttpSettings,
+    #[command(flatten)]
+    service: ServiceSettings,
+}
+
+/// As `homolog serve`, with the engine below.
+pub fn run() {
+    rustix::process::set_parent_process_death_signal(Some(Signal::KILL)).unwrap();
+    homolog::tls::prepare();
+    let Arguments { http, service } = clap::Parser::parse_from(["node"]);
+    homolog::telemetry::start(service.log_format, &service.log).unwrap();
+    for _ in 0..std::env::var(SPINNERS).map_or(0, |n| n.parse().unwrap()) {
+        std::thread::spawn(|| burn(Instant::now() + Duration::from_secs(3600)));
+    }
+    let runtime = tokio::runtime::Builder::new_multi_thread().enable_all().build().unwrap();
+    runtime.block_on(async {
+        let shutdown = Shutdown::default();
+        let listener = app::listen(&http).await.unwrap();
+        let address = listener.local_addr().unwrap();
+        let app = App::open(&service, Arc::new(Told), &shutdown, true).await.unwrap();
+        println!("http://{address}");
+        app.run(Some((listener, http, service)), &shutdown).await;
+    });
+}
+
+fn burn(until: Instant) -> f64 {
+    let mut x = 1.0_f64;
+    while Instant::now() < until {
+        for _ in 0..100_000 {
+            x = std::hint::black_box((x * 1.000_001).sqrt() + 0.5);
+        }
+    }
+    x
+}
+
+/// Takes anything. Computes on all cores for `burn_ms`, or makes `points` points of the trace, `step_ms` apart.
+struct Told;
+
+impl Engine for Told {
+    fn methods(&self) -> Vec<MethodDescription> {
+        vec![MethodDescription {
+            name: "told".to_owned(),
+            version: "1".to_owned(),
+            description: "Does what it is told.".to_owned(),
+            defaults: json!({}),
+            parameters_schema: json!({"type": "object"}),
+        }]
+    }
+
+    fn resolve(&self, request: &Value) -> Result<Resolved, Vec<ParameterFault>> {
+        Ok(Resolved {
+            method: "told".to_owned(),
+            method_version: "1".to_owned(),
+            parameters: request.clone(),
+            input_key: String::new(),
+            result_version: "1".to_owned(),
+        })
+    }
+
+    fn check_input(&self, _: &InputBytes<'_>, _: &Value) -> Result<InputSummary, InputRefusal> {
+        Ok(InputSummary { n_vertices: 3, n_faces: 1, report: json!({}) })
+    }
+
+    fn compute(&self, task: &ComputeTask, observer: &dyn Observer) -> Result<Vec<Product>, ComputeError> {
+        let number = |key: &str| task.parameters.get(key).and_then(Value::as_u64).unwrap_or(0);
+        observer.phase(Phase::Inference);
+        let end = Instant::now() + Duration::from_millis(number("burn_ms"));
+        while Instant::now() < end && !observer.is_cancelled() {
+            // As a match does it: short pieces on rayon's threads, one on each core.
+            let slice = (Instant::now() + Duration::from_millis(50)).min(end);
+            let sum: f64 = (0..rayon::current_num_threads()).into_par_iter().map(|_| burn(slice)).sum();
+            std::hint::black_box(sum);
+        }
+        for i in 1..=number("points") {
+            if observer.is_cancelled() {
+                return Err(ComputeError::Cancelled);
+            }
+            let mut point = TracePoint::new(0, Phase::Inference, i as u32);
+            point.energy = Some(1000.0 / i as f64);
+            observer.trace(&point);
+            observer.progress(i as f64 / number("points") as f64);
+            std::thread::sleep(Duration::from_millis(number("step_ms")));
+        }
+        Ok(vec![Product { kind: ArtifactKind::Result, bytes: b"{}".to_vec() }])
+    }
+
+    fn present(&self, part: ResultPart, format: PartFormat, stored: &[&[u8]]) -> Result<Vec<u8>, PresentError> {
+        homolog::worker::presentation::present(part, format, stored)
+    }
+}

@@ -1,7 +1,7 @@
 //! The service under load: submissions, claims, polling while all cores compute, large tables, followers, memory.
 //!
 //! `make bench-service` runs this and keeps what it prints as a dated record under `benches/records/`. `--quick` is a
-//! smoke run whose figures mean nothing; a word (`submit`, `claim`, `poll`, `table`, `follow`, `idle`, `upload`) runs
+//! smoke run whose figures mean nothing; a word (`submit`, `claim`, `poll`, `follow`, `idle`, `upload`, `table`) runs
 //! one part. PostgreSQL is a private cluster as in the tests of faults; where there is none, its rows are missing. No
 //! test depends on it.
 #![allow(clippy::unwrap_used, clippy::print_stdout, clippy::panic, missing_docs)]
@@ -36,7 +36,7 @@ pub struct Scale {
 impl Scale {
     /// How long to measure a rate.
     pub fn time(self) -> Duration {
-        if self.quick { Duration::from_millis(500) } else { Duration::from_secs(10) }
+        if self.quick { Duration::from_millis(500) } else { Duration::from_secs(5) }
     }
 
     pub fn pick<T>(self, quick: T, full: T) -> T {
@@ -53,7 +53,7 @@ impl Latencies {
         Latencies(seconds)
     }
 
-    pub fn len(&self) -> usize {
+    pub fn count(&self) -> usize {
         self.0.len()
     }
 
@@ -86,7 +86,7 @@ fn main() {
     let wanted = |name: &str| parts.is_empty() || parts.iter().any(|w| *w == name);
     homolog::tls::prepare();
     place::allow_many_files();
-    println!("machine: {}", machine());
+    println!("machine: {}, shared with other work", machine());
     println!("commit: {}", option_env!("HOMOLOG_COMMIT").unwrap_or("unknown"));
     if scale.quick {
         println!("a smoke run: its figures mean nothing");
@@ -104,9 +104,6 @@ fn main() {
         if wanted("poll") {
             http::polling(scale).await;
         }
-        if wanted("table") {
-            table::latencies(scale).await;
-        }
         if wanted("follow") {
             http::followers(scale).await;
         }
@@ -115,6 +112,9 @@ fn main() {
         }
         if wanted("upload") {
             memory::upload(scale).await;
+        }
+        if wanted("table") {
+            table::latencies(scale).await;
         }
     });
     runtime.shutdown_background();

@@ -155,10 +155,10 @@ impl Engine for Told {
             let sum: f64 = (0..rayon::current_num_threads()).into_par_iter().map(|_| burn(slice)).sum();
             std::hint::black_box(sum);
         }
+        if observer.is_cancelled() {
+            return Err(ComputeError::Cancelled);
+        }
         for i in 1..=number("points") {
-            if observer.is_cancelled() {
-                return Err(ComputeError::Cancelled);
-            }
             let mut point = TracePoint::new(0, Phase::Inference, i as u32);
             point.energy = Some(1000.0 / i as f64);
             observer.trace(&point);

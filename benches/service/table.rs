@@ -14,7 +14,7 @@ const COLUMNS: &str = "method, method_version, parameters, source, target, label
 
 pub async fn latencies(scale: Scale) {
     let (sizes, repeats): (&[u64], usize) =
-        scale.pick((&[1_000, 2_000], 5), (&[1_000, 10_000, 100_000, 1_000_000], 200));
+        scale.pick((&[1_000, 2_000], 5), (&[1_000, 10_000, 100_000, 1_000_000], 100));
     println!("\n## Latency by the number of jobs in the table, ms\n");
     println!(
         "p50 / p99 of {repeats} calls at the store, one after another; pages of 50. Three quarters of the jobs are"
@@ -109,7 +109,7 @@ async fn row(place: &Place, store: &SqlStore, size: u64, repeats: usize) {
         let mut taken = Vec::new();
         let began = Instant::now();
         // What is slow needs no great number to show it.
-        while taken.len() < repeats && (taken.len() < 5 || began.elapsed() < Duration::from_secs(10)) {
+        while taken.len() < repeats && (taken.len() < 5 || began.elapsed() < Duration::from_secs(5)) {
             let one = Instant::now();
             let jobs = store.list(&tenant, &filter, page).await.unwrap().jobs;
             taken.push(one.elapsed().as_secs_f64());

@@ -2,6 +2,7 @@
 
 use super::control::{Control, StopCause};
 use super::pool::{PoolParts, with_sources};
+use super::priority::give_way;
 use super::recorder::Recorder;
 use crate::jobs::engine::Product;
 use crate::jobs::{
@@ -113,6 +114,7 @@ fn start_computation(
     let (engine, recorder) = (Arc::clone(&parts.engine), Arc::clone(recorder));
     let (sender, receiver) = oneshot::channel();
     std::thread::Builder::new().name("compute".to_owned()).spawn(move || {
+        give_way();
         // Nothing of the engine's outlives a panic: task and recorder are this job's own.
         let computed = catch_unwind(AssertUnwindSafe(|| engine.compute(&task, recorder.as_ref())));
         // The panic hook has logged where; what it said may hold a patient's data and is dropped.

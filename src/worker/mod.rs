@@ -3,7 +3,7 @@
 //! A worker knows nothing of what it computes: that is the [`crate::jobs::Engine`]'s, of which
 //! [`match_engine`] is the real one. Reading order: [`pool`] (slots), [`execution`] (one job from claim to finish),
 //! [`heartbeat`] (its own thread, so that no computation can starve it), [`recorder`] (trace and progress),
-//! [`control`] (how a computation is told to stop), [`presentation`] (results in other file formats), [`housekeeper`] (jobs of the dead, blobs of nobody), [`courier`] (webhooks).
+//! [`control`] (how a computation is told to stop), [`priority`] (computing gives way to answering), [`presentation`] (results in other file formats), [`housekeeper`] (jobs of the dead, blobs of nobody), [`courier`] (webhooks).
 
 pub mod control;
 pub mod courier;
@@ -13,6 +13,7 @@ pub mod housekeeper;
 pub mod match_engine;
 pub mod pool;
 pub mod presentation;
+pub mod priority;
 pub mod quota;
 pub mod recorder;
 

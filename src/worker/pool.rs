@@ -2,6 +2,7 @@
 
 use super::execution::execute;
 use super::heartbeat::Heart;
+use super::priority;
 use super::quota::Quota;
 use crate::jobs::{ArtifactStore, Engine, JobStore, WorkerId};
 use std::sync::Arc;
@@ -86,6 +87,7 @@ pub struct Pool {
 impl Pool {
     /// Starts the slots.
     pub fn start(parts: &PoolParts) -> Self {
+        priority::have_pool_give_way();
         let mut slots = JoinSet::new();
         for _ in 0..parts.settings.slots {
             slots.spawn(run_slot(parts.clone()));

@@ -171,7 +171,11 @@ fn sigterm_during_a_job_exits_0_and_gives_it_back() {
 fn an_open_address_has_to_be_wanted_and_a_folder_is_served_once() {
     let folder = tempfile::tempdir().unwrap();
     let serve = |listen: &str| {
-        let done = homolog().args(["serve", "--listen", listen, "--data-dir"]).arg(folder.path()).output().unwrap();
+        let done = homolog()
+            .args(["serve", "--listen", listen, "--auth", "none", "--data-dir"])
+            .arg(folder.path())
+            .output()
+            .unwrap();
         assert!(!done.status.success());
         String::from_utf8(done.stderr).unwrap()
     };

@@ -139,7 +139,7 @@ impl App {
         } else {
             None
         };
-        let database = |e: JobError| AppError::Store { what: "the database", error: with_causes(&e) };
+        let database = |e: JobError| store_error("the database", &e);
         let store = open_database(settings).await?;
         // Heartbeats have connections of their own, so that they never wait behind other work of this process.
         let heart_store = SqlStore::open(&settings.database(HEART_CONNECTIONS)).await.map_err(database)?;
@@ -265,7 +265,7 @@ impl App {
 /// [`AppError::Store`].
 pub async fn open_database(settings: &ServiceSettings) -> Result<SqlStore, AppError> {
     let opened = SqlStore::open(&settings.database(settings.database_connections)).await;
-    opened.map_err(|e| AppError::Store { what: "the database", error: with_causes(&e) })
+    opened.map_err(|e| store_error("the database", &e))
 }
 
 /// The blob store of the settings.
@@ -273,10 +273,11 @@ pub async fn open_database(settings: &ServiceSettings) -> Result<SqlStore, AppEr
 /// # Errors
 /// [`AppError::Store`].
 pub fn open_artifacts(settings: &ServiceSettings) -> Result<Arc<dyn ArtifactStore>, AppError> {
-    let failed = |what| move |e: JobError| AppError::Store { what, error: with_causes(&e) };
     Ok(match &settings.artifacts_url {
-        None => Arc::new(FolderArtifacts::open(&settings.data_dir).map_err(failed("the folder of blobs"))?),
-        Some(url) => Arc::new(S3Artifacts::open(url).map_err(failed("the S3-compatible store"))?),
+        None => {
+            Arc::new(FolderArtifacts::open(&settings.data_dir).map_err(|e| store_error("the folder of blobs", &e))?)
+        }
+        Some(url) => Arc::new(S3Artifacts::open(url).map_err(|e| store_error("the S3-compatible store", &e))?),
     })
 }
 
@@ -307,9 +308,5 @@ pub async fn bind(address: SocketAddr) -> Result<TcpListener, AppError> {
 
 /// What a store's failure is to a process that needs it.
 pub fn store_error(what: &'static str, error: &JobError) -> AppError {
-    AppError::Store { what, error: with_causes(error) }
-}
-
-fn with_causes(error: &dyn std::error::Error) -> String {
-    crate::worker::pool::with_sources(error)
+    AppError::Store { what, error: crate::worker::pool::with_sources(error) }
 }

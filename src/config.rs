@@ -269,7 +269,6 @@ impl HttpSettings {
             max_batch: self.max_batch,
             once_for: Duration::from_secs(24 * 3600),
             keep_results: service.retention().results,
-            max_file_bytes: service.max_file_bytes,
             max_run: Duration::from_secs(service.max_run_s),
         }
     }

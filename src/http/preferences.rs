@@ -2,7 +2,8 @@
 
 use super::problem::{FieldError, Problem};
 use super::problem_table::ProblemKind;
-use axum::http::{HeaderMap, HeaderName};
+use axum::http::{HeaderMap, HeaderName, HeaderValue};
+use axum::response::Response;
 use std::time::Duration;
 
 const PREFER: HeaderName = HeaderName::from_static("prefer");
@@ -37,6 +38,14 @@ pub(super) fn idempotency_key(headers: &HeaderMap) -> Result<Option<String>, Pro
     Ok(Some(key.to_owned()))
 }
 
+/// The answer, marked where an earlier request with the same key had made what it names.
+pub(super) fn marked(mut response: Response, replayed: bool) -> Response {
+    if replayed {
+        response.headers_mut().insert("idempotency-replayed", HeaderValue::from_static("true"));
+    }
+    response
+}
+
 /// The W3C trace context, if it is a valid one.
 pub(super) fn traceparent(headers: &HeaderMap) -> Option<String> {
     let value = headers.get(TRACEPARENT)?.to_str().ok()?;
@@ -55,7 +64,6 @@ pub(super) fn trace_id(value: &str) -> Option<&str> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use axum::http::HeaderValue;
 
     fn with(name: HeaderName, value: &'static str) -> HeaderMap {
         HeaderMap::from_iter([(name, HeaderValue::from_static(value))])

@@ -13,7 +13,7 @@ use axum::extract::DefaultBodyLimit;
 use axum::routing::get;
 use std::sync::Arc;
 use std::time::Duration;
-use tokio::sync::Semaphore;
+use tokio::sync::{OwnedSemaphorePermit, Semaphore};
 use tokio_util::sync::CancellationToken;
 use tower::ServiceBuilder;
 use tower_http::catch_panic::CatchPanicLayer;
@@ -79,6 +79,18 @@ impl HttpState {
 }
 
 impl HttpState {
+    /// A place among the bodies that are read, held until it is dropped.
+    ///
+    /// # Errors
+    /// `busy` if none gets free in time.
+    pub(super) async fn place_for_upload(&self) -> Result<OwnedSemaphorePermit, Problem> {
+        let place = Arc::clone(&self.uploads).acquire_owned();
+        match tokio::time::timeout(self.limits.max_upload_wait, place).await {
+            Ok(Ok(place)) => Ok(place),
+            _ => Err(Problem::new(ProblemKind::Busy).retry_after(5)),
+        }
+    }
+
     /// Has `/metrics` answer with this.
     #[must_use]
     pub fn with_metrics(mut self, metrics: impl Fn() -> String + Send + Sync + 'static) -> Self {

@@ -4,6 +4,7 @@ use super::problem::{FieldError, Problem};
 use super::problem_table::ProblemKind;
 use super::router::HttpLimits;
 use super::upload::{Tap, name_hint, read_field};
+use crate::jobs::mesh::hash_of_id;
 use crate::jobs::{Details, SubmissionLimits, SubmittedFile, SubmittedInput};
 use axum::extract::multipart::MultipartError;
 use axum::extract::{FromRequest, Multipart};
@@ -217,13 +218,6 @@ fn object<'de, D: Deserializer<'de>, T: DeserializeOwned>(deserializer: D) -> Re
     T::deserialize(Value::Object(members)).map_err(serde::de::Error::custom)
 }
 
-/// The hash in a mesh's id.
-pub(super) fn mesh_hash(id: &str) -> Option<String> {
-    let hash = id.strip_prefix("blake3:")?;
-    let is_hash = hash.len() == 64 && hash.bytes().all(|b| matches!(b, b'0'..=b'9' | b'a'..=b'f'));
-    is_hash.then(|| hash.to_owned())
-}
-
 #[derive(Default)]
 struct Fields {
     source: Option<SubmittedInput>,
@@ -364,8 +358,8 @@ impl Fields {
     ) -> Option<SubmittedInput> {
         let SubmittedInputDocument { mesh_id, content_base64, file_name } = input;
         match (mesh_id, content_base64) {
-            (Some(id), None) => match mesh_hash(&id) {
-                Some(hash) => Some(SubmittedInput::Mesh(hash)),
+            (Some(id), None) => match hash_of_id(&id) {
+                Some(hash) => Some(SubmittedInput::Mesh(hash.to_owned())),
                 None => {
                     let detail = "blake3: and 64 hexadecimal digits are needed here, as POST /v1/meshes answered";
                     self.fault(&format!("{name}/mesh_id"), "out_of_range", detail);

@@ -40,8 +40,16 @@ impl Tap {
         self.0.lock().unwrap_or_else(PoisonError::into_inner).over
     }
 
+    /// Lets a refused client send to its end, so that it sees the answer; what was not refused passes.
+    pub async fn settle<T, E>(&self, read: Result<T, E>) -> Result<T, E> {
+        if read.is_err() {
+            self.drain().await;
+        }
+        read
+    }
+
     /// Reads and throws away what is still sent, at most as much again as was allowed.
-    pub async fn drain(&self) {
+    async fn drain(&self) {
         {
             let mut tapped = self.0.lock().unwrap_or_else(PoisonError::into_inner);
             tapped.limit = tapped.limit.saturating_mul(2);

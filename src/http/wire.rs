@@ -3,6 +3,7 @@
 use super::problem::{ProblemDocument, failure_document};
 use crate::jobs::documents::{InputReport, MatchParameters, ResultDocument};
 use crate::jobs::engine::MethodDescription;
+use crate::jobs::mesh::content_id;
 use crate::jobs::{
     Batch, Change, ChangePage, CheckOutcome, Failure, InputSummary, Job, JobInput, JobPage, JobState, Mesh,
     NumberedPoint, Progress, TracePage, Validated,
@@ -492,7 +493,7 @@ impl From<&Batch> for BatchDocument {
 impl MeshDocument {
     /// An upload with what checking it found.
     pub fn of(mesh: &Mesh, check: Option<CheckOutcome>) -> Self {
-        let id = format!("blake3:{}", mesh.key.hash());
+        let id = content_id(mesh.key.hash());
         let path = format!("/v1/meshes/{id}");
         let mut document = MeshDocument {
             id,
@@ -544,7 +545,7 @@ impl From<&ChangePage> for ChangesDocument {
 impl From<&JobInput> for InputDocument {
     fn from(input: &JobInput) -> Self {
         InputDocument {
-            hash: format!("blake3:{}", input.hash),
+            hash: content_id(&input.hash),
             n_bytes: input.n_bytes,
             n_vertices: input.n_vertices,
             n_faces: input.n_faces,

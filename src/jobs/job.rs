@@ -265,6 +265,11 @@ pub struct JobFilter {
     pub created_before: Option<Timestamp>,
 }
 
+impl JobFilter {
+    /// Most labels of a filter: the store's query has a line for each.
+    pub const MAX_LABELS: usize = 4;
+}
+
 /// Order of a list by time of making.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Order {

@@ -47,16 +47,21 @@ pub struct SecretKey {
 
 const PREFIX: &str = "hml";
 
+/// 256 random bits, from the system's generator by way of random UUIDs and a hash.
+pub fn random_secret() -> blake3::Hash {
+    let mut hasher = blake3::Hasher::new();
+    // Each carries 122 random bits.
+    for _ in 0..4 {
+        hasher.update(uuid::Uuid::new_v4().as_bytes());
+    }
+    hasher.finalize()
+}
+
 impl SecretKey {
-    /// A random key: 256 bits, from the system's generator by way of two random UUIDs and a hash.
+    /// A random key.
     pub fn random() -> Self {
         let id = uuid::Uuid::new_v4().simple().to_string()[..12].to_owned();
-        let mut hasher = blake3::Hasher::new();
-        // Each carries 122 random bits.
-        for _ in 0..4 {
-            hasher.update(uuid::Uuid::new_v4().as_bytes());
-        }
-        SecretKey { id, secret: hasher.finalize().to_hex().to_string() }
+        SecretKey { id, secret: random_secret().to_hex().to_string() }
     }
 
     /// The key written in `text`.

@@ -3,10 +3,20 @@
 use super::engine::{InputRefusal, InputSummary};
 use super::error::JobError;
 use super::job::Tenant;
-use super::ports::ArtifactKey;
+use super::ports::{ArtifactKey, is_hash};
 use async_trait::async_trait;
 use jiff::Timestamp;
 use serde::{Deserialize, Serialize};
+
+/// The id of a content with this hash, as clients see it.
+pub fn content_id(hash: &str) -> String {
+    format!("blake3:{hash}")
+}
+
+/// The hash in an id; `None` if it is no id.
+pub fn hash_of_id(id: &str) -> Option<&str> {
+    id.strip_prefix("blake3:").filter(|hash| is_hash(hash))
+}
 
 /// An upload.
 #[derive(Debug, Clone, PartialEq)]

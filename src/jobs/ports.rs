@@ -99,7 +99,8 @@ impl ArtifactKey {
     }
 }
 
-fn is_hash(text: &str) -> bool {
+/// Whether a text is a hash as this program writes it: 64 lower-case hexadecimal digits.
+pub(super) fn is_hash(text: &str) -> bool {
     text.len() == 64 && text.bytes().all(|b| matches!(b, b'0'..=b'9' | b'a'..=b'f'))
 }
 

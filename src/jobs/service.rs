@@ -42,8 +42,6 @@ pub struct SubmissionLimits {
     pub once_for: Duration,
     /// How long results are kept; for ever if `None`.
     pub keep_results: Option<Duration>,
-    /// Largest upload, bytes.
-    pub max_file_bytes: usize,
     /// Longest run of a job.
     pub max_run: Duration,
 }

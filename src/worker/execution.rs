@@ -62,11 +62,11 @@ pub async fn execute(parts: &PoolParts, leased: LeasedJob) {
         Err(error) => {
             tracing::error!(job_id = %lease.job_id, error = %with_sources(&error), "inputs could not be read");
             // A store that is away is no fault of the job's; what it holds unreadably is lost for every worker.
-            let ending = if is_passing(&error) { Ending::GiveBack } else { Ending::Fail(internal_error()) };
-            let pause = matches!(ending, Ending::GiveBack);
-            settle(parts, &lease, None, ending).await;
-            if pause {
+            if is_passing(&error) {
+                settle(parts, &lease, None, Ending::GiveBack).await;
                 sleep(AFTER_OUTAGE).await;
+            } else {
+                settle(parts, &lease, None, Ending::Fail(internal_error())).await;
             }
             return;
         }

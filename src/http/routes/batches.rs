@@ -3,14 +3,15 @@
 use super::{batch_id, page};
 use crate::http::auth::{Reader, Submitter};
 use crate::http::conditional::{etag_of, respond};
-use crate::http::preferences::{idempotency_key, traceparent};
+use crate::http::preferences::{idempotency_key, marked, traceparent};
 use crate::http::problem::{FieldError, Problem, ProblemDocument};
 use crate::http::problem_table::ProblemKind;
 use crate::http::query::QueryString;
 use crate::http::router::HttpState;
-use crate::http::submission::{DetailsDocument, check_details, media_type, mesh_hash, read_json};
+use crate::http::submission::{DetailsDocument, check_details, media_type, read_json};
 use crate::http::upload::Tap;
 use crate::http::wire::{BatchDocument, BatchListDocument, BulkCancelDocument, JobListDocument};
+use crate::jobs::mesh::hash_of_id;
 use crate::jobs::{Accepted, Batch, BatchPair, BatchSubmission, JobFilter, Order, PageRequest, Tenant};
 use axum::Json;
 use axum::extract::{Path, Request, State};
@@ -108,17 +109,10 @@ pub async fn submit(
         Ok(()) => take(&state, tenant, request, &tap, &headers).await,
         Err(problem) => Err(problem),
     };
-    if taken.is_err() {
-        tap.drain().await;
-    }
-    let Accepted { made, replayed } = taken?;
+    let Accepted { made, replayed } = tap.settle(taken).await?;
     let document = BatchDocument::from(&made);
     let location = [(header::LOCATION, document.links.batch.clone()), (header::RETRY_AFTER, "1".to_owned())];
-    let mut response = (StatusCode::ACCEPTED, location, Json(document)).into_response();
-    if replayed {
-        response.headers_mut().insert("idempotency-replayed", header::HeaderValue::from_static("true"));
-    }
-    Ok(response)
+    Ok(marked((StatusCode::ACCEPTED, location, Json(document)).into_response(), replayed))
 }
 
 async fn take(
@@ -155,7 +149,7 @@ async fn take(
     };
     let mut faults = Vec::new();
     let mut named = |number: usize, side: &str, id: &str| {
-        mesh_hash(id).unwrap_or_else(|| {
+        hash_of_id(id).map(str::to_owned).unwrap_or_else(|| {
             let pointer = format!("/pairs/{number}/{side}");
             faults.push(FieldError::new(pointer, "out_of_range", "blake3: and 64 hexadecimal digits are needed here"));
             String::new()

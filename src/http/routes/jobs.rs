@@ -3,7 +3,7 @@
 use super::{batch_id, job_id, page};
 use crate::http::auth::{Reader, Submitter};
 use crate::http::conditional::{etag_of, is_fresh, respond};
-use crate::http::preferences::{idempotency_key, traceparent, wanted_wait};
+use crate::http::preferences::{idempotency_key, marked, traceparent, wanted_wait};
 use crate::http::problem::{Problem, ProblemDocument};
 use crate::http::problem_table::ProblemKind;
 use crate::http::query::QueryString;
@@ -16,13 +16,10 @@ use axum::Json;
 use axum::extract::{Path, Request, State};
 use axum::http::{HeaderMap, StatusCode, header};
 use axum::response::{IntoResponse, Response};
-use std::sync::Arc;
 use std::time::Duration;
 
 /// Longest long poll, s.
 const MAX_WAIT_S: u32 = 30;
-/// Most labels that a list can be filtered by.
-const MAX_LABELS: usize = 4;
 
 /// Submit a job
 ///
@@ -77,22 +74,16 @@ pub async fn submit(
         Ok(()) => take(&state, tenant.clone(), request, &tap, &headers, validate_only).await,
         Err(problem) => Err(problem),
     };
-    if taken.is_err() {
-        tap.drain().await;
-    }
-    match taken? {
+    match tap.settle(taken).await? {
         Taken::Tried(validated) => Ok(Json(ValidationDocument::from(validated)).into_response()),
         Taken::Accepted(accepted_now) => {
             let Accepted { made, replayed } = *accepted_now;
             let wait = wanted_wait(&headers, MAX_WAIT_S);
-            let mut response = match wait {
+            let response = match wait {
                 Some(wait) => after_wait(&state, &tenant, made, wait).await?,
                 None => accepted(&made),
             };
-            if replayed {
-                response.headers_mut().insert("idempotency-replayed", header::HeaderValue::from_static("true"));
-            }
-            Ok(response)
+            Ok(marked(response, replayed))
         }
     }
 }
@@ -112,9 +103,8 @@ async fn take(
 ) -> Result<Taken, Problem> {
     let idempotency_key = idempotency_key(headers)?;
     state.service.refuse_when_full(&tenant).await?;
-    let place = tokio::time::timeout(state.limits.max_upload_wait, Arc::clone(&state.uploads).acquire_owned()).await;
     // Held until the job is stored: so many submissions are in memory at most.
-    let Ok(Ok(_place)) = place else { return Err(Problem::new(ProblemKind::Busy).retry_after(5)) };
+    let _place = state.place_for_upload().await?;
     let reading = submission::read(request, tap, &state.limits, state.service.limits());
     let reading = tokio::time::timeout(state.limits.upload_timeout, reading);
     let Submitted { source, target, parameters, mut details } =
@@ -186,8 +176,8 @@ fn filter(query: &mut QueryString) -> JobFilter {
             None => query.fault("label", "out_of_range", "write a label as name:value"),
         }
     }
-    if filter.labels.len() > MAX_LABELS {
-        query.fault("label", "out_of_range", format!("at most {MAX_LABELS} labels"));
+    if filter.labels.len() > JobFilter::MAX_LABELS {
+        query.fault("label", "out_of_range", format!("at most {} labels", JobFilter::MAX_LABELS));
     }
     for (name, time) in [("created_from", &mut filter.created_from), ("created_before", &mut filter.created_before)] {
         if let Some(text) = query.text(name) {

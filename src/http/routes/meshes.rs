@@ -7,9 +7,11 @@ use crate::http::problem::{Problem, ProblemDocument};
 use crate::http::problem_table::ProblemKind;
 use crate::http::query::QueryString;
 use crate::http::router::HttpState;
-use crate::http::submission::{media_type, mesh_hash};
+use crate::http::submission::media_type;
 use crate::http::upload::{Tap, name_hint};
 use crate::http::wire::{MeshDocument, MeshListDocument};
+use crate::jobs::mesh::{content_id, hash_of_id};
+use crate::jobs::uploads::Upload;
 use crate::jobs::{Mesh, Tenant};
 use axum::Json;
 use axum::extract::multipart::MultipartError;
@@ -18,7 +20,6 @@ use axum::http::{HeaderMap, Method, StatusCode, header};
 use axum::response::{IntoResponse, Response};
 use bytes::Bytes;
 use http_body_util::BodyExt;
-use std::sync::Arc;
 
 /// Upload a mesh or a label volume
 ///
@@ -61,10 +62,7 @@ pub async fn upload(
         Ok(()) => store(&state, &tenant, file_name, request, &tap).await,
         Err(problem) => Err(problem),
     };
-    if stored.is_err() {
-        tap.drain().await;
-    }
-    let (mesh, is_new) = stored?;
+    let (mesh, is_new) = tap.settle(stored).await?;
     let check = if inspect { Some(state.service.mesh_report(&mesh).await?) } else { None };
     let document = MeshDocument::of(&mesh, check);
     let status = if is_new { StatusCode::CREATED } else { StatusCode::OK };
@@ -93,8 +91,7 @@ async fn store(
     request: Request,
     tap: &Tap,
 ) -> Result<(Mesh, bool), Problem> {
-    let place = tokio::time::timeout(state.limits.max_upload_wait, Arc::clone(&state.uploads).acquire_owned()).await;
-    let Ok(Ok(_place)) = place else { return Err(Problem::new(ProblemKind::Busy).retry_after(5)) };
+    let _place = state.place_for_upload().await?;
     let reading = async {
         match media_type(&request).as_str() {
             "multipart/form-data" => store_form(state, tenant, request, tap).await,
@@ -113,8 +110,20 @@ fn too_large(state: &HttpState) -> Problem {
         .member("limit_bytes", limit.into())
 }
 
-fn empty() -> Problem {
-    Problem::new(ProblemKind::EmptyStructure).detail("the file is empty")
+/// Adds a part, within the limit of a file.
+async fn add(state: &HttpState, upload: &mut Upload, part: Bytes) -> Result<(), Problem> {
+    if upload.n_bytes() + part.len() as u64 > state.limits.max_file_bytes as u64 {
+        return Err(too_large(state));
+    }
+    Ok(upload.write(part).await?)
+}
+
+/// Names what has come, unless nothing has.
+async fn end(state: &HttpState, upload: Upload, hint: Option<String>) -> Result<(Mesh, bool), Problem> {
+    if upload.n_bytes() == 0 {
+        return Err(Problem::new(ProblemKind::EmptyStructure).detail("the file is empty"));
+    }
+    Ok(state.service.end_upload(upload, hint.as_deref()).await?)
 }
 
 async fn store_raw(
@@ -135,16 +144,10 @@ async fn store_raw(
             }
         })?;
         if let Ok(part) = frame.into_data() {
-            if upload.n_bytes() + part.len() as u64 > state.limits.max_file_bytes as u64 {
-                return Err(too_large(state));
-            }
-            upload.write(part).await?;
+            add(state, &mut upload, part).await?;
         }
     }
-    if upload.n_bytes() == 0 {
-        return Err(empty());
-    }
-    Ok(state.service.end_upload(upload, file_name.as_deref().and_then(name_hint).as_deref()).await?)
+    end(state, upload, file_name.as_deref().and_then(name_hint)).await
 }
 
 async fn store_form(state: &HttpState, tenant: &Tenant, request: Request, tap: &Tap) -> Result<(Mesh, bool), Problem> {
@@ -165,15 +168,9 @@ async fn store_form(state: &HttpState, tenant: &Tenant, request: Request, tap: &
         let hint = field.file_name().and_then(name_hint);
         let mut upload = state.service.begin_upload(tenant).await?;
         while let Some(part) = field.chunk().await.map_err(|e| refuse(&e))? {
-            if upload.n_bytes() + part.len() as u64 > state.limits.max_file_bytes as u64 {
-                return Err(too_large(state));
-            }
-            upload.write(part).await?;
+            add(state, &mut upload, part).await?;
         }
-        if upload.n_bytes() == 0 {
-            return Err(empty());
-        }
-        return Ok(state.service.end_upload(upload, hint.as_deref()).await?);
+        return end(state, upload, hint).await;
     }
     let detail = "send the file in the field `file`";
     let fault = crate::http::problem::FieldError::new("/file", "missing", detail);
@@ -181,8 +178,8 @@ async fn store_form(state: &HttpState, tenant: &Tenant, request: Request, tap: &
 }
 
 /// The hash that a path names; what cannot be an id names none.
-fn hash(id: &str) -> Result<String, Problem> {
-    mesh_hash(id).ok_or_else(|| Problem::new(ProblemKind::MeshNotFound))
+fn hash(id: &str) -> Result<&str, Problem> {
+    hash_of_id(id).ok_or_else(|| Problem::new(ProblemKind::MeshNotFound))
 }
 
 /// List uploads
@@ -206,7 +203,7 @@ pub async fn list(
     let token = query.text("page_token").filter(|token| !token.is_empty());
     let after = token.as_deref().and_then(|token| {
         let (time, hash) = token.split_once('.')?;
-        Some((i64::from_str_radix(time, 16).ok()?, mesh_hash(&format!("blake3:{hash}"))?))
+        Some((i64::from_str_radix(time, 16).ok()?, hash_of_id(&content_id(hash))?.to_owned()))
     });
     if token.is_some() && after.is_none() {
         query.fault("page_token", "out_of_range", "hand back a next_page_token as it was given");
@@ -240,7 +237,7 @@ pub async fn get(
     query: QueryString,
 ) -> Result<Response, Problem> {
     query.finish()?;
-    let mesh = state.service.mesh(&tenant, &hash(&id)?).await?;
+    let mesh = state.service.mesh(&tenant, hash(&id)?).await?;
     // Neither the bytes nor what default parameters find in them ever change.
     let etag = format!("\"{}-{}\"", &mesh.key.hash()[..32], env!("CARGO_PKG_VERSION"));
     if is_fresh(&headers, &etag) {
@@ -273,7 +270,7 @@ pub async fn content(
     query: QueryString,
 ) -> Result<Response, Problem> {
     query.finish()?;
-    let mesh = state.service.mesh(&tenant, &hash(&id)?).await?;
+    let mesh = state.service.mesh(&tenant, hash(&id)?).await?;
     let etag = format!("\"{}\"", &mesh.key.hash()[..32]);
     if is_fresh(&headers, &etag) {
         return Ok(not_modified(&etag));
@@ -301,6 +298,6 @@ pub async fn delete(
     query: QueryString,
 ) -> Result<StatusCode, Problem> {
     query.finish()?;
-    state.service.delete_mesh(&tenant, &hash(&id)?).await?;
+    state.service.delete_mesh(&tenant, hash(&id)?).await?;
     Ok(StatusCode::NO_CONTENT)
 }

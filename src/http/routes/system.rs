@@ -10,6 +10,7 @@ use axum::extract::{Path, State};
 use axum::http::{StatusCode, header};
 use axum::response::{IntoResponse, Response};
 use std::collections::BTreeMap;
+use std::sync::OnceLock;
 
 /// Whether the process lives
 ///
@@ -74,8 +75,16 @@ pub async fn metrics(State(state): State<HttpState>) -> Response {
     responses((status = 200, description = "OpenAPI 3.1", content_type = "application/json", body = Object))
 )]
 pub async fn openapi_json() -> Result<Response, Problem> {
-    let text = openapi::openapi_json().map_err(|e| Problem::internal(&e))?;
-    Ok((StatusCode::OK, [(header::CONTENT_TYPE, "application/json")], text).into_response())
+    // It never changes while the program runs, and making it takes far longer than sending it.
+    static DOCUMENT: OnceLock<String> = OnceLock::new();
+    let text = match DOCUMENT.get() {
+        Some(made) => made,
+        None => {
+            let made = openapi::openapi_json().map_err(|e| Problem::internal(&e))?;
+            DOCUMENT.get_or_init(|| made)
+        }
+    };
+    Ok((StatusCode::OK, [(header::CONTENT_TYPE, "application/json")], text.as_str()).into_response())
 }
 
 /// What a type of problem means

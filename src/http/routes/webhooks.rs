@@ -9,6 +9,7 @@ use crate::http::router::HttpState;
 use crate::http::submission::{media_type, read_json};
 use crate::http::upload::Tap;
 use crate::jobs::address::check_url;
+use crate::jobs::key::random_secret;
 use crate::jobs::{Delivery, DeliveryState, JobState, Webhook};
 use axum::Json;
 use axum::extract::{Path, Request, State};
@@ -153,15 +154,6 @@ impl From<Delivery> for DeliveryDocument {
     }
 }
 
-/// 256 random bits.
-fn new_secret() -> String {
-    let mut hasher = blake3::Hasher::new();
-    for _ in 0..4 {
-        hasher.update(uuid::Uuid::new_v4().as_bytes());
-    }
-    format!("whsec_{}", BASE64_STANDARD.encode(hasher.finalize().as_bytes()))
-}
-
 async fn body<T: DeserializeOwned>(state: &HttpState, request: Request, query: QueryString) -> Result<T, Problem> {
     let (request, tap) = Tap::on(request, 1 << 20);
     let read = async {
@@ -172,10 +164,7 @@ async fn body<T: DeserializeOwned>(state: &HttpState, request: Request, query: Q
         read_json(request, &tap, &state.limits).await
     };
     let read = read.await;
-    if read.is_err() {
-        tap.drain().await;
-    }
-    read
+    tap.settle(read).await
 }
 
 fn checked_url(state: &HttpState, url: &str) -> Result<(), Problem> {
@@ -212,7 +201,7 @@ pub async fn create(
         tenant,
         url,
         states,
-        secret: new_secret(),
+        secret: format!("whsec_{}", BASE64_STANDARD.encode(random_secret().as_bytes())),
         is_enabled: true,
         disabled_because: None,
         created_at: Timestamp::UNIX_EPOCH, // the store's clock says when

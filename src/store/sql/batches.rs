@@ -3,7 +3,7 @@
 use super::database::{Row, Session, bind};
 use super::dialect::sql;
 use super::{SqlStore, rows};
-use crate::jobs::job::{Cursor, JobId};
+use crate::jobs::job::Cursor;
 use crate::jobs::{Batch, BatchId, BatchPage, JobError, Tenant};
 use std::collections::BTreeMap;
 
@@ -49,14 +49,8 @@ impl SqlStore {
         for row in found.iter().take(size as usize) {
             batches.push(batch(&mut session, row).await?);
         }
-        let next = match batches.last() {
-            Some(last) if found.len() > size as usize => {
-                // A cursor names what it stands at by a job's id; a batch's has the same form.
-                let id = JobId::parse(&last.id.to_string());
-                id.map(|id| Cursor { created_at_ms: last.created_at.as_millisecond(), id })
-            }
-            _ => None,
-        };
+        let more = found.len() > size as usize;
+        let next = batches.last().filter(|_| more).and_then(|last| rows::cursor(last.created_at, &last.id.to_string()));
         Ok(BatchPage { batches, next })
     }
 }

@@ -41,7 +41,7 @@ impl SqlStore {
         }
         let mut session = self.database.begin().await?;
         let done = async {
-            let id: Option<String> = session.value(sql!("next_queued_locked"), bind![]).await?;
+            let id: Option<String> = session.value(sql!("next_queued"), bind![]).await?;
             let Some(id) = id else { return Ok(None) };
             let arguments = bind![&id, worker.name(), duration, max_run];
             let epoch: Option<i64> = session.value(sql!("claim_job"), arguments).await?;
@@ -156,7 +156,7 @@ impl SqlStore {
         }
         let mut session = self.database.begin().await?;
         let done = async {
-            let orphans = session.rows(sql!("expired_leases_locked"), bind![]).await?;
+            let orphans = session.rows(sql!("expired_leases"), bind![]).await?;
             recover(&mut session, orphans).await
         };
         let done = done.await;
@@ -180,7 +180,7 @@ impl SqlStore {
         let mut session = self.database.begin().await?;
         let done = async {
             let mut overdue = Overdue::default();
-            for row in session.rows(sql!("overdue_jobs_locked"), bind![patience]).await? {
+            for row in session.rows(sql!("overdue_jobs"), bind![patience]).await? {
                 let id = rows::job_id(&row.get::<String>("id")?)?;
                 let (state, failure) = match rows::state(&row.get::<String>("state")?)? {
                     JobState::Queued => {

@@ -9,9 +9,6 @@ use crate::jobs::{
     PageRequest, Tenant, TracePage,
 };
 
-/// Labels that one list may be filtered by: as many as `list_jobs.sql` has lines for.
-pub(crate) const MAX_LABEL_FILTERS: usize = 4;
-
 /// A job by its id, in any session.
 pub(super) async fn find_job(session: &mut Session, tenant: &Tenant, id: JobId) -> Result<Job, JobError> {
     let row = session.row(sql!("get_job"), bind![id, tenant]).await?;
@@ -149,7 +146,7 @@ async fn list_state(
         && filter.external_ref.is_none()
         && filter.batch_id.is_none()
         && matches!(state, None | Some(JobState::Succeeded));
-    const LABELS: [[&str; 2]; MAX_LABEL_FILTERS] =
+    const LABELS: [[&str; 2]; JobFilter::MAX_LABELS] =
         [["label_a", "value_a"], ["label_b", "value_b"], ["label_c", "value_c"], ["label_d", "value_d"]];
     let after = page.after;
     let newest = page.order == Order::NewestFirst;

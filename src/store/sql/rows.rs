@@ -1,6 +1,7 @@
 //! What the columns of a row mean.
 
 use super::database::Row;
+use crate::jobs::job::Cursor;
 use crate::jobs::{BatchId, Failure, Job, JobError, JobId, JobInput, JobState, Progress, Tenant};
 use crate::observe::Phase;
 use jiff::Timestamp;
@@ -61,6 +62,11 @@ fn number(row: &Row, column: &'static str) -> Result<Option<u32>, JobError> {
 
 pub(super) fn maybe_time(row: &Row, column: &'static str) -> Result<Option<Timestamp>, JobError> {
     row.get::<Option<i64>>(column)?.map(time).transpose()
+}
+
+/// A place in a list. A cursor names what it stands at by a job's id; other ids have the same form.
+pub(super) fn cursor(created_at: Timestamp, id: &str) -> Option<Cursor> {
+    JobId::parse(id).map(|id| Cursor { created_at_ms: created_at.as_millisecond(), id })
 }
 
 /// The job of this id.

@@ -3,7 +3,7 @@
 use super::database::{Row, Session, bind};
 use super::dialect::sql;
 use super::{SqlStore, rows};
-use crate::jobs::job::{Cursor, JobId};
+use crate::jobs::job::Cursor;
 use crate::jobs::{
     Attempted, Delivery, DeliveryPage, DeliveryState, DueDelivery, JobError, JobState, Tenant, Webhook, WebhookPage,
     WebhookStore,
@@ -49,11 +49,6 @@ async fn find_webhook(session: &mut Session, tenant: &Tenant, id: &str) -> Resul
     webhook(&session.row(sql!("get_webhook"), bind![id, tenant]).await?.ok_or(JobError::WebhookNotFound)?)
 }
 
-/// A cursor names what it stands at by a job's id; other ids have the same form.
-fn cursor(created_at: jiff::Timestamp, id: &str) -> Option<Cursor> {
-    JobId::parse(id).map(|id| Cursor { created_at_ms: created_at.as_millisecond(), id })
-}
-
 async fn add_delivery(
     session: &mut Session,
     webhook_id: &str,
@@ -94,7 +89,7 @@ impl WebhookStore for SqlStore {
         let found = session.rows(sql!("list_webhooks"), bind![tenant, time, id, i64::from(size) + 1]).await?;
         let webhooks: Vec<Webhook> = found.iter().take(size as usize).map(webhook).collect::<Result<_, _>>()?;
         let more = found.len() > size as usize;
-        let next = webhooks.last().filter(|_| more).and_then(|last| cursor(last.created_at, &last.id));
+        let next = webhooks.last().filter(|_| more).and_then(|last| rows::cursor(last.created_at, &last.id));
         Ok(WebhookPage { webhooks, next })
     }
 
@@ -138,7 +133,7 @@ impl WebhookStore for SqlStore {
         let found = session.rows(sql!("list_deliveries"), bind![id, time, after, i64::from(size) + 1]).await?;
         let deliveries: Vec<Delivery> = found.iter().take(size as usize).map(delivery).collect::<Result<_, _>>()?;
         let more = found.len() > size as usize;
-        let next = deliveries.last().filter(|_| more).and_then(|last| cursor(last.created_at, &last.id));
+        let next = deliveries.last().filter(|_| more).and_then(|last| rows::cursor(last.created_at, &last.id));
         Ok(DeliveryPage { deliveries, next })
     }
 

@@ -1,9 +1,10 @@
 //! A2, A3, A8, A16: leases and their fence.
 
 use super::client::steps;
-use super::queue::{LONG, Queue, SHORT, is_lost};
+use super::queue::{LONG, Queue, SHORT};
 use super::site::{Backend, SOON, Site};
 use super::{length, on_both};
+use crate::store::is_lost;
 use homolog::jobs::{JobState, LeaseStatus};
 use serde_json::json;
 use std::collections::HashSet;
@@ -60,13 +61,13 @@ async fn a02_without_the_fence_a_result_would_be_accepted_twice(backend: Backend
     assert!(fresh.epoch > stale.epoch);
     queue.append(&fresh, 1..=2).await.unwrap();
 
-    assert!(is_lost(&queue.append(&stale, 4..=5).await));
-    assert!(is_lost(&queue.hold(&stale, "stale").await));
-    assert!(is_lost(&queue.finish(&stale, "stale").await));
+    assert!(is_lost(queue.append(&stale, 4..=5).await));
+    assert!(is_lost(queue.hold(&stale, "stale").await));
+    assert!(is_lost(queue.finish(&stale, "stale").await));
     assert_eq!(queue.heartbeat(&stale).await.unwrap(), LeaseStatus::Lost);
     queue.finish(&fresh, "fresh").await.unwrap();
-    assert!(is_lost(&queue.finish(&stale, "stale").await));
-    assert!(is_lost(&queue.append(&stale, 4..=5).await));
+    assert!(is_lost(queue.finish(&stale, "stale").await));
+    assert!(is_lost(queue.append(&stale, 4..=5).await));
     assert_eq!(queue.seqs(id).await, [1, 2]);
     assert_eq!(queue.result_hash(id).await, blake3::hash(b"fresh").to_hex().to_string());
     assert_eq!(database.n_results(&id.to_string()).await, 1);
@@ -87,10 +88,10 @@ async fn a03_a_worker_restarted_under_its_name_inherits_no_lease(backend: Backen
 
     assert_eq!(queue.heartbeat(&before).await.unwrap(), LeaseStatus::Lost);
     assert_eq!(queue.store.lease_status(&before).await.unwrap(), LeaseStatus::Lost);
-    assert!(is_lost(&queue.append(&before, 4..=4).await));
-    assert!(is_lost(&queue.finish(&before, "before").await));
-    assert!(is_lost(&queue.finish_cancelled(&before).await));
-    assert!(is_lost(&queue.store.release(&before).await));
+    assert!(is_lost(queue.append(&before, 4..=4).await));
+    assert!(is_lost(queue.finish(&before, "before").await));
+    assert!(is_lost(queue.finish_cancelled(&before).await));
+    assert!(is_lost(queue.store.release(&before).await));
     assert_eq!(queue.state(id).await, JobState::Running);
     queue.append(&after, 1..=1).await.unwrap();
     queue.finish(&after, "after").await.unwrap();

@@ -1,12 +1,10 @@
 //! The job store as workers use it, past HTTP and past processes.
 
+use crate::store::{chunk, new_job, room};
 use homolog::jobs::{
-    Admission, ArtifactKey, ArtifactKind, ArtifactRef, JobError, JobId, JobInput, JobState, JobStore, Lease,
-    LeaseStatus, NewJob, NumberedPoint, Outcome, Progress, Recovered, Tenant, TraceChunk, WorkerId,
+    ArtifactKey, ArtifactKind, ArtifactRef, JobError, JobId, JobState, JobStore, Lease, LeaseStatus, NewJob, Outcome,
+    Recovered, Tenant, WorkerId,
 };
-use homolog::observe::{Phase, TracePoint};
-use serde_json::json;
-use std::collections::BTreeMap;
 use std::ops::RangeInclusive;
 use std::sync::Arc;
 use std::time::Duration;
@@ -25,8 +23,7 @@ pub struct Queue {
 impl Queue {
     /// Adds a job.
     pub async fn add(&self) -> Result<JobId, JobError> {
-        let admission = Admission { max_queued: 1_000_000, holder: String::new(), keep_result: None, once: None };
-        self.store.insert(&new_job(), &admission).await.map(|job| job.id)
+        self.store.insert(&own_job(), &room(1_000_000)).await.map(|job| job.id)
     }
 
     /// The next job for a worker of this name.
@@ -86,49 +83,11 @@ impl Queue {
     }
 }
 
-/// Whether a store refused because of the fence.
-pub fn is_lost<T: std::fmt::Debug>(answer: &Result<T, JobError>) -> bool {
-    matches!(answer, Err(JobError::LeaseLost))
-}
-
-fn new_job() -> NewJob {
-    let id = JobId::new();
-    let input = |side: &str| JobInput {
-        hash: blake3::hash(format!("{id}{side}").as_bytes()).to_hex().to_string(),
-        n_bytes: 1,
-        name_hint: None,
-        n_vertices: 1,
-        n_faces: 1,
-        report: json!({}),
-    };
-    NewJob {
-        id,
-        tenant: Tenant::default(),
-        method: "obedient".to_owned(),
-        method_version: "1".to_owned(),
-        parameters: json!({}),
-        source: input("source"),
-        target: input("target"),
-        priority: 0,
-        labels: BTreeMap::new(),
-        external_ref: None,
-        max_attempts: 3,
-        deadline_at: None,
-        max_run_ms: None,
-        retry_of: None,
-        batch_id: None,
-        cache_key: None,
-        use_cache: false,
-        traceparent: None,
+/// A job whose inputs are its own.
+fn own_job() -> NewJob {
+    let mut job = new_job(0);
+    for (input, side) in [(&mut job.source, "source"), (&mut job.target, "target")] {
+        input.hash = blake3::hash(format!("{}{side}", job.id).as_bytes()).to_hex().to_string();
     }
-}
-
-fn chunk(seqs: RangeInclusive<u64>) -> TraceChunk {
-    let fraction = *seqs.end() as f64 / 1000.0;
-    let point =
-        |seq: u64| NumberedPoint { seq, point: TracePoint::new(0, Phase::Inference, seq as u32), elapsed_ms: seq };
-    TraceChunk {
-        points: seqs.map(point).collect(),
-        progress: Progress { fraction, phase: None, iteration: None, message: None, energy_latest: None },
-    }
+    job
 }

@@ -1,10 +1,11 @@
 //! A9, A11, A20: requests that meet each other, and what several nodes say of one job.
 
 use super::client::{Client, id_of, is_final, steps};
-use super::queue::{LONG, Queue, is_lost};
+use super::queue::{LONG, Queue};
 use super::site::{Backend, SOON, Site};
 use super::{length, on_both, on_postgres};
 use crate::jobs_support::form;
+use crate::store::is_lost;
 use homolog::jobs::JobState;
 use serde_json::{Value, json};
 use std::collections::BTreeSet;
@@ -109,8 +110,8 @@ async fn a11_cancel_and_finish_at_the_same_moment_agree(backend: Backend) {
         if let Ok(seen) = cancelled {
             assert!(seen == JobState::Running || seen == state, "{seen:?} before {state:?}");
         }
-        assert!(is_lost(&worker.finish(&lease, "again").await));
-        assert!(is_lost(&worker.finish_cancelled(&lease).await));
+        assert!(is_lost(worker.finish(&lease, "again").await));
+        assert!(is_lost(worker.finish_cancelled(&lease).await));
         assert_eq!(worker.state(id).await, state);
     }
     let (jobs, results) = database.jobs_and_results().await;

@@ -4,3 +4,4 @@ FROM jobs
 WHERE state = 'running' AND lease_expires_at < {now}
 ORDER BY lease_expires_at
 LIMIT 500
+{skip_locked}

@@ -1,7 +1,0 @@
--- expired_leases_locked
-SELECT id, crashes, max_attempts, cancel_requested
-FROM jobs
-WHERE state = 'running' AND lease_expires_at < {now}
-ORDER BY lease_expires_at
-LIMIT 500
-{skip_locked}

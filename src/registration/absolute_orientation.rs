@@ -1,5 +1,8 @@
 //! Absolute orientation: the rigid transform that fits weighted point pairs best.
 //!
+//! Everything that the solvers share is here: the means and the covariance of the pairs ([`Moments`]), the faults, and
+//! the solver by singular value decomposition. The others are in `orientation_solvers`.
+//!
 //! Source: Arun, Huang, Blostein 1987 (singular value decomposition); Umeyama, IEEE PAMI 13(4), 1991 (the sign that
 //! keeps `det R = +1` also where the data prefer a reflection).
 
@@ -8,7 +11,7 @@ use nalgebra::{Matrix3, Point3, Vector3};
 
 /// Pairs whose second singular value is below this share of the first lie on a line: the rotation about it is free.
 /// Far above rounding (1e-16), far below any anatomical surface (about 1e-2).
-const COLLINEAR_RTOL: f64 = 1e-9;
+pub(super) const COLLINEAR_RTOL: f64 = 1e-9;
 
 /// Why no transform fits.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
@@ -54,36 +57,79 @@ pub fn absolute_orientation(
     weights: Option<&[f64]>,
     allow_reflection: bool,
 ) -> Result<RigidTransform, OrientationError> {
-    let n = source.len();
-    let n_weights = weights.map_or(n, <[f64]>::len);
-    if target.len() != n || n_weights != n {
-        return Err(OrientationError::LengthMismatch { n_source: n, n_target: target.len(), n_weights });
+    let moments = Moments::of(source, target, weights)?;
+    Ok(moments.transform(svd_rotation(&moments.covariance, allow_reflection)?))
+}
+
+/// Weighted means and second moments of point pairs.
+pub(super) struct Moments {
+    pub source_mean: Vector3<f64>,
+    pub target_mean: Vector3<f64>,
+    /// `Σ wᵢ d'ᵢ s'ᵢᵀ` of the centred points, mm².
+    pub covariance: Matrix3<f64>,
+    /// `Σ wᵢ ‖s'ᵢ‖²`, mm².
+    pub source_spread: f64,
+    /// `Σ wᵢ`.
+    pub total_weight: f64,
+}
+
+impl Moments {
+    /// Checks lengths, number and values, then sums in the order of the pairs.
+    pub fn of(
+        source: &[Point3<f64>],
+        target: &[Point3<f64>],
+        weights: Option<&[f64]>,
+    ) -> Result<Self, OrientationError> {
+        let n = source.len();
+        let n_weights = weights.map_or(n, <[f64]>::len);
+        if target.len() != n || n_weights != n {
+            return Err(OrientationError::LengthMismatch { n_source: n, n_target: target.len(), n_weights });
+        }
+        if n < 3 {
+            return Err(OrientationError::TooFewPairs { n });
+        }
+        let weight = |i: usize| weights.map_or(1.0, |w| w[i]);
+        let mut total_weight = 0.0;
+        let (mut source_mean, mut target_mean) = (Vector3::zeros(), Vector3::zeros());
+        let mut negative = false;
+        for i in 0..n {
+            let w = weight(i);
+            negative |= w < 0.0;
+            total_weight += w;
+            source_mean += w * source[i].coords;
+            target_mean += w * target[i].coords;
+        }
+        let sums_are_finite = source_mean.iter().chain(&target_mean).all(|c| c.is_finite());
+        if negative || !(total_weight > 0.0 && total_weight.is_finite()) || !sums_are_finite {
+            return Err(OrientationError::NonFinite);
+        }
+        source_mean /= total_weight;
+        target_mean /= total_weight;
+        let mut covariance = Matrix3::zeros();
+        let mut source_spread = 0.0;
+        for i in 0..n {
+            let (s, d) = (source[i].coords - source_mean, target[i].coords - target_mean);
+            covariance += weight(i) * d * s.transpose();
+            source_spread += weight(i) * s.norm_squared();
+        }
+        // Finite coordinates can have squares that are not; no decomposition ends on those.
+        if !(covariance.iter().all(|c| c.is_finite()) && source_spread.is_finite()) {
+            return Err(OrientationError::NonFinite);
+        }
+        Ok(Moments { source_mean, target_mean, covariance, source_spread, total_weight })
     }
-    if n < 3 {
-        return Err(OrientationError::TooFewPairs { n });
+
+    /// The transform with this `R` that takes the source's mean to the target's.
+    pub fn transform(&self, rotation: Matrix3<f64>) -> RigidTransform {
+        RigidTransform { rotation, translation: self.target_mean - rotation * self.source_mean }
     }
-    let weight = |i: usize| weights.map_or(1.0, |w| w[i]);
-    let mut total = 0.0;
-    let (mut source_mean, mut target_mean) = (Vector3::zeros(), Vector3::zeros());
-    let mut negative = false;
-    for i in 0..n {
-        let w = weight(i);
-        negative |= w < 0.0;
-        total += w;
-        source_mean += w * source[i].coords;
-        target_mean += w * target[i].coords;
-    }
-    let sums_are_finite = source_mean.iter().chain(&target_mean).all(|c| c.is_finite());
-    if negative || !(total > 0.0 && total.is_finite()) || !sums_are_finite {
-        return Err(OrientationError::NonFinite);
-    }
-    source_mean /= total;
-    target_mean /= total;
-    let mut covariance = Matrix3::zeros();
-    for i in 0..n {
-        let (s, d) = (source[i].coords - source_mean, target[i].coords - target_mean);
-        covariance += weight(i) * d * s.transpose();
-    }
+}
+
+/// The orthogonal `R` with the largest `tr(Rᵀ C)`, `det R = +1` unless a reflection is allowed and fits better.
+pub(super) fn svd_rotation(
+    covariance: &Matrix3<f64>,
+    allow_reflection: bool,
+) -> Result<Matrix3<f64>, OrientationError> {
     let svd = covariance.svd(true, true);
     let (Some(u), Some(v_t)) = (svd.u, svd.v_t) else { return Err(OrientationError::Degenerate) };
     let mut order = [0, 1, 2];
@@ -98,8 +144,7 @@ pub fn absolute_orientation(
     if (!allow_reflection || planar) && (u * v_t).determinant() < 0.0 {
         signs[last] = -1.0;
     }
-    let rotation = u * Matrix3::from_diagonal(&signs) * v_t;
-    Ok(RigidTransform { rotation, translation: target_mean - rotation * source_mean })
+    Ok(u * Matrix3::from_diagonal(&signs) * v_t)
 }
 
 #[cfg(test)]

@@ -90,6 +90,24 @@ pub fn refine_icp(
     Ok(report)
 }
 
+/// Root mean square distance, mm, of the `keep` share of `source`, moved by `transform`, that is closest to `target`.
+pub(super) fn trimmed_rms(
+    source: &[Point3<f64>],
+    target: &dyn ClosestSurfacePoint,
+    transform: &RigidTransform,
+    keep: f64,
+) -> f64 {
+    let squared: Vec<f64> = source
+        .par_iter()
+        .map(|p| {
+            let moved = transform.apply(p);
+            (target.closest(&moved).0 - moved).norm_squared()
+        })
+        .collect();
+    let kept = closest_share(&squared, keep);
+    (kept.iter().map(|&i| squared[i]).sum::<f64>() / kept.len() as f64).sqrt()
+}
+
 /// Length of the diagonal of the box around the points, mm.
 fn extent(points: &[Point3<f64>]) -> f64 {
     let (low, high) = points

@@ -1,23 +1,34 @@
 //! The rigid transform between two surfaces, from point pairs and from points alone.
 //!
 //! [`mod@absolute_orientation`] fits a transform to pairs; [`mod@ransac`] finds the pairs that agree with one transform among
-//! many that do not, from minimal samples of three; [`refine_icp`] improves a transform by closest points. Nothing
+//! many that do not, from minimal samples of three; [`refine_icp`] improves a transform by closest points. Two baselines
+//! stand alone: [`procrustes()`] on given pairs, with scale on request, and [`register_by_icp`] from several starts. Nothing
 //! here knows a mesh: points, pairs, and a [`ClosestSurfacePoint`] given by the caller.
 //!
 //! Transforms are `target_from_source`: `p' = R p + t`, mm.
 
 mod absolute_orientation;
 mod icp;
+mod icp_registration;
+mod orientation_solvers;
 mod principal_axes;
+mod procrustes;
 mod ransac;
+mod rotation_axis;
+mod similarity;
 mod three_point;
 mod transform;
 
 pub use absolute_orientation::{OrientationError, absolute_orientation};
 pub use icp::{ClosestSurfacePoint, IcpMetric, IcpOptions, IcpReport, refine_icp};
+pub use icp_registration::{IcpCandidate, IcpRegistration, IcpStart, IcpStarts, RegisterByIcpOptions, register_by_icp};
+pub use orientation_solvers::{OrientationSolver, solve_orientation};
 pub use principal_axes::principal_axis_poses;
-pub use ransac::{RansacOptions, RansacReport, ransac};
-pub use three_point::{TripleError, frame_estimate};
+pub use procrustes::{ProcrustesOptions, ProcrustesReport, procrustes};
+pub use ransac::{RansacMethods, RansacOptions, RansacReport, ransac, ransac_with};
+pub use rotation_axis::rotation_axis_estimate;
+pub use similarity::SimilarityTransform;
+pub use three_point::{MinimalEstimator, TripleError, frame_estimate};
 pub use transform::RigidTransform;
 
 #[cfg(test)]
@@ -29,7 +40,8 @@ mod testing {
     use rand_core::{Rng, SeedableRng};
     use rand_xoshiro::Xoshiro256PlusPlus;
 
-    fn numbers(seed: u64) -> impl FnMut() -> f64 {
+    /// Uniform numbers in `[0, 1)`.
+    pub fn numbers(seed: u64) -> impl FnMut() -> f64 {
         let mut rng = Xoshiro256PlusPlus::seed_from_u64(seed);
         move || (rng.next_u64() >> 11) as f64 / (1u64 << 53) as f64
     }

@@ -6,9 +6,7 @@
 //! Trial `k` draws from a generator of its own, seeded by `(seed, k)`, and trials are judged in batches of fixed size,
 //! so the answer does not depend on the number of threads.
 
-use super::RigidTransform;
-use super::absolute_orientation::absolute_orientation;
-use super::three_point::frame_estimate;
+use super::{MinimalEstimator, OrientationSolver, RigidTransform, solve_orientation};
 use crate::observe::{Cancelled, Observer, checkpoint};
 use nalgebra::Point3;
 use rand_core::{Rng, SeedableRng};
@@ -35,6 +33,15 @@ pub struct RansacOptions {
     pub seed: u64,
 }
 
+/// What a hypothesis is made from, and what fits its support.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct RansacMethods {
+    /// From three pairs to a hypothesis.
+    pub estimator: MinimalEstimator,
+    /// From the support of a new best to its least-squares transform, the last of which is the answer.
+    pub solver: OrientationSolver,
+}
+
 /// What RANSAC found.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RansacReport {
@@ -54,7 +61,8 @@ pub struct RansacReport {
 
 /// Finds the transform with the largest support among the pairs `source[i] ↔ target[i]`, mm.
 ///
-/// `None` if no trial had a support of three.
+/// `None` if no trial had a support of three. [`ransac_with`] the default methods: frames, and singular value
+/// decomposition.
 ///
 /// # Errors
 /// [`Cancelled`].
@@ -67,11 +75,29 @@ pub fn ransac(
     options: &RansacOptions,
     observer: &dyn Observer,
 ) -> Result<Option<RansacReport>, Cancelled> {
+    ransac_with(source, target, options, RansacMethods::default(), observer)
+}
+
+/// [`ransac()`] with a choice of the minimal estimator and of the solver of the local optimization. The draws, and so the
+/// triples, are the same whatever the methods.
+///
+/// # Errors
+/// [`Cancelled`].
+///
+/// # Cost
+/// As [`ransac()`].
+pub fn ransac_with(
+    source: &[Point3<f64>],
+    target: &[Point3<f64>],
+    options: &RansacOptions,
+    methods: RansacMethods,
+    observer: &dyn Observer,
+) -> Result<Option<RansacReport>, Cancelled> {
     let n = source.len().min(target.len());
     if n < 3 {
         return Ok(None);
     }
-    let pairs = Pairs { source: &source[..n], target: &target[..n], options };
+    let pairs = Pairs { source: &source[..n], target: &target[..n], options, methods };
     let mut best: Option<(usize, RigidTransform)> = None;
     let mut trials = 0;
     let mut needed = options.max_trials;
@@ -125,6 +151,7 @@ struct Pairs<'a> {
     source: &'a [Point3<f64>],
     target: &'a [Point3<f64>],
     options: &'a RansacOptions,
+    methods: RansacMethods,
 }
 
 impl Pairs<'_> {
@@ -145,10 +172,10 @@ impl Pairs<'_> {
                 return None;
             }
         }
-        let plain = frame_estimate(&source, &target, false).ok()?;
+        let plain = self.methods.estimator.estimate(&source, &target, false).ok()?;
         let support = self.support(&plain);
         if self.options.allow_reflection {
-            let mirrored = frame_estimate(&source, &target, true).ok()?;
+            let mirrored = self.methods.estimator.estimate(&source, &target, true).ok()?;
             let mirrored_support = self.support(&mirrored);
             if mirrored_support > support {
                 return Some((mirrored_support, trial, mirrored));
@@ -178,7 +205,7 @@ impl Pairs<'_> {
             let target: Vec<_> = inliers.iter().map(|&i| self.target[i]).collect();
             // A reflection stays one: the sign is that of the hypothesis.
             let mirrored = best.1.is_reflection();
-            let Ok(fitted) = absolute_orientation(&source, &target, None, mirrored) else { break };
+            let Ok(fitted) = solve_orientation(self.methods.solver, &source, &target, None, mirrored) else { break };
             let support = self.support(&fitted);
             if support < best.0 || fitted.is_reflection() != mirrored {
                 break;
@@ -229,6 +256,22 @@ mod tests {
             pool.install(|| ransac(&source, &target, &options(9), &Silent))
         };
         assert_eq!(with(1), with(4));
+    }
+
+    #[test]
+    fn every_choice_of_methods_finds_the_same_inliers() {
+        let (source, truth, wrong) = (cloud(1, 200), pose(2), cloud(3, 200));
+        let target: Vec<_> = (0..200).map(|i| if i % 3 > 0 { wrong[i] } else { truth.apply(&source[i]) }).collect();
+        let plain = ransac(&source, &target, &options(9), &Silent).unwrap().unwrap();
+        for estimator in [MinimalEstimator::Frame, MinimalEstimator::RotationAxis] {
+            for solver in OrientationSolver::ALL {
+                let methods = RansacMethods { estimator, solver };
+                let found = ransac_with(&source, &target, &options(9), methods, &Silent).unwrap().unwrap();
+                assert_eq!(found.inlier_mask, plain.inlier_mask, "{methods:?}");
+                let apart = (found.target_from_source.rotation - plain.target_from_source.rotation).norm();
+                assert!(apart < 1e-9, "{methods:?}: {apart}");
+            }
+        }
     }
 
     #[test]

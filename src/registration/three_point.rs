@@ -1,7 +1,39 @@
 //! Rigid transforms from three point pairs, the minimal sample of RANSAC.
+//!
+//! Two ways to the same transform on congruent triangles ([`MinimalEstimator`]); on triangles that differ a little they
+//! spread the difference otherwise. Both refuse thin triangles before they estimate anything.
 
 use super::RigidTransform;
+use super::rotation_axis::rotation_axis_estimate;
 use nalgebra::{Matrix3, Point3, Vector3};
+
+/// How three pairs give a rigid transform.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum MinimalEstimator {
+    /// An orthonormal frame on each triple: [`frame_estimate`].
+    #[default]
+    Frame,
+    /// The axis that the rotation leaves fixed, then the angle about it: [`rotation_axis_estimate`].
+    RotationAxis,
+}
+
+impl MinimalEstimator {
+    /// `target_from_source` of three pairs, mm, centroid on centroid; `det R = −1` if `mirrored`.
+    ///
+    /// # Errors
+    /// [`TripleError::Collinear`] if either triple is thin, alike for both estimators.
+    pub fn estimate(
+        self,
+        source: &[Point3<f64>; 3],
+        target: &[Point3<f64>; 3],
+        mirrored: bool,
+    ) -> Result<RigidTransform, TripleError> {
+        match self {
+            MinimalEstimator::Frame => frame_estimate(source, target, mirrored),
+            MinimalEstimator::RotationAxis => rotation_axis_estimate(source, target, mirrored),
+        }
+    }
+}
 
 /// Why a triple gives no transform.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
@@ -14,8 +46,8 @@ pub enum TripleError {
 /// Triangles whose height is below this share of their longest edge are too thin to carry an orientation.
 const MIN_HEIGHT_RATIO: f64 = 0.05;
 
-/// An orthonormal frame on a triple: first axis along its first edge, third along its normal.
-fn frame(p: &[Point3<f64>; 3]) -> Result<Matrix3<f64>, TripleError> {
+/// The normal of a triple, its length twice the area, mm².
+pub(super) fn triangle_normal(p: &[Point3<f64>; 3]) -> Result<Vector3<f64>, TripleError> {
     let (a, b) = (p[1] - p[0], p[2] - p[0]);
     let longest = a.norm_squared().max(b.norm_squared()).max((p[2] - p[1]).norm_squared());
     let normal = a.cross(&b);
@@ -23,8 +55,13 @@ fn frame(p: &[Point3<f64>; 3]) -> Result<Matrix3<f64>, TripleError> {
     if normal.norm() <= MIN_HEIGHT_RATIO * longest || longest == 0.0 {
         return Err(TripleError::Collinear);
     }
-    let x = a.normalize();
-    let z = normal.normalize();
+    Ok(normal)
+}
+
+/// An orthonormal frame on a triple: first axis along its first edge, third along its normal.
+fn frame(p: &[Point3<f64>; 3]) -> Result<Matrix3<f64>, TripleError> {
+    let z = triangle_normal(p)?.normalize();
+    let x = (p[1] - p[0]).normalize();
     Ok(Matrix3::from_columns(&[x, z.cross(&x), z]))
 }
 

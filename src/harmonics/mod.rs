@@ -79,7 +79,7 @@ pub struct ParametrizationOptions {
 
 impl Default for ParametrizationOptions {
     fn default() -> Self {
-        ParametrizationOptions { max_iterations: 400, tolerance: 1e-5, stretching: 0.02 }
+        ParametrizationOptions { max_iterations: 400, tolerance: 1e-6, stretching: 0.02 }
     }
 }
 

@@ -95,8 +95,7 @@ impl Objective for MapEnergy<'_> {
         for (&[a, b, c], &wanted) in self.areas.triangles.iter().zip(&self.areas.areas) {
             let (p, q, r) = (directions[a], directions[b], directions[c]);
             let det = determinant([p, q, r]);
-            // Not `<=`: a determinant that is not a number is no map either.
-            if !(det > 0.0) {
+            if det <= 0.0 || det.is_nan() {
                 return f64::INFINITY;
             }
             let term = 2.0 * wanted * wanted / det;

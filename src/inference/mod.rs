@@ -2,16 +2,31 @@
 //!
 //! [`BeliefPropagation`] passes messages over the graph of variables: max-product heads for the labeling of lowest
 //! energy, sum-product for the marginals. Its **sparse update** visits only label pairs within the neighbourhood,
-//! because all others share the truncated potential; it computes the same messages as an update over all pairs.
+//! because all others share the truncated potential; it computes the same messages as the **full update** over all
+//! pairs. Messages go all at once (flooding) or the most pending first (residual).
 //!
 //! Sign convention: energies, lower is better. Messages and beliefs are in the linear domain, scaled to maximum 1.
 
 mod belief_propagation;
+mod beliefs;
 mod block_plan;
+mod convergence;
+mod flooding;
+mod full_update;
+mod kernel;
+#[cfg(test)]
+mod method_tests;
+mod options;
 #[cfg(test)]
 mod oracle;
+mod outcome;
+mod residual;
 mod sparse_update;
 #[cfg(test)]
 mod tests;
 
-pub use belief_propagation::{BeliefPropagation, BpIteration, BpOptions, BpOutcome, BpStop, Product};
+pub use belief_propagation::BeliefPropagation;
+pub use beliefs::belief_spread;
+pub use convergence::{Convergence, ConvergenceStatus};
+pub use options::{BpMethod, BpOptions, Product, Schedule, Update};
+pub use outcome::{BpIteration, BpOutcome, BpStop};

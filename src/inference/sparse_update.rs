@@ -14,6 +14,7 @@
 #![allow(unsafe_code)]
 
 use super::block_plan::{BlockVariable, LANES};
+use super::full_update::DenseFactors;
 use crate::graph::LabelNeighborhoods;
 use multiversion::multiversion;
 
@@ -56,6 +57,16 @@ impl PairTable {
         PairTable { offsets, pairs }
     }
 
+    /// Number of labels `n`.
+    pub fn n_labels(&self) -> usize {
+        self.offsets.len() - 1
+    }
+
+    /// The labels of `N_r(y)` with their factors `[rising, falling]`.
+    pub fn factors(&self, y: usize) -> impl Iterator<Item = (usize, [f32; 2])> {
+        self.row(y).iter().map(|pair| (pair.label as usize, [pair.rising, pair.falling]))
+    }
+
     fn row(&self, y: usize) -> &[Pair] {
         &self.pairs[self.offsets[y] as usize..self.offsets[y + 1] as usize]
     }
@@ -77,13 +88,21 @@ pub(super) struct Scratch {
     /// Running products of one chunk of labels, from the first and from the last neighbour on.
     forward: Vec<Lanes>,
     backward: Vec<Lanes>,
+    /// Factors of a few labels against all others, of the full update only.
+    pub dense: Vec<DenseFactors>,
 }
 
 impl Scratch {
     /// Room for `stride` labels.
     pub fn new(stride: usize) -> Self {
         let zero = [0.0; LANES];
-        Scratch { cavity: vec![zero; stride], updated: vec![zero; stride], forward: Vec::new(), backward: Vec::new() }
+        Scratch {
+            cavity: vec![zero; stride],
+            updated: vec![zero; stride],
+            forward: Vec::new(),
+            backward: Vec::new(),
+            dense: Vec::new(),
+        }
     }
 }
 

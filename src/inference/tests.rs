@@ -9,7 +9,27 @@ use proptest::prelude::*;
 use proptest::test_runner::TestCaseError;
 
 /// A model over given variable edges; labels on a ring with chords, everything else from the numbers of `entropy`.
-fn model(n: usize, edges: &[[u32; 2]], n_labels: usize, entropy: &[f64], beta: f64, truncation: f64) -> MrfModel {
+pub(super) fn model(
+    n: usize,
+    edges: &[[u32; 2]],
+    n_labels: usize,
+    entropy: &[f64],
+    beta: f64,
+    truncation: f64,
+) -> MrfModel {
+    model_with_rings(n, edges, n_labels, entropy, 1, beta, truncation)
+}
+
+/// Likewise, with `N_r` of `rings`.
+pub(super) fn model_with_rings(
+    n: usize,
+    edges: &[[u32; 2]],
+    n_labels: usize,
+    entropy: &[f64],
+    rings: usize,
+    beta: f64,
+    truncation: f64,
+) -> MrfModel {
     let variables = EdgeGraph::from_edges(n, edges);
     let mut numbers = entropy.iter().copied().cycle();
     let mut number = || numbers.next().unwrap_or(0.5);
@@ -19,7 +39,7 @@ fn model(n: usize, edges: &[[u32; 2]], n_labels: usize, entropy: &[f64], beta: f
     }
     let place: Vec<f64> = (0..n_labels).map(|_| 3.0 * number()).collect();
     let graph = EdgeGraph::from_edges(n_labels, &label_edges);
-    let labels = LabelNeighborhoods::new(&graph, 1, |x, y| (place[x] - place[y]).abs());
+    let labels = LabelNeighborhoods::new(&graph, rings, |x, y| (place[x] - place[y]).abs());
     let mut lengths = vec![0.0; variables.n_directed_edges()];
     let reverse = variables.reverse_edges();
     for e in 0..lengths.len() {
@@ -37,8 +57,17 @@ fn run(model: &MrfModel, product: Product, iterations: u32, damping: f32, floor:
     BeliefPropagation::new(model, options).run(iterations, &Silent, |_| ()).unwrap()
 }
 
+/// The edges `a < b < n` of `pairs`, and those of a path through all `n` vertices, each once.
+pub(super) fn path_with_chords(n: usize, pairs: &std::collections::BTreeSet<(u32, u32)>) -> Vec<[u32; 2]> {
+    let mut edges: Vec<[u32; 2]> = (0..n as u32 - 1).map(|k| [k, k + 1]).collect();
+    edges.extend(pairs.iter().filter(|(a, b)| a < b && *b < n as u32).map(|&(a, b)| [a, b]));
+    edges.sort_unstable();
+    edges.dedup();
+    edges
+}
+
 /// Edges of a random tree: vertex `k > 0` hangs on an earlier one.
-fn tree(parents: &[usize]) -> Vec<[u32; 2]> {
+pub(super) fn tree(parents: &[usize]) -> Vec<[u32; 2]> {
     parents.iter().enumerate().map(|(k, &p)| [(p % (k + 1)) as u32, k as u32 + 1]).collect()
 }
 
@@ -82,11 +111,7 @@ proptest! {
         sum in any::<bool>(),
         damping in prop_oneof![Just(0.0f32), Just(0.5)],
     ) {
-        let mut edges: Vec<[u32; 2]> = (0..n as u32 - 1).map(|k| [k, k + 1]).collect();
-        edges.extend(chords.iter().filter(|(a, b)| a < b && *b < n as u32).map(|&(a, b)| [a, b]));
-        edges.sort_unstable();
-        edges.dedup();
-        let model = model(n, &edges, 21, &entropy, beta, 3.0);
+        let model = model(n, &path_with_chords(n, &chords), 21, &entropy, beta, 3.0);
         let product = if sum { Product::Sum } else { Product::Max };
         let found = run(&model, product, 4, damping, 1e-5);
         let beliefs = full_update_beliefs(&model, product, 4, damping.into(), 1e-5);

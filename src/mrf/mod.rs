@@ -98,6 +98,10 @@ impl MrfModel {
     }
 
     /// `E(labeling)`, term by term in a fixed order. Cost `O(|E→| log k̄)`.
+    ///
+    /// With a truncation of infinity (the hard neighbourhood constraint) a labeling that breaks a neighbourhood has
+    /// infinite energy, and this says so. JSON has no infinity: a report then leaves the energy out and gives
+    /// [`MrfModel::broken_edges`] instead.
     pub fn energy(&self, labeling: &[u32]) -> Energy {
         let mut energy = Energy { unary: 0.0, pairwise: 0.0 };
         for (i, &x) in labeling.iter().enumerate() {
@@ -110,6 +114,18 @@ impl MrfModel {
             }
         }
         energy
+    }
+
+    /// Edges (each counted once) whose labels are no neighbours, `y ∉ N_r(x)`: those that pay the truncation because
+    /// of where they went and not of how far. 0 means that the labeling keeps every neighbourhood, and that its
+    /// energy is finite also where the truncation is not. Cost `O(|E→| log k̄)`.
+    pub fn broken_edges(&self, labeling: &[u32]) -> usize {
+        let broken = |i: usize, j: usize| {
+            i < j && self.labels.distance_within(labeling[i] as usize, labeling[j] as usize).is_none()
+        };
+        (0..self.n_variables())
+            .map(|i| self.variables.neighbors(i).iter().filter(|&&j| broken(i, j as usize)).count())
+            .sum()
     }
 
     /// The labeling that every unary potential prefers alone; the lowest label where two are equal.

@@ -1,0 +1,118 @@
+//! The full message update: every label pair of one block of up to [`LANES`] outgoing messages.
+//!
+//! No table of potentials is stored. A dense row holds the two factors of the potential of one label against all
+//! others, and 0 for those outside its neighbourhood, which the lower limit `ε` turns into the truncation; it costs
+//! `O(n)` a thread. Two labels go through the cavity products at a time, as many as 16 registers have room for.
+
+// The dispatch to instruction sets that `multiversion` generates needs unsafe calls; nothing here does itself.
+#![allow(unsafe_code)]
+
+use super::block_plan::LANES;
+use super::sparse_update::{Lanes, PairTable};
+use multiversion::multiversion;
+
+/// Labels updated together.
+const ROWS: usize = 2;
+
+/// Factors `[rising, falling]` of [`ROWS`] labels against one label.
+pub(super) type DenseFactors = [[f32; 2]; ROWS];
+
+/// Which terms a message adds up, and how.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct FullPotential<'a> {
+    /// The [`super::sparse_update::edge_factors`] of each lane.
+    pub near: &'a Lanes,
+    /// Likewise.
+    pub far: &'a Lanes,
+    /// `ε = exp(−T)`.
+    pub epsilon: f32,
+}
+
+/// Max-product over all label pairs. `dense` is scratch. Returns the largest value of each lane.
+pub(super) fn full_max_update(
+    table: &PairTable,
+    cavity: &[Lanes],
+    potential: FullPotential<'_>,
+    dense: &mut Vec<DenseFactors>,
+    updated: &mut [Lanes],
+) -> Lanes {
+    full_update(table, dense, updated, |dense| max_rows(dense, cavity, potential))
+}
+
+/// Sum-product over all label pairs. `dense` is scratch. Returns the largest value of each lane.
+pub(super) fn full_sum_update(
+    table: &PairTable,
+    cavity: &[Lanes],
+    potential: FullPotential<'_>,
+    dense: &mut Vec<DenseFactors>,
+    updated: &mut [Lanes],
+) -> Lanes {
+    full_update(table, dense, updated, |dense| sum_rows(dense, cavity, potential))
+}
+
+/// Fills the dense rows of [`ROWS`] labels after another and lets `rows` make their messages.
+fn full_update(
+    table: &PairTable,
+    dense: &mut Vec<DenseFactors>,
+    updated: &mut [Lanes],
+    rows: impl Fn(&[DenseFactors]) -> [Lanes; ROWS],
+) -> Lanes {
+    let n = table.n_labels();
+    dense.clear();
+    dense.resize(n, [[0.0; 2]; ROWS]);
+    let mut largest = [0.0f32; LANES];
+    for start in (0..n).step_by(ROWS) {
+        let labels = start..(start + ROWS).min(n);
+        for (row, y) in labels.clone().enumerate() {
+            for (x, factors) in table.factors(y) {
+                dense[x][row] = factors;
+            }
+        }
+        let made = rows(dense);
+        for (row, y) in labels.enumerate() {
+            for k in 0..LANES {
+                largest[k] = if made[row][k] > largest[k] { made[row][k] } else { largest[k] };
+            }
+            updated[y] = made[row];
+            for (x, _) in table.factors(y) {
+                dense[x][row] = [0.0; 2];
+            }
+        }
+    }
+    largest
+}
+
+#[multiversion(targets("x86_64+avx512f+avx512vl+avx512bw+avx512dq", "x86_64+avx2"))]
+fn max_rows(dense: &[DenseFactors], cavity: &[Lanes], potential: FullPotential<'_>) -> [Lanes; ROWS] {
+    let FullPotential { near, far, epsilon } = potential;
+    let mut best = [[0.0f32; LANES]; ROWS];
+    for (factors, h) in dense.iter().zip(cavity) {
+        for (best, [rising, falling]) in best.iter_mut().zip(factors) {
+            for k in 0..LANES {
+                let (a, b) = (near[k] * rising, far[k] * falling);
+                let psi = if a < b { a } else { b };
+                let psi = if psi > epsilon { psi } else { epsilon };
+                let value = psi * h[k];
+                best[k] = if value > best[k] { value } else { best[k] };
+            }
+        }
+    }
+    best
+}
+
+#[multiversion(targets("x86_64+avx512f+avx512vl+avx512bw+avx512dq", "x86_64+avx2"))]
+fn sum_rows(dense: &[DenseFactors], cavity: &[Lanes], potential: FullPotential<'_>) -> [Lanes; ROWS] {
+    let FullPotential { near, far, epsilon } = potential;
+    let mut sum = [[0.0f32; LANES]; ROWS];
+    for (factors, h) in dense.iter().zip(cavity) {
+        for (sum, [rising, falling]) in sum.iter_mut().zip(factors) {
+            for k in 0..LANES {
+                let (a, b) = (near[k] * rising, far[k] * falling);
+                let psi = if a < b { a } else { b };
+                let psi = if psi > epsilon { psi } else { epsilon };
+                sum[k] += psi * h[k];
+            }
+        }
+    }
+    sum
+}

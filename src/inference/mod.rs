@@ -5,15 +5,22 @@
 //! because all others share the truncated potential; it computes the same messages as the **full update** over all
 //! pairs. Messages go all at once (flooding) or the most pending first (residual).
 //!
+//! [`DualBound`] minimises nothing: it raises a bound that no energy is below, and so tells how good a labeling is.
+//!
 //! Sign convention: energies, lower is better. Messages and beliefs are in the linear domain, scaled to maximum 1.
 
 mod belief_propagation;
 mod beliefs;
 mod block_plan;
 mod convergence;
+mod dual_update;
+mod fixed_point;
 mod flooding;
 mod full_update;
 mod kernel;
+mod lower_bound;
+#[cfg(test)]
+mod lower_bound_tests;
 #[cfg(test)]
 mod method_tests;
 mod options;
@@ -22,11 +29,13 @@ mod oracle;
 mod outcome;
 mod residual;
 mod sparse_update;
+mod sweep_order;
 #[cfg(test)]
 mod tests;
 
 pub use belief_propagation::BeliefPropagation;
 pub use beliefs::belief_spread;
 pub use convergence::{Convergence, ConvergenceStatus};
+pub use lower_bound::{DualBound, DualIteration, DualOptions, DualOutcome, DualStop};
 pub use options::{BpMethod, BpOptions, Product, Schedule, Update};
 pub use outcome::{BpIteration, BpOutcome, BpStop};

@@ -3,13 +3,21 @@
 //! A scale `σ` (mm) means: positions are smoothed by heat flow of time `σ²/2` ([`ScaleSpace`]), then curvature is
 //! measured on the smoothed surface ([`gaussian_curvature`], [`mean_curvature`]). Triangles use corner angles and
 //! mixed Voronoi areas; quads use corner angles and a quarter of each face's area, so that in both cases
-//! `Σ K_i A_i = 2πχ` to rounding.
+//! `Σ K_i A_i = 2πχ` to rounding. [`curvatures`] offers two further estimators ([`Estimator`]), which look at a ball of
+//! given radius instead of the faces around a vertex.
 
 mod angle_defect;
+mod ball;
+mod covariance;
+mod estimator;
+#[cfg(test)]
+mod estimator_tests;
 mod laplacian;
+mod quadric;
 mod scale_space;
 
 pub use angle_defect::{gaussian_curvature, mean_curvature, vertex_areas};
+pub use estimator::{Curvatures, Estimator, curvatures, default_radius_mm};
 pub use scale_space::{ScaleSpace, ScaleSpaceError};
 
 #[cfg(test)]

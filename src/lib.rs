@@ -3,8 +3,8 @@
 //! The modules in reading order, by layer; ARCHITECTURE.md says which may know which.
 //!
 //! - Numerics (no runtime, no database, no HTTP, no clock, no files): [`graph`], [`observe`], [`mesh`], [`volume`],
-//!   [`formats`], [`curvature`], [`mrf`], [`inference`], [`registration`], [`harmonics`], [`matching`], [`phantom`],
-//!   [`intake`].
+//!   [`formats`], [`curvature`], [`geodesic`], [`mrf`], [`inference`], [`registration`], [`harmonics`], [`matching`],
+//!   [`phantom`], [`intake`].
 //! - One match from uploaded bytes to the result document: [`run`].
 //! - The service: [`jobs`] (what a job is, and the ports), [`store`] (SQLite or PostgreSQL, and blobs), [`worker`] (who
 //!   runs them), [`http`] (how the outside asks).
@@ -19,6 +19,8 @@ pub mod volume;
 pub mod formats;
 
 pub mod curvature;
+
+pub mod geodesic;
 
 pub mod mrf;
 

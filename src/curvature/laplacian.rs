@@ -7,19 +7,19 @@ use crate::mesh::{FaceArity, SurfaceMesh};
 use nalgebra::Vector3;
 
 /// One weight `w_ij = w_ji` of the Laplacian; pairs may recur and then add up.
-pub(super) struct Weight {
+pub(crate) struct Weight {
     pub i: usize,
     pub j: usize,
     pub weight: f64,
 }
 
 /// The four triangles that the two diagonals of a quad make.
-pub(super) fn both_triangulations(quad: &[u32]) -> [[u32; 3]; 4] {
+pub(crate) fn both_triangulations(quad: &[u32]) -> [[u32; 3]; 4] {
     [[quad[0], quad[1], quad[2]], [quad[0], quad[2], quad[3]], [quad[1], quad[2], quad[3]], [quad[1], quad[3], quad[0]]]
 }
 
 /// Every cotangent weight: half the cotangent of each angle, for the edge opposite to it.
-pub(super) fn cotangent_weights(mesh: &SurfaceMesh) -> Vec<Weight> {
+pub(crate) fn cotangent_weights(mesh: &SurfaceMesh) -> Vec<Weight> {
     let mut weights = Vec::with_capacity(mesh.indices().len());
     let mut add = |corners: [u32; 3], share: f64| {
         for k in 0..3 {

@@ -16,6 +16,8 @@ mod laplacian;
 mod quadric;
 mod scale_space;
 
+pub(crate) use laplacian::{Weight, both_triangulations, cotangent_weights};
+
 pub use angle_defect::{gaussian_curvature, mean_curvature, vertex_areas};
 pub use estimator::{Curvatures, Estimator, curvatures, default_radius_mm};
 pub use scale_space::{ScaleSpace, ScaleSpaceError};

@@ -5,6 +5,8 @@
 //! This is where the MRF, which knows no mesh, and registration, which knows no energy, meet.
 
 mod clamping;
+pub mod consistency;
+pub mod outliers;
 pub mod parameters;
 mod pipeline;
 mod prepare;

@@ -14,6 +14,8 @@ pub enum Phase {
     Reading,
     /// Curvature in scale space on both surfaces.
     Features,
+    /// Bounding the energy from below.
+    Bounding,
     /// Minimising the energy.
     Inference,
     /// RANSAC and absolute orientation.
@@ -30,6 +32,7 @@ impl Phase {
         match self {
             Phase::Reading => "reading",
             Phase::Features => "features",
+            Phase::Bounding => "bounding",
             Phase::Inference => "inference",
             Phase::Registration => "registration",
             Phase::Refinement => "refinement",
@@ -65,6 +68,9 @@ pub struct TracePoint {
     /// Temperature of the annealer.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub temperature: Option<f64>,
+    /// No labeling has an energy below this, as far as is known.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub lower_bound: Option<f64>,
     /// Inliers of the registration.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub support: Option<u32>,
@@ -83,6 +89,7 @@ impl TracePoint {
             message_delta_max: None,
             labels_changed: None,
             temperature: None,
+            lower_bound: None,
             support: None,
         }
     }

@@ -1,12 +1,12 @@
 //! A result document in a few lines for people.
 
-use crate::matching::result::ResultDocument;
+use crate::matching::result::{ResultDocument, StopReason};
 use std::fmt::Write;
 
 /// Transform, support, distances, energies and counts.
 pub(super) fn summary(result: &ResultDocument) -> String {
     let (t, s, d) = (&result.transform, &result.support, &result.surface_distance);
-    let (e, p) = (&result.energy, &result.provenance);
+    let p = &result.provenance;
     let mut text = String::new();
     let _ = writeln!(text, "target_from_source (mm)");
     for row in &t.matrix {
@@ -29,18 +29,23 @@ pub(super) fn summary(result: &ResultDocument) -> String {
         "surface distance  mean {:.3} mm, 95th percentile {:.3} mm, maximum {:.3} mm",
         d.mean_mm, d.p95_mm, d.max_mm
     );
-    let _ = writeln!(
-        text,
-        "energy            {:.2} (from {:.2}; unary {:.2}, pairwise {:.2}), {}",
-        e.r#final,
-        e.initial,
-        e.unary,
-        e.pairwise,
-        match result.stop_reason {
-            crate::matching::result::StopReason::Converged => "converged",
-            crate::matching::result::StopReason::MaxIterations => "all iterations used",
-        }
-    );
+    if let Some(e) = &result.energy {
+        let bound = e.lower_bound.map_or_else(String::new, |bound| format!(", no less than {bound:.2} possible"));
+        let _ = writeln!(
+            text,
+            "energy            {:.2} (from {:.2}; unary {:.2}, pairwise {:.2}{bound}), {}",
+            e.r#final,
+            e.initial,
+            e.unary,
+            e.pairwise,
+            match result.stop_reason {
+                StopReason::Converged => "converged",
+                StopReason::MaxIterations => "all iterations used",
+                StopReason::TargetReached => "the stated energy is reached",
+                StopReason::RegistrationOnly => "not minimised",
+            }
+        );
+    }
     let _ = writeln!(
         text,
         "map               {:.1} % of edges stay neighbors, {:.1} % of target vertices met",

@@ -1,7 +1,7 @@
 //! The Arrow IPC **file** format (`.arrow`, Feather version 2): one record batch, not compressed.
 //!
 //! Source: "Arrow Columnar Format", section "Serialization and Interprocess Communication", and the schemas
-//! `Schema.fbs`, `Message.fbs` and `File.fbs`. The metadata are FlatBuffers; the few tables that four plain columns
+//! `Schema.fbs`, `Message.fbs` and `File.fbs`. The metadata are FlatBuffers; the few tables that plain columns
 //! need are laid out here by [`Flat`], because the Arrow library is larger than all of this crate.
 
 use super::PairColumns;
@@ -14,7 +14,27 @@ const ALIGNMENT: usize = 8;
 /// `MetadataVersion.V5`.
 const VERSION: i16 = 4;
 
-/// The columns `source` and `target` (uint32), `confidence` (float64) and `inlier` (bool), none nullable.
+/// The types of columns that are written.
+#[derive(Clone, Copy)]
+enum Column {
+    Uint32,
+    Uint8,
+    Double,
+    Bool,
+}
+
+/// Names and types, in order.
+const COLUMNS: [(&str, Column); 6] = [
+    ("source", Column::Uint32),
+    ("target", Column::Uint32),
+    ("confidence", Column::Double),
+    ("inlier", Column::Bool),
+    ("spread_mm", Column::Double),
+    ("outlier", Column::Uint8),
+];
+
+/// The columns `source` and `target` (uint32), `confidence` (float64), `inlier` (bool), `spread_mm` (float64) and
+/// `outlier` (uint8), none nullable.
 pub fn write_arrow(pairs: &PairColumns<'_>) -> Vec<u8> {
     let n = pairs.len();
     let mut body = Body::default();
@@ -24,6 +44,8 @@ pub fn write_arrow(pairs: &PairColumns<'_>) -> Vec<u8> {
     // Eight truth values a byte, the first in the lowest bit.
     let bits = pairs.inlier[..n].chunks(8);
     body.add(bits.map(|byte| byte.iter().enumerate().fold(0u8, |sum, (k, &bit)| sum | u8::from(bit) << k)));
+    body.add(pairs.spread_mm[..n].iter().flat_map(|v| v.to_le_bytes()));
+    body.add(pairs.outlier[..n].iter().copied());
 
     let mut file = MAGIC.to_vec();
     file.resize(ALIGNMENT, 0);
@@ -80,21 +102,26 @@ fn schema_message() -> Vec<u8> {
 fn schema(flat: &mut Flat) -> usize {
     // Schema: endianness (0 = little), fields.
     let (place, links) = flat.table(&[Field::I16(0), Field::Link]);
-    let (fields, slots) = flat.vector_of_links(4);
+    let (fields, slots) = flat.vector_of_links(COLUMNS.len());
     flat.link(links[0], fields);
-    // Type: 2 = Int, 3 = FloatingPoint, 6 = Bool.
-    for (slot, (name, kind)) in slots.into_iter().zip([("source", 2), ("target", 2), ("confidence", 3), ("inlier", 6)])
-    {
+    for (slot, (name, column)) in slots.into_iter().zip(COLUMNS) {
+        // Type: 2 = Int, 3 = FloatingPoint, 6 = Bool.
+        let kind = match column {
+            Column::Uint32 | Column::Uint8 => 2,
+            Column::Double => 3,
+            Column::Bool => 6,
+        };
         // Field: name, nullable, type's kind, type, dictionary, children.
         let (field, links) =
             flat.table(&[Field::Link, Field::U8(0), Field::U8(kind), Field::Link, Field::Absent, Field::Link]);
         flat.link(slot, field);
         let name = flat.string(name);
         flat.link(links[0], name);
-        let (kind, _) = match kind {
-            2 => flat.table(&[Field::I32(32), Field::U8(0)]), // Int: width in bits, signed
-            3 => flat.table(&[Field::I16(2)]),                // FloatingPoint: precision (2 = double)
-            _ => flat.table(&[]),
+        let (kind, _) = match column {
+            Column::Uint32 => flat.table(&[Field::I32(32), Field::U8(0)]), // Int: width in bits, signed
+            Column::Uint8 => flat.table(&[Field::I32(8), Field::U8(0)]),
+            Column::Double => flat.table(&[Field::I16(2)]), // FloatingPoint: precision (2 = double)
+            Column::Bool => flat.table(&[]),
         };
         flat.link(links[1], kind);
         let (children, _) = flat.vector_of_links(0);
@@ -111,7 +138,7 @@ fn batch_message(n_rows: usize, body: &Body) -> Vec<u8> {
     let (batch, links) = flat.table(&[Field::I64(n_rows as i64), Field::Link, Field::Link]);
     flat.link(root[0], batch);
     // FieldNode: length, nulls; one for each column.
-    let nodes = flat.vector_of_longs(&[[n_rows as i64, 0]; 4]);
+    let nodes = flat.vector_of_longs(&[[n_rows as i64, 0]; COLUMNS.len()]);
     flat.link(links[0], nodes);
     // Buffer: offset in the body, length.
     let buffers = flat.vector_of_longs(&body.places);

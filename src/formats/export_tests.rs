@@ -113,18 +113,30 @@ fn gifti_has_the_surface_and_then_the_arrays() {
 
 #[test]
 fn npy_is_a_structured_array() {
-    let pairs = PairColumns { source: &[0, 300], target: &[5, 4], confidence: &[0.5, 1.0], inlier: &[true, false] };
+    let pairs = PairColumns {
+        source: &[0, 300],
+        target: &[5, 4],
+        confidence: &[0.5, 1.0],
+        inlier: &[true, false],
+        spread_mm: &[0.25, 2.0],
+        outlier: &[0, 3],
+    };
     let bytes = write_npy(&pairs);
     let length = usize::from(u16::from_le_bytes([bytes[8], bytes[9]]));
     assert_eq!((&bytes[..8], (10 + length) % 64, bytes[9 + length]), (b"\x93NUMPY\x01\0".as_slice(), 0, b'\n'));
     let header = std::str::from_utf8(&bytes[10..10 + length]).unwrap().trim_end();
-    let fields = "[('source', '<u4'), ('target', '<u4'), ('confidence', '<f8'), ('inlier', '|b1')]";
+    let fields = "[('source', '<u4'), ('target', '<u4'), ('confidence', '<f8'), ('inlier', '|b1'), \
+                  ('spread_mm', '<f8'), ('outlier', '|u1')]";
     assert_eq!(header, format!("{{'descr': {fields}, 'fortran_order': False, 'shape': (2,), }}"));
     let mut rows = vec![0, 0, 0, 0, 5, 0, 0, 0];
     rows.extend(0.5f64.to_le_bytes());
-    rows.extend([1, 44, 1, 0, 0, 4, 0, 0, 0]);
+    rows.push(1);
+    rows.extend(0.25f64.to_le_bytes());
+    rows.extend([0, 44, 1, 0, 0, 4, 0, 0, 0]);
     rows.extend(1.0f64.to_le_bytes());
     rows.push(0);
+    rows.extend(2.0f64.to_le_bytes());
+    rows.push(3);
     assert_eq!(bytes[10 + length..], rows);
 }
 
@@ -157,7 +169,7 @@ impl Buffer<'_> {
     }
 }
 
-type Columns = (Vec<u32>, Vec<u32>, Vec<f64>, Vec<bool>);
+type Columns = (Vec<u32>, Vec<u32>, Vec<f64>, Vec<bool>, Vec<f64>, Vec<u8>);
 
 /// Reads what [`write_arrow`] writes, beginning at the end as readers of the file format do.
 fn read_arrow(file: &[u8]) -> Columns {
@@ -175,7 +187,7 @@ fn read_arrow(file: &[u8]) -> Columns {
             std::str::from_utf8(&footer.0[place..place + length]).unwrap().to_owned()
         })
         .collect();
-    assert_eq!(names, ["source", "target", "confidence", "inlier"]);
+    assert_eq!(names, ["source", "target", "confidence", "inlier", "spread_mm", "outlier"]);
     let (n_batches, block) = footer.vector(root, 3);
     assert_eq!(n_batches, 1);
     let (offset, metadata) = (footer.i64(block), footer.i32(block + 8) as usize);
@@ -190,31 +202,41 @@ fn read_arrow(file: &[u8]) -> Columns {
     let batch = message.follow(message.field(root, 2).unwrap());
     let n = message.i64(message.field(batch, 0).unwrap());
     let (n_nodes, nodes) = message.vector(batch, 1);
-    assert_eq!((n_nodes, message.i64(nodes), message.i64(nodes + 8)), (4, n, 0));
+    assert_eq!((n_nodes, message.i64(nodes), message.i64(nodes + 8)), (6, n, 0));
     let (n_buffers, buffers) = message.vector(batch, 2);
-    assert_eq!(n_buffers, 8);
+    assert_eq!(n_buffers, 12);
     let values = |column: usize| {
         let at = buffers + 16 * (2 * column + 1);
         assert_eq!(message.i64(at) % 8, 0);
         &body[message.i64(at)..message.i64(at) + message.i64(at + 8)]
     };
     let u32s = |column| values(column).as_chunks::<4>().0.iter().map(|&b| u32::from_le_bytes(b)).collect::<Vec<_>>();
-    let reals: Vec<_> = values(2).as_chunks::<8>().0.iter().map(|&b| f64::from_le_bytes(b)).collect();
+    let reals =
+        |column| -> Vec<_> { values(column).as_chunks::<8>().0.iter().map(|&b| f64::from_le_bytes(b)).collect() };
     let bits = (0..n).map(|k| values(3)[k / 8] >> (k % 8) & 1 == 1).collect();
-    assert_eq!([u32s(0).len(), u32s(1).len(), reals.len()], [n; 3]);
-    (u32s(0), u32s(1), reals, bits)
+    assert_eq!([u32s(0).len(), u32s(1).len(), reals(2).len(), reals(4).len(), values(5).len()], [n; 5]);
+    (u32s(0), u32s(1), reals(2), bits, reals(4), values(5).to_vec())
 }
 
 proptest! {
     #[test]
-    fn any_pairs_survive_arrow(rows in proptest::collection::vec((any::<u32>(), any::<u32>(), 0.0..1.0f64, any::<bool>()), 0..70)) {
+    fn any_pairs_survive_arrow(rows in proptest::collection::vec((any::<u32>(), any::<u32>(), 0.0..1.0f64, any::<bool>(), 0.0..9.0f64, 0..4u8), 0..70)) {
         let columns: Columns = (
             rows.iter().map(|r| r.0).collect(),
             rows.iter().map(|r| r.1).collect(),
             rows.iter().map(|r| r.2).collect(),
             rows.iter().map(|r| r.3).collect(),
+            rows.iter().map(|r| r.4).collect(),
+            rows.iter().map(|r| r.5).collect(),
         );
-        let pairs = PairColumns { source: &columns.0, target: &columns.1, confidence: &columns.2, inlier: &columns.3 };
+        let pairs = PairColumns {
+            source: &columns.0,
+            target: &columns.1,
+            confidence: &columns.2,
+            inlier: &columns.3,
+            spread_mm: &columns.4,
+            outlier: &columns.5,
+        };
         prop_assert_eq!(read_arrow(&write_arrow(&pairs)), columns);
     }
 }

@@ -9,12 +9,13 @@ const MAGIC: &[u8] = b"\x93NUMPY\x01\x00";
 /// What the header is padded to, so that the data begin aligned.
 const ALIGNMENT: usize = 64;
 
-/// The columns as a one-dimensional structured array with the fields `source` and `target` (`<u4`), `confidence` (`<f8`)
-/// and `inlier` (`|b1`), 17 bytes a row.
+/// The columns as a one-dimensional structured array with the fields `source` and `target` (`<u4`), `confidence` (`<f8`),
+/// `inlier` (`|b1`), `spread_mm` (`<f8`) and `outlier` (`|u1`), 26 bytes a row.
 pub fn write_npy(pairs: &PairColumns<'_>) -> Vec<u8> {
     let n = pairs.len();
     let mut header = format!(
-        "{{'descr': [('source', '<u4'), ('target', '<u4'), ('confidence', '<f8'), ('inlier', '|b1')], \
+        "{{'descr': [('source', '<u4'), ('target', '<u4'), ('confidence', '<f8'), ('inlier', '|b1'), \
+         ('spread_mm', '<f8'), ('outlier', '|u1')], \
          'fortran_order': False, 'shape': ({n},), }}"
     );
     let begin = MAGIC.len() + 2;
@@ -24,12 +25,14 @@ pub fn write_npy(pairs: &PairColumns<'_>) -> Vec<u8> {
     let mut file = MAGIC.to_vec();
     file.extend((header.len() as u16).to_le_bytes());
     file.extend(header.into_bytes());
-    file.reserve(17 * n);
-    for (source, target, confidence, inlier) in pairs.rows() {
-        file.extend(source.to_le_bytes());
-        file.extend(target.to_le_bytes());
-        file.extend(confidence.to_le_bytes());
-        file.push(inlier.into());
+    file.reserve(26 * n);
+    for row in pairs.rows() {
+        file.extend(row.source.to_le_bytes());
+        file.extend(row.target.to_le_bytes());
+        file.extend(row.confidence.to_le_bytes());
+        file.push(row.inlier.into());
+        file.extend(row.spread_mm.to_le_bytes());
+        file.push(row.outlier);
     }
     file
 }

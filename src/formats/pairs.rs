@@ -11,12 +11,29 @@ pub struct PairColumns<'a> {
     pub confidence: &'a [f64],
     /// Whether it supports the transform.
     pub inlier: &'a [bool],
+    /// Spread of the belief on the target, mm.
+    pub spread_mm: &'a [f64],
+    /// Why it is an outlier: 0 it is none, 1 its residual, 2 its neighbourhood, 3 both.
+    pub outlier: &'a [u8],
+}
+
+/// One row of [`PairColumns`].
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct PairRow {
+    pub source: u32,
+    pub target: u32,
+    pub confidence: f64,
+    pub inlier: bool,
+    pub spread_mm: f64,
+    pub outlier: u8,
 }
 
 impl PairColumns<'_> {
     /// Number of pairs: that of the shortest column.
     pub fn len(&self) -> usize {
-        self.source.len().min(self.target.len()).min(self.confidence.len()).min(self.inlier.len())
+        let vertices = self.source.len().min(self.target.len());
+        let values = self.confidence.len().min(self.inlier.len()).min(self.spread_mm.len()).min(self.outlier.len());
+        vertices.min(values)
     }
 
     /// Whether there are none.
@@ -25,9 +42,14 @@ impl PairColumns<'_> {
     }
 
     /// The pairs one by one.
-    pub(super) fn rows(&self) -> impl Iterator<Item = (u32, u32, f64, bool)> {
-        let vertices = self.source.iter().zip(self.target);
-        let values = self.confidence.iter().zip(self.inlier);
-        vertices.zip(values).map(|((&source, &target), (&confidence, &inlier))| (source, target, confidence, inlier))
+    pub(super) fn rows(&self) -> impl Iterator<Item = PairRow> {
+        (0..self.len()).map(|k| PairRow {
+            source: self.source[k],
+            target: self.target[k],
+            confidence: self.confidence[k],
+            inlier: self.inlier[k],
+            spread_mm: self.spread_mm[k],
+            outlier: self.outlier[k],
+        })
     }
 }

@@ -59,7 +59,7 @@ const ANSWERS: &[(&str, &str)] = &[
 ];
 /// Bodies of text, by media type.
 const TEXTS: &[(&str, &str)] = &[
-    ("text/csv", "source,target,confidence,inlier\r\n0,236,0.12614987790584564,true\r\n"),
+    ("text/csv", "source,target,confidence,inlier,spread_mm,outlier\r\n0,236,0.12614987790584564,true,0.84,none\r\n"),
     (
         "text/event-stream",
         "event: trace\nid: 7\ndata: {\"seq\":7,\"round\":0,\"phase\":\"inference\",\"iteration\":7,\"elapsed_ms\":410}\n\n",

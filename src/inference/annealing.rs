@@ -7,7 +7,7 @@
 use super::annealing_energy::SearchEnergy;
 use super::annealing_search::{RunEnd, SearchOutcome, SearchRun, SearchStop, SearchSweep};
 use super::annealing_sweeps::{SiteUpdate, Sweeps};
-use super::schedule::{Schedule, Temperatures, energy_spread};
+use super::schedule::{Cooling, Temperatures, energy_spread};
 use crate::mrf::MrfModel;
 use crate::observe::{Cancelled, Observer};
 
@@ -31,7 +31,7 @@ pub struct AnnealingOptions {
     /// How labels are drawn.
     pub sampler: Sampler,
     /// How the temperature falls.
-    pub schedule: Schedule,
+    pub schedule: Cooling,
     /// Temperature of the first sweep, more than 0; `None`: the energy's spread, the standard deviation of `ΔE` over
     /// random changes of random labels.
     pub initial_temperature: Option<f64>,

@@ -3,7 +3,7 @@
 use super::annealing_energy::SearchEnergy;
 use super::annealing_gibbs::GibbsScratch;
 use super::annealing_state::SearchState;
-use crate::mrf::{Energy, Labeling};
+use crate::mrf::{Energy, Labeling, MrfModel};
 use crate::observe::{Cancelled, Observer, checkpoint};
 use rayon::prelude::*;
 
@@ -102,7 +102,7 @@ impl RunEnd {
         let certified = self.stop == SearchStop::TargetReached;
         let labeling = if certified { state.labels().to_vec() } else { state.best_labels().to_vec() };
         Ok(SearchOutcome {
-            confidence: local_confidence(energy, &labeling, observer)?,
+            confidence: confidence_of(energy, &labeling, observer)?,
             energy: energy.model.energy(&labeling),
             labeling,
             sweeps: self.sweeps,
@@ -113,8 +113,16 @@ impl RunEnd {
     }
 }
 
-/// `p(x_i | neighbours)` at temperature 1 for every variable. Cost `O(n_variables · n_labels)`, on all cores.
-fn local_confidence(energy: &SearchEnergy<'_>, labels: &[u32], observer: &dyn Observer) -> Result<Vec<f64>, Cancelled> {
+/// For every variable `p(x_i | neighbours) ∝ exp(−E_i)`, the probability of its label if all others are right, of a
+/// labeling that any minimiser found. Cost `O(n_variables · n_labels)`, on all cores.
+///
+/// # Errors
+/// [`Cancelled`].
+pub fn local_confidence(model: &MrfModel, labels: &[u32], observer: &dyn Observer) -> Result<Vec<f64>, Cancelled> {
+    confidence_of(&SearchEnergy::new(model), labels, observer)
+}
+
+fn confidence_of(energy: &SearchEnergy<'_>, labels: &[u32], observer: &dyn Observer) -> Result<Vec<f64>, Cancelled> {
     let mut confidence = vec![0.0; labels.len()];
     confidence.par_chunks_mut(PART).enumerate().try_for_each_init(
         || GibbsScratch::new(energy.model.n_labels()),

@@ -45,7 +45,7 @@ pub(super) fn large() -> MrfModel {
     model(400, &edges, 90, 5, 0.5, 4.0)
 }
 
-fn options(sampler: Sampler, schedule: Schedule) -> AnnealingOptions {
+fn options(sampler: Sampler, schedule: Cooling) -> AnnealingOptions {
     AnnealingOptions { sampler, schedule, initial_temperature: None, final_temperature: None, patience: 50 }
 }
 
@@ -53,7 +53,7 @@ pub(super) fn run_of(sweeps: u32, seed: u64) -> SearchRun<'static> {
     SearchRun { sweeps, seed, start: None, target_energy: None }
 }
 
-fn anneal(model: &MrfModel, sampler: Sampler, schedule: Schedule, sweeps: u32, seed: u64) -> SearchOutcome {
+fn anneal(model: &MrfModel, sampler: Sampler, schedule: Cooling, sweeps: u32, seed: u64) -> SearchOutcome {
     SimulatedAnnealing::new(model, options(sampler, schedule)).run(&run_of(sweeps, seed), &Silent, |_| ()).unwrap()
 }
 
@@ -80,9 +80,9 @@ fn annealing_finds_the_exhaustive_minimum_of_small_models() {
         })
         .collect();
     for sampler in [Sampler::Gibbs, Sampler::Metropolis] {
-        for schedule in [Schedule::Geometric, Schedule::Logarithmic, Schedule::Linear] {
+        for schedule in [Cooling::Geometric, Cooling::Logarithmic, Cooling::Linear] {
             // The logarithmic schedule falls to a third within seven sweeps and hardly further: it has to begin hot.
-            let initial_temperature = (schedule == Schedule::Logarithmic).then_some(5.0);
+            let initial_temperature = (schedule == Cooling::Logarithmic).then_some(5.0);
             let options = AnnealingOptions { initial_temperature, ..options(sampler, schedule) };
             let found = |(seed, (model, lowest)): (usize, &(MrfModel, f64))| {
                 let outcome = SimulatedAnnealing::new(model, options).run(&run_of(1500, seed as u64), &Silent, |_| ());
@@ -168,7 +168,7 @@ fn gibbs_draws_follow_the_conditional_while_the_temperature_falls() {
 #[test]
 fn the_confidence_is_the_conditional_probability_at_temperature_one() {
     let model = model(5, &RING, 5, 9, 1.0, 2.5);
-    let outcome = anneal(&model, Sampler::Gibbs, Schedule::Geometric, 50, 1);
+    let outcome = anneal(&model, Sampler::Gibbs, Cooling::Geometric, 50, 1);
     for i in 0..5 {
         let weight = |x: u32| {
             let mut changed = outcome.labeling.clone();
@@ -264,7 +264,7 @@ proptest! {
 fn the_same_seed_gives_the_same_bytes_on_any_number_of_threads() {
     let model = large();
     for sampler in [Sampler::Gibbs, Sampler::Metropolis] {
-        let with = |threads, seed| on_threads(threads, || anneal(&model, sampler, Schedule::Geometric, 40, seed));
+        let with = |threads, seed| on_threads(threads, || anneal(&model, sampler, Cooling::Geometric, 40, seed));
         let one = with(1, 7);
         for threads in [2, 3, 7] {
             assert_eq!(one, with(threads, 7), "{sampler:?} on {threads} threads");
@@ -277,10 +277,10 @@ fn the_same_seed_gives_the_same_bytes_on_any_number_of_threads() {
 fn a_second_run_does_not_depend_on_the_first() {
     let model = large();
     for sampler in [Sampler::Gibbs, Sampler::Metropolis] {
-        let mut annealing = SimulatedAnnealing::new(&model, options(sampler, Schedule::Geometric));
+        let mut annealing = SimulatedAnnealing::new(&model, options(sampler, Cooling::Geometric));
         annealing.run(&run_of(10, 1), &Silent, |_| ()).unwrap();
         let second = annealing.run(&run_of(10, 2), &Silent, |_| ()).unwrap();
-        assert_eq!(second, anneal(&model, sampler, Schedule::Geometric, 10, 2));
+        assert_eq!(second, anneal(&model, sampler, Cooling::Geometric, 10, 2));
     }
 }
 
@@ -288,7 +288,7 @@ fn a_second_run_does_not_depend_on_the_first() {
 fn every_sweep_is_told_and_the_best_energy_never_rises() {
     let model = large();
     let mut seen = Vec::new();
-    let outcome = SimulatedAnnealing::new(&model, options(Sampler::Metropolis, Schedule::Linear))
+    let outcome = SimulatedAnnealing::new(&model, options(Sampler::Metropolis, Cooling::Linear))
         .run(&run_of(60, 3), &Silent, |sweep| seen.push(*sweep))
         .unwrap();
     assert_eq!((seen.len(), outcome.sweeps, outcome.stop), (60, 60, SearchStop::Budget));
@@ -304,7 +304,7 @@ fn every_sweep_is_told_and_the_best_energy_never_rises() {
 fn a_frozen_chain_ends_early() {
     let model = model(5, &RING, 5, 1, 1.0, 2.5);
     for sampler in [Sampler::Gibbs, Sampler::Metropolis] {
-        let cold = AnnealingOptions { final_temperature: Some(1e-3), ..options(sampler, Schedule::Geometric) };
+        let cold = AnnealingOptions { final_temperature: Some(1e-3), ..options(sampler, Cooling::Geometric) };
         let outcome = SimulatedAnnealing::new(&model, cold).run(&run_of(2000, 1), &Silent, |_| ()).unwrap();
         assert_eq!(outcome.stop, SearchStop::Frozen);
         assert!(outcome.sweeps < 2000);
@@ -317,7 +317,7 @@ fn annealing_ends_certified_at_a_target() {
     let lowest = exhaustive_minimum(&model);
     for sampler in [Sampler::Gibbs, Sampler::Metropolis] {
         let run = SearchRun { target_energy: Some(lowest), ..run_of(2000, 1) };
-        let mut annealing = SimulatedAnnealing::new(&model, options(sampler, Schedule::Geometric));
+        let mut annealing = SimulatedAnnealing::new(&model, options(sampler, Cooling::Geometric));
         let outcome = annealing.run(&run, &Silent, |_| ()).unwrap();
         assert_eq!((outcome.stop, outcome.certified), (SearchStop::TargetReached, true));
         assert!(outcome.energy.total() <= lowest);
@@ -336,7 +336,7 @@ fn with_an_infinite_truncation_no_edge_stays_broken_that_need_not_be() {
         for seed in 0..100 {
             let model = model(5, &RING, 5, seed, 1.0, f64::INFINITY);
             let lowest = exhaustive_minimum(&model);
-            let outcome = anneal(&model, sampler, Schedule::Geometric, 1000, seed);
+            let outcome = anneal(&model, sampler, Cooling::Geometric, 1000, seed);
             assert!(outcome.energy.total().is_finite(), "{sampler:?}, seed {seed}");
             assert!(outcome.confidence.iter().all(|p| (0.0..=1.0 + 1e-6).contains(p)));
             hits += u32::from(outcome.energy.total() < lowest + 1e-9);
@@ -355,7 +355,7 @@ fn a_bias_shifts_the_minimum_and_not_the_reported_energy() {
             row.iter_mut().enumerate().filter(|(x, _)| *x != 2).for_each(|(_, v)| *v = forbidden.min(1e4));
         }
         for sampler in [Sampler::Gibbs, Sampler::Metropolis] {
-            let mut annealing = SimulatedAnnealing::new(&model, options(sampler, Schedule::Geometric));
+            let mut annealing = SimulatedAnnealing::new(&model, options(sampler, Cooling::Geometric));
             annealing.set_bias(|_, row| {
                 row.fill(forbidden);
                 row[2] = 0.0;
@@ -371,13 +371,13 @@ fn a_bias_shifts_the_minimum_and_not_the_reported_energy() {
 fn models_without_edges_or_choices_are_no_special_cases() {
     for sampler in [Sampler::Gibbs, Sampler::Metropolis] {
         let alone = model(3, &[], 6, 1, 1.0, 2.5);
-        let outcome = anneal(&alone, sampler, Schedule::Geometric, 300, 1);
+        let outcome = anneal(&alone, sampler, Cooling::Geometric, 300, 1);
         assert_eq!(outcome.labeling, alone.unary_minimum());
         let single = model(2, &[[0, 1]], 1, 1, 1.0, 2.5);
-        let outcome = anneal(&single, sampler, Schedule::Linear, 300, 1);
+        let outcome = anneal(&single, sampler, Cooling::Linear, 300, 1);
         assert_eq!((outcome.labeling, outcome.stop), (vec![0, 0], SearchStop::Frozen));
         let empty = model(0, &[], 3, 1, 1.0, 2.5);
-        assert_eq!(anneal(&empty, sampler, Schedule::Linear, 300, 1).labeling, Vec::<u32>::new());
+        assert_eq!(anneal(&empty, sampler, Cooling::Linear, 300, 1).labeling, Vec::<u32>::new());
     }
 }
 
@@ -388,7 +388,7 @@ fn a_cancelled_run_ends_without_an_answer() {
         for after in [0, 5, 200] {
             let mut told = 0;
             let observer = CancelAfter(AtomicU32::new(after));
-            let outcome = SimulatedAnnealing::new(&model, options(sampler, Schedule::Linear)).run(
+            let outcome = SimulatedAnnealing::new(&model, options(sampler, Cooling::Linear)).run(
                 &run_of(100_000, 1),
                 &observer,
                 |_| told += 1,

@@ -141,7 +141,7 @@ impl<'a> DualBound<'a> {
     /// Sweeps until the bound meets the best labeling or hardly rises, or for `max_iterations`; a further run goes on
     /// from there.
     ///
-    /// `on_iteration` hears of every iteration. Cost of an iteration: `O(|E→| n k̄)`, on all cores, the same bits on
+    /// `on_iteration` hears of every iteration, with the best labeling so far. Cost of an iteration: `O(|E→| n k̄)`, on all cores, the same bits on
     /// any number of them.
     ///
     /// # Errors
@@ -150,7 +150,7 @@ impl<'a> DualBound<'a> {
         &mut self,
         max_iterations: u32,
         observer: &dyn Observer,
-        mut on_iteration: impl FnMut(&DualIteration),
+        mut on_iteration: impl FnMut(&DualIteration, &[u32]),
     ) -> Result<DualOutcome, Cancelled> {
         let mut stop = DualStop::MaxIterations;
         let mut iterations = 0;
@@ -169,7 +169,7 @@ impl<'a> DualBound<'a> {
                 }
             }
             let energy = self.best.1;
-            on_iteration(&DualIteration { iteration: iterations, bound: self.bound, energy });
+            on_iteration(&DualIteration { iteration: iterations, bound: self.bound, energy }, &self.best.0);
             if energy.total() - self.bound <= self.options.gap_tolerance * energy.total().abs() {
                 stop = DualStop::Optimal;
                 break;

@@ -13,7 +13,7 @@ const TO_THE_END: DualOptions = DualOptions { gap_tolerance: -1.0, progress_tole
 
 fn iterate(model: &MrfModel, iterations: u32) -> (DualOutcome, Vec<DualIteration>) {
     let mut trace = Vec::new();
-    let outcome = DualBound::new(model, TO_THE_END).run(iterations, &Silent, |i| trace.push(*i)).unwrap();
+    let outcome = DualBound::new(model, TO_THE_END).run(iterations, &Silent, |i, _| trace.push(*i)).unwrap();
     (outcome, trace)
 }
 
@@ -109,12 +109,12 @@ fn a_run_ends_when_bound_and_labeling_meet_or_nothing_moves() {
     let entropy: Vec<f64> = (0..97).map(|k| f64::from(k * 37 % 97) / 97.0).collect();
     let model = model_with_rings(6, &tree(&[0, 0, 1, 1, 2]), 5, &entropy, 1, 0.7, 2.5);
     let options = DualOptions { gap_tolerance: 1e-5, progress_tolerance: 0.0 };
-    let outcome = DualBound::new(&model, options).run(200, &Silent, |_| ()).unwrap();
+    let outcome = DualBound::new(&model, options).run(200, &Silent, |_, _| ()).unwrap();
     assert_eq!(outcome.stop, DualStop::Optimal);
     let options = DualOptions { gap_tolerance: -1.0, progress_tolerance: 1e-9 };
-    let outcome = DualBound::new(&grid_model(0.4), options).run(2000, &Silent, |_| ()).unwrap();
+    let outcome = DualBound::new(&grid_model(0.4), options).run(2000, &Silent, |_, _| ()).unwrap();
     assert_eq!(outcome.stop, DualStop::Stalled);
-    let outcome = DualBound::new(&model, TO_THE_END).run(2, &Silent, |_| ()).unwrap();
+    let outcome = DualBound::new(&model, TO_THE_END).run(2, &Silent, |_, _| ()).unwrap();
     assert_eq!((outcome.stop, outcome.iterations), (DualStop::MaxIterations, 2));
 }
 
@@ -122,8 +122,8 @@ fn a_run_ends_when_bound_and_labeling_meet_or_nothing_moves() {
 fn two_runs_one_after_the_other_are_one_run() {
     let model = grid_model(0.4);
     let mut bound = DualBound::new(&model, TO_THE_END);
-    bound.run(4, &Silent, |_| ()).unwrap();
-    let second = bound.run(3, &Silent, |_| ()).unwrap();
+    bound.run(4, &Silent, |_, _| ()).unwrap();
+    let second = bound.run(3, &Silent, |_, _| ()).unwrap();
     let (whole, _) = iterate(&model, 7);
     assert_eq!((second.bound, second.labeling), (whole.bound, whole.labeling));
 }
@@ -154,9 +154,9 @@ fn a_cancelled_run_leaves_a_bound_that_holds_and_may_start_again() {
     let model = model_with_rings(4, &edges, 6, &entropy, 1, 0.7, 2.5);
     let lowest = exhaustive_minimum(&model);
     let mut bound = DualBound::new(&model, TO_THE_END);
-    assert_eq!(bound.run(1000, &StopAfter(AtomicU32::new(0)), |_| ()), Err(Cancelled));
+    assert_eq!(bound.run(1000, &StopAfter(AtomicU32::new(0)), |_, _| ()), Err(Cancelled));
     let held = bound.bound();
     assert!(held <= lowest);
-    let outcome = bound.run(50, &Silent, |_| ()).unwrap();
+    let outcome = bound.run(50, &Silent, |_, _| ()).unwrap();
     assert!(held <= outcome.bound && outcome.bound <= lowest);
 }

@@ -15,7 +15,7 @@ const TRIAL_MOVES: u32 = 1024;
 
 /// The form of the cooling curve; `k` counts sweeps from 1 to `K`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Schedule {
+pub enum Cooling {
     /// `T_k = T_1 (T_K / T_1)^((k−1)/(K−1))`. Kirkpatrick, Gelatt, Vecchi, Science 220, 1983.
     Geometric,
     /// `T_k = T_1 ln 2 / ln(1 + k)`, but never less than the final temperature. Geman, Geman, IEEE PAMI 6(6), 1984; their
@@ -30,7 +30,7 @@ pub enum Schedule {
 /// The temperatures of one run.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Temperatures {
-    schedule: Schedule,
+    schedule: Cooling,
     initial: f64,
     last: f64,
     sweeps: u32,
@@ -39,7 +39,7 @@ pub(super) struct Temperatures {
 impl Temperatures {
     /// From `initial` to `last` in `sweeps` sweeps. A final temperature above the initial one counts as equal to it, and
     /// what is below [`COLDEST`] counts as that.
-    pub fn new(schedule: Schedule, initial: f64, last: f64, sweeps: u32) -> Self {
+    pub fn new(schedule: Cooling, initial: f64, last: f64, sweeps: u32) -> Self {
         let initial = initial.max(COLDEST);
         let last = last.clamp(COLDEST, initial);
         Temperatures { schedule, initial, last, sweeps }
@@ -52,9 +52,9 @@ impl Temperatures {
         }
         let share = f64::from(k - 1) / f64::from(self.sweeps.max(k) - 1);
         let exact = match self.schedule {
-            Schedule::Geometric => self.initial * (self.last / self.initial).powf(share),
-            Schedule::Logarithmic => self.initial * std::f64::consts::LN_2 / (1.0 + f64::from(k)).ln(),
-            Schedule::Linear => self.initial + (self.last - self.initial) * share,
+            Cooling::Geometric => self.initial * (self.last / self.initial).powf(share),
+            Cooling::Logarithmic => self.initial * std::f64::consts::LN_2 / (1.0 + f64::from(k)).ln(),
+            Cooling::Linear => self.initial + (self.last - self.initial) * share,
         };
         exact.clamp(self.last, self.initial)
     }
@@ -89,7 +89,7 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
 
-    const ALL: [Schedule; 3] = [Schedule::Geometric, Schedule::Logarithmic, Schedule::Linear];
+    const ALL: [Cooling; 3] = [Cooling::Geometric, Cooling::Logarithmic, Cooling::Linear];
 
     proptest! {
         #[test]
@@ -106,7 +106,7 @@ mod tests {
                     prop_assert!(last <= t.at(k) && t.at(k) <= t.at(k - 1), "{:?} rises in sweep {}", schedule, k);
                 }
             }
-            for schedule in [Schedule::Geometric, Schedule::Linear] {
+            for schedule in [Cooling::Geometric, Cooling::Linear] {
                 let end = Temperatures::new(schedule, initial, last, sweeps).at(sweeps);
                 prop_assert!((end - last).abs() < 1e-9 * initial, "{:?} ends at {}, not {}", schedule, end, last);
             }
@@ -116,12 +116,12 @@ mod tests {
     #[test]
     fn the_curves_are_those_of_their_formulas() {
         let at = |schedule, k| Temperatures::new(schedule, 8.0, 2.0, 3).at(k);
-        assert_eq!([1, 2, 3].map(|k| at(Schedule::Linear, k)), [8.0, 5.0, 2.0]);
-        assert!((at(Schedule::Geometric, 2) - 4.0).abs() < 1e-12);
-        assert!((at(Schedule::Logarithmic, 3) - 4.0).abs() < 1e-12);
-        assert!((Temperatures::new(Schedule::Logarithmic, 8.0, 0.1, 10).at(7) - 8.0 / 3.0).abs() < 1e-12);
+        assert_eq!([1, 2, 3].map(|k| at(Cooling::Linear, k)), [8.0, 5.0, 2.0]);
+        assert!((at(Cooling::Geometric, 2) - 4.0).abs() < 1e-12);
+        assert!((at(Cooling::Logarithmic, 3) - 4.0).abs() < 1e-12);
+        assert!((Temperatures::new(Cooling::Logarithmic, 8.0, 0.1, 10).at(7) - 8.0 / 3.0).abs() < 1e-12);
         // The floor: 8 / log₂ 32 would be less than 2.
-        assert_eq!(Temperatures::new(Schedule::Logarithmic, 8.0, 2.0, 40).at(31), 2.0);
+        assert_eq!(Temperatures::new(Cooling::Logarithmic, 8.0, 2.0, 40).at(31), 2.0);
     }
 
     #[test]
@@ -130,6 +130,6 @@ mod tests {
             assert_eq!(Temperatures::new(schedule, 2.0, 1.0, 1).at(1), 2.0);
             assert_eq!(Temperatures::new(schedule, 2.0, 3.0, 10).at(5), 2.0);
         }
-        assert!((Temperatures::new(Schedule::Linear, 2.0, 0.0, 10).at(10) - COLDEST).abs() < 1e-12);
+        assert!((Temperatures::new(Cooling::Linear, 2.0, 0.0, 10).at(10) - COLDEST).abs() < 1e-12);
     }
 }

@@ -4,26 +4,32 @@
 //! that most of its pairs agree with; clamping feeds that back into the energy, round by round; ICP refines.
 //! This is where the MRF, which knows no mesh, and registration, which knows no energy, meet.
 
+mod bound;
 mod clamping;
 pub mod consistency;
+mod minimiser;
 pub mod outliers;
 pub mod parameters;
 mod pipeline;
 mod prepare;
+mod registration_only;
 mod report;
 pub mod result;
 mod rivals;
+mod rounds;
+mod scene;
 mod surface_index;
 #[cfg(test)]
 mod tests;
 
+use crate::harmonics::HarmonicsError;
 use crate::mesh::SurfaceMesh;
 use crate::mrf::MrfModel;
 use crate::observe::{Cancelled, Observer};
 use parameters::MatchParameters;
 use result::{
-    ConsistencyDocument, Correspondences, EnergyDocument, StopReason, SupportDocument, SurfaceDistanceDocument,
-    TransformDocument,
+    ConsistencyDocument, Correspondences, EnergyDocument, PoseDocument, RoundDocument, StopReason, SupportDocument,
+    SurfaceDistanceDocument, TransformDocument,
 };
 
 /// What [`match_surfaces`] found; the caller adds timings and provenance to make a [`result::ResultDocument`].
@@ -35,10 +41,16 @@ pub struct MatchOutcome {
     pub support: SupportDocument,
     /// Distance of the registered surfaces.
     pub surface_distance: SurfaceDistanceDocument,
-    /// Energies.
-    pub energy: EnergyDocument,
+    /// Energies, if any was minimised.
+    pub energy: Option<EnergyDocument>,
     /// Quality of the map.
     pub topology: ConsistencyDocument,
+    /// What each round did.
+    pub rounds: Vec<RoundDocument>,
+    /// Poses that were compared.
+    pub poses: Vec<PoseDocument>,
+    /// Whether an ellipsoid has two half axes so alike that the rotation about the third is arbitrary.
+    pub ambiguous_axes: bool,
     /// The dense correspondence.
     pub correspondences: Correspondences,
     /// Why inference ended.
@@ -56,6 +68,14 @@ pub enum MatchError {
     NoRegistration {
         /// Tolerance of an inlier, mm.
         tolerance_mm: f64,
+    },
+    /// A surface has no first-order ellipsoid.
+    #[error("the {surface} has no first-order ellipsoid: {error}")]
+    NoEllipsoid {
+        /// `source` or `target`.
+        surface: &'static str,
+        /// Why.
+        error: HarmonicsError,
     },
     /// The heat flow that smooths the surface could not be solved.
     #[error("curvature at scale {scale_mm} mm could not be computed: the surface has degenerate faces")]

@@ -1,9 +1,9 @@
 //! From two surfaces to the energy: canonical numbering, features in scale space, and the MRF.
 
 use super::MatchError;
-use super::parameters::{FeatureKind, MatchParameters};
-use crate::curvature::{ScaleSpace, gaussian_curvature, mean_curvature};
-use crate::graph::LabelNeighborhoods;
+use super::parameters::{CurvatureEstimator, FeatureKind, FeatureParameters, MatchParameters, PairwiseDistance};
+use crate::curvature::{Curvatures, Estimator, ScaleSpace, curvatures, default_radius_mm};
+use crate::geodesic::{LabelDistance, label_neighborhoods};
 use crate::mesh::{CanonicalMesh, SurfaceMesh, canonicalize};
 use crate::mrf::{Feature, MrfModel, PairwisePotential, unary_potentials};
 use nalgebra::Vector3;
@@ -27,32 +27,50 @@ impl Side {
         &self.surface.mesh
     }
 
-    /// Every feature that `parameters` ask for at every scale, one list of values each, in order.
-    pub fn features(&self, parameters: &MatchParameters) -> Result<Vec<Vec<f64>>, MatchError> {
+    /// Every feature that `parameters` ask for at every scale, one list of values each, in order. `radius_mm` is that of
+    /// estimators whose radius is not stated.
+    pub fn features(&self, parameters: &MatchParameters, radius_mm: f64) -> Result<Vec<Vec<f64>>, MatchError> {
         let flow = ScaleSpace::new(self.mesh());
-        // Several features share a scale; each smoothed surface is made once.
-        let mut smoothed: Vec<(f64, SurfaceMesh)> = Vec::new();
+        // Several features share a scale and an estimator; each pair is measured once.
+        let mut measured: Vec<(f64, Estimator, Curvatures)> = Vec::new();
         let mut values = Vec::new();
         for feature in &parameters.features {
+            let estimator = estimator(feature, radius_mm);
             for &scale_mm in &feature.scales_mm {
-                if !smoothed.iter().any(|(s, _)| *s == scale_mm) {
+                if !measured.iter().any(|(s, e, _)| (*s, *e) == (scale_mm, estimator)) {
                     let surface = flow.smoothed(scale_mm).map_err(|_| MatchError::ScaleSpace { scale_mm })?;
-                    smoothed.push((scale_mm, surface));
+                    measured.push((scale_mm, estimator, curvatures(&surface, estimator)));
                 }
-                let Some((_, surface)) = smoothed.iter().find(|(s, _)| *s == scale_mm) else { continue };
-                values.push(match feature.kind {
-                    FeatureKind::GaussianCurvature => gaussian_curvature(surface),
-                    FeatureKind::MeanCurvature => mean_curvature(surface),
-                });
+                let found = measured.iter().find(|(s, e, _)| (*s, *e) == (scale_mm, estimator));
+                values.extend(found.map(|(_, _, both)| match feature.kind {
+                    FeatureKind::GaussianCurvature => both.gaussian.clone(),
+                    FeatureKind::MeanCurvature => both.mean.clone(),
+                }));
             }
         }
         Ok(values)
     }
 }
 
+fn estimator(feature: &FeatureParameters, radius_mm: f64) -> Estimator {
+    let radius_mm = feature.radius_mm.unwrap_or(radius_mm);
+    match feature.estimator {
+        CurvatureEstimator::AngleDefect => Estimator::AngleDefect,
+        CurvatureEstimator::Covariance => Estimator::Covariance { radius_mm },
+        CurvatureEstimator::Quadric => Estimator::Quadric { radius_mm },
+    }
+}
+
+/// What a broken edge counts under the hard constraint `T → ∞`. `exp(−60)` is far below the floor of every message, so
+/// that messages are those of an infinite truncation, and energies stay numbers.
+const HARD_TRUNCATION: f64 = 60.0;
+
 /// The energy of matching `source` to `target`.
 pub(super) fn build_model(source: &Side, target: &Side, parameters: &MatchParameters) -> Result<MrfModel, MatchError> {
-    let (source_values, target_values) = rayon::join(|| source.features(parameters), || target.features(parameters));
+    // One radius for both, or the coarser surface would look smoother.
+    let radius_mm = default_radius_mm(source.mesh()).max(default_radius_mm(target.mesh()));
+    let (source_values, target_values) =
+        rayon::join(|| source.features(parameters, radius_mm), || target.features(parameters, radius_mm));
     let weights = parameters.features.iter().flat_map(|f| f.scales_mm.iter().map(|_| f.weight));
     let features: Vec<Feature> = weights
         .zip(source_values?.into_iter().zip(target_values?))
@@ -66,10 +84,12 @@ pub(super) fn build_model(source: &Side, target: &Side, parameters: &MatchParame
         lengths
             .extend(variables.neighbors(i).iter().map(|&j| (p - source.mesh().vertices()[j as usize]).norm() as f32));
     }
-    let p = target.mesh().vertices();
-    let labels = LabelNeighborhoods::new(&target.mesh().edge_graph(), energy.neighborhood_rings as usize, |x, y| {
-        (p[x] - p[y]).norm()
-    });
+    let distance = match energy.pairwise_distance {
+        PairwiseDistance::Euclidean => LabelDistance::Euclidean,
+        PairwiseDistance::Graph => LabelDistance::Graph,
+        PairwiseDistance::Geodesic => LabelDistance::Geodesic,
+    };
+    let labels = label_neighborhoods(target.mesh(), energy.neighborhood_rings as usize, distance);
     Ok(MrfModel {
         variables,
         lengths,
@@ -78,7 +98,7 @@ pub(super) fn build_model(source: &Side, target: &Side, parameters: &MatchParame
         pairwise: PairwisePotential {
             beta: energy.beta,
             length_scale: target.mesh().mean_edge_length(),
-            truncation: energy.truncation,
+            truncation: energy.truncation.unwrap_or(HARD_TRUNCATION),
         },
     })
 }

@@ -1,12 +1,162 @@
-//! What is measured on a finished match.
+//! From an answer to the outcome of a match: what is measured on it, in the numbering of the inputs.
 
+use super::MatchOutcome;
+use super::consistency::topology_consistency_within;
+use super::outliers::{self, identify_outliers};
+use super::parameters::OrientationSolver as Solver;
 use super::prepare::Side;
-use super::result::{ConsistencyDocument, SurfaceDistanceDocument, TransformDocument};
+use super::result::{
+    ConsistencyDocument, Correspondences, EnergyDocument, OutlierReason, PoseDocument, RoundDocument,
+    SimilarityDocument, StopReason, SupportDocument, SurfaceDistanceDocument, TransformDocument,
+};
+use super::scene::Scene;
+use crate::graph::LabelNeighborhoods;
 use crate::mesh::{ClosestPointIndex, SurfaceMesh};
 use crate::mrf::MrfModel;
-use crate::registration::RigidTransform;
+use crate::registration::{OrientationSolver, ProcrustesOptions, RigidTransform, procrustes};
 use nalgebra::Point3;
 use rayon::prelude::*;
+
+/// What inference and registration found, in canonical numbering.
+pub(super) struct Answer {
+    pub labeling: Vec<u32>,
+    pub confidence: Vec<f64>,
+    pub spread_mm: Vec<f64>,
+    pub transform: RigidTransform,
+    pub confidence_reached: bool,
+    pub trials: u64,
+    pub stop_reason: StopReason,
+    pub rounds: Vec<RoundDocument>,
+    pub poses: Vec<PoseDocument>,
+    pub ambiguous_axes: bool,
+    pub lower_bound: Option<f64>,
+}
+
+/// The outcome of `answer`; energies are those of `model`, if there is one.
+pub(super) fn outcome(scene: &Scene<'_>, model: Option<&MrfModel>, answer: Answer) -> MatchOutcome {
+    let n = answer.labeling.len();
+    let source = scene.source.mesh();
+    let images = scene.images(&answer.labeling);
+    let residual = |i: usize| (answer.transform.apply(&source.vertices()[i]) - images[i]).norm();
+    let residuals: Vec<f64> = (0..n).map(residual).collect();
+    let inlier: Vec<bool> = residuals.iter().map(|&r| r <= scene.tolerance_mm).collect();
+    let supporting: Vec<usize> = (0..n).filter(|&i| inlier[i]).collect();
+    let squares: f64 = supporting.iter().map(|&i| residuals[i] * residuals[i]).sum();
+    let rings = scene.parameters.energy.neighborhood_rings as usize;
+    let labels = LabelNeighborhoods::new(&scene.target.mesh().edge_graph(), rings, |_, _| 0.0);
+    let outlier = outlier_reasons(scene, &labels, &answer.labeling, &residuals);
+    // Back to the numbering of the inputs, in its order.
+    let mut rows: Vec<(u32, usize)> = scene.source.surface.original.iter().copied().zip(0..n).collect();
+    rows.sort_unstable();
+    let correspondences = Correspondences {
+        source: rows.iter().map(|&(original, _)| original).collect(),
+        target: rows.iter().map(|&(_, i)| scene.target.surface.original[answer.labeling[i] as usize]).collect(),
+        confidence: rows.iter().map(|&(_, i)| answer.confidence[i]).collect(),
+        inlier: rows.iter().map(|&(_, i)| inlier[i]).collect(),
+        spread_mm: rows.iter().map(|&(_, i)| answer.spread_mm[i]).collect(),
+        outlier: rows.iter().map(|&(_, i)| outlier[i]).collect(),
+    };
+    MatchOutcome {
+        transform: TransformDocument {
+            similarity: similarity(scene, &images, &supporting),
+            ..transform_document(&answer.transform)
+        },
+        support: SupportDocument {
+            inliers: supporting.len() as u32,
+            ratio: supporting.len() as f64 / n as f64,
+            rms_mm: if supporting.is_empty() { 0.0 } else { (squares / supporting.len() as f64).sqrt() },
+            tolerance_mm: scene.tolerance_mm,
+            trials: answer.trials,
+            confidence_reached: answer.confidence_reached,
+        },
+        surface_distance: surface_distance(scene.source, scene.target.mesh(), &scene.closest.index, &answer.transform),
+        energy: model.map(|model| energy(model, &answer)),
+        topology: topology(scene, &answer.transform, &labels, &answer.labeling),
+        rounds: answer.rounds,
+        poses: answer.poses,
+        ambiguous_axes: answer.ambiguous_axes,
+        correspondences,
+        stop_reason: answer.stop_reason,
+    }
+}
+
+fn energy(model: &MrfModel, answer: &Answer) -> EnergyDocument {
+    let found = model.energy(&answer.labeling);
+    EnergyDocument {
+        initial: model.energy(&model.unary_minimum()).total(),
+        r#final: found.total(),
+        unary: found.unary,
+        pairwise: found.pairwise,
+        lower_bound: answer.lower_bound,
+        broken_edges: model.broken_edges(&answer.labeling) as u32,
+    }
+}
+
+/// Quality of the map. A mirrored answer is judged as a map of the mirrored source, which looks outwards again.
+fn topology(
+    scene: &Scene<'_>,
+    transform: &RigidTransform,
+    labels: &LabelNeighborhoods,
+    labeling: &[u32],
+) -> ConsistencyDocument {
+    let found = topology_consistency_within(scene.source.mesh(), scene.target.mesh(), labeling, labels);
+    // Every label is a target vertex: minimisers and closest points give no other.
+    let Ok(found) = found else { unreachable!("a labeling with labels that are no target vertices") };
+    let flipped = if transform.is_reflection() {
+        found.n_triangles - found.n_degenerate - found.n_flipped
+    } else {
+        found.n_flipped
+    };
+    ConsistencyDocument {
+        consistency: found.consistency,
+        coverage: found.coverage,
+        flipped_triangles: flipped as u32,
+        degenerate_triangles: found.n_degenerate as u32,
+        n_triangles: found.n_triangles as u32,
+    }
+}
+
+fn outlier_reasons(
+    scene: &Scene<'_>,
+    labels: &LabelNeighborhoods,
+    labeling: &[u32],
+    residuals: &[f64],
+) -> Vec<OutlierReason> {
+    let graph = scene.source.mesh().edge_graph();
+    let found = identify_outliers(&graph, labels, labeling, residuals, scene.tolerance_mm);
+    let Ok(found) = found else { unreachable!("a labeling with labels that are no target vertices") };
+    let reason = |reason: Option<outliers::OutlierReason>| match reason {
+        None => OutlierReason::None,
+        Some(outliers::OutlierReason::Residual) => OutlierReason::Residual,
+        Some(outliers::OutlierReason::Neighborhood) => OutlierReason::Neighborhood,
+        Some(outliers::OutlierReason::Both) => OutlierReason::Both,
+    };
+    found.into_iter().map(reason).collect()
+}
+
+/// The similarity over the support, where it is asked for and three pairs determine it.
+fn similarity(scene: &Scene<'_>, images: &[Point3<f64>], supporting: &[usize]) -> Option<SimilarityDocument> {
+    let p = &scene.parameters.registration;
+    if !p.similarity {
+        return None;
+    }
+    let source: Vec<_> = supporting.iter().map(|&i| scene.source.mesh().vertices()[i]).collect();
+    let target: Vec<_> = supporting.iter().map(|&i| images[i]).collect();
+    let options =
+        ProcrustesOptions { solver: solver(p.solver), with_scale: true, allow_reflection: p.allow_reflection };
+    let found = procrustes(&source, &target, None, &options).ok()?;
+    let fitted = found.target_from_source;
+    Some(SimilarityDocument { scale: fitted.scale, matrix: fitted.matrix(), rms_mm: found.rms_mm })
+}
+
+/// The solver that the parameters name.
+pub(super) fn solver(named: Solver) -> OrientationSolver {
+    match named {
+        Solver::Svd => OrientationSolver::Svd,
+        Solver::Quaternion => OrientationSolver::Quaternion,
+        Solver::OrthonormalMatrix => OrientationSolver::OrthonormalMatrix,
+    }
+}
 
 /// The transform in all its forms.
 pub(super) fn transform_document(transform: &RigidTransform) -> TransformDocument {
@@ -16,6 +166,7 @@ pub(super) fn transform_document(transform: &RigidTransform) -> TransformDocumen
         rotation_quaternion_wxyz: [q.w, q.i, q.j, q.k],
         rotation_angle_deg: transform.angle_rad().to_degrees(),
         translation_mm: transform.translation.into(),
+        similarity: None,
     }
 }
 
@@ -38,26 +189,4 @@ pub(super) fn surface_distance(
     all.sort_by(f64::total_cmp);
     let at = |share: f64| all[((all.len() - 1) as f64 * share).round() as usize];
     SurfaceDistanceDocument { mean_mm: all.iter().sum::<f64>() / all.len() as f64, p95_mm: at(0.95), max_mm: at(1.0) }
-}
-
-/// Topology consistency and coverage of a labeling.
-pub(super) fn consistency(model: &MrfModel, labeling: &[u32]) -> ConsistencyDocument {
-    let mut edges = 0usize;
-    let mut kept = 0usize;
-    for i in 0..model.n_variables() {
-        for edge in model.variables.row(i) {
-            edges += 1;
-            let (x, y) = (labeling[i], labeling[model.variables.head(edge)]);
-            kept += usize::from(model.labels.distance_within(x as usize, y as usize).is_some());
-        }
-    }
-    let mut hit = vec![false; model.n_labels()];
-    for &x in labeling {
-        hit[x as usize] = true;
-    }
-    let covered = hit.iter().filter(|&&h| h).count();
-    ConsistencyDocument {
-        consistency: kept as f64 / edges.max(1) as f64,
-        coverage: covered as f64 / hit.len().max(1) as f64,
-    }
 }

@@ -15,10 +15,20 @@ pub struct ResultDocument {
     pub support: SupportDocument,
     /// Symmetric distance of the registered surfaces, vertex to closest point on triangle.
     pub surface_distance: SurfaceDistanceDocument,
-    /// Energy of the labeling, without clamping terms.
-    pub energy: EnergyDocument,
+    /// Energies; absent where nothing was minimised.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub energy: Option<EnergyDocument>,
     /// How far the labeling keeps neighbours together and covers the target.
     pub topology: ConsistencyDocument,
+    /// What each round did: inference, registration, feedback.
+    #[serde(default)]
+    pub rounds: Vec<RoundDocument>,
+    /// Poses that were compared, the closest first; empty where there was no choice.
+    #[serde(default)]
+    pub poses: Vec<PoseDocument>,
+    /// Whether a first-order ellipsoid has two half axes so alike that the rotation about the third is arbitrary.
+    #[serde(default)]
+    pub ambiguous_axes: bool,
     /// The dense correspondence, in columns, one entry for each source vertex that has one.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub correspondences: Option<Correspondences>,
@@ -41,6 +51,102 @@ pub struct TransformDocument {
     pub rotation_angle_deg: f64,
     /// Translation `t`.
     pub translation_mm: [f64; 3],
+    /// The similarity transform that fits the support best, if it was asked for.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub similarity: Option<SimilarityDocument>,
+}
+
+/// A similarity transform `p' = s R p + t`, `target_from_source`.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, ToSchema)]
+pub struct SimilarityDocument {
+    /// Scale `s`.
+    pub scale: f64,
+    /// 4×4, row-major, the scale included, mm.
+    pub matrix: [[f64; 4]; 4],
+    /// Root mean square residual over the support.
+    pub rms_mm: f64,
+}
+
+/// What one round did.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, ToSchema)]
+pub struct RoundDocument {
+    /// From 0.
+    pub round: u32,
+    /// What the energy heard from the registration before.
+    pub feedback: Feedback,
+    /// Iterations of belief propagation or sweeps.
+    pub iterations: u32,
+    /// Why they ended.
+    pub stop_reason: StopReason,
+    /// How the labeling settled.
+    pub convergence: ConvergenceDocument,
+    /// Energy of the labeling, without clamping terms.
+    pub energy: f64,
+    /// Inliers of RANSAC.
+    pub support: u32,
+    /// Whether the answer is this round's.
+    pub chosen: bool,
+}
+
+/// What the energy of a round heard.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Feedback {
+    /// Nothing.
+    None,
+    /// Inliers were fixed to their labels.
+    Hard,
+    /// The registration of the round before.
+    Soft,
+    /// A pose on the principal axes that rivals that registration.
+    RivalPose,
+}
+
+/// How the labeling of a round settled.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, ToSchema)]
+pub struct ConvergenceDocument {
+    /// In a word.
+    pub status: ConvergenceStatus,
+    /// After how many iterations labelings repeat, if they oscillate.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub period: Option<u32>,
+}
+
+/// How a series of labelings settles.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum ConvergenceStatus {
+    /// Nothing changes any more.
+    Converged,
+    /// Changes still become smaller.
+    Slow,
+    /// The same labelings return again and again.
+    Oscillating,
+    /// The minimiser draws at random; it ends with its budget.
+    Sampled,
+}
+
+/// A pose that was compared with others.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, ToSchema)]
+pub struct PoseDocument {
+    /// Where it comes from.
+    pub origin: PoseOrigin,
+    /// 4×4, row-major, `target_from_source`, mm.
+    pub matrix: [[f64; 4]; 4],
+    /// Angle of its rotation against the answered one.
+    pub angle_deg: f64,
+    /// Root mean square distance of the moved source from the target, over a sample of the source.
+    pub rms_mm: f64,
+}
+
+/// Where a pose comes from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum PoseOrigin {
+    /// Principal axes laid on principal axes.
+    PrincipalAxes,
+    /// First-order ellipsoids laid on each other.
+    FirstOrderEllipsoid,
 }
 
 /// What supports the transform.
@@ -82,6 +188,12 @@ pub struct EnergyDocument {
     pub unary: f64,
     /// Its pairwise part.
     pub pairwise: f64,
+    /// No labeling has an energy below this, if a bound was asked for.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub lower_bound: Option<f64>,
+    /// Edges whose images are not neighbours, each counted with the truncation.
+    #[serde(default)]
+    pub broken_edges: u32,
 }
 
 /// Quality of the labeling as a map of surfaces.
@@ -91,6 +203,15 @@ pub struct ConsistencyDocument {
     pub consistency: f64,
     /// Share of target vertices that are somebody's image.
     pub coverage: f64,
+    /// Source triangles (quads count as two) whose image points inwards.
+    #[serde(default)]
+    pub flipped_triangles: u32,
+    /// Source triangles whose image has two equal corners or no area.
+    #[serde(default)]
+    pub degenerate_triangles: u32,
+    /// Source triangles in all.
+    #[serde(default)]
+    pub n_triangles: u32,
 }
 
 /// The dense correspondence in columns of equal length.
@@ -104,19 +225,72 @@ pub struct Correspondences {
     pub confidence: Vec<f64>,
     /// Whether it supports the transform.
     pub inlier: Vec<bool>,
+    /// Root mean square distance, on the target, of the belief from its mean, mm.
+    #[serde(default)]
+    pub spread_mm: Vec<f64>,
+    /// Whether and why it is an outlier.
+    #[serde(default)]
+    pub outlier: Vec<OutlierReason>,
+}
+
+/// Why a correspondence is an outlier.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, ToSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum OutlierReason {
+    /// It is none.
+    #[default]
+    None,
+    /// After registration its two points are further apart than the tolerance.
+    Residual,
+    /// Most of its neighbours have images that are no neighbours of its own.
+    Neighborhood,
+    /// Both.
+    Both,
+}
+
+impl OutlierReason {
+    /// The name used in JSON and CSV.
+    pub fn name(self) -> &'static str {
+        match self {
+            OutlierReason::None => "none",
+            OutlierReason::Residual => "residual",
+            OutlierReason::Neighborhood => "neighborhood",
+            OutlierReason::Both => "both",
+        }
+    }
+
+    /// The number used where columns hold numbers: 0 none, 1 residual, 2 neighbourhood, 3 both.
+    pub fn code(self) -> u8 {
+        self as u8
+    }
 }
 
 impl Correspondences {
     /// The columns as CSV (RFC 4180): a header, then a line for each correspondence.
     pub fn to_csv(&self) -> String {
-        let mut text = String::with_capacity(32 * self.source.len() + 40);
-        text.push_str("source,target,confidence,inlier\r\n");
-        let rows = self.source.iter().zip(&self.target).zip(self.confidence.iter().zip(&self.inlier));
-        for ((source, target), (confidence, inlier)) in rows {
+        let mut text = String::with_capacity(48 * self.source.len() + 60);
+        text.push_str("source,target,confidence,inlier,spread_mm,outlier\r\n");
+        for row in 0..self.source.len() {
+            let (source, target, inlier) = (self.source[row], self.target[row], self.inlier[row]);
+            let (confidence, spread, outlier) = (self.confidence[row], self.spread_mm[row], self.outlier[row].name());
             // Writing to a string cannot fail.
-            let _ = write!(text, "{source},{target},{confidence},{inlier}\r\n");
+            let _ = write!(text, "{source},{target},{confidence},{inlier},{spread},{outlier}\r\n");
         }
         text
+    }
+
+    /// These columns with those that earlier versions did not write filled in; none if lengths differ otherwise.
+    pub fn completed(mut self) -> Option<Self> {
+        let n = self.source.len();
+        if self.spread_mm.is_empty() {
+            self.spread_mm = vec![0.0; n];
+        }
+        if self.outlier.is_empty() {
+            self.outlier = vec![OutlierReason::None; n];
+        }
+        let lengths =
+            [self.target.len(), self.confidence.len(), self.inlier.len(), self.spread_mm.len(), self.outlier.len()];
+        (lengths == [n; 5]).then_some(self)
     }
 }
 
@@ -128,6 +302,10 @@ pub enum StopReason {
     Converged,
     /// The budget of iterations of the last round ended.
     MaxIterations,
+    /// The stated energy was reached: the answer is certified.
+    TargetReached,
+    /// Nothing was minimised.
+    RegistrationOnly,
 }
 
 /// What made a result.
@@ -171,7 +349,11 @@ mod tests {
             target: vec![5, 4],
             confidence: vec![0.5, 1.0],
             inlier: vec![true, false],
+            spread_mm: vec![0.25, 3.0],
+            outlier: vec![OutlierReason::None, OutlierReason::Residual],
         };
-        assert_eq!(columns.to_csv(), "source,target,confidence,inlier\r\n0,5,0.5,true\r\n1,4,1,false\r\n");
+        let expected =
+            "source,target,confidence,inlier,spread_mm,outlier\r\n0,5,0.5,true,0.25,none\r\n1,4,1,false,3,residual\r\n";
+        assert_eq!(columns.to_csv(), expected);
     }
 }

@@ -36,8 +36,9 @@ pub fn present(part: ResultPart, format: PartFormat, stored: &[&[u8]]) -> Result
 }
 
 fn table(pairs: &Correspondences, format: PartFormat) -> Option<Vec<u8>> {
-    let Correspondences { source, target, confidence, inlier } = pairs;
-    let columns = PairColumns { source, target, confidence, inlier };
+    let Correspondences { source, target, confidence, inlier, spread_mm, outlier } = pairs;
+    let outlier: Vec<u8> = outlier.iter().map(|reason| reason.code()).collect();
+    let columns = PairColumns { source, target, confidence, inlier, spread_mm, outlier: &outlier };
     match format {
         PartFormat::Csv => Some(pairs.to_csv().into_bytes()),
         PartFormat::Npy => Some(write_npy(&columns)),
@@ -62,19 +63,24 @@ fn vertex_arrays(pairs: &Correspondences, n_vertices: usize) -> Vec<VertexArray>
     let mut target = vec![NO_TARGET; n_vertices];
     let mut confidence = vec![0.0; n_vertices];
     let mut inlier = vec![0; n_vertices];
-    let values = pairs.confidence.iter().zip(&pairs.inlier);
-    for ((&source, &image), (&belief, &supports)) in pairs.source.iter().zip(&pairs.target).zip(values) {
-        let vertex = source as usize;
+    let mut spread_mm = vec![0.0; n_vertices];
+    let mut outlier = vec![0; n_vertices];
+    for row in 0..pairs.source.len() {
+        let vertex = pairs.source[row] as usize;
         if vertex < n_vertices {
-            target[vertex] = i32::try_from(image).unwrap_or(NO_TARGET);
-            confidence[vertex] = belief;
-            inlier[vertex] = u8::from(supports);
+            target[vertex] = i32::try_from(pairs.target[row]).unwrap_or(NO_TARGET);
+            confidence[vertex] = pairs.confidence[row];
+            inlier[vertex] = u8::from(pairs.inlier[row]);
+            spread_mm[vertex] = pairs.spread_mm[row];
+            outlier[vertex] = pairs.outlier[row].code();
         }
     }
     vec![
         VertexArray { name: "target", values: VertexValues::Int(target) },
         VertexArray { name: "confidence", values: VertexValues::Real(confidence) },
         VertexArray { name: "inlier", values: VertexValues::Byte(inlier) },
+        VertexArray { name: "spread_mm", values: VertexValues::Real(spread_mm) },
+        VertexArray { name: "outlier", values: VertexValues::Byte(outlier) },
     ]
 }
 
@@ -99,7 +105,9 @@ fn transform(result: &[u8], format: PartFormat) -> Result<Option<Vec<u8>>, Prese
 }
 
 fn correspondences(stored: &[u8]) -> Result<Correspondences, PresentError> {
-    serde_json::from_slice(stored).map_err(|error| unreadable("stored correspondences", error))
+    let pairs: Correspondences =
+        serde_json::from_slice(stored).map_err(|error| unreadable("stored correspondences", error))?;
+    pairs.completed().ok_or(PresentError::Unreadable { what: "columns of unequal length", source: None })
 }
 
 /// A surface that this program wrote. The limits for uploads are no matter here: they may have been lowered since.
@@ -115,6 +123,7 @@ fn unreadable(what: &'static str, error: impl std::error::Error + Send + Sync + 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::matching::result::OutlierReason;
 
     #[test]
     fn vertices_without_a_correspondence_are_filled_as_documented() {
@@ -123,6 +132,8 @@ mod tests {
             target: vec![7, 0, 2],
             confidence: vec![0.5, 0.25, 1.0],
             inlier: vec![true, false, true],
+            spread_mm: vec![0.5, 3.0, 1.0],
+            outlier: vec![OutlierReason::None, OutlierReason::Both, OutlierReason::Residual],
         };
         let arrays = vertex_arrays(&pairs, 5);
         let values: Vec<_> = arrays.into_iter().map(|array| (array.name, array.values)).collect();
@@ -130,6 +141,8 @@ mod tests {
             ("target", VertexValues::Int(vec![NO_TARGET, 0, NO_TARGET, 7, NO_TARGET])),
             ("confidence", VertexValues::Real(vec![0.0, 0.25, 0.0, 0.5, 0.0])),
             ("inlier", VertexValues::Byte(vec![0, 0, 0, 1, 0])),
+            ("spread_mm", VertexValues::Real(vec![0.0, 3.0, 0.0, 0.5, 0.0])),
+            ("outlier", VertexValues::Byte(vec![0, 3, 0, 0, 0])),
         ];
         assert_eq!(values, expected, "a vertex that the surface does not have is left out");
     }

@@ -87,6 +87,7 @@ fn finite(point: &TracePoint) -> TracePoint {
         energy_pairwise: keep(point.energy_pairwise),
         message_delta_max: keep(point.message_delta_max),
         temperature: keep(point.temperature),
+        lower_bound: keep(point.lower_bound),
         ..point.clone()
     }
 }

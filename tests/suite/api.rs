@@ -61,7 +61,10 @@ async fn correspondences_come_as_json_and_as_csv() {
     let by_query = service.get(&format!("{path}?format=csv")).await;
     assert!(by_query.headers()["content-type"].to_str().unwrap().starts_with("text/csv"));
     let text = by_query.text().await.unwrap();
-    assert_eq!(text, "source,target,confidence,inlier\r\n0,1,0.5,true\r\n1,0,0.25,false\r\n");
+    assert_eq!(
+        text,
+        "source,target,confidence,inlier,spread_mm,outlier\r\n0,1,0.5,true,0,none\r\n1,0,0.25,false,0,none\r\n"
+    );
     let request = service.client.get(format!("{}{path}", service.base)).header("accept", "text/csv");
     assert_eq!(request.send().await.unwrap().text().await.unwrap(), text);
     problem(service.get(&format!("{path}?format=xls")).await, 400, "invalid-query").await;

@@ -1,0 +1,58 @@
+//! The parameters of a match: named presets, what overrides them, and every check with the place of the fault.
+//!
+//! A request states a part; [`resolve`] lays it over the preset that `method` names and returns the whole, the
+//! *effective* parameters, which are stored with the job and returned with its result.
+
+mod energy;
+mod inference;
+mod input;
+mod presets;
+mod ranges;
+mod registration;
+mod resolve;
+
+pub use energy::{CurvatureEstimator, EnergyParameters, FeatureKind, FeatureParameters, PairwiseDistance};
+pub use inference::{
+    Algorithm, AnnealingParameters, ClampingMode, ClampingParameters, CoolingSchedule, InferenceParameters,
+    MessageSchedule, Update,
+};
+pub use input::{InputParameters, Repair, SurfaceKind};
+pub use presets::{Method, preset};
+pub use registration::{InitialPose, MinimalEstimator, OrientationSolver, Refinement, RegistrationParameters};
+pub use resolve::resolve;
+
+use serde::{Deserialize, Serialize};
+use utoipa::ToSchema;
+
+/// Effective parameters of a match: every value stated.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, ToSchema)]
+#[serde(deny_unknown_fields)]
+pub struct MatchParameters {
+    /// The preset that the other values started from.
+    pub method: Method,
+    /// How surfaces are made of the two inputs.
+    pub input: InputParameters,
+    /// Vertex features of the unary potential.
+    pub features: Vec<FeatureParameters>,
+    /// The energy.
+    pub energy: EnergyParameters,
+    /// Who minimises it.
+    pub inference: InferenceParameters,
+    /// Feedback from registration to the energy.
+    pub clamping: ClampingParameters,
+    /// The rigid transform.
+    pub registration: RegistrationParameters,
+    /// Seed of everything that is drawn at random.
+    pub seed: u64,
+}
+
+/// A fault in the parameters: where, which kind, what to do.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
+pub struct ParameterError {
+    /// JSON pointer into the parameters, such as `/energy/alpha`.
+    pub pointer: String,
+    /// `unknown_key`, `wrong_type` or `out_of_range`.
+    pub code: String,
+    /// One sentence that says what is wrong and what is allowed.
+    pub detail: String,
+}

@@ -1,0 +1,68 @@
+//! What every step of a match looks at: both surfaces, the parameters, and who watches.
+
+use super::MatchError;
+use super::parameters::{MatchParameters, Refinement};
+use super::prepare::Side;
+use super::surface_index::SurfaceIndex;
+use crate::observe::{Observer, Phase};
+use crate::registration::{IcpMetric, IcpOptions, RigidTransform, refine_icp};
+use nalgebra::Point3;
+
+/// Inlier tolerance in mean target edge lengths where the request states none.
+const TOLERANCE_EDGES: f64 = 3.0;
+/// Share of the source vertices that ICP keeps: the rest may have no counterpart.
+const ICP_KEEP: f64 = 0.9;
+const ICP_ITERATIONS: u32 = 100;
+const ICP_TOLERANCE: f64 = 1e-6;
+
+/// Two surfaces that are being matched.
+pub(super) struct Scene<'a> {
+    pub source: &'a Side,
+    pub target: &'a Side,
+    /// Closest points of the target.
+    pub closest: SurfaceIndex,
+    pub parameters: &'a MatchParameters,
+    /// Mean target edge length.
+    pub edge_mm: f64,
+    /// Largest residual of an inlier.
+    pub tolerance_mm: f64,
+    pub observer: &'a dyn Observer,
+}
+
+impl<'a> Scene<'a> {
+    pub fn new(
+        source: &'a Side,
+        target: &'a Side,
+        parameters: &'a MatchParameters,
+        observer: &'a dyn Observer,
+    ) -> Self {
+        let edge_mm = target.mesh().mean_edge_length();
+        Scene {
+            closest: SurfaceIndex::new(target.mesh()),
+            source,
+            target,
+            parameters,
+            edge_mm,
+            tolerance_mm: parameters.registration.tolerance_mm.unwrap_or(TOLERANCE_EDGES * edge_mm),
+            observer,
+        }
+    }
+
+    /// The target points of a labeling.
+    pub fn images(&self, labeling: &[u32]) -> Vec<Point3<f64>> {
+        labeling.iter().map(|&x| self.target.mesh().vertices()[x as usize]).collect()
+    }
+
+    /// `start` improved by closest points, as the parameters ask.
+    pub fn refine(&self, start: &RigidTransform) -> Result<RigidTransform, MatchError> {
+        let metric = match self.parameters.registration.refine {
+            Refinement::None => return Ok(*start),
+            Refinement::PointToPoint => IcpMetric::PointToPoint,
+            Refinement::PointToPlane => IcpMetric::PointToPlane,
+        };
+        self.observer.phase(Phase::Refinement);
+        let options = IcpOptions { metric, keep: ICP_KEEP, max_iterations: ICP_ITERATIONS, tolerance: ICP_TOLERANCE };
+        let report = refine_icp(self.source.mesh().vertices(), &self.closest, start, &options, self.observer)?;
+        Ok(report.target_from_source)
+    }
+}

@@ -38,6 +38,8 @@ pub mod intake;
 
 pub mod run;
 
+pub mod experiment;
+
 pub mod jobs;
 
 pub mod store;

@@ -1,0 +1,143 @@
+//! The sections of the report, one file each: a question, its units, and what is said of their numbers.
+
+mod clamping;
+mod minimisers;
+mod neighborhood;
+mod noise;
+mod outliers;
+mod products;
+mod ransac;
+mod registration;
+mod scale;
+mod topology;
+mod update;
+
+use super::document::{Plot, Table};
+use super::results::{Group, Metric, Results};
+use super::study::{COPIES, REAL, SYNTHETIC, Study};
+use super::units::Unit;
+
+/// All sections, in the order of the report.
+pub(super) const ALL: [&dyn Experiment; 11] = [
+    &minimisers::Minimisers,
+    &products::Products,
+    &neighborhood::Neighborhood,
+    &scale::CurvatureScale,
+    &update::Update,
+    &clamping::Clamping,
+    &noise::Noise,
+    &ransac::Ransac,
+    &registration::Registration,
+    &topology::Topology,
+    &outliers::Outliers,
+];
+
+/// A question that units can answer.
+pub(super) trait Experiment: Sync {
+    /// What is asked.
+    fn about(&self) -> About;
+    /// The work, in order.
+    fn units<'a>(&self, study: &'a Study<'_>) -> Vec<Unit<'a>>;
+    /// What the numbers say.
+    fn report(&self, study: &Study<'_>, results: &Results) -> Body;
+}
+
+/// What a section asks, in words that do not depend on numbers.
+pub(super) struct About {
+    pub id: &'static str,
+    pub title: &'static str,
+    pub question: &'static str,
+    pub varied: &'static str,
+}
+
+/// What a section found.
+#[derive(Default)]
+pub(super) struct Body {
+    pub pairs: String,
+    pub finding: String,
+    pub notes: Vec<String>,
+    pub tables: Vec<Table>,
+    pub plots: Vec<Plot>,
+}
+
+const WITHIN_1: Metric = Metric::percent("within_1_edges", "within 1 edge");
+const WITHIN_2: Metric = Metric::percent("within_2_edges", "within 2 edges");
+const ERROR: Metric = Metric::number("error_mm", "mean error", "mm", 2);
+const PARTS: Metric = Metric::percent("part_agreement", "parts agree");
+const ROTATION: Metric = Metric::number("rotation_error_deg", "rotation error", "°", 2);
+const INLIERS: Metric = Metric::percent("support_ratio", "inlier ratio");
+const CONSISTENCY: Metric = Metric::percent("consistency", "edges kept");
+const SECONDS: Metric = Metric::number("seconds", "time", "s", 2);
+
+/// What is measured where the truth is known at every vertex.
+const ON_PHANTOMS: [Metric; 7] = [WITHIN_1, WITHIN_2, ERROR, ROTATION, INLIERS, CONSISTENCY, SECONDS];
+/// What is measured between different subjects.
+const ON_SUBJECTS: [Metric; 5] = [PARTS, ROTATION, INLIERS, CONSISTENCY, SECONDS];
+
+/// The tables of the kinds of pair that were matched, a row for each setting.
+fn match_tables(results: &Results, setting: &str) -> Vec<Table> {
+    let kinds = [
+        (SYNTHETIC, "Phantoms, deformed, turned and re-sampled", ON_PHANTOMS.as_slice()),
+        (REAL, "Different real subjects, turned", ON_SUBJECTS.as_slice()),
+        (COPIES, "Real subjects and their turned copies", ON_PHANTOMS.as_slice()),
+    ];
+    kinds
+        .into_iter()
+        .filter(|(group, ..)| !results.group(group).is_empty())
+        .map(|(group, title, metrics)| results.group(group).table(group, title, setting, metrics))
+        .collect()
+}
+
+/// How many pairs of which kind.
+fn pairs_of(results: &Results, kinds: &[(&str, &str)]) -> String {
+    let counted = kinds.iter().filter_map(|(group, noun)| {
+        let n = results.group(group).cases().len();
+        (n > 0).then(|| format!("{n} {noun}"))
+    });
+    counted.collect::<Vec<_>>().join(", ")
+}
+
+/// The usual kinds.
+const MATCHED: [(&str, &str); 3] =
+    [(SYNTHETIC, "synthetic pairs"), (REAL, "pairs of real subjects"), (COPIES, "real subjects with their copies")];
+
+/// The sentences that could be computed, or that none could.
+fn sentences<const N: usize>(found: [Option<String>; N]) -> String {
+    let found: Vec<_> = found.into_iter().flatten().collect();
+    if found.is_empty() {
+        "Nothing was measured: no unit of this section finished.".to_owned()
+    } else {
+        found.join(" ")
+    }
+}
+
+/// One metric of two settings in words: `78 ± 5 % against 42 ± 7 %`.
+fn against(group: &Group<'_>, one: &str, other: &str, metric: &Metric) -> Option<String> {
+    Some(format!("{} with {one} against {} with {other}", mean(group, one, metric)?, mean(group, other, metric)?))
+}
+
+/// A metric of a setting in words: `78 ± 5 %`.
+fn mean(group: &Group<'_>, setting: &str, metric: &Metric) -> Option<String> {
+    let s = group.summary(setting, metric.key)?.scaled(metric.factor);
+    let d = metric.digits;
+    let unit = match metric.unit {
+        "°" => "°".to_owned(),
+        unit => format!(" {unit}"),
+    };
+    Some(format!("{:.d$} ± {:.d$}{unit}", s.mean, s.sd).trim_end().to_owned())
+}
+
+/// The best setting by a metric against all others: `best: r = 2 with 93 %, worst: r = 1 with 71 %`.
+fn range(group: &Group<'_>, metric: &Metric, largest: bool) -> Option<String> {
+    let (best, _) = group.best(metric.key, largest)?;
+    let (worst, _) = group.best(metric.key, !largest)?;
+    let n = group.measured(best).len();
+    let noun = if n == 1 { "pair" } else { "pairs" };
+    let (first, last) = (mean(group, best, metric)?, mean(group, worst, metric)?);
+    Some(format!("{}: best with {best} ({first}), worst with {worst} ({last}) on {n} {noun}.", metric.name))
+}
+
+/// Begins a sentence with the kind of pair.
+fn on(kind: &str, sentence: Option<String>) -> Option<String> {
+    sentence.map(|s| format!("On {kind} pairs, {s}"))
+}

@@ -1,0 +1,74 @@
+//! The size of the neighbourhood: how far the images of neighbours may lie apart.
+
+use super::{
+    About, Body, Experiment, MATCHED, PARTS, WITHIN_1, WITHIN_2, match_tables, on, pairs_of, range, sentences,
+};
+use crate::experiment::document::{Axis, Plot, PlotKind};
+use crate::experiment::results::Results;
+use crate::experiment::study::{REAL, SYNTHETIC, Setting, Study};
+use crate::experiment::units::Unit;
+use serde_json::json;
+
+pub(in crate::experiment) struct Neighborhood;
+
+fn settings() -> Vec<Setting> {
+    let free = json!({"mode": "none"});
+    let mut all: Vec<Setting> =
+        (1..=4).map(|r| (format!("r = {r}"), json!({"energy": {"neighborhood_rings": r}, "clamping": free}))).collect();
+    for r in [1, 2] {
+        let energy = json!({"neighborhood_rings": r, "truncation": null});
+        all.push((format!("r = {r}, hard"), json!({"energy": energy, "clamping": free})));
+    }
+    all
+}
+
+/// The radius that a setting's name says, of the soft constraint.
+fn radius(setting: &str) -> Option<f64> {
+    setting.strip_prefix("r = ")?.parse().ok()
+}
+
+impl Experiment for Neighborhood {
+    fn about(&self) -> About {
+        About {
+            id: "neighborhood",
+            title: "Size of the neighbourhood",
+            question: "How many edges apart may the images of two neighbours lie before it costs the truncation?",
+            varied: "The radius r in edges, and the hard constraint (truncation to infinity) of the thesis; without \
+                     feedback from registration, so that the energy alone answers.",
+        }
+    }
+
+    fn units<'a>(&self, study: &'a Study<'_>) -> Vec<Unit<'a>> {
+        let mut units = study.matches(&study.phantoms(8), &settings());
+        units.extend(study.matches(&study.real(6), &settings()));
+        units
+    }
+
+    fn report(&self, study: &Study<'_>, results: &Results) -> Body {
+        let (synthetic, real) = (results.group(SYNTHETIC), results.group(REAL));
+        let mut series = vec![
+            synthetic.series("phantoms, within 1 edge", &WITHIN_1, radius),
+            synthetic.series("phantoms, within 2 edges", &WITHIN_2, radius),
+        ];
+        if !real.is_empty() {
+            series.push(real.series("real subjects, parts agree", &PARTS, radius));
+        }
+        Body {
+            pairs: pairs_of(results, &MATCHED),
+            finding: sentences([
+                on("synthetic", range(&synthetic, &WITHIN_1, true)),
+                on("real", range(&real, &PARTS, true)),
+            ]),
+            notes: study.real_absent().into_iter().collect(),
+            tables: match_tables(results, "neighbourhood"),
+            plots: vec![Plot {
+                title: "Matched vertices by neighbourhood radius".to_owned(),
+                kind: PlotKind::Lines,
+                x: Axis::linear("radius r", "edges"),
+                y: Axis::linear("share of vertices", "%"),
+                categories: Vec::new(),
+                series,
+            }],
+        }
+    }
+}

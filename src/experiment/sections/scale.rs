@@ -1,0 +1,79 @@
+//! The scale at which curvature is measured.
+
+use super::{About, Body, Experiment, MATCHED, PARTS, WITHIN_1, match_tables, on, pairs_of, range, sentences};
+use crate::experiment::document::{Axis, Plot, PlotKind};
+use crate::experiment::results::Results;
+use crate::experiment::study::{REAL, SYNTHETIC, Setting, Study};
+use crate::experiment::units::Unit;
+use serde_json::{Value, json};
+
+pub(in crate::experiment) struct CurvatureScale;
+
+/// Single scales, mm.
+const SCALES: [f64; 6] = [0.7, 1.4, 2.0, 2.8, 4.5, 6.0];
+
+fn name(scale_mm: f64) -> String {
+    format!("K at {scale_mm} mm")
+}
+
+fn settings() -> Vec<Setting> {
+    let feature = |kind: &str, scales: &[f64]| json!({"kind": kind, "scales_mm": scales});
+    let request = |features: Vec<Value>| json!({"features": features, "clamping": {"mode": "none"}});
+    let mut all: Vec<Setting> =
+        SCALES.iter().map(|&s| (name(s), request(vec![feature("gaussian_curvature", &[s])]))).collect();
+    let three = [1.4, 2.8, 4.5];
+    let gaussian = feature("gaussian_curvature", &three);
+    let mean = feature("mean_curvature", &three);
+    all.push(("K at three scales".to_owned(), request(vec![gaussian.clone()])));
+    all.push(("H at three scales".to_owned(), request(vec![mean.clone()])));
+    all.push(("K and H at three scales".to_owned(), request(vec![gaussian, mean])));
+    all
+}
+
+fn scale_of(setting: &str) -> Option<f64> {
+    SCALES.into_iter().find(|&s| name(s) == setting)
+}
+
+impl Experiment for CurvatureScale {
+    fn about(&self) -> About {
+        About {
+            id: "scale",
+            title: "Scale of curvature",
+            question: "At which scale is curvature the best feature, and are several scales better than one?",
+            varied: "The scales of Gaussian curvature K and mean curvature H (the standard deviation, in mm, of the \
+                     smoothing before they are measured; three scales are 1.4, 2.8 and 4.5 mm); without feedback from \
+                     registration.",
+        }
+    }
+
+    fn units<'a>(&self, study: &'a Study<'_>) -> Vec<Unit<'a>> {
+        let mut units = study.matches(&study.phantoms(8), &settings());
+        units.extend(study.matches(&study.real(6), &settings()));
+        units
+    }
+
+    fn report(&self, study: &Study<'_>, results: &Results) -> Body {
+        let (synthetic, real) = (results.group(SYNTHETIC), results.group(REAL));
+        let mut series = vec![synthetic.series("phantoms, within 1 edge", &WITHIN_1, scale_of)];
+        if !real.is_empty() {
+            series.push(real.series("real subjects, parts agree", &PARTS, scale_of));
+        }
+        Body {
+            pairs: pairs_of(results, &MATCHED),
+            finding: sentences([
+                on("synthetic", range(&synthetic, &WITHIN_1, true)),
+                on("real", range(&real, &PARTS, true)),
+            ]),
+            notes: study.real_absent().into_iter().collect(),
+            tables: match_tables(results, "feature"),
+            plots: vec![Plot {
+                title: "Matched vertices by the single scale of Gaussian curvature".to_owned(),
+                kind: PlotKind::Lines,
+                x: Axis::linear("scale", "mm"),
+                y: Axis::linear("share of vertices", "%"),
+                categories: Vec::new(),
+                series,
+            }],
+        }
+    }
+}

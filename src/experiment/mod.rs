@@ -18,6 +18,7 @@ mod pairs;
 mod results;
 mod scale;
 mod sections;
+mod solids;
 mod statistics;
 mod study;
 mod svg;

@@ -2,6 +2,7 @@
 
 use super::draws::Draws;
 use super::hippocampi::Subject;
+use super::solids::{Form, bumped};
 use crate::mesh::{ClosestPointIndex, SurfaceMesh};
 use crate::observe::Silent;
 use crate::phantom::{PairRecipe, Part, PhantomPair, random_permutation, random_pose};
@@ -68,6 +69,32 @@ pub(super) fn phantom_pair(recipe: &PhantomRecipe) -> Result<Pair, String> {
         target: noisy(target.mesh, 500 + k)?,
         truth: Some(truth),
         pose: Some(pose),
+    })
+}
+
+/// How a pair of solids is made.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub(super) struct SolidRecipe {
+    pub form: Form,
+    /// Number of the pair, from which all seeds come.
+    pub number: u64,
+    /// How often the triangles of an icosahedron are cut.
+    pub levels: u32,
+}
+
+/// A bumped solid and its turned copy, whose triangles lie elsewhere.
+pub(super) fn solid_pair(recipe: &SolidRecipe) -> Result<Pair, String> {
+    let k = recipe.number;
+    let (still, frame, motion) = (Isometry3::identity(), random_pose(900 + k), random_pose(1000 + k));
+    let frame = Isometry3::from_parts(still.translation, frame.rotation);
+    let source = bumped(recipe.form, recipe.levels, k, &still, &still)?;
+    let target = bumped(recipe.form, recipe.levels, k, &frame, &motion)?;
+    Ok(Pair {
+        truth: Some(source.vertices().iter().map(|p| motion * p).collect()),
+        pose: Some(rigid(&motion)),
+        parts: None,
+        source,
+        target,
     })
 }
 

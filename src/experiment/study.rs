@@ -2,7 +2,8 @@
 
 use super::hippocampi::{Hippocampi, Subject};
 use super::measure::measure_match;
-use super::pairs::{Pair, PhantomRecipe, copy_pair, cross_pair, phantom_pair};
+use super::pairs::{Pair, PhantomRecipe, SolidRecipe, copy_pair, cross_pair, phantom_pair, solid_pair};
+use super::solids::Form;
 use super::units::{Unit, Work};
 use super::{Clock, ExperimentOptions};
 use serde::Serialize;
@@ -17,6 +18,8 @@ pub(super) const SYNTHETIC: &str = "synthetic";
 pub(super) const REAL: &str = "real";
 /// Name of the kind of pair made of real subjects and their turned copies.
 pub(super) const COPIES: &str = "copies";
+/// Name of the kind of pair made of bumped solids.
+pub(super) const SOLIDS: &str = "solids";
 
 /// RMS deformation of the synthetic pairs, as a share of the diagonal.
 pub(super) const DEFORM_SHARE: f64 = 0.04;
@@ -26,6 +29,7 @@ pub(super) const DEFORM_SHARE: f64 = 0.04;
 #[serde(rename_all = "snake_case")]
 pub(super) enum PairRecipe {
     Phantom(PhantomRecipe),
+    Solid(SolidRecipe),
     Copy { subject: usize, hash: String, seed: u64 },
     Cross { source: usize, target: usize, hashes: [String; 2], seed: u64 },
 }
@@ -88,6 +92,19 @@ impl<'o> Study<'o> {
             .collect()
     }
 
+    /// So many bumped solids of a form and their turned copies.
+    pub fn solids(&self, form: Form, full: u64) -> Vec<Case> {
+        // 162 vertices hold no bump, 642 do.
+        let recipe = |number| SolidRecipe { form, number, levels: 3 };
+        (1..=self.either(full.min(1), full))
+            .map(|number| Case {
+                group: SOLIDS,
+                name: format!("{} {number}", form.name()),
+                recipe: PairRecipe::Solid(recipe(number)),
+            })
+            .collect()
+    }
+
     /// So many pairs of different real subjects, spread over the folder; none without data or in the quick form.
     pub fn real(&self, full: usize) -> Vec<Case> {
         let Some(data) = self.hippocampi.as_ref().filter(|_| !self.quick) else { return Vec::new() };
@@ -137,6 +154,7 @@ impl<'o> Study<'o> {
         }
         let pair = Rc::new(match recipe {
             PairRecipe::Phantom(recipe) => phantom_pair(recipe)?,
+            PairRecipe::Solid(recipe) => solid_pair(recipe)?,
             PairRecipe::Copy { subject, seed, .. } => copy_pair(&*self.subject(*subject)?, *seed)?,
             PairRecipe::Cross { source, target, seed, .. } => {
                 cross_pair(&*self.subject(*source)?, &*self.subject(*target)?, *seed)?

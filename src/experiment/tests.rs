@@ -88,23 +88,25 @@ fn the_same_program_gives_the_same_numbers() {
 fn a_second_run_computes_nothing_and_a_stopped_one_only_what_is_missing() {
     let folder = tempfile::tempdir().unwrap();
     let first = run_quietly(&options(folder.path(), &FEW));
-    assert!(first.computed > 10 && first.reused == 0);
+    // The usual setting stands in several series, and is computed once.
+    let total = first.computed + first.reused;
+    assert!(first.computed > 10);
     let json = read(folder.path(), "report.json");
     let mut told = Vec::new();
     let again = run(&options(folder.path(), &FEW), &mut |p| told.push((p.done, p.total))).unwrap();
-    assert_eq!((again.computed, again.reused), (0, first.computed));
+    assert_eq!((again.computed, again.reused), (0, total));
     assert_eq!(read(folder.path(), "report.json"), json);
-    assert!(told.windows(2).all(|w| w[0].0 <= w[1].0) && told.last() == Some(&(first.computed, first.computed)));
+    assert!(told.windows(2).all(|w| w[0].0 <= w[1].0) && told.last() == Some(&(total, total)));
     // Half a line is what a program leaves that is stopped while it writes.
     let units = read(folder.path(), "units.jsonl");
     let kept: usize = units.lines().take(5).map(|line| line.len() + 1).sum();
     fs::write(folder.path().join("units.jsonl"), &units[..kept + 20]).unwrap();
     let resumed = run_quietly(&options(folder.path(), &FEW));
-    assert_eq!((resumed.computed, resumed.reused), (first.computed - 5, 5));
+    assert_eq!((resumed.computed, resumed.reused), (first.computed - 5, first.reused + 5));
     // Another program computes everything anew.
     let mut other = options(folder.path(), &["ransac"]);
     other.provenance.commit = "def".to_owned();
-    assert_eq!(run_quietly(&other).reused, 0);
+    assert!(run_quietly(&other).computed > 10);
 }
 
 /// The numbers of a table as its CSV file should have them.

@@ -1,6 +1,8 @@
 //! The sections of the report, one file each: a question, its units, and what is said of their numbers.
 
 mod clamping;
+mod ellipsoid;
+mod estimators;
 mod minimisers;
 mod neighborhood;
 mod noise;
@@ -18,7 +20,7 @@ use super::study::{COPIES, REAL, SYNTHETIC, Study};
 use super::units::Unit;
 
 /// All sections, in the order of the report.
-pub(super) const ALL: [&dyn Experiment; 11] = [
+pub(super) const ALL: [&dyn Experiment; 13] = [
     &minimisers::Minimisers,
     &products::Products,
     &neighborhood::Neighborhood,
@@ -26,10 +28,12 @@ pub(super) const ALL: [&dyn Experiment; 11] = [
     &update::Update,
     &clamping::Clamping,
     &noise::Noise,
+    &estimators::Estimators,
     &ransac::Ransac,
     &registration::Registration,
     &topology::Topology,
     &outliers::Outliers,
+    &ellipsoid::Ellipsoid,
 ];
 
 /// A question that units can answer.

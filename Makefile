@@ -6,19 +6,21 @@
 # make contract  a running service held against its OpenAPI document by schemathesis
 # make build   target/release/homolog
 # make api     writes the generated files under api/ anew
+# make experiment  measure every method and write a report; DATA=dir: real label volumes below dir/hippocampus
 # make bench   benchmarks of a match
 # make bench-service  benchmarks of the service; PART=poll: one of its parts
 
 SHELL := /usr/bin/env bash
 .SHELLFLAGS := -eu -o pipefail -c
 .DEFAULT_GOAL := help
-.PHONY: help demo test faults check contract build api bench bench-service
+.PHONY: help demo test faults check contract build api experiment bench bench-service
 
 CARGO ?= cargo
 SOURCE ?=
 TARGET ?=
 KEEP ?=
 TEST ?=
+DATA ?= data
 EXAMPLES ?= 50
 PART ?=
 DEMO_OUT ?= target/demo
@@ -70,6 +72,9 @@ api:
 	$(CARGO) run --quiet --locked -- problems > api/problems.md.tmp
 	mv api/openapi.json.tmp api/openapi.json
 	mv api/problems.md.tmp api/problems.md
+
+experiment: build
+	target/release/homolog experiment --data "$(DATA)" --out target/experiment
 
 bench:
 	@scripts/setup build

@@ -4,6 +4,7 @@
 mod admin;
 mod demo;
 mod error;
+mod experiment;
 mod files;
 mod health;
 mod inspect;
@@ -42,6 +43,7 @@ enum Command {
     Match(match_pair::MatchArgs),
     Inspect(inspect::InspectArgs),
     Phantom(phantom::PhantomArgs),
+    Experiment(experiment::ExperimentArgs),
     Demo(demo::DemoArgs),
     Health(health::HealthArgs),
     /// Print the OpenAPI document of the service
@@ -77,6 +79,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Command::Match(args) => match_pair::run(&args),
         Command::Inspect(args) => inspect::run(&args),
         Command::Phantom(args) => phantom::run(&args),
+        Command::Experiment(args) => experiment::run(&args),
         Command::Demo(args) => demo::run(&args),
         Command::Health(args) => health::run(&args),
     };

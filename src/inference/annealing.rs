@@ -1,8 +1,9 @@
 //! Simulated annealing: random changes of single labels at a temperature that falls.
 //!
 //! Source: Kirkpatrick, Gelatt, Vecchi, Science 220, 1983; with the Gibbs sampler Geman, Geman, IEEE PAMI 6(6), 1984.
-//! For the truncated energies of surface matching belief propagation is the stronger minimiser; annealing is the
-//! classical reference, needs no messages (`O(n_labels)` of memory beside the unary potentials), and samples.
+//! Annealing is the classical reference for belief propagation: it needs no messages (`O(n_variables + n_labels)` of
+//! memory beside the unary potentials), samples, and lowers the energy of a labeling that belief propagation found when
+//! it starts from that at a low temperature.
 
 use super::annealing_energy::SearchEnergy;
 use super::annealing_search::{RunEnd, SearchOutcome, SearchRun, SearchStop, SearchSweep};
@@ -11,8 +12,13 @@ use super::schedule::{Cooling, Temperatures, energy_spread};
 use crate::mrf::MrfModel;
 use crate::observe::{Cancelled, Observer};
 
-/// Final temperature as a share of the initial one where none is given.
-const FINAL_SHARE: f64 = 0.01;
+/// Initial temperature in spreads of the energy where none is given. Labels of two surfaces begin to agree all at once
+/// near one spread; a run that begins there freezes into patches. Of 1, 1.5, 2 and 3 spreads, 2 gave the lowest mean
+/// energy of three seeds, with both samplers and the geometric schedule, on two generated surfaces of 660 vertices.
+const INITIAL_SPREADS: f64 = 2.0;
+/// Final temperature as a share of the initial one where none is given: a typical change for the worse is then never
+/// accepted.
+const FINAL_SHARE: f64 = 0.005;
 
 /// How a label is drawn at a temperature. Both keep `p(x) ∝ exp(−E(x)/T)`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -32,11 +38,11 @@ pub struct AnnealingOptions {
     pub sampler: Sampler,
     /// How the temperature falls.
     pub schedule: Cooling,
-    /// Temperature of the first sweep, more than 0; `None`: the energy's spread, the standard deviation of `ΔE` over
-    /// random changes of random labels.
+    /// Temperature of the first sweep, more than 0; `None`: twice the energy's spread, which is the standard deviation
+    /// of `ΔE` over random changes of random labels.
     pub initial_temperature: Option<f64>,
-    /// Temperature of the last sweep, at most the initial one; `None`: a hundredth of that. For the logarithmic schedule
-    /// only a floor.
+    /// Temperature of the last sweep, at most the initial one; `None`: a two-hundredth of that. For the logarithmic
+    /// schedule only a floor.
     pub final_temperature: Option<f64>,
     /// A run ends as frozen when no label has changed for so many sweeps in a row.
     pub patience: u32,
@@ -78,7 +84,8 @@ impl<'a> SimulatedAnnealing<'a> {
         mut on_sweep: impl FnMut(&SearchSweep),
     ) -> Result<SearchOutcome, Cancelled> {
         let options = &self.options;
-        let initial = options.initial_temperature.unwrap_or_else(|| energy_spread(&self.energy, run.seed));
+        let initial =
+            options.initial_temperature.unwrap_or_else(|| INITIAL_SPREADS * energy_spread(&self.energy, run.seed));
         let last = options.final_temperature.unwrap_or(FINAL_SHARE * initial);
         let temperatures = Temperatures::new(options.schedule, initial, last, run.sweeps);
         let mut state = run.begin(&self.energy);

@@ -106,7 +106,7 @@ fn both_samplers_at_temperature_one_visit_labels_by_their_marginals() {
         for update in [SiteUpdate::Gibbs(1.0), SiteUpdate::Metropolis(1.0)] {
             let mut state = SearchState::new(&energy, vec![0; 5], None);
             let mut chain = Sweeps::new(&model.variables, 5, true);
-            let mut counts = vec![[0u32; 5]; 5];
+            let mut counts = [[0u32; 5]; 5];
             for sweep in 0..sweeps {
                 chain.sweep(&energy, &mut state, update, (seed, sweep), &Silent).unwrap();
                 state.settle();

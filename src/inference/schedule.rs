@@ -1,7 +1,7 @@
 //! How the temperature of simulated annealing falls from sweep to sweep.
 //!
-//! Every schedule begins at the initial temperature in the first sweep. Geometric and linear ones end at the final one in
-//! the last; the logarithmic one falls as it must and does not get there in any practical number of sweeps.
+//! Every schedule begins at the initial temperature in the first sweep. Geometric and linear ones end at the final one
+//! in the last; the logarithmic one falls as it must and does not get there in any practical number of sweeps.
 
 use super::annealing_draws::{Draws, Purpose};
 use super::annealing_energy::SearchEnergy;
@@ -18,10 +18,10 @@ const TRIAL_MOVES: u32 = 1024;
 pub enum Cooling {
     /// `T_k = T_1 (T_K / T_1)^((k−1)/(K−1))`. Kirkpatrick, Gelatt, Vecchi, Science 220, 1983.
     Geometric,
-    /// `T_k = T_1 ln 2 / ln(1 + k)`, but never less than the final temperature. Geman, Geman, IEEE PAMI 6(6), 1984; their
-    /// proof that the minimum is found asks for a `T_1` so large that no budget suffices. After 1,000 sweeps the
-    /// temperature is still a tenth of the initial one. Meeting a colder end by another base of the logarithm would make
-    /// it a quench: nearly all of the fall would happen in the first sweeps.
+    /// `T_k = T_1 ln 2 / ln(1 + k)`, but never less than the final temperature. Geman, Geman, IEEE PAMI 6(6), 1984;
+    /// their proof that the minimum is found asks for a `T_1` so large that no budget suffices. After 1,000 sweeps
+    /// the temperature is still a tenth of the initial one. Meeting a colder end by another base of the logarithm would
+    /// make it a quench: nearly all of the fall would happen in the first sweeps.
     Logarithmic,
     /// `T_k = T_1 + (T_K − T_1)(k−1)/(K−1)`.
     Linear,
@@ -37,8 +37,8 @@ pub(super) struct Temperatures {
 }
 
 impl Temperatures {
-    /// From `initial` to `last` in `sweeps` sweeps. A final temperature above the initial one counts as equal to it, and
-    /// what is below [`COLDEST`] counts as that.
+    /// From `initial` to `last` in `sweeps` sweeps. A final temperature above the initial one counts as equal to it,
+    /// and what is below [`COLDEST`] counts as that.
     pub fn new(schedule: Cooling, initial: f64, last: f64, sweeps: u32) -> Self {
         let initial = initial.max(COLDEST);
         let last = last.clamp(COLDEST, initial);

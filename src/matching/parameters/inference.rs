@@ -79,9 +79,9 @@ pub enum MessageSchedule {
 pub struct AnnealingParameters {
     /// By which law.
     pub schedule: CoolingSchedule,
-    /// First temperature, in units of energy; `null`: from the spread of the energy.
+    /// First temperature, in units of energy; `null`: twice the spread of the energy.
     pub initial_temperature: Option<f64>,
-    /// Last temperature; `null`: a hundredth of the energy of one broken edge.
+    /// Last temperature; `null`: a two-hundredth of the first. For the logarithmic schedule only a floor.
     pub final_temperature: Option<f64>,
 }
 

@@ -11,18 +11,6 @@
 //!
 //! Sign convention: energies, lower is better. Messages and beliefs are in the linear domain, scaled to maximum 1.
 
-mod annealing;
-mod annealing_colors;
-mod annealing_draws;
-mod annealing_energy;
-mod annealing_gibbs;
-mod annealing_metropolis;
-mod annealing_search;
-mod annealing_state;
-mod annealing_sweeps;
-#[cfg(test)]
-mod annealing_tests;
-mod annealing_weights;
 mod belief_propagation;
 mod beliefs;
 mod block_plan;
@@ -32,9 +20,6 @@ mod fixed_point;
 mod flooding;
 mod full_update;
 mod kernel;
-mod las_vegas;
-#[cfg(test)]
-mod las_vegas_tests;
 mod lower_bound;
 #[cfg(test)]
 mod lower_bound_tests;
@@ -44,20 +29,20 @@ mod options;
 #[cfg(test)]
 mod oracle;
 mod outcome;
+mod randomised;
 mod residual;
-mod schedule;
 mod sparse_update;
 mod sweep_order;
 #[cfg(test)]
 mod tests;
 
-pub use annealing::{AnnealingOptions, Sampler, SimulatedAnnealing};
-pub use annealing_search::{SearchOutcome, SearchRun, SearchStop, SearchSweep, local_confidence};
 pub use belief_propagation::BeliefPropagation;
 pub use beliefs::belief_spread;
 pub use convergence::{Convergence, ConvergenceStatus};
-pub use las_vegas::{LasVegas, LasVegasOptions};
 pub use lower_bound::{DualBound, DualIteration, DualOptions, DualOutcome, DualStop};
 pub use options::{BpMethod, BpOptions, Product, Schedule, Update};
 pub use outcome::{BpIteration, BpOutcome, BpStop};
-pub use schedule::Cooling;
+pub use randomised::{
+    AnnealingOptions, Cooling, LasVegas, LasVegasOptions, Sampler, SearchOutcome, SearchRun, SearchStop, SearchSweep,
+    SimulatedAnnealing, local_confidence,
+};

@@ -1,13 +1,13 @@
 //! Randomised minimisers against their oracles: exhaustive minima and marginals, full evaluations of the energy.
 
-use super::annealing_draws::{Draws, Purpose};
-use super::annealing_energy::SearchEnergy;
-use super::annealing_gibbs::{GibbsScratch, loosest_bound};
-use super::annealing_state::{SearchState, SiteMove};
-use super::annealing_sweeps::{SiteUpdate, Sweeps};
-use super::oracle::{exhaustive_marginals, exhaustive_minimum};
+use super::draws::{Draws, Purpose};
+use super::energy::SearchEnergy;
+use super::gibbs::{GibbsScratch, loosest_bound};
+use super::state::{SearchState, SiteMove};
+use super::sweeps::{SiteUpdate, Sweeps};
 use super::*;
 use crate::graph::{EdgeGraph, LabelNeighborhoods};
+use crate::inference::oracle::{exhaustive_marginals, exhaustive_minimum};
 use crate::mrf::{MrfModel, PairwisePotential};
 use crate::observe::{Observer, Silent};
 use proptest::prelude::*;

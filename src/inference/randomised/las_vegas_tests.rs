@@ -1,8 +1,8 @@
 //! Las Vegas: certified when the target is the minimum, honest when no labeling reaches it.
 
-use super::annealing_tests::{CancelAfter, RING, large, model, on_threads, run_of};
-use super::oracle::exhaustive_minimum;
+use super::tests::{CancelAfter, RING, large, model, on_threads, run_of};
 use super::*;
+use crate::inference::oracle::exhaustive_minimum;
 use crate::mrf::MrfModel;
 use crate::observe::Silent;
 use std::sync::atomic::AtomicU32;

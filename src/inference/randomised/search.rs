@@ -1,8 +1,8 @@
 //! What simulated annealing and Las Vegas have in common: what a run is asked for, what it tells, what it leaves.
 
-use super::annealing_energy::SearchEnergy;
-use super::annealing_gibbs::GibbsScratch;
-use super::annealing_state::SearchState;
+use super::energy::SearchEnergy;
+use super::gibbs::GibbsScratch;
+use super::state::SearchState;
 use crate::mrf::{Energy, Labeling, MrfModel};
 use crate::observe::{Cancelled, Observer, checkpoint};
 use rayon::prelude::*;

@@ -3,8 +3,8 @@
 //! Every schedule begins at the initial temperature in the first sweep. Geometric and linear ones end at the final one
 //! in the last; the logarithmic one falls as it must and does not get there in any practical number of sweeps.
 
-use super::annealing_draws::{Draws, Purpose};
-use super::annealing_energy::SearchEnergy;
+use super::draws::{Draws, Purpose};
+use super::energy::SearchEnergy;
 
 /// Lowest temperature: below it no energy difference that 32 bits can tell from rounding would be accepted, and
 /// divisions by it stay finite.

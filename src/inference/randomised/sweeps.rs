@@ -3,12 +3,12 @@
 //! Variables of one class have no edge between them, so each is updated from the labels as they were before the
 //! class; then all changes are made one after the other, in a fixed order, and the running energy after each is exact.
 
-use super::annealing_colors::ColorClasses;
-use super::annealing_draws::{Draws, Purpose};
-use super::annealing_energy::{SearchEnergy, Terms};
-use super::annealing_gibbs::{GibbsScratch, loosest_bound};
-use super::annealing_metropolis::{descent_step, metropolis_step};
-use super::annealing_state::{SearchState, SiteMove};
+use super::colors::ColorClasses;
+use super::draws::{Draws, Purpose};
+use super::energy::{SearchEnergy, Terms};
+use super::gibbs::{GibbsScratch, loosest_bound};
+use super::metropolis::{descent_step, metropolis_step};
+use super::state::{SearchState, SiteMove};
 use crate::graph::EdgeGraph;
 use crate::observe::{Cancelled, Observer, checkpoint};
 use rayon::prelude::*;

@@ -5,10 +5,10 @@
 //! memory beside the unary potentials), samples, and lowers the energy of a labeling that belief propagation found when
 //! it starts from that at a low temperature.
 
-use super::annealing_energy::SearchEnergy;
-use super::annealing_search::{RunEnd, SearchOutcome, SearchRun, SearchStop, SearchSweep};
-use super::annealing_sweeps::{SiteUpdate, Sweeps};
+use super::energy::SearchEnergy;
 use super::schedule::{Cooling, Temperatures, energy_spread};
+use super::search::{RunEnd, SearchOutcome, SearchRun, SearchStop, SearchSweep};
+use super::sweeps::{SiteUpdate, Sweeps};
 use crate::mrf::MrfModel;
 use crate::observe::{Cancelled, Observer};
 

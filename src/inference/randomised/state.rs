@@ -1,6 +1,6 @@
 //! A labeling that changes one label at a time, its running energy, and the best labeling it has ever been.
 
-use super::annealing_energy::{SearchEnergy, Terms};
+use super::energy::{SearchEnergy, Terms};
 
 /// One change: variable `variable` takes `label`, and the energy changes by `delta`.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]

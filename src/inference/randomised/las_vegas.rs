@@ -4,9 +4,9 @@
 //! Here the answer is right when its energy is at most a stated target, which a full evaluation of the energy shows.
 //! Without a restart in a good basin the target is missed, and the outcome says that the budget ended.
 
-use super::annealing_energy::SearchEnergy;
-use super::annealing_search::{RunEnd, SearchOutcome, SearchRun, SearchStop, SearchSweep};
-use super::annealing_sweeps::{SiteUpdate, Sweeps};
+use super::energy::SearchEnergy;
+use super::search::{RunEnd, SearchOutcome, SearchRun, SearchStop, SearchSweep};
+use super::sweeps::{SiteUpdate, Sweeps};
 use crate::mrf::MrfModel;
 use crate::observe::{Cancelled, Observer};
 

@@ -1,6 +1,6 @@
 //! The energy as the randomised minimisers see it: in parts of one variable, with a bias, and always finite.
 
-use super::annealing_draws::{Draws, Purpose};
+use super::draws::{Draws, Purpose};
 use crate::mrf::{Energy, MrfModel, PairwisePotential};
 use rayon::prelude::*;
 

@@ -8,9 +8,9 @@
 //! different sizes and the third kind depends on the neighbours; the acceptance is corrected by the Hastings ratio of
 //! the whole mixture, so that the chain keeps `p(x) ∝ exp(−E(x)/T)` exactly.
 
-use super::annealing_draws::Draws;
-use super::annealing_energy::SearchEnergy;
-use super::annealing_state::SiteMove;
+use super::draws::Draws;
+use super::energy::SearchEnergy;
+use super::state::SiteMove;
 
 /// Shares of the three kinds of proposals.
 struct Mixture {

@@ -13,9 +13,9 @@
 //! Cost: `O(degree · k̄)`, and `O(n_labels)` whenever the far part is hit, which is always at high temperatures and
 //! hardly ever once labels agree with their neighbours'.
 
-use super::annealing_draws::Draws;
-use super::annealing_energy::SearchEnergy;
-use super::annealing_weights::WeightRow;
+use super::draws::Draws;
+use super::energy::SearchEnergy;
+use super::weights::WeightRow;
 
 /// Scratch of one thread: nothing is allocated in a sweep.
 #[derive(Debug, Clone)]

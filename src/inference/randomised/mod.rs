@@ -1,0 +1,27 @@
+//! Minimisers that change one label at a time at random: simulated annealing by two samplers, and Las Vegas.
+//!
+//! `annealing` and `las_vegas` are the two; `search` is what both are asked and leave, `sweeps` visits the variables
+//! by the colours of `colors`, `gibbs` and `metropolis` change one variable, `state` keeps the running energy and the
+//! best labeling, `energy` has the change of the energy in `O(degree)`, `draws` the random streams.
+
+mod annealing;
+mod colors;
+mod draws;
+mod energy;
+mod gibbs;
+mod las_vegas;
+#[cfg(test)]
+mod las_vegas_tests;
+mod metropolis;
+mod schedule;
+mod search;
+mod state;
+mod sweeps;
+#[cfg(test)]
+mod tests;
+mod weights;
+
+pub use annealing::{AnnealingOptions, Sampler, SimulatedAnnealing};
+pub use las_vegas::{LasVegas, LasVegasOptions};
+pub use schedule::Cooling;
+pub use search::{SearchOutcome, SearchRun, SearchStop, SearchSweep, local_confidence};

@@ -24,9 +24,8 @@ fn voxel_box(dims: [usize; 3]) -> SurfaceMesh {
     voxel_surface(&volume.mask(None).unwrap()).unwrap()
 }
 
-/// Shortest paths over a complete table of lengths from its first `n_sources` points: the slow oracle of every search
-/// here. Each round settles the closest point that is left.
-fn all_shortest(table: &[Vec<f64>], n_sources: usize) -> Vec<Vec<f64>> {
+/// Shortest paths over a complete table of lengths. Each round settles the closest point that is left.
+fn all_shortest(table: &[Vec<f64>]) -> Vec<Vec<f64>> {
     let from = |source: usize| {
         let mut distances = vec![f64::INFINITY; table.len()];
         distances[source] = 0.0;
@@ -39,7 +38,7 @@ fn all_shortest(table: &[Vec<f64>], n_sources: usize) -> Vec<Vec<f64>> {
         }
         distances
     };
-    (0..n_sources).map(from).collect()
+    (0..table.len()).map(from).collect()
 }
 
 fn edge_table(mesh: &SurfaceMesh) -> Vec<Vec<f64>> {
@@ -55,28 +54,52 @@ fn edge_table(mesh: &SurfaceMesh) -> Vec<Vec<f64>> {
 }
 
 /// Geodesic distances from above: shortest paths over points `per_edge` on every edge, joined straight within faces.
-fn by_points_on_edges(mesh: &SurfaceMesh, per_edge: usize) -> Vec<Vec<f64>> {
-    let edges = mesh.edges();
-    let v = mesh.vertices();
-    let mut points = v.to_vec();
-    for [a, b] in edges.iter().map(|e| e.map(|v| v as usize)) {
-        points.extend((1..=per_edge).map(|k| v[a] + (v[b] - v[a]) * (k as f64 / (per_edge + 1) as f64)));
-    }
-    let mut table = vec![vec![f64::INFINITY; points.len()]; points.len()];
-    for face in mesh.triangles() {
-        let mut rim: Vec<usize> = face.iter().map(|&c| c as usize).collect();
-        for k in 0..3 {
-            let (a, b) = (face[k].min(face[(k + 1) % 3]), face[k].max(face[(k + 1) % 3]));
-            let edge = edges.binary_search(&[a, b]).unwrap();
-            rim.extend((0..per_edge).map(|p| v.len() + edge * per_edge + p));
+/// Every sweep follows all joints once, until none makes a path shorter.
+struct PointsOnEdges {
+    points: Vec<Point3<f64>>,
+    joined: Vec<Vec<usize>>,
+}
+
+impl PointsOnEdges {
+    fn new(mesh: &SurfaceMesh, per_edge: usize) -> Self {
+        let edges = mesh.edges();
+        let v = mesh.vertices();
+        let mut points = v.to_vec();
+        for [a, b] in edges.iter().map(|e| e.map(|v| v as usize)) {
+            points.extend((1..=per_edge).map(|k| v[a] + (v[b] - v[a]) * (k as f64 / (per_edge + 1) as f64)));
         }
-        for &a in &rim {
-            for &b in &rim {
-                table[a][b] = (points[a] - points[b]).norm();
+        let mut joined = vec![Vec::new(); points.len()];
+        for face in mesh.triangles() {
+            let mut rim: Vec<usize> = face.iter().map(|&c| c as usize).collect();
+            for k in 0..3 {
+                let (a, b) = (face[k].min(face[(k + 1) % 3]), face[k].max(face[(k + 1) % 3]));
+                let edge = edges.binary_search(&[a, b]).unwrap();
+                rim.extend((0..per_edge).map(|p| v.len() + edge * per_edge + p));
+            }
+            rim.iter().for_each(|&a| joined[a].extend_from_slice(&rim));
+        }
+        PointsOnEdges { points, joined }
+    }
+
+    fn distances_from(&self, source: usize) -> Vec<f64> {
+        let mut distances = vec![f64::INFINITY; self.points.len()];
+        distances[source] = 0.0;
+        let mut shorter = true;
+        while shorter {
+            shorter = false;
+            for (a, joined) in self.joined.iter().enumerate() {
+                for &b in joined {
+                    let by_way_of_a = distances[a] + (self.points[a] - self.points[b]).norm();
+                    // Sums in another order differ by rounding, which is no shorter path.
+                    if by_way_of_a < distances[b] - 1e-12 {
+                        distances[b] = by_way_of_a;
+                        shorter = true;
+                    }
+                }
             }
         }
+        distances
     }
-    all_shortest(&table, v.len())
 }
 
 /// Mean and maximum of `|d / truth − 1|` over all pairs of different labels.
@@ -107,7 +130,7 @@ proptest! {
     fn graph_distances_are_the_shortest_paths_along_edges(seed in any::<u64>(), rings in 0usize..5) {
         for mesh in [ellipsoid(Vector3::new(6.0, 4.0, 3.0), 2), torus(6.0, 2.0, 14, 8, FaceArity::Quad)] {
             let mesh = bumped(&mesh, 0.4, seed);
-            let truth = all_shortest(&edge_table(&mesh), mesh.n_vertices());
+            let truth = all_shortest(&edge_table(&mesh));
             let labels = label_neighborhoods(&mesh, rings, LabelDistance::Graph);
             for (x, from_x) in truth.iter().enumerate() {
                 for (&y, &d) in labels.members(x).iter().zip(labels.distances(x)) {
@@ -121,10 +144,12 @@ proptest! {
     fn geodesic_distances_are_the_shortest_paths_over_faces(seed in any::<u64>(), rings in 1usize..6) {
         // Strong bumps make saddles, where shortest paths bend.
         let mesh = bumped(&ellipsoid(Vector3::new(5.0, 4.0, 3.0), 1), 0.9, seed);
-        let truth = by_points_on_edges(&mesh, 9);
+        let above = PointsOnEdges::new(&mesh, 24);
         let labels = label_neighborhoods(&mesh, rings, LabelDistance::Geodesic);
-        for (x, from_x) in truth.iter().enumerate() {
+        for x in (0..labels.n_labels()).step_by(3) {
+            let from_x = above.distances_from(x);
             for (&y, &d) in labels.members(x).iter().zip(labels.distances(x)) {
+                // Where paths bend past a vertex, points on edges come close to it slowly: 2 % is what 24 leave.
                 let (d, above) = (f64::from(d), from_x[y as usize]);
                 prop_assert!(d <= above * (1.0 + 1e-6) && d >= above * 0.98, "{x} {y}: {d} {above}");
             }

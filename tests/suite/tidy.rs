@@ -17,7 +17,7 @@ const ARROWS: &[(&str, &[&str])] = &[
     ("mrf", &["graph"]),
     ("inference", &["graph", "mrf", "observe"]),
     ("registration", &["observe"]),
-    ("geodesic", &["graph", "mesh"]),
+    ("geodesic", &["curvature", "graph", "mesh"]),
     ("harmonics", &["graph", "mesh", "observe", "registration"]),
     ("intake", &["formats", "matching::parameters", "mesh", "volume"]),
     (

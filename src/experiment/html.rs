@@ -6,7 +6,7 @@ use std::fmt::Write;
 
 const STYLE: &str = "
 :root { color-scheme: light; }
-body { font: 16px/1.5 system-ui, sans-serif; color: #1d1d1f; background: #fff; margin: 0 auto; max-width: 60rem;
+body { font: 16px/1.5 system-ui, sans-serif; color: #1d1d1f; background: #fff; margin: 0 auto; max-width: 72rem;
   padding: 2rem 1.25rem 4rem; }
 h1 { font-size: 1.9rem; line-height: 1.2; margin: 0 0 .5rem; }
 h2 { font-size: 1.35rem; margin: 0 0 .5rem; }
@@ -16,9 +16,9 @@ dt { color: #63636b; } dd { margin: 0; }
 .finding { background: #eef5fb; border-left: 4px solid #0072b2; padding: .6rem 1rem; margin: 1rem 0; }
 .note { color: #63636b; margin: .4rem 0; }
 .scroll { overflow-x: auto; margin: 1rem 0; }
-table { border-collapse: collapse; font-size: .88rem; font-variant-numeric: tabular-nums; min-width: 50%; }
+table { border-collapse: collapse; font-size: .82rem; font-variant-numeric: tabular-nums; min-width: 50%; }
 caption { text-align: left; font-weight: 600; padding-bottom: .35rem; }
-th, td { padding: .28rem .7rem; text-align: right; border-bottom: 1px solid #e6e6ea; white-space: nowrap; }
+th, td { padding: .28rem .55rem; text-align: right; border-bottom: 1px solid #e6e6ea; white-space: nowrap; }
 th { color: #63636b; font-weight: 600; border-bottom: 1px solid #a8a8b0; vertical-align: bottom; white-space: normal; }
 th:first-child, td:first-child, td.words { text-align: left; }
 td small { color: #63636b; }

@@ -12,6 +12,7 @@ const LEFT: f64 = 72.0;
 const RIGHT: f64 = 708.0;
 const PLOT_HEIGHT: f64 = 260.0;
 const LEGEND_ROW: f64 = 20.0;
+const LABEL_LINE: f64 = 15.0;
 /// Colours that stay apart for most kinds of colour vision (Okabe, Ito 2008), yellow left out on white.
 const COLORS: [&str; 7] = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00", "#444444"];
 
@@ -58,7 +59,9 @@ pub(super) fn svg(plot: &Plot) -> Option<String> {
     let columns = legend_columns(&plot.series);
     let top = 14.0 + LEGEND_ROW * plot.series.len().div_ceil(columns) as f64;
     let frame = Frame { x, y, top, bottom: top + PLOT_HEIGHT };
-    let height = frame.bottom + 50.0;
+    let labels = if bars { wrapped(&plot.categories) } else { Vec::new() };
+    let lines = labels.iter().map(Vec::len).max().unwrap_or(1).max(1);
+    let height = frame.bottom + 34.0 + LABEL_LINE * lines as f64;
     let mut out = String::new();
     let title = escaped(&plot.title);
     // Writing to a string cannot fail, here and below.
@@ -67,7 +70,8 @@ pub(super) fn svg(plot: &Plot) -> Option<String> {
         "<svg viewBox=\"0 0 {WIDTH} {height}\" role=\"img\" aria-label=\"{title}\" xmlns=\"http://www.w3.org/2000/svg\">"
     );
     legend(&mut out, &plot.series, columns);
-    axes(&mut out, &plot, &frame);
+    axes(&mut out, &plot, &frame, &labels);
+    axis_labels(&mut out, &plot, &frame, height);
     for (k, series) in plot.series.iter().enumerate() {
         let color = COLORS[k % COLORS.len()];
         match plot.kind {
@@ -96,7 +100,26 @@ fn legend(out: &mut String, series: &[Series], columns: usize) {
     }
 }
 
-fn axes(out: &mut String, plot: &Plot, frame: &Frame) {
+/// The names of the places of bars in lines that fit between one place and the next.
+fn wrapped(categories: &[String]) -> Vec<Vec<String>> {
+    let room = ((RIGHT - LEFT) / categories.len().max(1) as f64 / 6.4) as usize;
+    let lines_of = |name: &String| {
+        let mut lines: Vec<String> = Vec::new();
+        for word in name.split(' ') {
+            match lines.last_mut().filter(|line| line.chars().count() + 1 + word.chars().count() <= room) {
+                Some(line) => {
+                    line.push(' ');
+                    line.push_str(word);
+                }
+                None => lines.push(word.to_owned()),
+            }
+        }
+        lines
+    };
+    categories.iter().map(lines_of).collect()
+}
+
+fn axes(out: &mut String, plot: &Plot, frame: &Frame, labels: &[Vec<String>]) {
     let (top, bottom) = (frame.top, frame.bottom);
     for tick in frame.y.ticks() {
         let y = frame.y(tick);
@@ -104,22 +127,27 @@ fn axes(out: &mut String, plot: &Plot, frame: &Frame) {
         let _ = writeln!(out, "<path class=\"grid\" d=\"M{LEFT} {y:.1}H{RIGHT}\"/>");
         let _ = writeln!(out, "<text class=\"y\" x=\"{:.1}\" y=\"{:.1}\">{label}</text>", LEFT - 8.0, y + 4.0);
     }
-    let places: Vec<(f64, String)> = if plot.kind == PlotKind::Bars {
-        plot.categories.iter().enumerate().map(|(k, name)| (k as f64, escaped(name))).collect()
-    } else {
-        frame.x.ticks().into_iter().map(|tick| (tick, tick_label(tick, &frame.x))).collect()
-    };
-    for (at, label) in places {
-        let x = frame.x(at);
-        if plot.kind != PlotKind::Bars {
-            let _ = writeln!(out, "<path class=\"grid\" d=\"M{x:.1} {top}V{bottom}\"/>");
+    if plot.kind == PlotKind::Bars {
+        for (k, lines) in labels.iter().enumerate() {
+            for (row, line) in lines.iter().enumerate() {
+                let (x, y) = (frame.x(k as f64), bottom + 18.0 + LABEL_LINE * row as f64);
+                let _ = writeln!(out, "<text class=\"x\" x=\"{x:.1}\" y=\"{y:.1}\">{}</text>", escaped(line));
+            }
         }
-        let _ = writeln!(out, "<text class=\"x\" x=\"{x:.1}\" y=\"{:.1}\">{label}</text>", bottom + 18.0);
+    } else {
+        for tick in frame.x.ticks() {
+            let (x, label) = (frame.x(tick), tick_label(tick, &frame.x));
+            let _ = writeln!(out, "<path class=\"grid\" d=\"M{x:.1} {top}V{bottom}\"/>");
+            let _ = writeln!(out, "<text class=\"x\" x=\"{x:.1}\" y=\"{:.1}\">{label}</text>", bottom + 18.0);
+        }
     }
     let _ = writeln!(out, "<path class=\"axis\" d=\"M{LEFT} {top}V{bottom}H{RIGHT}\"/>");
+}
+
+fn axis_labels(out: &mut String, plot: &Plot, frame: &Frame, height: f64) {
     let label = |axis: &Axis| escaped(&with_unit(&axis.label, axis.unit.as_deref()));
-    let (middle, center) = ((LEFT + RIGHT) / 2.0, (top + bottom) / 2.0);
-    let _ = writeln!(out, "<text class=\"x\" x=\"{middle}\" y=\"{:.1}\">{}</text>", bottom + 40.0, label(&plot.x));
+    let (middle, center) = ((LEFT + RIGHT) / 2.0, (frame.top + frame.bottom) / 2.0);
+    let _ = writeln!(out, "<text class=\"x\" x=\"{middle}\" y=\"{:.1}\">{}</text>", height - 6.0, label(&plot.x));
     let _ = writeln!(
         out,
         "<text class=\"x\" transform=\"translate(16 {center:.1}) rotate(-90)\">{}</text>",

@@ -1,6 +1,7 @@
 //! The sections of the report, one file each: a question, its units, and what is said of their numbers.
 
 mod clamping;
+mod curvature;
 mod ellipsoid;
 mod estimators;
 mod minimisers;
@@ -20,7 +21,7 @@ use super::study::{COPIES, REAL, SYNTHETIC, Study};
 use super::units::Unit;
 
 /// All sections, in the order of the report.
-pub(super) const ALL: [&dyn Experiment; 13] = [
+pub(super) const ALL: [&dyn Experiment; 14] = [
     &minimisers::Minimisers,
     &products::Products,
     &neighborhood::Neighborhood,
@@ -33,6 +34,7 @@ pub(super) const ALL: [&dyn Experiment; 13] = [
     &registration::Registration,
     &topology::Topology,
     &outliers::Outliers,
+    &curvature::Curvature,
     &ellipsoid::Ellipsoid,
 ];
 

@@ -72,7 +72,7 @@ impl Experiment for Update {
 
     fn units<'a>(&self, study: &'a Study<'_>) -> Vec<Unit<'a>> {
         let mut units = Vec::new();
-        for size in study.either(vec![100u32, 250], vec![100, 200, 400, 700, 1000]) {
+        for size in study.either(vec![150u32, 300], vec![150, 300, 500, 750, 1000]) {
             let edge_mm = DEFAULT_EDGE_MM * (DEFAULT_VERTICES / f64::from(size)).sqrt();
             for case in study.phantoms_with(2, edge_mm, 0.0) {
                 for (name, product) in [("max-product", "max_product"), ("sum-product", "sum_product")] {

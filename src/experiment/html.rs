@@ -120,7 +120,8 @@ fn shown(cell: &Cell, column: &Column) -> String {
         Cell::Count(n) => n.to_string(),
         Cell::Number(value) => rounded(*value, column.digits),
         Cell::Spread(s) => {
-            format!("{} <small>± {}</small>", rounded(s.mean, column.digits), rounded(s.sd, column.digits))
+            let digits = column.digits;
+            format!("{} <small>± {:.digits$}</small>", rounded(s.mean, digits), s.sd)
         }
         Cell::Text(words) => escaped(words),
         Cell::Missing(()) => "–".to_owned(),
@@ -128,7 +129,7 @@ fn shown(cell: &Cell, column: &Column) -> String {
 }
 
 /// With `digits` after the point, or with a power of ten where these would all be 0.
-pub(super) fn rounded(value: f64, digits: usize) -> String {
+fn rounded(value: f64, digits: usize) -> String {
     let smallest = 0.5 * 10f64.powi(-(digits as i32));
     if value != 0.0 && value.abs() < smallest { format!("{value:.1e}") } else { format!("{value:.digits$}") }
 }

@@ -69,7 +69,7 @@ pub(super) fn observed_match(
     let outcome = match_surfaces(&pair.source, &pair.target, &parameters, &recorder).map_err(|e| e.to_string())?;
     let mut m = Measurement::default().with("seconds", clock().as_secs_f64() - begin);
     let seen = recorder.seen.into_inner().unwrap_or_else(PoisonError::into_inner);
-    trace(&mut m, &seen, begin);
+    trace(&mut m, &seen);
     documents(&mut m, &outcome);
     truth(&mut m, pair, &outcome);
     m.set("n_source", pair.source.n_vertices() as f64);
@@ -78,7 +78,12 @@ pub(super) fn observed_match(
 }
 
 /// Energy by iteration and by second of the first round, and the time of its inference.
-fn trace(m: &mut Measurement, seen: &Seen, begin: f64) {
+fn trace(m: &mut Measurement, seen: &Seen) {
+    let mut phases = seen.phases.iter().skip_while(|(_, phase)| *phase != Phase::Inference);
+    let Some((begin, _)) = phases.next() else { return };
+    if let Some((end, _)) = phases.next() {
+        m.set("inference_seconds", end - begin);
+    }
     let first = |p: &&(f64, TracePoint)| p.1.round == 0 && p.1.phase == Phase::Inference;
     let points: Vec<_> = seen.points.iter().filter(first).collect();
     let step = points.len().div_ceil(CURVE_POINTS).max(1);
@@ -88,10 +93,6 @@ fn trace(m: &mut Measurement, seen: &Seen, begin: f64) {
         let curve = |m: &mut Measurement, name: &str, x| m.curves.entry(name.to_owned()).or_default().push([x, energy]);
         curve(m, "energy_by_iteration", f64::from(point.iteration));
         curve(m, "energy_by_second", seconds - begin);
-    }
-    let mut phases = seen.phases.iter().skip_while(|(_, phase)| *phase != Phase::Inference);
-    if let (Some((from, _)), Some((to, _))) = (phases.next(), phases.next()) {
-        m.set("inference_seconds", to - from);
     }
     let rounds = seen.points.iter().map(|(_, p)| p.round + 1).max().unwrap_or(0);
     m.set("rounds", f64::from(rounds));

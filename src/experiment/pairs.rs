@@ -2,7 +2,7 @@
 
 use super::draws::Draws;
 use super::hippocampi::Subject;
-use super::solids::{Form, bumped};
+use super::solids::{Form, Individual, bumped};
 use crate::mesh::{ClosestPointIndex, SurfaceMesh};
 use crate::observe::Silent;
 use crate::phantom::{PairRecipe, Part, PhantomPair, random_permutation, random_pose};
@@ -82,13 +82,15 @@ pub(super) struct SolidRecipe {
     pub levels: u32,
 }
 
-/// A bumped solid and its turned copy, whose triangles lie elsewhere.
+/// A bumped solid and its turned copy, whose triangles lie elsewhere and which has small bumps of its own. The truth is
+/// that of the points before these.
 pub(super) fn solid_pair(recipe: &SolidRecipe) -> Result<Pair, String> {
     let k = recipe.number;
     let (still, frame, motion) = (Isometry3::identity(), random_pose(900 + k), random_pose(1000 + k));
     let frame = Isometry3::from_parts(still.translation, frame.rotation);
-    let source = bumped(recipe.form, recipe.levels, k, &still, &still)?;
-    let target = bumped(recipe.form, recipe.levels, k, &frame, &motion)?;
+    let of = |own_seed| Individual { seed: k, own_seed };
+    let source = bumped(recipe.form, recipe.levels, of(None), &still, &still)?;
+    let target = bumped(recipe.form, recipe.levels, of(Some(1100 + k)), &frame, &motion)?;
     Ok(Pair {
         truth: Some(source.vertices().iter().map(|p| motion * p).collect()),
         pose: Some(rigid(&motion)),

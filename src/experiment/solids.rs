@@ -142,26 +142,42 @@ impl Form {
 const N_BUMPS: usize = 12;
 /// Height of a bump as a share of the radius, to either side.
 const HEIGHT: f64 = 0.08;
+/// The same of the bumps that a copy does not share.
+const OWN_HEIGHT: f64 = 0.02;
 /// Width of a bump, radians.
 const WIDTH: f64 = 0.35;
 
-/// The form with bumps drawn from `seed`, its triangles turned by `frame` under it and the whole moved by `motion`.
+/// Bumps in random directions, each with a height as a share of the radius.
+fn bumps(seed: u64, height: f64) -> Vec<(Vector3<f64>, f64)> {
+    let mut draws = Draws::new(seed);
+    (0..N_BUMPS).map(|_| (draws.normals().normalize(), height * (2.0 * draws.unit() - 1.0))).collect()
+}
+
+/// How a solid differs from the others of its form.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Individual {
+    /// Seed of the bumps that make it one of a kind.
+    pub seed: u64,
+    /// Seed of smaller bumps that only this copy of it has.
+    pub own_seed: Option<u64>,
+}
+
+/// The form with the bumps of `of`, its triangles turned by `frame` under it and the whole moved by `motion`.
 pub(super) fn bumped(
     form: Form,
     levels: u32,
-    seed: u64,
+    of: Individual,
     frame: &Isometry3<f64>,
     motion: &Isometry3<f64>,
 ) -> Result<SurfaceMesh, String> {
-    let mut draws = Draws::new(seed);
-    let bumps: Vec<(Vector3<f64>, f64)> =
-        (0..N_BUMPS).map(|_| (draws.normals().normalize(), HEIGHT * (2.0 * draws.unit() - 1.0))).collect();
+    let mut all = bumps(of.seed, HEIGHT);
+    all.extend(of.own_seed.into_iter().flat_map(|seed| bumps(seed, OWN_HEIGHT)));
     around(levels, |u| {
         let u = frame * u;
         let bump = |(center, height): &(Vector3<f64>, f64)| {
             height * (-(u - center).norm_squared() / (2.0 * WIDTH * WIDTH)).exp()
         };
-        let swell = 1.0 + bumps.iter().map(bump).sum::<f64>();
+        let swell = 1.0 + all.iter().map(bump).sum::<f64>();
         motion.rotation * (swell * form.place(&u)) + motion.translation.vector
     })
 }
@@ -180,7 +196,7 @@ mod tests {
         assert!((ring.signed_volume() / (TAU * 10.0 * std::f64::consts::PI * 16.0) - 1.0).abs() < 0.02);
         for form in Form::ALL {
             let still = Isometry3::identity();
-            let mesh = bumped(form, 3, 1, &still, &still).unwrap();
+            let mesh = bumped(form, 3, Individual { seed: 1, own_seed: Some(2) }, &still, &still).unwrap();
             assert_eq!(mesh.edges().len(), 3 * (mesh.n_vertices() - 2));
             assert!(mesh.signed_volume() > 0.0);
         }

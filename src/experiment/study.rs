@@ -96,7 +96,7 @@ impl<'o> Study<'o> {
     pub fn solids(&self, form: Form, full: u64) -> Vec<Case> {
         // 162 vertices hold no bump, 642 do.
         let recipe = |number| SolidRecipe { form, number, levels: 3 };
-        (1..=self.either(full.min(1), full))
+        (1..=self.either(full.min(2), full))
             .map(|number| Case {
                 group: SOLIDS,
                 name: format!("{} {number}", form.name()),

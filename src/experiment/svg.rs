@@ -13,8 +13,10 @@ const RIGHT: f64 = 708.0;
 const PLOT_HEIGHT: f64 = 260.0;
 const LEGEND_ROW: f64 = 20.0;
 const LABEL_LINE: f64 = 15.0;
-/// Colours that stay apart for most kinds of colour vision (Okabe, Ito 2008), yellow left out on white.
-const COLORS: [&str; 7] = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00", "#444444"];
+/// Colours that stay apart for most kinds of colour vision (Okabe, Ito 2008), yellow left out on white; then three of
+/// other lightness, for plots of many series.
+const COLORS: [&str; 10] =
+    ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00", "#444444", "#7b3294", "#8c510a", "#a0a0a0"];
 
 /// Text that is safe between tags and in attributes.
 pub(super) fn escaped(text: &str) -> String {

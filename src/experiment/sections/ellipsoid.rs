@@ -45,7 +45,7 @@ impl Experiment for Ellipsoid {
             question: "Where do the axes of an ellipsoid not tell the pose, and does a dense correspondence?",
             varied: "The form (ellipsoid-like, spindle, near-spherical, near-cubic), each with twelve random bumps of up to \
                      8 % of the radius so that it has one right pose only, and the method. Targets are turned and \
-                     re-sampled copies.",
+                     re-sampled copies with twelve bumps of up to 2 % of their own.",
         }
     }
 

@@ -1,4 +1,4 @@
-//! Who finds the lowest energy: belief propagation, annealing with two samplers, Las Vegas.
+//! Who finds the lowest energy: belief propagation, the dual method, annealing with two samplers, Las Vegas.
 
 use super::{About, Body, Experiment, MATCHED, WITHIN_1, pairs_of, sentences};
 use crate::experiment::document::{Axis, Cell, Column, Plot, PlotKind, PlotPoint, Series, Table};
@@ -24,6 +24,10 @@ fn settings(study: &Study<'_>) -> Vec<Setting> {
         of(json!({"method": method}), json!({"max_iterations": sweeps, "annealing": {"schedule": schedule}}))
     };
     let mut all = vec![(BP.to_owned(), of(json!({}), json!({"lower_bound_iterations": bound})))];
+    all.push((
+        "tree-reweighted messages".to_owned(),
+        of(json!({}), json!({"algorithm": "tree_reweighted", "max_iterations": study.either(10, 40)})),
+    ));
     for schedule in ["geometric", "linear", "logarithmic"] {
         all.push((format!("Gibbs, {schedule}"), annealed("gibbs", gibbs, schedule)));
         all.push((format!("Metropolis, {schedule}"), annealed("metropolis", metropolis, schedule)));
@@ -36,7 +40,7 @@ impl Experiment for Minimisers {
     fn about(&self) -> About {
         About {
             id: "minimisers",
-            title: "Las Vegas against annealing, Gibbs against Metropolis",
+            title: "Las Vegas against annealing, Gibbs against Metropolis, all against message passing",
             question: "Which minimiser finds the lowest energy, in which time, and how far from the optimum can it be at \
                        most?",
             varied: "The minimiser and the cooling schedule; the energy, the seed and the budget of sweeps are held, \
@@ -115,7 +119,7 @@ fn plots(title: &str, group: &Group<'_>) -> Vec<Plot> {
     let Some(case) = group.cases().first().copied() else { return Vec::new() };
     let axes = [
         ("energy_by_iteration", Axis::logarithmic("iteration or sweep", "")),
-        ("energy_by_second", Axis::logarithmic("time since the beginning", "s")),
+        ("energy_by_second", Axis::logarithmic("time of inference", "s")),
     ];
     axes.into_iter()
         .map(|(curve, x)| {
@@ -150,7 +154,7 @@ fn finding(kind: &str, group: &Group<'_>) -> Option<String> {
         .filter(|s| *s != BP)
         .filter_map(|s| Some(format!("{s} {:+.0} %", excess(group, s)?.mean)))
         .collect();
-    let bound = gap(group, BP).map_or(String::new(), |g| format!(", at most {:.0} % above the optimum", g.mean));
+    let bound = gap(group, BP).map_or(String::new(), |g| format!(", at most {:.1} % above the optimum", g.mean));
     let against = if others.is_empty() { String::new() } else { format!("; against it {}", others.join(", ")) };
     Some(format!(
         "On {n} {kind} pairs belief propagation ended at an energy of {:.0} on average{bound}{against}.",

@@ -3,8 +3,11 @@
 use super::document::{Cell, Column, Table, with_unit};
 use super::statistics::Summary;
 
+/// A part of a summary: its name and how it is read.
+type Part = (&'static str, fn(&Summary) -> f64);
+
 /// What a column of many numbers becomes: a column each.
-const PARTS: [(&str, fn(&Summary) -> f64); 6] = [
+const PARTS: [Part; 6] = [
     ("n", |s| s.n as f64),
     ("mean", |s| s.mean),
     ("sd", |s| s.sd),

@@ -69,6 +69,8 @@ impl EdgeGraph {
 /// `N_r(x)` for every vertex `x`: the vertices within `r` edges of it, itself included, with a distance for each.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LabelNeighborhoods {
+    graph: EdgeGraph,
+    rings: usize,
     offsets: Vec<u32>,
     members: Vec<u32>,
     distances: Vec<f32>,
@@ -106,12 +108,22 @@ impl LabelNeighborhoods {
             distances.extend(members[start..].iter().map(|&y| distance(x, y as usize) as f32));
             offsets.push(members.len() as u32);
         }
-        LabelNeighborhoods { offsets, members, distances }
+        LabelNeighborhoods { graph: graph.clone(), rings, offsets, members, distances }
     }
 
     /// Number of labels `n`.
     pub fn n_labels(&self) -> usize {
         self.offsets.len() - 1
+    }
+
+    /// The edges of which `N_r` counts `r`: `N_r(x)` is `N_1` taken `r` times.
+    pub fn graph(&self) -> &EdgeGraph {
+        &self.graph
+    }
+
+    /// The `r` of `N_r`.
+    pub fn rings(&self) -> usize {
+        self.rings
     }
 
     /// Members of `N_r(label)`, ascending.

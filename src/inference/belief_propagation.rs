@@ -3,7 +3,7 @@
 //! Source: Pearl 1988; Kschischang, Frey, Loeliger 2001 (sum-product, max-product); the sparse update over a
 //! truncated pairwise potential follows the thesis, chapter 5.
 //!
-//! [`BeliefPropagation`] owns the messages (`|E→| · n` numbers of 32 bits, twice that when flooding) and is reused
+//! [`BeliefPropagation`] owns the messages (`|E→| · n` numbers of 32 bits, and a little more when flooding) and is reused
 //! from one clamping round to the next, warm. An iteration is `|E→|` message updates: `O(|E→| n k̄)` with the sparse
 //! update, `O(|E→| n²)` with the full one.
 
@@ -30,16 +30,15 @@ pub struct BeliefPropagation<'a> {
     stride: usize,
     /// `φ_i(x) = exp(−θ_i(x))`, unary bias included, row by row; 0 beyond the labels.
     phi: Vec<f32>,
-    messages: Vec<f32>,
     /// For every directed edge `i → j` the row in which `j → i` lies.
     incoming: Vec<u32>,
     engine: Engine,
 }
 
-/// What a schedule needs besides the messages.
+/// The messages, and what a schedule needs besides.
 enum Engine {
     Flooding(Flooding),
-    Residual(Residual),
+    Residual { residual: Residual, messages: Vec<f32> },
 }
 
 impl<'a> BeliefPropagation<'a> {
@@ -52,18 +51,20 @@ impl<'a> BeliefPropagation<'a> {
     pub fn with_method(model: &'a MrfModel, options: BpOptions, method: BpMethod) -> Self {
         let graph = &model.variables;
         let stride = model.n_labels().next_multiple_of(LANES);
-        let n_values = stride * graph.n_directed_edges();
         let (beta, scale) = (model.pairwise.beta, model.pairwise.length_scale);
         let factors: Vec<_> = model.lengths.iter().map(|&length| edge_factors(beta, scale, length)).collect();
         let reverse = graph.reverse_edges();
         let (engine, incoming) = match method.schedule {
             Schedule::Flooding => {
-                let flooding = Flooding::new(graph, &factors, n_values);
+                let flooding = Flooding::new(graph, &factors, stride);
                 let rows = flooding.rows();
                 let incoming = reverse.iter().map(|&edge| rows[edge as usize]).collect();
                 (Engine::Flooding(flooding), incoming)
             }
-            Schedule::Residual => (Engine::Residual(Residual::new(graph, factors)), reverse),
+            Schedule::Residual => {
+                let messages = vec![0.0; stride * graph.n_directed_edges()];
+                (Engine::Residual { residual: Residual::new(graph, factors), messages }, reverse)
+            }
         };
         let mut this = BeliefPropagation {
             options,
@@ -71,7 +72,6 @@ impl<'a> BeliefPropagation<'a> {
             table: PairTable::new(&model.labels, beta, scale),
             stride,
             phi: vec![0.0; model.n_variables() * stride],
-            messages: vec![1.0; n_values],
             incoming,
             engine,
             model,
@@ -83,12 +83,15 @@ impl<'a> BeliefPropagation<'a> {
 
     /// Makes all messages flat again, so that the next run starts cold.
     pub fn forget(&mut self) {
-        let n = self.model.n_labels();
-        let floor = self.options.floor;
-        self.messages.par_chunks_mut(self.stride.max(1)).for_each(|row| {
-            row[..n].fill(1.0);
-            row[n..].fill(floor);
-        });
+        // Beyond the labels a message is at its floor from the first iteration on.
+        let mut flat = vec![self.options.floor; self.stride];
+        flat[..self.model.n_labels()].fill(1.0);
+        match &mut self.engine {
+            Engine::Flooding(flooding) => flooding.fill(&flat),
+            Engine::Residual { messages, .. } => {
+                messages.chunks_exact_mut(self.stride.max(1)).for_each(|row| row.copy_from_slice(&flat));
+            }
+        }
     }
 
     /// Sets the unary potentials to those of the model plus a bias: `add(i, row)` may add to the row of variable `i`.
@@ -127,10 +130,10 @@ impl<'a> BeliefPropagation<'a> {
         };
         match &mut self.engine {
             Engine::Flooding(flooding) => {
-                flooding.run(kernel, &mut self.messages, max_iterations, observer, on_iteration)
+                flooding.run(kernel, max_iterations, observer, on_iteration)
             }
-            Engine::Residual(residual) => {
-                residual.run(kernel, &mut self.messages, max_iterations, observer, on_iteration)
+            Engine::Residual { residual, messages } => {
+                residual.run(kernel, messages, max_iterations, observer, on_iteration)
             }
         }
     }
@@ -139,8 +142,13 @@ impl<'a> BeliefPropagation<'a> {
     /// sum-product is exact. All 0 if every product of messages vanishes. Cost `O(n · degree)`.
     pub fn belief(&self, variable: usize) -> Vec<f32> {
         let n = self.model.n_labels();
-        let rows = self.model.variables.row(variable).map(|edge| self.incoming[edge] as usize * self.stride);
-        let messages = rows.map(|start| &self.messages[start..start + n]);
+        let messages = self.model.variables.row(variable).map(|edge| {
+            let row = self.incoming[edge] as usize;
+            match &self.engine {
+                Engine::Flooding(flooding) => &flooding.message(row)[..n],
+                Engine::Residual { messages, .. } => &messages[row * self.stride..][..n],
+            }
+        });
         let belief = belief_row(&self.phi[variable * self.stride..][..n], messages);
         belief.into_iter().map(|b| b as f32).collect()
     }

@@ -1,13 +1,17 @@
-//! Which outgoing messages are updated together: up to [`LANES`] directed edges side by side in one vector.
+//! Which outgoing messages are updated together: up to [`BLOCK_LANES`] directed edges side by side.
 //!
-//! Variables are packed into blocks so that few lanes stay empty; a variable with more than [`LANES`] neighbours is
-//! spread over several blocks. The plan also fixes where a message lies in memory: messages of one block are
-//! neighbours, so that a block owns one contiguous piece of the output.
+//! Variables are packed into blocks so that few lanes stay empty; a variable with more than [`BLOCK_LANES`]
+//! neighbours is spread over several blocks. The plan also fixes where a message lies in memory: messages of one
+//! block are neighbours, so that a block owns one contiguous piece of the output.
 
 use crate::graph::EdgeGraph;
 
-/// Directed edges updated side by side: one 512-bit vector of 32-bit numbers.
+/// Numbers of 32 bits in the widest vector, 512 bits; rows over the labels are a multiple of it long.
 pub(super) const LANES: usize = 16;
+
+/// Directed edges updated side by side. Nearly all vertices of a triangle mesh have six neighbours: four of them fill
+/// 24 lanes, where 16 lanes would leave a quarter empty. Vertices of a quad mesh have four neighbours and fill any.
+pub(super) const BLOCK_LANES: usize = 24;
 
 /// A run of outgoing edges of one variable within a block.
 #[derive(Debug, Clone, PartialEq)]
@@ -22,7 +26,7 @@ pub(super) struct BlockVariable {
     pub lane: usize,
 }
 
-/// Up to [`LANES`] outgoing messages.
+/// Up to [`BLOCK_LANES`] outgoing messages.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Block {
     /// The variables that send them.
@@ -48,7 +52,7 @@ impl BlockPlan {
             let degree = graph.row(i).len();
             let mut start = 0;
             while start < degree {
-                let length = (degree - start).min(LANES);
+                let length = (degree - start).min(BLOCK_LANES);
                 pieces.push((i, start, length));
                 start += length;
             }
@@ -106,8 +110,8 @@ fn pack(pieces: &[(usize, usize, usize)]) -> Vec<Vec<(usize, usize, usize)>> {
             }
             None => {
                 groups.push(vec![piece]);
-                if length < LANES {
-                    open.push((groups.len() - 1, LANES - length));
+                if length < BLOCK_LANES {
+                    open.push((groups.len() - 1, BLOCK_LANES - length));
                 }
                 if open.len() > OPEN {
                     open.remove(0);
@@ -134,7 +138,7 @@ mod tests {
             let plan = BlockPlan::new(&graph);
             let mut rows = vec![usize::MAX; graph.n_directed_edges()];
             for block in &plan.blocks {
-                prop_assert!(block.edges.len() <= LANES);
+                prop_assert!(block.edges.len() <= BLOCK_LANES);
                 for (lane, &e) in block.edges.iter().enumerate() {
                     prop_assert_eq!(rows[e as usize], usize::MAX);
                     rows[e as usize] = block.first_row + lane;

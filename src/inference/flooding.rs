@@ -1,27 +1,54 @@
 //! The flooding schedule: every message from the messages of the iteration before, block by block on all cores.
+//!
+//! # What bounds it
+//! An iteration reads and writes every message once, `2 · 4 · |E→| · n` bytes, and does `|E→| · n` times as many
+//! operations as one value of a message needs: with max-product and `β = 0` one maximum for each member of `N_1`, `r`
+//! times over, else a few for each member of `N_r`. The bytes over the bandwidth of the memory, or the operations over
+//! the rate of the vector units, whichever is longer, is the time below which no iteration can go; `benches/kernel.rs`
+//! measures all three in one run. Between the two lie the products of the messages (four operations a value) and the
+//! turns between rows and lanes (one).
 
-use super::block_plan::{Block, BlockPlan, LANES};
+use super::block_plan::{Block, BlockPlan};
 use super::kernel::{Kernel, lane_factors};
+use super::message_store::{Batches, MessageStore, OpenStore};
 use super::outcome::{BpIteration, BpOutcome, BpStop, Decoded, Progress};
 use super::sparse_update::{Finish, Lanes, Scratch, write_messages};
 use crate::graph::EdgeGraph;
 use crate::observe::{Cancelled, Observer, checkpoint};
 use rayon::prelude::*;
+use std::sync::{Mutex, PoisonError};
 
-/// Blocks, and the second copy of the messages.
+/// Blocks, and their messages.
 pub(super) struct Flooding {
     plan: BlockPlan,
+    batches: Batches,
     /// Near and far factors of the pairwise potential, for each lane of each block.
     factors: Vec<(Lanes, Lanes)>,
-    next: Vec<f32>,
+    messages: MessageStore,
+    /// One for each thread.
+    scratch: Vec<Mutex<Scratch>>,
+}
+
+/// What one pass over the blocks finds.
+struct Pass {
+    decoded: Vec<Decoded>,
+    /// Largest change of a message.
+    delta: f32,
 }
 
 impl Flooding {
-    /// Blocks over the directed edges of `graph`; `factors` of every edge. The second copy is as long as `n_values`.
-    pub fn new(graph: &EdgeGraph, factors: &[(f32, f32)], n_values: usize) -> Self {
+    /// Blocks over the directed edges of `graph`; `factors` of every edge; rows of `stride` values.
+    pub fn new(graph: &EdgeGraph, factors: &[(f32, f32)], stride: usize) -> Self {
         let plan = BlockPlan::new(graph);
+        let batches = Batches::new(&plan);
         let lanes = |block: &Block| lane_factors(block.edges.iter().map(|&edge| factors[edge as usize]));
-        Flooding { factors: plan.blocks.iter().map(lanes).collect(), plan, next: vec![1.0; n_values] }
+        Flooding {
+            factors: plan.blocks.iter().map(lanes).collect(),
+            messages: MessageStore::new(&plan, stride, batches.n_spare),
+            batches,
+            plan,
+            scratch: Vec::new(),
+        }
     }
 
     /// The row in which message `i → j` lies, for every directed edge.
@@ -35,6 +62,16 @@ impl Flooding {
         rows
     }
 
+    /// The message in row `row`.
+    pub fn message(&self, row: usize) -> &[f32] {
+        self.messages.row(row)
+    }
+
+    /// Makes every message the same.
+    pub fn fill(&mut self, message: &[f32]) {
+        self.messages.fill(message);
+    }
+
     /// Runs as [`super::BeliefPropagation::run`] does.
     ///
     /// # Errors
@@ -42,7 +79,6 @@ impl Flooding {
     pub fn run(
         &mut self,
         kernel: Kernel<'_>,
-        messages: &mut Vec<f32>,
         max_iterations: u32,
         observer: &dyn Observer,
         mut on_iteration: impl FnMut(&BpIteration),
@@ -50,72 +86,70 @@ impl Flooding {
         let tolerance = kernel.options.tolerance;
         let mut progress = Progress::new(kernel.model);
         let mut delta = f32::INFINITY;
+        while self.scratch.len() < rayon::current_num_threads() {
+            self.scratch.push(Mutex::new(Scratch::new(kernel.stride)));
+        }
         // Beliefs come out of the pass that makes the next messages, so the labeling of iteration `k` is known in
         // pass `k + 1`; the last pass only decodes.
         for pass in 0..=max_iterations {
             let last = pass == max_iterations || delta <= tolerance;
-            let (found, new_delta) = self.pass(kernel, messages, !last, observer)?;
+            let Pass { decoded, delta: new_delta } = self.pass(kernel, !last, observer)?;
             if pass == 0 {
-                progress.start(&found);
+                progress.start(&decoded);
             } else {
-                on_iteration(&progress.iterate(&found, delta));
+                on_iteration(&progress.iterate(&decoded, delta));
             }
             if last {
                 break;
             }
             delta = new_delta;
-            std::mem::swap(messages, &mut self.next);
         }
         let settled = delta <= tolerance;
         Ok(progress.finish(if settled { BpStop::Converged } else { BpStop::MaxIterations }))
     }
 
     /// One pass over all blocks: decodes the beliefs of the present messages and, with `update`, makes the next ones.
-    /// Returns the largest beliefs and the largest change of a message.
-    fn pass(
-        &mut self,
-        kernel: Kernel<'_>,
-        messages: &[f32],
-        update: bool,
-        observer: &dyn Observer,
-    ) -> Result<(Vec<Decoded>, f32), Cancelled> {
-        let stride = kernel.stride;
-        let mut outputs: Vec<&mut [f32]> = Vec::with_capacity(self.plan.blocks.len());
-        let mut rest = self.next.as_mut_slice();
-        for block in &self.plan.blocks {
-            let (piece, tail) = rest.split_at_mut(block.edges.len() * stride);
-            outputs.push(piece);
-            rest = tail;
+    fn pass(&mut self, kernel: Kernel<'_>, update: bool, observer: &dyn Observer) -> Result<Pass, Cancelled> {
+        let Flooding { plan, batches, factors, messages, scratch } = self;
+        let mut open = messages.open();
+        let mut found = Pass { decoded: Vec::with_capacity(kernel.model.n_variables()), delta: 0.0 };
+        for (blocks, released) in &batches.batches {
+            if observer.is_cancelled() {
+                break;
+            }
+            let mut lent = open.lend(if update { blocks.len() } else { 0 });
+            let mut outputs: Vec<Option<&mut [f32]>> = lent.iter_mut().map(|lent| Some(&mut *lent.values)).collect();
+            outputs.resize_with(blocks.len(), || None);
+            let results: Vec<(Vec<Decoded>, f32)> = blocks
+                .clone()
+                .into_par_iter()
+                .zip(outputs)
+                .map(|(block, output)| {
+                    // No other thread has this index, so nobody waits; what a panic left is overwritten.
+                    let own = &scratch[rayon::current_thread_index().unwrap_or(0) % scratch.len()];
+                    let mut scratch = own.lock().unwrap_or_else(PoisonError::into_inner);
+                    make_block(kernel, &open, (block, &plan.blocks[block]), &factors[block], &mut scratch, output)
+                })
+                .collect();
+            for (decoded, change) in results {
+                found.decoded.extend(decoded);
+                found.delta = found.delta.max(change);
+            }
+            for (block, lent) in blocks.clone().zip(lent) {
+                open.give_back(block, lent);
+            }
+            for &block in released {
+                open.release(block);
+            }
         }
-        let results: Vec<Option<(Vec<Decoded>, f32)>> = self
-            .plan
-            .blocks
-            .par_iter()
-            .zip(&self.factors)
-            .zip(outputs)
-            .map_init(
-                || Scratch::new(stride),
-                |scratch, ((block, factors), output)| {
-                    if observer.is_cancelled() {
-                        return None;
-                    }
-                    Some(make_block(kernel, messages, block, factors, scratch, update.then_some(output)))
-                },
-            )
-            .collect();
+        open.close();
         checkpoint(observer)?;
-        let mut decoded = Vec::with_capacity(kernel.model.n_variables());
-        let mut delta = 0.0f32;
-        for (found, change) in results.into_iter().flatten() {
-            decoded.extend(found);
-            delta = delta.max(change);
-        }
         // A variable without neighbours sends nothing and stands in no block: its belief is its unary potential.
         let n = kernel.model.n_labels();
         for i in (0..kernel.model.n_variables()).filter(|&i| kernel.model.variables.row(i).is_empty()) {
-            decoded.push(decode_alone(i, &kernel.phi[i * stride..][..n]));
+            found.decoded.push(decode_alone(i, &kernel.phi[i * kernel.stride..][..n]));
         }
-        Ok((decoded, delta))
+        Ok(found)
     }
 }
 
@@ -125,27 +159,25 @@ fn decode_alone(variable: usize, phi: &[f32]) -> Decoded {
     Decoded { variable: variable as u32, label: label as u32, confidence: f64::from(phi[label] / sum) }
 }
 
+/// Decodes the variables of a block and, with an `output`, writes its next messages there. Returns also the largest
+/// change of a message.
 fn make_block(
     kernel: Kernel<'_>,
-    messages: &[f32],
-    block: &Block,
+    messages: &OpenStore<'_>,
+    (number, block): (usize, &Block),
     (near, far): &(Lanes, Lanes),
     scratch: &mut Scratch,
     output: Option<&mut [f32]>,
 ) -> (Vec<Decoded>, f32) {
-    let mut decoded = Vec::with_capacity(block.variables.len());
-    let mut largest = [0.0f32; LANES];
-    for of in &block.variables {
-        let found = kernel.cavity(messages, of, scratch, &mut largest);
-        // A variable in several blocks is decoded by the one that holds its first edges.
-        if of.slots.start == 0 {
-            decoded.push(found);
-        }
-    }
-    let Some(new) = output else { return (decoded, 0.0) };
+    let largest = kernel.cavity(|row| messages.row(row), &block.variables, scratch);
+    // A variable in several blocks is decoded by the one that holds its first edges.
+    let decoded = kernel.decode(&block.variables, scratch).filter(|(of, _)| of.slots.start == 0).map(|(_, d)| d);
+    let decoded = decoded.collect();
+    let Some(output) = output else { return (decoded, 0.0) };
     let top = kernel.update((near, far), &largest, scratch);
-    let old = &messages[block.first_row * kernel.stride..][..new.len()];
+    let n_values = block.edges.len() * kernel.stride;
+    let (old, new) = (&messages.block(number)[..n_values], &mut output[..n_values]);
     let finish = Finish { floor: kernel.options.floor, damping: kernel.options.damping };
-    let change = write_messages(&scratch.updated, &top, old, new, kernel.stride, finish);
+    let change = write_messages(&scratch.updated, &top, old, new, finish, &mut scratch.rows);
     (decoded, change)
 }

@@ -1,4 +1,4 @@
-//! The full message update: every label pair of one block of up to [`LANES`] outgoing messages.
+//! The full message update: every label pair of one block of up to [`BLOCK_LANES`] outgoing messages.
 //!
 //! No table of potentials is stored. A dense row holds the two factors of the potential of one label against all
 //! others, and 0 for those outside its neighbourhood, which the lower limit `ε` turns into the truncation; it costs
@@ -7,7 +7,7 @@
 // The dispatch to instruction sets that `multiversion` generates needs unsafe calls; nothing here does itself.
 #![allow(unsafe_code)]
 
-use super::block_plan::LANES;
+use super::block_plan::BLOCK_LANES;
 use super::sparse_update::{Lanes, PairTable};
 use multiversion::multiversion;
 
@@ -60,7 +60,7 @@ fn full_update(
     let n = table.n_labels();
     dense.clear();
     dense.resize(n, [[0.0; 2]; ROWS]);
-    let mut largest = [0.0f32; LANES];
+    let mut largest = [0.0f32; BLOCK_LANES];
     for start in (0..n).step_by(ROWS) {
         let labels = start..(start + ROWS).min(n);
         for (row, y) in labels.clone().enumerate() {
@@ -70,7 +70,7 @@ fn full_update(
         }
         let made = rows(dense);
         for (row, y) in labels.enumerate() {
-            for k in 0..LANES {
+            for k in 0..BLOCK_LANES {
                 largest[k] = if made[row][k] > largest[k] { made[row][k] } else { largest[k] };
             }
             updated[y] = made[row];
@@ -85,10 +85,10 @@ fn full_update(
 #[multiversion(targets("x86_64+avx512f+avx512vl+avx512bw+avx512dq", "x86_64+avx2"))]
 fn max_rows(dense: &[DenseFactors], cavity: &[Lanes], potential: FullPotential<'_>) -> [Lanes; ROWS] {
     let FullPotential { near, far, epsilon } = potential;
-    let mut best = [[0.0f32; LANES]; ROWS];
+    let mut best = [[0.0f32; BLOCK_LANES]; ROWS];
     for (factors, h) in dense.iter().zip(cavity) {
         for (best, [rising, falling]) in best.iter_mut().zip(factors) {
-            for k in 0..LANES {
+            for k in 0..BLOCK_LANES {
                 let (a, b) = (near[k] * rising, far[k] * falling);
                 let psi = if a < b { a } else { b };
                 let psi = if psi > epsilon { psi } else { epsilon };
@@ -103,10 +103,10 @@ fn max_rows(dense: &[DenseFactors], cavity: &[Lanes], potential: FullPotential<'
 #[multiversion(targets("x86_64+avx512f+avx512vl+avx512bw+avx512dq", "x86_64+avx2"))]
 fn sum_rows(dense: &[DenseFactors], cavity: &[Lanes], potential: FullPotential<'_>) -> [Lanes; ROWS] {
     let FullPotential { near, far, epsilon } = potential;
-    let mut sum = [[0.0f32; LANES]; ROWS];
+    let mut sum = [[0.0f32; BLOCK_LANES]; ROWS];
     for (factors, h) in dense.iter().zip(cavity) {
         for (sum, [rising, falling]) in sum.iter_mut().zip(factors) {
-            for k in 0..LANES {
+            for k in 0..BLOCK_LANES {
                 let (a, b) = (near[k] * rising, far[k] * falling);
                 let psi = if a < b { a } else { b };
                 let psi = if psi > epsilon { psi } else { epsilon };

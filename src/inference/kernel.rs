@@ -1,10 +1,11 @@
 //! What both schedules do with one block of lanes: from cavity products to messages not yet scaled.
 
-use super::block_plan::{BlockVariable, LANES};
+use super::block_plan::{BLOCK_LANES, BlockVariable};
+use super::cavity::cavity_products;
 use super::full_update::{FullPotential, full_max_update, full_sum_update};
 use super::options::{BpMethod, BpOptions, Product, Update};
 use super::outcome::Decoded;
-use super::sparse_update::{Lanes, PairTable, Scratch, cavity_products, max_update, max_update_uniform, sum_update};
+use super::sparse_update::{Lanes, PairTable, Scratch, max_update, max_update_uniform, sum_update};
 use crate::mrf::MrfModel;
 
 /// Everything that a message update reads besides the messages.
@@ -20,12 +21,30 @@ pub(super) struct Kernel<'a> {
 }
 
 impl Kernel<'_> {
-    /// Cavity products of `of` into its lanes of `scratch`, their maxima into `largest`; the decoded belief.
-    pub fn cavity(&self, messages: &[f32], of: &BlockVariable, scratch: &mut Scratch, largest: &mut Lanes) -> Decoded {
-        let phi = &self.phi[of.variable * self.stride..][..self.stride];
-        let best = cavity_products(phi, messages, of, scratch, largest);
-        let confidence = if best.sum > 0.0 { f64::from(best.peak / best.sum) } else { 0.0 };
-        Decoded { variable: of.variable as u32, label: best.label, confidence }
+    /// Cavity products of the lanes of `variables` into `scratch`; returns their maxima. `message` is the row of an
+    /// incoming message.
+    pub fn cavity<'m>(
+        &self,
+        message: impl Fn(u32) -> &'m [f32],
+        variables: &[BlockVariable],
+        scratch: &mut Scratch,
+    ) -> Lanes {
+        let phi: Vec<&[f32]> =
+            variables.iter().map(|of| &self.phi[of.variable * self.stride..][..self.stride]).collect();
+        let messages: Vec<&[f32]> = variables.iter().flat_map(|of| &of.incoming).map(|&row| message(row)).collect();
+        cavity_products(&phi, &messages, variables, &mut scratch.chains, &mut scratch.cavity)
+    }
+
+    /// The decoded beliefs of the `variables` whose cavity products were computed last.
+    pub fn decode<'v>(
+        &self,
+        variables: &'v [BlockVariable],
+        scratch: &Scratch,
+    ) -> impl Iterator<Item = (&'v BlockVariable, Decoded)> {
+        variables.iter().zip(scratch.chains.peaks()).map(|(of, best)| {
+            let confidence = if best.sum > 0.0 { f64::from(best.peak / best.sum) } else { 0.0 };
+            (of, Decoded { variable: of.variable as u32, label: best.label, confidence })
+        })
     }
 
     /// Messages of all lanes from the cavity products of `scratch`, unscaled, into its `updated`; returns the largest
@@ -33,27 +52,27 @@ impl Kernel<'_> {
     pub fn update(&self, (near, far): (&Lanes, &Lanes), largest: &Lanes, scratch: &mut Scratch) -> Lanes {
         // 0 for the hard constraint, a truncation of infinity: pairs outside the neighbourhood then add nothing.
         let epsilon = (-self.model.pairwise.truncation).exp() as f32;
+        let floor = largest.map(|top| top * epsilon);
+        if (self.method.update, self.options.product) == (Update::Sparse, Product::Max)
+            && self.model.pairwise.beta == 0.0
+        {
+            max_update_uniform(self.table, &floor, scratch);
+            return *largest;
+        }
         let Scratch { cavity, updated, dense, .. } = scratch;
         let potential = FullPotential { near, far, epsilon };
         match (self.method.update, self.options.product) {
             (Update::Full, Product::Max) => full_max_update(self.table, cavity, potential, dense, updated),
             (Update::Full, Product::Sum) => full_sum_update(self.table, cavity, potential, dense, updated),
             (Update::Sparse, Product::Sum) => sum_update(self.table, cavity, (near, far), epsilon, updated),
-            (Update::Sparse, Product::Max) => {
-                let floor = largest.map(|top| top * epsilon);
-                if self.model.pairwise.beta == 0.0 {
-                    max_update_uniform(self.table, cavity, &floor, updated)
-                } else {
-                    max_update(self.table, cavity, (near, far), &floor, updated)
-                }
-            }
+            (Update::Sparse, Product::Max) => max_update(self.table, cavity, (near, far), &floor, updated),
         }
     }
 }
 
-/// The factors of up to [`LANES`] edges, lane by lane; 0 in lanes without an edge.
+/// The factors of up to [`BLOCK_LANES`] edges, lane by lane; 0 in lanes without an edge.
 pub(super) fn lane_factors(edges: impl Iterator<Item = (f32, f32)>) -> (Lanes, Lanes) {
-    let mut factors = ([0.0; LANES], [0.0; LANES]);
+    let mut factors = ([0.0; BLOCK_LANES], [0.0; BLOCK_LANES]);
     for (lane, (near, far)) in edges.enumerate() {
         (factors.0[lane], factors.1[lane]) = (near, far);
     }

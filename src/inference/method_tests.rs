@@ -142,7 +142,7 @@ fn every_method_gives_the_same_bits_on_any_number_of_threads() {
 /// A hub with more neighbours than all blocks of a batch have lanes.
 #[test]
 fn a_hub_is_updated_in_pieces_by_the_residual_schedule() {
-    let rim = 150;
+    let rim = 220;
     let edges: Vec<[u32; 2]> = (1..=rim).map(|k| [0, k]).collect();
     let entropy: Vec<f64> = (0..97).map(|k| f64::from(k * 37 % 97) / 97.0).collect();
     let model = model(rim as usize + 1, &edges, 18, &entropy, 0.7, 0.05);

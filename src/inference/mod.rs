@@ -14,6 +14,7 @@
 mod belief_propagation;
 mod beliefs;
 mod block_plan;
+mod cavity;
 mod convergence;
 mod dual_update;
 mod fixed_point;
@@ -23,6 +24,7 @@ mod kernel;
 mod lower_bound;
 #[cfg(test)]
 mod lower_bound_tests;
+mod message_store;
 #[cfg(test)]
 mod method_tests;
 mod options;
@@ -35,6 +37,7 @@ mod sparse_update;
 mod sweep_order;
 #[cfg(test)]
 mod tests;
+mod turning;
 
 pub use belief_propagation::BeliefPropagation;
 pub use beliefs::belief_spread;

@@ -23,10 +23,10 @@ pub enum Update {
 /// In which order messages are updated.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Schedule {
-    /// All messages at once from those of the iteration before; two copies of the messages.
+    /// All messages at once from those of the iteration before.
     #[default]
     Flooding,
-    /// The variable with the largest pending change sends next; one copy of the messages. Settles on many models
+    /// The variable with the largest pending change sends next. Settles on many models
     /// where flooding oscillates.
     Residual,
 }

@@ -14,7 +14,7 @@
 #![allow(unsafe_code)]
 
 use super::beliefs::{belief_row, peak};
-use super::block_plan::{BlockVariable, LANES};
+use super::block_plan::{BLOCK_LANES, BlockVariable};
 use super::kernel::{Kernel, lane_factors};
 use super::outcome::{BpIteration, BpOutcome, BpStop, Decoded, Progress};
 use super::sparse_update::{Finish, Lanes, Scratch};
@@ -34,7 +34,7 @@ const PASSED_OVER: usize = 64;
 
 /// The queue and the work places of the residual schedule. Message `i → j` lies in the row of its directed edge.
 pub(super) struct Residual {
-    /// The outgoing edges of every variable, at most [`LANES`] a piece; `lane` is set when a piece joins a block.
+    /// The outgoing edges of every variable, at most [`BLOCK_LANES`] a piece; `lane` is set when a piece joins a block.
     pieces: Vec<Vec<BlockVariable>>,
     /// Near and far factors of the pairwise potential for every directed edge.
     factors: Vec<(f32, f32)>,
@@ -83,10 +83,10 @@ impl Residual {
             let piece = |start: usize| BlockVariable {
                 variable,
                 incoming: incoming.clone(),
-                slots: start..(start + LANES).min(incoming.len()),
+                slots: start..(start + BLOCK_LANES).min(incoming.len()),
                 lane: 0,
             };
-            (0..incoming.len()).step_by(LANES).map(piece).collect()
+            (0..incoming.len()).step_by(BLOCK_LANES).map(piece).collect()
         };
         Residual {
             pieces: (0..n).map(pieces).collect(),
@@ -225,10 +225,10 @@ impl Residual {
             for piece in &self.pieces[variable] {
                 if piece.slots.len() > room {
                     blocks.push(Vec::new());
-                    room = LANES;
+                    room = BLOCK_LANES;
                 }
                 if let Some(block) = blocks.last_mut() {
-                    block.push(BlockVariable { lane: LANES - room, ..piece.clone() });
+                    block.push(BlockVariable { lane: BLOCK_LANES - room, ..piece.clone() });
                 }
                 room -= piece.slots.len();
             }
@@ -255,7 +255,7 @@ impl Residual {
         blocks: &[Vec<BlockVariable>],
     ) -> Vec<Vec<MessageChange>> {
         while self.places.len() < blocks.len() {
-            let output = vec![0.0; LANES * kernel.stride];
+            let output = vec![0.0; BLOCK_LANES * kernel.stride];
             self.places.push(Place { scratch: Scratch::new(kernel.stride), output });
         }
         let factors = &self.factors;
@@ -263,10 +263,8 @@ impl Residual {
             .par_iter_mut()
             .zip(blocks)
             .map(|(place, block)| {
-                let mut largest = [0.0; LANES];
-                for of in block {
-                    kernel.cavity(messages, of, &mut place.scratch, &mut largest);
-                }
+                let row = |edge: u32| &messages[edge as usize * kernel.stride..][..kernel.stride];
+                let largest = kernel.cavity(row, block, &mut place.scratch);
                 let graph = &kernel.model.variables;
                 let (near, far) = lane_factors(block_edges(graph, block).map(|edge| factors[edge]));
                 let top = kernel.update((&near, &far), &largest, &mut place.scratch);

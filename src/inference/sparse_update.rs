@@ -1,11 +1,12 @@
-//! The sparse message update, one block of up to [`LANES`] outgoing messages at a time.
+//! The sparse message update of one block: up to [`BLOCK_LANES`] outgoing messages side by side.
 //!
-//! For every lane (directed edge `i → j`) three passes over the labels, all within the cache of one core:
-//! 1. **cavity**: `h(x) = φ_i(x) Π_{k ∈ N(i)\j} m_{k→i}(x)` from contiguous message rows, turned so that the lanes of
-//!    one label lie side by side;
-//! 2. **update**: `m(y) = max(ε·max h, max_{x ∈ N_r(y)} ψ(x, y) h(x))`, or the sum; every load is one full vector, no
+//! From the cavity products `h` of [`super::cavity`], label by label with all lanes of a label side by side:
+//! 1. **update**: `m(y) = max(ε·max h, max_{x ∈ N_r(y)} ψ(x, y) h(x))`, or the sum; every load is whole vectors, no
 //!    gather, no exp: `ψ = exp(−β|ℓ − d'|/ℓ')` is the smaller of `exp(−βℓ/ℓ')·exp(βd'/ℓ')` and its inverse;
-//! 3. **write**: scaled to maximum 1, floored, damped with the old message, turned back into rows.
+//! 2. **write**: scaled to maximum 1, floored, turned back into rows and damped with the old message.
+//!
+//! Without a distance term (`β = 0`) max-product needs far fewer comparisons than `N_r` has members: a maximum over
+//! `N_r` is `r` times a maximum over `N_1`, on a triangle mesh `7 r` instead of `1 + 3 r (r + 1)`.
 //!
 //! Every operation is the same on every instruction set (no fused multiply-add, fixed order), so the dispatched
 //! versions give equal bits.
@@ -13,23 +14,44 @@
 // The dispatch to instruction sets that `multiversion` generates needs unsafe calls; nothing here does itself.
 #![allow(unsafe_code)]
 
-use super::block_plan::{BlockVariable, LANES};
+use super::block_plan::{BLOCK_LANES, LANES};
+use super::cavity::Chains;
 use super::full_update::DenseFactors;
+use super::turning::{CHUNK, ChunkRows, lanes_to_rows};
 use crate::graph::LabelNeighborhoods;
 use multiversion::multiversion;
 
 /// One number for each lane.
-pub(super) type Lanes = [f32; LANES];
-
-/// Products of messages are carried times this in each of two chains, so that a dozen messages at the floor do not
-/// underflow 32 bits; a power of two, so that no rounding depends on it. Their product stays below 2¹²⁸.
-const CHAIN_SCALE: f32 = (1u64 << 60) as f32;
+pub(super) type Lanes = [f32; BLOCK_LANES];
 
 /// Pairs of neighbouring labels with the two factors of their pairwise potential, in rows by label.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct PairTable {
     offsets: Vec<u32>,
     pairs: Vec<Pair>,
+    steps: Steps,
+}
+
+/// `N_r` as `count` steps of one smaller neighbourhood: a maximum over `N_r` is the maximum over it, `count` times.
+#[derive(Debug, Clone, PartialEq)]
+struct Steps {
+    offsets: Vec<u32>,
+    members: Vec<u32>,
+    count: usize,
+}
+
+impl Steps {
+    fn new(labels: &LabelNeighborhoods) -> Self {
+        let mut steps = Steps { offsets: vec![0], members: Vec::new(), count: labels.rings().max(1) };
+        for x in 0..labels.n_labels() {
+            if labels.rings() > 0 {
+                steps.members.extend_from_slice(labels.graph().neighbors(x));
+            }
+            steps.members.push(x as u32);
+            steps.offsets.push(steps.members.len() as u32);
+        }
+        steps
+    }
 }
 
 /// A label `x` in `N_r(y)`.
@@ -54,7 +76,7 @@ impl PairTable {
             }
             offsets.push(pairs.len() as u32);
         }
-        PairTable { offsets, pairs }
+        PairTable { offsets, pairs, steps: Steps::new(labels) }
     }
 
     /// Number of labels `n`.
@@ -79,142 +101,59 @@ pub(super) fn edge_factors(beta: f64, length_scale: f64, length: f32) -> (f32, f
 }
 
 /// Scratch of one thread, reused from block to block.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone)]
 pub(super) struct Scratch {
-    /// Cavity products, `[label][lane]`.
+    /// Cavity products, `[label][lane]`; an update may leave something else there.
     pub cavity: Vec<Lanes>,
     /// Updated messages before scaling, `[label][lane]`.
     pub updated: Vec<Lanes>,
-    /// Running products of one chunk of labels, from the first and from the last neighbour on.
-    forward: Vec<Lanes>,
-    backward: Vec<Lanes>,
+    /// Of the cavity pass.
+    pub chains: Chains,
     /// Factors of a few labels against all others, of the full update only.
     pub dense: Vec<DenseFactors>,
+    /// Messages of a chunk of labels, turned back into rows.
+    pub rows: Box<ChunkRows>,
 }
 
 impl Scratch {
     /// Room for `stride` labels.
     pub fn new(stride: usize) -> Self {
-        let zero = [0.0; LANES];
+        let zero = [0.0; BLOCK_LANES];
         Scratch {
             cavity: vec![zero; stride],
             updated: vec![zero; stride],
-            forward: Vec::new(),
-            backward: Vec::new(),
+            chains: Chains::new(),
             dense: Vec::new(),
+            rows: Box::new([[0.0; CHUNK]; BLOCK_LANES]),
         }
     }
 }
 
-/// What the cavity pass also finds of a variable.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct BeliefPeak {
-    /// The label of the largest belief, the lowest of equal ones.
-    pub label: u32,
-    /// That belief, in an arbitrary scale.
-    pub peak: f32,
-    /// Sum of the beliefs over all labels, in the same scale.
-    pub sum: f32,
+/// Max-product without a distance term: `ψ = 1` within the neighbourhood. Uses up `scratch.cavity`. `largest` are the
+/// maxima of the cavity products, which those of the messages equal, since a label is in its own neighbourhood.
+pub(super) fn max_update_uniform(table: &PairTable, floor: &Lanes, scratch: &mut Scratch) {
+    for step in 1..=table.steps.count {
+        let floor = if step == table.steps.count { *floor } else { [0.0; BLOCK_LANES] };
+        max_step(&table.steps, &scratch.cavity, &floor, &mut scratch.updated);
+        if step < table.steps.count {
+            std::mem::swap(&mut scratch.cavity, &mut scratch.updated);
+        }
+    }
 }
 
-/// Writes the cavity products of one variable into its lanes and returns the peak of its belief.
-///
-/// `phi` and every row of `messages` hold `stride` values, a multiple of [`LANES`]; beyond the labels `phi` is 0.
+/// `to(y) = max(floor, max_{x ∈ N(y)} from(x))` over the neighbourhood of one step.
 #[multiversion(targets("x86_64+avx512f+avx512vl+avx512bw+avx512dq", "x86_64+avx2"))]
-pub(super) fn cavity_products(
-    phi: &[f32],
-    messages: &[f32],
-    of: &BlockVariable,
-    scratch: &mut Scratch,
-    largest: &mut Lanes,
-) -> BeliefPeak {
-    let stride = phi.len();
-    let degree = of.incoming.len();
-    let Scratch { cavity, forward, backward, .. } = scratch;
-    forward.clear();
-    forward.resize(degree + 1, [0.0; LANES]);
-    backward.clear();
-    backward.resize(degree + 1, [CHAIN_SCALE; LANES]);
-    let mut peaks = [-1.0f32; LANES];
-    let mut peak_chunk = [0u32; LANES];
-    let mut sums = [0.0f32; LANES];
-    let mut lane_peaks = [[0.0f32; LANES]; LANES];
-    let (phi_chunks, _) = phi.as_chunks::<LANES>();
-    for (chunk, phi) in phi_chunks.iter().enumerate() {
-        let at = chunk * LANES;
-        for k in 0..LANES {
-            forward[0][k] = phi[k] * CHAIN_SCALE;
-        }
-        for (slot, &row) in of.incoming.iter().enumerate() {
-            let start = row as usize * stride + at;
-            let message = &messages[start..start + LANES];
-            let (done, open) = forward.split_at_mut(slot + 1);
-            for k in 0..LANES {
-                open[0][k] = done[slot][k] * message[k];
-            }
-        }
-        for slot in (of.slots.start..degree).rev() {
-            let start = of.incoming[slot] as usize * stride + at;
-            let message = &messages[start..start + LANES];
-            let (open, done) = backward.split_at_mut(slot + 1);
-            for k in 0..LANES {
-                open[slot][k] = done[0][k] * message[k];
-            }
-        }
-        let belief = &forward[degree];
-        for k in 0..LANES {
-            sums[k] += belief[k];
-            if belief[k] > peaks[k] {
-                peaks[k] = belief[k];
-                peak_chunk[k] = chunk as u32;
-            }
-        }
-        for (offset, slot) in of.slots.clone().enumerate() {
-            let lane = of.lane + offset;
-            let (forward, backward) = (&forward[slot], &backward[slot + 1]);
-            let top = &mut lane_peaks[offset];
-            let mut product = [0.0f32; LANES];
-            for k in 0..LANES {
-                product[k] = forward[k] * backward[k];
-                top[k] = if product[k] > top[k] { product[k] } else { top[k] };
-            }
-            for (k, label) in cavity[at..at + LANES].iter_mut().enumerate() {
-                label[lane] = product[k];
-            }
-        }
-    }
-    for offset in 0..of.slots.len() {
-        largest[of.lane + offset] = lane_peaks[offset].iter().fold(0.0, |a, &b| if b > a { b } else { a });
-    }
-    let mut best = BeliefPeak { label: u32::MAX, peak: -1.0, sum: sums.iter().sum() };
-    for k in 0..LANES {
-        let label = peak_chunk[k] * LANES as u32 + k as u32;
-        if peaks[k] > best.peak || (peaks[k] == best.peak && label < best.label) {
-            best.label = label;
-            best.peak = peaks[k];
-        }
-    }
-    best
-}
-
-/// Max-product without a distance term: `ψ = 1` within the neighbourhood. Returns the largest value of each lane.
-#[multiversion(targets("x86_64+avx512f+avx512vl+avx512bw+avx512dq", "x86_64+avx2"))]
-pub(super) fn max_update_uniform(table: &PairTable, cavity: &[Lanes], floor: &Lanes, updated: &mut [Lanes]) -> Lanes {
-    let mut largest = [0.0f32; LANES];
-    for (y, message) in updated[..table.offsets.len() - 1].iter_mut().enumerate() {
+fn max_step(steps: &Steps, from: &[Lanes], floor: &Lanes, to: &mut [Lanes]) {
+    for (row, to) in steps.offsets.windows(2).zip(to) {
         let mut best = *floor;
-        for pair in table.row(y) {
-            let h = &cavity[pair.label as usize];
-            for k in 0..LANES {
+        for &x in &steps.members[row[0] as usize..row[1] as usize] {
+            let h = &from[x as usize];
+            for k in 0..BLOCK_LANES {
                 best[k] = if h[k] > best[k] { h[k] } else { best[k] };
             }
         }
-        for k in 0..LANES {
-            largest[k] = if best[k] > largest[k] { best[k] } else { largest[k] };
-        }
-        *message = best;
+        *to = best;
     }
-    largest
 }
 
 /// Max-product with a distance term. `near` and `far` are the [`edge_factors`] of each lane.
@@ -226,18 +165,18 @@ pub(super) fn max_update(
     floor: &Lanes,
     updated: &mut [Lanes],
 ) -> Lanes {
-    let mut largest = [0.0f32; LANES];
+    let mut largest = [0.0f32; BLOCK_LANES];
     for (y, message) in updated[..table.offsets.len() - 1].iter_mut().enumerate() {
         let mut best = *floor;
         for pair in table.row(y) {
             let h = &cavity[pair.label as usize];
-            for k in 0..LANES {
+            for k in 0..BLOCK_LANES {
                 let (a, b) = (near[k] * pair.rising, far[k] * pair.falling);
                 let value = if a < b { a } else { b } * h[k];
                 best[k] = if value > best[k] { value } else { best[k] };
             }
         }
-        for k in 0..LANES {
+        for k in 0..BLOCK_LANES {
             largest[k] = if best[k] > largest[k] { best[k] } else { largest[k] };
         }
         *message = best;
@@ -254,28 +193,28 @@ pub(super) fn sum_update(
     epsilon: f32,
     updated: &mut [Lanes],
 ) -> Lanes {
-    let mut rest = [0.0f32; LANES];
+    let mut rest = [0.0f32; BLOCK_LANES];
     for h in cavity {
-        for k in 0..LANES {
+        for k in 0..BLOCK_LANES {
             rest[k] += h[k];
         }
     }
     for total in &mut rest {
         *total *= epsilon;
     }
-    let mut largest = [0.0f32; LANES];
+    let mut largest = [0.0f32; BLOCK_LANES];
     for (y, message) in updated[..table.offsets.len() - 1].iter_mut().enumerate() {
         let mut sum = rest;
         for pair in table.row(y) {
             let h = &cavity[pair.label as usize];
-            for k in 0..LANES {
+            for k in 0..BLOCK_LANES {
                 let (a, b) = (near[k] * pair.rising, far[k] * pair.falling);
                 let psi = if a < b { a } else { b };
                 let psi = if psi > epsilon { psi } else { epsilon };
                 sum[k] += (psi - epsilon) * h[k];
             }
         }
-        for k in 0..LANES {
+        for k in 0..BLOCK_LANES {
             largest[k] = if sum[k] > largest[k] { sum[k] } else { largest[k] };
         }
         *message = sum;
@@ -292,42 +231,48 @@ pub(super) struct Finish {
     pub damping: f32,
 }
 
-/// Scales every lane to maximum 1, floors and damps it, and writes it into its row of `new`; returns the largest
-/// change. `old` and `new` are the rows of the block, `stride` values each.
+/// Scales every lane of `updated` to maximum 1, floors and damps it, and writes it into its row of `new`; returns the
+/// largest change. `old` and `new` are the rows of the block, `updated.len()` values each; `rows` is scratch.
 #[multiversion(targets("x86_64+avx512f+avx512vl+avx512bw+avx512dq", "x86_64+avx2"))]
 pub(super) fn write_messages(
     updated: &[Lanes],
     largest: &Lanes,
     old: &[f32],
     new: &mut [f32],
-    stride: usize,
     finish: Finish,
+    rows: &mut ChunkRows,
 ) -> f32 {
-    let n_lanes = new.len() / stride;
-    let Finish { floor, damping } = finish;
-    let share = 1.0 - damping;
+    let stride = updated.len();
     let mut change = [0.0f32; LANES];
-    let (tiles, _) = updated.as_chunks::<LANES>();
-    for (chunk, tile) in tiles.iter().enumerate() {
-        for lane in 0..n_lanes {
-            let start = lane * stride + chunk * LANES;
-            let old = &old[start..start + LANES];
-            let new = &mut new[start..start + LANES];
-            // A lane whose products all vanished carries no information: a flat message.
-            let scale = if largest[lane] > 0.0 { 1.0 / largest[lane] } else { 0.0 };
-            let mut row = [0.0f32; LANES];
-            for k in 0..LANES {
-                row[k] = tile[k][lane];
-            }
-            for k in 0..LANES {
-                let value = row[k] * scale;
-                let value = if value > floor { value } else { floor };
-                let value = share * value + damping * old[k];
-                let step = (value - old[k]).abs();
-                change[k] = if step > change[k] { step } else { change[k] };
-                new[k] = value;
-            }
+    for (chunk, updated) in updated.chunks(CHUNK).enumerate() {
+        lanes_to_rows(updated, rows);
+        let labels = chunk * CHUNK..chunk * CHUNK + updated.len();
+        let pairs = old.chunks_exact(stride).zip(new.chunks_exact_mut(stride));
+        for ((row, &top), (old, new)) in rows.iter().zip(largest).zip(pairs) {
+            write_row(&row[..updated.len()], top, &old[labels.clone()], &mut new[labels.clone()], finish, &mut change);
         }
     }
     change.iter().fold(0.0, |a, &b| if b > a { b } else { a })
+}
+
+/// A piece of one message, whose largest value before scaling is `top`; adds to the largest `change`.
+#[inline(always)]
+fn write_row(row: &[f32], top: f32, old: &[f32], new: &mut [f32], finish: Finish, change: &mut [f32; LANES]) {
+    let Finish { floor, damping } = finish;
+    let share = 1.0 - damping;
+    // A lane whose products all vanished carries no information: a flat message.
+    let scale = if top > 0.0 { 1.0 / top } else { 0.0 };
+    let mut most = *change;
+    let vectors = row.as_chunks::<LANES>().0.iter().zip(old.as_chunks::<LANES>().0);
+    for ((row, old), new) in vectors.zip(new.as_chunks_mut::<LANES>().0) {
+        for k in 0..LANES {
+            let value = row[k] * scale;
+            let value = if value > floor { value } else { floor };
+            let value = share * value + damping * old[k];
+            let step = (value - old[k]).abs();
+            most[k] = if step > most[k] { step } else { most[k] };
+            new[k] = value;
+        }
+    }
+    *change = most;
 }

@@ -129,9 +129,7 @@ impl<'a> BeliefPropagation<'a> {
             phi: &self.phi,
         };
         match &mut self.engine {
-            Engine::Flooding(flooding) => {
-                flooding.run(kernel, max_iterations, observer, on_iteration)
-            }
+            Engine::Flooding(flooding) => flooding.run(kernel, max_iterations, observer, on_iteration),
             Engine::Residual { residual, messages } => {
                 residual.run(kernel, messages, max_iterations, observer, on_iteration)
             }
@@ -142,15 +140,18 @@ impl<'a> BeliefPropagation<'a> {
     /// sum-product is exact. All 0 if every product of messages vanishes. Cost `O(n · degree)`.
     pub fn belief(&self, variable: usize) -> Vec<f32> {
         let n = self.model.n_labels();
-        let messages = self.model.variables.row(variable).map(|edge| {
-            let row = self.incoming[edge] as usize;
-            match &self.engine {
-                Engine::Flooding(flooding) => &flooding.message(row)[..n],
-                Engine::Residual { messages, .. } => &messages[row * self.stride..][..n],
-            }
-        });
+        let messages = self.model.variables.row(variable).map(|edge| self.incoming_message(edge));
         let belief = belief_row(&self.phi[variable * self.stride..][..n], messages);
         belief.into_iter().map(|b| b as f32).collect()
+    }
+
+    /// The message `j → i` of the directed edge `i → j`, over the labels; its largest value is 1 up to damping.
+    pub(super) fn incoming_message(&self, edge: usize) -> &[f32] {
+        let (row, n) = (self.incoming[edge] as usize, self.model.n_labels());
+        match &self.engine {
+            Engine::Flooding(flooding) => &flooding.message(row)[..n],
+            Engine::Residual { messages, .. } => &messages[row * self.stride..][..n],
+        }
     }
 
     /// [`belief_spread`] of every variable over the positions of the labels, mm. Cost `O(|E→| n)`, on all cores.

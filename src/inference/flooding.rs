@@ -10,9 +10,10 @@
 
 use super::block_plan::{Block, BlockPlan};
 use super::kernel::{Kernel, lane_factors};
+use super::lanes::Lanes;
 use super::message_store::{Batches, MessageStore, OpenStore};
 use super::outcome::{BpIteration, BpOutcome, BpStop, Decoded, Progress};
-use super::sparse_update::{Finish, Lanes, Scratch, write_messages};
+use super::sparse_update::{Finish, Scratch, write_messages};
 use crate::graph::EdgeGraph;
 use crate::observe::{Cancelled, Observer, checkpoint};
 use rayon::prelude::*;

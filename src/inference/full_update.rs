@@ -8,7 +8,8 @@
 #![allow(unsafe_code)]
 
 use super::block_plan::BLOCK_LANES;
-use super::sparse_update::{Lanes, PairTable};
+use super::lanes::Lanes;
+use super::sparse_update::PairTable;
 use multiversion::multiversion;
 
 /// Labels updated together.
@@ -60,7 +61,7 @@ fn full_update(
     let n = table.n_labels();
     dense.clear();
     dense.resize(n, [[0.0; 2]; ROWS]);
-    let mut largest = [0.0f32; BLOCK_LANES];
+    let mut largest = Lanes::splat(0.0);
     for start in (0..n).step_by(ROWS) {
         let labels = start..(start + ROWS).min(n);
         for (row, y) in labels.clone().enumerate() {
@@ -85,7 +86,7 @@ fn full_update(
 #[multiversion(targets("x86_64+avx512f+avx512vl+avx512bw+avx512dq", "x86_64+avx2"))]
 fn max_rows(dense: &[DenseFactors], cavity: &[Lanes], potential: FullPotential<'_>) -> [Lanes; ROWS] {
     let FullPotential { near, far, epsilon } = potential;
-    let mut best = [[0.0f32; BLOCK_LANES]; ROWS];
+    let mut best = [Lanes::splat(0.0); ROWS];
     for (factors, h) in dense.iter().zip(cavity) {
         for (best, [rising, falling]) in best.iter_mut().zip(factors) {
             for k in 0..BLOCK_LANES {
@@ -103,7 +104,7 @@ fn max_rows(dense: &[DenseFactors], cavity: &[Lanes], potential: FullPotential<'
 #[multiversion(targets("x86_64+avx512f+avx512vl+avx512bw+avx512dq", "x86_64+avx2"))]
 fn sum_rows(dense: &[DenseFactors], cavity: &[Lanes], potential: FullPotential<'_>) -> [Lanes; ROWS] {
     let FullPotential { near, far, epsilon } = potential;
-    let mut sum = [[0.0f32; BLOCK_LANES]; ROWS];
+    let mut sum = [Lanes::splat(0.0); ROWS];
     for (factors, h) in dense.iter().zip(cavity) {
         for (sum, [rising, falling]) in sum.iter_mut().zip(factors) {
             for k in 0..BLOCK_LANES {

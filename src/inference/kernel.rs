@@ -1,11 +1,12 @@
 //! What both schedules do with one block of lanes: from cavity products to messages not yet scaled.
 
-use super::block_plan::{BLOCK_LANES, BlockVariable};
+use super::block_plan::BlockVariable;
 use super::cavity::cavity_products;
 use super::full_update::{FullPotential, full_max_update, full_sum_update};
+use super::lanes::Lanes;
 use super::options::{BpMethod, BpOptions, Product, Update};
 use super::outcome::Decoded;
-use super::sparse_update::{Lanes, PairTable, Scratch, max_update, max_update_uniform, sum_update};
+use super::sparse_update::{PairTable, Scratch, max_update, max_update_uniform, sum_update, sum_update_uniform};
 use crate::mrf::MrfModel;
 
 /// Everything that a message update reads besides the messages.
@@ -52,12 +53,15 @@ impl Kernel<'_> {
     pub fn update(&self, (near, far): (&Lanes, &Lanes), largest: &Lanes, scratch: &mut Scratch) -> Lanes {
         // 0 for the hard constraint, a truncation of infinity: pairs outside the neighbourhood then add nothing.
         let epsilon = (-self.model.pairwise.truncation).exp() as f32;
-        let floor = largest.map(|top| top * epsilon);
-        if (self.method.update, self.options.product) == (Update::Sparse, Product::Max)
-            && self.model.pairwise.beta == 0.0
-        {
-            max_update_uniform(self.table, &floor, scratch);
-            return *largest;
+        let floor = Lanes(largest.map(|top| top * epsilon));
+        if self.method.update == Update::Sparse && self.model.pairwise.beta == 0.0 {
+            return match self.options.product {
+                Product::Max => {
+                    max_update_uniform(self.table, &floor, scratch);
+                    *largest
+                }
+                Product::Sum => sum_update_uniform(self.table, &scratch.cavity, epsilon, &mut scratch.updated),
+            };
         }
         let Scratch { cavity, updated, dense, .. } = scratch;
         let potential = FullPotential { near, far, epsilon };
@@ -70,9 +74,9 @@ impl Kernel<'_> {
     }
 }
 
-/// The factors of up to [`BLOCK_LANES`] edges, lane by lane; 0 in lanes without an edge.
+/// The factors of the edges of a block, lane by lane; 0 in lanes without an edge.
 pub(super) fn lane_factors(edges: impl Iterator<Item = (f32, f32)>) -> (Lanes, Lanes) {
-    let mut factors = ([0.0; BLOCK_LANES], [0.0; BLOCK_LANES]);
+    let mut factors = (Lanes::splat(0.0), Lanes::splat(0.0));
     for (lane, (near, far)) in edges.enumerate() {
         (factors.0[lane], factors.1[lane]) = (near, far);
     }

@@ -6,11 +6,11 @@
 //! reader is done. Where a block lies thus changes from iteration to iteration; nothing is copied, and what is
 //! written lands where something has just been read, which the cache still holds.
 
-use super::block_plan::{BLOCK_LANES, Block, BlockPlan};
+use super::block_plan::{BLOCK_LANES, Block, BlockPlan, LANES};
 use std::ops::Range;
 
 /// Blocks between two releases: enough to keep many cores busy, few against the thousands of a surface.
-const BATCH_BLOCKS: usize = 8;
+const BATCH_BLOCKS: usize = 16;
 
 /// Which blocks are updated together, and which old ones are needed no more after each batch.
 #[derive(Debug, Clone, PartialEq)]
@@ -66,6 +66,8 @@ fn places(plan: &BlockPlan) -> Vec<Place> {
 /// All messages, block by block.
 pub(super) struct MessageStore {
     values: Vec<f32>,
+    /// Where the first piece begins: where a line of the cache does.
+    start: usize,
     stride: usize,
     places: Vec<Place>,
     /// Which piece of `values` a block lies in.
@@ -78,8 +80,13 @@ impl MessageStore {
     /// Room for the messages of `plan`, rows of `stride` values, and `n_spare` blocks more. All 0.
     pub fn new(plan: &BlockPlan, stride: usize, n_spare: usize) -> Self {
         let n = plan.blocks.len();
+        // A vector that straddles two lines of the cache takes twice as long; rows are whole vectors, so that it is
+        // enough to align the first one. Not a matter of results: 0 would do.
+        let values = vec![0.0; (n + n_spare) * BLOCK_LANES * stride + LANES];
+        let start = values.as_ptr().align_offset(LANES * size_of::<f32>()).min(LANES);
         MessageStore {
-            values: vec![0.0; (n + n_spare) * BLOCK_LANES * stride],
+            values,
+            start,
             stride,
             places: places(plan),
             piece_of_block: (0..n).collect(),
@@ -103,14 +110,14 @@ impl MessageStore {
 
     fn start(&self, row: usize) -> usize {
         let Place { block, lane } = self.places[row];
-        (self.piece_of_block[block as usize] * BLOCK_LANES + lane as usize) * self.stride
+        self.start + (self.piece_of_block[block as usize] * BLOCK_LANES + lane as usize) * self.stride
     }
 
     /// The messages for one iteration.
     pub fn open(&mut self) -> OpenStore<'_> {
-        let MessageStore { values, stride, places, piece_of_block, spare } = self;
+        let MessageStore { values, start, stride, places, piece_of_block, spare } = self;
         OpenStore {
-            pieces: values.chunks_exact_mut((BLOCK_LANES * *stride).max(1)).collect(),
+            pieces: values[*start..].chunks_exact_mut((BLOCK_LANES * *stride).max(1)).collect(),
             new_piece: vec![usize::MAX; piece_of_block.len()],
             stride: *stride,
             places,

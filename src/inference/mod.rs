@@ -21,6 +21,7 @@ mod fixed_point;
 mod flooding;
 mod full_update;
 mod kernel;
+mod lanes;
 mod lower_bound;
 #[cfg(test)]
 mod lower_bound_tests;

@@ -51,28 +51,12 @@ pub fn full_update_beliefs(
     let reverse = graph.reverse_edges();
     let mut messages = vec![vec![1.0; n]; graph.n_directed_edges()];
     for _ in 0..iterations {
-        let mut next = messages.clone();
-        for i in 0..graph.n_vertices() {
-            for edge in graph.row(i) {
-                let cavity = |x: usize| -> f64 {
-                    let others = graph.row(i).filter(|&e| e != edge);
-                    phi(i, x) * others.map(|e| messages[reverse[e] as usize][x]).product::<f64>()
-                };
-                let value = |y: usize| -> f64 {
-                    let terms = (0..n).map(|x| (-model.pairwise_potential(edge, x as u32, y as u32)).exp() * cavity(x));
-                    match product {
-                        Product::Max => terms.fold(0.0, f64::max),
-                        Product::Sum => terms.sum(),
-                    }
-                };
-                let raw: Vec<f64> = (0..n).map(value).collect();
-                let top = raw.iter().copied().fold(0.0, f64::max);
-                for y in 0..n {
-                    next[edge][y] = (1.0 - damping) * (raw[y] / top).max(floor) + damping * messages[edge][y];
-                }
-            }
-        }
-        messages = next;
+        let damped = |edge: usize| {
+            let updated = updated_message(model, product, &messages, edge, floor);
+            let pairs = updated.iter().zip(&messages[edge]);
+            pairs.map(|(new, old)| (1.0 - damping) * new + damping * old).collect()
+        };
+        messages = (0..messages.len()).map(damped).collect();
     }
     (0..graph.n_vertices())
         .map(|i| {
@@ -83,4 +67,28 @@ pub fn full_update_beliefs(
             belief.iter().map(|b| b / sum).collect()
         })
         .collect()
+}
+
+/// The message of directed edge `edge` by the full update from all `messages`, scaled to maximum 1 and floored.
+pub fn updated_message(model: &MrfModel, product: Product, messages: &[Vec<f64>], edge: usize, floor: f64) -> Vec<f64> {
+    let graph = &model.variables;
+    let reverse = graph.reverse_edges();
+    let i = graph.head(reverse[edge] as usize);
+    let cavity = |x: usize| -> f64 {
+        let others = graph.row(i).filter(|&e| e != edge);
+        let phi = f64::from(-model.unary_row(i)[x]).exp();
+        phi * others.map(|e| messages[reverse[e] as usize][x]).product::<f64>()
+    };
+    let n = model.n_labels();
+    let cavity: Vec<f64> = (0..n).map(cavity).collect();
+    let value = |y: usize| -> f64 {
+        let terms = (0..n).map(|x| (-model.pairwise_potential(edge, x as u32, y as u32)).exp() * cavity[x]);
+        match product {
+            Product::Max => terms.fold(0.0, f64::max),
+            Product::Sum => terms.sum(),
+        }
+    };
+    let raw: Vec<f64> = (0..n).map(value).collect();
+    let top = raw.iter().copied().fold(0.0, f64::max);
+    raw.iter().map(|value| (value / top).max(floor)).collect()
 }

@@ -16,8 +16,9 @@
 use super::beliefs::{belief_row, peak};
 use super::block_plan::{BLOCK_LANES, BlockVariable};
 use super::kernel::{Kernel, lane_factors};
+use super::lanes::Lanes;
 use super::outcome::{BpIteration, BpOutcome, BpStop, Decoded, Progress};
-use super::sparse_update::{Finish, Lanes, Scratch};
+use super::sparse_update::{Finish, Scratch};
 use crate::graph::EdgeGraph;
 use crate::observe::{Cancelled, Observer, checkpoint};
 use multiversion::multiversion;

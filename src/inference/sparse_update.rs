@@ -17,12 +17,10 @@
 use super::block_plan::{BLOCK_LANES, LANES};
 use super::cavity::Chains;
 use super::full_update::DenseFactors;
-use super::turning::{CHUNK, ChunkRows, lanes_to_rows};
+use super::lanes::{CHUNK, ChunkRow, ChunkRows, Lanes};
+use super::turning::lanes_to_rows;
 use crate::graph::LabelNeighborhoods;
 use multiversion::multiversion;
-
-/// One number for each lane.
-pub(super) type Lanes = [f32; BLOCK_LANES];
 
 /// Pairs of neighbouring labels with the two factors of their pairwise potential, in rows by label.
 #[derive(Debug, Clone, PartialEq)]
@@ -118,13 +116,13 @@ pub(super) struct Scratch {
 impl Scratch {
     /// Room for `stride` labels.
     pub fn new(stride: usize) -> Self {
-        let zero = [0.0; BLOCK_LANES];
+        let zero = Lanes::splat(0.0);
         Scratch {
             cavity: vec![zero; stride],
             updated: vec![zero; stride],
             chains: Chains::new(),
             dense: Vec::new(),
-            rows: Box::new([[0.0; CHUNK]; BLOCK_LANES]),
+            rows: Box::new([ChunkRow::splat(0.0); BLOCK_LANES]),
         }
     }
 }
@@ -133,7 +131,7 @@ impl Scratch {
 /// maxima of the cavity products, which those of the messages equal, since a label is in its own neighbourhood.
 pub(super) fn max_update_uniform(table: &PairTable, floor: &Lanes, scratch: &mut Scratch) {
     for step in 1..=table.steps.count {
-        let floor = if step == table.steps.count { *floor } else { [0.0; BLOCK_LANES] };
+        let floor = if step == table.steps.count { *floor } else { Lanes::splat(0.0) };
         max_step(&table.steps, &scratch.cavity, &floor, &mut scratch.updated);
         if step < table.steps.count {
             std::mem::swap(&mut scratch.cavity, &mut scratch.updated);
@@ -165,7 +163,7 @@ pub(super) fn max_update(
     floor: &Lanes,
     updated: &mut [Lanes],
 ) -> Lanes {
-    let mut largest = [0.0f32; BLOCK_LANES];
+    let mut largest = Lanes::splat(0.0);
     for (y, message) in updated[..table.offsets.len() - 1].iter_mut().enumerate() {
         let mut best = *floor;
         for pair in table.row(y) {
@@ -184,6 +182,42 @@ pub(super) fn max_update(
     largest
 }
 
+/// Sum-product without a distance term: `ε Σ_x h(x) + (1 − ε) Σ_{x ∈ N_r(y)} h(x)`. Returns the largest value of each
+/// lane. Sums have no shortcut by `N_1`, which would count a label once for each path.
+#[multiversion(targets("x86_64+avx512f+avx512vl+avx512bw+avx512dq", "x86_64+avx2"))]
+pub(super) fn sum_update_uniform(table: &PairTable, cavity: &[Lanes], epsilon: f32, updated: &mut [Lanes]) -> Lanes {
+    let rest = total(cavity, epsilon);
+    let share = 1.0 - epsilon;
+    let mut largest = Lanes::splat(0.0);
+    for (y, message) in updated[..table.offsets.len() - 1].iter_mut().enumerate() {
+        let mut sum = Lanes::splat(0.0);
+        for pair in table.row(y) {
+            let h = &cavity[pair.label as usize];
+            for k in 0..BLOCK_LANES {
+                sum[k] += h[k];
+            }
+        }
+        for k in 0..BLOCK_LANES {
+            sum[k] = rest[k] + share * sum[k];
+            largest[k] = if sum[k] > largest[k] { sum[k] } else { largest[k] };
+        }
+        *message = sum;
+    }
+    largest
+}
+
+/// `ε Σ_x h(x)` of every lane.
+#[inline(always)]
+fn total(cavity: &[Lanes], epsilon: f32) -> Lanes {
+    let mut total = Lanes::splat(0.0);
+    for h in cavity {
+        for k in 0..BLOCK_LANES {
+            total[k] += h[k];
+        }
+    }
+    Lanes(total.map(|total| total * epsilon))
+}
+
 /// Sum-product: `ε Σ_x h(x) + Σ_{x ∈ N_r(y)} (ψ(x, y) − ε) h(x)`, with `ψ` not below `ε` (`epsilon`).
 #[multiversion(targets("x86_64+avx512f+avx512vl+avx512bw+avx512dq", "x86_64+avx2"))]
 pub(super) fn sum_update(
@@ -193,16 +227,8 @@ pub(super) fn sum_update(
     epsilon: f32,
     updated: &mut [Lanes],
 ) -> Lanes {
-    let mut rest = [0.0f32; BLOCK_LANES];
-    for h in cavity {
-        for k in 0..BLOCK_LANES {
-            rest[k] += h[k];
-        }
-    }
-    for total in &mut rest {
-        *total *= epsilon;
-    }
-    let mut largest = [0.0f32; BLOCK_LANES];
+    let rest = total(cavity, epsilon);
+    let mut largest = Lanes::splat(0.0);
     for (y, message) in updated[..table.offsets.len() - 1].iter_mut().enumerate() {
         let mut sum = rest;
         for pair in table.row(y) {
@@ -248,7 +274,7 @@ pub(super) fn write_messages(
         lanes_to_rows(updated, rows);
         let labels = chunk * CHUNK..chunk * CHUNK + updated.len();
         let pairs = old.chunks_exact(stride).zip(new.chunks_exact_mut(stride));
-        for ((row, &top), (old, new)) in rows.iter().zip(largest).zip(pairs) {
+        for ((row, &top), (old, new)) in rows.iter().zip(largest.iter()).zip(pairs) {
             write_row(&row[..updated.len()], top, &old[labels.clone()], &mut new[labels.clone()], finish, &mut change);
         }
     }

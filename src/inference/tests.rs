@@ -140,6 +140,25 @@ fn variables_of_high_degree_equal_the_full_update() -> Result<(), TestCaseError>
     Ok(())
 }
 
+/// Labels of several chunks, the last of them partly filled, and variables of 1 to 11 neighbours.
+#[test]
+fn many_labels_equal_the_full_update() {
+    let edges: Vec<[u32; 2]> = (1..=11).map(|k| [0, k]).chain((1..9).map(|k| [k, k + 3])).chain([[1, 2]]).collect();
+    let entropy: Vec<f64> = (0..997).map(|k| f64::from(k * 571 % 997) / 997.0).collect();
+    for (product, beta, rings) in [(Product::Max, 0.0, 3), (Product::Max, 0.7, 2), (Product::Sum, 0.0, 2)] {
+        let model = model_with_rings(12, &edges, 275, &entropy, rings, beta, 1.0);
+        let options = BpOptions { product, damping: 0.3, floor: 1e-5, tolerance: 0.0 };
+        let mut bp = BeliefPropagation::new(&model, options);
+        bp.run(3, &Silent, |_| ()).unwrap();
+        for (i, belief) in full_update_beliefs(&model, product, 3, 0.3, 1e-5).iter().enumerate() {
+            let highest = belief.iter().copied().fold(0.0, f64::max);
+            for (found, exact) in bp.belief(i).iter().zip(belief) {
+                assert!((f64::from(*found) - exact).abs() < 1e-4 * highest, "{product:?} variable {i}");
+            }
+        }
+    }
+}
+
 #[test]
 fn one_thread_and_many_give_the_same_bits() {
     let edges: Vec<[u32; 2]> = (0..199).map(|k| [k, k + 1]).chain((0..150).map(|k| [k, k + 50])).collect();

@@ -5,14 +5,8 @@
 //! costs more than all arithmetic; through registers it is half a shuffle a number.
 
 use super::block_plan::BLOCK_LANES;
-use super::sparse_update::Lanes;
+use super::lanes::{CHUNK, ChunkRow, ChunkRows, Lanes};
 use wide::f32x4;
-
-/// Labels treated together between two turns: with all lanes of a block they fill 12 KiB, part of the fastest cache.
-pub(super) const CHUNK: usize = 128;
-
-/// One chunk of labels of every lane, row by row.
-pub(super) type ChunkRows = [[f32; CHUNK]; BLOCK_LANES];
 
 /// `lanes[x][l] = rows[l][x]` for the labels that `lanes` has, a multiple of 4, at most [`CHUNK`].
 #[inline(always)]
@@ -32,9 +26,9 @@ pub(super) fn rows_to_lanes(rows: &ChunkRows, lanes: &mut [Lanes]) {
 #[inline(always)]
 pub(super) fn lanes_to_rows(lanes: &[Lanes], rows: &mut ChunkRows) {
     for (at, tile) in lanes.as_chunks::<4>().0.iter().enumerate().take(CHUNK / 4) {
+        let tile: [&[[f32; 4]]; 4] = std::array::from_fn(|x| tile[x].as_chunks::<4>().0);
         for (group, rows) in rows.as_chunks_mut::<4>().0.iter_mut().enumerate() {
-            let values = |x: usize| f32x4::from([0, 1, 2, 3].map(|l| tile[x][4 * group + l]));
-            let turned = f32x4::transpose(std::array::from_fn(values));
+            let turned = f32x4::transpose(std::array::from_fn(|x| f32x4::from(tile[x][group])));
             for (row, values) in rows.iter_mut().zip(turned) {
                 row[4 * at..4 * at + 4].copy_from_slice(&values.to_array());
             }
@@ -43,7 +37,7 @@ pub(super) fn lanes_to_rows(lanes: &[Lanes], rows: &mut ChunkRows) {
 }
 
 #[inline(always)]
-fn quads(row: &[f32; CHUNK]) -> &[[f32; 4]; CHUNK / 4] {
+fn quads(row: &ChunkRow) -> &[[f32; 4]; CHUNK / 4] {
     // The length divides, so the first part is all of it.
     row.as_chunks::<4>().0.try_into().unwrap_or(&[[0.0; 4]; CHUNK / 4])
 }
@@ -54,19 +48,19 @@ mod tests {
 
     #[test]
     fn rows_turn_into_lanes_and_back() {
-        let mut rows = [[0.0; CHUNK]; BLOCK_LANES];
+        let mut rows = [ChunkRow::splat(0.0); BLOCK_LANES];
         for (l, row) in rows.iter_mut().enumerate() {
             for (x, value) in row.iter_mut().enumerate() {
                 *value = (1000 * l + x) as f32;
             }
         }
         for length in [16, 48, CHUNK] {
-            let mut lanes = vec![[0.0; BLOCK_LANES]; length];
+            let mut lanes = vec![Lanes::splat(0.0); length];
             rows_to_lanes(&rows, &mut lanes);
             for (x, lanes) in lanes.iter().enumerate() {
                 assert!((0..BLOCK_LANES).all(|l| lanes[l] == rows[l][x]));
             }
-            let mut back = [[-1.0; CHUNK]; BLOCK_LANES];
+            let mut back = [ChunkRow::splat(-1.0); BLOCK_LANES];
             lanes_to_rows(&lanes, &mut back);
             for (row, back) in rows.iter().zip(&back) {
                 assert_eq!(row[..length], back[..length]);

@@ -1,0 +1,168 @@
+//! An iteration of belief propagation against the time below which this machine cannot do it.
+//!
+//! The floor is the longer of two times, both from rates measured in the same run on as many threads: every message
+//! read and written once over the bandwidth of the memory, and the operations of the update over the rate at which the
+//! cores take maxima of numbers that lie in their fastest cache. `cargo bench --bench kernel` prints a table; with
+//! `-- large` it also measures surfaces of 10,000 vertices, which takes 3 GiB.
+#![allow(clippy::unwrap_used, clippy::print_stdout, unsafe_code)]
+
+use homolog::curvature::{ScaleSpace, gaussian_curvature};
+use homolog::graph::LabelNeighborhoods;
+use homolog::inference::{BeliefPropagation, BpOptions, Product};
+use homolog::mesh::{SurfaceMesh, canonicalize};
+use homolog::mrf::{Feature, MrfModel, PairwisePotential, unary_potentials};
+use homolog::observe::Silent;
+use homolog::phantom::{PairRecipe, PhantomPair};
+use multiversion::multiversion;
+use rayon::prelude::*;
+use std::hint::black_box;
+use std::time::Instant;
+
+fn surfaces(edge_mm: f64) -> [SurfaceMesh; 2] {
+    let recipe = PairRecipe {
+        subject: 1,
+        target_subject: 2,
+        deform_share: 0.0,
+        deform_seed: 0,
+        pose_seed: Some(3),
+        permute_seed: Some(4),
+    };
+    let pair = PhantomPair::new(recipe).unwrap();
+    [pair.source_surface(edge_mm).unwrap().mesh, pair.target_surface(edge_mm).unwrap().0.mesh]
+        .map(|mesh| canonicalize(&mesh).mesh)
+}
+
+fn model([source, target]: &[SurfaceMesh; 2], rings: usize, beta: f64) -> MrfModel {
+    let curvature = |mesh: &SurfaceMesh| gaussian_curvature(&ScaleSpace::new(mesh).smoothed(2.8).unwrap());
+    let feature = Feature { weight: 1.0, source: curvature(source), target: curvature(target) };
+    let variables = source.edge_graph();
+    let length = |i: usize, j: u32| (source.vertices()[i] - source.vertices()[j as usize]).norm() as f32;
+    let lengths = (0..variables.n_vertices())
+        .flat_map(|i| variables.neighbors(i).iter().map(move |&j| (i, j)))
+        .map(|(i, j)| length(i, j))
+        .collect();
+    let distance = |x: usize, y: usize| (target.vertices()[x] - target.vertices()[y]).norm();
+    MrfModel {
+        lengths,
+        labels: LabelNeighborhoods::new(&target.edge_graph(), rings, distance),
+        unary: unary_potentials(&[feature], 2.0, 3.0, 1.0),
+        pairwise: PairwisePotential { beta, length_scale: target.mean_edge_length(), truncation: 9.2 },
+        variables,
+    }
+}
+
+/// Seconds of the fastest of `runs`: what others do on the machine only ever adds.
+fn fastest(runs: usize, mut work: impl FnMut()) -> f64 {
+    let seconds = (0..runs).map(|_| {
+        let start = Instant::now();
+        work();
+        start.elapsed().as_secs_f64()
+    });
+    seconds.fold(f64::INFINITY, f64::min)
+}
+
+/// Bytes a second of `a = b + c/2` over `n_values` numbers each, far more than the caches hold.
+fn bandwidth(n_values: usize) -> f64 {
+    let (b, c) = (vec![1.0f32; n_values], vec![2.0f32; n_values]);
+    let mut a = vec![0.0f32; n_values];
+    let piece = n_values.div_ceil(rayon::current_num_threads());
+    let seconds = fastest(4, || {
+        a.par_chunks_mut(piece).zip(b.par_chunks(piece)).zip(c.par_chunks(piece)).for_each(|((a, b), c)| {
+            for ((a, b), c) in a.iter_mut().zip(b).zip(c) {
+                *a = b + 0.5 * c;
+            }
+        });
+    });
+    12.0 * n_values as f64 / seconds
+}
+
+const LANES: usize = 24;
+
+/// Maxima of rows of numbers, in as many chains as hide their latency.
+#[multiversion(targets("x86_64+avx512f+avx512vl+avx512bw+avx512dq", "x86_64+avx2"))]
+fn maxima(rows: &[[f32; LANES]; 64], times: usize) -> [[f32; LANES]; 4] {
+    let mut best = [[0.0f32; LANES]; 4];
+    for at in 0..times {
+        for (chain, best) in best.iter_mut().enumerate() {
+            let row = &rows[(at + chain) % 64];
+            for k in 0..LANES {
+                best[k] = if row[k] > best[k] { row[k] } else { best[k] };
+            }
+        }
+    }
+    best
+}
+
+/// Maxima a second of all threads.
+fn max_rate() -> f64 {
+    const TIMES: usize = 1_000_000;
+    let rows = [[1.0f32; LANES]; 64];
+    let threads = rayon::current_num_threads();
+    let seconds = fastest(6, || {
+        (0..threads).into_par_iter().for_each(|_| {
+            black_box(maxima(black_box(&rows), TIMES));
+        });
+    });
+    (threads * TIMES * 4 * LANES) as f64 / seconds
+}
+
+/// Operations for one value of a message, besides the products that go into it.
+fn operations(model: &MrfModel, product: Product) -> f64 {
+    let neighbors = model.labels.mean_size();
+    let degree = model.labels.graph().n_directed_edges() as f64 / model.n_labels() as f64;
+    match (product, model.pairwise.beta == 0.0) {
+        (Product::Max, true) => model.labels.rings() as f64 * (1.0 + degree),
+        (Product::Sum, true) => neighbors,
+        // The smaller of two products, times the cavity, and the maximum.
+        (Product::Max, false) => 5.0 * neighbors,
+        // Likewise, with the truncation taken off and added up.
+        (Product::Sum, false) => 7.0 * neighbors,
+    }
+}
+
+fn measure(surfaces: &[SurfaceMesh; 2], threads: usize, iterations: u32) {
+    let cases = [1, 2, 3].map(|r| (Product::Max, r, 0.0)).into_iter().chain([1, 2, 3].map(|r| (Product::Sum, r, 0.0)));
+    for (product, rings, beta) in cases.chain([(Product::Max, 2, 0.5), (Product::Sum, 2, 0.5)]) {
+        let model = model(surfaces, rings, beta);
+        let values = (model.variables.n_directed_edges() * model.n_labels()) as f64;
+        let options = BpOptions { product, damping: 0.5, floor: 1e-5, tolerance: 0.0 };
+        let (bandwidth, rate) = (bandwidth((values as usize).min(1 << 26)), max_rate());
+        let mut bp = BeliefPropagation::new(&model, options);
+        bp.run(1, &Silent, |_| ()).unwrap();
+        // Every run ends with a pass that only decodes: the difference of two runs is made of iterations alone.
+        let mut run = |iterations| fastest(3, || drop(bp.run(iterations, &Silent, |_| ()).unwrap()));
+        let seconds = (run(1 + iterations) - run(1)) / f64::from(iterations);
+        let bytes_floor = 8.0 * values / bandwidth;
+        let operations_floor = operations(&model, product) * values / rate;
+        println!(
+            "| {product:?} | {beta} | {rings} | {} x {} | {threads} | {:.1} | {:.1} | {:.1} | {:.1} | {:.1} | {:.2} | {:.2} |",
+            model.n_variables(),
+            model.n_labels(),
+            bandwidth / 1e9,
+            rate / 1e9,
+            bytes_floor * 1e3,
+            operations_floor * 1e3,
+            seconds * 1e3,
+            bytes_floor.max(operations_floor) / seconds,
+            values * model.labels.mean_size() / seconds / 1e9 / threads as f64,
+        );
+    }
+}
+
+fn main() {
+    let cores = std::thread::available_parallelism().map_or(1, usize::from);
+    println!(
+        "| algorithm | beta | r | vertices | threads | memory, GB/s | maxima, 1e9/s | floor by bytes, ms | by operations, ms \
+         | iteration, ms | share of the floor | label pairs, 1e9/s a core |\n|---|---|---|---|---|---|---|---|---|---|---|---|"
+    );
+    let large = std::env::args().any(|argument| argument == "large");
+    for (edge_mm, iterations) in [(0.8, 6), (0.39, 1)].into_iter().take(if large { 2 } else { 1 }) {
+        let surfaces = surfaces(edge_mm);
+        let mut threads = vec![1, cores];
+        threads.dedup();
+        for threads in threads {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+            pool.install(|| measure(&surfaces, threads, iterations));
+        }
+    }
+}

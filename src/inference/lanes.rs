@@ -1,0 +1,65 @@
+//! Numbers side by side, aligned so that no vector of them straddles two lines of the cache.
+
+use super::block_plan::BLOCK_LANES;
+use std::ops::{Deref, DerefMut};
+
+/// Labels treated together between two turns of [`super::turning`]: with all lanes of a block they fill 12 KiB, part of
+/// the fastest cache.
+pub(super) const CHUNK: usize = 128;
+
+/// One number for each lane of a block.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[repr(align(32))]
+pub(super) struct Lanes(pub [f32; BLOCK_LANES]);
+
+/// A chunk of labels of one message.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[repr(align(64))]
+pub(super) struct ChunkRow(pub [f32; CHUNK]);
+
+/// A chunk of labels of every lane.
+pub(super) type ChunkRows = [ChunkRow; BLOCK_LANES];
+
+impl Lanes {
+    /// The same number in every lane.
+    pub const fn splat(value: f32) -> Self {
+        Lanes([value; BLOCK_LANES])
+    }
+}
+
+impl ChunkRow {
+    /// The same number for every label.
+    pub const fn splat(value: f32) -> Self {
+        ChunkRow([value; CHUNK])
+    }
+}
+
+impl Deref for Lanes {
+    type Target = [f32; BLOCK_LANES];
+    #[inline(always)]
+    fn deref(&self) -> &Self::Target {
+        &self.0
+    }
+}
+
+impl DerefMut for Lanes {
+    #[inline(always)]
+    fn deref_mut(&mut self) -> &mut Self::Target {
+        &mut self.0
+    }
+}
+
+impl Deref for ChunkRow {
+    type Target = [f32; CHUNK];
+    #[inline(always)]
+    fn deref(&self) -> &Self::Target {
+        &self.0
+    }
+}
+
+impl DerefMut for ChunkRow {
+    #[inline(always)]
+    fn deref_mut(&mut self) -> &mut Self::Target {
+        &mut self.0
+    }
+}

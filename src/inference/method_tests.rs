@@ -1,6 +1,6 @@
 //! Full update, residual schedule, convergence, beliefs and the hard constraint against their oracles.
 
-use super::oracle::{exhaustive_marginals, exhaustive_minimum, full_update_beliefs, updated_message};
+use super::oracle::{exhaustive_marginals, exhaustive_minimum, updated_message};
 use super::tests::{model, model_with_rings, path_with_chords, tree};
 use super::*;
 use crate::mrf::MrfModel;

@@ -124,7 +124,7 @@ fn multiply_few<const D: usize>(
     let beliefs = &mut forward[D].as_chunks_mut::<VECTOR>().0[..n];
     let (first, _) = rows[of.lane..].as_chunks_mut::<D>();
     let Some(rows) = first.first_mut() else { return };
-    let mut products = rows.each_mut().map(|row| &mut row.as_chunks_mut::<VECTOR>().0[..n]);
+    let products = rows.each_mut().map(|row| &mut row.as_chunks_mut::<VECTOR>().0[..n]);
     for (at, phi) in phi.as_chunks::<VECTOR>().0.iter().enumerate() {
         let mut product = phi.map(|phi| phi * CHAIN_SCALE);
         let mut before = [[0.0f32; VECTOR]; D];

@@ -196,9 +196,10 @@ fn progress_and_trace_only_go_forward() {
 
 #[test]
 fn the_memory_of_a_match_is_foretold() {
-    // A triangle mesh of 2,302 vertices against 2,351: a peak of 302 MiB was measured for the whole process.
-    let mib = match_memory_bytes((2302, 2 * 2302 - 4), 2351) as f64 / f64::from(1 << 20);
-    assert!((270.0..310.0).contains(&mib), "{mib}");
+    // A triangle mesh of 2,310 vertices against 2,626: a peak of 242 MiB was measured for the whole process, of which 17
+    // are there without any messages.
+    let mib = match_memory_bytes((2310, 2 * 2310 - 4), 2626) as f64 / f64::from(1 << 20);
+    assert!((0.9 * 225.0..1.1 * 225.0).contains(&mib), "{mib}");
 }
 
 /// Share of source vertices answered with the vertex they were moved to.

@@ -3,8 +3,8 @@
 //! The modules in reading order, by layer; ARCHITECTURE.md says which may know which.
 //!
 //! - Numerics (no runtime, no database, no HTTP, no clock, no files): [`graph`], [`observe`], [`mesh`], [`volume`],
-//!   [`formats`], [`curvature`], [`geodesic`], [`mrf`], [`inference`], [`registration`], [`harmonics`], [`matching`],
-//!   [`phantom`], [`intake`].
+//!   [`formats`], [`curvature`], [`geodesic`], [`mrf`], [`inference`], [`registration`], [`harmonics`],
+//!   [`deformation`], [`matching`], [`phantom`], [`intake`].
 //! - One match from uploaded bytes to the result document: [`run`].
 //! - The service: [`jobs`] (what a job is, and the ports), [`store`] (SQLite or PostgreSQL, and blobs), [`worker`] (who
 //!   runs them), [`http`] (how the outside asks).
@@ -29,6 +29,8 @@ pub mod inference;
 pub mod registration;
 
 pub mod harmonics;
+
+pub mod deformation;
 
 pub mod matching;
 

@@ -4,9 +4,16 @@
 //! that most of its pairs agree with; clamping feeds that back into the energy, round by round; ICP refines.
 //! This is where the MRF, which knows no mesh, and registration, which knows no energy, meet.
 
+mod bending;
 mod bound;
 mod clamping;
 pub mod consistency;
+mod displacement;
+mod displacement_answer;
+mod displacement_rigid;
+mod displacement_surface;
+#[cfg(test)]
+mod displacement_tests;
 mod minimiser;
 pub mod outliers;
 pub mod parameters;

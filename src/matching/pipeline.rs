@@ -1,6 +1,7 @@
 //! From two surfaces to an outcome: the energy, its rounds, and what is reported.
 
-use super::parameters::{Algorithm, MatchParameters};
+use super::bending::bend;
+use super::parameters::{Algorithm, DisplacementMode, MatchParameters};
 use super::prepare::{Side, build_model};
 use super::report::outcome;
 use super::rounds::Matcher;
@@ -19,7 +20,10 @@ pub(super) fn run(
     let (source, target) = (Side::new(source), Side::new(target));
     let scene = Scene::new(&source, &target, parameters, observer);
     if parameters.inference.algorithm == Algorithm::None {
-        let answer = registration_only::register(&scene)?;
+        let mut answer = registration_only::register(&scene)?;
+        if parameters.displacement.mode == DisplacementMode::Smooth {
+            bend(&scene, None, &mut answer)?;
+        }
         observer.phase(Phase::Reporting);
         return Ok(outcome(&scene, None, answer));
     }
@@ -27,7 +31,10 @@ pub(super) fn run(
     checkpoint(observer)?;
     observer.progress(0.05);
     let lower_bound = bound::lower_bound(&model, parameters.inference.lower_bound_iterations, observer)?;
-    let answer = Matcher { scene: &scene, model: &model, lower_bound }.rounds()?;
+    let mut answer = Matcher { scene: &scene, model: &model, lower_bound }.rounds()?;
+    if parameters.displacement.mode == DisplacementMode::Smooth {
+        bend(&scene, Some(&model), &mut answer)?;
+    }
     observer.phase(Phase::Reporting);
     Ok(outcome(&scene, Some(&model), answer))
 }

@@ -153,13 +153,19 @@ async fn every_part_comes_in_every_format_it_has() {
     let csv = String::from_utf8(bytes(&service, &format!("{job}/correspondences?format=csv")).await).unwrap();
     assert_eq!(csv.lines().count(), n + 1);
     let npy = bytes(&service, &format!("{job}/correspondences?format=npy")).await;
-    for (row, record) in npy[npy.len() - 17 * n..].chunks_exact(17).enumerate() {
+    for (row, record) in npy[npy.len() - 26 * n..].chunks_exact(26).enumerate() {
         let number = |at: usize| u64::from(u32::from_le_bytes(*record[at..].first_chunk().unwrap()));
         assert_eq!((number(0), number(4)), (column_u64(&columns, "source", row), column_u64(&columns, "target", row)));
         let confidence = f64::from_le_bytes(*record[8..].first_chunk().unwrap());
         assert_eq!(
             (columns["confidence"][row].as_f64(), columns["inlier"][row].as_bool()),
             (Some(confidence), Some(record[16] == 1))
+        );
+        let spread = f64::from_le_bytes(*record[17..].first_chunk().unwrap());
+        let reasons = ["none", "residual", "neighborhood", "both"];
+        assert_eq!(
+            (columns["spread_mm"][row].as_f64(), columns["outlier"][row].as_str()),
+            (Some(spread), Some(reasons[usize::from(record[25])]))
         );
     }
     let source = mesh_of(&bytes(&service, &format!("{job}/surfaces/source")).await);

@@ -17,6 +17,7 @@ const ARROWS: &[(&str, &[&str])] = &[
     ("mrf", &["graph"]),
     ("inference", &["graph", "mrf", "observe"]),
     ("registration", &["observe"]),
+    ("deformation", &[]),
     ("geodesic", &["curvature", "graph", "mesh"]),
     ("harmonics", &["graph", "mesh", "observe", "registration"]),
     ("intake", &["formats", "matching::parameters", "mesh", "volume"]),
@@ -24,6 +25,7 @@ const ARROWS: &[(&str, &[&str])] = &[
         "matching",
         &[
             "curvature",
+            "deformation",
             "geodesic",
             "graph",
             "harmonics",
@@ -108,6 +110,7 @@ const NUMERICS: &[&str] = &[
     "curvature",
     "geodesic",
     "harmonics",
+    "deformation",
     "mrf",
     "inference",
     "registration",

@@ -3,6 +3,7 @@
 //! A request states a part; [`resolve`] lays it over the preset that `method` names and returns the whole, the
 //! *effective* parameters, which are stored with the job and returned with its result.
 
+mod displacement;
 mod energy;
 mod inference;
 mod input;
@@ -11,6 +12,7 @@ mod ranges;
 mod registration;
 mod resolve;
 
+pub use displacement::{DisplacementMode, DisplacementParameters};
 pub use energy::{CurvatureEstimator, EnergyParameters, FeatureKind, FeatureParameters, PairwiseDistance};
 pub use inference::{
     Algorithm, AnnealingParameters, ClampingMode, ClampingParameters, CoolingSchedule, InferenceParameters,
@@ -42,6 +44,8 @@ pub struct MatchParameters {
     pub clamping: ClampingParameters,
     /// The rigid transform.
     pub registration: RegistrationParameters,
+    /// The smooth displacement field after it.
+    pub displacement: DisplacementParameters,
     /// Seed of everything that is drawn at random.
     pub seed: u64,
 }

@@ -3,9 +3,9 @@
 use super::energy::default_scales;
 use super::{
     Algorithm, AnnealingParameters, ClampingMode, ClampingParameters, CoolingSchedule, CurvatureEstimator,
-    EnergyParameters, FeatureKind, FeatureParameters, InferenceParameters, InitialPose, InputParameters,
-    MatchParameters, MessageSchedule, MinimalEstimator, OrientationSolver, PairwiseDistance, Refinement,
-    RegistrationParameters, SurfaceKind, Update,
+    DisplacementMode, DisplacementParameters, EnergyParameters, FeatureKind, FeatureParameters, InferenceParameters,
+    InitialPose, InputParameters, MatchParameters, MessageSchedule, MinimalEstimator, OrientationSolver,
+    PairwiseDistance, Refinement, RegistrationParameters, SurfaceKind, Update,
 };
 use serde::{Deserialize, Serialize};
 use utoipa::ToSchema;
@@ -20,7 +20,7 @@ pub enum Method {
     Thesis,
     /// As balanced, with fewer iterations and one round.
     Fast,
-    /// As balanced, with more scales, iterations and rounds.
+    /// As balanced, with more scales, iterations and rounds, and a smooth displacement field at the end.
     Accurate,
     /// Registration only, from principal axes.
     Rigid,
@@ -76,7 +76,7 @@ impl Method {
             Method::Thesis => "Max-product belief propagation on Gaussian curvature, hard clamping, RANSAC only.",
             Method::Fast => "As balanced, with a third of the iterations and one round of feedback.",
             Method::Accurate => {
-                "As balanced, with more scales of curvature, more iterations and more rounds of feedback."
+                "As balanced, with more scales, iterations and rounds, and a smooth displacement field at the end."
             }
             Method::Rigid => {
                 "Registration only: poses on the principal axes, the closest refined by ICP; each vertex is answered with \
@@ -130,6 +130,7 @@ pub fn preset(method: Method) -> MatchParameters {
                 .to_vec(),
             inference: InferenceParameters { max_iterations: 80, ..balanced.inference },
             clamping: ClampingParameters { mode: ClampingMode::Soft, max_rounds: 6 },
+            displacement: DisplacementParameters { mode: DisplacementMode::Smooth },
             ..balanced
         },
         Method::Rigid => registration_only(InitialPose::PrincipalAxes, Refinement::PointToPoint),
@@ -190,6 +191,7 @@ fn balanced() -> MatchParameters {
             similarity: false,
             refine: Refinement::PointToPoint,
         },
+        displacement: DisplacementParameters { mode: DisplacementMode::None },
         seed: 0,
     }
 }

@@ -1,0 +1,94 @@
+//! Functions that smooth displacement fields are made of.
+
+use super::farthest::farthest_points;
+use faer::{Mat, Side};
+use nalgebra::{Point3, Vector3};
+use rayon::prelude::*;
+
+/// Directions of the kernel whose variance is below this share of the largest are left out: rounding (1e-16) grows by
+/// its inverse root, and no field that surfaces can tell lives there.
+const RANK_TOLERANCE: f64 = 1e-7;
+
+/// What is believed about a displacement field before anything is seen: `u(p) = a + B (p − c) + v(p)`, each part
+/// normal with mean 0 and independent for each axis.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SmoothPrior {
+    /// Standard deviation of the translation `a`, mm.
+    pub translation_mm: f64,
+    /// Standard deviation of each entry of `B`.
+    pub linear: f64,
+    /// `v` is a sum of Gaussian processes, one for each kernel.
+    pub kernels: Vec<GaussianKernel>,
+}
+
+/// `k(p, q) = s² exp(−‖p − q‖² / 2w²)`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct GaussianKernel {
+    /// Width `w`, mm.
+    pub width_mm: f64,
+    /// Standard deviation `s` of the displacement along an axis, mm.
+    pub amplitude_mm: f64,
+}
+
+impl SmoothPrior {
+    fn covariance(&self, squared_distance: f64) -> f64 {
+        self.kernels
+            .iter()
+            .map(|k| k.amplitude_mm.powi(2) * (-squared_distance / (2.0 * k.width_mm * k.width_mm)).exp())
+            .sum()
+    }
+}
+
+/// Functions `φ_1 … φ_M` of position, scaled so that under the prior the coefficients of each axis of
+/// `u(p) = Σ_k φ_k(p) c_k` are independent standard normal numbers.
+#[derive(Debug, Clone)]
+pub struct FieldBasis {
+    prior: SmoothPrior,
+    center: Point3<f64>,
+    inducing: Vec<Point3<f64>>,
+    /// `m × r`: from covariances with the inducing points to basis functions.
+    whitening: Mat<f64>,
+}
+
+impl FieldBasis {
+    /// The basis for fields over `points`, with up to `n_inducing` of them as inducing points. `None` without points or
+    /// where the covariance has no eigendecomposition (numbers that are not finite).
+    ///
+    /// # Cost
+    /// `O(n_inducing · points + n_inducing³)`.
+    pub fn new(points: &[Point3<f64>], prior: SmoothPrior, n_inducing: usize) -> Option<Self> {
+        if points.is_empty() {
+            return None;
+        }
+        let center = points.iter().fold(Vector3::zeros(), |s, p| s + p.coords) / points.len() as f64;
+        let inducing: Vec<Point3<f64>> = farthest_points(points, n_inducing).iter().map(|&i| points[i]).collect();
+        let m = inducing.len();
+        let covariance = Mat::from_fn(m, m, |i, j| prior.covariance((inducing[i] - inducing[j]).norm_squared()));
+        let eigen = covariance.self_adjoint_eigen(Side::Lower).ok()?;
+        let (vectors, values) = (eigen.U(), eigen.S().column_vector());
+        let largest = (0..m).map(|k| values[k]).fold(0.0, f64::max);
+        let kept: Vec<usize> = (0..m).rev().filter(|&k| values[k] > RANK_TOLERANCE * largest).collect();
+        let whitening = Mat::from_fn(m, kept.len(), |i, k| vectors[(i, kept[k])] / values[kept[k]].sqrt());
+        Some(FieldBasis { prior, center: Point3::from(center), inducing, whitening })
+    }
+
+    /// Number of functions `M`.
+    pub fn n_functions(&self) -> usize {
+        4 + self.whitening.ncols()
+    }
+
+    /// Every function at every point, `n × M`. Cost `O(n · m · M)`.
+    pub fn values(&self, points: &[Point3<f64>]) -> Mat<f64> {
+        let m = self.inducing.len();
+        let rows: Vec<Vec<f64>> = points
+            .par_iter()
+            .map(|p| self.inducing.iter().map(|z| self.prior.covariance((p - z).norm_squared())).collect())
+            .collect();
+        let smooth = Mat::from_fn(points.len(), m, |i, k| rows[i][k]) * &self.whitening;
+        Mat::from_fn(points.len(), self.n_functions(), |i, k| match k {
+            0 => self.prior.translation_mm,
+            1..4 => self.prior.linear * (points[i] - self.center)[k - 1],
+            _ => smooth[(i, k - 4)],
+        })
+    }
+}

@@ -1,0 +1,117 @@
+//! The field that agrees best with what was seen and with the prior.
+
+use faer::linalg::solvers::Solve;
+use faer::{Mat, MatRef, Side};
+use nalgebra::{Matrix3, Vector3};
+
+/// What was seen at one point: where it should go, and how surely along a normal and across it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Pull {
+    /// Displacement, mm.
+    pub displacement: Vector3<f64>,
+    /// Unit normal.
+    pub normal: Vector3<f64>,
+    /// Precision along the normal, 1/mm².
+    pub along: f64,
+    /// Precision across it, 1/mm².
+    pub across: f64,
+}
+
+impl Pull {
+    fn precision(&self) -> Matrix3<f64> {
+        Matrix3::identity() * self.across + self.normal * self.normal.transpose() * (self.along - self.across)
+    }
+}
+
+/// Coefficients of a field, with their uncertainty.
+#[derive(Debug, Clone)]
+pub struct FittedField {
+    /// `M × 3`.
+    pub coefficients: Mat<f64>,
+    /// Covariance of the coefficients, `3M × 3M`, axis by axis; or `M × M`, the same for each axis.
+    covariance: Mat<f64>,
+}
+
+/// `Φᵀ diag(w) Φ`.
+fn weighted_gram(values: MatRef<'_, f64>, weight: impl Fn(usize) -> f64) -> Mat<f64> {
+    let weights: Vec<f64> = (0..values.nrows()).map(weight).collect();
+    let scaled = Mat::from_fn(values.nrows(), values.ncols(), |i, k| weights[i] * values[(i, k)]);
+    values.transpose() * &scaled
+}
+
+/// The posterior of the field. `values`: every function at every point, `n × M` (see [`super::FieldBasis::values`]);
+/// `pulls`: one for each point. `None` where the system cannot be solved (numbers that are not finite).
+///
+/// # Cost
+/// `O(n M²)`; where along and across agree everywhere, a ninth of the solve.
+pub fn fit(values: MatRef<'_, f64>, pulls: &[Pull]) -> Option<FittedField> {
+    let (n, m) = (values.nrows(), values.ncols());
+    let precision: Vec<Matrix3<f64>> = pulls.iter().map(Pull::precision).collect();
+    let aimed: Vec<Vector3<f64>> = pulls.iter().zip(&precision).map(|(p, w)| w * p.displacement).collect();
+    let right_side = values.transpose() * Mat::from_fn(n, 3, |i, a| aimed[i][a]);
+    if pulls.iter().all(|p| p.along == p.across) {
+        let mut system = weighted_gram(values, |i| pulls[i].across);
+        for k in 0..m {
+            system[(k, k)] += 1.0;
+        }
+        let factor = system.llt(Side::Lower).ok()?;
+        let covariance = factor.solve(Mat::<f64>::identity(m, m));
+        return Some(FittedField { coefficients: factor.solve(&right_side), covariance });
+    }
+    let mut system = Mat::<f64>::identity(3 * m, 3 * m);
+    for a in 0..3 {
+        for b in 0..=a {
+            let block = weighted_gram(values, |i| precision[i][(a, b)]);
+            for k in 0..m {
+                for l in 0..m {
+                    system[(a * m + l, b * m + k)] += block[(l, k)];
+                }
+            }
+        }
+    }
+    let factor = system.llt(Side::Lower).ok()?;
+    let stacked = Mat::from_fn(3 * m, 1, |k, _| right_side[(k % m, k / m)]);
+    let solution = factor.solve(&stacked);
+    let covariance = factor.solve(Mat::<f64>::identity(3 * m, 3 * m));
+    Some(FittedField { coefficients: Mat::from_fn(m, 3, |k, a| solution[(a * m + k, 0)]), covariance })
+}
+
+impl FittedField {
+    /// Displacement at every point of `values`, mm.
+    pub fn displacements(&self, values: MatRef<'_, f64>) -> Vec<Vector3<f64>> {
+        let u = values * &self.coefficients;
+        (0..u.nrows()).map(|i| Vector3::new(u[(i, 0)], u[(i, 1)], u[(i, 2)])).collect()
+    }
+
+    /// Covariance of the displacement at every point of `values`, mm². Cost `O(n M²)`.
+    pub fn covariances(&self, values: MatRef<'_, f64>) -> Vec<Matrix3<f64>> {
+        let (n, m) = (values.nrows(), values.ncols());
+        let mut found = vec![Matrix3::zeros(); n];
+        let shared = self.covariance.nrows() == m;
+        for a in 0..3 {
+            for b in 0..=a {
+                if shared && (a, b) != (0, 0) {
+                    continue;
+                }
+                let block = self.covariance.as_ref().submatrix(a * m, b * m, m, m);
+                let product = values * block;
+                for (i, c) in found.iter_mut().enumerate() {
+                    let value: f64 = (0..m).map(|k| product[(i, k)] * values[(i, k)]).sum();
+                    c[(a, b)] = value;
+                    c[(b, a)] = value;
+                }
+            }
+        }
+        if shared {
+            for c in &mut found {
+                *c = Matrix3::identity() * c[(0, 0)];
+            }
+        }
+        found
+    }
+
+    /// `‖c‖²`: what the field costs under the prior, twice the negative logarithm of its density.
+    pub fn cost(&self) -> f64 {
+        self.coefficients.squared_norm_l2()
+    }
+}

@@ -1,0 +1,23 @@
+//! Parameters of the smooth displacement field.
+
+use serde::{Deserialize, Serialize};
+use utoipa::ToSchema;
+
+/// The smooth displacement field after the rigid rounds.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, ToSchema)]
+#[serde(deny_unknown_fields)]
+pub struct DisplacementParameters {
+    /// Whether there is one.
+    pub mode: DisplacementMode,
+}
+
+/// Whether the source bends before its vertices are answered.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum DisplacementMode {
+    /// It stays rigid: the labeling is the minimiser's.
+    None,
+    /// A smooth field moves it, from the pose found and from those on the principal axes, whichever fits best after the
+    /// bending; each vertex is answered with the nearest target vertex then.
+    Smooth,
+}

@@ -126,7 +126,7 @@ fn multiply_few<const D: usize>(
     let Some(rows) = first.first_mut() else { return };
     let products = rows.each_mut().map(|row| &mut row.as_chunks_mut::<VECTOR>().0[..n]);
     for (at, phi) in phi.as_chunks::<VECTOR>().0.iter().enumerate() {
-        let mut product = phi.map(|phi| phi * CHAIN_SCALE);
+        let mut product = multiply(phi, &[CHAIN_SCALE; VECTOR]);
         let mut before = [[0.0f32; VECTOR]; D];
         for slot in 0..D {
             before[slot] = product;

@@ -12,12 +12,13 @@ use wide::f32x4;
 #[inline(always)]
 pub(super) fn rows_to_lanes(rows: &ChunkRows, lanes: &mut [Lanes]) {
     let rows: [&[[f32; 4]; CHUNK / 4]; BLOCK_LANES] = std::array::from_fn(|l| quads(&rows[l]));
-    for (at, tile) in lanes.as_chunks_mut::<4>().0.iter_mut().enumerate().take(CHUNK / 4) {
-        for first in (0..BLOCK_LANES).step_by(4) {
-            let turned = f32x4::transpose(std::array::from_fn(|l| f32x4::from(rows[first + l][at])));
-            for (lanes, values) in tile.iter_mut().zip(turned) {
-                lanes[first..first + 4].copy_from_slice(&values.to_array());
-            }
+    for (at, [a, b, c, d]) in lanes.as_chunks_mut::<4>().0.iter_mut().enumerate().take(CHUNK / 4) {
+        for l in (0..BLOCK_LANES).step_by(4) {
+            let turned = turn(rows[l][at], rows[l + 1][at], rows[l + 2][at], rows[l + 3][at]);
+            a[l..l + 4].copy_from_slice(&turned[0]);
+            b[l..l + 4].copy_from_slice(&turned[1]);
+            c[l..l + 4].copy_from_slice(&turned[2]);
+            d[l..l + 4].copy_from_slice(&turned[3]);
         }
     }
 }
@@ -25,15 +26,24 @@ pub(super) fn rows_to_lanes(rows: &ChunkRows, lanes: &mut [Lanes]) {
 /// `rows[l][x] = lanes[x][l]`, likewise.
 #[inline(always)]
 pub(super) fn lanes_to_rows(lanes: &[Lanes], rows: &mut ChunkRows) {
-    for (at, tile) in lanes.as_chunks::<4>().0.iter().enumerate().take(CHUNK / 4) {
-        let tile: [&[[f32; 4]]; 4] = std::array::from_fn(|x| tile[x].as_chunks::<4>().0);
-        for (group, rows) in rows.as_chunks_mut::<4>().0.iter_mut().enumerate() {
-            let turned = f32x4::transpose(std::array::from_fn(|x| f32x4::from(tile[x][group])));
-            for (row, values) in rows.iter_mut().zip(turned) {
-                row[4 * at..4 * at + 4].copy_from_slice(&values.to_array());
-            }
+    for (at, [a, b, c, d]) in lanes.as_chunks::<4>().0.iter().enumerate().take(CHUNK / 4) {
+        let (a, b, c, d) = (a.as_chunks::<4>().0, b.as_chunks::<4>().0, c.as_chunks::<4>().0, d.as_chunks::<4>().0);
+        for (group, [p, q, r, s]) in rows.as_chunks_mut::<4>().0.iter_mut().enumerate() {
+            let turned = turn(a[group], b[group], c[group], d[group]);
+            p[4 * at..4 * at + 4].copy_from_slice(&turned[0]);
+            q[4 * at..4 * at + 4].copy_from_slice(&turned[1]);
+            r[4 * at..4 * at + 4].copy_from_slice(&turned[2]);
+            s[4 * at..4 * at + 4].copy_from_slice(&turned[3]);
         }
     }
+}
+
+/// The transpose of four rows. No loops and no iterators over arrays here and where it is called: what the compiler
+/// leaves of them goes through memory and takes ten times as long.
+#[inline(always)]
+fn turn(a: [f32; 4], b: [f32; 4], c: [f32; 4], d: [f32; 4]) -> [[f32; 4]; 4] {
+    let [a, b, c, d] = f32x4::transpose([f32x4::from(a), f32x4::from(b), f32x4::from(c), f32x4::from(d)]);
+    [a.to_array(), b.to_array(), c.to_array(), d.to_array()]
 }
 
 #[inline(always)]

@@ -4,7 +4,7 @@
 //! variance, independent for each axis ([`SmoothPrior`]). Over `m` inducing points spread evenly ([`farthest_points`])
 //! it becomes `u(p) = Σ_k φ_k(p) c_k` with independent standard normal coefficients ([`FieldBasis`], the Nyström
 //! approximation); wide kernels have few functions that matter, so `M` is tens, not thousands. What is seen at a point
-//! is a displacement with one precision along a normal and another across it ([`Pull`]); [`fit`] gives the posterior
+//! is a displacement with one precision along a normal and another across it ([`Pull`]); [`fit()`] gives the posterior
 //!
 //! `(I + Φᵀ W Φ) c = Φᵀ W d`, `Cov c = (I + Φᵀ W Φ)⁻¹`
 //!

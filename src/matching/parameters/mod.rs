@@ -1,6 +1,6 @@
 //! The parameters of a match: named presets, what overrides them, and every check with the place of the fault.
 //!
-//! A request states a part; [`resolve`] lays it over the preset that `method` names and returns the whole, the
+//! A request states a part; [`resolve()`] lays it over the preset that `method` names and returns the whole, the
 //! *effective* parameters, which are stored with the job and returned with its result.
 
 mod displacement;

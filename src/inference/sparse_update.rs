@@ -197,8 +197,11 @@ pub(super) fn sum_update_uniform(table: &PairTable, cavity: &[Lanes], epsilon: f
                 sum[k] += h[k];
             }
         }
+        // Two loops: of both in one the compiler makes numbers one by one.
         for k in 0..BLOCK_LANES {
             sum[k] = rest[k] + share * sum[k];
+        }
+        for k in 0..BLOCK_LANES {
             largest[k] = if sum[k] > largest[k] { sum[k] } else { largest[k] };
         }
         *message = sum;

@@ -4,7 +4,7 @@
 //!
 //! - Numerics (no runtime, no database, no HTTP, no clock, no files): [`graph`], [`observe`], [`mesh`], [`volume`],
 //!   [`formats`], [`curvature`], [`geodesic`], [`mrf`], [`inference`], [`registration`], [`harmonics`],
-//!   [`deformation`], [`matching`], [`phantom`], [`intake`].
+//!   [`deformation`], [`hierarchy`], [`matching`], [`phantom`], [`intake`].
 //! - One match from uploaded bytes to the result document: [`run`].
 //! - The service: [`jobs`] (what a job is, and the ports), [`store`] (SQLite or PostgreSQL, and blobs), [`worker`] (who
 //!   runs them), [`http`] (how the outside asks).
@@ -30,7 +30,11 @@ pub mod registration;
 
 pub mod harmonics;
 
+mod exponential;
+
 pub mod deformation;
+
+pub mod hierarchy;
 
 pub mod matching;
 

@@ -22,6 +22,8 @@ pub enum Phase {
     Registration,
     /// Iterative closest points.
     Refinement,
+    /// Fitting a smooth displacement field.
+    Displacement,
     /// Distances, consistency and the result document.
     Reporting,
 }
@@ -36,6 +38,7 @@ impl Phase {
             Phase::Inference => "inference",
             Phase::Registration => "registration",
             Phase::Refinement => "refinement",
+            Phase::Displacement => "displacement",
             Phase::Reporting => "reporting",
         }
     }

@@ -75,7 +75,7 @@ pub enum RunError {
     /// Both surfaces are fine, but matching them takes more memory than is allowed.
     #[error(
         "matching {source_vertices} to {target_vertices} vertices takes {needed} bytes of memory, but {limit} are \
-         allowed; send coarser surfaces"
+         allowed; send coarser surfaces, or set inference.coarse_vertices"
     )]
     TooLarge {
         /// Source vertices.
@@ -96,8 +96,13 @@ pub enum RunError {
 ///
 /// # Errors
 /// [`RunError::TooLarge`].
-pub fn check_size(source: (usize, usize), target_vertices: usize, limits: &IntakeLimits) -> Result<(), RunError> {
-    let (needed, limit) = (match_memory_bytes(source, target_vertices), limits.max_match_bytes);
+pub fn check_size(
+    source: (usize, usize),
+    target_vertices: usize,
+    parameters: &MatchParameters,
+    limits: &IntakeLimits,
+) -> Result<(), RunError> {
+    let (needed, limit) = (match_memory_bytes(source, target_vertices, parameters), limits.max_match_bytes);
     if needed > limit {
         return Err(RunError::TooLarge { source_vertices: source.0, target_vertices, needed, limit });
     }
@@ -130,7 +135,7 @@ pub fn run_match(
         rayon::join(|| prepare(Side::Source, source), || prepare(Side::Target, target));
     let (prepared_source, prepared_target) = (prepared_source?, prepared_target?);
     let (source_mesh, target_mesh) = (&prepared_source.mesh, &prepared_target.mesh);
-    check_size((source_mesh.n_vertices(), source_mesh.n_faces()), target_mesh.n_vertices(), limits)?;
+    check_size((source_mesh.n_vertices(), source_mesh.n_faces()), target_mesh.n_vertices(), parameters, limits)?;
     let mut outcome = match_surfaces(&prepared_source.mesh, &prepared_target.mesh, parameters, &timed)?;
     count_uploaded_vertices(&mut outcome.correspondences.source, &prepared_source);
     count_uploaded_vertices(&mut outcome.correspondences.target, &prepared_target);
@@ -150,6 +155,7 @@ pub fn run_match(
         topology: outcome.topology,
         rounds: outcome.rounds,
         poses: outcome.poses,
+        reliability: outcome.reliability,
         ambiguous_axes: outcome.ambiguous_axes,
         correspondences: Some(outcome.correspondences),
         stop_reason: outcome.stop_reason,

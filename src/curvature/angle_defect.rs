@@ -50,7 +50,7 @@ pub fn vertex_areas(mesh: &SurfaceMesh) -> Vec<f64> {
     areas
 }
 
-/// Gaussian curvature `K_i = (2π − Σ φ) / A_i` of every vertex of a closed surface, 1/mm².
+/// Gaussian curvature `K_i = (2π − Σ φ) / A_i` of every vertex, 1/mm²; at a boundary the mean of the neighbours inside.
 ///
 /// Zero where the area of a vertex vanishes. Cost `O(faces)`.
 pub fn gaussian_curvature(mesh: &SurfaceMesh) -> Vec<f64> {
@@ -70,7 +70,8 @@ pub fn gaussian_curvature(mesh: &SurfaceMesh) -> Vec<f64> {
             FaceArity::Quad => both_triangulations(f).into_iter().for_each(|corners| subtract(corners, 0.5)),
         }
     }
-    defect.iter().zip(vertex_areas(mesh)).map(|(d, area)| if area > 0.0 { d / area } else { 0.0 }).collect()
+    let found = defect.iter().zip(vertex_areas(mesh)).map(|(d, area)| if area > 0.0 { d / area } else { 0.0 });
+    inside(mesh, found.collect())
 }
 
 /// Mean curvature `H_i` of every vertex, 1/mm, positive where the surface is convex (`1/r` on a sphere).
@@ -79,10 +80,26 @@ pub fn gaussian_curvature(mesh: &SurfaceMesh) -> Vec<f64> {
 pub fn mean_curvature(mesh: &SurfaceMesh) -> Vec<f64> {
     let normals = mesh.vertex_normals();
     let laplacian: Vec<Vector3<f64>> = laplacian_of_positions(mesh);
-    laplacian
+    let found = laplacian
         .iter()
         .zip(&normals)
         .zip(vertex_areas(mesh))
-        .map(|((l, n), area)| if area > 0.0 { l.dot(n) / (2.0 * area) } else { 0.0 })
-        .collect()
+        .map(|((l, n), area)| if area > 0.0 { l.dot(n) / (2.0 * area) } else { 0.0 });
+    inside(mesh, found.collect())
+}
+
+/// `values` with those at a boundary, where neither formula holds, replaced by the mean over the neighbours inside; 0
+/// where there are none.
+fn inside(mesh: &SurfaceMesh, mut values: Vec<f64>) -> Vec<f64> {
+    let Some(on_boundary) = mesh.boundary_vertices() else { return values };
+    let graph = mesh.edge_graph();
+    for i in (0..values.len()).filter(|&i| on_boundary[i]) {
+        let (sum, count) = graph
+            .neighbors(i)
+            .iter()
+            .filter(|&&j| !on_boundary[j as usize])
+            .fold((0.0, 0.0), |(sum, count), &j| (sum + values[j as usize], count + 1.0));
+        values[i] = if count > 0.0 { sum / count } else { 0.0 };
+    }
+    values
 }

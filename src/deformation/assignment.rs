@@ -7,7 +7,7 @@
 //!
 //! Source: Myronenko, Song, IEEE PAMI 32(12), 2010.
 
-use super::neighbors::NeighborGrid;
+use super::affinity::{Affinities, Means};
 use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
 use std::f64::consts::TAU;
@@ -54,73 +54,29 @@ pub struct Assignment {
     pub misfit: f64,
 }
 
-/// Assigns `target` to the moved `source`. Sums in order of the points: the same bits on any number of threads.
+/// Assigns `target` to the moved `source`. Affinities are 32-bit numbers, relative errors about 1e-6; sums in order of
+/// the points, so the same bits on any number of threads.
 ///
 /// # Cost
-/// `O(pairs within reach)`, and as much memory.
+/// `O(pairs within reach)`, and as much memory, for a target whose neighbours have numbers close to each other (see
+/// [`crate::mesh::canonicalize`]); `O(pairs)` for any other.
 pub fn assign(source: &Samples<'_>, target: &Samples<'_>, likeness: &Likeness) -> Assignment {
-    let n_features = likeness.feature_precision.len();
-    let features =
-        |side: &Samples<'_>, i: usize| -> Vec<f64> { side.features[i * n_features..][..n_features].to_vec() };
-    let radius = REACH * likeness.sigma_mm;
-    let grid = NeighborGrid::new(target.points, radius);
-    let scale = 0.5 / (likeness.sigma_mm * likeness.sigma_mm);
-    let rows: Vec<Vec<(u32, f64)>> = (0..source.points.len())
-        .into_par_iter()
-        .map(|i| {
-            let own = features(source, i);
-            let mut row = Vec::new();
-            grid.within(&source.points[i], radius, |j, squared| {
-                let k = j as usize;
-                let agreement = source.normals[i].dot(&target.normals[k]);
-                if agreement <= 0.0 {
-                    return;
-                }
-                let others = &target.features[k * n_features..][..n_features];
-                let unlike: f64 = own
-                    .iter()
-                    .zip(others)
-                    .zip(&likeness.feature_precision)
-                    .map(|((a, b), precision)| precision * (a - b) * (a - b))
-                    .sum();
-                let energy = scale * squared + likeness.normal_weight * (1.0 - agreement) + 0.5 * unlike;
-                row.push((j, (-energy).exp()));
-            });
-            row
-        })
-        .collect();
+    let n = source.points.len();
+    let affinities = Affinities::new(target, likeness, REACH * likeness.sigma_mm);
+    let rows: Vec<_> = (0..n).into_par_iter().map(|i| affinities.row(source, i)).collect();
     // A flat matching surface sums to this.
     let whole = TAU * likeness.sigma_mm * likeness.sigma_mm;
     let background = likeness.outlier * whole;
-    let seen: Vec<f64> = rows
-        .iter()
-        .map(|row| background + row.iter().map(|&(j, g)| target.areas[j as usize] * g).sum::<f64>())
-        .collect();
-    let mut explained = vec![background; target.points.len()];
-    for (row, area) in rows.iter().zip(source.areas) {
-        for &(j, g) in row {
-            explained[j as usize] += area * g;
-        }
-    }
-    let n = source.points.len();
-    let (mut targets, mut masses) = (Vec::with_capacity(n), Vec::with_capacity(n));
-    let mut feature_variance = vec![0.0; n_features];
+    let explained = affinities.explained(&rows, source.areas, background);
+    let shares = affinities.shares(&explained);
+    let means: Vec<Means> = (0..n).into_par_iter().map(|i| affinities.means(source, i, &rows[i], &shares)).collect();
+    let mut feature_variance = vec![0.0; likeness.feature_precision.len()];
     let mut total = 0.0;
-    for (i, row) in rows.iter().enumerate() {
-        let own = features(source, i);
-        let (mut mass, mut sum) = (0.0, Vector3::zeros());
-        for &(j, g) in row {
-            let k = j as usize;
-            let weight = target.areas[k] * g / explained[k];
-            mass += weight;
-            sum += weight * (target.points[k] - source.points[i]);
-            for (f, variance) in feature_variance.iter_mut().enumerate() {
-                *variance += weight * source.areas[i] * (own[f] - target.features[k * n_features + f]).powi(2);
-            }
+    for (found, area) in means.iter().zip(source.areas) {
+        total += found.mass * area;
+        for (sum, variance) in feature_variance.iter_mut().zip(&found.feature_variance) {
+            *sum += variance * area;
         }
-        total += mass * source.areas[i];
-        targets.push(source.points[i] + if mass > 0.0 { sum / mass } else { Vector3::zeros() });
-        masses.push(mass);
     }
     for variance in &mut feature_variance {
         *variance /= total.max(f64::MIN_POSITIVE);
@@ -129,6 +85,12 @@ pub fn assign(source: &Samples<'_>, target: &Samples<'_>, likeness: &Likeness) -
         let weighted: f64 = sums.iter().zip(areas).map(|(s, a)| -a * (s / whole).ln()).sum();
         weighted / areas.iter().sum::<f64>()
     };
-    let misfit = 0.5 * (mean_misfit(&seen, source.areas) + mean_misfit(&explained, target.areas));
-    Assignment { targets, mass: masses, feature_variance, misfit }
+    let seen: Vec<f64> = rows.iter().map(|row| background + row.seen).collect();
+    let explained: Vec<f64> = explained.as_flattened()[..target.points.len()].iter().map(|&s| f64::from(s)).collect();
+    Assignment {
+        targets: source.points.iter().zip(&means).map(|(p, found)| p + found.offset).collect(),
+        mass: means.iter().map(|found| found.mass).collect(),
+        feature_variance,
+        misfit: 0.5 * (mean_misfit(&seen, source.areas) + mean_misfit(&explained, target.areas)),
+    }
 }

@@ -15,6 +15,7 @@
 //! Sources: Rasmussen, Williams, "Gaussian Processes for Machine Learning", 2006 (weight-space view, Nyström);
 //! Myronenko, Song, IEEE PAMI 32(12), 2010, and Hirose, IEEE PAMI 43(7), 2021 (such a prior in point-set registration).
 
+mod affinity;
 mod assignment;
 mod basis;
 mod farthest;

@@ -3,7 +3,7 @@
 use super::Clock;
 use super::pairs::Pair;
 use super::units::Measurement;
-use crate::matching::parameters::resolve;
+use crate::matching::parameters::{DisplacementMode, MatchParameters, ParameterError, resolve};
 use crate::matching::{MatchOutcome, match_surfaces};
 use crate::observe::{Observer, Phase, TracePoint};
 use crate::registration::RigidTransform;
@@ -54,16 +54,28 @@ pub(super) fn measure_match(pair: &Pair, request: &Value, clock: &Clock) -> Resu
     observed_match(pair, request, clock).map(|(measurement, _)| measurement)
 }
 
+/// The effective parameters of `request`. One that names no method studies the energy itself: every vertex is a
+/// variable, and the labeling is the answer.
+pub(super) fn studied(request: &Value) -> Result<MatchParameters, String> {
+    let named = |faults: Vec<ParameterError>| {
+        let faults: Vec<_> = faults.iter().map(|f| format!("{}: {}", f.pointer, f.detail)).collect();
+        faults.join("; ")
+    };
+    let mut parameters = resolve(request).map_err(named)?;
+    if request.get("method").is_none() {
+        parameters.inference.coarse_vertices = None;
+        parameters.displacement.mode = DisplacementMode::None;
+    }
+    Ok(parameters)
+}
+
 /// The same, with the outcome.
 pub(super) fn observed_match(
     pair: &Pair,
     request: &Value,
     clock: &Clock,
 ) -> Result<(Measurement, MatchOutcome), String> {
-    let parameters = resolve(request).map_err(|faults| {
-        let faults: Vec<_> = faults.iter().map(|f| format!("{}: {}", f.pointer, f.detail)).collect();
-        faults.join("; ")
-    })?;
+    let parameters = studied(request)?;
     let recorder = Recorder { clock, seen: Mutex::default() };
     let begin = clock().as_secs_f64();
     let outcome = match_surfaces(&pair.source, &pair.target, &parameters, &recorder).map_err(|e| e.to_string())?;

@@ -24,17 +24,23 @@ enum Column {
 }
 
 /// Names and types, in order.
-const COLUMNS: [(&str, Column); 6] = [
+const COLUMNS: [(&str, Column); 12] = [
     ("source", Column::Uint32),
     ("target", Column::Uint32),
     ("confidence", Column::Double),
     ("inlier", Column::Bool),
     ("spread_mm", Column::Double),
     ("outlier", Column::Uint8),
+    ("triangle_0", Column::Uint32),
+    ("triangle_1", Column::Uint32),
+    ("triangle_2", Column::Uint32),
+    ("barycentric_0", Column::Double),
+    ("barycentric_1", Column::Double),
+    ("barycentric_2", Column::Double),
 ];
 
 /// The columns `source` and `target` (uint32), `confidence` (float64), `inlier` (bool), `spread_mm` (float64) and
-/// `outlier` (uint8), none nullable.
+/// `outlier` (uint8), `triangle_0` to `triangle_2` (uint32), `barycentric_0` to `barycentric_2` (float64), none nullable.
 pub fn write_arrow(pairs: &PairColumns<'_>) -> Vec<u8> {
     let n = pairs.len();
     let mut body = Body::default();
@@ -46,6 +52,12 @@ pub fn write_arrow(pairs: &PairColumns<'_>) -> Vec<u8> {
     body.add(bits.map(|byte| byte.iter().enumerate().fold(0u8, |sum, (k, &bit)| sum | u8::from(bit) << k)));
     body.add(pairs.spread_mm[..n].iter().flat_map(|v| v.to_le_bytes()));
     body.add(pairs.outlier[..n].iter().copied());
+    for corner in 0..3 {
+        body.add(pairs.triangle[..n].iter().flat_map(|v| v[corner].to_le_bytes()));
+    }
+    for corner in 0..3 {
+        body.add(pairs.barycentric[..n].iter().flat_map(|v| v[corner].to_le_bytes()));
+    }
 
     let mut file = MAGIC.to_vec();
     file.resize(ALIGNMENT, 0);

@@ -120,23 +120,30 @@ fn npy_is_a_structured_array() {
         inlier: &[true, false],
         spread_mm: &[0.25, 2.0],
         outlier: &[0, 3],
+        triangle: &[[5, 6, 7], [1, 4, 2]],
+        barycentric: &[[1.0, 0.0, 0.0], [0.25, 0.5, 0.25]],
     };
     let bytes = write_npy(&pairs);
     let length = usize::from(u16::from_le_bytes([bytes[8], bytes[9]]));
     assert_eq!((&bytes[..8], (10 + length) % 64, bytes[9 + length]), (b"\x93NUMPY\x01\0".as_slice(), 0, b'\n'));
     let header = std::str::from_utf8(&bytes[10..10 + length]).unwrap().trim_end();
     let fields = "[('source', '<u4'), ('target', '<u4'), ('confidence', '<f8'), ('inlier', '|b1'), \
-                  ('spread_mm', '<f8'), ('outlier', '|u1')]";
+                  ('spread_mm', '<f8'), ('outlier', '|u1'), ('triangle', '<u4', (3,)), ('barycentric', '<f8', (3,))]";
     assert_eq!(header, format!("{{'descr': {fields}, 'fortran_order': False, 'shape': (2,), }}"));
     let mut rows = vec![0, 0, 0, 0, 5, 0, 0, 0];
     rows.extend(0.5f64.to_le_bytes());
     rows.push(1);
     rows.extend(0.25f64.to_le_bytes());
-    rows.extend([0, 44, 1, 0, 0, 4, 0, 0, 0]);
+    rows.push(0);
+    rows.extend([5u32, 6, 7].iter().flat_map(|v| v.to_le_bytes()));
+    rows.extend([1.0f64, 0.0, 0.0].iter().flat_map(|v| v.to_le_bytes()));
+    rows.extend([44, 1, 0, 0, 4, 0, 0, 0]);
     rows.extend(1.0f64.to_le_bytes());
     rows.push(0);
     rows.extend(2.0f64.to_le_bytes());
     rows.push(3);
+    rows.extend([1u32, 4, 2].iter().flat_map(|v| v.to_le_bytes()));
+    rows.extend([0.25f64, 0.5, 0.25].iter().flat_map(|v| v.to_le_bytes()));
     assert_eq!(bytes[10 + length..], rows);
 }
 
@@ -169,7 +176,7 @@ impl Buffer<'_> {
     }
 }
 
-type Columns = (Vec<u32>, Vec<u32>, Vec<f64>, Vec<bool>, Vec<f64>, Vec<u8>);
+type Columns = (Vec<u32>, Vec<u32>, Vec<f64>, Vec<bool>, Vec<f64>, Vec<u8>, Vec<[u32; 3]>, Vec<[f64; 3]>);
 
 /// Reads what [`write_arrow`] writes, beginning at the end as readers of the file format do.
 fn read_arrow(file: &[u8]) -> Columns {
@@ -187,7 +194,9 @@ fn read_arrow(file: &[u8]) -> Columns {
             std::str::from_utf8(&footer.0[place..place + length]).unwrap().to_owned()
         })
         .collect();
-    assert_eq!(names, ["source", "target", "confidence", "inlier", "spread_mm", "outlier"]);
+    assert_eq!(names[..6], ["source", "target", "confidence", "inlier", "spread_mm", "outlier"]);
+    assert_eq!(names[6..9], ["triangle_0", "triangle_1", "triangle_2"]);
+    assert_eq!(names[9..], ["barycentric_0", "barycentric_1", "barycentric_2"]);
     let (n_batches, block) = footer.vector(root, 3);
     assert_eq!(n_batches, 1);
     let (offset, metadata) = (footer.i64(block), footer.i32(block + 8) as usize);
@@ -202,9 +211,9 @@ fn read_arrow(file: &[u8]) -> Columns {
     let batch = message.follow(message.field(root, 2).unwrap());
     let n = message.i64(message.field(batch, 0).unwrap());
     let (n_nodes, nodes) = message.vector(batch, 1);
-    assert_eq!((n_nodes, message.i64(nodes), message.i64(nodes + 8)), (6, n, 0));
+    assert_eq!((n_nodes, message.i64(nodes), message.i64(nodes + 8)), (12, n, 0));
     let (n_buffers, buffers) = message.vector(batch, 2);
-    assert_eq!(n_buffers, 12);
+    assert_eq!(n_buffers, 24);
     let values = |column: usize| {
         let at = buffers + 16 * (2 * column + 1);
         assert_eq!(message.i64(at) % 8, 0);
@@ -215,12 +224,14 @@ fn read_arrow(file: &[u8]) -> Columns {
         |column| -> Vec<_> { values(column).as_chunks::<8>().0.iter().map(|&b| f64::from_le_bytes(b)).collect() };
     let bits = (0..n).map(|k| values(3)[k / 8] >> (k % 8) & 1 == 1).collect();
     assert_eq!([u32s(0).len(), u32s(1).len(), reals(2).len(), reals(4).len(), values(5).len()], [n; 5]);
-    (u32s(0), u32s(1), reals(2), bits, reals(4), values(5).to_vec())
+    let triangles = (0..n).map(|k| [6, 7, 8].map(|column| u32s(column)[k])).collect();
+    let weights = (0..n).map(|k| [9, 10, 11].map(|column| reals(column)[k])).collect();
+    (u32s(0), u32s(1), reals(2), bits, reals(4), values(5).to_vec(), triangles, weights)
 }
 
 proptest! {
     #[test]
-    fn any_pairs_survive_arrow(rows in proptest::collection::vec((any::<u32>(), any::<u32>(), 0.0..1.0f64, any::<bool>(), 0.0..9.0f64, 0..4u8), 0..70)) {
+    fn any_pairs_survive_arrow(rows in proptest::collection::vec((any::<u32>(), any::<u32>(), 0.0..1.0f64, any::<bool>(), 0.0..9.0f64, 0..4u8, any::<[u32; 3]>(), [0.0..1.0f64, 0.0..1.0f64, 0.0..1.0f64]), 0..70)) {
         let columns: Columns = (
             rows.iter().map(|r| r.0).collect(),
             rows.iter().map(|r| r.1).collect(),
@@ -228,6 +239,8 @@ proptest! {
             rows.iter().map(|r| r.3).collect(),
             rows.iter().map(|r| r.4).collect(),
             rows.iter().map(|r| r.5).collect(),
+            rows.iter().map(|r| r.6).collect(),
+            rows.iter().map(|r| r.7).collect(),
         );
         let pairs = PairColumns {
             source: &columns.0,
@@ -236,6 +249,8 @@ proptest! {
             inlier: &columns.3,
             spread_mm: &columns.4,
             outlier: &columns.5,
+            triangle: &columns.6,
+            barycentric: &columns.7,
         };
         prop_assert_eq!(read_arrow(&write_arrow(&pairs)), columns);
     }

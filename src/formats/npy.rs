@@ -10,12 +10,13 @@ const MAGIC: &[u8] = b"\x93NUMPY\x01\x00";
 const ALIGNMENT: usize = 64;
 
 /// The columns as a one-dimensional structured array with the fields `source` and `target` (`<u4`), `confidence` (`<f8`),
-/// `inlier` (`|b1`), `spread_mm` (`<f8`) and `outlier` (`|u1`), 26 bytes a row.
+/// `inlier` (`|b1`), `spread_mm` (`<f8`), `outlier` (`|u1`), and three each of `triangle` (`<u4`) and `barycentric`
+/// (`<f8`), 62 bytes a row.
 pub fn write_npy(pairs: &PairColumns<'_>) -> Vec<u8> {
     let n = pairs.len();
     let mut header = format!(
         "{{'descr': [('source', '<u4'), ('target', '<u4'), ('confidence', '<f8'), ('inlier', '|b1'), \
-         ('spread_mm', '<f8'), ('outlier', '|u1')], \
+         ('spread_mm', '<f8'), ('outlier', '|u1'), ('triangle', '<u4', (3,)), ('barycentric', '<f8', (3,))], \
          'fortran_order': False, 'shape': ({n},), }}"
     );
     let begin = MAGIC.len() + 2;
@@ -25,7 +26,7 @@ pub fn write_npy(pairs: &PairColumns<'_>) -> Vec<u8> {
     let mut file = MAGIC.to_vec();
     file.extend((header.len() as u16).to_le_bytes());
     file.extend(header.into_bytes());
-    file.reserve(26 * n);
+    file.reserve(62 * n);
     for row in pairs.rows() {
         file.extend(row.source.to_le_bytes());
         file.extend(row.target.to_le_bytes());
@@ -33,6 +34,8 @@ pub fn write_npy(pairs: &PairColumns<'_>) -> Vec<u8> {
         file.push(row.inlier.into());
         file.extend(row.spread_mm.to_le_bytes());
         file.push(row.outlier);
+        file.extend(row.triangle.iter().flat_map(|v| v.to_le_bytes()));
+        file.extend(row.barycentric.iter().flat_map(|v| v.to_le_bytes()));
     }
     file
 }

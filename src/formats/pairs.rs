@@ -13,8 +13,12 @@ pub struct PairColumns<'a> {
     pub inlier: &'a [bool],
     /// Spread of the belief on the target, mm.
     pub spread_mm: &'a [f64],
-    /// Why it is an outlier: 0 it is none, 1 its residual, 2 its neighbourhood, 3 both.
+    /// Why it is an outlier: 0 it is none, 1 its residual, 2 its neighbourhood, 3 both, 4 it has no counterpart.
     pub outlier: &'a [u8],
+    /// The target triangle on which the image lies, by its vertices.
+    pub triangle: &'a [[u32; 3]],
+    /// Where on it: the weights of its vertices, of sum 1.
+    pub barycentric: &'a [[f64; 3]],
 }
 
 /// One row of [`PairColumns`].
@@ -26,6 +30,8 @@ pub(super) struct PairRow {
     pub inlier: bool,
     pub spread_mm: f64,
     pub outlier: u8,
+    pub triangle: [u32; 3],
+    pub barycentric: [f64; 3],
 }
 
 impl PairColumns<'_> {
@@ -33,7 +39,7 @@ impl PairColumns<'_> {
     pub fn len(&self) -> usize {
         let vertices = self.source.len().min(self.target.len());
         let values = self.confidence.len().min(self.inlier.len()).min(self.spread_mm.len()).min(self.outlier.len());
-        vertices.min(values)
+        vertices.min(values).min(self.triangle.len()).min(self.barycentric.len())
     }
 
     /// Whether there are none.
@@ -50,6 +56,8 @@ impl PairColumns<'_> {
             inlier: self.inlier[k],
             spread_mm: self.spread_mm[k],
             outlier: self.outlier[k],
+            triangle: self.triangle[k],
+            barycentric: self.barycentric[k],
         })
     }
 }

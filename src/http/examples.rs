@@ -59,7 +59,11 @@ const ANSWERS: &[(&str, &str)] = &[
 ];
 /// Bodies of text, by media type.
 const TEXTS: &[(&str, &str)] = &[
-    ("text/csv", "source,target,confidence,inlier,spread_mm,outlier\r\n0,236,0.12614987790584564,true,0.84,none\r\n"),
+    (
+        "text/csv",
+        "source,target,confidence,inlier,spread_mm,outlier,triangle_0,triangle_1,triangle_2,barycentric_0,\
+         barycentric_1,barycentric_2\r\n0,236,0.94,true,0.21,none,231,236,240,0.18,0.5,0.32\r\n",
+    ),
     (
         "text/event-stream",
         "event: trace\nid: 7\ndata: {\"seq\":7,\"round\":0,\"phase\":\"inference\",\"iteration\":7,\"elapsed_ms\":410}\n\n",

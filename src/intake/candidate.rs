@@ -3,7 +3,7 @@
 use super::{Advice, IntakeError, IntakeLimits, RepairNote};
 use crate::formats::{FileContent, MeshFile};
 use crate::matching::parameters::{InputParameters, Repair, SurfaceKind};
-use crate::mesh::topology::{SurfaceFault, TopologyReport, analyze, topology_report};
+use crate::mesh::topology::{SurfaceFault, TopologyReport, analyze_with, topology_report};
 use crate::mesh::{MeshError, SurfaceMesh, repair};
 use crate::volume::smooth_surface::FieldRepair;
 use crate::volume::{self, BettiNumbers, Contacts, FillChange, LabelVolume, VoxelMask};
@@ -36,7 +36,7 @@ impl Candidate {
     ) -> Result<Self, IntakeError> {
         let mut candidate = match content {
             FileContent::Labels(volume) => from_labels(volume, parameters, limits)?,
-            FileContent::Mesh(file) => from_mesh(file, parameters.repair.as_deref().unwrap_or(&[]))?,
+            FileContent::Mesh(file) => from_mesh(file, parameters)?,
         };
         if let Some(SurfaceFault::InsideOut { .. }) = candidate.fault {
             candidate.mesh = repair::turned(&candidate.mesh);
@@ -56,8 +56,9 @@ impl Candidate {
         uploaded_vertex: Option<Vec<u32>>,
         topology: TopologyReport,
         repairs: Vec<RepairNote>,
+        allow_boundary: bool,
     ) -> Self {
-        let analysis = analyze(&mesh);
+        let analysis = analyze_with(&mesh, allow_boundary);
         let fault = match &uploaded_vertex {
             Some(original) => analysis.fault.map(|f| f.renumbered(original)),
             None => analysis.fault,
@@ -91,7 +92,8 @@ impl Candidate {
     }
 }
 
-fn from_mesh(file: &MeshFile, allowed: &[Repair]) -> Result<Candidate, IntakeError> {
+fn from_mesh(file: &MeshFile, parameters: &InputParameters) -> Result<Candidate, IntakeError> {
+    let allowed = parameters.repair.as_deref().unwrap_or(&[]);
     let topology = topology_report(&file.mesh);
     let weld = allowed.contains(&Repair::Weld);
     if let Some((face, vertex)) = file.first_degenerate.filter(|_| !weld) {
@@ -128,7 +130,7 @@ fn from_mesh(file: &MeshFile, allowed: &[Repair]) -> Result<Candidate, IntakeErr
             steps.repairs.push(RepairNote { repair: Repair::LargestComponent, detail });
         }
     }
-    Ok(Candidate::new(steps.mesh, steps.uploaded_vertex, topology, steps.repairs))
+    Ok(Candidate::new(steps.mesh, steps.uploaded_vertex, topology, steps.repairs, parameters.allow_boundary))
 }
 
 /// A mesh under repair, with the way back to the file's vertices once it is no longer the identity.
@@ -194,7 +196,7 @@ fn from_labels(
             let not_again = FieldRepair { fill: false, ..field_repair };
             let (mesh, notes) = surface_of(&filled.mask, parameters, not_again)?;
             let notes = [repairs.clone(), vec![fill_note(filled.change, "")], notes].concat();
-            let candidate = Candidate::new(mesh, None, topology.clone(), notes);
+            let candidate = Candidate::new(mesh, None, topology.clone(), notes, false);
             // The filter may bridge a thin cut or part a membrane again. Then only what it leaves is filled.
             if candidate.repaired.genus == Some(0) {
                 return Ok(candidate);
@@ -203,7 +205,7 @@ fn from_labels(
     }
     let (mesh, notes) = surface_of(&repaired, parameters, field_repair)?;
     repairs.extend(notes);
-    Ok(Candidate::new(mesh, None, topology, repairs))
+    Ok(Candidate::new(mesh, None, topology, repairs, false))
 }
 
 /// Refuses structures whose box or surface would be too large before anything is made of them.

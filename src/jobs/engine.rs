@@ -29,8 +29,8 @@ pub trait Engine: Send + Sync {
     ///
     /// # Errors
     /// Why not.
-    fn check_pair(&self, source: &InputSummary, target: &InputSummary) -> Result<(), InputRefusal> {
-        let _ = (source, target);
+    fn check_pair(&self, source: &InputSummary, target: &InputSummary, parameters: &Value) -> Result<(), InputRefusal> {
+        let _ = (source, target, parameters);
         Ok(())
     }
 

@@ -321,7 +321,7 @@ impl JobService {
             let (Some(Ok(source)), Some(Ok(target))) = (checked.get(&pair.source), checked.get(&pair.target)) else {
                 continue;
             };
-            if let Err(refusal) = self.engine.check_pair(&source.summary, &target.summary) {
+            if let Err(refusal) = self.engine.check_pair(&source.summary, &target.summary, &resolved.parameters) {
                 faults.push((number, "target", refusal));
             }
             let mut labels = details.labels.clone();
@@ -367,7 +367,7 @@ impl JobService {
         self.refuse_when_full(tenant).await?;
         let source = self.check(tenant, "source", source, &resolved).await?;
         let target = self.check(tenant, "target", target, &resolved).await?;
-        self.engine.check_pair(&source.summary, &target.summary).map_err(SubmitError::Pair)?;
+        self.engine.check_pair(&source.summary, &target.summary, &resolved.parameters).map_err(SubmitError::Pair)?;
         Ok((resolved, source, target))
     }
 

@@ -1,41 +1,109 @@
 //! The smooth displacement field as the last step of a match.
 
-use super::MatchError;
-use super::displacement::{DisplacementOptions, displace};
+use super::displacement::{DisplacementOptions, JudgedPose, Surfaces, displace, landmark_pose};
+use super::levels::Levels;
+use super::registration_only::principal_poses;
+use super::reliability::{UNRELIABLE_CONFIDENCE, reliability, without_counterpart};
 use super::report::Answer;
+use super::result::{PoseDocument, PoseOrigin};
 use super::scene::Scene;
-use crate::mrf::MrfModel;
+use super::{MatchError, rounds};
+use crate::mrf::{Labeling, MrfModel};
 use crate::observe::{Phase, TracePoint};
-use crate::registration::principal_axis_poses;
+use crate::registration::RigidTransform;
 
-/// Replaces the correspondences and the transform of `answer` by those of a smooth displacement field, judged from the
-/// pose found and from the four on the principal axes. Stays as it is where no field can be fitted.
-pub(super) fn bend(scene: &Scene<'_>, model: Option<&MrfModel>, answer: &mut Answer) -> Result<(), MatchError> {
+/// Source vertices at most over which the distance of a pose is reported.
+const SAMPLE: usize = 500;
+
+/// Replaces the correspondences and the transform of `answer` by those of a smooth displacement field, from whichever
+/// pose fits best after bending: the one found, those on the principal axes, mirrored too, and that of the landmarks.
+/// Says what the answer is as a labeling of `model`. Stays as it is where no field can be fitted.
+pub(super) fn bend(
+    scene: &Scene<'_>,
+    (source, target): (&Levels, &Levels),
+    model: Option<&MrfModel>,
+    answer: &mut Answer,
+) -> Result<Option<Labeling>, MatchError> {
     let observer = scene.observer;
-    observer.phase(Phase::Refinement);
-    let (source, target) = (scene.source.mesh(), scene.target.mesh());
-    let mut poses = vec![answer.transform];
-    // A mirrored pose has no rivals among proper ones.
-    if !answer.transform.is_reflection() {
-        poses.extend(principal_axis_poses(source.vertices(), target.vertices()).into_iter().flatten());
-    }
-    let Some(found) = displace(source, target, &poses, &DisplacementOptions::default(), observer)? else {
-        return Ok(());
+    observer.phase(Phase::Displacement);
+    let allow_reflection = scene.parameters.registration.allow_reflection;
+    let of_answer = if model.is_some() { PoseOrigin::Inference } else { PoseOrigin::Registration };
+    let mut poses = vec![(of_answer, answer.transform)];
+    let (p, q) = (source.middle.mesh().vertices(), target.middle.mesh().vertices());
+    poses.extend(principal_poses(p, q, true).into_iter().map(|pose| (PoseOrigin::PrincipalAxes, pose)));
+    let of_landmarks = landmark_pose(&scene.parameters.landmarks, allow_reflection);
+    poses.extend(of_landmarks.map(|pose| (PoseOrigin::Landmarks, pose)));
+    let surfaces = Surfaces {
+        source: source.middle.mesh(),
+        target: target.middle.mesh(),
+        full_source: source.full.mesh(),
+        full_target: target.full.mesh(),
+        landmarks: &scene.parameters.landmarks,
     };
+    let starts: Vec<RigidTransform> = poses.iter().map(|(_, pose)| *pose).collect();
+    let found = displace(&surfaces, &starts, allow_reflection, &DisplacementOptions::default(), observer)?;
+    let Some(found) = found else { return Ok(None) };
     answer.labeling = found.images.iter().map(|image| image.label).collect();
-    answer.confidence = found.images.iter().map(|image| image.confidence).collect();
+    let reliability = reliability(&found);
+    let trust = if reliability.reliable { 1.0 } else { UNRELIABLE_CONFIDENCE };
+    answer.no_counterpart = without_counterpart(target.full.mesh(), &found.images);
+    answer.confidence = found
+        .images
+        .iter()
+        .zip(&answer.no_counterpart)
+        .map(|(image, &alone)| if alone { 0.0 } else { trust * image.confidence })
+        .collect();
     answer.spread_mm = found.images.iter().map(|image| image.spread_mm).collect();
+    answer.points = Some(found.images.iter().map(|image| image.closest).collect());
+    answer.moved = Some(found.images.iter().map(|image| image.moved).collect());
+    answer.poses = found.judged.iter().map(|judged| document(scene, &poses, judged, &found.transform)).collect();
+    answer.reliability = Some(reliability);
     answer.transform = found.transform;
-    if let Some(model) = model {
-        let energy = model.energy(&answer.labeling);
-        let round = answer.rounds.last().map_or(0, |r| r.round);
-        observer.trace(&TracePoint {
-            energy: Some(energy.total()),
-            energy_unary: Some(energy.unary),
-            energy_pairwise: Some(energy.pairwise),
-            lower_bound: answer.lower_bound,
-            ..TracePoint::new(round, Phase::Refinement, 1)
-        });
+    observer.progress(rounds::PROGRESS_AT_END);
+    let Some(model) = model else { return Ok(None) };
+    let mut labeling = vec![0; model.variables.n_vertices()];
+    // Of the vertices of a cell its site is one, and it is the one whose image counts.
+    for (i, &k) in source.cells.iter().enumerate() {
+        if source.full.surface.original[i] == source.energy.surface.original[k as usize] {
+            labeling[k as usize] = target.cells[answer.labeling[i] as usize];
+        }
     }
-    Ok(())
+    let energy = model.energy(&labeling);
+    let round = answer.rounds.last().map_or(0, |r| r.round);
+    observer.trace(&TracePoint {
+        energy: Some(energy.total()),
+        energy_unary: Some(energy.unary),
+        energy_pairwise: Some(energy.pairwise),
+        lower_bound: answer.lower_bound,
+        ..TracePoint::new(round, Phase::Displacement, 1)
+    });
+    Ok(Some(labeling))
+}
+
+/// A followed pose as the result states it.
+fn document(
+    scene: &Scene<'_>,
+    poses: &[(PoseOrigin, RigidTransform)],
+    judged: &JudgedPose,
+    answered: &RigidTransform,
+) -> PoseDocument {
+    let (origin, pose) = poses[judged.pose];
+    let source = scene.source.mesh().vertices();
+    let step = source.len().div_ceil(SAMPLE);
+    let squares: Vec<f64> = source
+        .iter()
+        .step_by(step)
+        .map(|p| {
+            let moved = pose.apply(p);
+            (scene.closest.index.closest(&moved).point - moved).norm_squared()
+        })
+        .collect();
+    PoseDocument {
+        origin,
+        matrix: pose.matrix(),
+        angle_deg: pose.angle_to(answered).to_degrees(),
+        rms_mm: (squares.iter().sum::<f64>() / squares.len() as f64).sqrt(),
+        misfit: Some(judged.misfit),
+        mirrored: judged.mirrored,
+    }
 }

@@ -1,9 +1,10 @@
-//! From two surfaces to an outcome: the energy, its rounds, and what is reported.
+//! From two surfaces to an outcome: the energy, its rounds, the displacement, and what is reported.
 
 use super::bending::bend;
+use super::levels::Levels;
 use super::parameters::{Algorithm, DisplacementMode, MatchParameters};
-use super::prepare::{Side, build_model};
-use super::report::outcome;
+use super::prepare::build_model;
+use super::report::{energy, outcome};
 use super::rounds::Matcher;
 use super::scene::Scene;
 use super::{MatchError, MatchOutcome, bound, registration_only};
@@ -17,24 +18,31 @@ pub(super) fn run(
     observer: &dyn Observer,
 ) -> Result<MatchOutcome, MatchError> {
     observer.phase(Phase::Features);
-    let (source, target) = (Side::new(source), Side::new(target));
-    let scene = Scene::new(&source, &target, parameters, observer);
+    let (source, target) = rayon::join(|| Levels::new(source, parameters), || Levels::new(target, parameters));
+    let scene = Scene::new(&source.full, &target.full, parameters, observer);
+    let bends = parameters.displacement.mode == DisplacementMode::Smooth;
     if parameters.inference.algorithm == Algorithm::None {
         let mut answer = registration_only::register(&scene)?;
-        if parameters.displacement.mode == DisplacementMode::Smooth {
-            bend(&scene, None, &mut answer)?;
+        if bends {
+            bend(&scene, (&source, &target), None, &mut answer)?;
         }
         observer.phase(Phase::Reporting);
         return Ok(outcome(&scene, None, answer));
     }
-    let model = build_model(&source, &target, parameters)?;
+    let model = build_model(&source.energy, &target.energy, parameters)?;
     checkpoint(observer)?;
     observer.progress(0.05);
     let lower_bound = bound::lower_bound(&model, parameters.inference.lower_bound_iterations, observer)?;
-    let mut answer = Matcher { scene: &scene, model: &model, lower_bound }.rounds()?;
-    if parameters.displacement.mode == DisplacementMode::Smooth {
-        bend(&scene, Some(&model), &mut answer)?;
+    let level = Scene::new(&source.energy, &target.energy, parameters, observer);
+    let mut answer = Matcher { scene: &level, model: &model, lower_bound }.rounds()?;
+    let mut labeling = answer.labeling.clone();
+    if !(source.is_direct() && target.is_direct()) {
+        registration_only::answer_all(&scene, &mut answer);
+    }
+    if bends {
+        labeling = bend(&scene, (&source, &target), Some(&model), &mut answer)?.unwrap_or(labeling);
     }
     observer.phase(Phase::Reporting);
-    Ok(outcome(&scene, Some(&model), answer))
+    let energy = energy(&model, &labeling, answer.lower_bound);
+    Ok(outcome(&scene, Some(energy), answer))
 }

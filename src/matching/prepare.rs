@@ -1,12 +1,16 @@
 //! From two surfaces to the energy: canonical numbering, features in scale space, and the MRF.
 
 use super::MatchError;
-use super::parameters::{CurvatureEstimator, FeatureKind, FeatureParameters, MatchParameters, PairwiseDistance};
+use super::parameters::{
+    CurvatureEstimator, FeatureKind, FeatureParameters, Landmark, MatchParameters, PairwiseDistance,
+};
 use crate::curvature::{Curvatures, Estimator, ScaleSpace, curvatures, default_radius_mm};
 use crate::geodesic::{LabelDistance, label_neighborhoods};
+use crate::hierarchy::{CoarseSurface, coarsen};
 use crate::mesh::{CanonicalMesh, SurfaceMesh, canonicalize};
 use crate::mrf::{Feature, MrfModel, PairwisePotential, unary_potentials};
-use nalgebra::Vector3;
+use nalgebra::{Point3, Vector3};
+use std::sync::Arc;
 
 /// One surface, ready for the energy.
 pub(super) struct Side {
@@ -14,22 +18,44 @@ pub(super) struct Side {
     pub surface: CanonicalMesh,
     /// Unit normals of its vertices.
     pub normals: Vec<Vector3<f64>>,
+    /// Where features are measured instead, and which vertex of that surface each vertex is: on the triangles of a
+    /// coarse level curvature would be that of the triangles.
+    measured_on: Option<(Arc<Side>, Vec<u32>)>,
 }
 
 impl Side {
     pub fn new(mesh: &SurfaceMesh) -> Self {
         let surface = canonicalize(mesh);
         let normals = surface.mesh.vertex_normals();
-        Side { surface, normals }
+        Side { surface, normals, measured_on: None }
+    }
+
+    /// A coarser level of `finer` of about `n_sites` vertices, and for every vertex of `finer` the one it belongs to.
+    /// `None` where `finer` is as coarse already. Features are those of `finer`, if `inherits`.
+    pub fn coarser(finer: &Arc<Side>, n_sites: usize, inherits: bool) -> Option<(Side, Vec<u32>)> {
+        let CoarseSurface { mesh, sites, cells } = coarsen(finer.mesh(), n_sites)?;
+        let original = sites.iter().map(|&k| finer.surface.original[k as usize]).collect();
+        let normals = mesh.vertex_normals();
+        let measured_on = inherits.then(|| (Arc::clone(finer), sites));
+        Some((Side { surface: CanonicalMesh { mesh, original }, normals, measured_on }, cells))
     }
 
     pub fn mesh(&self) -> &SurfaceMesh {
         &self.surface.mesh
     }
 
+    /// Radius of estimators whose radius is not stated.
+    fn feature_radius_mm(&self) -> f64 {
+        self.measured_on.as_ref().map_or_else(|| default_radius_mm(self.mesh()), |(finer, _)| finer.feature_radius_mm())
+    }
+
     /// Every feature that `parameters` ask for at every scale, one list of values each, in order. `radius_mm` is that of
     /// estimators whose radius is not stated.
     pub fn features(&self, parameters: &MatchParameters, radius_mm: f64) -> Result<Vec<Vec<f64>>, MatchError> {
+        if let Some((finer, sites)) = &self.measured_on {
+            let at_sites = |values: &Vec<f64>| sites.iter().map(|&k| values[k as usize]).collect();
+            return Ok(finer.features(parameters, radius_mm)?.iter().map(at_sites).collect());
+        }
         let flow = ScaleSpace::new(self.mesh());
         // Several features share a scale and an estimator; each pair is measured once.
         let mut measured: Vec<(f64, Estimator, Curvatures)> = Vec::new();
@@ -61,6 +87,26 @@ fn estimator(feature: &FeatureParameters, radius_mm: f64) -> Estimator {
     }
 }
 
+/// What a landmark adds to a unary potential at most, so that a wrong one can be outvoted.
+const LANDMARK_CAP: f64 = 10.0;
+
+/// Adds `min(‖p'_x − q‖² / 2σ², cap)` to the unary potentials of the variable nearest to each landmark, `σ` no smaller
+/// than half an edge: labels lie no closer.
+fn add_landmarks(unary: &mut [f32], source: &Side, target: &Side, landmarks: &[Landmark]) {
+    let labels = target.mesh().vertices();
+    let least_mm = if landmarks.is_empty() { 0.0 } else { 0.5 * target.mesh().mean_edge_length() };
+    for landmark in landmarks {
+        let (p, q) = (Point3::from(landmark.source_mm), Point3::from(landmark.target_mm));
+        let distance = |i: &usize| (source.mesh().vertices()[*i] - p).norm_squared();
+        let nearest = (0..source.mesh().n_vertices()).min_by(|a, b| distance(a).total_cmp(&distance(b)));
+        let Some(variable) = nearest else { continue };
+        let scale = 0.5 / landmark.sigma_mm.max(least_mm).powi(2);
+        for (theta, x) in unary[variable * labels.len()..].iter_mut().zip(labels) {
+            *theta += (scale * (x - q).norm_squared()).min(LANDMARK_CAP) as f32;
+        }
+    }
+}
+
 /// What a broken edge counts under the hard constraint `T → ∞`. `exp(−60)` is far below the floor of every message, so
 /// that messages are those of an infinite truncation, and energies stay numbers.
 const HARD_TRUNCATION: f64 = 60.0;
@@ -68,7 +114,7 @@ const HARD_TRUNCATION: f64 = 60.0;
 /// The energy of matching `source` to `target`.
 pub(super) fn build_model(source: &Side, target: &Side, parameters: &MatchParameters) -> Result<MrfModel, MatchError> {
     // One radius for both, or the coarser surface would look smoother.
-    let radius_mm = default_radius_mm(source.mesh()).max(default_radius_mm(target.mesh()));
+    let radius_mm = source.feature_radius_mm().max(target.feature_radius_mm());
     let (source_values, target_values) =
         rayon::join(|| source.features(parameters, radius_mm), || target.features(parameters, radius_mm));
     let weights = parameters.features.iter().flat_map(|f| f.scales_mm.iter().map(|_| f.weight));
@@ -90,11 +136,13 @@ pub(super) fn build_model(source: &Side, target: &Side, parameters: &MatchParame
         PairwiseDistance::Geodesic => LabelDistance::Geodesic,
     };
     let labels = label_neighborhoods(target.mesh(), energy.neighborhood_rings as usize, distance);
+    let mut unary = unary_potentials(&features, energy.alpha, energy.feature_cap, energy.minkowski_p);
+    add_landmarks(&mut unary, source, target, &parameters.landmarks);
     Ok(MrfModel {
         variables,
         lengths,
         labels,
-        unary: unary_potentials(&features, energy.alpha, energy.feature_cap, energy.minkowski_p),
+        unary,
         pairwise: PairwisePotential {
             beta: energy.beta,
             length_scale: target.mesh().mean_edge_length(),

@@ -49,12 +49,18 @@ pub(super) fn register(scene: &Scene<'_>) -> Result<Answer, MatchError> {
         matrix: pose.matrix(),
         angle_deg: pose.angle_to(&transform).to_degrees(),
         rms_mm,
+        misfit: None,
+        mirrored: pose.is_reflection(),
     });
     let (labeling, confidence, spread_mm) = nearest(scene, &transform);
     Ok(Answer {
         labeling,
         confidence,
         spread_mm,
+        points: None,
+        moved: None,
+        no_counterpart: Vec::new(),
+        reliability: None,
         transform,
         confidence_reached: true,
         trials: 0,
@@ -73,7 +79,11 @@ fn centroid_on_centroid(source: &[Point3<f64>], target: &[Point3<f64>]) -> Rigid
 }
 
 /// The four proper poses, and with `reflections` the four that mirror.
-fn principal_poses(source: &[Point3<f64>], target: &[Point3<f64>], reflections: bool) -> Vec<RigidTransform> {
+pub(super) fn principal_poses(
+    source: &[Point3<f64>],
+    target: &[Point3<f64>],
+    reflections: bool,
+) -> Vec<RigidTransform> {
     let mut poses: Vec<_> = principal_axis_poses(source, target).into_iter().flatten().collect();
     if reflections {
         // A mirrored copy has the same axes, mirrored; what moves it, moves the source after the mirror.
@@ -121,6 +131,11 @@ fn compared(scene: &Scene<'_>, poses: &[RigidTransform]) -> Result<Compared, Mat
     let best = found.first().map(|(_, pose, _)| *pose);
     let best = best.unwrap_or_else(|| centroid_on_centroid(source, scene.target.mesh().vertices()));
     Ok((best, found))
+}
+
+/// Answers every vertex of the source with the nearest of the target after the transform of `answer`.
+pub(super) fn answer_all(scene: &Scene<'_>, answer: &mut Answer) {
+    (answer.labeling, answer.confidence, answer.spread_mm) = nearest(scene, &answer.transform);
 }
 
 /// For every source vertex the nearest vertex of the target after the transform, how much nearer it is than those

@@ -2,16 +2,17 @@
 
 use super::MatchOutcome;
 use super::consistency::topology_consistency_within;
+use super::inverse::inverse;
 use super::outliers::{self, identify_outliers};
 use super::parameters::OrientationSolver as Solver;
 use super::prepare::Side;
 use super::result::{
-    ConsistencyDocument, Correspondences, EnergyDocument, OutlierReason, PoseDocument, RoundDocument,
-    SimilarityDocument, StopReason, SupportDocument, SurfaceDistanceDocument, TransformDocument,
+    ConsistencyDocument, Correspondences, EnergyDocument, OutlierReason, PoseDocument, ReliabilityDocument,
+    RoundDocument, SimilarityDocument, StopReason, SupportDocument, SurfaceDistanceDocument, TransformDocument,
 };
 use super::scene::Scene;
 use crate::graph::LabelNeighborhoods;
-use crate::mesh::{ClosestPointIndex, SurfaceMesh};
+use crate::mesh::{ClosestPoint, ClosestPointIndex, SurfaceMesh};
 use crate::mrf::MrfModel;
 use crate::registration::{OrientationSolver, ProcrustesOptions, RigidTransform, procrustes};
 use nalgebra::Point3;
@@ -22,6 +23,14 @@ pub(super) struct Answer {
     pub labeling: Vec<u32>,
     pub confidence: Vec<f64>,
     pub spread_mm: Vec<f64>,
+    /// Where on the target the images lie, if not on its vertices.
+    pub points: Option<Vec<ClosestPoint>>,
+    /// Where the displacement moves the source, mm, if there is one.
+    pub moved: Option<Vec<Point3<f64>>>,
+    /// Source vertices that the displacement takes to where the target has nothing; empty where none was fitted.
+    pub no_counterpart: Vec<bool>,
+    /// Whether it can be relied on, where a displacement says so.
+    pub reliability: Option<ReliabilityDocument>,
     pub transform: RigidTransform,
     pub confidence_reached: bool,
     pub trials: u64,
@@ -32,8 +41,8 @@ pub(super) struct Answer {
     pub lower_bound: Option<f64>,
 }
 
-/// The outcome of `answer`; energies are those of `model`, if there is one.
-pub(super) fn outcome(scene: &Scene<'_>, model: Option<&MrfModel>, answer: Answer) -> MatchOutcome {
+/// The outcome of `answer`.
+pub(super) fn outcome(scene: &Scene<'_>, energy: Option<EnergyDocument>, answer: Answer) -> MatchOutcome {
     let n = answer.labeling.len();
     let source = scene.source.mesh();
     let images = scene.images(&answer.labeling);
@@ -44,7 +53,15 @@ pub(super) fn outcome(scene: &Scene<'_>, model: Option<&MrfModel>, answer: Answe
     let squares: f64 = supporting.iter().map(|&i| residuals[i] * residuals[i]).sum();
     let rings = scene.parameters.energy.neighborhood_rings as usize;
     let labels = LabelNeighborhoods::new(&scene.target.mesh().edge_graph(), rings, |_, _| 0.0);
-    let outlier = outlier_reasons(scene, &labels, &answer.labeling, &residuals);
+    let mut outlier = outlier_reasons(scene, &labels, &answer.labeling, &residuals);
+    for (reason, alone) in outlier.iter_mut().zip(&answer.no_counterpart) {
+        if *alone {
+            *reason = OutlierReason::NoCounterpart;
+        }
+    }
+    let inverse = scene.parameters.both_directions.then(|| inverse(scene, &answer)).flatten().map(Box::new);
+    let points = answer.points.unwrap_or_else(|| on_vertices(scene.target.mesh(), &answer.labeling));
+    let as_uploaded = |x: u32| scene.target.surface.original[x as usize];
     // Back to the numbering of the inputs, in its order.
     let mut rows: Vec<(u32, usize)> = scene.source.surface.original.iter().copied().zip(0..n).collect();
     rows.sort_unstable();
@@ -55,6 +72,9 @@ pub(super) fn outcome(scene: &Scene<'_>, model: Option<&MrfModel>, answer: Answe
         inlier: rows.iter().map(|&(_, i)| inlier[i]).collect(),
         spread_mm: rows.iter().map(|&(_, i)| answer.spread_mm[i]).collect(),
         outlier: rows.iter().map(|&(_, i)| outlier[i]).collect(),
+        triangle: rows.iter().map(|&(_, i)| points[i].triangle.map(as_uploaded)).collect(),
+        barycentric: rows.iter().map(|&(_, i)| points[i].barycentric).collect(),
+        inverse,
     };
     MatchOutcome {
         transform: TransformDocument {
@@ -70,25 +90,47 @@ pub(super) fn outcome(scene: &Scene<'_>, model: Option<&MrfModel>, answer: Answe
             confidence_reached: answer.confidence_reached,
         },
         surface_distance: surface_distance(scene.source, scene.target.mesh(), &scene.closest.index, &answer.transform),
-        energy: model.map(|model| energy(model, &answer)),
+        energy,
         topology: topology(scene, &answer.transform, &labels, &answer.labeling),
         rounds: answer.rounds,
         poses: answer.poses,
+        reliability: answer.reliability,
         ambiguous_axes: answer.ambiguous_axes,
         correspondences,
         stop_reason: answer.stop_reason,
     }
 }
 
-fn energy(model: &MrfModel, answer: &Answer) -> EnergyDocument {
-    let found = model.energy(&answer.labeling);
+/// Labels as points: each the corner of a triangle around it.
+fn on_vertices(target: &SurfaceMesh, labeling: &[u32]) -> Vec<ClosestPoint> {
+    let mut around: Vec<Option<[u32; 3]>> = vec![None; target.n_vertices()];
+    for triangle in target.triangles() {
+        for corner in triangle {
+            around[corner as usize].get_or_insert(triangle);
+        }
+    }
+    let point = |&x: &u32| {
+        let triangle = around[x as usize].unwrap_or([x; 3]);
+        let corner = triangle.iter().position(|&y| y == x).unwrap_or(0);
+        let mut barycentric = [0.0; 3];
+        barycentric[corner] = 1.0;
+        ClosestPoint { point: target.vertices()[x as usize], triangle, barycentric }
+    };
+    labeling.iter().map(point).collect()
+}
+
+/// Energies of `labeling`.
+pub(super) fn energy(model: &MrfModel, labeling: &[u32], lower_bound: Option<f64>) -> EnergyDocument {
+    let found = model.energy(labeling);
     EnergyDocument {
+        n_variables: model.variables.n_vertices() as u32,
+        n_labels: model.labels.n_labels() as u32,
         initial: model.energy(&model.unary_minimum()).total(),
         r#final: found.total(),
         unary: found.unary,
         pairwise: found.pairwise,
-        lower_bound: answer.lower_bound,
-        broken_edges: model.broken_edges(&answer.labeling) as u32,
+        lower_bound,
+        broken_edges: model.broken_edges(labeling) as u32,
     }
 }
 

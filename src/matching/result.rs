@@ -26,6 +26,9 @@ pub struct ResultDocument {
     /// Poses that were compared, the closest first; empty where there was no choice.
     #[serde(default)]
     pub poses: Vec<PoseDocument>,
+    /// Whether the answer can be relied on; absent where no displacement field was fitted.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub reliability: Option<ReliabilityDocument>,
     /// Whether a first-order ellipsoid has two half axes so alike that the rotation about the third is arbitrary.
     #[serde(default)]
     pub ambiguous_axes: bool,
@@ -137,12 +140,60 @@ pub struct PoseDocument {
     pub angle_deg: f64,
     /// Root mean square distance of the moved source from the target, over a sample of the source.
     pub rms_mm: f64,
+    /// How badly it fits after a coarse bending, lower is better; absent where nothing is bent.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub misfit: Option<f64>,
+    /// Whether it mirrors.
+    #[serde(default)]
+    pub mirrored: bool,
+}
+
+/// Whether an answer can be relied on.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, ToSchema)]
+pub struct ReliabilityDocument {
+    /// Whether nothing speaks against it. Where something does, every confidence is a tenth of what it would be.
+    pub reliable: bool,
+    /// What does.
+    pub reasons: Vec<UnreliableReason>,
+    /// How badly the surfaces fit after a coarse bending: the mean over both of `−ln` of how much of a matching surface
+    /// each point sees. Lower is better; about 1 for copies, 1.2 for two subjects.
+    pub misfit: f64,
+    /// The same for the best pose that is turned by 45 degrees or more against the answered one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub runner_up_misfit: Option<f64>,
+    /// The same for the best pose of the other handedness.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub other_handedness_misfit: Option<f64>,
+    /// Correlation of the mean curvatures of corresponding points, in `[−1, 1]`.
+    pub curvature_agreement: f64,
+    /// Mean cosine between the normals of corresponding points.
+    pub normal_agreement: f64,
+    /// Robust standard deviation of the distance between the surfaces after bending, along the normals.
+    pub residual_mm: f64,
+}
+
+/// What speaks against an answer.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize, ToSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum UnreliableReason {
+    /// Corresponding points have different curvatures or normals: the surfaces show different structures.
+    UnlikeShape,
+    /// A mirrored copy of the source fits better: the two are of different sides, or one image is mirrored.
+    OtherHandedness,
+    /// Another pose fits as well.
+    AmbiguousPose,
 }
 
 /// Where a pose comes from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum PoseOrigin {
+    /// RANSAC over the labeling of lowest energy, refined.
+    Inference,
+    /// Registration without an energy.
+    Registration,
+    /// The landmarks of the request.
+    Landmarks,
     /// Principal axes laid on principal axes.
     PrincipalAxes,
     /// First-order ellipsoids laid on each other.
@@ -180,6 +231,12 @@ pub struct SurfaceDistanceDocument {
 /// Energies of labelings, lower is better.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, ToSchema)]
 pub struct EnergyDocument {
+    /// Variables of the energy: source vertices, or those of its coarse level.
+    #[serde(default)]
+    pub n_variables: u32,
+    /// Labels of each: target vertices, or those of its coarse level.
+    #[serde(default)]
+    pub n_labels: u32,
     /// Of the labeling that each unary potential prefers alone.
     pub initial: f64,
     /// Of the labeling that is answered.
@@ -231,6 +288,16 @@ pub struct Correspondences {
     /// Whether and why it is an outlier.
     #[serde(default)]
     pub outlier: Vec<OutlierReason>,
+    /// The target triangle on which its image lies, by its vertices; of a quad, half of it.
+    #[serde(default)]
+    pub triangle: Vec<[u32; 3]>,
+    /// Where on it: the weights of the three vertices, not negative and of sum 1.
+    #[serde(default)]
+    pub barycentric: Vec<[f64; 3]>,
+    /// The map the other way, if it was asked for: `source` counts vertices of the target, all else is on the source.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schema(no_recursion)]
+    pub inverse: Option<Box<Correspondences>>,
 }
 
 /// Why a correspondence is an outlier.
@@ -246,6 +313,8 @@ pub enum OutlierReason {
     Neighborhood,
     /// Both.
     Both,
+    /// The target has nothing where the displacement takes it.
+    NoCounterpart,
 }
 
 impl OutlierReason {
@@ -256,10 +325,12 @@ impl OutlierReason {
             OutlierReason::Residual => "residual",
             OutlierReason::Neighborhood => "neighborhood",
             OutlierReason::Both => "both",
+            OutlierReason::NoCounterpart => "no_counterpart",
         }
     }
 
-    /// The number used where columns hold numbers: 0 none, 1 residual, 2 neighbourhood, 3 both.
+    /// The number used where columns hold numbers: 0 none, 1 residual, 2 neighbourhood, 3 both, 4 no
+    /// counterpart.
     pub fn code(self) -> u8 {
         self as u8
     }
@@ -268,13 +339,16 @@ impl OutlierReason {
 impl Correspondences {
     /// The columns as CSV (RFC 4180): a header, then a line for each correspondence.
     pub fn to_csv(&self) -> String {
-        let mut text = String::with_capacity(48 * self.source.len() + 60);
-        text.push_str("source,target,confidence,inlier,spread_mm,outlier\r\n");
+        let mut text = String::with_capacity(120 * self.source.len() + 150);
+        text.push_str("source,target,confidence,inlier,spread_mm,outlier,");
+        text.push_str("triangle_0,triangle_1,triangle_2,barycentric_0,barycentric_1,barycentric_2\r\n");
         for row in 0..self.source.len() {
             let (source, target, inlier) = (self.source[row], self.target[row], self.inlier[row]);
             let (confidence, spread, outlier) = (self.confidence[row], self.spread_mm[row], self.outlier[row].name());
             // Writing to a string cannot fail.
-            let _ = write!(text, "{source},{target},{confidence},{inlier},{spread},{outlier}\r\n");
+            let _ = write!(text, "{source},{target},{confidence},{inlier},{spread},{outlier},");
+            let ([a, b, c], [u, v, w]) = (self.triangle[row], self.barycentric[row]);
+            let _ = write!(text, "{a},{b},{c},{u},{v},{w}\r\n");
         }
         text
     }
@@ -288,9 +362,13 @@ impl Correspondences {
         if self.outlier.is_empty() {
             self.outlier = vec![OutlierReason::None; n];
         }
+        if self.triangle.is_empty() {
+            self.triangle = self.target.iter().map(|&x| [x; 3]).collect();
+            self.barycentric = vec![[1.0, 0.0, 0.0]; n];
+        }
         let lengths =
             [self.target.len(), self.confidence.len(), self.inlier.len(), self.spread_mm.len(), self.outlier.len()];
-        (lengths == [n; 5]).then_some(self)
+        (lengths == [n; 5] && [self.triangle.len(), self.barycentric.len()] == [n; 2]).then_some(self)
     }
 }
 
@@ -351,9 +429,17 @@ mod tests {
             inlier: vec![true, false],
             spread_mm: vec![0.25, 3.0],
             outlier: vec![OutlierReason::None, OutlierReason::Residual],
+            triangle: vec![[5, 6, 7], [2, 3, 4]],
+            barycentric: vec![[0.5, 0.25, 0.25], [0.0, 0.0, 1.0]],
+            inverse: None,
         };
-        let expected =
-            "source,target,confidence,inlier,spread_mm,outlier\r\n0,5,0.5,true,0.25,none\r\n1,4,1,false,3,residual\r\n";
-        assert_eq!(columns.to_csv(), expected);
+        let text = columns.to_csv();
+        let expected = [
+            "source,target,confidence,inlier,spread_mm,outlier,\
+             triangle_0,triangle_1,triangle_2,barycentric_0,barycentric_1,barycentric_2",
+            "0,5,0.5,true,0.25,none,5,6,7,0.5,0.25,0.25",
+            "1,4,1,false,3,residual,2,3,4,0,0,1",
+        ];
+        assert_eq!(text.split_terminator("\r\n").collect::<Vec<_>>(), expected);
     }
 }

@@ -3,7 +3,7 @@
 use super::MatchError;
 use super::clamping::{SoftClamp, SoftWeights, clamp_hard};
 use super::minimiser::{Labeled, Minimiser, minimiser};
-use super::parameters::{ClampingMode, MinimalEstimator};
+use super::parameters::{ClampingMode, DisplacementMode, MatchParameters, MinimalEstimator};
 use super::report::{Answer, solver};
 use super::result::{Feedback, RoundDocument};
 use super::rivals::rival_pose;
@@ -21,16 +21,29 @@ fn later_iterations(first: u32) -> u32 {
     first.div_ceil(4).max(2)
 }
 
+/// The share of a match that is done when its rounds are.
+pub(super) fn progress_after_rounds(parameters: &MatchParameters) -> f64 {
+    match parameters.displacement.mode {
+        DisplacementMode::None => PROGRESS_AT_END,
+        DisplacementMode::Smooth => 0.4,
+    }
+}
+
+/// The share of a match that is done when only the report is to be made.
+pub(super) const PROGRESS_AT_END: f64 = 0.95;
+
 /// Counts rounds and iterations, and how much of the planned work they are.
 struct Schedule {
     rounds: u32,
     iterations: u32,
     planned: u32,
+    /// The share of a whole match that is done after the rounds.
+    until: f64,
 }
 
 impl Schedule {
-    fn new(first: u32, n_rounds: u32) -> Self {
-        Schedule { rounds: 0, iterations: 0, planned: first + n_rounds * later_iterations(first) }
+    fn new(first: u32, n_rounds: u32, until: f64) -> Self {
+        Schedule { rounds: 0, iterations: 0, planned: first + n_rounds * later_iterations(first), until }
     }
 
     /// The number of the round that begins.
@@ -42,7 +55,7 @@ impl Schedule {
     /// One more iteration is done; the share of the whole work.
     fn progress(&mut self) -> f64 {
         self.iterations += 1;
-        0.05 + 0.9 * (f64::from(self.iterations) / f64::from(self.planned)).min(1.0)
+        0.05 + (self.until - 0.05) * (f64::from(self.iterations) / f64::from(self.planned)).min(1.0)
     }
 }
 
@@ -68,7 +81,7 @@ impl Matcher<'_> {
         let p = self.scene.parameters;
         let mode = p.clamping.mode;
         let n_rounds = if mode == ClampingMode::None { 0 } else { p.clamping.max_rounds };
-        let mut schedule = Schedule::new(p.inference.max_iterations, n_rounds);
+        let mut schedule = Schedule::new(p.inference.max_iterations, n_rounds, progress_after_rounds(p));
         let mut minimiser = minimiser(self.model, p, self.lower_bound);
         let mut log = Vec::new();
         let mut best =
@@ -105,6 +118,10 @@ impl Matcher<'_> {
             labeling: best.labeled.labeling,
             confidence: best.labeled.confidence,
             spread_mm: best.labeled.spread_mm,
+            points: None,
+            moved: None,
+            no_counterpart: Vec::new(),
+            reliability: None,
             transform: best.transform,
             confidence_reached: best.registration.confidence_reached,
             trials,

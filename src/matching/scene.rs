@@ -1,7 +1,7 @@
 //! What every step of a match looks at: both surfaces, the parameters, and who watches.
 
 use super::MatchError;
-use super::parameters::{MatchParameters, Refinement};
+use super::parameters::{DisplacementMode, MatchParameters, Refinement};
 use super::prepare::Side;
 use super::surface_index::SurfaceIndex;
 use crate::observe::{Observer, Phase};
@@ -13,6 +13,8 @@ const TOLERANCE_EDGES: f64 = 3.0;
 /// Share of the source vertices that ICP keeps: the rest may have no counterpart.
 const ICP_KEEP: f64 = 0.9;
 const ICP_ITERATIONS: u32 = 100;
+/// Steps at most where a displacement field follows: it wants a pose, not the last digit.
+const ICP_ITERATIONS_OF_A_START: u32 = 15;
 const ICP_TOLERANCE: f64 = 1e-6;
 
 /// Two surfaces that are being matched.
@@ -61,7 +63,11 @@ impl<'a> Scene<'a> {
             Refinement::PointToPlane => IcpMetric::PointToPlane,
         };
         self.observer.phase(Phase::Refinement);
-        let options = IcpOptions { metric, keep: ICP_KEEP, max_iterations: ICP_ITERATIONS, tolerance: ICP_TOLERANCE };
+        let max_iterations = match self.parameters.displacement.mode {
+            DisplacementMode::None => ICP_ITERATIONS,
+            DisplacementMode::Smooth => ICP_ITERATIONS_OF_A_START,
+        };
+        let options = IcpOptions { metric, keep: ICP_KEEP, max_iterations, tolerance: ICP_TOLERANCE };
         let report = refine_icp(self.source.mesh().vertices(), &self.closest, start, &options, self.observer)?;
         Ok(report.target_from_source)
     }

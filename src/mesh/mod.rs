@@ -5,6 +5,7 @@
 //! closed, manifold and of genus 0 is a question for [`topology`], and what can be mended is mended by
 //! [`repair`].
 
+mod boundary;
 mod canonical;
 mod closest;
 mod geometry;

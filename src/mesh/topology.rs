@@ -180,6 +180,14 @@ pub fn topology_report(mesh: &SurfaceMesh) -> TopologyReport {
 ///
 /// Cost `O(faces log faces)`.
 pub fn analyze(mesh: &SurfaceMesh) -> Analysis {
+    analyze_with(mesh, false)
+}
+
+/// As [`analyze`]; with `may_end`, a boundary is no fault, and an open surface needs no genus. It looks outwards if it
+/// does so as seen from its centroid.
+///
+/// Cost `O(faces log faces)`.
+pub fn analyze_with(mesh: &SurfaceMesh, may_end: bool) -> Analysis {
     let edges = EdgeUses::new(mesh);
     let mut fans = DisjointSets::new(mesh.indices().len());
     let mut faults = EdgeFaults::default();
@@ -215,7 +223,7 @@ pub fn analyze(mesh: &SurfaceMesh) -> Analysis {
         area_mm2: mesh.area(),
         volume_mm3: closed.then(|| mesh.signed_volume()),
     };
-    let fault = first_fault(mesh, &report, &faults, &torn, &n_fans, &components);
+    let fault = first_fault(mesh, &report, &faults, &torn, &n_fans, &components, may_end);
     Analysis { report, fault }
 }
 
@@ -226,6 +234,7 @@ fn first_fault(
     torn: &[u32],
     n_fans: &[u32],
     components: &Components,
+    may_end: bool,
 ) -> Option<SurfaceFault> {
     let v = mesh.vertices();
     let middle = |e: [u32; 2]| -> [f64; 3] { nalgebra::center(&v[e[0] as usize], &v[e[1] as usize]).into() };
@@ -233,7 +242,7 @@ fn first_fault(
         let (n_edges, n_faces) = (faults.many.n, faults.many.n_faces);
         return Some(SurfaceFault::NonManifoldEdge { n_edges, edge, n_faces, place_mm: middle(edge) });
     }
-    if let Some(edge) = faults.boundary.first {
+    if let Some(edge) = faults.boundary.first.filter(|_| !may_end) {
         return Some(SurfaceFault::Boundary { n_edges: faults.boundary.n, edge, place_mm: middle(edge) });
     }
     if let Some(&vertex) = torn.first() {
@@ -257,7 +266,11 @@ fn first_fault(
     if let Some(genus) = report.genus.filter(|&g| g > 0) {
         return Some(SurfaceFault::Genus { genus });
     }
-    let volume_mm3 = report.volume_mm3.unwrap_or_default();
+    let Some(volume_mm3) = report.volume_mm3 else {
+        // Open: faces of a nearly flat piece look neither way, and it may stay as it is.
+        let volume_mm3 = mesh.signed_volume();
+        return (volume_mm3 < 0.0).then_some(SurfaceFault::InsideOut { volume_mm3 });
+    };
     if volume_mm3.abs() <= FLAT_RTOL * report.area_mm2.powf(1.5) {
         return Some(SurfaceFault::NoVolume { volume_mm3 });
     }

@@ -65,6 +65,19 @@ fn a_missing_face_is_named_with_its_edge() {
 }
 
 #[test]
+fn a_surface_that_may_end_needs_only_one_oriented_piece() {
+    let (v, f) = tetrahedron(0.0);
+    let open = f[..9].to_vec();
+    let judged = |indices: Vec<u32>| analyze_with(&mesh(v.clone(), indices), true).fault;
+    assert_eq!(judged(open.clone()), None);
+    let turned = open.chunks_exact(3).flat_map(|t| [t[0], t[2], t[1]]).collect();
+    assert!(matches!(judged(turned), Some(SurfaceFault::InsideOut { .. })));
+    let mut twisted = open;
+    twisted.swap(0, 1);
+    assert!(matches!(judged(twisted), Some(SurfaceFault::Misoriented { .. })));
+}
+
+#[test]
 fn two_tetrahedra_at_a_vertex_an_edge_or_apart() {
     let (v, f) = tetrahedron(0.0);
     let (w, g) = tetrahedron(5.0);

@@ -73,9 +73,14 @@ impl Engine for MatchEngine {
         })
     }
 
-    fn check_pair(&self, source: &InputSummary, target: &InputSummary) -> Result<(), InputRefusal> {
+    fn check_pair(&self, source: &InputSummary, target: &InputSummary, parameters: &Value) -> Result<(), InputRefusal> {
+        let parameters = effective(parameters).map_err(|failure| InputRefusal {
+            code: failure.code,
+            detail: failure.detail,
+            topology: None,
+        })?;
         let source = (source.n_vertices as usize, source.n_faces as usize);
-        check_size(source, target.n_vertices as usize, &self.limits).map_err(|error| InputRefusal {
+        check_size(source, target.n_vertices as usize, &parameters, &self.limits).map_err(|error| InputRefusal {
             code: "too-large".to_owned(),
             detail: error.to_string(),
             topology: None,

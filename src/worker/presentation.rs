@@ -36,9 +36,10 @@ pub fn present(part: ResultPart, format: PartFormat, stored: &[&[u8]]) -> Result
 }
 
 fn table(pairs: &Correspondences, format: PartFormat) -> Option<Vec<u8>> {
-    let Correspondences { source, target, confidence, inlier, spread_mm, outlier } = pairs;
+    let Correspondences { source, target, confidence, inlier, spread_mm, outlier, triangle, barycentric, .. } = pairs;
     let outlier: Vec<u8> = outlier.iter().map(|reason| reason.code()).collect();
-    let columns = PairColumns { source, target, confidence, inlier, spread_mm, outlier: &outlier };
+    let columns =
+        PairColumns { source, target, confidence, inlier, spread_mm, outlier: &outlier, triangle, barycentric };
     match format {
         PartFormat::Csv => Some(pairs.to_csv().into_bytes()),
         PartFormat::Npy => Some(write_npy(&columns)),
@@ -134,6 +135,7 @@ mod tests {
             inlier: vec![true, false, true],
             spread_mm: vec![0.5, 3.0, 1.0],
             outlier: vec![OutlierReason::None, OutlierReason::Both, OutlierReason::Residual],
+            ..Correspondences::default()
         };
         let arrays = vertex_arrays(&pairs, 5);
         let values: Vec<_> = arrays.into_iter().map(|array| (array.name, array.values)).collect();

@@ -63,7 +63,8 @@ async fn correspondences_come_as_json_and_as_csv() {
     let text = by_query.text().await.unwrap();
     assert_eq!(
         text,
-        "source,target,confidence,inlier,spread_mm,outlier\r\n0,1,0.5,true,0,none\r\n1,0,0.25,false,0,none\r\n"
+        "source,target,confidence,inlier,spread_mm,outlier,triangle_0,triangle_1,triangle_2,\
+         barycentric_0,barycentric_1,barycentric_2\r\n0,1,0.5,true,0,none,1,1,1,1,0,0\r\n1,0,0.25,false,0,none,0,0,0,1,0,0\r\n"
     );
     let request = service.client.get(format!("{}{path}", service.base)).header("accept", "text/csv");
     assert_eq!(request.send().await.unwrap().text().await.unwrap(), text);

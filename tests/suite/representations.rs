@@ -153,7 +153,7 @@ async fn every_part_comes_in_every_format_it_has() {
     let csv = String::from_utf8(bytes(&service, &format!("{job}/correspondences?format=csv")).await).unwrap();
     assert_eq!(csv.lines().count(), n + 1);
     let npy = bytes(&service, &format!("{job}/correspondences?format=npy")).await;
-    for (row, record) in npy[npy.len() - 26 * n..].chunks_exact(26).enumerate() {
+    for (row, record) in npy[npy.len() - 62 * n..].chunks_exact(62).enumerate() {
         let number = |at: usize| u64::from(u32::from_le_bytes(*record[at..].first_chunk().unwrap()));
         assert_eq!((number(0), number(4)), (column_u64(&columns, "source", row), column_u64(&columns, "target", row)));
         let confidence = f64::from_le_bytes(*record[8..].first_chunk().unwrap());

@@ -2,12 +2,11 @@
 
 use super::{About, Body, Experiment, sentences};
 use crate::experiment::document::{Axis, Plot, PlotKind};
-use crate::experiment::measure::observed_match;
+use crate::experiment::measure::{observed_match, studied};
 use crate::experiment::pairs::Pair;
 use crate::experiment::results::{Metric, Results};
 use crate::experiment::study::{SYNTHETIC, Study};
 use crate::experiment::units::{Measurement, Unit};
-use crate::matching::parameters::resolve;
 use crate::matching::{energy_model, match_memory_bytes};
 use crate::phantom::DEFAULT_EDGE_MM;
 use serde_json::{Value, json};
@@ -39,10 +38,11 @@ fn compare(pair: &Pair, product: &str, study: &Study<'_>) -> Result<Measurement,
     let pairs = first.correspondences.target.iter().zip(&second.correspondences.target);
     let equal = pairs.filter(|(a, b)| a == b).count() as f64 / first.correspondences.target.len().max(1) as f64;
     let energy = |m: &Measurement| m.values.get("energy_final").copied().unwrap_or(f64::NAN);
-    let parameters = resolve(&request("sparse", product)).map_err(|_| "the sparse update is not known".to_owned())?;
+    let parameters = studied(&request("sparse", product))?;
     let model = energy_model(&pair.source, &pair.target, &parameters).map_err(|e| e.to_string())?;
     let (n, mib) = (model.n_labels() as f64, f64::from(1 << 20));
-    let messages = match_memory_bytes((pair.source.n_vertices(), pair.source.n_faces()), pair.target.n_vertices());
+    let messages =
+        match_memory_bytes((pair.source.n_vertices(), pair.source.n_faces()), pair.target.n_vertices(), &parameters);
     let (sparse_ms, full_ms) = (time(&sparse), time(&full));
     Ok(Measurement::default()
         .with("vertices", pair.source.n_vertices() as f64)

@@ -65,7 +65,8 @@ pub async fn result(
 ///
 /// As a table with a row for each pair: JSON in columns, CSV, NumPy (`.npy`, one structured array) or Arrow (IPC file,
 /// also known as Feather 2), each with `source`, `target`, `confidence`, `inlier`,
-/// `spread_mm` and `outlier`, a word in JSON and CSV, else 0 none, 1 residual, 2 neighborhood, 3 both.
+/// `spread_mm` and `outlier`, a word in JSON and CSV, else 0 none, 1 residual, 2 neighborhood, 3 both, 4 no_counterpart; and the point of
+/// the target that is the image, between vertices: its `triangle` and `barycentric` weights, three numbers each.
 ///
 /// Or as the source surface with these values for each vertex: PLY (properties), legacy VTK (`POINT_DATA`) or GIFTI
 /// (further data arrays; single precision, quads cut in two). A vertex without a correspondence has `target` −1,

@@ -13,6 +13,10 @@ pub struct InferenceParameters {
     pub update: Update,
     /// In which order belief propagation updates messages.
     pub schedule: MessageSchedule,
+    /// The energy of larger surfaces is that of coarse levels of about so many vertices, and every vertex is answered
+    /// after registration; `null`: every vertex is a variable, every target vertex a label.
+    #[schema(minimum = 100, maximum = 20000)]
+    pub coarse_vertices: Option<u32>,
     /// Iterations of belief propagation, or sweeps of a randomised minimiser, in the first round at most.
     #[schema(minimum = 1, maximum = 100000)]
     pub max_iterations: u32,

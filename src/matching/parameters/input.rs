@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 use utoipa::ToSchema;
 
-/// How a file becomes a closed surface of genus 0.
+/// How a file becomes a surface.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, ToSchema)]
 #[serde(deny_unknown_fields)]
 pub struct InputParameters {
@@ -16,6 +16,8 @@ pub struct InputParameters {
     pub smoothing_mm: f64,
     /// Repairs allowed; `null`: `largest_component` and `fill` for label volumes, none for meshes.
     pub repair: Option<Vec<Repair>>,
+    /// Whether a mesh may have a boundary: a piece of a structure, or one that is cut open. Tunnels then are no fault.
+    pub allow_boundary: bool,
 }
 
 /// Which surface is made of a label volume.

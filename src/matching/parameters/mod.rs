@@ -7,6 +7,7 @@ mod displacement;
 mod energy;
 mod inference;
 mod input;
+mod landmarks;
 mod presets;
 mod ranges;
 mod registration;
@@ -19,6 +20,7 @@ pub use inference::{
     MessageSchedule, Update,
 };
 pub use input::{InputParameters, Repair, SurfaceKind};
+pub use landmarks::Landmark;
 pub use presets::{Method, preset};
 pub use registration::{InitialPose, MinimalEstimator, OrientationSolver, Refinement, RegistrationParameters};
 pub use resolve::resolve;
@@ -46,6 +48,11 @@ pub struct MatchParameters {
     pub registration: RegistrationParameters,
     /// The smooth displacement field after it.
     pub displacement: DisplacementParameters,
+    /// Points that are known to correspond: they enter the unary potentials, the poses and the displacement field.
+    #[schema(max_items = 1000)]
+    pub landmarks: Vec<Landmark>,
+    /// Whether the map from target to source is answered too.
+    pub both_directions: bool,
     /// Seed of everything that is drawn at random.
     pub seed: u64,
 }

@@ -100,27 +100,33 @@ impl Method {
 /// The effective parameters of a preset.
 pub fn preset(method: Method) -> MatchParameters {
     let balanced = MatchParameters { method, ..balanced() };
-    let annealed = |algorithm, sweeps| MatchParameters {
-        inference: InferenceParameters { algorithm, max_iterations: sweeps, ..balanced.inference.clone() },
+    // Methods that are there to be studied minimise the energy of all vertices and answer with its labels.
+    let direct = MatchParameters {
+        inference: InferenceParameters { coarse_vertices: None, ..balanced.inference.clone() },
+        displacement: DisplacementParameters { mode: DisplacementMode::None },
         ..balanced.clone()
+    };
+    let annealed = |algorithm, sweeps| MatchParameters {
+        inference: InferenceParameters { algorithm, max_iterations: sweeps, ..direct.inference.clone() },
+        ..direct.clone()
     };
     // Nobody minimises an energy, so that nothing can be fed back to it.
     let registration_only = |initial, refine| MatchParameters {
-        inference: InferenceParameters { algorithm: Algorithm::None, ..balanced.inference.clone() },
+        inference: InferenceParameters { algorithm: Algorithm::None, ..direct.inference.clone() },
         clamping: ClampingParameters { mode: ClampingMode::None, max_rounds: 0 },
-        registration: RegistrationParameters { initial, refine, ..balanced.registration.clone() },
-        ..balanced.clone()
+        registration: RegistrationParameters { initial, refine, ..direct.registration.clone() },
+        ..direct.clone()
     };
     match method {
         Method::Balanced => balanced,
         Method::Thesis => MatchParameters {
             features: vec![feature(FeatureKind::GaussianCurvature, default_scales())],
             clamping: ClampingParameters { mode: ClampingMode::Hard, max_rounds: 3 },
-            registration: RegistrationParameters { refine: Refinement::None, ..balanced.registration },
-            ..balanced
+            registration: RegistrationParameters { refine: Refinement::None, ..direct.registration },
+            ..direct
         },
         Method::Fast => MatchParameters {
-            inference: InferenceParameters { max_iterations: 12, ..balanced.inference },
+            inference: InferenceParameters { max_iterations: 12, coarse_vertices: Some(400), ..balanced.inference },
             clamping: ClampingParameters { mode: ClampingMode::Soft, max_rounds: 1 },
             ..balanced
         },
@@ -128,9 +134,8 @@ pub fn preset(method: Method) -> MatchParameters {
             features: [FeatureKind::GaussianCurvature, FeatureKind::MeanCurvature]
                 .map(|kind| feature(kind, vec![1.0, 1.4, 2.0, 2.8, 4.5]))
                 .to_vec(),
-            inference: InferenceParameters { max_iterations: 80, ..balanced.inference },
+            inference: InferenceParameters { max_iterations: 80, coarse_vertices: Some(1500), ..balanced.inference },
             clamping: ClampingParameters { mode: ClampingMode::Soft, max_rounds: 6 },
-            displacement: DisplacementParameters { mode: DisplacementMode::Smooth },
             ..balanced
         },
         Method::Rigid => registration_only(InitialPose::PrincipalAxes, Refinement::PointToPoint),
@@ -149,7 +154,13 @@ fn feature(kind: FeatureKind, scales_mm: Vec<f64>) -> FeatureParameters {
 fn balanced() -> MatchParameters {
     MatchParameters {
         method: Method::Balanced,
-        input: InputParameters { labels: None, surface: SurfaceKind::Smooth, smoothing_mm: 0.7, repair: None },
+        input: InputParameters {
+            labels: None,
+            surface: SurfaceKind::Smooth,
+            smoothing_mm: 0.7,
+            repair: None,
+            allow_boundary: false,
+        },
         features: vec![
             feature(FeatureKind::GaussianCurvature, default_scales()),
             feature(FeatureKind::MeanCurvature, default_scales()),
@@ -167,6 +178,7 @@ fn balanced() -> MatchParameters {
             algorithm: Algorithm::MaxProduct,
             update: Update::Sparse,
             schedule: MessageSchedule::Flooding,
+            coarse_vertices: Some(700),
             max_iterations: 40,
             damping: 0.5,
             tolerance: 1e-5,
@@ -191,7 +203,9 @@ fn balanced() -> MatchParameters {
             similarity: false,
             refine: Refinement::PointToPoint,
         },
-        displacement: DisplacementParameters { mode: DisplacementMode::None },
+        displacement: DisplacementParameters { mode: DisplacementMode::Smooth },
+        landmarks: Vec::new(),
+        both_directions: false,
         seed: 0,
     }
 }

@@ -44,6 +44,11 @@ pub(super) fn out_of_range(p: &MatchParameters) -> Vec<ParameterError> {
     check((0.1..=10.0).contains(&e.minkowski_p), "/energy/minkowski_p", "must be from 0.1 to 10");
     check(e.feature_cap > 0.0 && e.feature_cap <= 100.0, "/energy/feature_cap", "must be more than 0, at most 100");
     let i = &p.inference;
+    check(
+        i.coarse_vertices.is_none_or(|n| (100..=20_000).contains(&n)),
+        "/inference/coarse_vertices",
+        "must be from 100 to 20000, or null",
+    );
     check((1..=100_000).contains(&i.max_iterations), "/inference/max_iterations", "must be from 1 to 100000");
     check((0.0..1.0).contains(&i.damping), "/inference/damping", "must be from 0 to below 1");
     check((0.0..=1.0).contains(&i.tolerance), "/inference/tolerance", "must be from 0 to 1");
@@ -96,5 +101,13 @@ pub(super) fn out_of_range(p: &MatchParameters) -> Vec<ParameterError> {
     );
     check((0.0..1.0).contains(&r.confidence), "/registration/confidence", "must be from 0 to below 1");
     check((1..=10_000_000).contains(&r.max_trials), "/registration/max_trials", "must be from 1 to 10 million");
+    check(p.landmarks.len() <= 1000, "/landmarks", "state at most 1000 landmarks");
+    for (k, landmark) in p.landmarks.iter().enumerate() {
+        let within = |point: &[f64; 3]| point.iter().all(|x| x.abs() <= 1e6);
+        check(within(&landmark.source_mm), &format!("/landmarks/{k}/source_mm"), "must be within 1000000 mm of 0");
+        check(within(&landmark.target_mm), &format!("/landmarks/{k}/target_mm"), "must be within 1000000 mm of 0");
+        let sigma = (0.01..=100.0).contains(&landmark.sigma_mm);
+        check(sigma, &format!("/landmarks/{k}/sigma_mm"), "must be from 0.01 to 100 mm");
+    }
     faults
 }

@@ -1,8 +1,8 @@
 //! A surface as displacement sees it: slightly smoothed, with curvature features as numbers of comparable size.
 
-use super::MatchError;
 use crate::curvature::{ScaleSpace, gaussian_curvature, mean_curvature, vertex_areas};
 use crate::deformation::Samples;
+use crate::matching::MatchError;
 use crate::mesh::SurfaceMesh;
 use nalgebra::{Point3, Vector3};
 
@@ -31,6 +31,8 @@ pub(super) struct SmoothSurface {
 
 /// Every `k`-th vertex of a surface, with the area of all.
 pub(super) struct Thinned {
+    /// Which.
+    pub vertices: Vec<usize>,
     pub points: Vec<Point3<f64>>,
     pub normals: Vec<Vector3<f64>>,
     pub areas: Vec<f64>,
@@ -97,6 +99,7 @@ impl SmoothSurface {
         let step = self.mesh.n_vertices().div_ceil(n);
         let picked = || (0..self.mesh.n_vertices()).step_by(step);
         Thinned {
+            vertices: picked().collect(),
             points: picked().map(|i| self.mesh.vertices()[i]).collect(),
             normals: picked().map(|i| self.normals[i]).collect(),
             areas: picked().map(|i| self.areas[i] * step as f64).collect(),

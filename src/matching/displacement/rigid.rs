@@ -8,7 +8,7 @@
 //! Source: Chen, Medioni 1992 (point-to-plane); Rusinkiewicz, "A symmetric objective function for ICP", 2019 (both
 //! surfaces take part; here each in turn is the one with planes); Tukey's biweight for what has no counterpart.
 
-use super::displacement_surface::{SmoothSurface, median};
+use super::surface::{SmoothSurface, median};
 use crate::curvature::vertex_areas;
 use crate::mesh::{ClosestPointIndex, SurfaceMesh};
 use crate::registration::{RigidTransform, absolute_orientation};

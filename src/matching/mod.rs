@@ -11,6 +11,7 @@ pub mod consistency;
 mod displacement;
 mod inverse;
 mod levels;
+mod light_smoothing;
 mod minimiser;
 pub mod outliers;
 pub mod parameters;

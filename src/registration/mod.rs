@@ -11,6 +11,7 @@ mod absolute_orientation;
 mod icp;
 mod icp_registration;
 mod orientation_solvers;
+mod pose_search;
 mod principal_axes;
 mod procrustes;
 mod ransac;
@@ -18,11 +19,13 @@ mod rotation_axis;
 mod similarity;
 mod three_point;
 mod transform;
+mod two_sided;
 
 pub use absolute_orientation::{OrientationError, absolute_orientation};
 pub use icp::{ClosestSurfacePoint, IcpMetric, IcpOptions, IcpReport, refine_icp};
 pub use icp_registration::{IcpCandidate, IcpRegistration, IcpStart, IcpStarts, RegisterByIcpOptions, register_by_icp};
 pub use orientation_solvers::{OrientationSolver, solve_orientation};
+pub use pose_search::{OrientedPoints, PoseSearchOptions, ScoredPose, pose_search};
 pub use principal_axes::principal_axis_poses;
 pub use procrustes::{ProcrustesOptions, ProcrustesReport, procrustes};
 pub use ransac::{RansacMethods, RansacOptions, RansacReport, ransac, ransac_with};
@@ -30,6 +33,7 @@ pub use rotation_axis::rotation_axis_estimate;
 pub use similarity::SimilarityTransform;
 pub use three_point::{MinimalEstimator, TripleError, frame_estimate};
 pub use transform::RigidTransform;
+pub use two_sided::{SurfaceSide, TwoSidedOptions, TwoSidedReport, align_both_ways};
 
 #[cfg(test)]
 mod testing {

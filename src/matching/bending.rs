@@ -1,8 +1,8 @@
 //! The smooth displacement field as the last step of a match.
 
-use super::displacement::{DisplacementOptions, JudgedPose, Surfaces, displace, landmark_pose};
+use super::displacement::{DisplacementOptions, JudgedPose, StartPose, Surfaces, displace, landmark_pose};
 use super::levels::Levels;
-use super::registration_only::principal_poses;
+use super::poses::searched;
 use super::reliability::{UNRELIABLE_CONFIDENCE, reliability, without_counterpart};
 use super::report::Answer;
 use super::result::{PoseDocument, PoseOrigin};
@@ -10,13 +10,15 @@ use super::scene::Scene;
 use super::{MatchError, rounds};
 use crate::mrf::{Labeling, MrfModel};
 use crate::observe::{Phase, TracePoint};
-use crate::registration::RigidTransform;
+use crate::registration::{RigidTransform, ScoredPose};
 
 /// Source vertices at most over which the distance of a pose is reported.
 const SAMPLE: usize = 500;
+/// Poses within this angle, radians, are one; 30 degrees.
+const SAME_ANGLE: f64 = 0.52;
 
 /// Replaces the correspondences and the transform of `answer` by those of a smooth displacement field, from whichever
-/// pose fits best after bending: the one found, those on the principal axes, mirrored too, and that of the landmarks.
+/// pose fits best after bending: the one found, those of a search of all orientations, mirrored too, and that of the landmarks.
 /// Says what the answer is as a labeling of `model`. Stays as it is where no field can be fitted.
 pub(super) fn bend(
     scene: &Scene<'_>,
@@ -29,10 +31,11 @@ pub(super) fn bend(
     let allow_reflection = scene.parameters.registration.allow_reflection;
     let of_answer = if model.is_some() { PoseOrigin::Inference } else { PoseOrigin::Registration };
     let mut poses = vec![(of_answer, answer.transform)];
-    let (p, q) = (source.middle.mesh().vertices(), target.middle.mesh().vertices());
-    poses.extend(principal_poses(p, q, true).into_iter().map(|pose| (PoseOrigin::PrincipalAxes, pose)));
     let of_landmarks = landmark_pose(&scene.parameters.landmarks, allow_reflection);
     poses.extend(of_landmarks.map(|pose| (PoseOrigin::Landmarks, pose)));
+    // Of either handedness, so that a mirrored image is noticed.
+    let of_search = searched(&source.middle, &target.middle, true);
+    poses.extend(of_search.iter().map(|p| (PoseOrigin::Search, p.target_from_source)));
     let surfaces = Surfaces {
         source: source.middle.mesh(),
         target: target.middle.mesh(),
@@ -40,7 +43,8 @@ pub(super) fn bend(
         full_target: target.full.mesh(),
         landmarks: &scene.parameters.landmarks,
     };
-    let starts: Vec<RigidTransform> = poses.iter().map(|(_, pose)| *pose).collect();
+    let starts: Vec<StartPose> =
+        poses.iter().map(|(_, pose)| StartPose { pose: *pose, excess: excess(pose, &of_search) }).collect();
     let found = displace(&surfaces, &starts, allow_reflection, &DisplacementOptions::default(), observer)?;
     let Some(found) = found else { return Ok(None) };
     answer.labeling = found.images.iter().map(|image| image.label).collect();
@@ -78,6 +82,17 @@ pub(super) fn bend(
         ..TracePoint::new(round, Phase::Displacement, 1)
     });
     Ok(Some(labeling))
+}
+
+/// How much worse than the best the search found `pose`: as much as the nearest pose it returned, within 30 degrees; a
+/// pose that it did not return is as bad as its last.
+fn excess(pose: &RigidTransform, of_search: &[ScoredPose]) -> f64 {
+    let alike = of_search.iter().filter(|p| {
+        let found = &p.target_from_source;
+        found.is_reflection() == pose.is_reflection() && found.angle_to(pose) < SAME_ANGLE
+    });
+    let least = alike.map(|p| p.excess).fold(f64::INFINITY, f64::min);
+    least.min(of_search.last().map_or(0.0, |p| p.excess))
 }
 
 /// A followed pose as the result states it.

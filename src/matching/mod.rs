@@ -16,6 +16,7 @@ mod minimiser;
 pub mod outliers;
 pub mod parameters;
 mod pipeline;
+mod poses;
 mod prepare;
 mod registration_only;
 mod reliability;

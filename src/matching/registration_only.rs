@@ -3,6 +3,7 @@
 use super::MatchError;
 use super::light_smoothing::lightly_smoothed;
 use super::parameters::{InitialPose, Refinement};
+use super::poses::searched;
 use super::prepare::Side;
 use super::report::Answer;
 use super::result::{PoseDocument, PoseOrigin, StopReason};
@@ -17,10 +18,7 @@ use crate::harmonics::{
 use crate::inference::belief_spread;
 use crate::mesh::SurfaceMesh;
 use crate::observe::Phase;
-use crate::registration::{
-    IcpMetric, OrientedPoints, PoseSearchOptions, RigidTransform, SurfaceSide, TwoSidedOptions, align_both_ways,
-    pose_search,
-};
+use crate::registration::{IcpMetric, RigidTransform, SurfaceSide, TwoSidedOptions, align_both_ways};
 use nalgebra::{Matrix3, Point3, Vector3};
 use rayon::prelude::*;
 
@@ -48,9 +46,9 @@ pub(super) fn register(scene: &Scene<'_>) -> Result<Answer, MatchError> {
     let mut ambiguous_axes = false;
     let (start, poses) = match scene.parameters.registration.initial {
         InitialPose::Centroids | InitialPose::Ransac => (centroid_on_centroid(source, target), Vec::new()),
-        InitialPose::PrincipalAxes => {
+        InitialPose::Search => {
             scene.observer.phase(Phase::Registration);
-            searched(scene)
+            of_search(scene)
         }
         InitialPose::FirstOrderEllipsoid => {
             let found = ellipsoids(scene)?;
@@ -61,7 +59,7 @@ pub(super) fn register(scene: &Scene<'_>) -> Result<Answer, MatchError> {
         }
     };
     let transform = match scene.parameters.registration.initial {
-        InitialPose::PrincipalAxes => refined(scene, &start)?,
+        InitialPose::Search => refined(scene, &start)?,
         _ => scene.refine(&start)?,
     };
     let poses = poses.into_iter().map(|(origin, pose, rms_mm)| PoseDocument {
@@ -117,18 +115,9 @@ fn ellipsoids(scene: &Scene<'_>) -> Result<EllipsoidRegistration, MatchError> {
 /// The poses that the search of all orientations found, the best first, with their distances; and the best.
 ///
 /// With reflections allowed the best of either handedness are among them: whichever leads fits better.
-fn searched(scene: &Scene<'_>) -> (RigidTransform, Vec<(PoseOrigin, RigidTransform, f64)>) {
+fn of_search(scene: &Scene<'_>) -> (RigidTransform, Vec<(PoseOrigin, RigidTransform, f64)>) {
     let (source, target) = (scene.source.mesh(), scene.target.mesh());
-    let (source_areas, target_areas) = (vertex_areas(source), vertex_areas(target));
-    let options = PoseSearchOptions {
-        allow_reflection: scene.parameters.registration.allow_reflection,
-        ..PoseSearchOptions::default()
-    };
-    let found = pose_search(
-        &OrientedPoints { points: source.vertices(), normals: &scene.source.normals, areas: &source_areas },
-        &OrientedPoints { points: target.vertices(), normals: &scene.target.normals, areas: &target_areas },
-        &options,
-    );
+    let found = searched(scene.source, scene.target, scene.parameters.registration.allow_reflection);
     // Canonical numbering follows a curve through space, so every k-th vertex is an even sample.
     let sample: Vec<Point3<f64>> =
         source.vertices().iter().step_by(source.n_vertices().div_ceil(SAMPLE)).copied().collect();
@@ -142,10 +131,8 @@ fn searched(scene: &Scene<'_>) -> (RigidTransform, Vec<(PoseOrigin, RigidTransfo
             .sum();
         (squares / sample.len() as f64).sqrt()
     };
-    let poses: Vec<_> = found
-        .iter()
-        .map(|p| (PoseOrigin::PrincipalAxes, p.target_from_source, rms_mm(&p.target_from_source)))
-        .collect();
+    let poses: Vec<_> =
+        found.iter().map(|p| (PoseOrigin::Search, p.target_from_source, rms_mm(&p.target_from_source))).collect();
     let best = poses.first().map(|(_, pose, _)| *pose);
     (best.unwrap_or_else(|| centroid_on_centroid(source.vertices(), target.vertices())), poses)
 }

@@ -194,8 +194,8 @@ pub enum PoseOrigin {
     Registration,
     /// The landmarks of the request.
     Landmarks,
-    /// Principal axes laid on principal axes.
-    PrincipalAxes,
+    /// A search of all orientations.
+    Search,
     /// First-order ellipsoids laid on each other.
     FirstOrderEllipsoid,
 }

@@ -18,6 +18,15 @@ const SAME_POSE: f64 = std::f64::consts::FRAC_PI_4;
 /// Poses of one handedness that are followed after the first glance.
 const FOLLOWED: usize = 2;
 
+/// A rigid pose to start from.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct StartPose {
+    /// `target_from_source`.
+    pub pose: RigidTransform,
+    /// How much worse than the best it is by what is known before; counts as misfit.
+    pub excess: f64,
+}
+
 /// What the first stage says of one pose.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct JudgedPose {
@@ -33,7 +42,7 @@ impl Displacement<'_> {
     /// The poses that were followed, the best that may be answered first, and the field of that one.
     pub fn coarse(
         &self,
-        poses: &[RigidTransform],
+        poses: &[StartPose],
         may_answer: impl Fn(&RigidTransform) -> bool,
     ) -> Result<Option<(Vec<JudgedPose>, State)>, MatchError> {
         let Some(followed) = self.glance(poses)? else { return Ok(None) };
@@ -45,37 +54,40 @@ impl Displacement<'_> {
         for &pose in &followed {
             checkpoint(self.observer)?;
             let steps = self.options.steps[0];
-            let found = self.coarse_from(&poses[pose], &source, &target, &values, steps);
+            let found = self.coarse_from(&poses[pose].pose, &source, &target, &values, steps);
             let Some((misfit, state)) = found else { return Ok(None) };
-            if may_answer(&poses[pose]) && judged.iter().all(|j| misfit < j.misfit || !may_answer(&poses[j.pose])) {
+            let misfit = misfit + poses[pose].excess;
+            if may_answer(&poses[pose].pose)
+                && judged.iter().all(|j| misfit < j.misfit || !may_answer(&poses[j.pose].pose))
+            {
                 best = Some(state);
             }
-            judged.push(JudgedPose { pose, mirrored: poses[pose].is_reflection(), misfit });
+            judged.push(JudgedPose { pose, mirrored: poses[pose].pose.is_reflection(), misfit });
         }
         judged.sort_by(|a, b| {
-            let rank = |j: &JudgedPose| !may_answer(&poses[j.pose]);
+            let rank = |j: &JudgedPose| !may_answer(&poses[j.pose].pose);
             rank(a).cmp(&rank(b)).then(a.misfit.total_cmp(&b.misfit)).then(a.pose.cmp(&b.pose))
         });
         Ok(best.map(|state| (judged, state)))
     }
 
     /// The poses worth following, after a few steps on few vertices from each: the best of each handedness.
-    fn glance(&self, poses: &[RigidTransform]) -> Result<Option<Vec<usize>>, MatchError> {
+    fn glance(&self, poses: &[StartPose]) -> Result<Option<Vec<usize>>, MatchError> {
         let (source, target) = (self.source.thinned(GLANCE_SAMPLES), self.target.thinned(GLANCE_SAMPLES));
         let values = self.guides.below(&self.basis.values(&source.points));
         let mut seen = Vec::with_capacity(poses.len());
         for (k, pose) in poses.iter().enumerate() {
             checkpoint(self.observer)?;
-            let Some((misfit, _)) = self.coarse_from(pose, &source, &target, &values, GLANCE_STEPS) else {
+            let Some((misfit, _)) = self.coarse_from(&pose.pose, &source, &target, &values, GLANCE_STEPS) else {
                 return Ok(None);
             };
-            seen.push((misfit, k));
+            seen.push((misfit + pose.excess, k));
         }
         seen.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
         let mut followed: Vec<usize> = Vec::new();
         for (_, k) in seen {
-            let alike = |&&other: &&usize| poses[other].is_reflection() == poses[k].is_reflection();
-            let near = |&&other: &&usize| poses[other].angle_to(&poses[k]) < SAME_POSE;
+            let alike = |&&other: &&usize| poses[other].pose.is_reflection() == poses[k].pose.is_reflection();
+            let near = |&&other: &&usize| poses[other].pose.angle_to(&poses[k].pose) < SAME_POSE;
             let kin: Vec<&usize> = followed.iter().filter(alike).collect();
             if kin.len() < FOLLOWED && !kin.iter().any(near) {
                 followed.push(k);

@@ -35,7 +35,7 @@ mod tests;
 
 pub use agreement::Agreement;
 pub use answer::Image;
-pub use coarse::JudgedPose;
+pub use coarse::{JudgedPose, StartPose};
 pub(super) use guides::landmark_pose;
 
 use super::MatchError;
@@ -119,7 +119,7 @@ pub struct DisplacementAnswer {
     pub agreement: Agreement,
 }
 
-/// Correspondences of the source on the target, from each of the rigid `poses` (`target_from_source`). One that
+/// Correspondences of the source on the target, from each of the rigid `poses`. One that
 /// mirrors is followed for comparison, and answered only with `allow_reflection`.
 ///
 /// `None` without poses that may be answered, or where numbers that are not finite make a fit impossible. The same bits on any number of threads.
@@ -131,7 +131,7 @@ pub struct DisplacementAnswer {
 /// `O(steps · n · (pairs + M²))` for `M` functions of the field, about 40 for the defaults.
 pub fn displace(
     surfaces: &Surfaces<'_>,
-    poses: &[RigidTransform],
+    poses: &[StartPose],
     allow_reflection: bool,
     options: &DisplacementOptions,
     observer: &dyn Observer,
@@ -158,10 +158,10 @@ pub fn displace(
     let may_answer = |pose: &RigidTransform| allow_reflection || !pose.is_reflection();
     let Some((judged, state)) = all.coarse(poses, may_answer)? else { return Ok(None) };
     let best = judged[0].pose;
-    let Some((field, residual_mm)) = all.refined(&poses[best], state)? else { return Ok(None) };
+    let Some((field, residual_mm)) = all.refined(&poses[best].pose, state)? else { return Ok(None) };
     let moved = |mesh: &SurfaceMesh| {
         let values = all.basis.values(mesh.vertices());
-        let base: Vec<Point3<f64>> = mesh.vertices().iter().map(|p| poses[best].apply(p)).collect();
+        let base: Vec<Point3<f64>> = mesh.vertices().iter().map(|p| poses[best].pose.apply(p)).collect();
         (displaced(&base, &field, &values), values)
     };
     let (fitted, _) = moved(source);

@@ -17,6 +17,11 @@ const POSITION_SCALE_MM: f64 = 0.7;
 /// Scale of the normals, mm.
 const NORMAL_SCALE_MM: f64 = 1.0;
 
+/// How far light smoothing moves the vertices of a surface that voxels of 1 mm left, mm. One that it moves farther is
+/// noisy, and all scales grow with that.
+const GRAIN_MM: f64 = 0.09;
+const MAX_COARSENING: f64 = 4.0;
+
 /// One surface, prepared.
 pub(super) struct SmoothSurface {
     /// Positions at [`POSITION_SCALE_MM`].
@@ -47,7 +52,11 @@ pub(super) fn prepare(
     source: &SurfaceMesh,
     target: &SurfaceMesh,
 ) -> Result<(SmoothSurface, SmoothSurface), MatchError> {
-    let (a, b) = rayon::join(|| SmoothSurface::new(source), || SmoothSurface::new(target));
+    let (a, b) = rayon::join(|| Flow::new(source), || Flow::new(target));
+    let (a, b) = (a?, b?);
+    // One set of scales for both, or the smoother surface would look different.
+    let coarsening = (a.grain_mm().max(b.grain_mm()) / GRAIN_MM).clamp(1.0, MAX_COARSENING);
+    let (a, b) = rayon::join(|| a.surface(coarsening), || b.surface(coarsening));
     let ((mut a, a_values), (mut b, b_values)) = (a?, b?);
     for (feature, (of_a, of_b)) in a_values.iter().zip(&b_values).enumerate() {
         let mut all: Vec<f64> = of_a.iter().chain(of_b).copied().collect();
@@ -70,25 +79,52 @@ pub(super) fn median(values: &mut [f64]) -> f64 {
     *values.select_nth_unstable_by(middle, f64::total_cmp).1
 }
 
-impl SmoothSurface {
-    /// The surface without features, and their values as they are.
-    fn new(mesh: &SurfaceMesh) -> Result<(Self, Vec<Vec<f64>>), MatchError> {
-        let flow = ScaleSpace::new(mesh);
-        let at = |scale_mm: f64| flow.smoothed(scale_mm).map_err(|_| MatchError::ScaleSpace { scale_mm });
+/// A surface with its scale space.
+struct Flow<'a> {
+    mesh: &'a SurfaceMesh,
+    space: ScaleSpace<'a>,
+    /// At [`POSITION_SCALE_MM`].
+    smoothed: SurfaceMesh,
+}
+
+impl<'a> Flow<'a> {
+    fn new(mesh: &'a SurfaceMesh) -> Result<Self, MatchError> {
+        let space = ScaleSpace::new(mesh);
+        let smoothed = at(&space, POSITION_SCALE_MM)?;
+        Ok(Flow { mesh, space, smoothed })
+    }
+
+    /// Median distance that light smoothing moves a vertex, mm.
+    fn grain_mm(&self) -> f64 {
+        let (rough, smooth) = (self.mesh.vertices(), self.smoothed.vertices());
+        let mut moved: Vec<f64> = rough.iter().zip(smooth).map(|(p, q)| (p - q).norm()).collect();
+        median(&mut moved)
+    }
+
+    /// The surface without features, and their values as they are; all scales `coarsening` times as coarse.
+    fn surface(self, coarsening: f64) -> Result<(SmoothSurface, Vec<Vec<f64>>), MatchError> {
         let mut values = Vec::with_capacity(N_FEATURES);
         for scale_mm in FEATURE_SCALES_MM {
-            let smoothed = at(scale_mm)?;
+            let smoothed = at(&self.space, coarsening * scale_mm)?;
             values.push(mean_curvature(&smoothed));
             values.push(gaussian_curvature(&smoothed));
         }
+        let mesh = if coarsening > 1.0 { at(&self.space, coarsening * POSITION_SCALE_MM)? } else { self.smoothed };
         let surface = SmoothSurface {
-            mesh: at(POSITION_SCALE_MM)?,
-            normals: at(NORMAL_SCALE_MM)?.vertex_normals(),
-            areas: vertex_areas(mesh),
+            normals: at(&self.space, coarsening * NORMAL_SCALE_MM)?.vertex_normals(),
+            areas: vertex_areas(&mesh),
             features: vec![0.0; mesh.n_vertices() * N_FEATURES],
+            mesh,
         };
         Ok((surface, values))
     }
+}
+
+fn at(space: &ScaleSpace<'_>, scale_mm: f64) -> Result<SurfaceMesh, MatchError> {
+    space.smoothed(scale_mm).map_err(|_| MatchError::ScaleSpace { scale_mm })
+}
+
+impl SmoothSurface {
 
     pub fn samples(&self) -> Samples<'_> {
         Samples { points: self.mesh.vertices(), normals: &self.normals, areas: &self.areas, features: &self.features }

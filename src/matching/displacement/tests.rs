@@ -1,6 +1,6 @@
 //! Laws of displacement on a bent bean.
 
-use super::{DisplacementAnswer, DisplacementOptions, Surfaces};
+use super::{DisplacementAnswer, DisplacementOptions, StartPose, Surfaces};
 use crate::matching::MatchError;
 use crate::mesh::shapes::ellipsoid;
 use crate::mesh::{CanonicalMesh, FaceArity, SurfaceMesh, canonicalize};
@@ -17,7 +17,8 @@ fn displace(
     observer: &dyn Observer,
 ) -> Result<Option<DisplacementAnswer>, MatchError> {
     let surfaces = Surfaces { source, target, full_source: source, full_target: target, landmarks: &[] };
-    super::displace(&surfaces, poses, true, options, observer)
+    let poses: Vec<_> = poses.iter().map(|&pose| StartPose { pose, excess: 0.0 }).collect();
+    super::displace(&surfaces, &poses, true, options, observer)
 }
 
 /// A lopsided bean of 2562 vertices, its cross-sections rounded triangles: round ones would have nothing against rolling.

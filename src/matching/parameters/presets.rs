@@ -79,8 +79,8 @@ impl Method {
                 "As balanced, with more scales, iterations and rounds, and a smooth displacement field at the end."
             }
             Method::Rigid => {
-                "Registration only: poses on the principal axes, the closest refined by ICP; each vertex is answered with \
-                 the nearest."
+                "Registration only: all orientations searched, the best pose refined by closest points both ways; each \
+                 vertex is answered with the nearest."
             }
             Method::Gibbs => "Simulated annealing with the Gibbs sampler in place of belief propagation.",
             Method::Metropolis => "Simulated annealing with the Metropolis sampler in place of belief propagation.",
@@ -138,7 +138,7 @@ pub fn preset(method: Method) -> MatchParameters {
             clamping: ClampingParameters { mode: ClampingMode::Soft, max_rounds: 6 },
             ..balanced
         },
-        Method::Rigid => registration_only(InitialPose::PrincipalAxes, Refinement::PointToPoint),
+        Method::Rigid => registration_only(InitialPose::Search, Refinement::PointToPoint),
         Method::Gibbs => annealed(Algorithm::Gibbs, 300),
         Method::Metropolis => annealed(Algorithm::Metropolis, 3000),
         Method::LasVegas => annealed(Algorithm::LasVegas, 1000),

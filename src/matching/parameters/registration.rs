@@ -33,8 +33,8 @@ pub struct RegistrationParameters {
 pub enum InitialPose {
     /// RANSAC over the correspondence. Needs a minimiser.
     Ransac,
-    /// The poses that lay principal axes on principal axes, each improved by a few closest-point steps; the closest.
-    PrincipalAxes,
+    /// A search of all orientations by soft assignment of patches.
+    Search,
     /// The first-order ellipsoids laid on each other (Brechbühler, Gerig, Kübler 1995); of four poses the closest.
     FirstOrderEllipsoid,
     /// Centroid on centroid, not turned: for surfaces that are nearly aligned.

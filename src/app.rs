@@ -19,7 +19,6 @@ use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::Duration;
 use tokio::net::TcpListener;
-use tokio::sync::Notify;
 use tokio_util::sync::CancellationToken;
 
 /// How long a new `serve` waits for its predecessor to leave the data directory.
@@ -167,7 +166,7 @@ impl App {
             heart: Arc::new(heart),
             worker,
             settings: worker_settings,
-            queued: Arc::new(Notify::new()),
+            signals: Arc::default(),
             quota: Arc::default(),
             stop: shutdown.stop.clone(),
             give_back: shutdown.give_back.clone(),
@@ -217,8 +216,8 @@ impl App {
             webhooks: own,
             artifacts: Arc::clone(&self.parts.artifacts),
         };
-        let (engine, queued) = (Arc::clone(&self.parts.engine), Arc::clone(&self.parts.queued));
-        let use_cases = JobService::new(stores, engine, http.submission_limits(service), queued);
+        let (engine, signals) = (Arc::clone(&self.parts.engine), Arc::clone(&self.parts.signals));
+        let use_cases = JobService::new(stores, engine, http.submission_limits(service), signals);
         HttpState::new(Arc::new(use_cases), http.http_limits(service), auth, shutdown.stop.clone())
             .with_metrics(telemetry::metrics_text)
             .for_hosts(http.hosts())
@@ -233,8 +232,8 @@ impl App {
         telemetry::metrics_text(); // collected from here on
         let housekeeping = tokio::spawn(self.housekeeper.clone().run(shutdown.stop.clone()));
         let mut aside = tokio::task::JoinSet::new();
-        let (store, queued) = (Arc::clone(&self.parts.store), Arc::clone(&self.parts.queued));
-        aside.spawn(async move { store.follow_hints(&queued).await });
+        let (store, signals) = (Arc::clone(&self.parts.store), Arc::clone(&self.parts.signals));
+        aside.spawn(async move { store.follow_hints(&signals.queued).await });
         if let Some(courier) = courier {
             aside.spawn(courier.run(shutdown.stop.clone()));
         }

@@ -6,6 +6,7 @@ use crate::jobs::{Retention, SubmissionLimits};
 use crate::store::sql::DatabaseLocation;
 use crate::worker::WorkerSettings;
 use crate::worker::courier::CourierSettings;
+use crate::worker::machine;
 use std::net::SocketAddr;
 use std::path::PathBuf;
 use std::time::Duration;
@@ -34,9 +35,20 @@ pub struct ServiceSettings {
     /// How long records of jobs are kept after their end, and all that belongs to them, days; 0 for ever
     #[arg(long, env = "HOMOLOG_RETAIN_JOBS_DAYS", default_value_t = 365.0, value_parser = days, value_name = "DAYS")]
     pub retain_jobs_days: f64,
-    /// Jobs run at the same time; each uses all cores
-    #[arg(long, env = "HOMOLOG_WORKERS", default_value_t = 1, value_name = "N")]
-    pub workers: usize,
+    /// Jobs run at the same time, each with its share of the cores; 0: none; absent: small jobs on a core each, large ones
+    /// on several, as many as there is room for
+    #[arg(long, env = "HOMOLOG_WORKERS", value_name = "N")]
+    pub workers: Option<usize>,
+    /// Cores that jobs of this process may use; absent: all that the machine or the container has
+    #[arg(long, env = "HOMOLOG_CORES", value_parser = clap::value_parser!(u16).range(1..=1_024), value_name = "N")]
+    pub cores: Option<u16>,
+    /// Memory that jobs of this process may take together, as predicted, bytes; absent: three quarters of what the machine
+    /// or the container has
+    #[arg(long, env = "HOMOLOG_MEMORY_BYTES", value_name = "BYTES")]
+    pub memory_bytes: Option<u64>,
+    /// How long smaller jobs may pass a waiting one for which not enough cores or memory are free, ms; then they wait too
+    #[arg(long, env = "HOMOLOG_PATIENCE_MS", default_value_t = 10_000, value_name = "MS")]
+    pub patience_ms: u64,
     /// For how long a worker is given a job before it must have shown that it lives, ms
     #[arg(long, env = "HOMOLOG_LEASE_MS", default_value_t = 15_000, value_parser = clap::value_parser!(u64).range(100..=3_600_000), value_name = "MS")]
     pub lease_ms: u64,
@@ -139,6 +151,11 @@ fn days(text: &str) -> Result<f64, String> {
     }
 }
 
+/// Memory for jobs where nobody says how much: what the process itself, uploads and the system need is left.
+fn jobs_memory_bytes() -> u64 {
+    machine::memory_bytes().map_or(u64::MAX, |bytes| bytes / 4 * 3)
+}
+
 /// Zero days are for ever.
 fn retained(days: f64) -> Option<Duration> {
     (days > 0.0).then(|| Duration::from_secs_f64(days * 86_400.0))
@@ -188,7 +205,10 @@ impl ServiceSettings {
     pub fn worker_settings(&self) -> WorkerSettings {
         let lease = Duration::from_millis(self.lease_ms);
         WorkerSettings {
-            slots: self.workers,
+            cores: self.cores.map_or_else(machine::cores, usize::from),
+            memory_bytes: self.memory_bytes.unwrap_or_else(jobs_memory_bytes),
+            places: self.workers,
+            patience: Duration::from_millis(self.patience_ms),
             lease,
             // A lease outlives two heartbeats that fail.
             heartbeat: Duration::from_millis(self.heartbeat_ms).min(lease / 3),

@@ -3,9 +3,10 @@
 //! The numerics know no clock; this is where their phases are timed and their outcome gets its provenance.
 
 use crate::intake::{IntakeError, IntakeLimits, PreparedSurface, prepare_surface};
+pub use crate::matching::match_memory_bytes;
 use crate::matching::parameters::MatchParameters;
 use crate::matching::result::{InputProvenance, Provenance, ResultDocument};
-use crate::matching::{MatchError, match_memory_bytes, match_surfaces};
+use crate::matching::{MatchError, match_surfaces};
 use crate::mesh::{MeshError, SurfaceMesh};
 use crate::observe::{Cancelled, Observer, Phase, TracePoint};
 use std::collections::BTreeMap;

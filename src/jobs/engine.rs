@@ -2,6 +2,7 @@
 //!
 //! The one real implementation is [`crate::worker::match_engine`]; tests put others in its place.
 
+use super::demand::{Demand, SurfaceSize};
 use super::ports::ArtifactKind;
 use super::presentation::{PartFormat, PresentError, ResultPart};
 use crate::observe::Observer;
@@ -34,7 +35,14 @@ pub trait Engine: Send + Sync {
         Ok(())
     }
 
-    /// Computes a result. Called on a thread of its own; may panic, which fails this job only.
+    /// What computing a job with these effective parameters on surfaces of these sizes will take. Quick.
+    fn demand(&self, parameters: &Value, source: SurfaceSize, target: SurfaceSize) -> Demand {
+        let _ = (parameters, source, target);
+        Demand::UNKNOWN
+    }
+
+    /// Computes a result. Called on a thread of a rayon pool that is the job's own; may panic, which fails this job
+    /// only. The result must not depend on the number of the pool's threads.
     ///
     /// # Errors
     /// Why there is none.

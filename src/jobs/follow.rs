@@ -1,11 +1,12 @@
 //! Following a job: one reader of the store for each job that is followed, however many follow it.
 //!
-//! The reader asks the store at intervals and shares what it saw; it ends when nobody follows any more or the job is
-//! finished. So a thousand dashboards cost the store as much as one.
+//! The reader asks the store at intervals, and when this process is told that the job moved on, and shares what it saw; it
+//! ends when nobody follows any more or the job is finished. So a thousand dashboards cost the store as much as one.
 
 use super::error::JobError;
 use super::job::{Job, JobId, Tenant};
 use super::ports::JobStore;
+use super::signals::{Moves, Signals};
 use super::state::JobState;
 use super::trace::NumberedPoint;
 use std::collections::HashMap;
@@ -69,12 +70,13 @@ impl Drop for Feed {
 /// The jobs that are followed in this process.
 pub(super) struct Feeds {
     store: Arc<dyn JobStore>,
+    signals: Arc<Signals>,
     feeds: Mutex<HashMap<(Tenant, JobId), Weak<Feed>>>,
 }
 
 impl Feeds {
-    pub(super) fn new(store: Arc<dyn JobStore>) -> Self {
-        Feeds { store, feeds: Mutex::default() }
+    pub(super) fn new(store: Arc<dyn JobStore>, signals: Arc<Signals>) -> Self {
+        Feeds { store, signals, feeds: Mutex::default() }
     }
 
     pub(super) async fn follow(&self, tenant: &Tenant, id: JobId) -> Result<Arc<Feed>, JobError> {
@@ -89,14 +91,21 @@ impl Feeds {
         feeds.retain(|_, feed| feed.strong_count() > 0);
         let first = Seen { job, points: Vec::new(), complete: false, removed: false };
         let (sender, seen) = watch::channel(Arc::new(first));
-        let reader = tokio::spawn(read(Arc::clone(&self.store), key.clone(), sender)).abort_handle();
+        // Listens before it first looks, so that no move falls between the two.
+        let moves = self.signals.moves_of(id);
+        let reader = tokio::spawn(read(Arc::clone(&self.store), key.clone(), moves, sender)).abort_handle();
         let feed = Arc::new(Feed { seen, reader });
         feeds.insert(key, Arc::downgrade(&feed));
         Ok(feed)
     }
 }
 
-async fn read(store: Arc<dyn JobStore>, (tenant, id): (Tenant, JobId), sender: watch::Sender<Arc<Seen>>) {
+async fn read(
+    store: Arc<dyn JobStore>,
+    (tenant, id): (Tenant, JobId),
+    mut moves: Moves,
+    sender: watch::Sender<Arc<Seen>>,
+) {
     let mut last_seq = 0;
     loop {
         let pause = match look(store.as_ref(), &tenant, id, last_seq).await {
@@ -128,7 +137,10 @@ async fn read(store: Arc<dyn JobStore>, (tenant, id): (Tenant, JobId), sender: w
                 LOOK_FAILING
             }
         };
-        tokio::time::sleep(pause).await;
+        tokio::select! {
+            () = moves.next() => {}
+            () = tokio::time::sleep(pause) => {}
+        }
     }
 }
 

@@ -1,8 +1,8 @@
 //! Jobs: what they are, the states they pass through, who may change them, and the ports to what stores and computes.
 //!
 //! Reading order: [`state`] (the machine), [`job`] (the record), [`lease`] (who works on it, fenced by an epoch),
-//! [`trace`] (what a running job tells), [`ports`] (stores) and [`engine`] (the computation), [`service`] (use cases),
-//! [`submission`], [`uploads`], [`follow`]; beside the job: [`admission`], [`mod@batch`], [`change`], [`mesh`], [`key`],
+//! [`trace`] (what a running job tells), [`demand`] (what it takes of a machine), [`ports`] (stores) and [`engine`] (the computation), [`service`] (use cases),
+//! [`submission`], [`uploads`], [`follow`], [`signals`]; beside the job: [`admission`], [`mod@batch`], [`change`], [`mesh`], [`key`],
 //! [`webhook`], [`retention`], [`presentation`] (a result in the formats in which it can be had).
 //!
 //! Invariant: nothing here knows SQL, HTTP or how a match is computed. Parameters, reports and results are JSON
@@ -12,6 +12,7 @@ pub mod address;
 pub mod admission;
 pub mod batch;
 pub mod change;
+pub mod demand;
 pub mod documents;
 pub mod engine;
 pub mod error;
@@ -24,6 +25,7 @@ pub mod ports;
 pub mod presentation;
 pub mod retention;
 pub mod service;
+pub mod signals;
 pub mod state;
 pub mod submission;
 pub mod trace;
@@ -33,6 +35,7 @@ pub mod webhook;
 pub use admission::{Admission, Made, Once, OnceStatus};
 pub use batch::{Batch, BatchId, BatchPage, NewBatch};
 pub use change::{Change, ChangePage};
+pub use demand::{Demand, SurfaceSize, WaitingJob};
 pub use engine::{ComputeError, ComputeTask, Engine, InputBytes, InputRefusal, InputSummary, ParameterFault};
 pub use error::JobError;
 pub use job::{Failure, Job, JobFilter, JobId, JobInput, JobPage, NewJob, Order, PageRequest, Tenant};
@@ -46,6 +49,7 @@ pub use ports::{
 pub use presentation::{PartFormat, PresentError, Presentation, ResultPart};
 pub use retention::{Overdue, Purged, Retention};
 pub use service::{BulkCancelled, JobService, Stores, SubmissionLimits};
+pub use signals::{Moves, Signals};
 pub use state::{CancelEffect, JobState, cancel_effect, state_after_crash, state_after_release};
 pub use submission::{
     Accepted, BatchPair, BatchSubmission, Details, Submission, SubmitError, SubmittedFile, SubmittedInput, Validated,

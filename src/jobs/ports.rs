@@ -3,6 +3,7 @@
 use super::admission::{Admission, Once, OnceStatus};
 use super::batch::{Batch, BatchId, BatchPage, NewBatch};
 use super::change::ChangePage;
+use super::demand::WaitingJob;
 use super::error::JobError;
 use super::job::{Cursor, Failure, Job, JobFilter, JobId, JobPage, NewJob, PageRequest, Tenant};
 use super::lease::{Lease, LeaseStatus, LeasedJob, Recovered, WorkerId};
@@ -217,6 +218,18 @@ pub trait JobStore: Send + Sync {
     /// `max_run` unless its submitter allowed less.
     async fn claim(&self, worker: &WorkerId, lease: Duration, max_run: Duration)
     -> Result<Option<LeasedJob>, JobError>;
+
+    /// The front of the queue: at most `limit` jobs in the order in which [`JobStore::claim`] takes them.
+    async fn front_of_queue(&self, limit: u32) -> Result<Vec<WaitingJob>, JobError>;
+
+    /// The first of `jobs` that still waits and that nobody else is about to take, leased as by [`JobStore::claim`].
+    async fn claim_one_of(
+        &self,
+        jobs: &[JobId],
+        worker: &WorkerId,
+        lease: Duration,
+        max_run: Duration,
+    ) -> Result<Option<LeasedJob>, JobError>;
 
     /// Prolongs a lease.
     async fn heartbeat(&self, lease: &Lease, duration: Duration) -> Result<LeaseStatus, JobError>;

@@ -11,13 +11,14 @@ use super::job::{Cursor, Job, JobFilter, JobId, JobPage, Order, PageRequest, Ten
 use super::key::{ApiKey, KeyStore, SecretKey};
 use super::mesh::MeshStore;
 use super::ports::{ArtifactKind, ArtifactRef, ArtifactStore, JobStore, Load};
+use super::signals::Signals;
 use super::state::JobState;
 use super::trace::TracePage;
 use super::webhook::WebhookStore;
 use bytes::Bytes;
 use std::sync::Arc;
 use std::time::Duration;
-use tokio::sync::{Notify, Semaphore};
+use tokio::sync::Semaphore;
 
 /// Longest look at a dependency: who asks is a supervisor with little patience.
 const LOOK: Duration = Duration::from_secs(3);
@@ -70,7 +71,7 @@ pub struct JobService {
     /// Parts of results made into other formats at the same time; each is in memory twice.
     pub(super) presentations: Arc<Semaphore>,
     /// Wakes workers of this process; polling is the truth, this only makes it prompt.
-    pub(super) queued: Arc<Notify>,
+    pub(super) signals: Arc<Signals>,
     feeds: Feeds,
 }
 
@@ -84,12 +85,12 @@ pub struct BulkCancelled {
 }
 
 impl JobService {
-    /// The use cases; `queued` is notified of every accepted job.
-    pub fn new(stores: Stores, engine: Arc<dyn Engine>, limits: SubmissionLimits, queued: Arc<Notify>) -> Self {
+    /// The use cases; `signals` tell workers of every accepted job, and are told by them how jobs move on.
+    pub fn new(stores: Stores, engine: Arc<dyn Engine>, limits: SubmissionLimits, signals: Arc<Signals>) -> Self {
         let checks = Arc::new(Semaphore::new(limits.max_checks.max(1)));
         let presentations = Arc::new(Semaphore::new(MAX_PRESENTATIONS));
-        let feeds = Feeds::new(Arc::clone(&stores.jobs));
-        JobService { stores, engine, limits, checks, presentations, queued, feeds }
+        let feeds = Feeds::new(Arc::clone(&stores.jobs), Arc::clone(&signals));
+        JobService { stores, engine, limits, checks, presentations, signals, feeds }
     }
 
     /// Bounds on what is accepted.

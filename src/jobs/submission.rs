@@ -469,7 +469,7 @@ impl JobService {
     async fn after_storing<T>(&self, holder: &str, stored: Result<T, JobError>) -> Result<T, SubmitError> {
         match stored {
             Ok(stored) => {
-                self.queued.notify_one();
+                self.signals.queued.notify_one();
                 self.stores.jobs.give_hint().await;
                 Ok(stored)
             }

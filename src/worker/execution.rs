@@ -21,7 +21,7 @@ const HOLD: Duration = Duration::from_secs(600);
 /// How long a store that does not answer is asked again; then the lease runs out and the job is run anew.
 const STORE_PATIENCE: Duration = Duration::from_secs(60);
 
-/// How long a slot waits after a store was away for longer than that.
+/// How long a job's cores stay unused after a store was away for longer than that.
 const AFTER_OUTAGE: Duration = Duration::from_secs(5);
 
 /// What the computation's thread answers.
@@ -37,12 +37,15 @@ enum Ending {
     Leave,
 }
 
-/// Runs a claimed job to its end. Never fails: what goes wrong becomes the job's outcome, or the lease runs out.
-pub async fn execute(parts: &PoolParts, leased: LeasedJob) {
+/// Runs a claimed job to its end, computing on `n_threads`. Never fails: what goes wrong becomes the job's outcome, or the
+/// lease runs out.
+pub async fn execute(parts: &PoolParts, leased: LeasedJob, n_threads: usize) {
+    parts.signals.tell_moved(leased.lease.job_id);
     let LeasedJob { lease, job } = leased;
     // Logs of the submission and of its run can be joined by the client's own trace.
     let trace = job.traceparent.as_deref();
-    tracing::info!(job_id = %lease.job_id, epoch = lease.epoch, attempt = job.attempt, traceparent = trace, "job begins");
+    let (attempt, epoch) = (job.attempt, lease.epoch);
+    tracing::info!(job_id = %lease.job_id, epoch, attempt, n_threads, traceparent = trace, "job begins");
     let began = Instant::now();
     let control = Arc::new(Control::default());
     let _watch = parts.heart.watch(&lease, Arc::clone(&control));
@@ -72,7 +75,7 @@ pub async fn execute(parts: &PoolParts, leased: LeasedJob) {
         }
     };
     let recorder = Arc::new(Recorder::new(Arc::clone(&control)));
-    let mut answer = match start_computation(parts, task, &recorder) {
+    let mut answer = match start_computation(parts, task, &recorder, n_threads) {
         Ok(answer) => answer,
         Err(error) => {
             tracing::error!(job_id = %lease.job_id, %error, "no thread for the computation");
@@ -87,12 +90,13 @@ pub async fn execute(parts: &PoolParts, leased: LeasedJob) {
     let ending = decide(computed, control.cause());
     let last = [unsaved, recorder.take()];
     let name = settle(parts, &lease, Some(last), ending).await;
+    parts.signals.tell_moved(lease.job_id);
     let elapsed_ms = began.elapsed().as_millis();
     tracing::info!(job_id = %lease.job_id, epoch = lease.epoch, elapsed_ms, end = name, "job ends");
     metrics::counter!("homolog_jobs_finished_total", "end" => name).increment(1);
     metrics::histogram!("homolog_job_seconds").record(began.elapsed().as_secs_f64());
     if still_running && control.cause() != Some(StopCause::Shutdown) {
-        // Its job is ended; the slot is not free while the thread still takes the cores.
+        // Its job is ended; its cores are not free while the threads still take them.
         if tokio::time::timeout(parts.settings.abandon_after, &mut answer).await.is_err() {
             tracing::error!(job_id = %lease.job_id, "a computation ignores its end; its thread is given up");
         }
@@ -110,13 +114,17 @@ fn start_computation(
     parts: &PoolParts,
     task: ComputeTask,
     recorder: &Arc<Recorder>,
+    n_threads: usize,
 ) -> std::io::Result<oneshot::Receiver<Computed>> {
     let (engine, recorder) = (Arc::clone(&parts.engine), Arc::clone(recorder));
     let (sender, receiver) = oneshot::channel();
+    // Of its own, so that a job has just the threads that it was given, however many run beside it.
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(n_threads).start_handler(|_| give_way()).build();
+    let pool = pool.map_err(std::io::Error::other)?;
     std::thread::Builder::new().name("compute".to_owned()).spawn(move || {
         give_way();
         // Nothing of the engine's outlives a panic: task and recorder are this job's own.
-        let computed = catch_unwind(AssertUnwindSafe(|| engine.compute(&task, recorder.as_ref())));
+        let computed = catch_unwind(AssertUnwindSafe(|| pool.install(|| engine.compute(&task, recorder.as_ref()))));
         // The panic hook has logged where; what it said may hold a patient's data and is dropped.
         let _ = sender.send(computed.unwrap_or_else(|_| Err(ComputeError::Failed(internal_error()))));
     })?;

@@ -2,14 +2,14 @@
 //!
 //! The only place where jobs meet [`crate::run`], [`crate::intake`] and [`crate::matching`].
 
-use super::presentation;
+use super::{prediction, presentation};
 use crate::formats::ply::write_ply;
 use crate::intake::{IntakeError, IntakeLimits, prepare_surface};
 use crate::jobs::engine::{MethodDescription, Product, Resolved};
 use crate::jobs::uploads::input_key;
 use crate::jobs::{
-    ArtifactKind, ComputeError, ComputeTask, Engine, Failure, InputBytes, InputRefusal, InputSummary, ParameterFault,
-    PartFormat, PresentError, ResultPart,
+    ArtifactKind, ComputeError, ComputeTask, Demand, Engine, Failure, InputBytes, InputRefusal, InputSummary,
+    ParameterFault, PartFormat, PresentError, ResultPart, SurfaceSize,
 };
 use crate::matching::MatchError;
 use crate::matching::parameters::{MatchParameters, Method, preset, resolve};
@@ -85,6 +85,12 @@ impl Engine for MatchEngine {
             detail: error.to_string(),
             topology: None,
         })
+    }
+
+    fn demand(&self, parameters: &Value, source: SurfaceSize, target: SurfaceSize) -> Demand {
+        // Parameters that this version does not take make the job fail as soon as it begins.
+        let nothing = Demand { cores: 1, memory_bytes: 0 };
+        effective(parameters).map_or(nothing, |parameters| prediction::predict(&parameters, source, target))
     }
 
     fn compute(&self, task: &ComputeTask, observer: &dyn Observer) -> Result<Vec<Product>, ComputeError> {

@@ -6,7 +6,7 @@ use super::writing::{end_job, refer};
 use super::{SqlStore, blobs, rows};
 use crate::jobs::{
     Failure, JobError, JobId, JobState, Lease, LeaseStatus, LeasedJob, Outcome, Overdue, Recovered, TraceChunk,
-    WorkerId, state_after_crash, state_after_release,
+    WaitingJob, WorkerId, state_after_crash, state_after_release,
 };
 use std::time::Duration;
 
@@ -23,6 +23,28 @@ fn status(cancel_requested: Option<bool>) -> LeaseStatus {
         Some(true) => LeaseStatus::CancelRequested,
         Some(false) => LeaseStatus::Held,
     }
+}
+
+/// Leases a waiting job whose row is locked.
+async fn lease_to(
+    session: &mut Session,
+    id: &str,
+    worker: &WorkerId,
+    duration: Duration,
+    max_run: Duration,
+) -> Result<LeasedJob, JobError> {
+    let arguments = bind![id, worker.name(), duration, max_run];
+    let epoch: Option<i64> = session.value(sql!("claim_job"), arguments).await?;
+    if epoch != Some(1) {
+        // A rerun makes the same points again from the first: those of earlier epochs would be doubles.
+        for query in [sql!("clear_trace"), sql!("clear_progress")] {
+            session.execute(query, bind![id]).await?;
+        }
+    }
+    let row = session.row(sql!("get_leased_job"), bind![id]).await?.ok_or(JobError::NotFound)?;
+    let job = rows::job(&row)?;
+    let lease = Lease { job_id: job.id, tenant: job.tenant.clone(), epoch: job.lease_epoch, worker: worker.clone() };
+    Ok(LeasedJob { lease, job })
 }
 
 impl SqlStore {
@@ -43,22 +65,36 @@ impl SqlStore {
         let done = async {
             let id: Option<String> = session.value(sql!("next_queued"), bind![]).await?;
             let Some(id) = id else { return Ok(None) };
-            let arguments = bind![&id, worker.name(), duration, max_run];
-            let epoch: Option<i64> = session.value(sql!("claim_job"), arguments).await?;
-            if epoch != Some(1) {
-                // A rerun makes the same points again from the first: those of earlier epochs would be doubles.
-                for query in [sql!("clear_trace"), sql!("clear_progress")] {
-                    session.execute(query, bind![&id]).await?;
-                }
-            }
-            let row = session.row(sql!("get_leased_job"), bind![&id]).await?.ok_or(JobError::NotFound)?;
-            let job = rows::job(&row)?;
-            let lease =
-                Lease { job_id: job.id, tenant: job.tenant.clone(), epoch: job.lease_epoch, worker: worker.clone() };
-            Ok(Some(LeasedJob { lease, job }))
+            lease_to(&mut session, &id, worker, duration, max_run).await.map(Some)
         };
         let done = done.await;
         session.end(done).await
+    }
+
+    pub(super) async fn claim_first_of(
+        &self,
+        jobs: &[JobId],
+        worker: &WorkerId,
+        duration: Duration,
+        max_run: Duration,
+    ) -> Result<Option<LeasedJob>, JobError> {
+        let mut session = self.database.begin().await?;
+        let done = async {
+            for job in jobs {
+                let id: Option<String> = session.value(sql!("lock_waiting"), bind![*job]).await?;
+                if let Some(id) = id {
+                    return lease_to(&mut session, &id, worker, duration, max_run).await.map(Some);
+                }
+            }
+            Ok(None)
+        };
+        let done = done.await;
+        session.end(done).await
+    }
+
+    pub(super) async fn read_front(&self, limit: u32) -> Result<Vec<WaitingJob>, JobError> {
+        let rows = self.database.reading().await?.rows(sql!("front_of_queue"), bind![limit]).await?;
+        rows.iter().map(rows::waiting_job).collect()
     }
 
     pub(super) async fn prolong(&self, lease: &Lease, duration: Duration) -> Result<LeaseStatus, JobError> {

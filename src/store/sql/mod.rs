@@ -30,7 +30,7 @@ use crate::jobs::{
     Admission, ArtifactKey, ArtifactKind, ArtifactRef, ArtifactStore, Batch, BatchId, BatchPage, ChangePage, Job,
     JobError, JobFilter, JobId, JobPage, JobState, JobStore, Lease, LeaseStatus, LeasedJob, Load, NewBatch, NewJob,
     Once, OnceStatus, Outcome, Overdue, PageRequest, Purged, Recovered, Retention, Tenant, TraceChunk, TracePage,
-    WorkerId, job::Cursor,
+    WaitingJob, WorkerId, job::Cursor,
 };
 use async_trait::async_trait;
 use database::{Database, bind};
@@ -175,6 +175,20 @@ impl JobStore for SqlStore {
         max_run: Duration,
     ) -> Result<Option<LeasedJob>, JobError> {
         self.claim_next(worker, lease, max_run).await
+    }
+
+    async fn front_of_queue(&self, limit: u32) -> Result<Vec<WaitingJob>, JobError> {
+        self.read_front(limit).await
+    }
+
+    async fn claim_one_of(
+        &self,
+        jobs: &[JobId],
+        worker: &WorkerId,
+        lease: Duration,
+        max_run: Duration,
+    ) -> Result<Option<LeasedJob>, JobError> {
+        self.claim_first_of(jobs, worker, lease, max_run).await
     }
 
     async fn heartbeat(&self, lease: &Lease, duration: Duration) -> Result<LeaseStatus, JobError> {

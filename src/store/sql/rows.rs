@@ -2,10 +2,11 @@
 
 use super::database::Row;
 use crate::jobs::job::Cursor;
-use crate::jobs::{BatchId, Failure, Job, JobError, JobId, JobInput, JobState, Progress, Tenant};
+use crate::jobs::{BatchId, Failure, Job, JobError, JobId, JobInput, JobState, Progress, Tenant, WaitingJob};
 use crate::observe::Phase;
 use jiff::Timestamp;
 use serde::de::DeserializeOwned;
+use std::time::Duration;
 
 /// The job in a row of the view `job_records`.
 pub(super) fn job(row: &Row) -> Result<Job, JobError> {
@@ -52,6 +53,18 @@ pub(super) fn job(row: &Row) -> Result<Job, JobError> {
         traceparent: row.get("traceparent")?,
         lease_epoch: row.get::<i64>("lease_epoch")?.unsigned_abs(),
         read_at: time(row.get("read_at")?)?,
+    })
+}
+
+/// The waiting job in a row of `front_of_queue`.
+pub(super) fn waiting_job(row: &Row) -> Result<WaitingJob, JobError> {
+    let waited_ms: i64 = row.get("waited_ms")?;
+    Ok(WaitingJob {
+        id: job_id(&row.get::<String>("id")?)?,
+        parameters: json("a job's parameters", &row.get::<String>("parameters")?)?,
+        source: json("a job's source", &row.get::<String>("source")?)?,
+        target: json("a job's target", &row.get::<String>("target")?)?,
+        waited: Duration::from_millis(waited_ms.max(0).unsigned_abs()),
     })
 }
 

@@ -1,8 +1,10 @@
 //! The service under load: submissions, claims, polling while all cores compute, large tables, followers, memory.
 //!
 //! `make bench-service` runs this and keeps what it prints as a dated record under `benches/records/`. `--quick` is a
-//! smoke run whose figures mean nothing; a word (`submit`, `claim`, `poll`, `follow`, `idle`, `upload`, `table`) runs
-//! one part. PostgreSQL is a private cluster as in the tests of faults; where there is none, its rows are missing. No
+//! smoke run whose figures mean nothing; a word (`submit`, `claim`, `poll`, `follow`, `idle`, `upload`, `table`,
+//! `overhead`, `schedule`, `template`) runs one part, and `schedule-gain`, `schedule-small`, `schedule-middle` or
+//! `schedule-mixed` one of `schedule`. SERVICE_BENCH_METHOD and SERVICE_BENCH_JOBS set the method of the matches and their
+//! number in the last three. PostgreSQL is a private cluster as in the tests of faults; where there is none, its rows are missing. No
 //! test depends on it.
 #![allow(clippy::unwrap_used, clippy::print_stdout, clippy::panic, missing_docs)]
 
@@ -12,6 +14,10 @@ mod http;
 mod memory;
 #[path = "service/node.rs"]
 mod node;
+#[path = "service/overhead.rs"]
+mod overhead;
+#[path = "service/pairs.rs"]
+mod pairs;
 #[path = "service/place.rs"]
 mod place;
 #[path = "../tests/suite/faults/postgres.rs"]
@@ -22,6 +28,8 @@ mod queue;
 #[path = "../tests/suite/faults/s3.rs"]
 #[allow(dead_code, unused_imports, reason = "the tests use more of it")]
 mod s3;
+#[path = "service/schedule.rs"]
+mod schedule;
 #[path = "service/table.rs"]
 mod table;
 
@@ -83,7 +91,9 @@ fn main() {
     let words: Vec<String> = std::env::args().skip(1).filter(|a| a != "--bench").collect();
     let scale = Scale { quick: words.iter().any(|w| w == "--quick") };
     let parts: Vec<_> = words.iter().filter(|w| !w.starts_with("--")).collect();
-    let wanted = |name: &str| parts.is_empty() || parts.iter().any(|w| *w == name);
+    let is_named = |name: &str| parts.iter().any(|w| *w == name);
+    let wanted = |name: &str| parts.is_empty() || is_named(name);
+    let of_schedule = |name: &str| wanted("schedule") || is_named(name);
     homolog::tls::prepare();
     place::allow_many_files();
     println!("machine: {}, shared with other work", machine());
@@ -115,6 +125,22 @@ fn main() {
         }
         if wanted("table") {
             table::latencies(scale).await;
+        }
+        if wanted("overhead") {
+            overhead::overhead(scale).await;
+        }
+        if of_schedule("schedule-gain") {
+            schedule::gains(scale);
+        }
+        let parts: Vec<_> = schedule::PARTS.into_iter().filter(|part| of_schedule(part)).collect();
+        if !parts.is_empty() {
+            schedule::explain();
+        }
+        for part in parts {
+            schedule::compare(&schedule::workload(part, scale)).await;
+        }
+        if wanted("template") {
+            schedule::template(scale).await;
         }
     });
     runtime.shutdown_background();

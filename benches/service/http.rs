@@ -81,6 +81,34 @@ impl Client {
         serde_json::from_slice::<Value>(&answer).unwrap()["id"].as_str().unwrap().to_owned()
     }
 
+    /// Submits a job that is computed in any case, and returns it when it has ended, as soon as the service says so.
+    pub async fn submit_and_wait(&mut self, source: &[u8], target: &[u8], parameters: &Value) -> Value {
+        let mut body = Vec::new();
+        for (name, file, content) in [
+            ("source", "; filename=\"s.ply\"", source),
+            ("target", "; filename=\"t.ply\"", target),
+            ("parameters", "", parameters.to_string().as_bytes()),
+            ("use_cache", "", b"false".as_slice()),
+        ] {
+            let head = format!("--b\r\nContent-Disposition: form-data; name=\"{name}\"{file}\r\n\r\n");
+            body.extend_from_slice(head.as_bytes());
+            body.extend_from_slice(content);
+            body.extend_from_slice(b"\r\n");
+        }
+        body.extend_from_slice(b"--b--\r\n");
+        let form = "multipart/form-data; boundary=b\r\nPrefer: wait=30";
+        let (mut status, mut answer) = self.ask("POST", "/v1/jobs", form, &body).await;
+        loop {
+            assert!(status < 300, "{}", String::from_utf8_lossy(&answer));
+            let job: Value = serde_json::from_slice(&answer).unwrap();
+            if !["queued", "running"].contains(&job["state"].as_str().unwrap()) {
+                return job;
+            }
+            let path = format!("/v1/jobs/{}?wait=30", job["id"].as_str().unwrap());
+            (status, answer) = self.ask("GET", &path, "", b"").await;
+        }
+    }
+
     async fn until_state(&mut self, id: &str, wanted: &[&str]) {
         loop {
             let (_, body) = self.ask("GET", &format!("/v1/jobs/{id}"), "", b"").await;

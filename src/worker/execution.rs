@@ -119,7 +119,11 @@ fn start_computation(
     let (engine, recorder) = (Arc::clone(&parts.engine), Arc::clone(recorder));
     let (sender, receiver) = oneshot::channel();
     // Of its own, so that a job has just the threads that it was given, however many run beside it.
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(n_threads).start_handler(|_| give_way()).build();
+    let pool = rayon::ThreadPoolBuilder::new()
+        .num_threads(n_threads)
+        .thread_name(|i| format!("compute-{i}"))
+        .start_handler(|_| give_way())
+        .build();
     let pool = pool.map_err(std::io::Error::other)?;
     std::thread::Builder::new().name("compute".to_owned()).spawn(move || {
         give_way();

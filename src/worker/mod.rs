@@ -1,10 +1,12 @@
 //! Workers: lease a job, read its inputs, compute on a thread of its own, finish under the fence.
 //!
 //! A worker knows nothing of what it computes: that is the [`crate::jobs::Engine`]'s, of which
-//! [`match_engine`] is the real one. Reading order: [`schedule`] (which job starts next), [`capacity`] and [`prediction`] (what
-//! there is, and what a job takes of it), [`pool`] (claims what can start), [`execution`] (one job from claim to finish),
-//! [`heartbeat`] (its own thread, so that no computation can starve it), [`recorder`] (trace and progress),
-//! [`control`] (how a computation is told to stop), [`priority`] (computing gives way to answering), [`presentation`] (results in other file formats), [`housekeeper`] (jobs of the dead, blobs of nobody), [`courier`] (webhooks).
+//! [`match_engine`] is the real one. Reading order: [`schedule`] (which job starts next), [`capacity`], [`machine`] and
+//! [`prediction`] (what there is, and what a match takes of it), [`pool`] (claims what can start), [`execution`] (one job
+//! from claim to finish), [`heartbeat`] (its own thread, so that no computation can starve it), [`recorder`] (trace and
+//! progress), [`control`] (how a computation is told to stop), [`priority`] (computing gives way to answering),
+//! [`presentation`] (results in other file formats), [`housekeeper`] (jobs of the dead, blobs of nobody), [`courier`]
+//! (webhooks).
 
 pub mod capacity;
 pub mod control;

@@ -15,6 +15,8 @@ use tokio_util::sync::CancellationToken;
 
 /// Wait after a store did not answer.
 const AFTER_ERROR: Duration = Duration::from_secs(1);
+/// Wait after others took what was looked at, so that processes that look at once do not keep doing so.
+const AFTER_MISS: Duration = Duration::from_millis(5);
 /// Waiting jobs looked at to find one that can start: more than start at once on any machine, so few that reading them
 /// takes a few milliseconds.
 const FRONT: u32 = 64;
@@ -176,7 +178,7 @@ impl Dispatcher {
         self.parts.quota.claimed(matches!(look, Ok(Look::Granted(_))));
         match look {
             Ok(Look::Granted(granted)) => self.start(*granted),
-            Ok(Look::Missed) => {}
+            Ok(Look::Missed) => tokio::time::sleep(AFTER_MISS).await,
             Ok(Look::Nothing) => self.pause(self.parts.settings.poll).await,
             Err(error) => {
                 tracing::warn!(error = %with_sources(&error), "no job could be claimed");

@@ -19,3 +19,37 @@ pub fn predict(parameters: &MatchParameters, source: SurfaceSize, target: Surfac
     };
     Demand { cores, memory_bytes }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::matching::parameters::{Method, preset};
+
+    fn cores(method: Method, source: u32, target: u32) -> usize {
+        let size = |n_vertices| SurfaceSize { n_vertices, n_faces: 2 * n_vertices - 4 };
+        predict(&preset(method), size(source), size(target)).cores
+    }
+
+    #[test]
+    fn small_pairs_take_a_core_and_larger_ones_more() {
+        let sizes = [4, 600, 2_500, 10_000, 40_000, 160_000];
+        let cores: Vec<_> = sizes.iter().map(|&n| cores(Method::Balanced, n, n)).collect();
+        assert_eq!(cores, [1, 1, 1, 2, 10, 40]);
+    }
+
+    #[test]
+    fn of_two_surfaces_both_count_whichever_moves() {
+        for (source, target) in [(40_000, 100), (1_000, 64_000), (5_000, 20_000)] {
+            let [one, other] = [(source, target), (target, source)].map(|(s, t)| cores(Method::Balanced, s, t));
+            assert_eq!(one, other);
+        }
+    }
+
+    #[test]
+    fn registration_alone_takes_one_core() {
+        for method in Method::ALL {
+            let is_alone = preset(method).inference.algorithm == Algorithm::None;
+            assert_eq!(cores(method, 20_000, 20_000) == 1, is_alone, "{}", method.name());
+        }
+    }
+}

@@ -3,7 +3,8 @@
 //! Jobs start in the order of the queue. One that needs more than is free just now may be passed by later ones that fit,
 //! so that no core idles while there is work for it; but once it has waited for longer than the patience, nothing later
 //! starts before it, and what runs drains until there is room. A large job therefore waits at most for its patience and
-//! the longest job then running, and the price is cores that idle for the drain.
+//! the longest job then running, and the price is cores that idle for the drain. Processes that share a queue follow the
+//! rule each for itself; the first that has room takes the job.
 
 use std::time::Duration;
 

@@ -60,14 +60,15 @@ fn coming() -> impl Strategy<Value = Vec<Coming>> {
     })
 }
 
-/// A start: which job, when, and by when all that ran at that moment had ended.
+/// A start: which job, and when.
 #[derive(Debug, Clone, Copy)]
 struct Start {
     job: usize,
     at: u64,
 }
 
-/// A process that follows the rule; its clock goes in steps. Looks at `check` before and after each round of starts.
+/// A process that follows the rule; its clock goes in steps. When nothing more starts in a step, `check` is shown the time,
+/// what is free and who waits.
 fn simulate(jobs: &[Coming], patience: u64, mut check: impl FnMut(u64, Room, &[usize])) -> Vec<Start> {
     let (mut waiting, mut running): (Vec<usize>, Vec<(usize, u64)>) = (Vec::new(), Vec::new());
     let (mut starts, mut next, mut now) = (Vec::new(), 0, 0);

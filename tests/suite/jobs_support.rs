@@ -4,8 +4,8 @@ use homolog::app::{self, App, Shutdown};
 use homolog::config::{HttpSettings, ServiceSettings};
 use homolog::jobs::engine::{MethodDescription, Product, Resolved};
 use homolog::jobs::{
-    ArtifactKind, ComputeError, ComputeTask, Engine, Failure, InputBytes, InputRefusal, InputSummary, ParameterFault,
-    PartFormat, PresentError, ResultPart,
+    ArtifactKind, ComputeError, ComputeTask, Demand, Engine, Failure, InputBytes, InputRefusal, InputSummary,
+    ParameterFault, PartFormat, PresentError, ResultPart, SurfaceSize,
 };
 use homolog::observe::{Observer, Phase, TracePoint};
 use reqwest::multipart::{Form, Part};
@@ -15,7 +15,7 @@ use std::sync::atomic::{AtomicU32, Ordering};
 use std::time::{Duration, Instant};
 
 /// Numbers that a job's parameters may set: points of the trace, ms between them, and switches (not 0 = on).
-const KEYS: [&str; 8] = ["points", "step_ms", "fail", "panic", "abort", "deaf", "sign", "seed"];
+const KEYS: [&str; 9] = ["points", "step_ms", "fail", "panic", "abort", "deaf", "sign", "seed", "cores"];
 
 /// Does what the parameters say; counts how often it computed.
 #[derive(Debug, Default)]
@@ -73,6 +73,11 @@ impl Engine for ObedientEngine {
         Ok(InputSummary { n_vertices: 3, n_faces: 1, report: json!({"hint": input.name_hint}) })
     }
 
+    fn demand(&self, parameters: &Value, _: SurfaceSize, _: SurfaceSize) -> Demand {
+        let cores = parameters.get("cores").and_then(Value::as_u64);
+        cores.map_or(Demand::UNKNOWN, |cores| Demand { cores: cores as usize, memory_bytes: 0 })
+    }
+
     fn compute(&self, task: &ComputeTask, observer: &dyn Observer) -> Result<Vec<Product>, ComputeError> {
         self.computed.fetch_add(1, Ordering::SeqCst);
         let number = |key: &str| task.parameters.get(key).and_then(Value::as_u64).unwrap_or(0);
@@ -100,6 +105,7 @@ impl Engine for ObedientEngine {
         let mut result = json!({"transform": {"matrix": [[1.5]]}, "points": points});
         if number("sign") != 0 {
             result["process"] = json!(std::process::id());
+            result["n_threads"] = json!(rayon::current_num_threads());
         }
         let product = |kind, text: String| Product { kind, bytes: text.into_bytes() };
         let columns = json!({"source": [0, 1], "target": [1, 0], "confidence": [0.5, 0.25], "inlier": [true, false]});

@@ -17,6 +17,7 @@ mod process;
 mod real_data;
 mod real_pairs;
 mod representations;
+mod scheduling;
 mod server;
 mod service;
 mod store;

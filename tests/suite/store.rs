@@ -5,7 +5,7 @@ use homolog::jobs::job::Order;
 use homolog::jobs::{
     Admission, ArtifactKey, ArtifactKind, ArtifactRef, ArtifactStore, Failure, Job, JobError, JobFilter, JobId,
     JobInput, JobState, JobStore, Lease, LeaseStatus, NewJob, NumberedPoint, Outcome, PageRequest, Progress, Recovered,
-    Tenant, TraceChunk, WorkerId,
+    Tenant, TraceChunk, WaitingJob, WorkerId,
 };
 use homolog::observe::{Phase, TracePoint};
 use homolog::store::sql::SqlStore;
@@ -124,6 +124,53 @@ async fn claims_go_by_priority_then_age(f: Fixture) {
         order.push(leased.lease.job_id);
     }
     assert_eq!(order, [1, 4, 0, 2, 3].map(|i: usize| jobs[i].id));
+}
+
+async fn the_front_of_the_queue_is_what_claims_take(f: Fixture) {
+    let jobs = [f.add(0).await, f.add(5).await, f.add(0).await, f.add(-1).await];
+    let order = [1, 0, 2, 3].map(|i: usize| jobs[i].id);
+    let ids = |front: &[WaitingJob]| front.iter().map(|job| job.id).collect::<Vec<_>>();
+    assert_eq!(ids(&f.store.front_of_queue(3).await.unwrap()), order[..3]);
+    let front = f.store.front_of_queue(10).await.unwrap();
+    assert_eq!((ids(&front), &front[0].parameters), (order.to_vec(), &json!({"seed": 1})));
+    assert_eq!((front[0].source.n_vertices, front[0].target.n_faces), (1, 1));
+    assert!(front.iter().all(|job| job.waited < LONG), "{front:?}");
+    tokio::time::sleep(SHORT).await;
+    assert!(f.store.front_of_queue(1).await.unwrap()[0].waited >= SHORT / 2);
+
+    let claim = async |jobs: &[JobId]| f.store.claim_one_of(jobs, &f.worker, LONG, LONG).await.unwrap();
+    let leased = claim(&[order[2], order[0]]).await.unwrap();
+    assert_eq!((leased.job.id, leased.lease.epoch, leased.job.state), (order[2], 1, JobState::Running));
+    assert_eq!(claim(&[order[2], order[0]]).await.unwrap().job.id, order[0], "the first that still waits");
+    assert!(claim(&[order[2], order[0]]).await.is_none());
+    f.store.release(&leased.lease).await.unwrap();
+    assert_eq!(ids(&f.store.front_of_queue(10).await.unwrap()), [order[1], order[2], order[3]]);
+    assert_eq!(claim(&order[2..3]).await.unwrap().lease.epoch, 2);
+}
+
+async fn of_claimers_that_see_the_same_queue_each_gets_another_job(f: Fixture) {
+    for _ in 0..40 {
+        f.add(0).await;
+    }
+    let mut claimers = tokio::task::JoinSet::new();
+    for _ in 0..8 {
+        let store = f.another().await;
+        claimers.spawn(async move {
+            let (worker, mut claimed) = (WorkerId::random(), Vec::new());
+            loop {
+                let front: Vec<_> = store.front_of_queue(64).await.unwrap().iter().map(|job| job.id).collect();
+                match store.claim_one_of(&front, &worker, LONG, LONG).await.unwrap() {
+                    Some(leased) => claimed.push(leased.job.id),
+                    None if front.is_empty() => return claimed,
+                    None => {}
+                }
+            }
+        });
+    }
+    let mut claimed: Vec<_> = claimers.join_all().await.concat();
+    claimed.sort();
+    claimed.dedup();
+    assert_eq!(claimed.len(), 40);
 }
 
 async fn no_job_is_claimed_twice(f: Fixture) {
@@ -414,6 +461,8 @@ pub(crate) use on_every_store;
 
 on_every_store! {
     claims_go_by_priority_then_age,
+    the_front_of_the_queue_is_what_claims_take,
+    of_claimers_that_see_the_same_queue_each_gets_another_job,
     no_job_is_claimed_twice,
     a_stale_worker_changes_nothing,
     a_heartbeat_keeps_a_lease,

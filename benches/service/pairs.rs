@@ -1,0 +1,99 @@
+//! Surfaces of about a given size, and batches of matches through the service.
+
+use crate::http::Client;
+use homolog::formats::ply::write_ply;
+use homolog::mesh::SurfaceMesh;
+use homolog::phantom::{PairRecipe, PhantomPair};
+use jiff::Timestamp;
+use serde_json::{Value, json};
+use std::time::Duration;
+
+/// Vertices of a phantom times the square of its edge length in mm, about.
+const VERTICES_MM2: f64 = 1_480.0;
+/// Most jobs of a page.
+const PAGE: usize = 500;
+
+/// Method of the matches, if not the service's default.
+pub fn parameters() -> Value {
+    std::env::var("SERVICE_BENCH_METHOD").map_or_else(|_| json!({}), |method| json!({"method": method}))
+}
+
+/// Source and target, two subjects of about `n_vertices` each in different poses, as PLY.
+pub fn pair(n_vertices: usize) -> [Vec<u8>; 2] {
+    subject(1, n_vertices)
+}
+
+/// Another source for each seed, and a target that is the same for all.
+pub fn subject(seed: u64, n_vertices: usize) -> [Vec<u8>; 2] {
+    let pair = PhantomPair::new(PairRecipe {
+        subject: seed + 1,
+        target_subject: 0,
+        deform_share: 0.0,
+        deform_seed: 0,
+        pose_seed: Some(3),
+        permute_seed: Some(4),
+    });
+    let (pair, edge_mm) = (pair.unwrap(), (VERTICES_MM2 / n_vertices as f64).sqrt());
+    let surfaces: [SurfaceMesh; 2] =
+        [pair.source_surface(edge_mm).unwrap().mesh, pair.target_surface(edge_mm).unwrap().0.mesh];
+    surfaces.map(|mesh| write_ply(&mesh))
+}
+
+/// When a job was accepted, began and ended, and how large it was.
+#[derive(Debug, Clone, Copy)]
+pub struct Times {
+    pub created: Timestamp,
+    pub started: Timestamp,
+    pub finished: Timestamp,
+    pub n_vertices: u64,
+}
+
+impl Times {
+    pub fn waited_s(&self) -> f64 {
+        self.started.duration_since(self.created).as_secs_f64()
+    }
+
+    pub fn ran_s(&self) -> f64 {
+        self.finished.duration_since(self.started).as_secs_f64()
+    }
+}
+
+/// From the first acceptance to the last end, s.
+pub fn makespan_s(times: &[Times]) -> f64 {
+    let began = times.iter().map(|t| t.created).min().unwrap();
+    let ended = times.iter().map(|t| t.finished).max().unwrap();
+    ended.duration_since(began).as_secs_f64()
+}
+
+/// Uploads a surface and returns its id.
+pub async fn upload(client: &mut Client, ply: &[u8]) -> String {
+    let path = "/v1/meshes?file_name=s.ply";
+    let (status, body) = client.ask("POST", path, "application/octet-stream", ply).await;
+    assert!(status == 200 || status == 201, "{}", String::from_utf8_lossy(&body));
+    serde_json::from_slice::<Value>(&body).unwrap()["id"].as_str().unwrap().to_owned()
+}
+
+/// Submits a batch, returns when all of its jobs have ended, and says when each did what.
+pub async fn run_batch(client: &mut Client, batch: &Value) -> Vec<Times> {
+    let (status, body) = client.ask("POST", "/v1/batches", "application/json", batch.to_string().as_bytes()).await;
+    let answer: Value = serde_json::from_slice(&body).unwrap();
+    assert!((200..300).contains(&status), "{answer}");
+    let path = format!("/v1/batches/{}/jobs?page_size={PAGE}", answer["id"].as_str().unwrap());
+    loop {
+        tokio::time::sleep(Duration::from_millis(200)).await;
+        let (_, body) = client.ask("GET", &path, "", b"").await;
+        let page: Value = serde_json::from_slice(&body).unwrap();
+        let jobs = page["jobs"].as_array().unwrap();
+        let of = |state: &str| jobs.iter().filter(|job| job["state"] == state).count();
+        if of("queued") + of("running") == 0 {
+            assert_eq!(of("succeeded"), jobs.len(), "{page}");
+            return jobs.iter().map(times).collect();
+        }
+    }
+}
+
+fn times(job: &Value) -> Times {
+    let time = |name: &str| job[name].as_str().unwrap().parse().unwrap();
+    let n_vertices = job["source"]["n_vertices"].as_u64().unwrap();
+    Times { created: time("created_at"), started: time("started_at"), finished: time("finished_at"), n_vertices }
+}

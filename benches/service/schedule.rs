@@ -1,0 +1,170 @@
+//! Jobs an hour by how a process shares its cores, against both extremes, and for a template against many subjects.
+
+use crate::http::Client;
+use crate::node::Node;
+use crate::pairs::{self, Times, makespan_s, parameters, run_batch, upload};
+use crate::place::Place;
+use crate::{Latencies, Scale};
+use serde_json::{Value, json};
+use std::process::{Command, Stdio};
+use std::time::Instant;
+
+/// Vertices of each surface.
+const SMALL: usize = 600;
+const MIDDLE: usize = 2_500;
+const LARGE: usize = 10_000;
+
+/// The parts of this comparison, a workload each.
+pub const PARTS: [&str; 3] = ["schedule-small", "schedule-middle", "schedule-mixed"];
+
+/// Jobs to run, by the vertices of their surfaces, in the order of the queue.
+pub struct Workload {
+    name: &'static str,
+    jobs: Vec<usize>,
+}
+
+/// As many as the measurement wants, or as the environment says.
+fn count(scale: Scale, full: usize) -> usize {
+    let told = std::env::var("SERVICE_BENCH_JOBS").ok().map(|n| n.parse().unwrap());
+    told.unwrap_or(scale.pick(4, full))
+}
+
+/// The workload of a part.
+pub fn workload(part: &str, scale: Scale) -> Workload {
+    match part {
+        "schedule-small" => Workload { name: "small pairs", jobs: vec![SMALL; count(scale, 40)] },
+        "schedule-middle" => {
+            Workload { name: "pairs of 2,500", jobs: vec![scale.pick(SMALL, MIDDLE); count(scale, 20)] }
+        }
+        "schedule-mixed" => {
+            let mut jobs = vec![SMALL; count(scale, 20)];
+            jobs.insert(jobs.len() / 2, scale.pick(MIDDLE, LARGE));
+            Workload { name: "one of 10,000 among small pairs", jobs }
+        }
+        other => panic!("no workload {other}"),
+    }
+}
+
+/// What one more core is worth to a match that is alone: what the prediction of cores rests on.
+pub fn gains(scale: Scale) {
+    println!("\n## One match on one core and on all\n");
+    println!("`homolog match`, median of the runs, reading and writing included.\n");
+    println!("| vertices | runs | one core s | all cores s | gain |\n|---|---|---|---|---|");
+    for (n_vertices, n_runs) in [(SMALL, 5), (MIDDLE, 3), (scale.pick(MIDDLE, LARGE), 1)] {
+        let folder = tempfile::tempdir().unwrap();
+        let files = write_pair(folder.path(), pairs::pair(n_vertices));
+        let mut taken = [Vec::new(), Vec::new()];
+        for _ in 0..n_runs {
+            for (threads, taken) in ["1", "0"].iter().zip(&mut taken) {
+                taken.push(timed_match(&files, &folder.path().join("out"), threads));
+            }
+        }
+        let [one, all] = taken.map(|taken| Latencies::new(taken).ms(0.5) / 1e3);
+        println!("| {n_vertices} | {n_runs} | {one:.2} | {all:.2} | {:.2} |", one / all);
+    }
+}
+
+/// Files of a pair in a folder.
+pub fn write_pair(folder: &std::path::Path, pair: [Vec<u8>; 2]) -> [std::path::PathBuf; 2] {
+    let files = ["source.ply", "target.ply"].map(|name| folder.join(name));
+    for (file, ply) in files.iter().zip(pair) {
+        std::fs::write(file, ply).unwrap();
+    }
+    files
+}
+
+/// Seconds of a `homolog match`; "0" threads are all that there are.
+pub fn timed_match(files: &[std::path::PathBuf; 2], out: &std::path::Path, threads: &str) -> f64 {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_homolog"));
+    command.arg("match").args(files).arg("--out").arg(out).env("RAYON_NUM_THREADS", threads);
+    for (name, value) in parameters().as_object().unwrap() {
+        command.args(["--set", &format!("{name}={value}")]);
+    }
+    let began = Instant::now();
+    let status = command.stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null()).status().unwrap();
+    assert!(status.success());
+    began.elapsed().as_secs_f64()
+}
+
+/// Prints what the rows of the workloads mean.
+pub fn explain() {
+    println!("\n## Jobs an hour by how cores are shared\n");
+    println!("A batch over uploads, from its acceptance to the end of its last job; the default method unless");
+    println!(
+        "SERVICE_BENCH_METHOD names another. \"One after another\": `--workers 1`, each job on all cores. \"Side by"
+    );
+    println!(
+        "side\": as many workers as cores, each job on one, the large one too. \"By prediction\": neither is said.\n"
+    );
+    println!(
+        "| jobs | shared | seconds | jobs an hour | large waited s | large ran s | small waited s, mean | most MiB |"
+    );
+    println!("|---|---|---|---|---|---|---|---|");
+}
+
+/// Rows of one workload.
+pub async fn compare(workload: &Workload) {
+    let cores = std::thread::available_parallelism().map_or(1, usize::from).to_string();
+    let ways = [("one after another", Some("1")), ("side by side", Some(cores.as_str())), ("by prediction", None)];
+    for (way, workers) in ways {
+        let place = Place::sqlite();
+        let mut environment = place.environment();
+        environment.extend(workers.map(|n| ("HOMOLOG_WORKERS", n.to_owned())));
+        let node = Node::program(&environment);
+        let mut client = Client::connect(&node.address).await;
+        let mut sizes = workload.jobs.clone();
+        sizes.sort_unstable();
+        sizes.dedup();
+        let mut ids = Vec::new();
+        for &n_vertices in &sizes {
+            let [source, target] = pairs::pair(n_vertices);
+            ids.push([upload(&mut client, &source).await, upload(&mut client, &target).await]);
+        }
+        let of = |n_vertices: &usize| &ids[sizes.iter().position(|size| size == n_vertices).unwrap()];
+        let pairs: Vec<Value> = workload
+            .jobs
+            .iter()
+            .map(|job| of(job))
+            .map(|[source, target]| json!({"source": source, "target": target}))
+            .collect();
+        let times = run_batch(&mut client, &json!({"pairs": pairs, "parameters": parameters()})).await;
+        row(workload, way, &times, node.status_mib("VmHWM"));
+    }
+}
+
+fn row(workload: &Workload, way: &str, times: &[Times], most_mib: f64) {
+    let seconds = makespan_s(times);
+    let largest = times.iter().map(|t| t.n_vertices).max().unwrap();
+    let is_mixed = times.iter().any(|t| t.n_vertices * 2 < largest);
+    let (large, small): (Vec<_>, Vec<_>) = times.iter().partition(|t| is_mixed && t.n_vertices == largest);
+    let large = large.first().map_or(" | ".to_owned(), |t| format!("{:.1} | {:.1}", t.waited_s(), t.ran_s()));
+    let waited = small.iter().map(|t| t.waited_s()).sum::<f64>() / small.len() as f64;
+    println!(
+        "| {} {} | {way} | {seconds:.1} | {:.0} | {large} | {waited:.1} | {most_mib:.0} |",
+        times.len(),
+        workload.name,
+        times.len() as f64 / seconds * 3600.0
+    );
+}
+
+/// Pairs an hour of a template against many subjects.
+pub async fn template(scale: Scale) {
+    let (n_subjects, n_vertices) = (count(scale, 100), scale.pick(SMALL, MIDDLE));
+    println!("\n## A template against {n_subjects} subjects\n");
+    println!("Surfaces of about {n_vertices} vertices, uploaded before; one batch, default settings.\n");
+    println!("| seconds | pairs an hour | most MiB |\n|---|---|---|");
+    let place = Place::sqlite();
+    let node = Node::program(&place.environment());
+    let mut client = Client::connect(&node.address).await;
+    let mut template = String::new();
+    let mut subjects = Vec::new();
+    for seed in 0..n_subjects as u64 {
+        let [source, target] = pairs::subject(seed, n_vertices);
+        subjects.push(json!({"mesh_id": upload(&mut client, &source).await}));
+        template = upload(&mut client, &target).await;
+    }
+    let batch = json!({"template": template, "subjects": subjects, "parameters": parameters()});
+    let seconds = makespan_s(&run_batch(&mut client, &batch).await);
+    let most = node.status_mib("VmHWM");
+    println!("| {seconds:.1} | {:.0} | {most:.0} |", n_subjects as f64 / seconds * 3600.0);
+}

@@ -1,0 +1,119 @@
+//! Which of several waiting jobs begins, when, and on how many threads.
+
+use super::jobs_support::{ObedientEngine, TestService};
+use homolog::app::{App, Shutdown};
+use homolog::config::ServiceSettings;
+use homolog::jobs::Engine;
+use serde_json::{Value, json};
+use std::sync::Arc;
+use std::sync::atomic::Ordering;
+use std::time::Duration;
+
+/// A job that gains from so many cores and runs for a second and a half, unless it is told to end.
+fn on_cores(cores: u64) -> Value {
+    json!({"cores": cores, "points": 75, "step_ms": 20, "sign": 1})
+}
+
+/// So that no job waits for long enough to hold others back.
+const PATIENT: [&str; 2] = ["--patience-ms", "600000"];
+
+async fn state(service: &TestService, id: &str) -> Value {
+    service.json(&format!("/v1/jobs/{id}")).await["state"].clone()
+}
+
+async fn n_threads(service: &TestService, id: &str) -> Value {
+    assert_eq!(service.until_final(id).await["state"], "succeeded");
+    service.json(&format!("/v1/jobs/{id}/result")).await["n_threads"].clone()
+}
+
+/// When a job began, as a text that sorts.
+async fn started_at(service: &TestService, id: &str) -> String {
+    let job = service.until_final(id).await;
+    assert_eq!(job["state"], "succeeded");
+    job["started_at"].as_str().unwrap().to_owned()
+}
+
+#[tokio::test]
+async fn small_jobs_run_side_by_side_while_a_large_one_waits_in_the_queue() {
+    let service = TestService::start(&[&["--cores", "3"], &PATIENT[..]].concat()).await;
+    let first = service.submit(on_cores(1)).await;
+    service.until_running(&first).await;
+    let large = service.submit(on_cores(3)).await;
+    let second = service.submit(on_cores(1)).await;
+    service.until_running(&second).await;
+    assert_eq!((state(&service, &first).await, state(&service, &large).await), (json!("running"), json!("queued")));
+    assert_eq!(n_threads(&service, &first).await, 3, "nothing else waited or ran when it began");
+    assert_eq!(n_threads(&service, &second).await, 1);
+    assert_eq!(n_threads(&service, &large).await, 3);
+    service.end().await;
+}
+
+#[tokio::test]
+async fn a_large_job_that_waited_for_long_goes_before_later_small_ones() {
+    let service = TestService::start(&["--cores", "2", "--patience-ms", "0"]).await;
+    let first = service.submit(on_cores(1)).await;
+    service.until_running(&first).await;
+    let large = service.submit(on_cores(2)).await;
+    let second = service.submit(on_cores(1)).await;
+    tokio::time::sleep(Duration::from_millis(500)).await;
+    assert_eq!(state(&service, &second).await, "queued", "a core is free, and kept for the large one");
+    assert!(started_at(&service, &large).await < started_at(&service, &second).await);
+    service.end().await;
+}
+
+#[derive(Debug, clap::Parser)]
+struct WorkerArguments {
+    #[command(flatten)]
+    service: ServiceSettings,
+}
+
+#[tokio::test]
+async fn what_cannot_start_here_is_left_to_other_processes() {
+    let service = TestService::start(&["--cores", "2", "--patience-ms", "0"]).await;
+    let small = service.submit(json!({"cores": 1, "points": 500, "step_ms": 20})).await;
+    service.until_running(&small).await;
+    let large = service.submit(json!({"cores": 2, "points": 2})).await;
+    tokio::time::sleep(Duration::from_millis(300)).await;
+    assert_eq!(state(&service, &large).await, "queued");
+
+    let data_dir = service.folder.path().to_str().unwrap().to_owned();
+    let arguments: WorkerArguments = clap::Parser::parse_from(["test", "--data-dir", &data_dir, "--cores", "2"]);
+    let (shutdown, engine) = (Shutdown::default(), Arc::new(ObedientEngine::default()));
+    let worker = App::open(&arguments.service, Arc::clone(&engine) as Arc<dyn Engine>, &shutdown, false).await.unwrap();
+    let ends = shutdown.clone();
+    let running = tokio::spawn(async move { worker.run(None, &ends).await });
+    assert_eq!(service.until_final(&large).await["state"], "succeeded");
+    assert_eq!((state(&service, &small).await, engine.computed.load(Ordering::SeqCst)), (json!("running"), 1));
+    shutdown.stop.cancel();
+    running.await.unwrap();
+    service.end().await;
+}
+
+#[tokio::test]
+async fn in_fixed_places_each_job_has_its_share_of_the_cores() {
+    let service = TestService::start(&["--cores", "4", "--workers", "2"]).await;
+    let first = service.submit(on_cores(4)).await;
+    service.until_running(&first).await;
+    let [second, third] = [service.submit(on_cores(1)).await, service.submit(on_cores(4)).await];
+    service.until_running(&second).await;
+    assert_eq!((state(&service, &first).await, state(&service, &third).await), (json!("running"), json!("queued")));
+    assert_eq!((n_threads(&service, &second).await, n_threads(&service, &third).await), (json!(2), json!(2)));
+    service.end().await;
+}
+
+#[tokio::test]
+async fn whoever_waits_for_a_short_job_hears_of_its_end_at_once() {
+    let service = TestService::start(&[]).await;
+    let mut waited = Vec::new();
+    for seed in 0..5 {
+        let form = super::jobs_support::form("source", "target", &json!({"points": 1, "seed": seed}));
+        let began = std::time::Instant::now();
+        let request = service.client.post(format!("{}/v1/jobs", service.base)).header("prefer", "wait=20");
+        let response = request.multipart(form).send().await.unwrap();
+        assert_eq!(response.status(), 200, "it has ended");
+        waited.push(began.elapsed());
+    }
+    // A look at the store comes only every quarter of a second while a job waits.
+    assert!(waited.iter().min().unwrap() < &Duration::from_millis(150), "{waited:?}");
+    service.end().await;
+}

@@ -93,7 +93,7 @@ pub async fn run_batch(client: &mut Client, batch: &Value) -> Vec<Times> {
 }
 
 fn times(job: &Value) -> Times {
-    let time = |name: &str| job[name].as_str().unwrap().parse().unwrap();
+    let time = |name: &str| job[name].as_str().unwrap().parse::<Timestamp>().unwrap();
     let n_vertices = job["source"]["n_vertices"].as_u64().unwrap();
     Times { created: time("created_at"), started: time("started_at"), finished: time("finished_at"), n_vertices }
 }

@@ -136,7 +136,7 @@ fn row(workload: &Workload, way: &str, times: &[Times], most_mib: f64) {
     let seconds = makespan_s(times);
     let largest = times.iter().map(|t| t.n_vertices).max().unwrap();
     let is_mixed = times.iter().any(|t| t.n_vertices * 2 < largest);
-    let (large, small): (Vec<_>, Vec<_>) = times.iter().partition(|t| is_mixed && t.n_vertices == largest);
+    let (large, small): (Vec<&Times>, Vec<&Times>) = times.iter().partition(|t| is_mixed && t.n_vertices == largest);
     let large = large.first().map_or(" | ".to_owned(), |t| format!("{:.1} | {:.1}", t.waited_s(), t.ran_s()));
     let waited = small.iter().map(|t| t.waited_s()).sum::<f64>() / small.len() as f64;
     println!(

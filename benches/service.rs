@@ -3,9 +3,9 @@
 //! `make bench-service` runs this and keeps what it prints as a dated record under `benches/records/`. `--quick` is a
 //! smoke run whose figures mean nothing; a word (`submit`, `claim`, `poll`, `follow`, `idle`, `upload`, `table`,
 //! `overhead`, `schedule`, `template`) runs one part, and `schedule-gain`, `schedule-small`, `schedule-middle` or
-//! `schedule-mixed` one of `schedule`. SERVICE_BENCH_METHOD and SERVICE_BENCH_JOBS set the method of the matches and their
-//! number in the last three. PostgreSQL is a private cluster as in the tests of faults; where there is none, its rows are missing. No
-//! test depends on it.
+//! `schedule-mixed` one of `schedule`. SERVICE_BENCH_PARAMETERS (JSON) and SERVICE_BENCH_JOBS set the parameters of these
+//! matches and the number of jobs of each workload. PostgreSQL is a private cluster as in the tests of faults; where there
+//! is none, its rows are missing. No test depends on it.
 #![allow(clippy::unwrap_used, clippy::print_stdout, clippy::panic, missing_docs)]
 
 #[path = "service/http.rs"]

@@ -14,7 +14,8 @@ pub async fn overhead(scale: Scale) {
     println!(
         "`homolog match --out` against `POST /v1/jobs` of the same two files with `Prefer: wait=30`, an empty queue,"
     );
-    println!("result stored on disk with fsync; in turns, every match computed. Both on all cores.\n");
+    println!("result stored on disk with fsync; in turns, every match computed. Both on all cores.");
+    pairs::say_parameters();
     println!("| vertices | runs | command line p50 ms | service p50 ms | more ms | more % | target |");
     println!("|---|---|---|---|---|---|---|");
     for (n_vertices, n_runs) in [(160, 15), (600, 11), (2_500, 5)] {

@@ -13,9 +13,17 @@ const VERTICES_MM2: f64 = 1_480.0;
 /// Most jobs of a page.
 const PAGE: usize = 500;
 
-/// Method of the matches, if not the service's default.
+/// Parameters of the matches; the service's defaults unless the environment says otherwise.
 pub fn parameters() -> Value {
-    std::env::var("SERVICE_BENCH_METHOD").map_or_else(|_| json!({}), |method| json!({"method": method}))
+    std::env::var("SERVICE_BENCH_PARAMETERS").map_or_else(|_| json!({}), |text| serde_json::from_str(&text).unwrap())
+}
+
+/// Says which parameters those are.
+pub fn say_parameters() {
+    match parameters() {
+        Value::Object(none) if none.is_empty() => println!("Default parameters.\n"),
+        told => println!("Parameters: `{told}`.\n"),
+    }
 }
 
 /// Source and target, two subjects of about `n_vertices` each in different poses, as PLY.

@@ -48,7 +48,8 @@ pub fn workload(part: &str, scale: Scale) -> Workload {
 /// What one more core is worth to a match that is alone: what the prediction of cores rests on.
 pub fn gains(scale: Scale) {
     println!("\n## One match on one core and on all\n");
-    println!("`homolog match`, median of the runs, reading and writing included.\n");
+    println!("`homolog match`, median of the runs, reading and writing included.");
+    pairs::say_parameters();
     println!("| vertices | runs | one core s | all cores s | gain |\n|---|---|---|---|---|");
     for (n_vertices, n_runs) in [(SMALL, 5), (MIDDLE, 3), (scale.pick(MIDDLE, LARGE), 1)] {
         let folder = tempfile::tempdir().unwrap();
@@ -76,10 +77,10 @@ pub fn write_pair(folder: &std::path::Path, pair: [Vec<u8>; 2]) -> [std::path::P
 /// Seconds of a `homolog match`; "0" threads are all that there are.
 pub fn timed_match(files: &[std::path::PathBuf; 2], out: &std::path::Path, threads: &str) -> f64 {
     let mut command = Command::new(env!("CARGO_BIN_EXE_homolog"));
-    command.arg("match").args(files).arg("--out").arg(out).env("RAYON_NUM_THREADS", threads);
-    for (name, value) in parameters().as_object().unwrap() {
-        command.args(["--set", &format!("{name}={value}")]);
-    }
+    let stated = out.with_extension("json");
+    std::fs::write(&stated, parameters().to_string()).unwrap();
+    command.arg("match").args(files).arg("--out").arg(out).arg("--params").arg(stated);
+    command.env("RAYON_NUM_THREADS", threads);
     let began = Instant::now();
     let status = command.stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null()).status().unwrap();
     assert!(status.success());
@@ -89,13 +90,12 @@ pub fn timed_match(files: &[std::path::PathBuf; 2], out: &std::path::Path, threa
 /// Prints what the rows of the workloads mean.
 pub fn explain() {
     println!("\n## Jobs an hour by how cores are shared\n");
-    println!("A batch over uploads, from its acceptance to the end of its last job; the default method unless");
     println!(
-        "SERVICE_BENCH_METHOD names another. \"One after another\": `--workers 1`, each job on all cores. \"Side by"
+        "A batch over uploads, from its acceptance to the end of its last job. \"One after another\": one worker,"
     );
-    println!(
-        "side\": as many workers as cores, each job on one, the large one too. \"By prediction\": neither is said.\n"
-    );
+    println!("each job on all cores. \"Side by side\": as many workers as cores, each job on one, also the large one.");
+    println!("\"By prediction\": the default.");
+    pairs::say_parameters();
     println!(
         "| jobs | shared | seconds | jobs an hour | large waited s | large ran s | small waited s, mean | most MiB |"
     );
@@ -151,7 +151,8 @@ fn row(workload: &Workload, way: &str, times: &[Times], most_mib: f64) {
 pub async fn template(scale: Scale) {
     let (n_subjects, n_vertices) = (count(scale, 100), scale.pick(SMALL, MIDDLE));
     println!("\n## A template against {n_subjects} subjects\n");
-    println!("Surfaces of about {n_vertices} vertices, uploaded before; one batch, default settings.\n");
+    println!("Surfaces of about {n_vertices} vertices, uploaded before; one batch, default settings.");
+    pairs::say_parameters();
     println!("| seconds | pairs an hour | most MiB |\n|---|---|---|");
     let place = Place::sqlite();
     let node = Node::program(&place.environment());

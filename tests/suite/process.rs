@@ -104,7 +104,7 @@ fn a_job_survives_the_death_of_its_process() {
     let folder = tempfile::tempdir().unwrap();
     let [source, target] = pair(&folder.path().join("pair"));
     let data_dir = folder.path().join("data");
-    let server = Server::start(&data_dir, &[]);
+    let server = Server::start(&data_dir, &["--workers", "1"]);
     let running = server.submit(&source, &target);
     let waiting = server.submit(&target, &source);
     // Killed with a part of the trace on disk, so that a double would show.

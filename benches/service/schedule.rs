@@ -121,12 +121,8 @@ pub async fn compare(workload: &Workload) {
             ids.push([upload(&mut client, &source).await, upload(&mut client, &target).await]);
         }
         let of = |n_vertices: &usize| &ids[sizes.iter().position(|size| size == n_vertices).unwrap()];
-        let pairs: Vec<Value> = workload
-            .jobs
-            .iter()
-            .map(|job| of(job))
-            .map(|[source, target]| json!({"source": source, "target": target}))
-            .collect();
+        let pairs: Vec<Value> =
+            workload.jobs.iter().map(of).map(|[source, target]| json!({"source": source, "target": target})).collect();
         let times = run_batch(&mut client, &json!({"pairs": pairs, "parameters": parameters()})).await;
         row(workload, way, &times, node.status_mib("VmHWM"));
     }

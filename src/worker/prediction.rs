@@ -4,7 +4,11 @@ use crate::jobs::{Demand, SurfaceSize};
 use crate::matching::parameters::{Algorithm, MatchParameters};
 use crate::run::match_memory_bytes;
 
-/// Vertices of a surface for each core that a match gains from; of two surfaces, the geometric mean.
+/// Vertices of a surface for each core that a match is given; of two surfaces, the geometric mean.
+///
+/// A choice between jobs an hour and the time of one: pairs of hippocampi at 1 mm, about 2,500 vertices each, come in
+/// batches and run side by side; one of 10,000 is waited for and gets a second core. `make bench-service
+/// PART=schedule-gain` measures what all cores are worth to one match, and is what to look at before changing this.
 pub const VERTICES_PER_CORE: f64 = 4_000.0;
 
 /// What a match with these parameters takes of a machine.

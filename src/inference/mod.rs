@@ -9,8 +9,12 @@
 //!
 //! [`SimulatedAnnealing`] and [`LasVegas`] change one label at a time at random; [`LasVegas`] knows when it is done.
 //!
+//! [`ActivePropagation`] passes the messages of [`BeliefPropagation`] over a set of candidate labels for each variable, in
+//! time and memory linear in the size of the surfaces.
+//!
 //! Sign convention: energies, lower is better. Messages and beliefs are in the linear domain, scaled to maximum 1.
 
+mod active;
 mod belief_propagation;
 mod beliefs;
 mod block_plan;
@@ -40,6 +44,10 @@ mod sweep_order;
 mod tests;
 mod turning;
 
+pub use active::{
+    ActiveModel, ActiveOutcome, ActivePropagation, ActiveSets, CandidateError, Candidates, Evidence, FeaturePotentials,
+    UnaryPotentials, belief_propagation_active,
+};
 pub use belief_propagation::BeliefPropagation;
 pub use beliefs::belief_spread;
 pub use convergence::{Convergence, ConvergenceStatus};

@@ -1,0 +1,283 @@
+//! The loops over candidates: from incoming messages to cavity products, to updated messages, to new ones.
+//!
+//! Cavity products `h_{i→j}` are made in rows over the candidates of `i`, then turned so that eight neighbours `j`
+//! lie side by side; both stay in the fastest cache. Every step is the same on every instruction set and in the same
+//! order as in the dense engine.
+
+// The dispatch to instruction sets that `multiversion` generates needs unsafe calls; nothing here does itself.
+#![allow(unsafe_code)]
+
+use super::super::sparse_update::Finish;
+use super::plan::{LANES, NearLists};
+use multiversion::multiversion;
+use wide::f32x4;
+
+/// Products of messages are carried times this in each of two chains, so that a dozen messages at the floor do not
+/// underflow 32 bits; a power of two, so that no rounding depends on it.
+const CHAIN_SCALE: f32 = (1u64 << 60) as f32;
+
+/// One number for each of eight neighbours.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[repr(align(32))]
+pub(super) struct Octet(pub [f32; LANES]);
+
+/// Work space of one thread; grows to what the largest variable needs.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Scratch {
+    /// Products of the first messages, `[number of messages][candidate]`; the last row is the belief.
+    forward: Vec<f32>,
+    backward: Vec<f32>,
+    /// Cavity products, `[neighbour][candidate]`, whole octets of neighbours.
+    rows: Vec<f32>,
+    /// Those of one octet, `[candidate][neighbour]`.
+    pub cavity: Vec<Octet>,
+    /// Updated messages before scaling, `[label of the union][neighbour]`.
+    pub updated: Vec<Octet>,
+    /// One of them over the candidates of its neighbour.
+    gathered: Vec<f32>,
+}
+
+/// Number and value of a variable's largest belief, the lower label of equal ones, and the sum of all in its scale.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Peak {
+    pub candidate: u32,
+    pub value: f32,
+    pub sum: f32,
+}
+
+impl Scratch {
+    /// Makes the belief of a variable and its cavity products towards every neighbour. `phi` and `messages` are rows
+    /// over its candidates, a multiple of [`LANES`] long; `phi` is 0 beyond them.
+    pub fn multiply(&mut self, phi: &[f32], messages: &[&[f32]]) {
+        let stride = phi.len();
+        let n_rows = messages.len().next_multiple_of(LANES);
+        self.forward.resize((messages.len() + 1) * stride, 0.0);
+        self.backward.resize(stride, 0.0);
+        self.rows.resize(n_rows * stride, 0.0);
+        multiply_rows(phi, messages, &mut self.forward, &mut self.backward, &mut self.rows);
+    }
+
+    /// Belief over the candidates of the variable last multiplied, in any scale; `phi` as there.
+    pub fn belief(&self, phi: &[f32]) -> &[f32] {
+        &self.forward[self.forward.len() - phi.len()..]
+    }
+
+    /// The peak of that belief.
+    pub fn peak(&self, phi: &[f32]) -> Peak {
+        let belief = self.belief(phi);
+        let mut best = Peak { candidate: 0, value: belief[0], sum: 0.0 };
+        for (x, &b) in belief.iter().enumerate() {
+            if b > best.value {
+                (best.candidate, best.value) = (x as u32, b);
+            }
+            best.sum += b;
+        }
+        best
+    }
+
+    /// Turns the cavity products towards neighbours `first..first + 8`; returns the largest of each.
+    pub fn turn(&mut self, phi: &[f32], first: usize) -> Octet {
+        let stride = phi.len();
+        self.cavity.resize(stride, Octet([0.0; LANES]));
+        turn_rows(&self.rows[first * stride..(first + LANES) * stride], &mut self.cavity)
+    }
+
+    /// Message `lane` of those last updated, over the candidates at `places`: scaled to maximum 1, floored and damped
+    /// with `old` into `new`. Returns its largest change.
+    pub fn finish(&mut self, lane: usize, places: &[u16], finish: Finish, old: &[f32], new: &mut [f32]) -> f32 {
+        self.gathered.clear();
+        self.gathered.resize(old.len(), 0.0);
+        finish_message(&self.updated, lane, places, finish, &mut self.gathered, old, new)
+    }
+}
+
+#[multiversion(targets("x86_64+avx512f+avx512vl+avx512bw+avx512dq", "x86_64+avx2"))]
+fn multiply_rows(phi: &[f32], messages: &[&[f32]], forward: &mut [f32], backward: &mut [f32], rows: &mut [f32]) {
+    let stride = phi.len();
+    for (product, &phi) in forward.iter_mut().zip(phi) {
+        *product = phi * CHAIN_SCALE;
+    }
+    for (slot, message) in messages.iter().enumerate() {
+        let (done, open) = forward[slot * stride..].split_at_mut(stride);
+        for (product, (&a, &b)) in open.iter_mut().zip(done.iter().zip(*message)) {
+            *product = a * b;
+        }
+    }
+    backward.fill(CHAIN_SCALE);
+    for (slot, message) in messages.iter().enumerate().rev() {
+        let before = &forward[slot * stride..(slot + 1) * stride];
+        let row = &mut rows[slot * stride..(slot + 1) * stride];
+        for (((product, &before), after), &message) in row.iter_mut().zip(before).zip(backward.iter_mut()).zip(*message)
+        {
+            *product = before * *after;
+            *after *= message;
+        }
+    }
+}
+
+#[multiversion(targets("x86_64+avx512f+avx512vl+avx512bw+avx512dq", "x86_64+avx2"))]
+fn turn_rows(rows: &[f32], turned: &mut [Octet]) -> Octet {
+    let stride = turned.len();
+    let row = |k: usize| rows[k * stride..(k + 1) * stride].as_chunks::<4>().0;
+    for half in [0, 4] {
+        let inputs = row(half).iter().zip(row(half + 1)).zip(row(half + 2)).zip(row(half + 3));
+        for ([p, q, r, s], (((a, b), c), d)) in turned.as_chunks_mut::<4>().0.iter_mut().zip(inputs) {
+            let [a, b, c, d] = f32x4::transpose([f32x4::from(*a), f32x4::from(*b), f32x4::from(*c), f32x4::from(*d)]);
+            p.0[half..half + 4].copy_from_slice(&a.to_array());
+            q.0[half..half + 4].copy_from_slice(&b.to_array());
+            r.0[half..half + 4].copy_from_slice(&c.to_array());
+            s.0[half..half + 4].copy_from_slice(&d.to_array());
+        }
+    }
+    let mut largest = [0.0f32; LANES];
+    for h in turned.iter() {
+        for k in 0..LANES {
+            largest[k] = if h.0[k] > largest[k] { h.0[k] } else { largest[k] };
+        }
+    }
+    Octet(largest)
+}
+
+/// `max(floor, max_{x ∈ N_r(y) ∩ C_i} h(x))` for every `y` of the union: max-product without a distance term.
+#[multiversion(targets("x86_64+avx512f+avx512vl+avx512bw+avx512dq", "x86_64+avx2"))]
+pub(super) fn max_uniform(lists: &NearLists<'_>, cavity: &[Octet], floor: &Octet, updated: &mut [Octet]) {
+    let mut start = lists.start as usize;
+    for (&end, updated) in lists.ends.iter().zip(updated) {
+        let mut best = floor.0;
+        for &x in &lists.near[start..end as usize] {
+            let h = &cavity[x as usize].0;
+            for k in 0..LANES {
+                best[k] = if h[k] > best[k] { h[k] } else { best[k] };
+            }
+        }
+        *updated = Octet(best);
+        start = end as usize;
+    }
+}
+
+/// Max-product with a distance term; `near` and `far` are the edge factors of each neighbour.
+#[multiversion(targets("x86_64+avx512f+avx512vl+avx512bw+avx512dq", "x86_64+avx2"))]
+pub(super) fn max_weighted(
+    lists: &NearLists<'_>,
+    cavity: &[Octet],
+    (near, far): (&Octet, &Octet),
+    floor: &Octet,
+    updated: &mut [Octet],
+) {
+    let mut start = lists.start as usize;
+    for (&end, updated) in lists.ends.iter().zip(updated) {
+        let mut best = floor.0;
+        let list = start..end as usize;
+        for (&x, [rising, falling]) in lists.near[list.clone()].iter().zip(&lists.factors[list]) {
+            let h = &cavity[x as usize].0;
+            for k in 0..LANES {
+                let (a, b) = (near.0[k] * rising, far.0[k] * falling);
+                let value = if a < b { a } else { b } * h[k];
+                best[k] = if value > best[k] { value } else { best[k] };
+            }
+        }
+        *updated = Octet(best);
+        start = end as usize;
+    }
+}
+
+/// Sum-product without a distance term: `ε Σ_x h(x) + (1 − ε) Σ_{x ∈ N_r(y) ∩ C_i} h(x)`.
+#[multiversion(targets("x86_64+avx512f+avx512vl+avx512bw+avx512dq", "x86_64+avx2"))]
+pub(super) fn sum_uniform(lists: &NearLists<'_>, cavity: &[Octet], epsilon: f32, updated: &mut [Octet]) {
+    let rest = total(cavity, epsilon);
+    let share = 1.0 - epsilon;
+    let mut start = lists.start as usize;
+    for (&end, updated) in lists.ends.iter().zip(updated) {
+        let mut sum = [0.0f32; LANES];
+        for &x in &lists.near[start..end as usize] {
+            let h = &cavity[x as usize].0;
+            for k in 0..LANES {
+                sum[k] += h[k];
+            }
+        }
+        for k in 0..LANES {
+            sum[k] = rest[k] + share * sum[k];
+        }
+        *updated = Octet(sum);
+        start = end as usize;
+    }
+}
+
+/// Sum-product with a distance term, `ψ` not below `ε`.
+#[multiversion(targets("x86_64+avx512f+avx512vl+avx512bw+avx512dq", "x86_64+avx2"))]
+pub(super) fn sum_weighted(
+    lists: &NearLists<'_>,
+    cavity: &[Octet],
+    (near, far): (&Octet, &Octet),
+    epsilon: f32,
+    updated: &mut [Octet],
+) {
+    let rest = total(cavity, epsilon);
+    let mut start = lists.start as usize;
+    for (&end, updated) in lists.ends.iter().zip(updated) {
+        let mut sum = rest;
+        let list = start..end as usize;
+        for (&x, [rising, falling]) in lists.near[list.clone()].iter().zip(&lists.factors[list]) {
+            let h = &cavity[x as usize].0;
+            for k in 0..LANES {
+                let (a, b) = (near.0[k] * rising, far.0[k] * falling);
+                let psi = if a < b { a } else { b };
+                let psi = if psi > epsilon { psi } else { epsilon };
+                sum[k] += (psi - epsilon) * h[k];
+            }
+        }
+        *updated = Octet(sum);
+        start = end as usize;
+    }
+}
+
+/// `ε Σ_x h(x)` of every neighbour.
+#[inline(always)]
+fn total(cavity: &[Octet], epsilon: f32) -> [f32; LANES] {
+    let mut total = [0.0f32; LANES];
+    for h in cavity {
+        for k in 0..LANES {
+            total[k] += h.0[k];
+        }
+    }
+    total.map(|total| total * epsilon)
+}
+
+#[multiversion(targets("x86_64+avx512f+avx512vl+avx512bw+avx512dq", "x86_64+avx2"))]
+fn finish_message(
+    updated: &[Octet],
+    lane: usize,
+    places: &[u16],
+    finish: Finish,
+    gathered: &mut [f32],
+    old: &[f32],
+    new: &mut [f32],
+) -> f32 {
+    for (value, &place) in gathered.iter_mut().zip(places) {
+        *value = updated[place as usize].0[lane];
+    }
+    let Finish { floor, damping } = finish;
+    let share = 1.0 - damping;
+    let mut tops = [0.0f32; LANES];
+    for values in gathered.as_chunks::<LANES>().0 {
+        for k in 0..LANES {
+            tops[k] = if values[k] > tops[k] { values[k] } else { tops[k] };
+        }
+    }
+    let top = tops.iter().fold(0.0f32, |a, &b| if b > a { b } else { a });
+    // A message whose products all vanished carries no information: a flat one.
+    let scale = if top > 0.0 { 1.0 / top } else { 0.0 };
+    let mut most = [0.0f32; LANES];
+    let vectors = gathered.as_chunks::<LANES>().0.iter().zip(old.as_chunks::<LANES>().0);
+    for ((values, old), new) in vectors.zip(new.as_chunks_mut::<LANES>().0) {
+        for k in 0..LANES {
+            let value = values[k] * scale;
+            let value = if value > floor { value } else { floor };
+            let value = share * value + damping * old[k];
+            let step = (value - old[k]).abs();
+            most[k] = if step > most[k] { step } else { most[k] };
+            new[k] = value;
+        }
+    }
+    most.iter().fold(0.0, |a, &b| if b > a { b } else { a })
+}

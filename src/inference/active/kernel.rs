@@ -64,15 +64,7 @@ impl Scratch {
 
     /// The peak of that belief.
     pub fn peak(&self, phi: &[f32]) -> Peak {
-        let belief = self.belief(phi);
-        let mut best = Peak { candidate: 0, value: belief[0], sum: 0.0 };
-        for (x, &b) in belief.iter().enumerate() {
-            if b > best.value {
-                (best.candidate, best.value) = (x as u32, b);
-            }
-            best.sum += b;
-        }
-        best
+        peak(self.belief(phi))
     }
 
     /// Turns the cavity products towards neighbours `first..first + 8`; returns the largest of each.
@@ -116,6 +108,26 @@ fn multiply_rows(phi: &[f32], messages: &[&[f32]], forward: &mut [f32], backward
 }
 
 #[multiversion(targets("x86_64+avx512f+avx512vl+avx512bw+avx512dq", "x86_64+avx2"))]
+fn peak(belief: &[f32]) -> Peak {
+    let (mut values, mut vectors, mut sums) = ([-1.0f32; LANES], [0u32; LANES], [0.0f32; LANES]);
+    for (vector, belief) in belief.as_chunks::<LANES>().0.iter().enumerate() {
+        for k in 0..LANES {
+            sums[k] += belief[k];
+            vectors[k] = if belief[k] > values[k] { vector as u32 } else { vectors[k] };
+            values[k] = if belief[k] > values[k] { belief[k] } else { values[k] };
+        }
+    }
+    let mut best = Peak { candidate: u32::MAX, value: -1.0, sum: sums.iter().sum() };
+    for k in 0..LANES {
+        let candidate = vectors[k] * LANES as u32 + k as u32;
+        if values[k] > best.value || (values[k] == best.value && candidate < best.candidate) {
+            (best.candidate, best.value) = (candidate, values[k]);
+        }
+    }
+    best
+}
+
+#[multiversion(targets("x86_64+avx512f+avx512vl+avx512bw+avx512dq", "x86_64+avx2"))]
 fn turn_rows(rows: &[f32], turned: &mut [Octet]) -> Octet {
     let stride = turned.len();
     let row = |k: usize| rows[k * stride..(k + 1) * stride].as_chunks::<4>().0;
@@ -131,8 +143,8 @@ fn turn_rows(rows: &[f32], turned: &mut [Octet]) -> Octet {
     }
     let mut largest = [0.0f32; LANES];
     for h in turned.iter() {
-        for k in 0..LANES {
-            largest[k] = if h.0[k] > largest[k] { h.0[k] } else { largest[k] };
+        for (top, &h) in largest.iter_mut().zip(&h.0) {
+            *top = if h > *top { h } else { *top };
         }
     }
     Octet(largest)
@@ -236,8 +248,8 @@ pub(super) fn sum_weighted(
 fn total(cavity: &[Octet], epsilon: f32) -> [f32; LANES] {
     let mut total = [0.0f32; LANES];
     for h in cavity {
-        for k in 0..LANES {
-            total[k] += h.0[k];
+        for (total, &h) in total.iter_mut().zip(&h.0) {
+            *total += h;
         }
     }
     total.map(|total| total * epsilon)

@@ -25,8 +25,9 @@ pub(super) const BATCH_GROUPS: usize = 32;
 /// [`Cancelled`].
 ///
 /// # Cost
-/// `O(|E→| K k)` an iteration for `K` candidates a variable, `k` of them near a label; two numbers of 32 bits and a half
-/// for each of the `|E→| K` values of the messages.
+/// `O(|E→| K k)` an iteration for `K` candidates a variable, `k` of them near a label. Ten bytes for each of the `|E→| K`
+/// values of the messages (which are held twice, with a place in a list) and two for each pair of near labels, ten
+/// where the pairwise potential has a distance term.
 pub fn belief_propagation_active(
     model: ActiveModel<'_>,
     options: BpOptions,

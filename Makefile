@@ -7,13 +7,15 @@
 # make build   target/release/homolog
 # make api     writes the generated files under api/ anew
 # make experiment  measure every method and write a report; DATA=dir: real label volumes below dir/hippocampus
+# make accuracy  the accuracy table beside the peers; DATA=dir: label volumes below dir/hippocampus; EVAL=dir: the folder
+#              of real_cases.py; CASES=10: pairs a set; OURS_ONLY=1: without peers
 # make bench   benchmarks of a match
 # make bench-service  benchmarks of the service; PART=poll: one of its parts
 
 SHELL := /usr/bin/env bash
 .SHELLFLAGS := -eu -o pipefail -c
 .DEFAULT_GOAL := help
-.PHONY: help demo test faults check contract build api experiment bench bench-service
+.PHONY: help demo test faults check contract build api experiment accuracy bench bench-service
 
 CARGO ?= cargo
 SOURCE ?=
@@ -24,6 +26,9 @@ DATA ?= data
 EXAMPLES ?= 50
 PART ?=
 DEMO_OUT ?= target/demo
+EVAL ?= eval
+CASES ?=
+OURS_ONLY ?=
 
 help:
 	@sed -n 's/^# //p' Makefile
@@ -75,6 +80,10 @@ api:
 
 experiment: build
 	target/release/homolog experiment --data "$(DATA)" --out target/experiment
+
+accuracy: build
+	benches/accuracy/run --data "$(DATA)" --eval "$(EVAL)" $(if $(CASES),--cases "$(CASES)") \
+	  $(if $(filter-out 0,$(OURS_ONLY)),--ours-only)
 
 bench:
 	@scripts/setup build

@@ -1,0 +1,118 @@
+"""Triangle surfaces as (n, 3) positions in mm and (m, 3) indices: what the cases and the figures need of them."""
+
+import heapq
+
+import numpy as np
+from scipy.sparse import coo_matrix
+from scipy.sparse.csgraph import connected_components
+
+
+def write_ply(path, vertices, faces):
+    """Binary PLY with doubles, which keeps every bit of the positions."""
+    header = (
+        "ply\nformat binary_little_endian 1.0\n"
+        f"element vertex {len(vertices)}\nproperty double x\nproperty double y\nproperty double z\n"
+        f"element face {len(faces)}\nproperty list uchar int vertex_indices\nend_header\n"
+    )
+    rows = np.zeros(len(faces), dtype=[("n", "u1"), ("corners", "<i4", 3)])
+    rows["n"], rows["corners"] = 3, faces
+    with open(path, "wb") as out:
+        out.write(header.encode())
+        out.write(np.ascontiguousarray(vertices, "<f8").tobytes())
+        out.write(rows.tobytes())
+
+
+def edges(faces):
+    """Each undirected edge once, (k, 2)."""
+    pairs = np.vstack([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]])
+    return np.unique(np.sort(pairs, 1), axis=0)
+
+
+def mean_edge(vertices, faces):
+    pairs = edges(faces)
+    return float(np.linalg.norm(vertices[pairs[:, 0]] - vertices[pairs[:, 1]], axis=1).mean())
+
+
+def face_areas(vertices, faces):
+    a, b, c = (vertices[faces[:, k]] for k in range(3))
+    return 0.5 * np.linalg.norm(np.cross(b - a, c - a), axis=1)
+
+
+def vertex_areas(vertices, faces):
+    return np.bincount(faces.ravel(), np.repeat(face_areas(vertices, faces) / 3, 3), len(vertices))
+
+
+def vertex_normals(vertices, faces):
+    a, b, c = (vertices[faces[:, k]] for k in range(3))
+    normals = np.zeros_like(vertices)
+    for k in range(3):
+        np.add.at(normals, faces[:, k], np.cross(b - a, c - a))
+    return normals / np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-12)
+
+
+def diagonal(vertices):
+    return float(np.linalg.norm(np.ptp(vertices, axis=0)))
+
+
+def cut_end(vertices, faces, share, at_far_end):
+    """Without the `share` of the area that lies farthest along the first principal axis; the largest piece of the rest.
+
+    Returns an open surface and the indices of its vertices in the old one.
+    """
+    areas = vertex_areas(vertices, faces)
+    center = np.average(vertices, axis=0, weights=areas)
+    axis = np.linalg.svd((vertices - center) * np.sqrt(areas)[:, None], full_matrices=False)[2][0]
+    along = (vertices - center) @ axis * (1 if at_far_end else -1)
+    order = np.argsort(along)
+    kept = np.zeros(len(vertices), bool)
+    kept[order[np.cumsum(areas[order]) <= (1 - share) * areas.sum()]] = True
+    faces = faces[kept[faces].all(1)]
+    pairs = edges(faces)
+    graph = coo_matrix((np.ones(len(pairs)), (pairs[:, 0], pairs[:, 1])), (len(vertices),) * 2)
+    piece = connected_components(graph, directed=False)[1]
+    faces = faces[piece[faces[:, 0]] == np.bincount(piece[faces[:, 0]]).argmax()]
+    left = np.unique(faces)
+    return vertices[left], np.searchsorted(left, faces).astype(np.int32), left
+
+
+def halved(vertices, faces):
+    """Half the vertices, by collapsing the shortest edge to one of its ends again and again; the genus stays.
+
+    A collapse is allowed where the two ends have exactly two neighbors in common (the link condition).
+    """
+    goal = len(vertices) // 2
+    around = [set() for _ in vertices]
+    star = [set() for _ in vertices]
+    corners = [tuple(face) for face in faces.tolist()]
+    for k, (a, b, c) in enumerate(corners):
+        for u, v, w in ((a, b, c), (b, c, a), (c, a, b)):
+            around[u].update((v, w))
+            star[u].add(k)
+    length = lambda u, v: float(np.linalg.norm(vertices[u] - vertices[v]))
+    queue = [(length(u, v), u, v) for u, v in edges(faces).tolist()]
+    heapq.heapify(queue)
+    gone, n_left = set(), len(vertices)
+    while n_left > goal and queue:
+        _, stays, goes = heapq.heappop(queue)
+        if stays in gone or goes in gone or goes not in around[stays] or len(around[stays] & around[goes]) != 2:
+            continue
+        for k in star[goes]:
+            if stays in corners[k]:
+                for u in corners[k]:
+                    if u != goes:
+                        star[u].discard(k)
+                corners[k] = None
+            else:
+                corners[k] = tuple(stays if u == goes else u for u in corners[k])
+                star[stays].add(k)
+        for u in around[goes] - {stays}:
+            around[u].discard(goes)
+            around[u].add(stays)
+            around[stays].add(u)
+            heapq.heappush(queue, (length(stays, u), stays, u))
+        around[stays].discard(goes)
+        gone.add(goes)
+        n_left -= 1
+    left = np.array([i for i in range(len(vertices)) if i not in gone])
+    new = np.array([c for c in corners if c is not None])
+    return vertices[left], np.searchsorted(left, new).astype(np.int32)

@@ -1,0 +1,81 @@
+"""Figures of merit of one answer, and how they are spread over cases."""
+
+import numpy as np
+from scipy.spatial import cKDTree
+
+N_BINS = 10
+RESAMPLES = 2000
+
+
+def of_answer(cases, case, answer):
+    """The generator's own scores of an answer, with those of its sub-vertex points beside them.
+
+    A vertex without counterpart (-1) counts as wrong: it is scored with the target vertex farthest from the truth.
+    """
+    matrix = answer.get("matrix")
+    transform = None if matrix is None else (matrix[:3, :3], matrix[:3, 3])
+    vertex_map = answer.get("map")
+    if vertex_map is not None and (vertex_map < 0).any():
+        middle = case["V2"].mean(0)
+        worst = int(np.linalg.norm(case["V2"] - middle, axis=1).argmax())
+        vertex_map = np.where(vertex_map < 0, worst, vertex_map)
+    labeled = "la" in case
+    plain = case if labeled else {**case, "la": np.zeros(len(case["V1"])), "lb": np.zeros(len(case["V2"]))}
+    found = cases.score(plain, transform, vertex_map)
+    if not labeled:
+        for name in ("label", "rigid_label"):
+            found.pop(name, None)
+    points = answer.get("points")
+    if points is not None and "gtpos" in case:
+        off = np.nan_to_num(np.linalg.norm(points - case["gtpos"], axis=1), nan=case["diag"])
+        found["point_err_mm"] = float(off.mean())
+        found["point_w1"] = float((off <= case["edge"]).mean())
+    return {key: float(value) for key, value in found.items()}
+
+
+def reliability_bins(case, answer):
+    """For each tenth of confidence: vertices, sum of confidences, vertices within one mean target edge of the truth."""
+    if "confidence" not in answer or "map" not in answer or "gtpos" not in case:
+        return None
+    hit = np.linalg.norm(case["V2"][answer["map"]] - case["gtpos"], axis=1) <= case["edge"]
+    hit &= answer["map"] >= 0
+    confidence = np.clip(answer["confidence"], 0, 1)
+    bins = np.minimum((confidence * N_BINS).astype(int), N_BINS - 1)
+    count = lambda weights: np.bincount(bins, weights, N_BINS).tolist()
+    return [count(np.ones(len(bins))), count(confidence), count(hit.astype(float))]
+
+
+def calibration_error(bins):
+    """Expected calibration error: mean over vertices of how far a bin's confidence is from its share of hits."""
+    n, confidence, hits = (np.array(row) for row in bins)
+    return float(np.abs(confidence - hits).sum() / max(n.sum(), 1))
+
+
+def there_and_back(case, forth, back):
+    """Distance between source vertices and where the map forth and the map back take them, in mean source edges."""
+    returned = back[np.maximum(forth, 0)]
+    pairs = np.vstack([case["F1"][:, [0, 1]], case["F1"][:, [1, 2]], case["F1"][:, [2, 0]]])
+    edge = np.linalg.norm(case["V1"][pairs[:, 0]] - case["V1"][pairs[:, 1]], axis=1).mean()
+    off = np.linalg.norm(case["V1"][np.maximum(returned, 0)] - case["V1"], axis=1) / edge
+    return np.where((forth < 0) | (returned < 0), np.inf, off)
+
+
+def spread(values, higher_is_better):
+    """Number, mean with its bootstrap 95 % interval over cases, median and worst."""
+    values = np.array(values, float)
+    if not len(values):
+        return None
+    draws = np.random.default_rng(0).integers(len(values), size=(RESAMPLES, len(values)))
+    low, high = np.quantile(values[draws].mean(1), [0.025, 0.975])
+    return {
+        "n": len(values),
+        "mean": float(values.mean()),
+        "low": float(low),
+        "high": float(high),
+        "median": float(np.median(values)),
+        "worst": float(values.min() if higher_is_better else values.max()),
+    }
+
+
+def nearest_vertices(target, points):
+    return cKDTree(target).query(points)[1]

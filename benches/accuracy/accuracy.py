@@ -26,6 +26,7 @@ def arguments():
     parser.add_argument("--cases", type=int, help="pairs of a set; default 10, or 5 with --ours-only")
     parser.add_argument("--limit", type=float, default=120, help="seconds that one answer may take")
     parser.add_argument("--ours-only", action="store_true", help="no peers")
+    parser.add_argument("--only", action="append", help="run this method alone; may be repeated")
     parser.add_argument("--refresh", action="append", default=[], help="compute this method's answers anew")
     parser.add_argument("--report-only", action="store_true", help="write the report of the answers that are there")
     return parser.parse_args()
@@ -58,7 +59,7 @@ def main():
     tasks = plan.tasks(made, n, not given.ours_only)
     run = runner.Runner(made, homolog, given.work, given.limit, given.refresh)
     if not given.report_only:
-        run.run(tasks)
+        run.run([task for task in tasks if not given.only or task[0] in given.only])
     out = given.out or os.path.join(ROOT, "docs/accuracy", datetime.datetime.now(datetime.UTC).strftime("%Y-%m-%d"))
     os.makedirs(out, exist_ok=True)
     found = report.collect(run, tasks, n, not given.ours_only)

@@ -145,7 +145,7 @@ def run_cpd(case):
     turn, shift, _ = multi_start(case)
     found = rustcpd.register_deformable(
         case.V2, case.V1 @ turn.T + shift,
-        alpha=2.0, beta=1.0, low_rank=150, low_rank_method="pivoted_cholesky", normalize=True, outlier_weight=0.1,
+        alpha=5.0, beta=2.0, low_rank=150, low_rank_method="pivoted_cholesky", normalize=True, outlier_weight=0.1,
         max_iterations=100, parallel=False,
     )
     return dense_answer(case, turn, shift, np.array(found.points))

@@ -61,15 +61,18 @@ def robustness(found, path):
     kinds = ["real_resample", "real_cross", "real_warp8", *ROBUSTNESS]
     methods = [m for m in [*ROBUST_OURS, *ROBUST_PEERS] if any((m, k) in found["summaries"] for k in kinds)]
     shares = np.full((len(methods), len(kinds)), np.nan)
+    refused = np.zeros(shares.shape, int)
     for i, method in enumerate(methods):
         for j, kind in enumerate(kinds):
             share = (found["summaries"].get((method, kind)) or {}).get("within_10_deg")
             if share:
                 shares[i, j] = share["mean"]
+                refused[i, j] = found["summaries"][method, kind]["status"].get("refused", 0)
     figure, panel = plt.subplots(figsize=(11, 0.55 * len(methods) + 1.6))
     panel.imshow(shares, vmin=0, vmax=1, cmap="RdYlGn", aspect="auto", alpha=0.75)
     for i, j in np.argwhere(~np.isnan(shares)):
-        panel.text(j, i, f"{shares[i, j]:.2f}", ha="center", va="center", fontsize=10)
+        note = f"\n{refused[i, j]} refused" if refused[i, j] else ""
+        panel.text(j, i, f"{shares[i, j]:.2f}{note}", ha="center", va="center", fontsize=9)
     panel.set_xticks(range(len(kinds)), [k.replace("real_", "").replace("_", "\n") for k in kinds], fontsize=9)
     panel.set_yticks(range(len(methods)), [NAMES.get(m, f"homolog {m}") for m in methods])
     panel.set_title("share of pairs whose rotation is within 10° of the truth")
@@ -88,7 +91,10 @@ def reliability(found, path):
         n, confidence, hits = np.array(found["calibration"][method]["bins"])
         full = n > 0
         top.plot([0, 1], [0, 1], color="black", linewidth=0.8, linestyle=":")
-        top.plot(confidence[full] / n[full], hits[full] / n[full], "o-", color=OUR_COLOR, markersize=5)
+        at, share = confidence[full] / n[full], hits[full] / n[full]
+        top.plot(at, share, color=OUR_COLOR, linewidth=0.8, alpha=0.5)
+        # The area of a dot is the share of vertices in its bin.
+        top.scatter(at, share, s=8 + 200 * n[full] / n.sum(), color=OUR_COLOR, clip_on=False, zorder=3, linewidths=0)
         top.set_title(f"{method}: error {found['calibration'][method]['error']:.3f}")
         top.set_xlim(0, 1)
         top.set_ylim(0, 1)

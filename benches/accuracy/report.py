@@ -18,7 +18,7 @@ from plan import ABLATION, DEFAULT, OURS, ROBUST_OURS, ROBUST_PEERS, SWAPPED, SW
 HIGHER = {"w1", "w2", "label", "point_w1", "within_10_deg", "cover"}
 FIGURES = [
     "w1", "w2", "err_mm", "point_w1", "point_err_mm", "label", "cover", "stretch", "rot_deg", "surf_mm",
-    "seconds", "own_seconds", "peak_bytes",
+    "seconds", "cpu_seconds", "own_seconds", "peak_bytes",
 ]
 CORRECT_DEG = 10
 ENV_NOTE = "target/accuracy-env/missing-peers.txt"

@@ -1,5 +1,7 @@
 """Carries the plan out: answers are kept, so a run goes on where it was stopped."""
 
+import functools
+import hashlib
 import json
 import os
 import pickle
@@ -10,6 +12,7 @@ import time
 
 import numpy as np
 
+import geometry
 import scores
 from peers import PEERS
 from plan import cores_of, our_parameters
@@ -143,7 +146,9 @@ class Runner:
 
     def one_of_a_peer(self, worker, method, name, core):
         case = self.cases.load(name)
-        given = {key: case[key] for key in ("V1", "F1", "V2", "F2", "edge")}
+        given = {key: case[key] for key in ("V1", "F1", "V2", "F2")}
+        # The edges of a noisy surface are long by their noise, and no measure of its sampling.
+        given["edge"] = min(geometry.mean_edge(case[f"V{k}"], case[f"F{k}"]) for k in (1, 2))
         at = lambda ending: os.path.join(self.folder, f"exchange-{core}.{ending}")
         with open(at("pkl"), "wb") as file:
             pickle.dump(given, file)
@@ -177,19 +182,13 @@ class Runner:
 
 
 def short_hash(data):
-    import hashlib
-
     return hashlib.sha256(data).hexdigest()[:8]
 
 
-_PEER_FINGERPRINT = []
-
-
+@functools.cache
 def peer_fingerprint():
-    if not _PEER_FINGERPRINT:
-        parts = []
-        for name in ("peers.py", "bcpd.py", "peers.txt", "requirements.txt"):
-            with open(os.path.join(HERE, name), "rb") as file:
-                parts.append(file.read())
-        _PEER_FINGERPRINT.append(short_hash(b"".join(parts)))
-    return _PEER_FINGERPRINT[0]
+    parts = []
+    for name in ("peers.py", "bcpd.py", "peers.txt", "requirements.txt"):
+        with open(os.path.join(HERE, name), "rb") as file:
+            parts.append(file.read())
+    return short_hash(b"".join(parts))

@@ -10,6 +10,7 @@ import figures
 import plan
 import report
 import runner
+import summary
 from ours import Homolog
 
 ROOT = os.path.abspath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", ".."))
@@ -62,7 +63,7 @@ def main():
         run.run([task for task in tasks if not given.only or task[0] in given.only])
     out = given.out or os.path.join(ROOT, "docs/accuracy", datetime.datetime.now(datetime.UTC).strftime("%Y-%m-%d"))
     os.makedirs(out, exist_ok=True)
-    found = report.collect(run, tasks, n, not given.ours_only)
+    found = summary.collect(run, tasks, n, not given.ours_only)
     figures.draw(found, out)
     report.write(found, out)
     print(f"report: {os.path.join(out, 'README.md')}")

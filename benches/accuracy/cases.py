@@ -1,7 +1,7 @@
 """The pairs that are matched, each named `set/index`.
 
-Real pairs come from the generator in EVAL, used as it is. The others are made here: from its re-sampled copies, and from
-synthetic beans. In all, the source is `V1, F1`, the target `V2, F2`, and `R, t` take the source onto the target.
+Real pairs come from the generator in EVAL, used as it is. The others are made here, from its re-sampled copies and
+from synthetic beans. In all, the source is `V1, F1`, the target `V2, F2`, and `R, t` take the source onto the target.
 """
 
 import glob
@@ -11,7 +11,6 @@ import sys
 
 import numpy as np
 from scipy.spatial.transform import Rotation
-from skimage.measure import marching_cubes
 
 import geometry
 

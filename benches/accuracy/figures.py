@@ -15,8 +15,14 @@ from plan import DEFAULT, OURS, ROBUST_OURS, ROBUST_PEERS
 OUR_COLOR, PEER_COLOR, TARGET_COLOR = "#1b6ca8", "#9aa5ae", "#c0392b"
 TO_REACH = {"real_warp4": 0.88, "real_warp8": 0.65}
 NAMES = {
-    "icp": "multi-start ICP", "bcpd": "BCPD", "cpd": "CPD", "functional_maps": "functional maps", "lattice": "pose lattice",
-    "fgr": "FGR", "ransac": "RANSAC on FPFH", "kiss": "KISS-Matcher",
+    "icp": "multi-start ICP",
+    "bcpd": "BCPD",
+    "cpd": "CPD",
+    "functional_maps": "functional maps",
+    "lattice": "pose lattice",
+    "fgr": "FGR",
+    "ransac": "RANSAC on FPFH",
+    "kiss": "KISS-Matcher",
 }
 
 
@@ -40,7 +46,8 @@ def within_one_edge(found, path):
     for panel, (kind, reach) in zip(panels, TO_REACH.items()):
         for y, method in enumerate(methods):
             values = [
-                r["scores"]["w1"] for r in found["records"]
+                r["scores"]["w1"]
+                for r in found["records"]
                 if r["method"] == method and r["case"].split("/")[0] == kind and "w1" in r.get("scores", {})
             ]
             if values:
@@ -84,7 +91,12 @@ def reliability(found, path):
     methods = [m for m in [DEFAULT, *OURS] if m in found["calibration"]]
     methods = list(dict.fromkeys(methods))
     figure, panels = plt.subplots(
-        2, len(methods), figsize=(3.1 * len(methods) + 0.5, 4.3), sharex=True, sharey="row", squeeze=False,
+        2,
+        len(methods),
+        figsize=(3.1 * len(methods) + 0.5, 4.3),
+        sharex=True,
+        sharey="row",
+        squeeze=False,
         height_ratios=[3, 1],
     )
     for (top, bottom), method in zip(panels.T, methods):

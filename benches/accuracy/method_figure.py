@@ -1,6 +1,6 @@
 """The figure of docs/method.md: one match of two phantom subjects, from `homolog phantom` and `homolog match` alone.
 
-    target/accuracy-env/bin/python benches/accuracy/method_figure.py [OUT.png] [KEY=VALUE ...]
+target/accuracy-env/bin/python benches/accuracy/method_figure.py [OUT.png] [KEY=VALUE ...]
 """
 
 import json
@@ -17,7 +17,6 @@ import numpy as np
 from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 from scipy.spatial import cKDTree
 
-import geometry
 
 ROOT = os.path.abspath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", ".."))
 PAIR = ["--kind", "surface", "--subject", "3", "--target-subject", "5", "--rotate-seed", "7"]

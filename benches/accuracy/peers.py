@@ -108,8 +108,14 @@ def run_ransac(case):
     source, target = fpfh(case.V1, case.F1, case.edge), fpfh(case.V2, case.F2, case.edge)
     limit = 1.5 * case.edge
     found = registration.registration_ransac_based_on_feature_matching(
-        source[0], target[0], source[1], target[1], True, limit,
-        registration.TransformationEstimationPointToPoint(False), 3,
+        source[0],
+        target[0],
+        source[1],
+        target[1],
+        True,
+        limit,
+        registration.TransformationEstimationPointToPoint(False),
+        3,
         [
             registration.CorrespondenceCheckerBasedOnEdgeLength(0.9),
             registration.CorrespondenceCheckerBasedOnDistance(limit),
@@ -144,9 +150,16 @@ def run_cpd(case):
 
     turn, shift, _ = multi_start(case)
     found = rustcpd.register_deformable(
-        case.V2, case.V1 @ turn.T + shift,
-        alpha=5.0, beta=2.0, low_rank=150, low_rank_method="pivoted_cholesky", normalize=True, outlier_weight=0.1,
-        max_iterations=100, parallel=False,
+        case.V2,
+        case.V1 @ turn.T + shift,
+        alpha=5.0,
+        beta=2.0,
+        low_rank=150,
+        low_rank_method="pivoted_cholesky",
+        normalize=True,
+        outlier_weight=0.1,
+        max_iterations=100,
+        parallel=False,
     )
     return dense_answer(case, turn, shift, np.array(found.points))
 
@@ -175,14 +188,22 @@ def run_functional_maps(case):
 PEERS = {
     "icp": SimpleNamespace(title="multi-start ICP + nearest point", run=run_icp, package=None, module=None, dense=True),
     "bcpd": SimpleNamespace(title="BCPD after it (NumPy, here)", run=run_bcpd, package=None, module=None, dense=True),
-    "cpd": SimpleNamespace(title="CPD (rustcpd) after it", run=run_cpd, package="rustcpd", module="rustcpd", dense=True),
+    "cpd": SimpleNamespace(
+        title="CPD (rustcpd) after it", run=run_cpd, package="rustcpd", module="rustcpd", dense=True
+    ),
     "functional_maps": SimpleNamespace(
         title="functional maps + ZoomOut (pyFM)", run=run_functional_maps, package="pyfmaps", module="pyFM", dense=True
     ),
     "lattice": SimpleNamespace(
-        title="pose lattice, rigid CPD (rustcpd), ICP", run=run_lattice, package="rustcpd", module="rustcpd", dense=False
+        title="pose lattice, rigid CPD (rustcpd), ICP",
+        run=run_lattice,
+        package="rustcpd",
+        module="rustcpd",
+        dense=False,
     ),
-    "fgr": SimpleNamespace(title="Open3D FGR on FPFH, ICP", run=run_fgr, package="open3d", module="open3d", dense=False),
+    "fgr": SimpleNamespace(
+        title="Open3D FGR on FPFH, ICP", run=run_fgr, package="open3d", module="open3d", dense=False
+    ),
     "ransac": SimpleNamespace(
         title="Open3D RANSAC on FPFH, ICP", run=run_ransac, package="open3d", module="open3d", dense=False
     ),

@@ -1,178 +1,42 @@
-"""From answers to tables: Markdown for readers, CSV with every figure and its spread, JSON with where it comes from."""
+"""From figures to tables: Markdown for readers, CSV with every figure and its spread, JSON with where it comes from."""
 
 import csv
-import datetime
 import json
 import os
-import platform
-import subprocess
-import sys
 
 import numpy as np
 
-import scores
-from cases import CUT_SHARE, NOISE_SHARE, ROBUSTNESS, UNLIKE
+from cases import CUT_SHARE, NOISE_SHARE, ROBUSTNESS
 from peers import PEERS
-from plan import ABLATION, DEFAULT, OURS, ROBUST_OURS, ROBUST_PEERS, SWAPPED, SWAPPED_PEERS, read_variants
+from plan import ABLATION, DEFAULT, OURS, ROBUST_OURS, ROBUST_PEERS, read_variants
+from summary import CORRECT_DEG, summarize
 
-HIGHER = {"w1", "w2", "label", "point_w1", "within_10_deg", "cover"}
-FIGURES = [
-    "w1", "w2", "err_mm", "point_w1", "point_err_mm", "label", "cover", "stretch", "rot_deg", "surf_mm",
-    "seconds", "cpu_seconds", "own_seconds", "peak_bytes",
-]
-CORRECT_DEG = 10
 ENV_NOTE = "target/accuracy-env/missing-peers.txt"
 
 TITLES = {
-    "real_warp4": "warp 4 %", "real_warp8": "warp 8 %", "real_cross": "two subjects", "real_resample": "re-sampled copy",
-    "resample_noise": "copy, noise", "resample_cut": "copy, end cut", "resample_half": "copy, half density",
-    "bean_noise": "bean, noise", "bean_cut": "bean, end cut", "bean_half": "bean, half density",
-    "bean_warp8": "bean, warp 8 %", "mirrored": "mirrored copy", "ellipsoid": "ellipsoid of its size",
+    "real_warp4": "warp 4 %",
+    "real_warp8": "warp 8 %",
+    "real_cross": "two subjects",
+    "real_resample": "re-sampled copy",
+    "resample_noise": "copy, noise",
+    "resample_cut": "copy, end cut",
+    "resample_half": "copy, half density",
+    "bean_noise": "bean, noise",
+    "bean_cut": "bean, end cut",
+    "bean_half": "bean, half density",
+    "bean_warp8": "bean, warp 8 %",
+    "mirrored": "mirrored copy",
+    "ellipsoid": "ellipsoid of its size",
     "anterior_part": "another subject's anterior part",
 }
 
 
 def title(method):
-    return PEERS[method].title if method in PEERS else f"**homolog {method}**" if method == DEFAULT else f"homolog {method}"
-
-
-def value(record, figure):
-    if record["status"] != "answered":
-        return None
-    return record["scores"].get(figure, record.get(figure)) if figure != "within_10_deg" else None
-
-
-def is_close(record):
-    return record["status"] == "answered" and record["scores"].get("rot_deg", 180) <= CORRECT_DEG
-
-
-def summarize(records):
-    """Every figure of the records of one method on one set. A pair without an answer has no part in the figures of
-    answers, and counts as a failure in the share within 10 degrees."""
-    found = {}
-    for figure in FIGURES:
-        values = [v for v in (value(r, figure) for r in records) if v is not None]
-        found[figure] = scores.spread(values, figure in HIGHER)
-    if any("rot_deg" in r.get("scores", {}) for r in records if r["status"] == "answered") or not any(
-        r["status"] == "answered" for r in records
-    ):
-        found["within_10_deg"] = scores.spread([is_close(r) for r in records], True)
-    statuses = [r["status"] for r in records]
-    found["status"] = {status: statuses.count(status) for status in sorted(set(statuses))}
-    messages = sorted({r["message"] for r in records if r.get("message")})
-    found["message"] = messages[0] if messages else None
-    return found
-
-
-def collect(run, tasks, n, with_peers):
-    by_set = {}
-    for method, name, _ in tasks:
-        record = run.record(method, name)
-        if record:
-            by_set.setdefault((method, name.split("/")[0]), []).append(record)
-    summaries = {key: summarize(records) for key, records in by_set.items()}
-    return {
-        "provenance": provenance(run, n),
-        "n": n,
-        "with_peers": with_peers,
-        "summaries": summaries,
-        "calibration": {m: calibration(by_set, m) for m in OURS if calibration(by_set, m)},
-        "there_and_back": there_and_back(run, by_set),
-        "unlike": unlike(by_set),
-        "records": [record for records in by_set.values() for record in records],
-    }
-
-
-def calibration(by_set, method):
-    rows = [
-        record["bins"]
-        for kind in ("real_warp4", "real_warp8", "real_resample")
-        for record in by_set.get((method, kind), [])
-        if record.get("bins")
-    ]
-    if not rows:
-        return None
-    bins = np.sum(rows, axis=0)
-    return {"bins": bins.tolist(), "error": scores.calibration_error(bins), "n_pairs": len(rows)}
-
-
-def there_and_back(run, by_set):
-    found = {}
-    for (method, kind), records in by_set.items():
-        if not kind.startswith("swapped_"):
-            continue
-        shares, medians = [], []
-        for record in records:
-            name = record["case"].removeprefix("swapped_")
-            forth, back = run.arrays(method, name).get("map"), run.arrays(method, record["case"]).get("map")
-            if forth is None or back is None:
-                continue
-            off = scores.there_and_back(run.cases.load(name), forth, back)
-            shares.append(float((off <= 1).mean()))
-            medians.append(float(np.median(off)))
-        if shares:
-            key = (method, kind.removeprefix("swapped_"))
-            found[key] = {"within_one_edge": scores.spread(shares, True), "median_edges": scores.spread(medians, False)}
-    return found
-
-
-def unlike(by_set):
-    """What the result says of pairs that match and of pairs that do not."""
-    found = {}
-    for kind in ["real_resample", "real_cross", *UNLIKE]:
-        records = [r for r in by_set.get((DEFAULT, kind), []) if r["status"] == "answered"]
-        if records:
-            said = {}
-            for name in ("mean_confidence", "outlier_share", "inlier_ratio", "surface_mean_mm"):
-                values = [r[name] for r in records if r.get(name) is not None]
-                said[name] = float(np.median(values)) if values else None
-            said["reliability"] = [r.get("reliability") for r in records]
-            said["n"] = len(records)
-            found[kind] = said
-    return found
-
-
-def command_output(*command):
-    try:
-        return subprocess.run(command, capture_output=True, text=True, check=True).stdout.strip()
-    except (OSError, subprocess.CalledProcessError):
-        return "unknown"
-
-
-def processor():
-    try:
-        with open("/proc/cpuinfo") as file:
-            return next(line.split(":", 1)[1].strip() for line in file if line.startswith("model name"))
-    except (OSError, StopIteration):
-        return platform.processor() or "unknown"
-
-
-def provenance(run, n):
-    here = os.path.dirname(os.path.abspath(__file__))
-    from importlib.metadata import PackageNotFoundError, version
-
-    versions = {}
-    for package in ("numpy", "scipy", "scikit-image", *{p.package for p in PEERS.values() if p.package}):
-        try:
-            versions[package] = version(package)
-        except PackageNotFoundError:
-            versions[package] = None
-    return {
-        "date": datetime.datetime.now(datetime.UTC).strftime("%Y-%m-%d"),
-        "program": run.homolog.version,
-        "program_sha256": run.homolog.fingerprint,
-        "commit_of_the_benchmark": command_output("git", "-C", here, "rev-parse", "--short", "HEAD"),
-        "command": f"make accuracy CASES={n}" + (" OURS_ONLY=1" if "--ours-only" in sys.argv else ""),
-        "machine": f"{processor()}, {len(os.sched_getaffinity(0))} cores, {memory_gib():.0f} GiB, {platform.system()}",
-        "python": platform.python_version(),
-        "packages": versions,
-        "n_label_volumes": len(run.cases.files),
-        "cases_a_set": n,
-    }
-
-
-def memory_gib():
-    return os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES") / 2**30
+    return (
+        PEERS[method].title
+        if method in PEERS
+        else f"**homolog {method}**" if method == DEFAULT else f"homolog {method}"
+    )
 
 
 def write(found, out):
@@ -224,8 +88,8 @@ def markdown(found):
         f"# Accuracy, {p['date']}\n",
         f"`{p['command']}`, {p['machine']}; {p['program']}; {p['n_label_volumes']} label volumes, "
         f"{p['cases_a_set']} pairs a set (half as many in the sections on consistency, unlike pairs and ablation).\n",
-        "Each figure is the mean over pairs with its bootstrap 95 % interval; where three stand, they are the mean, the "
-        "median and the worst. An edge is the mean edge length of the target. `accuracy.csv` has all figures, "
+        "Each figure is the mean over pairs with its bootstrap 95 % interval; where three stand, they are the mean, "
+        "the median and the worst. An edge is the mean edge length of the target. `accuracy.csv` has all figures, "
         "`accuracy.json` each pair; `benches/accuracy/README.md` says how they are made.\n",
         main_table(found),
         spread_section(found),
@@ -261,8 +125,10 @@ def main_table(found):
         rows.append(
             [
                 title(method),
-                mean_text(at(method, "real_warp4", "w1")), mean_text(at(method, "real_warp4", "err_mm")),
-                mean_text(at(method, "real_warp8", "w1")), mean_text(at(method, "real_warp8", "err_mm")),
+                mean_text(at(method, "real_warp4", "w1")),
+                mean_text(at(method, "real_warp4", "err_mm")),
+                mean_text(at(method, "real_warp8", "w1")),
+                mean_text(at(method, "real_warp8", "err_mm")),
                 mean_text(at(method, "real_cross", "label"), 3),
                 f"{rotation['median']:.2f}" if rotation else "",
                 f"{seconds:.2f} ({seconds / base_seconds:.2f})" if seconds and base_seconds else "",
@@ -271,17 +137,25 @@ def main_table(found):
             ]
         )
     header = [
-        "", "warp 4 %: within one edge", "warp 4 %: error, mm", "warp 8 %: within one edge", "warp 8 %: error, mm",
-        "two subjects: label agreement", "copy: rotation error, deg (median)", "seconds a pair (median; over ours)",
-        "peak memory, MB (over ours)", "pose within 10°: copies / two subjects",
+        "",
+        "warp 4 %: within one edge",
+        "warp 4 %: error, mm",
+        "warp 8 %: within one edge",
+        "warp 8 %: error, mm",
+        "two subjects: label agreement",
+        "copy: rotation error, deg (median)",
+        "seconds a pair (median; over ours)",
+        "peak memory, MB (over ours)",
+        "pose within 10°: copies / two subjects",
     ]
-    text = "Our methods run as one command on two cores (`rigid` on one), their seconds and memory are those of the whole "
+    text = (
+        "Our methods run as one command on two cores (`rigid` on one), their seconds and memory are those of the whole "
+    )
     text += "process, files and all; a peer has one core, and its seconds begin when the surfaces are in its memory. "
-    text += "Vertex to vertex; sub-vertex answers are in the next table. The figures to reach stand beside two cores.\n\n"
-    own = [
-        f"homolog {m} {s['median']:.2f} s" for m in OURS
-        if (s := at(m, "real_warp4", "own_seconds"))
-    ]
+    text += (
+        "Vertex to vertex; sub-vertex answers are in the next table. The figures to reach stand beside two cores.\n\n"
+    )
+    own = [f"homolog {m} {s['median']:.2f} s" for m in OURS if (s := at(m, "real_warp4", "own_seconds"))]
     text += f"By the result's own clock (`timings_ms.total`, warp 4 %, median): {', '.join(own)}.\n"
     return "## Beside the peers\n\n" + table(header, [*rows, TO_REACH]) + "\n" + text
 
@@ -290,7 +164,8 @@ def timing(found, method):
     """Medians over all timed pairs."""
     kinds = ("real_warp4", "real_warp8", "real_cross", "real_resample")
     chosen = [
-        r for r in found["records"]
+        r
+        for r in found["records"]
         if r["method"] == method and r["status"] == "answered" and r["case"].split("/")[0] in kinds
     ]
     if not chosen:
@@ -324,13 +199,26 @@ def spread_section(found):
             if summary and summary["w1"]:
                 rows.append(
                     [
-                        title(method), TITLES[kind], spread_text(summary["w1"]), spread_text(summary["err_mm"]),
-                        spread_text(summary["point_w1"]), spread_text(summary["point_err_mm"]),
-                        spread_text(summary["stretch"], 3), spread_text(summary["cover"]),
+                        title(method),
+                        TITLES[kind],
+                        spread_text(summary["w1"]),
+                        spread_text(summary["err_mm"]),
+                        spread_text(summary["point_w1"]),
+                        spread_text(summary["point_err_mm"]),
+                        spread_text(summary["stretch"], 3),
+                        spread_text(summary["cover"]),
                     ]
                 )
-    header = ["", "pairs", "within one edge", "error, mm", "points: within one edge", "points: error, mm",
-              "edges torn to over 3 lengths", "target vertices hit"]
+    header = [
+        "",
+        "pairs",
+        "within one edge",
+        "error, mm",
+        "points: within one edge",
+        "points: error, mm",
+        "edges torn to over 3 lengths",
+        "target vertices hit",
+    ]
     text = "Points are where a method moves a source vertex, before it is rounded to a vertex of the target.\n\n"
     return "## Dense answers: mean, median, worst\n\n" + text + table(header, rows) + "\n![](within_one_edge.png)\n"
 
@@ -355,11 +243,16 @@ def robustness_section(found):
             rows.append([title(method), *cells])
     text = (
         f"Share of pairs whose rotation is within {CORRECT_DEG}° of the truth; a pair without an answer is a failure. "
-        f"Noise: each coordinate of each target vertex moves by {NOISE_SHARE:.0%} of the diagonal (standard deviation). "
-        f"Cut: {CUT_SHARE:.0%} of the target's area is gone at one end, so it is open "
+        f"Noise: each coordinate of each target vertex moves by {NOISE_SHARE:.0%} of the diagonal (standard "
+        f"deviation). Cut: {CUT_SHARE:.0%} of the target's area is gone at one end, so it is open "
         "(`input.allow_boundary`). Half density: the target has half its vertices.\n\n"
     )
-    return "## Registration that must hold\n\n" + text + table(["", *(TITLES[k] for k in kinds)], rows) + "\n![](robustness.png)\n"
+    return (
+        "## Registration that must hold\n\n"
+        + text
+        + table(["", *(TITLES[k] for k in kinds)], rows)
+        + "\n![](robustness.png)\n"
+    )
 
 
 def calibration_section(found):
@@ -367,11 +260,16 @@ def calibration_section(found):
     if not rows:
         return ""
     text = (
-        "Confidence against the share of vertices within one edge of the truth, warps and copies together, in ten equal "
-        "bins. The expected calibration error is the mean over vertices of how far a bin's mean confidence is from its "
+        "Confidence against the share of vertices within one edge of the truth, warps and copies together, in ten "
+        "equal bins. The expected calibration error is the mean over vertices of how far a bin's mean confidence is from its "
         "share (0.05 at most is asked for).\n\n"
     )
-    return "## Calibration\n\n" + text + table(["", "expected calibration error", "pairs"], rows) + "\n![](reliability.png)\n"
+    return (
+        "## Calibration\n\n"
+        + text
+        + table(["", "expected calibration error", "pairs"], rows)
+        + "\n![](reliability.png)\n"
+    )
 
 
 def consistency_section(found):
@@ -381,7 +279,10 @@ def consistency_section(found):
     ]
     if not rows:
         return ""
-    text = "Source and target exchanged, and the two maps put behind one another: how far a source vertex comes back from itself.\n\n"
+    text = (
+        "Source and target exchanged, and the two maps put behind one another: how far from itself a source vertex "
+        "comes back.\n\n"
+    )
     header = ["", "pairs", "back within one edge: mean; median; worst", "median distance, edges: mean; median; worst"]
     return "## There and back\n\n" + text + table(header, rows)
 
@@ -393,11 +294,30 @@ def unlike_section(found):
     for kind, said in found["unlike"].items():
         number = lambda name: "" if said[name] is None else f"{said[name]:.2f}"
         kinds = [json.dumps(r, sort_keys=True) for r in said["reliability"] if r is not None]
-        told = "; ".join(f"{kinds.count(k)} of {said['n']}: `{k[:90]}`" for k in sorted(set(kinds))[:4]) or "no such field"
-        rows.append([TITLES[kind], str(said["n"]), *(number(k) for k in
-                    ("mean_confidence", "outlier_share", "inlier_ratio", "surface_mean_mm")), told])
-    header = ["target", "pairs", "mean confidence", "share of outliers", "inlier ratio", "surface distance, mm", "`reliability`"]
-    text = f"What the result of `{DEFAULT}` says (medians over pairs) where the target is the same structure, and where it is not.\n\n"
+        told = (
+            "; ".join(f"{kinds.count(k)} of {said['n']}: `{k[:90]}`" for k in sorted(set(kinds))[:4]) or "no such field"
+        )
+        rows.append(
+            [
+                TITLES[kind],
+                str(said["n"]),
+                *(number(k) for k in ("mean_confidence", "outlier_share", "inlier_ratio", "surface_mean_mm")),
+                told,
+            ]
+        )
+    header = [
+        "target",
+        "pairs",
+        "mean confidence",
+        "share of outliers",
+        "inlier ratio",
+        "surface distance, mm",
+        "`reliability`",
+    ]
+    text = (
+        f"What the result of `{DEFAULT}` says (medians over pairs) where the target is the same structure, and where "
+        "it is not.\n\n"
+    )
     return "## Pairs that do not match\n\n" + text + table(header, rows)
 
 
@@ -415,6 +335,13 @@ def ablation_section(found):
         seconds = f"{np.median([r['seconds'] for r in records]):.2f}" if records else ""
         change = json.dumps(read_variants().get(name.removeprefix("variant: "), {})).strip("{}").replace('"', "")
         rows.append([name.removeprefix("variant: "), f"`{change}`" if change else "", *cells, seconds])
-    header = ["", "parameters", "warp 4 %: within one edge", "warp 8 %: within one edge", "two subjects: label agreement", "seconds"]
+    header = [
+        "",
+        "parameters",
+        "warp 4 %: within one edge",
+        "warp 8 %: within one edge",
+        "two subjects: label agreement",
+        "seconds",
+    ]
     text = f"`{DEFAULT}` with one part changed (`benches/accuracy/variants.json`), on the same pairs.\n\n"
     return "## Ablation\n\n" + text + table(header, rows)

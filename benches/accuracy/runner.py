@@ -92,7 +92,7 @@ class Runner:
         self.done, self.total, self.begin = 0, 0, time.monotonic()
 
     def key(self, method, case):
-        """Ours by the bytes of the program and the parameters, the peers by their version and the code that calls them."""
+        """Ours by the program's bytes and the parameters, the peers by their version and the code that calls them."""
         if method in PEERS:
             return f"{method}@{peer_fingerprint()}|{case}"
         parameters = json.dumps(our_parameters(method, case.split("/")[0]), sort_keys=True)
@@ -171,7 +171,9 @@ class Runner:
         spent = time.monotonic() - self.begin
         left = spent / self.done * (self.total - self.done)
         figures = " ".join(
-            f"{key} {record['scores'][key]:.3g}" for key in ("rot_deg", "w1", "label") if key in record.get("scores", {})
+            f"{key} {record['scores'][key]:.3g}"
+            for key in ("rot_deg", "w1", "label")
+            if key in record.get("scores", {})
         )
         took = f"{record['seconds']:.2f} s" if "seconds" in record else ""
         print(

@@ -1,7 +1,7 @@
 """The peers: each takes a case and answers a transform, a vertex map, or both. One core, imports not counted.
 
 What a peer leaves to its user is set here, once for all cases: radii and thresholds in mean edge lengths, as their own
-examples recommend. Settings of the dense ones were chosen among a few on real pairs (README.md says which).
+examples recommend. Settings of the dense ones were chosen among a few on real pairs, as README.md says.
 """
 
 from types import SimpleNamespace

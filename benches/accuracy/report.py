@@ -261,8 +261,8 @@ def calibration_section(found):
         return ""
     text = (
         "Confidence against the share of vertices within one edge of the truth, warps and copies together, in ten "
-        "equal bins. The expected calibration error is the mean over vertices of how far a bin's mean confidence is from its "
-        "share (0.05 at most is asked for).\n\n"
+        "equal bins. The expected calibration error is the mean over vertices of how far a bin's mean confidence is from "
+        "its share (0.05 at most is asked for).\n\n"
     )
     return (
         "## Calibration\n\n"
@@ -293,10 +293,7 @@ def unlike_section(found):
     rows = []
     for kind, said in found["unlike"].items():
         number = lambda name: "" if said[name] is None else f"{said[name]:.2f}"
-        kinds = [json.dumps(r, sort_keys=True) for r in said["reliability"] if r is not None]
-        told = (
-            "; ".join(f"{kinds.count(k)} of {said['n']}: `{k[:90]}`" for k in sorted(set(kinds))[:4]) or "no such field"
-        )
+        told = "; ".join(told_of(said["reliability"])) or "no such field"
         rows.append(
             [
                 TITLES[kind],
@@ -319,6 +316,18 @@ def unlike_section(found):
         "it is not.\n\n"
     )
     return "## Pairs that do not match\n\n" + text + table(header, rows)
+
+
+def told_of(values, name=""):
+    """A field of several results in short: words with how often they stand there, numbers by their median."""
+    values = [v for v in values if v is not None]
+    if values and isinstance(values[0], dict):
+        return [text for key in values[0] for text in told_of([v.get(key) for v in values], f"{key} ")]
+    words = [str(v) for v in values]
+    numbers = [v for v in values if isinstance(v, (int, float)) and not isinstance(v, bool)]
+    if numbers:
+        return [f"{name}{np.median(numbers):.2f}"]
+    return [f"{name}`{word[:60]}` {words.count(word)} of {len(words)}" for word in sorted(set(words))[:4]]
 
 
 def ablation_section(found):

@@ -261,8 +261,8 @@ def calibration_section(found):
         return ""
     text = (
         "Confidence against the share of vertices within one edge of the truth, warps and copies together, in ten "
-        "equal bins. The expected calibration error is the mean over vertices of how far a bin's mean confidence is from "
-        "its share (0.05 at most is asked for).\n\n"
+        "equal bins. The expected calibration error is the mean over vertices of how far a bin's mean confidence is "
+        "from its share (0.05 at most is asked for).\n\n"
     )
     return (
         "## Calibration\n\n"

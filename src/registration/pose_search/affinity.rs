@@ -23,8 +23,9 @@ use std::f64::consts::TAU;
 const LANES: usize = 16;
 /// The background, as a share of what a flat matching surface gives.
 const OUTLIER: f64 = 0.1;
-/// A quarter of the precision `π` of features whose variance over the surface is 1. Warps want it larger, two subjects
-/// smaller; between 0.3 and 1 no set of cases lost more than a pose.
+/// A quarter of the precision `π` of features whose variance over the surface is 1. Of 40 warps of 8 % of the diagonal,
+/// real and synthetic, 38 came within 10 degrees with a precision of 1 and 34 with 0.3; pairs of real subjects, whose
+/// features differ, were at a median of 3.5 and 2.8 degrees (with three features; the fourth came later).
 const UNLIKE: f32 = 0.25;
 
 type Lane = [f32; LANES];

@@ -45,13 +45,13 @@ pub(super) struct Patches {
 }
 
 impl Patches {
-    /// `None` without three points of positive area. Cost `O(fine · points)`.
+    /// `None` without three points, without area, or where numbers are not finite. Cost `O(fine · points)`.
     pub fn new(surface: &OrientedPoints<'_>, n_coarse: usize, n_fine: usize) -> Option<Self> {
         let total: f64 = surface.areas.iter().sum();
         if surface.points.len() < 3 || !(total > 0.0 && total.is_finite()) {
             return None;
         }
-        let (center, axes) = frame(surface, total);
+        let (center, axes) = frame(surface, total)?;
         let local: Vec<Vector3<f64>> = surface.points.iter().map(|p| axes.transpose() * (p.coords - center)).collect();
         let normals: Vec<Vector3<f64>> = surface.normals.iter().map(|n| axes.transpose() * n).collect();
         let mut owners = Owners::new(&local);
@@ -72,14 +72,19 @@ pub(super) fn mirrored(patches: &[Patch]) -> Vec<Patch> {
 }
 
 /// Centroid of the surface, and its principal axes as columns of a rotation, longest first. The first two point where
-/// the surface reaches farther, so that the frame goes with the surface wherever it is moved.
-fn frame(surface: &OrientedPoints<'_>, total: f64) -> (Vector3<f64>, Matrix3<f64>) {
+/// the surface reaches farther, so that the frame goes with the surface wherever it is moved. `None` where numbers are not
+/// finite.
+fn frame(surface: &OrientedPoints<'_>, total: f64) -> Option<(Vector3<f64>, Matrix3<f64>)> {
     let weighted = || surface.points.iter().zip(surface.areas);
     let center = weighted().fold(Vector3::zeros(), |s, (p, &a)| s + p.coords * a) / total;
     let covariance = weighted().fold(Matrix3::zeros(), |s, (p, &a)| {
         let d = p.coords - center;
         s + d * d.transpose() * a
     });
+    // The eigenvalues of what is no number would be sought forever.
+    if !covariance.iter().all(|c| c.is_finite()) {
+        return None;
+    }
     let eigen = covariance.symmetric_eigen();
     let mut order = [0, 1, 2];
     order.sort_by(|&a, &b| eigen.eigenvalues[b].total_cmp(&eigen.eigenvalues[a]));
@@ -88,7 +93,7 @@ fn frame(surface: &OrientedPoints<'_>, total: f64) -> (Vector3<f64>, Matrix3<f64
         let skewness: f64 = weighted().map(|(p, &a)| a * axis.dot(&(p.coords - center)).powi(3)).sum();
         if skewness < 0.0 { -axis } else { axis }
     });
-    (center, Matrix3::from_columns(&[first, second, first.cross(&second)]))
+    Some((center, Matrix3::from_columns(&[first, second, first.cross(&second)])))
 }
 
 /// Seeds spread evenly over points, and for every point the nearest seed.

@@ -146,8 +146,8 @@ fn affinity_row(moved: &Moved, target: &Columns, steepness: f32, row: &mut [Lane
             let near = (1.0 - steepness * (dx * dx + dy * dy + dz * dz)).max(0.0);
             let agreement = nx[j][k] * moved.normal[0] + ny[j][k] * moved.normal[1] + nz[j][k] * moved.normal[2];
             let mut unlike = 0.0;
-            for f in 0..N_FEATURES {
-                let d = features[f][j][k] - moved.features[f];
+            for (column, own) in features.iter().zip(&moved.features) {
+                let d = column[j][k] - own;
                 unlike += d * d;
             }
             let alike = 1.0 / (1.0 + UNLIKE * unlike);

@@ -53,9 +53,9 @@ pub struct PoseSearchOptions {
     pub n_coarse: usize,
     /// Patches in settling and bending.
     pub n_fine: usize,
-    /// Poses that are annealed.
+    /// Poses of either handedness that are annealed.
     pub n_annealed: usize,
-    /// Poses that are settled and returned at most.
+    /// Poses of either handedness that are settled and returned at most.
     pub n_settled: usize,
     /// `σ` of the assignment in diagonals of the larger surface: when screening, and at the end of annealing and settling.
     /// Bending goes from the second to the third again.
@@ -246,7 +246,7 @@ impl Search<'_> {
                 found.push(candidate);
             }
         }
-        best_apart(found, APART, self.options.n_annealed * hands.len())
+        best_apart(found, APART, self.options.n_annealed)
     }
 }
 
@@ -282,8 +282,8 @@ fn improved(
     found
 }
 
-/// The `n` best of `candidates`, best first, none within `angle` (radians) of a better one. Those of equal misfit in
-/// the order given; those without a number left out.
+/// The `n` best of `candidates` of either handedness, best first, none within `angle` (radians) of a better one. Those
+/// of equal misfit in the order given; those without a number left out.
 fn best_apart(mut candidates: Vec<Candidate>, angle: f64, n: usize) -> Vec<Candidate> {
     candidates.retain(|c| c.misfit.is_finite());
     candidates.sort_by(|a, b| a.misfit.total_cmp(&b.misfit));
@@ -291,10 +291,8 @@ fn best_apart(mut candidates: Vec<Candidate>, angle: f64, n: usize) -> Vec<Candi
     let near = 1.0 + 2.0 * angle.cos();
     let mut kept: Vec<Candidate> = Vec::new();
     for c in candidates {
-        if kept.len() == n {
-            break;
-        }
-        if kept.iter().all(|k| k.mirrors != c.mirrors || k.rotation.dot(&c.rotation) < near) {
+        let mut alike = kept.iter().filter(|k| k.mirrors == c.mirrors);
+        if alike.clone().count() < n && alike.all(|k| k.rotation.dot(&c.rotation) < near) {
             kept.push(c);
         }
     }

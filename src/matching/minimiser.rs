@@ -1,11 +1,12 @@
 //! One face for all minimisers of the energy, so that the rounds of a match do not know which one runs.
 
+use super::active_labels::ActiveLabels;
 use super::parameters::{Algorithm, CoolingSchedule, InferenceParameters, MatchParameters, MessageSchedule, Update};
 use super::result::{ConvergenceDocument, ConvergenceStatus, StopReason};
 use crate::inference::{
-    self, AnnealingOptions, BeliefPropagation, BpMethod, BpOptions, BpOutcome, BpStop, DualBound, DualOptions,
-    DualOutcome, DualStop, LasVegas, LasVegasOptions, Product, Sampler, SearchOutcome, SearchRun, SearchStop,
-    SearchSweep, SimulatedAnnealing, local_confidence,
+    self, AnnealingOptions, BeliefPropagation, BpIteration, BpMethod, BpOptions, BpOutcome, BpStop, DualBound,
+    DualOptions, DualOutcome, DualStop, LasVegas, LasVegasOptions, Product, Sampler, SearchOutcome, SearchRun,
+    SearchStop, SearchSweep, SimulatedAnnealing, local_confidence,
 };
 use crate::mrf::{Energy, Labeling, MrfModel};
 use crate::observe::{Cancelled, Observer, Phase, TracePoint};
@@ -63,7 +64,12 @@ pub(super) fn minimiser<'a>(
     lower_bound: Option<f64>,
 ) -> Box<dyn Minimiser + 'a> {
     let p = &parameters.inference;
-    let propagation = |product| Box::new(Propagation { bp: belief_propagation(model, p, product) });
+    let propagation = |product| -> Box<dyn Minimiser + 'a> {
+        match p.update {
+            Update::Active => Box::new(ActiveLabels::new(model, bp_options(p, product))),
+            Update::Sparse | Update::Full => Box::new(Propagation { bp: belief_propagation(model, p, product) }),
+        }
+    };
     let search = |engine| {
         Box::new(Search { engine, seed: parameters.seed, target_energy: p.target_energy.or(lower_bound), last: None })
     };
@@ -80,11 +86,15 @@ pub(super) fn minimiser<'a>(
     }
 }
 
+fn bp_options(p: &InferenceParameters, product: Product) -> BpOptions {
+    BpOptions { product, damping: p.damping as f32, floor: MESSAGE_FLOOR, tolerance: p.tolerance as f32 }
+}
+
 fn belief_propagation<'a>(model: &'a MrfModel, p: &InferenceParameters, product: Product) -> BeliefPropagation<'a> {
-    let options = BpOptions { product, damping: p.damping as f32, floor: MESSAGE_FLOOR, tolerance: p.tolerance as f32 };
+    let options = bp_options(p, product);
     let method = BpMethod {
         update: match p.update {
-            Update::Sparse => inference::Update::Sparse,
+            Update::Sparse | Update::Active => inference::Update::Sparse,
             Update::Full => inference::Update::Full,
         },
         schedule: match p.schedule {
@@ -131,35 +141,43 @@ impl Minimiser for Propagation<'_> {
         observer: &dyn Observer,
         on_step: OnStep<'_>,
     ) -> Result<Labeled, Cancelled> {
-        let outcome = self.bp.run(budget, observer, |iteration| {
-            on_step(TracePoint {
-                energy: Some(iteration.energy.total()),
-                energy_unary: Some(iteration.energy.unary),
-                energy_pairwise: Some(iteration.energy.pairwise),
-                message_delta_max: Some(iteration.message_delta_max.into()),
-                labels_changed: Some(iteration.labels_changed),
-                ..TracePoint::new(round, Phase::Inference, iteration.iteration)
-            });
-        })?;
+        let outcome = self.bp.run(budget, observer, |iteration| on_step(trace_point(round, iteration)))?;
         let spread_mm = self.bp.spreads(positions);
-        let BpOutcome { labeling, confidence, energy, iterations, stop, convergence } = outcome;
-        let (status, period) = match convergence.status {
-            inference::ConvergenceStatus::Converged => (ConvergenceStatus::Converged, None),
-            inference::ConvergenceStatus::Slow => (ConvergenceStatus::Slow, None),
-            inference::ConvergenceStatus::Oscillating { period } => (ConvergenceStatus::Oscillating, Some(period)),
-        };
-        Ok(Labeled {
-            labeling,
-            confidence,
-            spread_mm,
-            energy,
-            iterations,
-            stop_reason: match stop {
-                BpStop::Converged => StopReason::Converged,
-                BpStop::MaxIterations => StopReason::MaxIterations,
-            },
-            convergence: ConvergenceDocument { status, period },
-        })
+        Ok(labeled(outcome, spread_mm))
+    }
+}
+
+/// An iteration of belief propagation as a point of the trace.
+pub(super) fn trace_point(round: u32, iteration: &BpIteration) -> TracePoint {
+    TracePoint {
+        energy: Some(iteration.energy.total()),
+        energy_unary: Some(iteration.energy.unary),
+        energy_pairwise: Some(iteration.energy.pairwise),
+        message_delta_max: Some(iteration.message_delta_max.into()),
+        labels_changed: Some(iteration.labels_changed),
+        ..TracePoint::new(round, Phase::Inference, iteration.iteration)
+    }
+}
+
+/// The outcome of belief propagation as the rounds see it.
+pub(super) fn labeled(outcome: BpOutcome, spread_mm: Vec<f64>) -> Labeled {
+    let BpOutcome { labeling, confidence, energy, iterations, stop, convergence } = outcome;
+    let (status, period) = match convergence.status {
+        inference::ConvergenceStatus::Converged => (ConvergenceStatus::Converged, None),
+        inference::ConvergenceStatus::Slow => (ConvergenceStatus::Slow, None),
+        inference::ConvergenceStatus::Oscillating { period } => (ConvergenceStatus::Oscillating, Some(period)),
+    };
+    Labeled {
+        labeling,
+        confidence,
+        spread_mm,
+        energy,
+        iterations,
+        stop_reason: match stop {
+            BpStop::Converged => StopReason::Converged,
+            BpStop::MaxIterations => StopReason::MaxIterations,
+        },
+        convergence: ConvergenceDocument { status, period },
     }
 }
 

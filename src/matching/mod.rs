@@ -4,7 +4,10 @@
 //! that most of its pairs agree with; clamping feeds that back into the energy, round by round; ICP refines.
 //! This is where the MRF, which knows no mesh, and registration, which knows no energy, meet.
 
+mod active_labels;
 mod bending;
+#[cfg(test)]
+mod bending_tests;
 mod bound;
 mod clamping;
 pub mod consistency;

@@ -260,8 +260,8 @@ fn the_dual_method_ends_nearer_to_its_bound_than_belief_propagation() {
         |p: &nalgebra::Point3<f64>| nalgebra::Point3::new(p.x, 0.9 * p.y + 0.3 * (0.5 * p.x).sin(), 1.1 * p.z);
     let target = source.with_vertices(source.vertices().iter().map(squeezed).collect()).unwrap();
     let energy = |algorithm| {
-        let request = json!({"inference": {"algorithm": algorithm, "lower_bound_iterations": 40},
-                             "clamping": {"mode": "none", "max_rounds": 0}});
+        let request = json!({"inference": {"algorithm": algorithm, "lower_bound_iterations": 40, "coarse_vertices": null},
+                             "clamping": {"mode": "none", "max_rounds": 0}, "displacement": {"mode": "none"}});
         run(&source, &target.transformed(&motion()), &parameters(request)).energy.unwrap()
     };
     let (dual, propagated) = (energy("tree_reweighted"), energy("max_product"));
@@ -270,16 +270,18 @@ fn the_dual_method_ends_nearer_to_its_bound_than_belief_propagation() {
 }
 
 #[test]
-fn full_update_residual_schedule_and_the_hard_constraint_find_the_copy() {
+fn every_update_and_schedule_and_the_hard_constraint_find_the_copy() {
     let source = bean_of(2);
     let target = source.transformed(&motion());
-    for request in [
+    for mut request in [
         json!({"inference": {"update": "full"}}),
+        json!({"inference": {"update": "active"}}),
         json!({"inference": {"schedule": "residual"}}),
         json!({"energy": {"truncation": null}}),
         json!({"energy": {"pairwise_distance": "graph", "beta": 0.3}}),
         json!({"registration": {"estimator": "rotation_axis", "solver": "quaternion", "similarity": true}}),
     ] {
+        request["displacement"] = json!({"mode": "none"});
         let outcome = run(&source, &target, &parameters(request.clone()));
         assert!(exact(&outcome) > 0.95, "{request}: {}", exact(&outcome));
         assert_eq!(outcome.topology.flipped_triangles, 0, "{request}");

@@ -9,15 +9,17 @@ use std::path::{Path, PathBuf};
 /// Which modules of this crate each module may use; an entry may name a part of a module. Itself is always allowed.
 const ARROWS: &[(&str, &[&str])] = &[
     ("observe", &[]),
+    ("exponential", &[]),
     ("graph", &[]),
     ("mesh", &["graph"]),
     ("volume", &["mesh"]),
     ("formats", &["mesh", "volume"]),
     ("curvature", &["graph", "mesh", "observe"]),
     ("mrf", &["graph"]),
-    ("inference", &["graph", "mrf", "observe"]),
+    ("inference", &["exponential", "graph", "mrf", "observe"]),
     ("registration", &["observe"]),
-    ("deformation", &[]),
+    ("deformation", &["exponential"]),
+    ("hierarchy", &["deformation", "graph", "mesh"]),
     ("geodesic", &["curvature", "graph", "mesh"]),
     ("harmonics", &["graph", "mesh", "observe", "registration"]),
     ("intake", &["formats", "matching::parameters", "mesh", "volume"]),
@@ -29,6 +31,7 @@ const ARROWS: &[(&str, &[&str])] = &[
             "geodesic",
             "graph",
             "harmonics",
+            "hierarchy",
             "inference",
             "intake::InputReport",
             "mesh",
@@ -103,6 +106,7 @@ const ARROWS: &[(&str, &[&str])] = &[
 /// Modules that only compute: bytes and numbers in, numbers out.
 const NUMERICS: &[&str] = &[
     "observe",
+    "exponential",
     "graph",
     "mesh",
     "volume",
@@ -111,6 +115,7 @@ const NUMERICS: &[&str] = &[
     "geodesic",
     "harmonics",
     "deformation",
+    "hierarchy",
     "mrf",
     "inference",
     "registration",

@@ -125,7 +125,6 @@ fn at(space: &ScaleSpace<'_>, scale_mm: f64) -> Result<SurfaceMesh, MatchError> 
 }
 
 impl SmoothSurface {
-
     pub fn samples(&self) -> Samples<'_> {
         Samples { points: self.mesh.vertices(), normals: &self.normals, areas: &self.areas, features: &self.features }
     }

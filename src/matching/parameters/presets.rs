@@ -138,7 +138,7 @@ pub fn preset(method: Method) -> MatchParameters {
             clamping: ClampingParameters { mode: ClampingMode::Soft, max_rounds: 6 },
             ..balanced
         },
-        Method::Rigid => registration_only(InitialPose::Search, Refinement::PointToPoint),
+        Method::Rigid => registration_only(InitialPose::Search, Refinement::PointToPlane),
         Method::Gibbs => annealed(Algorithm::Gibbs, 300),
         Method::Metropolis => annealed(Algorithm::Metropolis, 3000),
         Method::LasVegas => annealed(Algorithm::LasVegas, 1000),

@@ -90,7 +90,7 @@ pub(super) fn out_of_range(p: &MatchParameters) -> Vec<ParameterError> {
     check(
         i.update == Update::Sparse || i.schedule == MessageSchedule::Flooding,
         "/inference/schedule",
-        "must be flooding where inference.update is full",
+        "must be flooding unless inference.update is sparse",
     );
     check(p.clamping.max_rounds <= 20, "/clamping/max_rounds", "must be at most 20");
     let r = &p.registration;

@@ -8,10 +8,11 @@
 use homolog::inference::{BeliefPropagation, BpOptions, Product};
 use homolog::matching::parameters::{MatchParameters, resolve};
 use homolog::matching::{energy_model, match_surfaces};
-use homolog::mesh::SurfaceMesh;
+use homolog::mesh::{FaceArity, SurfaceMesh};
 use homolog::observe::Silent;
 use homolog::phantom::{PairRecipe, PhantomPair};
 use serde_json::json;
+use std::collections::HashMap;
 use std::time::Instant;
 
 fn pair(edge_mm: f64) -> (SurfaceMesh, SurfaceMesh) {
@@ -78,6 +79,7 @@ fn main() {
     let cores = std::thread::available_parallelism().map_or(1, usize::from);
     println!("machine: {}", machine());
     println!("commit: {}", option_env!("HOMOLOG_COMMIT").unwrap_or("unknown"));
+    large_matches(cores);
     whole_match(cores);
     message_update(cores);
 }
@@ -86,7 +88,7 @@ fn whole_match(cores: usize) {
     println!("\n## A pair of phantoms, defaults, from surfaces to outcome (median, least, most of 5)\n");
     println!("| method | vertices | threads | seconds | | |\n|---|---|---|---|---|---|");
     let (source, target) = pair(0.8);
-    for method in ["balanced", "thesis"] {
+    for method in ["balanced", "fast", "rigid", "thesis"] {
         let parameters: MatchParameters = resolve(&json!({"method": method})).unwrap();
         let mut threads = vec![1, cores];
         threads.dedup();
@@ -103,6 +105,49 @@ fn whole_match(cores: usize) {
     }
     if let Some(mib) = peak_mib() {
         println!("\npeak memory of the process: {mib:.0} MiB");
+    }
+}
+
+/// `mesh` with every triangle cut in four.
+fn cut_in_four(mesh: &SurfaceMesh) -> SurfaceMesh {
+    let mut vertices = mesh.vertices().to_vec();
+    let mut middles = HashMap::new();
+    let mut faces = Vec::new();
+    for t in mesh.triangles() {
+        let m: [u32; 3] = std::array::from_fn(|k| {
+            let (a, b) = (t[k].min(t[(k + 1) % 3]), t[k].max(t[(k + 1) % 3]));
+            *middles.entry((a, b)).or_insert_with(|| {
+                vertices.push(nalgebra::center(&vertices[a as usize], &vertices[b as usize]));
+                vertices.len() as u32 - 1
+            })
+        });
+        faces.extend([t[0], m[0], m[2], m[0], t[1], m[1], m[2], m[1], t[2], m[0], m[1], m[2]]);
+    }
+    SurfaceMesh::new(vertices, FaceArity::Triangle, faces).unwrap()
+}
+
+/// The default on surfaces of one shape and ever more vertices. Peak memory only grows, so small ones come first.
+fn large_matches(cores: usize) {
+    println!("\n## The default on ever finer surfaces, {cores} threads (median, least, most of 3)\n");
+    println!("| vertices | seconds | | | peak memory, MiB | slope on a log-log plot |\n|---|---|---|---|---|---|");
+    let parameters: MatchParameters = resolve(&json!({})).unwrap();
+    let (mut source, mut target) = pair(0.8);
+    let mut before: Option<(f64, f64)> = None;
+    for level in 0..4 {
+        if level > 0 {
+            (source, target) = (cut_in_four(&source), cut_in_four(&target));
+        }
+        let [median, least, most] =
+            with_threads(cores, || timed(3, || drop(match_surfaces(&source, &target, &parameters, &Silent).unwrap())));
+        let n = source.n_vertices() as f64;
+        let slope = before.map_or(String::new(), |(m, t)| format!("{:.2}", (median / t).ln() / (n / m).ln()));
+        before = Some((n, median));
+        println!(
+            "| {} + {} | {median:.2} | {least:.2} | {most:.2} | {:.0} | {slope} |",
+            source.n_vertices(),
+            target.n_vertices(),
+            peak_mib().unwrap_or(f64::NAN)
+        );
     }
 }
 

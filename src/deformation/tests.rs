@@ -245,17 +245,18 @@ proptest! {
         let weight = |i: usize, j: usize| aq[j] * g(i, j) / (background + (0..n).map(|k| ap[k] * g(k, j)).sum::<f64>());
         for (i, point) in p.iter().enumerate() {
             let mass: f64 = (0..m).map(|j| weight(i, j)).sum();
-            prop_assert!((found.mass[i] - mass).abs() < 1e-9 * (1.0 + mass));
+            // Affinities are 32-bit numbers.
+            prop_assert!((found.mass[i] - mass).abs() < 1e-5 * (1.0 + mass));
             if mass > 0.0 {
                 let mean = (0..m).fold(Vector3::zeros(), |s, j| s + q[j].coords * weight(i, j)) / mass;
-                prop_assert!((found.targets[i].coords - mean).norm() < 1e-6);
+                prop_assert!((found.targets[i].coords - mean).norm() < 1e-3);
             } else {
                 prop_assert_eq!(found.targets[i], *point);
             }
         }
         // No more of the target is given away than there is.
         let given: f64 = (0..n).map(|i| found.mass[i] * ap[i]).sum();
-        prop_assert!(given <= aq.iter().sum::<f64>() * (1.0 + 1e-12));
+        prop_assert!(given <= aq.iter().sum::<f64>() * (1.0 + 1e-5));
     }
 }
 

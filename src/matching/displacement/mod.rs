@@ -31,7 +31,7 @@ mod rigid;
 mod stages;
 mod surface;
 #[cfg(test)]
-mod tests;
+pub(super) mod tests;
 
 pub use agreement::Agreement;
 pub use answer::Image;

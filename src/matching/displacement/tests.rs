@@ -22,7 +22,7 @@ fn displace(
 }
 
 /// A lopsided bean of 2562 vertices, its cross-sections rounded triangles: round ones would have nothing against rolling.
-fn bean() -> SurfaceMesh {
+pub(in crate::matching) fn lopsided_bean() -> SurfaceMesh {
     let mesh = ellipsoid(Vector3::new(18.0, 7.0, 5.0), 4);
     let bent = mesh
         .vertices()
@@ -51,7 +51,7 @@ fn warped(p: &Point3<f64>) -> Point3<f64> {
 
 /// Source, target, and for every canonical source vertex its true image.
 fn pair(warp: fn(&Point3<f64>) -> Point3<f64>) -> (CanonicalMesh, CanonicalMesh, Vec<Point3<f64>>) {
-    let source = bean();
+    let source = lopsided_bean();
     let images: Vec<Point3<f64>> = source.vertices().iter().map(|p| turned().apply(&warp(p))).collect();
     let target = canonicalize(&source.with_vertices(images.clone()).unwrap());
     let source = canonicalize(&source);
@@ -94,7 +94,7 @@ fn a_mirrored_copy_is_followed_from_a_mirroring_pose() {
         rotation: nalgebra::Matrix3::from_diagonal(&Vector3::new(-1.0, 1.0, 1.0)),
         translation: Vector3::zeros(),
     };
-    let source = bean();
+    let source = lopsided_bean();
     let target = source.moved(&turned().after(&mirror).matrix()).unwrap();
     let (source, target) = (canonicalize(&source), canonicalize(&target));
     let pose = turned().after(&mirror);

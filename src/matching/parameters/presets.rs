@@ -14,15 +14,15 @@ use utoipa::ToSchema;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize, ToSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Method {
-    /// Gaussian and mean curvature, soft clamping, ICP refinement: the default.
+    /// Coarse levels, Gaussian and mean curvature, soft clamping, a smooth displacement field: the default.
     Balanced,
-    /// Gaussian curvature only, hard clamping, no refinement.
+    /// All vertices, Gaussian curvature only, hard clamping, no refinement.
     Thesis,
-    /// As balanced, with fewer iterations and one round.
+    /// As balanced, on coarser levels, with fewer iterations and one round.
     Fast,
-    /// As balanced, with more scales, iterations and rounds, and a smooth displacement field at the end.
+    /// As balanced, on finer levels, with more scales, iterations and rounds.
     Accurate,
-    /// Registration only, from principal axes.
+    /// Registration only, all orientations searched.
     Rigid,
     /// Simulated annealing with the Gibbs sampler.
     Gibbs,
@@ -71,13 +71,14 @@ impl Method {
     pub fn description(self) -> &'static str {
         match self {
             Method::Balanced => {
-                "Max-product belief propagation on Gaussian and mean curvature, soft clamping rounds, ICP refinement."
+                "Max-product belief propagation on coarse levels, soft clamping rounds, and a smooth displacement field from \
+                 the best pose."
             }
-            Method::Thesis => "Max-product belief propagation on Gaussian curvature, hard clamping, RANSAC only.",
-            Method::Fast => "As balanced, with a third of the iterations and one round of feedback.",
-            Method::Accurate => {
-                "As balanced, with more scales, iterations and rounds, and a smooth displacement field at the end."
+            Method::Thesis => {
+                "Max-product belief propagation over all vertices on Gaussian curvature, hard clamping, RANSAC only."
             }
+            Method::Fast => "As balanced, on coarser levels, with a third of the iterations and one round of feedback.",
+            Method::Accurate => "As balanced, on finer levels, with more scales, iterations and rounds.",
             Method::Rigid => {
                 "Registration only: all orientations searched, the best pose refined by closest points both ways; each \
                  vertex is answered with the nearest."

@@ -58,7 +58,6 @@ fn a_mirrored_target_is_answered_and_said_to_be_unreliable() {
     let source = lopsided_bean();
     let mirror = Matrix4::new_nonuniform_scaling(&Vector3::new(-1.0, 1.0, 1.0));
     let mirrored = source.moved(&std::array::from_fn(|r| std::array::from_fn(|c| mirror[(r, c)]))).unwrap();
-    let mirrored = repair::turned(&mirrored);
     let reliability = run(&source, &mirrored, json!({})).reliability.unwrap();
     assert!(!reliability.reliable, "{reliability:?}");
     assert!(reliability.reasons.contains(&UnreliableReason::OtherHandedness), "{reliability:?}");

@@ -15,6 +15,9 @@ use std::path::Path;
 use std::process::{Child, Stdio};
 use std::time::{Duration, Instant};
 
+/// Parameters of a match that takes seconds, so that something can happen to it: every vertex is a variable.
+const SLOW: &str = r#"{"inference": {"coarse_vertices": null, "max_iterations": 100, "tolerance": 0}}"#;
+
 /// A served folder; killed when dropped, so that no test leaves a process behind.
 struct Server {
     process: Child,
@@ -46,7 +49,7 @@ impl Server {
 
     fn submit(&self, source: &[u8], target: &[u8]) -> String {
         let file = |bytes: &[u8]| Part::bytes(bytes.to_vec()).file_name("a.ply");
-        let form = Form::new().part("source", file(source)).part("target", file(target)).text("parameters", "{}");
+        let form = Form::new().part("source", file(source)).part("target", file(target)).text("parameters", SLOW);
         let response = self.client.post(format!("{}/v1/jobs", self.base)).multipart(form).send().unwrap();
         assert_eq!(response.status(), 202, "{}", response.text().unwrap());
         response.json::<Value>().unwrap()["id"].as_str().unwrap().to_owned()

@@ -1,11 +1,7 @@
 //! What becomes of running jobs when their process ends, and how processes share a data directory.
 
-use super::jobs_support::{ObedientEngine, TestService};
-use homolog::app::{App, Shutdown};
-use homolog::config::ServiceSettings;
-use homolog::jobs::Engine;
+use super::jobs_support::{TestService, WorkerProcess};
 use serde_json::json;
-use std::sync::Arc;
 use std::sync::atomic::Ordering;
 use std::time::{Duration, Instant};
 
@@ -44,22 +40,10 @@ async fn jobs_that_end_within_the_grace_are_not_given_back() {
     service.end().await;
 }
 
-#[derive(Debug, clap::Parser)]
-struct WorkerArguments {
-    #[command(flatten)]
-    service: ServiceSettings,
-}
-
 #[tokio::test]
 async fn a_worker_process_runs_jobs_that_another_process_accepts() {
     let service = TestService::start(&["--workers", "0"]).await;
-    let data_dir = service.folder.path().to_str().unwrap().to_owned();
-    let arguments: WorkerArguments = clap::Parser::parse_from(["test", "--data-dir", &data_dir, "--poll-ms", "20"]);
-    let shutdown = Shutdown::default();
-    let engine = Arc::new(ObedientEngine::default());
-    let worker = App::open(&arguments.service, Arc::clone(&engine) as Arc<dyn Engine>, &shutdown, false).await.unwrap();
-    let ends = shutdown.clone();
-    let running = tokio::spawn(async move { worker.run(None, &ends).await });
+    let WorkerProcess { shutdown, engine, running } = service.worker(&["--poll-ms", "20"]).await;
 
     let id = service.submit(json!({"points": 3})).await;
     assert_eq!(service.until_final(&id).await["state"], "succeeded");

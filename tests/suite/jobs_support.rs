@@ -141,6 +141,13 @@ pub struct TestService {
     running: tokio::task::JoinHandle<()>,
 }
 
+/// A process that only runs jobs, within this one.
+pub struct WorkerProcess {
+    pub shutdown: Shutdown,
+    pub engine: Arc<ObedientEngine>,
+    pub running: tokio::task::JoinHandle<()>,
+}
+
 impl TestService {
     pub async fn start(more: &[&str]) -> Self {
         TestService::start_in(Arc::new(tempfile::tempdir().unwrap()), more).await
@@ -168,6 +175,17 @@ impl TestService {
         let ends = shutdown.clone();
         let running = tokio::spawn(async move { app.run(Some((listener, http, service)), &ends).await });
         TestService { base, client: reqwest::Client::new(), engine, shutdown, folder, running }
+    }
+
+    /// Another process on the same folder that runs jobs and answers nobody.
+    pub async fn worker(&self, more: &[&str]) -> WorkerProcess {
+        let data_dir = self.folder.path().to_str().unwrap().to_owned();
+        let Arguments { service, .. } = clap::Parser::parse_from(["test", "--data-dir", &data_dir].iter().chain(more));
+        let (shutdown, engine) = (Shutdown::default(), Arc::new(ObedientEngine::default()));
+        let app = App::open(&service, Arc::clone(&engine) as Arc<dyn Engine>, &shutdown, false).await.unwrap();
+        let ends = shutdown.clone();
+        let running = tokio::spawn(async move { app.run(None, &ends).await });
+        WorkerProcess { shutdown, engine, running }
     }
 
     /// Ends as after a signal; the folder stays with who holds it.

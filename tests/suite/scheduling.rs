@@ -1,11 +1,7 @@
 //! Which of several waiting jobs begins, when, and on how many threads.
 
-use super::jobs_support::{ObedientEngine, TestService};
-use homolog::app::{App, Shutdown};
-use homolog::config::ServiceSettings;
-use homolog::jobs::Engine;
+use super::jobs_support::{TestService, WorkerProcess};
 use serde_json::{Value, json};
-use std::sync::Arc;
 use std::sync::atomic::Ordering;
 use std::time::Duration;
 
@@ -61,12 +57,6 @@ async fn a_large_job_that_waited_for_long_goes_before_later_small_ones() {
     service.end().await;
 }
 
-#[derive(Debug, clap::Parser)]
-struct WorkerArguments {
-    #[command(flatten)]
-    service: ServiceSettings,
-}
-
 #[tokio::test]
 async fn what_cannot_start_here_is_left_to_other_processes() {
     let service = TestService::start(&["--cores", "2", "--patience-ms", "0"]).await;
@@ -76,12 +66,7 @@ async fn what_cannot_start_here_is_left_to_other_processes() {
     tokio::time::sleep(Duration::from_millis(300)).await;
     assert_eq!(state(&service, &large).await, "queued");
 
-    let data_dir = service.folder.path().to_str().unwrap().to_owned();
-    let arguments: WorkerArguments = clap::Parser::parse_from(["test", "--data-dir", &data_dir, "--cores", "2"]);
-    let (shutdown, engine) = (Shutdown::default(), Arc::new(ObedientEngine::default()));
-    let worker = App::open(&arguments.service, Arc::clone(&engine) as Arc<dyn Engine>, &shutdown, false).await.unwrap();
-    let ends = shutdown.clone();
-    let running = tokio::spawn(async move { worker.run(None, &ends).await });
+    let WorkerProcess { shutdown, engine, running } = service.worker(&["--cores", "2"]).await;
     assert_eq!(service.until_final(&large).await["state"], "succeeded");
     assert_eq!((state(&service, &small).await, engine.computed.load(Ordering::SeqCst)), (json!("running"), 1));
     shutdown.stop.cancel();

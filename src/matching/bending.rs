@@ -10,12 +10,7 @@ use super::scene::Scene;
 use super::{MatchError, rounds};
 use crate::mrf::{Labeling, MrfModel};
 use crate::observe::{Phase, TracePoint};
-use crate::registration::{RigidTransform, ScoredPose};
-
-/// Source vertices at most over which the distance of a pose is reported.
-const SAMPLE: usize = 500;
-/// Poses within this angle, radians, are one; 30 degrees.
-const SAME_ANGLE: f64 = 0.52;
+use crate::registration::{RigidTransform, SAME_POSE_ANGLE, ScoredPose};
 
 /// Replaces the correspondences and the transform of `answer` by those of a smooth displacement field, from whichever
 /// pose fits best after bending: the one found, those of a search of all orientations, mirrored too, and that of the landmarks.
@@ -41,6 +36,7 @@ pub(super) fn bend(
         target: target.middle.mesh(),
         full_source: source.full.mesh(),
         full_target: target.full.mesh(),
+        full_closest: &scene.closest.index,
         landmarks: &scene.parameters.landmarks,
     };
     let starts: Vec<StartPose> =
@@ -50,7 +46,7 @@ pub(super) fn bend(
     answer.labeling = found.images.iter().map(|image| image.label).collect();
     let reliability = reliability(&found);
     let trust = if reliability.reliable { 1.0 } else { UNRELIABLE_CONFIDENCE };
-    answer.no_counterpart = without_counterpart(target.full.mesh(), &found.images);
+    answer.no_counterpart = without_counterpart(target.full.mesh(), scene.edge_mm, &found.images);
     answer.confidence = found
         .images
         .iter()
@@ -89,7 +85,7 @@ pub(super) fn bend(
 fn excess(pose: &RigidTransform, of_search: &[ScoredPose]) -> f64 {
     let alike = of_search.iter().filter(|p| {
         let found = &p.target_from_source;
-        found.is_reflection() == pose.is_reflection() && found.angle_to(pose) < SAME_ANGLE
+        found.is_reflection() == pose.is_reflection() && found.angle_to(pose) < SAME_POSE_ANGLE
     });
     let least = alike.map(|p| p.excess).fold(f64::INFINITY, f64::min);
     least.min(of_search.last().map_or(0.0, |p| p.excess))
@@ -103,21 +99,11 @@ fn document(
     answered: &RigidTransform,
 ) -> PoseDocument {
     let (origin, pose) = poses[judged.pose];
-    let source = scene.source.mesh().vertices();
-    let step = source.len().div_ceil(SAMPLE);
-    let squares: Vec<f64> = source
-        .iter()
-        .step_by(step)
-        .map(|p| {
-            let moved = pose.apply(p);
-            (scene.closest.index.closest(&moved).point - moved).norm_squared()
-        })
-        .collect();
     PoseDocument {
         origin,
         matrix: pose.matrix(),
         angle_deg: pose.angle_to(answered).to_degrees(),
-        rms_mm: (squares.iter().sum::<f64>() / squares.len() as f64).sqrt(),
+        rms_mm: scene.sample_rms_mm(&pose),
         misfit: Some(judged.misfit),
         mirrored: judged.mirrored,
     }

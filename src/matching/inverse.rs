@@ -21,9 +21,7 @@ pub(super) fn inverse(scene: &Scene<'_>, answer: &Answer) -> Option<Corresponden
     let mut rows: Vec<(u32, usize)> = scene.target.surface.original.iter().copied().zip(0..target.len()).collect();
     rows.sort_unstable();
     let original = &scene.source.surface.original;
-    let blended = |values: &[f64], i: usize| -> f64 {
-        (0..3).map(|k| values[found[i].triangle[k] as usize] * found[i].barycentric[k]).sum()
-    };
+    let blended = |values: &[f64], i: usize| -> f64 { found[i].blend(|k| values[k]) };
     let vertex = |i: usize| found[i].nearest_corner() as usize;
     let residual = |i: usize| (answer.transform.apply(&source.vertices()[vertex(i)]) - target[i]).norm();
     let inlier: Vec<bool> = rows.iter().map(|&(_, i)| residual(i) <= scene.tolerance_mm).collect();

@@ -33,10 +33,12 @@ pub(super) fn run(
     checkpoint(observer)?;
     observer.progress(0.05);
     let lower_bound = bound::lower_bound(&model, parameters.inference.lower_bound_iterations, observer)?;
-    let level = Scene::new(&source.energy, &target.energy, parameters, observer);
-    let mut answer = Matcher { scene: &level, model: &model, lower_bound }.rounds()?;
+    let coarse = (!(source.is_direct() && target.is_direct()))
+        .then(|| Scene::new(&source.energy, &target.energy, parameters, observer));
+    let level = coarse.as_ref().unwrap_or(&scene);
+    let mut answer = Matcher { scene: level, model: &model, lower_bound }.rounds()?;
     let mut labeling = answer.labeling.clone();
-    if !(source.is_direct() && target.is_direct()) {
+    if coarse.is_some() {
         registration_only::answer_all(&scene, &mut answer);
     }
     if bends {

@@ -23,8 +23,6 @@ use crate::registration::{IcpMetric, RigidTransform, SurfaceSide, TwoSidedOption
 use nalgebra::{Matrix3, Point3, Vector3};
 use rayon::prelude::*;
 
-/// Source vertices at most on which the distance of a pose is measured.
-const SAMPLE: usize = 500;
 /// Scale of the positions that poses are refined on, mm: takes off the steps that voxels leave.
 const POSITION_SCALE_MM: f64 = 0.7;
 /// Vertices of each surface at most on which refinement begins.
@@ -119,21 +117,10 @@ fn ellipsoids(scene: &Scene<'_>) -> Result<EllipsoidRegistration, MatchError> {
 fn of_search(scene: &Scene<'_>) -> (RigidTransform, Vec<(PoseOrigin, RigidTransform, f64)>) {
     let (source, target) = (scene.source.mesh(), scene.target.mesh());
     let found = searched(scene.source, scene.target, scene.parameters.registration.allow_reflection);
-    // Canonical numbering follows a curve through space, so every k-th vertex is an even sample.
-    let sample: Vec<Point3<f64>> =
-        source.vertices().iter().step_by(source.n_vertices().div_ceil(SAMPLE)).copied().collect();
-    let rms_mm = |pose: &RigidTransform| {
-        let squares: f64 = sample
-            .iter()
-            .map(|p| {
-                let moved = pose.apply(p);
-                (scene.closest.index.closest(&moved).point - moved).norm_squared()
-            })
-            .sum();
-        (squares / sample.len() as f64).sqrt()
-    };
-    let poses: Vec<_> =
-        found.iter().map(|p| (PoseOrigin::Search, p.target_from_source, rms_mm(&p.target_from_source))).collect();
+    let poses: Vec<_> = found
+        .iter()
+        .map(|p| (PoseOrigin::Search, p.target_from_source, scene.sample_rms_mm(&p.target_from_source)))
+        .collect();
     let best = poses.first().map(|(_, pose, _)| *pose);
     (best.unwrap_or_else(|| centroid_on_centroid(source.vertices(), target.vertices())), poses)
 }

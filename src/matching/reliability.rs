@@ -21,9 +21,8 @@ pub(super) const UNRELIABLE_CONFIDENCE: f64 = 0.1;
 const AWAY_EDGES: f64 = 4.0;
 const AWAY_EDGES_AT_BOUNDARY: f64 = 1.0;
 
-/// For every image whether the target has nothing there.
-pub(super) fn without_counterpart(target: &SurfaceMesh, images: &[Image]) -> Vec<bool> {
-    let edge_mm = target.mean_edge_length();
+/// For every image whether the target, of mean edge length `edge_mm`, has nothing there.
+pub(super) fn without_counterpart(target: &SurfaceMesh, edge_mm: f64, images: &[Image]) -> Vec<bool> {
     let on_boundary = target.boundary_vertices();
     let at_end = |at: &ClosestPoint| {
         let ends = |k: usize| on_boundary.as_ref().is_some_and(|b| b[at.triangle[k] as usize]);

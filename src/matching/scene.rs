@@ -16,6 +16,8 @@ const ICP_ITERATIONS: u32 = 100;
 /// Steps at most where a displacement field follows: it wants a pose, not the last digit.
 const ICP_ITERATIONS_OF_A_START: u32 = 15;
 const ICP_TOLERANCE: f64 = 1e-6;
+/// Source vertices at most over which the distance of a pose is measured.
+const SAMPLE: usize = 500;
 
 /// Two surfaces that are being matched.
 pub(super) struct Scene<'a> {
@@ -53,6 +55,15 @@ impl<'a> Scene<'a> {
     /// The target points of a labeling.
     pub fn images(&self, labeling: &[u32]) -> Vec<Point3<f64>> {
         labeling.iter().map(|&x| self.target.mesh().vertices()[x as usize]).collect()
+    }
+
+    /// Root mean square distance of the source, moved by `pose`, from the target, over a sample of its vertices, mm.
+    pub fn sample_rms_mm(&self, pose: &RigidTransform) -> f64 {
+        let source = self.source.mesh().vertices();
+        // Canonical numbering follows a curve through space, so every k-th vertex is an even sample.
+        let moved: Vec<_> = source.iter().step_by(source.len().div_ceil(SAMPLE)).map(|p| pose.apply(p)).collect();
+        let squares: f64 = moved.iter().map(|p| (self.closest.index.closest(p).point - p).norm_squared()).sum();
+        (squares / moved.len() as f64).sqrt()
     }
 
     /// `start` improved by closest points, as the parameters ask.

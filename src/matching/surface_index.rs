@@ -12,15 +12,19 @@ pub(super) struct SurfaceIndex {
 
 impl SurfaceIndex {
     pub fn new(surface: &SurfaceMesh) -> Self {
-        SurfaceIndex { index: ClosestPointIndex::new(surface), normals: surface.vertex_normals() }
+        SurfaceIndex::with_normals(surface, surface.vertex_normals())
+    }
+
+    /// The same with other unit normals of the vertices, such as those of a smoother surface.
+    pub fn with_normals(surface: &SurfaceMesh, normals: Vec<Vector3<f64>>) -> Self {
+        SurfaceIndex { index: ClosestPointIndex::new(surface), normals }
     }
 }
 
 impl ClosestSurfacePoint for SurfaceIndex {
     fn closest(&self, query: &Point3<f64>) -> (Point3<f64>, Vector3<f64>) {
         let found = self.index.closest(query);
-        let blended = (0..3)
-            .fold(Vector3::zeros(), |sum, k| sum + self.normals[found.triangle[k] as usize] * found.barycentric[k]);
+        let blended = found.blend(|k| self.normals[k]);
         (found.point, blended.try_normalize(1e-12).unwrap_or_else(Vector3::z))
     }
 }

@@ -5,6 +5,7 @@ use nalgebra::Point3;
 use parry3d_f64::math::Vector;
 use parry3d_f64::query::PointQueryWithLocation;
 use parry3d_f64::shape::TriMesh;
+use std::ops::{Add, Mul};
 
 /// Answers closest-point queries against the triangles of one surface (quads cut along a diagonal).
 pub struct ClosestPointIndex {
@@ -24,6 +25,12 @@ pub struct ClosestPoint {
 }
 
 impl ClosestPoint {
+    /// `value` of the three corners, blended over the triangle.
+    pub fn blend<T: Mul<f64, Output = T> + Add<Output = T>>(&self, value: impl Fn(usize) -> T) -> T {
+        let [a, b, c] = std::array::from_fn(|k| value(self.triangle[k] as usize) * self.barycentric[k]);
+        a + b + c
+    }
+
     /// The corner of the triangle with the largest barycentric coordinate; the lowest index where two are equal.
     pub fn nearest_corner(&self) -> u32 {
         let mut best = 0;

@@ -25,7 +25,7 @@ pub use absolute_orientation::{OrientationError, absolute_orientation};
 pub use icp::{ClosestSurfacePoint, IcpMetric, IcpOptions, IcpReport, refine_icp};
 pub use icp_registration::{IcpCandidate, IcpRegistration, IcpStart, IcpStarts, RegisterByIcpOptions, register_by_icp};
 pub use orientation_solvers::{OrientationSolver, solve_orientation};
-pub use pose_search::{OrientedPoints, PoseSearchOptions, ScoredPose, pose_search};
+pub use pose_search::{OrientedPoints, PoseSearchOptions, SAME_POSE_ANGLE, ScoredPose, pose_search};
 pub use principal_axes::principal_axis_poses;
 pub use procrustes::{ProcrustesOptions, ProcrustesReport, procrustes};
 pub use ransac::{RansacMethods, RansacOptions, RansacReport, ransac, ransac_with};

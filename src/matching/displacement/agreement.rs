@@ -1,7 +1,7 @@
 //! How alike two surfaces are once one is bent onto the other.
 
+use super::stages::Displacement;
 use super::surface::{N_FEATURES, SmoothSurface};
-use crate::mesh::ClosestPointIndex;
 use nalgebra::Point3;
 use rayon::prelude::*;
 
@@ -14,34 +14,28 @@ pub struct Agreement {
     pub normals: f64,
 }
 
-/// The agreement of `source`, whose vertices are moved to `moved`, with the closest points of `target`.
-///
-/// Cost `O(n log n')`; sums in order of the vertices.
-pub(super) fn agreement(source: &SmoothSurface, target: &SmoothSurface, moved: &[Point3<f64>]) -> Agreement {
-    let closest = ClosestPointIndex::new(&target.mesh);
-    let found: Vec<_> = moved.par_iter().map(|p| closest.closest(p)).collect();
-    // Of the features at the largest scale the first is mean curvature.
-    let feature = N_FEATURES - 2;
-    let pairs: Vec<(f64, f64)> = found
-        .iter()
-        .enumerate()
-        .map(|(i, at)| {
-            let there = (0..3)
-                .map(|k| target.features[at.triangle[k] as usize * N_FEATURES + feature] * at.barycentric[k])
-                .sum();
-            (source.features[i * N_FEATURES + feature], there)
-        })
-        .collect();
-    let normals = match source.mesh.with_vertices(moved.to_vec()) {
-        Ok(mesh) => mesh.vertex_normals(),
-        Err(_) => source.normals.clone(),
-    };
-    let cosine = |(i, at): (usize, &crate::mesh::ClosestPoint)| -> f64 {
-        (0..3).map(|k| target.normals[at.triangle[k] as usize].dot(&normals[i]) * at.barycentric[k]).sum()
-    };
-    // The faces of a mirrored surface look inwards, all of them.
-    let mean = found.iter().enumerate().map(cosine).sum::<f64>() / found.len() as f64;
-    Agreement { curvature: correlation(&pairs), normals: mean.abs() }
+impl Displacement<'_> {
+    /// The agreement of the source, whose vertices are moved to `moved`, with the closest points of the target.
+    ///
+    /// Cost `O(n log n')`; sums in order of the vertices.
+    pub fn agreement(&self, moved: &[Point3<f64>]) -> Agreement {
+        let found: Vec<_> = moved.par_iter().map(|p| self.closest.index.closest(p)).collect();
+        // Of the features at the largest scale the first is mean curvature.
+        let feature = |side: &SmoothSurface, i: usize| side.features[(i + 1) * N_FEATURES - 2];
+        let pairs: Vec<(f64, f64)> = found
+            .iter()
+            .enumerate()
+            .map(|(i, at)| (feature(&self.source, i), at.blend(|k| feature(&self.target, k))))
+            .collect();
+        let normals = match self.source.mesh.with_vertices(moved.to_vec()) {
+            Ok(mesh) => mesh.vertex_normals(),
+            Err(_) => self.source.normals.clone(),
+        };
+        let cosines = found.iter().zip(&normals).map(|(at, n)| at.blend(|k| self.target.normals[k].dot(n)));
+        // The faces of a mirrored surface look inwards, all of them.
+        let mean = cosines.sum::<f64>() / found.len() as f64;
+        Agreement { curvature: correlation(&pairs), normals: mean.abs() }
+    }
 }
 
 /// Pearson's; 0 where one side does not vary.

@@ -33,8 +33,12 @@ pub struct Image {
 /// The images of source vertices that the field moves to `moved`, with the posterior covariance of each, mm².
 ///
 /// Cost `O(n log n')`.
-pub(super) fn images(target: &SurfaceMesh, moved: &[Point3<f64>], covariances: &[Matrix3<f64>]) -> Vec<Image> {
-    let index = ClosestPointIndex::new(target);
+pub(super) fn images(
+    target: &SurfaceMesh,
+    index: &ClosestPointIndex,
+    moved: &[Point3<f64>],
+    covariances: &[Matrix3<f64>],
+) -> Vec<Image> {
     let edge_mm = target.mean_edge_length();
     let grid = NeighborGrid::new(target.vertices(), 2.0 * edge_mm);
     moved
@@ -95,7 +99,8 @@ mod tests {
     fn vertices_of_the_target_are_their_own_images() {
         let target = ellipsoid(Vector3::new(9.0, 6.0, 4.0), 3);
         let none = vec![Matrix3::zeros(); target.n_vertices()];
-        for (i, image) in images(&target, target.vertices(), &none).iter().enumerate() {
+        for (i, image) in images(&target, &ClosestPointIndex::new(&target), target.vertices(), &none).iter().enumerate()
+        {
             assert_eq!(image.label as usize, i);
             assert!((image.closest.point - target.vertices()[i]).norm() < 1e-9);
             assert!(image.confidence > 0.99);
@@ -113,7 +118,12 @@ mod tests {
                 Point3::from(0.3 * a + 0.45 * b + 0.25 * c)
             })
             .collect();
-        for (p, image) in points.iter().zip(images(&target, &points, &vec![Matrix3::identity(); points.len()])) {
+        for (p, image) in points.iter().zip(images(
+            &target,
+            &ClosestPointIndex::new(&target),
+            &points,
+            &vec![Matrix3::identity(); points.len()],
+        )) {
             let nearest = target.vertices().iter().map(|q| (q - p).norm()).fold(f64::INFINITY, f64::min);
             assert_eq!((target.vertices()[image.label as usize] - p).norm(), nearest);
             assert!((image.closest.point - p).norm() < 1e-9 && image.confidence < 0.99);

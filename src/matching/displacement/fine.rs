@@ -4,7 +4,6 @@ use super::stages::{Displacement, State, between, displaced, likeness, precision
 use super::surface::median;
 use crate::deformation::{Assignment, FittedField, Pull, Samples, assign, fit};
 use crate::matching::MatchError;
-use crate::mesh::ClosestPointIndex;
 use crate::observe::checkpoint;
 use crate::registration::RigidTransform;
 use faer::Mat;
@@ -27,7 +26,6 @@ impl Displacement<'_> {
         let State { mut field, mut feature_precision } = start;
         let all_values = self.basis.values(self.source.mesh.vertices());
         let all_base: Vec<Point3<f64>> = self.source.mesh.vertices().iter().map(|p| pose.apply(p)).collect();
-        let closest = ClosestPointIndex::new(&self.target.mesh);
         // The faces of a mirrored surface look inwards.
         let turn = if pose.is_reflection() { -1.0 } else { 1.0 };
         let mut residual_mm = 0.0;
@@ -62,7 +60,7 @@ impl Displacement<'_> {
                     pulls_to_means(&found, &base, &thinned.areas, across)
                 } else {
                     let along = density / (ALONG_MM * ALONG_MM);
-                    let (pulls, residual) = self.sliding(&found, &samples, &base, &closest, along, across);
+                    let (pulls, residual) = self.sliding(&found, &samples, &base, along, across);
                     if stage == 2 {
                         residual_mm = residual;
                     }
@@ -83,7 +81,6 @@ impl Displacement<'_> {
         found: &Assignment,
         moved: &Samples<'_>,
         base: &[Point3<f64>],
-        closest: &ClosestPointIndex,
         along: f64,
         across: f64,
     ) -> (Vec<Pull>, f64) {
@@ -91,10 +88,8 @@ impl Displacement<'_> {
             .into_par_iter()
             .map(|i| {
                 let p = moved.points[i];
-                let at = closest.closest(&p);
-                let blended = (0..3).fold(Vector3::zeros(), |sum, k| {
-                    sum + self.target.normals[at.triangle[k] as usize] * at.barycentric[k]
-                });
+                let at = self.closest.index.closest(&p);
+                let blended = at.blend(|k| self.target.normals[k]);
                 let normal = blended.try_normalize(1e-9).unwrap_or(moved.normals[i]);
                 let to_surface = at.point - p;
                 let to_mean = found.targets[i] - p;

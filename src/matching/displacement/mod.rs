@@ -40,15 +40,14 @@ pub(super) use guides::landmark_pose;
 
 use super::MatchError;
 use super::parameters::Landmark;
+use super::surface_index::SurfaceIndex;
 use crate::deformation::{FieldBasis, GaussianKernel, SmoothPrior};
-use crate::mesh::SurfaceMesh;
+use crate::mesh::{ClosestPointIndex, SurfaceMesh};
 use crate::observe::{Observer, checkpoint};
 use crate::registration::RigidTransform;
-use agreement::agreement;
 use answer::images;
 use guides::Guides;
 use nalgebra::Point3;
-use rigid::rigid_part;
 use stages::{Displacement, displaced};
 use surface::prepare;
 
@@ -90,7 +89,7 @@ impl Default for DisplacementOptions {
 }
 
 /// The surfaces of a displacement, in canonical numbering, mm.
-#[derive(Debug, Clone, Copy)]
+#[derive(Clone, Copy)]
 pub struct Surfaces<'a> {
     /// What the field is fitted on.
     pub source: &'a SurfaceMesh,
@@ -100,6 +99,8 @@ pub struct Surfaces<'a> {
     pub full_source: &'a SurfaceMesh,
     /// On which they are answered.
     pub full_target: &'a SurfaceMesh,
+    /// Its closest points.
+    pub full_closest: &'a ClosestPointIndex,
     /// Points that are known to correspond.
     pub landmarks: &'a [Landmark],
 }
@@ -136,7 +137,7 @@ pub fn displace(
     options: &DisplacementOptions,
     observer: &dyn Observer,
 ) -> Result<Option<DisplacementAnswer>, MatchError> {
-    let Surfaces { source, target, full_source, full_target, landmarks } = *surfaces;
+    let Surfaces { source, target, full_source, full_target, full_closest, landmarks } = *surfaces;
     let (low, high) = source.bounding_box();
     let diagonal_mm = (high - low).norm();
     let (smooth_source, smooth_target) = prepare(source, target)?;
@@ -153,8 +154,17 @@ pub fn displace(
         return Ok(None);
     };
     let guides = Guides::new(landmarks, &basis);
-    let all =
-        Displacement { source: smooth_source, target: smooth_target, basis, guides, diagonal_mm, options, observer };
+    let closest = SurfaceIndex::with_normals(&smooth_target.mesh, smooth_target.normals.clone());
+    let all = Displacement {
+        source: smooth_source,
+        target: smooth_target,
+        closest,
+        basis,
+        guides,
+        diagonal_mm,
+        options,
+        observer,
+    };
     let may_answer = |pose: &RigidTransform| allow_reflection || !pose.is_reflection();
     let Some((judged, state)) = all.coarse(poses, may_answer)? else { return Ok(None) };
     let best = judged[0].pose;
@@ -165,10 +175,9 @@ pub fn displace(
         (displaced(&base, &field, &values), values)
     };
     let (fitted, _) = moved(source);
-    let smooth = (&all.source, &all.target);
-    let Some(transform) = rigid_part(source, &fitted, smooth, target.mean_edge_length()) else { return Ok(None) };
-    let agreement = agreement(smooth.0, smooth.1, &fitted);
+    let Some(transform) = all.rigid_part(source, &fitted, target.mean_edge_length())? else { return Ok(None) };
+    let agreement = all.agreement(&fitted);
     let (points, values) = moved(full_source);
-    let images = images(full_target, &points, &field.covariances(values.as_ref()));
+    let images = images(full_target, full_closest, &points, &field.covariances(values.as_ref()));
     Ok(Some(DisplacementAnswer { images, transform, judged, residual_mm, agreement }))
 }

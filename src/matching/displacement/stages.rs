@@ -4,6 +4,7 @@ use super::DisplacementOptions;
 use super::guides::Guides;
 use super::surface::{N_FEATURES, SmoothSurface};
 use crate::deformation::{Assignment, FieldBasis, FittedField, Likeness, Pull};
+use crate::matching::surface_index::SurfaceIndex;
 use crate::observe::Observer;
 use faer::Mat;
 use nalgebra::{Point3, Vector3};
@@ -58,6 +59,8 @@ pub(super) fn pulls_to_means(found: &Assignment, base: &[Point3<f64>], areas: &[
 pub(super) struct Displacement<'a> {
     pub source: SmoothSurface,
     pub target: SmoothSurface,
+    /// Closest points of the target, with its normals.
+    pub closest: SurfaceIndex,
     pub basis: FieldBasis,
     pub guides: Guides,
     pub diagonal_mm: f64,

@@ -3,7 +3,7 @@
 use super::{DisplacementAnswer, DisplacementOptions, StartPose, Surfaces};
 use crate::matching::MatchError;
 use crate::mesh::shapes::ellipsoid;
-use crate::mesh::{CanonicalMesh, FaceArity, SurfaceMesh, canonicalize};
+use crate::mesh::{CanonicalMesh, ClosestPointIndex, FaceArity, SurfaceMesh, canonicalize};
 use crate::observe::{Observer, Silent};
 use crate::registration::{RigidTransform, absolute_orientation, principal_axis_poses};
 use nalgebra::{Point3, Rotation3, Vector3};
@@ -16,7 +16,14 @@ fn displace(
     options: &DisplacementOptions,
     observer: &dyn Observer,
 ) -> Result<Option<DisplacementAnswer>, MatchError> {
-    let surfaces = Surfaces { source, target, full_source: source, full_target: target, landmarks: &[] };
+    let surfaces = Surfaces {
+        source,
+        target,
+        full_source: source,
+        full_target: target,
+        full_closest: &ClosestPointIndex::new(target),
+        landmarks: &[],
+    };
     let poses: Vec<_> = poses.iter().map(|&pose| StartPose { pose, excess: 0.0 }).collect();
     super::displace(&surfaces, &poses, true, options, observer)
 }

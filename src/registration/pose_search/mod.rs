@@ -92,7 +92,7 @@ pub struct ScoredPose {
 }
 
 /// Poses within this angle, radians, are one; 30 degrees.
-const SAME_ANGLE: f64 = 0.52;
+pub const SAME_POSE_ANGLE: f64 = 0.52;
 /// Width and standard deviation of the bending field in diagonals: bends of a third of a structure, by a tenth.
 const WIDTH: f64 = 0.3;
 const AMPLITUDE: f64 = 0.1;
@@ -188,12 +188,12 @@ impl Search<'_> {
             .iter()
             .map(|c| improved(c, &self.coarse, (wide, middle), annealing, &mut self.workspace))
             .collect();
-        annealed = best_apart(annealed, SAME_ANGLE, self.options.n_settled);
+        annealed = best_apart(annealed, SAME_POSE_ANGLE, self.options.n_settled);
         let settled: Vec<Candidate> =
             annealed.iter().map(|c| improved(c, &self.fine, (middle, narrow), settling, &mut self.workspace)).collect();
-        let settled = best_apart(settled, SAME_ANGLE, self.options.n_settled);
+        let settled = best_apart(settled, SAME_POSE_ANGLE, self.options.n_settled);
         let bent = settled.iter().map(|c| self.bent(c, (middle, narrow), bending)).collect();
-        best_apart(bent, SAME_ANGLE, self.options.n_settled)
+        best_apart(bent, SAME_POSE_ANGLE, self.options.n_settled)
     }
 
     /// `start` with a field that takes up what differs in shape, its misfit that of the bent surface together with what

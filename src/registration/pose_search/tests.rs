@@ -107,7 +107,7 @@ fn poses_come_best_first_and_apart() {
         assert!((a.misfit - found[0].misfit - a.excess).abs() < 1e-12);
         assert!(!a.target_from_source.is_reflection());
         for b in &found[..k] {
-            assert!(a.target_from_source.angle_to(&b.target_from_source) > 0.99 * SAME_ANGLE);
+            assert!(a.target_from_source.angle_to(&b.target_from_source) > 0.99 * SAME_POSE_ANGLE);
         }
     }
 }

@@ -6,7 +6,8 @@
 # make contract  a running service held against its OpenAPI document by schemathesis
 # make build   target/release/homolog
 # make api     writes the generated files under api/ anew
-# make experiment  measure every method and write a report; DATA=dir: real label volumes below dir/hippocampus
+# make experiment  measure every method and write a report, with the newest accuracy table; DATA=dir: real label volumes
+#              below dir/hippocampus
 # make accuracy  the accuracy table beside the peers; DATA=dir: label volumes below dir/hippocampus; EVAL=dir: the folder
 #              of real_cases.py; CASES=10: pairs a set; OURS_ONLY=1: without peers
 # make bench   benchmarks of a match
@@ -29,6 +30,8 @@ DEMO_OUT ?= target/demo
 EVAL ?= eval
 CASES ?=
 OURS_ONLY ?=
+# The newest table.
+ACCURACY ?= $(lastword $(sort $(wildcard docs/accuracy/*)))
 
 help:
 	@sed -n 's/^# //p' Makefile
@@ -79,7 +82,7 @@ api:
 	mv api/problems.md.tmp api/problems.md
 
 experiment: build
-	target/release/homolog experiment --data "$(DATA)" --out target/experiment
+	target/release/homolog experiment --data "$(DATA)" --out target/experiment $(if $(ACCURACY),--accuracy "$(ACCURACY)")
 
 accuracy: build
 	benches/accuracy/run --data "$(DATA)" --eval "$(EVAL)" $(if $(CASES),--cases "$(CASES)") \

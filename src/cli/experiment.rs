@@ -27,6 +27,9 @@ pub struct ExperimentArgs {
     /// Only this section; may be repeated
     #[arg(long = "section", value_name = "ID")]
     pub sections: Vec<String>,
+    /// Folder that `make accuracy` wrote, such as docs/accuracy/DATE: its table becomes part of the report
+    #[arg(long, value_name = "DIR")]
+    pub accuracy: Option<PathBuf>,
 }
 
 /// Runs the command.
@@ -37,6 +40,7 @@ pub(super) fn run(args: &ExperimentArgs) -> Result<(), CliError> {
         out: args.out.clone(),
         quick: args.quick,
         sections: args.sections.clone(),
+        accuracy: args.accuracy.clone(),
         provenance: ReportProvenance {
             version: env!("CARGO_PKG_VERSION").to_owned(),
             commit: env!("HOMOLOG_COMMIT").to_owned(),

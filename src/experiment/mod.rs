@@ -8,6 +8,7 @@
 //! Order and seeds are fixed: the same program on the same inputs gives the same numbers, but for times, which come
 //! from the caller's clock.
 
+mod accuracy;
 mod csv;
 pub mod document;
 mod draws;
@@ -51,6 +52,8 @@ pub struct ExperimentOptions {
     pub quick: bool,
     /// Only the sections with these ids, in the order of the report; all if empty.
     pub sections: Vec<String>,
+    /// Folder that `make accuracy` wrote; its table becomes the last section.
+    pub accuracy: Option<PathBuf>,
     /// What the report says of its making. Version and commit also decide which finished units still hold.
     pub provenance: ReportProvenance,
     /// Where times come from.
@@ -126,6 +129,8 @@ pub fn run(
     let file = |path: &Path, source| ExperimentError::File { path: path.to_owned(), source };
     fs::create_dir_all(&options.out).map_err(|e| file(&options.out, e))?;
     let mut store = UnitStore::open(&options.out.join("units.jsonl"))?;
+    // Before hours of work: a wrong folder is known at once.
+    let beside_peers = options.accuracy.as_deref().map(accuracy::section).transpose()?;
     let study = Study::new(options);
     let version = format!("{} {}", options.provenance.version, options.provenance.commit);
     let plans: Vec<_> = chosen.iter().map(|section| (*section, section.units(&study))).collect();
@@ -173,7 +178,11 @@ pub fn run(
         provenance: options.provenance.clone(),
         quick: options.quick,
         budget: budget(&finished_sections),
-        sections: finished_sections.iter().map(|(s, results)| written(*s, &study, options, results)).collect(),
+        sections: finished_sections
+            .iter()
+            .map(|(s, results)| written(*s, &study, options, results))
+            .chain(beside_peers)
+            .collect(),
     };
     let files = write_files(&document, &options.out)?;
     let failed = finished_sections.iter().map(|(_, results)| results.n_failed()).sum();

@@ -18,6 +18,7 @@ fn options(out: &Path, sections: &[&str]) -> ExperimentOptions {
         out: out.to_owned(),
         quick: true,
         sections: sections.iter().map(|id| words(id)).collect(),
+        accuracy: None,
         provenance: ReportProvenance {
             version: words("0.1.0"),
             commit: words("abc"),

@@ -44,7 +44,7 @@ pub(super) fn bend(
     let found = displace(&surfaces, &starts, allow_reflection, &DisplacementOptions::default(), observer)?;
     let Some(found) = found else { return Ok(None) };
     answer.labeling = found.images.iter().map(|image| image.label).collect();
-    let reliability = reliability(&found);
+    let reliability = reliability(&found, source.full.mesh(), target.full.mesh());
     let trust = if reliability.reliable { 1.0 } else { UNRELIABLE_CONFIDENCE };
     answer.no_counterpart = without_counterpart(target.full.mesh(), scene.edge_mm, &found.images);
     answer.confidence = found

@@ -2,7 +2,9 @@
 
 use super::displacement::{DisplacementAnswer, Image};
 use super::result::{ReliabilityDocument, UnreliableReason};
+use crate::curvature::vertex_areas;
 use crate::mesh::{ClosestPoint, SurfaceMesh};
+use nalgebra::{Matrix3, Vector3};
 
 /// Correlation of curvatures below which surfaces may show different structures. Two hippocampi have 0.65 and more, an
 /// ellipsoid and a hippocampus 0.33 to 0.61, copies of which one has noise of 2 % of its diagonal 0.48 to 0.6.
@@ -12,6 +14,10 @@ const MIN_NORMAL_AGREEMENT: f64 = 0.8;
 /// They do unless the pose fits better than any other by this much, as one structure does through noise: there it was
 /// 0.08 and more, with the ellipsoid 0.03 at most.
 const CLEAR: f64 = 0.06;
+/// One closed surface is longer than another of its kind by this factor at most, in the standard deviation along its
+/// first principal axis: of all 8,385 pairs of 130 hippocampi the most unlike have 1.46 (one in a hundred 1.27), warps
+/// of 8 % at most 1.20; of 16,770 pairs of a hippocampus and the anterior part of another 99 % have 1.56 and more.
+const MAX_LENGTH_RATIO: f64 = 1.5;
 /// A pose that fits no worse than by this much is another answer.
 const AMBIGUITY: f64 = 0.01;
 /// What an unreliable answer's confidences are multiplied by.
@@ -37,8 +43,34 @@ pub(super) fn without_counterpart(target: &SurfaceMesh, edge_mm: f64, images: &[
     images.iter().map(away).collect()
 }
 
-/// What `found` says of its own reliability.
-pub(super) fn reliability(found: &DisplacementAnswer) -> ReliabilityDocument {
+/// How much longer the longer of two closed surfaces is; 1 where one is open, for a part of it may be missing.
+fn length_ratio(source: &SurfaceMesh, target: &SurfaceMesh) -> f64 {
+    if source.boundary_vertices().is_some() || target.boundary_vertices().is_some() {
+        return 1.0;
+    }
+    let (a, b) = (length_mm(source), length_mm(target));
+    a.max(b) / a.min(b).max(f64::MIN_POSITIVE)
+}
+
+/// Standard deviation of the area of `mesh` along its first principal axis, mm.
+fn length_mm(mesh: &SurfaceMesh) -> f64 {
+    let areas = vertex_areas(mesh);
+    let weighted = || mesh.vertices().iter().zip(&areas);
+    let total: f64 = areas.iter().sum();
+    let center = weighted().fold(Vector3::zeros(), |s, (p, &a)| s + p.coords * a) / total;
+    let covariance = weighted().fold(Matrix3::zeros(), |s, (p, &a)| {
+        let d = p.coords - center;
+        s + d * d.transpose() * a
+    });
+    (covariance / total).symmetric_eigenvalues().max().sqrt()
+}
+
+/// What `found`, an answer for `source` on `target`, says of its own reliability.
+pub(super) fn reliability(
+    found: &DisplacementAnswer,
+    source: &SurfaceMesh,
+    target: &SurfaceMesh,
+) -> ReliabilityDocument {
     let best = found.judged[0];
     let of = |mirrored: bool| {
         let others = found.judged[1..].iter().filter(|j| j.mirrored == mirrored).map(|j| j.misfit);
@@ -48,7 +80,7 @@ pub(super) fn reliability(found: &DisplacementAnswer) -> ReliabilityDocument {
     let mut reasons = Vec::new();
     let unlike = found.agreement.curvature < MIN_CURVATURE_AGREEMENT || found.agreement.normals < MIN_NORMAL_AGREEMENT;
     let clear = [runner_up, mirrored].into_iter().flatten().all(|m| m > best.misfit + CLEAR);
-    if unlike && !clear {
+    if unlike && !clear || length_ratio(source, target) > MAX_LENGTH_RATIO {
         reasons.push(UnreliableReason::UnlikeShape);
     }
     if mirrored.is_some_and(|m| m < best.misfit) {
@@ -66,5 +98,32 @@ pub(super) fn reliability(found: &DisplacementAnswer) -> ReliabilityDocument {
         curvature_agreement: found.agreement.curvature,
         normal_agreement: found.agreement.normals,
         residual_mm: found.residual_mm,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::FaceArity;
+    use crate::mesh::shapes::ellipsoid;
+
+    #[test]
+    fn the_length_is_that_of_the_area_along_the_longest_axis() {
+        // On a sphere the variance of a coordinate is a third of the squared radius.
+        let sphere = ellipsoid(Vector3::new(6.0, 6.0, 6.0), 4);
+        assert!((length_mm(&sphere) - 6.0 / 3f64.sqrt()).abs() < 0.02, "{}", length_mm(&sphere));
+        let [short, long] = [12.0, 24.0].map(|x| ellipsoid(Vector3::new(x, 5.0, 4.0), 4));
+        assert!((1.9..2.1).contains(&length_ratio(&short, &long)), "{}", length_ratio(&short, &long));
+        assert_eq!(length_ratio(&short, &long), length_ratio(&long, &short));
+    }
+
+    #[test]
+    fn of_an_open_surface_no_length_is_asked() {
+        let whole = ellipsoid(Vector3::new(12.0, 5.0, 4.0), 3);
+        let kept = whole.triangles().into_iter().skip(40).flatten().collect();
+        let open = SurfaceMesh::new(whole.vertices().to_vec(), FaceArity::Triangle, kept).unwrap();
+        let short = ellipsoid(Vector3::new(6.0, 5.0, 4.0), 3);
+        assert_eq!(length_ratio(&open, &short), 1.0);
+        assert!(length_ratio(&whole, &short) > MAX_LENGTH_RATIO);
     }
 }

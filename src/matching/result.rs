@@ -176,7 +176,8 @@ pub struct ReliabilityDocument {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize, ToSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum UnreliableReason {
-    /// Corresponding points have different curvatures or normals: the surfaces show different structures.
+    /// Corresponding points have different curvatures or normals, or one closed surface is longer by half: they show
+    /// different structures.
     UnlikeShape,
     /// A mirrored copy of the source fits better: the two are of different sides, or one image is mirrored.
     OtherHandedness,

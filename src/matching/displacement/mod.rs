@@ -175,9 +175,15 @@ pub fn displace(
         (displaced(&base, &field, &values), values)
     };
     let (fitted, _) = moved(source);
-    let Some(transform) = all.rigid_part(source, &fitted, target.mean_edge_length())? else { return Ok(None) };
+    let open = [source, target].iter().any(|mesh| mesh.boundary_vertices().is_some());
+    let Some(rigid) = all.rigid_part(source, &fitted, target.mean_edge_length(), open)? else { return Ok(None) };
     let agreement = all.agreement(&fitted);
-    let (points, values) = moved(full_source);
+    let (mut points, values) = moved(full_source);
+    if rigid.copies && open {
+        // A field bends what has no counterpart towards the rim, and with it what has one.
+        points = full_source.vertices().iter().map(|p| rigid.transform.apply(p)).collect();
+    }
     let images = images(full_target, full_closest, &points, &field.covariances(values.as_ref()));
+    let transform = rigid.transform;
     Ok(Some(DisplacementAnswer { images, transform, judged, residual_mm, agreement }))
 }

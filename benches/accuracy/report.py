@@ -242,7 +242,8 @@ def robustness_section(found):
         if any_cell and (method in ROBUST_OURS or method in ROBUST_PEERS):
             rows.append([title(method), *cells])
     text = (
-        f"Share of pairs whose rotation is within {CORRECT_DEG}° of the truth; a pair without an answer is a failure. "
+        f"Share of pairs whose rotation is within {CORRECT_DEG}° of the truth, which for warps is the least-squares "
+        "rigid part of the true map; a pair without an answer is a failure. "
         f"Noise: each coordinate of each target vertex moves by {NOISE_SHARE:.0%} of the diagonal (standard "
         f"deviation). Cut: {CUT_SHARE:.0%} of the target's area is gone at one end, so it is open "
         "(`input.allow_boundary`). Half density: the target has half its vertices.\n\n"

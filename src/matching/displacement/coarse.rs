@@ -71,6 +71,14 @@ impl Displacement<'_> {
         Ok(best.map(|state| (judged, state)))
     }
 
+    /// The field from one pose alone.
+    pub fn coarse_alone(&self, pose: &RigidTransform) -> Option<State> {
+        let n = self.options.n_samples[0];
+        let (source, target) = (self.source.thinned(n), self.target.thinned(n));
+        let values = self.guides.below(&self.basis.values(&source.points));
+        self.coarse_from(pose, &source, &target, &values, self.options.steps[0]).map(|(_, state)| state)
+    }
+
     /// The poses worth following, after a few steps on few vertices from each: the best of each handedness.
     fn glance(&self, poses: &[StartPose]) -> Result<Option<Vec<usize>>, MatchError> {
         let (source, target) = (self.source.thinned(GLANCE_SAMPLES), self.target.thinned(GLANCE_SAMPLES));

@@ -31,6 +31,16 @@ impl Guides {
         }
     }
 
+    /// The same points for a field that moves the target to the source; `basis` is that field's.
+    pub fn swapped(&self, basis: &FieldBasis) -> Self {
+        Guides {
+            values: basis.values(&self.target),
+            source: self.target.clone(),
+            target: self.source.clone(),
+            sigma_mm: self.sigma_mm.clone(),
+        }
+    }
+
     /// `values` with the rows of the guides below.
     pub fn below(&self, values: &Mat<f64>) -> Mat<f64> {
         let n = values.nrows();

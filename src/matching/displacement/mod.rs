@@ -17,6 +17,8 @@
 //! 4. **Settling**: copies of one anatomy come within the sampling noise of each other; two subjects do not, and what
 //!    is left is anatomy of their own that is correlated over millimetres. The residual along the normals, which lay at
 //!    0.08-0.10 mm in the one case and at 0.24-0.29 mm in the other, says how much each square millimetre tells.
+//! 5. **Back**: closed surfaces of two subjects are also fitted in the other direction, and the middle is answered
+//!    ([`both_ways`]).
 //!
 //! Sources: Myronenko, Song, "Point set registration: coherent point drift", IEEE PAMI 32(12), 2010; Hirose, "A
 //! Bayesian formulation of coherent point drift", IEEE PAMI 43(7), 2021 (prior, weights); Chen, Medioni 1992 (distance
@@ -24,6 +26,7 @@
 
 mod agreement;
 mod answer;
+mod both_ways;
 mod coarse;
 mod fine;
 mod guides;
@@ -41,15 +44,22 @@ pub(super) use guides::landmark_pose;
 use super::MatchError;
 use super::parameters::Landmark;
 use super::surface_index::SurfaceIndex;
-use crate::deformation::{FieldBasis, GaussianKernel, SmoothPrior};
+use crate::deformation::{FieldBasis, FittedField, GaussianKernel, SmoothPrior};
 use crate::mesh::{ClosestPointIndex, SurfaceMesh};
 use crate::observe::{Observer, checkpoint};
 use crate::registration::RigidTransform;
 use answer::images;
+use both_ways::WayBack;
+use faer::Mat;
 use guides::Guides;
 use nalgebra::Point3;
 use stages::{Displacement, displaced};
-use surface::prepare;
+use surface::{SmoothSurface, prepare};
+
+/// Residual along the normals, mm, from which surfaces are of two subjects and are fitted both ways: warps and copies had
+/// 0.08 to 0.10, pairs of subjects 0.18 to 0.29. For one anatomy the way back adds only its own error: on ten 8 % warps
+/// 0.962 of the vertices were within one edge with it, 0.976 without.
+const TWO_SUBJECTS_MM: f64 = 0.15;
 
 /// How displacement runs. The defaults are round numbers; neighbours of each gave the same within the spread.
 #[derive(Debug, Clone, PartialEq)]
@@ -129,7 +139,8 @@ pub struct DisplacementAnswer {
 /// [`MatchError::ScaleSpace`]; [`MatchError::Cancelled`].
 ///
 /// # Cost
-/// `O(steps · n · (pairs + M²))` for `M` functions of the field, about 40 for the defaults.
+/// `O(steps · n · (pairs + M²))` for `M` functions of the field, about 40 for the defaults;
+/// twice that for two subjects.
 pub fn displace(
     surfaces: &Surfaces<'_>,
     poses: &[StartPose],
@@ -138,10 +149,51 @@ pub fn displace(
     observer: &dyn Observer,
 ) -> Result<Option<DisplacementAnswer>, MatchError> {
     let Surfaces { source, target, full_source, full_target, full_closest, landmarks } = *surfaces;
-    let (low, high) = source.bounding_box();
-    let diagonal_mm = (high - low).norm();
     let (smooth_source, smooth_target) = prepare(source, target)?;
     checkpoint(observer)?;
+    let Some(basis) = basis(source, &smooth_source, options) else { return Ok(None) };
+    let guides = Guides::new(landmarks, &basis);
+    let forth = Displacement {
+        closest: SurfaceIndex::with_normals(&smooth_target.mesh, smooth_target.normals.clone()),
+        source: smooth_source,
+        target: smooth_target,
+        basis,
+        guides,
+        diagonal_mm: diagonal_mm(source),
+        options,
+        observer,
+    };
+    let may_answer = |pose: &RigidTransform| allow_reflection || !pose.is_reflection();
+    let Some((judged, state)) = forth.coarse(poses, may_answer)? else { return Ok(None) };
+    let pose = poses[judged[0].pose].pose;
+    // What is missing on one side comes back nowhere.
+    let open = [source, target].iter().any(|mesh| mesh.boundary_vertices().is_some());
+    let Some((field, residual_mm)) = forth.refined(&pose, state)? else { return Ok(None) };
+    let (own, _) = forth.moved(source, &pose, &field);
+    // The middle of two fits agrees with anything better than either, so that likeness is judged before.
+    let agreement = forth.agreement(&own);
+    let returned = if open || residual_mm < TWO_SUBJECTS_MM { None } else { forth.returned(surfaces, &pose)? };
+    let back = returned.and_then(|returned| WayBack::new(full_target, full_closest, returned));
+    let met = |mesh: &SurfaceMesh, points: Vec<Point3<f64>>| match &back {
+        Some(back) => back.met(mesh.vertices(), &points),
+        None => points,
+    };
+    let fitted = met(source, own);
+    let Some(rigid) = forth.rigid_part(source, &fitted, target.mean_edge_length(), open)? else { return Ok(None) };
+    let (points, values) = forth.moved(full_source, &pose, &field);
+    let mut points = met(full_source, points);
+    if rigid.copies && open {
+        // A field bends what has no counterpart towards the rim, and with it what has one.
+        points = full_source.vertices().iter().map(|p| rigid.transform.apply(p)).collect();
+    }
+    let images = images(full_target, full_closest, &points, &field.covariances(values.as_ref()));
+    let transform = rigid.transform;
+    Ok(Some(DisplacementAnswer { images, transform, judged, residual_mm, agreement }))
+}
+
+/// What is believed of the displacement of `mesh` before anything is seen, on its smooth version.
+fn basis(mesh: &SurfaceMesh, smooth: &SmoothSurface, options: &DisplacementOptions) -> Option<FieldBasis> {
+    let diagonal_mm = diagonal_mm(mesh);
     let prior = SmoothPrior {
         translation_mm: options.amplitude * diagonal_mm,
         linear: options.linear,
@@ -150,40 +202,38 @@ pub fn displace(
             amplitude_mm: options.amplitude * diagonal_mm,
         }],
     };
-    let Some(basis) = FieldBasis::new(smooth_source.mesh.vertices(), prior, options.n_inducing) else {
-        return Ok(None);
-    };
-    let guides = Guides::new(landmarks, &basis);
-    let closest = SurfaceIndex::with_normals(&smooth_target.mesh, smooth_target.normals.clone());
-    let all = Displacement {
-        source: smooth_source,
-        target: smooth_target,
-        closest,
-        basis,
-        guides,
-        diagonal_mm,
-        options,
-        observer,
-    };
-    let may_answer = |pose: &RigidTransform| allow_reflection || !pose.is_reflection();
-    let Some((judged, state)) = all.coarse(poses, may_answer)? else { return Ok(None) };
-    let best = judged[0].pose;
-    let Some((field, residual_mm)) = all.refined(&poses[best].pose, state)? else { return Ok(None) };
-    let moved = |mesh: &SurfaceMesh| {
-        let values = all.basis.values(mesh.vertices());
-        let base: Vec<Point3<f64>> = mesh.vertices().iter().map(|p| poses[best].pose.apply(p)).collect();
-        (displaced(&base, &field, &values), values)
-    };
-    let (fitted, _) = moved(source);
-    let open = [source, target].iter().any(|mesh| mesh.boundary_vertices().is_some());
-    let Some(rigid) = all.rigid_part(source, &fitted, target.mean_edge_length(), open)? else { return Ok(None) };
-    let agreement = all.agreement(&fitted);
-    let (mut points, values) = moved(full_source);
-    if rigid.copies && open {
-        // A field bends what has no counterpart towards the rim, and with it what has one.
-        points = full_source.vertices().iter().map(|p| rigid.transform.apply(p)).collect();
+    FieldBasis::new(smooth.mesh.vertices(), prior, options.n_inducing)
+}
+
+fn diagonal_mm(mesh: &SurfaceMesh) -> f64 {
+    let (low, high) = mesh.bounding_box();
+    (high - low).norm()
+}
+
+impl Displacement<'_> {
+    /// Where `pose` and `field` move the vertices of `mesh`, with the functions of the field there.
+    fn moved(&self, mesh: &SurfaceMesh, pose: &RigidTransform, field: &FittedField) -> (Vec<Point3<f64>>, Mat<f64>) {
+        let values = self.basis.values(mesh.vertices());
+        let base: Vec<Point3<f64>> = mesh.vertices().iter().map(|p| pose.apply(p)).collect();
+        (displaced(&base, field, &values), values)
     }
-    let images = images(full_target, full_closest, &points, &field.covariances(values.as_ref()));
-    let transform = rigid.transform;
-    Ok(Some(DisplacementAnswer { images, transform, judged, residual_mm, agreement }))
+
+    /// Where the vertices of the full target go on the source by a fit in that direction, from the inverse of `pose`.
+    fn returned(&self, surfaces: &Surfaces<'_>, pose: &RigidTransform) -> Result<Option<Vec<Point3<f64>>>, MatchError> {
+        let Some(basis) = basis(surfaces.target, &self.target, self.options) else { return Ok(None) };
+        let back = Displacement {
+            source: self.target.clone(),
+            target: self.source.clone(),
+            closest: SurfaceIndex::with_normals(&self.source.mesh, self.source.normals.clone()),
+            guides: self.guides.swapped(&basis),
+            basis,
+            diagonal_mm: diagonal_mm(surfaces.target),
+            options: self.options,
+            observer: self.observer,
+        };
+        let inverse = pose.inverse();
+        let Some(state) = back.coarse_alone(&inverse) else { return Ok(None) };
+        let Some((field, _)) = back.refined(&inverse, state)? else { return Ok(None) };
+        Ok(Some(back.moved(surfaces.full_target, &inverse, &field).0))
+    }
 }

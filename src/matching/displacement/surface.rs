@@ -23,6 +23,7 @@ const GRAIN_MM: f64 = 0.09;
 const MAX_COARSENING: f64 = 4.0;
 
 /// One surface, prepared.
+#[derive(Clone)]
 pub(super) struct SmoothSurface {
     /// Positions at [`POSITION_SCALE_MM`].
     pub mesh: SurfaceMesh,

@@ -9,6 +9,8 @@ from peers import PEERS
 OURS = {"balanced": 2, "fast": 2, "accurate": 2, "rigid": 1}
 """Our methods and the cores that each is given."""
 DEFAULT = "balanced"
+MANY = {"real_cross": 3, "real_resample": 3}
+"""Sets of so many times as many pairs: a pose that is lost in one of thirty must be seen, and labels vary most."""
 ROBUST_OURS = [DEFAULT, "rigid"]
 ROBUST_PEERS = ["icp", "lattice", "fgr", "ransac", "kiss"]
 SWAPPED = ["real_warp4", "real_warp8", "real_cross"]
@@ -45,7 +47,7 @@ def tasks(cases, n, with_peers):
         (method, name, timed) for name in cases.first(kind, count) for method in methods
     )
     for kind in REAL:
-        add(OURS, kind, n, True)
+        add(OURS, kind, n * MANY.get(kind, 1), True)
     for kind in SWAPPED:
         add([DEFAULT], f"swapped_{kind}", half, False)
     for kind in UNLIKE:
@@ -56,7 +58,7 @@ def tasks(cases, n, with_peers):
         add([f"variant: {name}" for name in read_variants()], kind, half, False)
     if with_peers:
         for kind in REAL:
-            add([p for p in PEERS if PEERS[p].run], kind, n, True)
+            add([p for p in PEERS if PEERS[p].run], kind, n * MANY.get(kind, 1), True)
         for kind in ROBUSTNESS:
             add(ROBUST_PEERS, kind, n, False)
         for kind in SWAPPED:

@@ -87,7 +87,8 @@ def markdown(found):
     parts = [
         f"# Accuracy, {p['date']}\n",
         f"`{p['command']}`, {p['machine']}; {p['program']}; {p['n_label_volumes']} label volumes, "
-        f"{p['cases_a_set']} pairs a set (half as many in the sections on consistency, unlike pairs and ablation).\n",
+        f"{p['cases_a_set']} pairs a set (three times as many re-sampled copies and pairs of two subjects; half as many in "
+        "the sections on consistency, unlike pairs and ablation).\n",
         "Each figure is the mean over pairs with its bootstrap 95 % interval; where three stand, they are the mean, "
         "the median and the worst. An edge is the mean edge length of the target. `accuracy.csv` has all figures, "
         "`accuracy.json` each pair; `benches/accuracy/README.md` says how they are made.\n",

@@ -121,7 +121,7 @@ fn written(accuracy: &Accuracy) -> Section {
             "The method; the pairs are held: real hippocampi re-sampled, warped by 4 % and 8 % of the diagonal, and \
                  of different subjects, each in an arbitrary pose."
                 .to_owned(),
-        pairs: format!("{cases_a_set} pairs a set"),
+        pairs: format!("{cases_a_set} pairs a set, three times as many copies and pairs of two subjects"),
         finding: finding(accuracy),
         notes: vec![
             format!("Measured on {date} by {program}, {machine}."),

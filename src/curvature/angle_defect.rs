@@ -3,6 +3,7 @@
 //! Source: Meyer, Desbrun, Schröder, Barr, "Discrete differential-geometry operators for triangulated
 //! 2-manifolds", 2003: angle defect over mixed Voronoi area, mean curvature normal by cotangents.
 
+use super::Curvatures;
 use super::laplacian::{both_triangulations, laplacian_of_positions};
 use crate::mesh::{FaceArity, SurfaceMesh};
 use nalgebra::{Point3, Vector3};
@@ -54,6 +55,10 @@ pub fn vertex_areas(mesh: &SurfaceMesh) -> Vec<f64> {
 ///
 /// Zero where the area of a vertex vanishes. Cost `O(faces)`.
 pub fn gaussian_curvature(mesh: &SurfaceMesh) -> Vec<f64> {
+    gaussian_with(mesh, &vertex_areas(mesh))
+}
+
+fn gaussian_with(mesh: &SurfaceMesh, areas: &[f64]) -> Vec<f64> {
     let v = mesh.vertices();
     let mut defect = vec![TAU; mesh.n_vertices()];
     // A triangle once whole; a quad as the mean of its two triangulations, so that the corners of a skew quad, too,
@@ -70,7 +75,7 @@ pub fn gaussian_curvature(mesh: &SurfaceMesh) -> Vec<f64> {
             FaceArity::Quad => both_triangulations(f).into_iter().for_each(|corners| subtract(corners, 0.5)),
         }
     }
-    let found = defect.iter().zip(vertex_areas(mesh)).map(|(d, area)| if area > 0.0 { d / area } else { 0.0 });
+    let found = defect.iter().zip(areas).map(|(d, &area)| if area > 0.0 { d / area } else { 0.0 });
     inside(mesh, found.collect())
 }
 
@@ -78,14 +83,23 @@ pub fn gaussian_curvature(mesh: &SurfaceMesh) -> Vec<f64> {
 ///
 /// Half the component of the Laplacian of the positions along the vertex normal, over the area. Cost `O(faces)`.
 pub fn mean_curvature(mesh: &SurfaceMesh) -> Vec<f64> {
+    mean_with(mesh, &vertex_areas(mesh))
+}
+
+fn mean_with(mesh: &SurfaceMesh, areas: &[f64]) -> Vec<f64> {
     let normals = mesh.vertex_normals();
     let laplacian: Vec<Vector3<f64>> = laplacian_of_positions(mesh);
     let found = laplacian
         .iter()
         .zip(&normals)
-        .zip(vertex_areas(mesh))
-        .map(|((l, n), area)| if area > 0.0 { l.dot(n) / (2.0 * area) } else { 0.0 });
+        .zip(areas)
+        .map(|((l, n), &area)| if area > 0.0 { l.dot(n) / (2.0 * area) } else { 0.0 });
     inside(mesh, found.collect())
+}
+
+/// [`gaussian_curvature`] and [`mean_curvature`], over the areas that both need.
+pub(super) fn both_curvatures(mesh: &SurfaceMesh, areas: &[f64]) -> Curvatures {
+    Curvatures { gaussian: gaussian_with(mesh, areas), mean: mean_with(mesh, areas) }
 }
 
 /// `values` with those at a boundary, where neither formula holds, replaced by the mean over the neighbours inside; 0

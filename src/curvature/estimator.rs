@@ -1,6 +1,6 @@
 //! The choice between the estimators of curvature.
 
-use super::angle_defect::{gaussian_curvature, mean_curvature, vertex_areas};
+use super::angle_defect::{both_curvatures, vertex_areas};
 use super::ball::{Patches, Visited};
 use super::{covariance, quadric};
 use crate::mesh::SurfaceMesh;
@@ -60,13 +60,14 @@ pub fn default_radius_mm(mesh: &SurfaceMesh) -> f64 {
 /// `O(faces)`, with a ball `O(n k)` for `k` vertices a ball, on all cores; every vertex is computed alone, so the bits
 /// do not depend on the number of threads.
 pub fn curvatures(mesh: &SurfaceMesh, estimator: Estimator) -> Curvatures {
-    let around = Curvatures { gaussian: gaussian_curvature(mesh), mean: mean_curvature(mesh) };
+    let areas = vertex_areas(mesh);
+    let around = both_curvatures(mesh, &areas);
     let (radius_mm, curvature_of): (f64, CurvatureOf) = match estimator {
         Estimator::AngleDefect => return around,
         Estimator::Covariance { radius_mm } => (radius_mm, covariance::curvature_of),
         Estimator::Quadric { radius_mm } => (radius_mm, quadric::curvature_of),
     };
-    let patches = Patches::new(mesh, vertex_areas(mesh), radius_mm);
+    let patches = Patches::new(mesh, areas, radius_mm);
     let n = mesh.n_vertices();
     let (gaussian, mean) = (0..n.div_ceil(CHUNK))
         .into_par_iter()

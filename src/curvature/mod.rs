@@ -73,6 +73,16 @@ mod tests {
     }
 
     #[test]
+    fn one_operator_serves_every_scale_as_well_as_an_operator_of_its_own() {
+        for mesh in [ellipsoid(Vector3::new(9.0, 6.0, 4.0), 3), torus(10.0, 4.0, 30, 14, FaceArity::Quad)] {
+            let space = ScaleSpace::new(&mesh);
+            for scale_mm in [2.0, 0.7, 4.5] {
+                assert_eq!(space.smoothed(scale_mm), ScaleSpace::new(&mesh).smoothed(scale_mm));
+            }
+        }
+    }
+
+    #[test]
     fn a_sphere_has_the_curvature_of_its_radius() {
         for radius in [1.0, 8.0] {
             let sphere = ellipsoid(Vector3::repeat(radius), 4);

@@ -8,7 +8,8 @@ use super::angle_defect::vertex_areas;
 use super::laplacian::cotangent_weights;
 use crate::mesh::SurfaceMesh;
 use faer::linalg::solvers::Solve;
-use faer::sparse::{SparseColMat, Triplet};
+use faer::sparse::linalg::solvers::{Llt, SymbolicLlt};
+use faer::sparse::{Argsort, Pair, SparseColMat, SymbolicSparseColMat};
 use faer::{Mat, Side};
 use nalgebra::Point3;
 
@@ -16,8 +17,26 @@ use nalgebra::Point3;
 pub struct ScaleSpace<'a> {
     mesh: &'a SurfaceMesh,
     areas: Vec<f64>,
-    /// Upper-triangle entries of `L`, diagonal included.
-    laplacian: Vec<Triplet<usize, usize, f64>>,
+    /// Lower-triangle entries of `L`, diagonal included, which is the last `n`.
+    laplacian: Vec<f64>,
+    /// `None` where there are more entries than can be counted.
+    pattern: Option<Pattern>,
+}
+
+/// Where the entries of `A + tL` stand, which is the same at every scale, and in which order its rows are eliminated.
+struct Pattern {
+    places: SymbolicSparseColMat<usize>,
+    /// From the entries of `L` and then those of `A` to the places.
+    order: Argsort<usize>,
+    factor: SymbolicLlt<usize>,
+}
+
+impl Pattern {
+    fn new(entries: &[Pair<usize, usize>], n: usize) -> Option<Self> {
+        let (places, order) = SymbolicSparseColMat::try_new_from_indices(n, n, entries).ok()?;
+        let factor = SymbolicLlt::try_new(places.as_ref(), Side::Lower).ok()?;
+        Some(Pattern { places, order, factor })
+    }
 }
 
 /// Why a smoothed surface could not be made.
@@ -32,17 +51,21 @@ pub enum ScaleSpaceError {
 }
 
 impl<'a> ScaleSpace<'a> {
-    /// Prepares the operator of `mesh`. Cost `O(faces)`.
+    /// Prepares the operator of `mesh` and the elimination order of its factorizations. Cost `O(faces log faces)`.
     pub fn new(mesh: &'a SurfaceMesh) -> Self {
         let n = mesh.n_vertices();
+        let mut places = Vec::with_capacity(2 * mesh.indices().len() + 2 * n);
         let mut laplacian = Vec::with_capacity(2 * mesh.indices().len() + n);
         let mut diagonal = vec![0.0; n];
         for w in cotangent_weights(mesh) {
             diagonal[w.i] += w.weight;
             diagonal[w.j] += w.weight;
-            laplacian.push(Triplet::new(w.i.max(w.j), w.i.min(w.j), -w.weight));
+            places.push(Pair::new(w.i.max(w.j), w.i.min(w.j)));
+            laplacian.push(-w.weight);
         }
-        laplacian.extend(diagonal.iter().enumerate().map(|(i, &d)| Triplet::new(i, i, d)));
+        laplacian.extend(diagonal);
+        // Once for the diagonal of `L`, once for the areas.
+        places.extend((0..n).chain(0..n).map(|i| Pair::new(i, i)));
         // A vertex between faces without area would make the mass matrix singular; a millionth of the mean keeps
         // it solvable and does not move any other vertex measurably.
         let mut areas = vertex_areas(mesh);
@@ -50,7 +73,7 @@ impl<'a> ScaleSpace<'a> {
         for area in &mut areas {
             *area = area.max(floor);
         }
-        ScaleSpace { mesh, areas, laplacian }
+        ScaleSpace { mesh, areas, laplacian, pattern: Pattern::new(&places, n) }
     }
 
     /// The surface at scale `scale_mm` (`σ`, mm): same faces, smoothed positions. `0` gives the surface itself.
@@ -59,7 +82,7 @@ impl<'a> ScaleSpace<'a> {
     /// [`ScaleSpaceError::NotPositiveDefinite`].
     ///
     /// # Cost
-    /// One sparse Cholesky factorization, about `O(n^1.5)` on surfaces; one thread, so the same bits everywhere.
+    /// One numeric sparse Cholesky factorization, about `O(n^1.5)` on surfaces; one thread, so the same bits everywhere.
     pub fn smoothed(&self, scale_mm: f64) -> Result<SurfaceMesh, ScaleSpaceError> {
         if scale_mm == 0.0 {
             return Ok(self.mesh.clone());
@@ -67,14 +90,10 @@ impl<'a> ScaleSpace<'a> {
         let failed = ScaleSpaceError::NotPositiveDefinite { scale_mm };
         let n = self.mesh.n_vertices();
         let t = scale_mm * scale_mm / 2.0;
-        let entries: Vec<_> = self
-            .laplacian
-            .iter()
-            .map(|e| Triplet::new(e.row, e.col, t * e.val))
-            .chain(self.areas.iter().enumerate().map(|(i, &area)| Triplet::new(i, i, area)))
-            .collect();
-        let matrix = SparseColMat::<usize, f64>::try_new_from_triplets(n, n, &entries).map_err(|_| failed)?;
-        let factor = matrix.sp_cholesky(Side::Lower).map_err(|_| failed)?;
+        let Pattern { places, order, factor } = self.pattern.as_ref().ok_or(failed)?;
+        let entries: Vec<f64> = self.laplacian.iter().map(|l| t * l).chain(self.areas.iter().copied()).collect();
+        let matrix = SparseColMat::new_from_argsort(places.clone(), order, &entries).map_err(|_| failed)?;
+        let factor = Llt::try_new_with_symbolic(factor.clone(), matrix.as_ref(), Side::Lower).map_err(|_| failed)?;
         // About the centroid, so that a surface far from the origin loses no digits.
         let center = self.mesh.centroid();
         let v = self.mesh.vertices();

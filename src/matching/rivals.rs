@@ -6,6 +6,7 @@ use crate::registration::{
     ClosestSurfacePoint, IcpMetric, IcpOptions, RigidTransform, principal_axis_poses, refine_icp,
 };
 use nalgebra::Point3;
+use rayon::prelude::*;
 
 /// Source vertices at most on which rival poses are compared.
 const SAMPLE: usize = 500;
@@ -43,10 +44,11 @@ pub(super) fn rival_pose(
     let options =
         IcpOptions { metric: IcpMetric::PointToPoint, keep: KEEP, max_iterations: ITERATIONS, tolerance: 1e-3 };
     let refine = |start: &RigidTransform| refine_icp(&sample, closest, start, &options, observer);
-    let own = refine(present)?.rms_mm;
+    let starts: Vec<RigidTransform> = poses.iter().chain([present]).copied().collect();
+    let mut reports = starts.par_iter().map(refine).collect::<Result<Vec<_>, Cancelled>>()?;
+    let Some(own) = reports.pop().map(|report| report.rms_mm) else { return Ok(None) };
     let mut best: Option<(f64, RigidTransform)> = None;
-    for pose in &poses {
-        let report = refine(pose)?;
+    for report in reports {
         if best.as_ref().is_none_or(|(rms, _)| report.rms_mm < *rms) {
             best = Some((report.rms_mm, report.target_from_source));
         }

@@ -8,6 +8,7 @@ use crate::observe::checkpoint;
 use crate::registration::RigidTransform;
 use faer::Mat;
 use nalgebra::{Point3, Vector3};
+use rayon::prelude::*;
 
 /// Vertices and steps of the first glance at every pose.
 const GLANCE_SAMPLES: usize = 250;
@@ -49,12 +50,17 @@ impl Displacement<'_> {
         let n = self.options.n_samples[0];
         let (source, target) = (self.source.thinned(n), self.target.thinned(n));
         let values = self.guides.below(&self.basis.values(&source.points));
+        // Each pose alone, so that all cores have work where a step is too short to share.
+        let found: Vec<Option<(f64, State)>> = followed
+            .par_iter()
+            .map(|&pose| {
+                checkpoint(self.observer)?;
+                Ok(self.coarse_from(&poses[pose].pose, &source, &target, &values, self.options.steps[0]))
+            })
+            .collect::<Result<_, MatchError>>()?;
         let mut best: Option<State> = None;
         let mut judged: Vec<JudgedPose> = Vec::new();
-        for &pose in &followed {
-            checkpoint(self.observer)?;
-            let steps = self.options.steps[0];
-            let found = self.coarse_from(&poses[pose].pose, &source, &target, &values, steps);
+        for (&pose, found) in followed.iter().zip(found) {
             let Some((misfit, state)) = found else { return Ok(None) };
             let misfit = misfit + poses[pose].excess;
             if may_answer(&poses[pose].pose)
@@ -83,14 +89,16 @@ impl Displacement<'_> {
     fn glance(&self, poses: &[StartPose]) -> Result<Option<Vec<usize>>, MatchError> {
         let (source, target) = (self.source.thinned(GLANCE_SAMPLES), self.target.thinned(GLANCE_SAMPLES));
         let values = self.guides.below(&self.basis.values(&source.points));
-        let mut seen = Vec::with_capacity(poses.len());
-        for (k, pose) in poses.iter().enumerate() {
-            checkpoint(self.observer)?;
-            let Some((misfit, _)) = self.coarse_from(&pose.pose, &source, &target, &values, GLANCE_STEPS) else {
-                return Ok(None);
-            };
-            seen.push((misfit + pose.excess, k));
-        }
+        let seen: Vec<Option<(f64, usize)>> = poses
+            .par_iter()
+            .enumerate()
+            .map(|(k, pose)| {
+                checkpoint(self.observer)?;
+                let found = self.coarse_from(&pose.pose, &source, &target, &values, GLANCE_STEPS);
+                Ok(found.map(|(misfit, _)| (misfit + pose.excess, k)))
+            })
+            .collect::<Result<_, MatchError>>()?;
+        let Some(mut seen) = seen.into_iter().collect::<Option<Vec<_>>>() else { return Ok(None) };
         seen.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
         let mut followed: Vec<usize> = Vec::new();
         for (_, k) in seen {

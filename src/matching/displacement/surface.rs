@@ -1,12 +1,14 @@
 //! A surface as displacement sees it: slightly smoothed, with curvature features as numbers of comparable size.
 
-use crate::curvature::{ScaleSpace, gaussian_curvature, mean_curvature, vertex_areas};
+use crate::curvature::{Curvatures, Estimator, ScaleSpace, curvatures, vertex_areas};
 use crate::deformation::Samples;
 use crate::matching::MatchError;
 use crate::mesh::SurfaceMesh;
 use nalgebra::{Point3, Vector3};
+use rayon::prelude::*;
 
-/// Scales of the features, mm: finer than those that find the pose, because the poses are close already.
+/// Scales of the features, mm: finer than those that find the pose, because the poses are close already. The first is that
+/// of the normals as well.
 const FEATURE_SCALES_MM: [f64; 3] = [1.0, 2.0, 3.5];
 /// Gaussian and mean curvature at each scale.
 pub(super) const N_FEATURES: usize = 2 * FEATURE_SCALES_MM.len();
@@ -14,8 +16,6 @@ pub(super) const N_FEATURES: usize = 2 * FEATURE_SCALES_MM.len();
 const FEATURE_CAP: f64 = 3.0;
 /// Scale of the positions that fields and rigid transforms are fitted to, mm: takes off the steps that voxels leave.
 const POSITION_SCALE_MM: f64 = 0.7;
-/// Scale of the normals, mm.
-const NORMAL_SCALE_MM: f64 = 1.0;
 
 /// How far light smoothing moves the vertices of a surface that voxels of 1 mm left, mm. One that it moves farther is
 /// noisy, and all scales grow with that.
@@ -104,15 +104,19 @@ impl<'a> Flow<'a> {
 
     /// The surface without features, and their values as they are; all scales `coarsening` times as coarse.
     fn surface(self, coarsening: f64) -> Result<(SmoothSurface, Vec<Vec<f64>>), MatchError> {
-        let mut values = Vec::with_capacity(N_FEATURES);
-        for scale_mm in FEATURE_SCALES_MM {
-            let smoothed = at(&self.space, coarsening * scale_mm)?;
-            values.push(mean_curvature(&smoothed));
-            values.push(gaussian_curvature(&smoothed));
-        }
+        let at_scales: Vec<(SurfaceMesh, Curvatures)> = FEATURE_SCALES_MM
+            .into_par_iter()
+            .map(|scale_mm| {
+                let smoothed = at(&self.space, coarsening * scale_mm)?;
+                let measured = curvatures(&smoothed, Estimator::AngleDefect);
+                Ok((smoothed, measured))
+            })
+            .collect::<Result<_, MatchError>>()?;
+        let normals = at_scales[0].0.vertex_normals();
+        let values = at_scales.into_iter().flat_map(|(_, measured)| [measured.mean, measured.gaussian]).collect();
         let mesh = if coarsening > 1.0 { at(&self.space, coarsening * POSITION_SCALE_MM)? } else { self.smoothed };
         let surface = SmoothSurface {
-            normals: at(&self.space, coarsening * NORMAL_SCALE_MM)?.vertex_normals(),
+            normals,
             areas: vertex_areas(&mesh),
             features: vec![0.0; mesh.n_vertices() * N_FEATURES],
             mesh,

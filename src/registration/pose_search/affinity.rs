@@ -141,20 +141,33 @@ fn affinity_row(moved: &Moved, target: &Columns, steepness: f32, row: &mut [Lane
     let (area, of_target) = (&target.area[..n], &mut of_target[..n]);
     let mut sums = [0.0f32; LANES];
     for j in 0..n {
+        // A loop for each quantity: in one loop the compiler pairs the components of a patch instead of the patches.
+        let mut squared = [0.0f32; LANES];
         for k in 0..LANES {
             let (dx, dy, dz) = (x[j][k] - moved.position[0], y[j][k] - moved.position[1], z[j][k] - moved.position[2]);
-            let near = (1.0 - steepness * (dx * dx + dy * dy + dz * dz)).max(0.0);
-            let agreement = nx[j][k] * moved.normal[0] + ny[j][k] * moved.normal[1] + nz[j][k] * moved.normal[2];
-            let mut unlike = 0.0;
-            for (column, own) in features.iter().zip(&moved.features) {
-                let d = column[j][k] - own;
-                unlike += d * d;
+            squared[k] = dx * dx + dy * dy + dz * dz;
+        }
+        let mut agreement = [0.0f32; LANES];
+        for k in 0..LANES {
+            agreement[k] = nx[j][k] * moved.normal[0] + ny[j][k] * moved.normal[1] + nz[j][k] * moved.normal[2];
+        }
+        let mut unlike = [0.0f32; LANES];
+        for (column, own) in features.iter().zip(&moved.features) {
+            for (unlike, value) in unlike.iter_mut().zip(&column[j]) {
+                let d = value - own;
+                *unlike += d * d;
             }
-            let alike = 1.0 / (1.0 + UNLIKE * unlike);
-            let g = (near * near) * (near * near) * agreement.max(0.0) * (alike * alike);
-            row[j][k] = g;
-            sums[k] += area[j][k] * g;
-            of_target[j][k] += moved.area * g;
+        }
+        let mut g = [0.0f32; LANES];
+        for k in 0..LANES {
+            let near = (1.0 - steepness * squared[k]).max(0.0);
+            let alike = 1.0 / (1.0 + UNLIKE * unlike[k]);
+            g[k] = (near * near) * (near * near) * agreement[k].max(0.0) * (alike * alike);
+        }
+        row[j] = g;
+        for k in 0..LANES {
+            sums[k] += area[j][k] * g[k];
+            of_target[j][k] += moved.area * g[k];
         }
     }
     sums.iter().sum()

@@ -29,6 +29,7 @@ use bending::Bending;
 use features::describe;
 use nalgebra::{Matrix3, Point3, Vector3};
 use patches::{Patch, Patches, mirrored};
+use rayon::prelude::*;
 use rotations::spread_rotations;
 
 /// Points of a surface with what is known at each; slices of equal length.
@@ -119,7 +120,7 @@ impl Candidate {
 /// Poses that lay `source` on `target`, best first, no two within 30 degrees unless one of them mirrors.
 ///
 /// Empty where a surface has fewer than three points, no area, or numbers that are not finite. A pure function of its
-/// inputs, on one thread. Moving an input moves the answer with it.
+/// inputs: poses are followed on all threads, each alone. Moving an input moves the answer with it.
 ///
 /// # Cost
 /// `O((rotations + annealed · steps) · coarse² + settled · steps · fine² + fine · points)`; twice with reflections.
@@ -129,15 +130,16 @@ pub fn pose_search(
     options: &PoseSearchOptions,
 ) -> Vec<ScoredPose> {
     let cut = |surface| Patches::new(surface, options.n_coarse, options.n_fine);
-    let (Some(mut of_source), Some(mut of_target)) = (cut(source), cut(target)) else { return Vec::new() };
+    let (Some(mut of_source), Some(mut of_target)) = rayon::join(|| cut(source), || cut(target)) else {
+        return Vec::new();
+    };
     let diagonal_mm = of_source.diagonal_mm.max(of_target.diagonal_mm);
     describe(&mut of_source, &mut of_target, diagonal_mm);
-    let mut search = Search {
+    let search = Search {
         coarse: Level::new(&of_source.coarse, of_target.coarse.clone()),
         fine: Level::new(&of_source.fine, of_target.fine.clone()),
         diagonal_mm,
         options,
-        workspace: Workspace::default(),
     };
     let settled = search.run();
     let best = settled.first().map_or(0.0, |c| c.misfit);
@@ -176,29 +178,28 @@ struct Search<'a> {
     fine: Level,
     diagonal_mm: f64,
     options: &'a PoseSearchOptions,
-    workspace: Workspace,
 }
 
 impl Search<'_> {
-    fn run(&mut self) -> Vec<Candidate> {
+    fn run(&self) -> Vec<Candidate> {
         let [wide, middle, narrow] = self.options.sigma.map(|s| s * self.diagonal_mm);
         let [annealing, settling, bending] = self.options.steps;
-        let screened = self.screened(wide);
-        let mut annealed: Vec<Candidate> = screened
-            .iter()
-            .map(|c| improved(c, &self.coarse, (wide, middle), annealing, &mut self.workspace))
-            .collect();
-        annealed = best_apart(annealed, SAME_POSE_ANGLE, self.options.n_settled);
-        let settled: Vec<Candidate> =
-            annealed.iter().map(|c| improved(c, &self.fine, (middle, narrow), settling, &mut self.workspace)).collect();
-        let settled = best_apart(settled, SAME_POSE_ANGLE, self.options.n_settled);
-        let bent = settled.iter().map(|c| self.bent(c, (middle, narrow), bending)).collect();
-        best_apart(bent, SAME_POSE_ANGLE, self.options.n_settled)
+        let n = self.options.n_settled;
+        let annealed = of_each(&self.screened(wide), |workspace, c| {
+            improved(c, &self.coarse, (wide, middle), annealing, workspace)
+        });
+        let settled = of_each(&best_apart(annealed, SAME_POSE_ANGLE, n), |workspace, c| {
+            improved(c, &self.fine, (middle, narrow), settling, workspace)
+        });
+        let bent = of_each(&best_apart(settled, SAME_POSE_ANGLE, n), |workspace, c| {
+            self.bent(c, (middle, narrow), bending, workspace)
+        });
+        best_apart(bent, SAME_POSE_ANGLE, n)
     }
 
     /// `start` with a field that takes up what differs in shape, its misfit that of the bent surface together with what
     /// the bending costs.
-    fn bent(&mut self, start: &Candidate, sigma_mm: (f64, f64), steps: u32) -> Candidate {
+    fn bent(&self, start: &Candidate, sigma_mm: (f64, f64), steps: u32, workspace: &mut Workspace) -> Candidate {
         let (source, target) = (self.fine.source(start.mirrors), &self.fine.target);
         let bending = Bending::new(source, WIDTH * self.diagonal_mm, AMPLITUDE * self.diagonal_mm);
         let from: Vec<Point3<f64>> = source.iter().map(|p| Point3::from(p.center)).collect();
@@ -207,8 +208,8 @@ impl Search<'_> {
         let mut bent = base.clone();
         for step in 0..steps {
             let sigma = between(sigma_mm, step, steps);
-            self.workspace.misfit(&bent, target, sigma);
-            let (to, weights) = self.workspace.pulls(source, target, sigma);
+            workspace.misfit(&bent, target, sigma);
+            let (to, weights) = workspace.pulls(source, target, sigma);
             let precision: Vec<f64> = weights.iter().map(|w| w * DENSITY / (sigma * sigma)).collect();
             let Some(fitted) = bending.fit(&base, to, &precision) else { break };
             cost = fitted.cost;
@@ -225,29 +226,36 @@ impl Search<'_> {
         }
         // Both terms are per observation: the misfit is a mean, the cost that of all together.
         let area: f64 = source.iter().map(|p| p.area).sum();
-        found.misfit = self.workspace.misfit(&bent, target, sigma_mm.1) + cost / (DENSITY * area);
+        found.misfit = workspace.misfit(&bent, target, sigma_mm.1) + cost / (DENSITY * area);
         found
     }
 
     /// The best rotations about the centroids.
-    fn screened(&mut self, sigma_mm: f64) -> Vec<Candidate> {
+    fn screened(&self, sigma_mm: f64) -> Vec<Candidate> {
         let mut rotations =
             [[1.0, 1.0], [1.0, -1.0], [-1.0, 1.0], [-1.0, -1.0]].map(|[a, b]| diagonal(a, b, a * b)).to_vec();
         rotations.extend(spread_rotations(self.options.n_rotations));
         let hands: &[bool] = if self.options.allow_reflection { &[false, true] } else { &[false] };
-        let mut found = Vec::with_capacity(rotations.len() * hands.len());
-        for &mirrors in hands {
-            for rotation in &rotations {
-                let source = self.coarse.source(mirrors);
-                let shift = Vector3::zeros();
-                let misfit = 0.0;
-                let mut candidate = Candidate { mirrors, rotation: *rotation, shift, misfit };
-                candidate.misfit = self.workspace.misfit(&candidate.moved(source), &self.coarse.target, sigma_mm);
-                found.push(candidate);
-            }
-        }
+        let of_hand = |&mirrors| {
+            let centered = move |&rotation| Candidate { mirrors, rotation, shift: Vector3::zeros(), misfit: 0.0 };
+            rotations.iter().map(centered)
+        };
+        let tried: Vec<Candidate> = hands.iter().flat_map(of_hand).collect();
+        let found = of_each(&tried, |workspace, c| {
+            let moved = c.moved(self.coarse.source(c.mirrors));
+            Candidate { misfit: workspace.misfit(&moved, &self.coarse.target, sigma_mm), ..*c }
+        });
         best_apart(found, APART, self.options.n_annealed)
     }
+}
+
+/// What `follow` makes of each candidate, in their order, on all threads; a workspace is reused, and holds nothing that the
+/// next candidate could see.
+fn of_each(
+    candidates: &[Candidate],
+    follow: impl Fn(&mut Workspace, &Candidate) -> Candidate + Sync + Send,
+) -> Vec<Candidate> {
+    candidates.par_iter().map_init(Workspace::default, follow).collect()
 }
 
 /// Geometric interpolation; the end is not reached.

@@ -82,7 +82,7 @@ impl<'a> ScaleSpace<'a> {
     /// [`ScaleSpaceError::NotPositiveDefinite`].
     ///
     /// # Cost
-    /// One numeric sparse Cholesky factorization, about `O(n^1.5)` on surfaces; one thread, so the same bits everywhere.
+    /// One numeric sparse Cholesky factorization, about `O(n^1.5)` on surfaces; on one thread.
     pub fn smoothed(&self, scale_mm: f64) -> Result<SurfaceMesh, ScaleSpaceError> {
         if scale_mm == 0.0 {
             return Ok(self.mesh.clone());

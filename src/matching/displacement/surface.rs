@@ -7,8 +7,8 @@ use crate::mesh::SurfaceMesh;
 use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
 
-/// Scales of the features, mm: finer than those that find the pose, because the poses are close already. The first is that
-/// of the normals as well.
+/// Scales of the features, mm: finer than those that find the pose, because the poses are close already. The first is
+/// that of the normals as well.
 const FEATURE_SCALES_MM: [f64; 3] = [1.0, 2.0, 3.5];
 /// Gaussian and mean curvature at each scale.
 pub(super) const N_FEATURES: usize = 2 * FEATURE_SCALES_MM.len();

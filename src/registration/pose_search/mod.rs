@@ -249,8 +249,8 @@ impl Search<'_> {
     }
 }
 
-/// What `follow` makes of each candidate, in their order, on all threads; a workspace is reused, and holds nothing that the
-/// next candidate could see.
+/// What `follow` makes of each candidate, in their order, on all threads. A workspace is reused, and holds nothing that
+/// the next candidate could see.
 fn of_each(
     candidates: &[Candidate],
     follow: impl Fn(&mut Workspace, &Candidate) -> Candidate + Sync + Send,

@@ -1,23 +1,24 @@
 //! Cavity products of one block: `h_{i→j}(x) = φ_i(x) Π_{k ∈ N(i)\j} m_{k→i}(x)` for each of its lanes.
 //!
-//! A chunk of labels at a time: the products of a variable's messages from the first on and from the last on, whose
-//! meeting leaves out one; contiguous rows all the way. Then the chunk is turned, so that the lanes of one label lie
-//! side by side. The belief, which is the whole product, is decoded on the way.
+//! Eight labels at a time: the products of a variable's messages from the first on and from the last on, whose meeting
+//! leaves out one, all in registers; turned there, so that the lanes of one label lie side by side. A chunk of labels
+//! of all variables before the next one, so that what is written stays in the nearest cache until the block's lanes are
+//! complete. The belief, which is the whole product, is decoded on the way.
 
 // The dispatch to instruction sets that `multiversion` generates needs unsafe calls; nothing here does itself.
 #![allow(unsafe_code)]
 
-use super::block_plan::{BLOCK_LANES, BlockVariable, LANES};
+use super::block_plan::{BLOCK_LANES, BlockVariable};
 use super::lanes::{CHUNK, ChunkRow, ChunkRows, Lanes};
-use super::turning::rows_to_lanes;
+#[cfg(target_arch = "x86_64")]
+use super::vector::Avx2;
+use super::vector::{Plain, Vector, WIDTH};
 use multiversion::multiversion;
+use multiversion::target::match_target;
 
 /// Products of messages are carried times this in each of two chains, so that a dozen messages at the floor do not
 /// underflow 32 bits; a power of two, so that no rounding depends on it. Their product stays below 2¹²⁸.
 const CHAIN_SCALE: f32 = (1u64 << 60) as f32;
-
-/// Labels whose two chains of products fit the 16 registers of AVX2.
-const VECTOR: usize = 8;
 
 /// Scratch of the cavity pass.
 #[derive(Debug, Clone)]
@@ -59,102 +60,142 @@ pub(super) struct BeliefPeak {
     pub sum: f32,
 }
 
-/// Writes the cavity products of all lanes of a block to `cavity`, label by label, and returns their maxima.
+/// The cavity products of every lane over all labels. Lanes that the block leaves empty have numbers without a meaning.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct CavityTotals {
+    /// Their maxima.
+    pub largest: Lanes,
+    /// Their sums, label by label.
+    pub sum: Lanes,
+}
+
+/// Writes the cavity products of all lanes of a block to `cavity`, label by label, and returns their totals.
 ///
 /// `phi` has the row of every variable of the block, `messages` the incoming rows of all of them, one variable after
-/// the other; all rows are as long as `cavity`, a multiple of [`LANES`], and beyond the labels `phi` is 0.
+/// the other; all rows are as long as `cavity`, a multiple of [`WIDTH`], and beyond the labels `phi` is 0.
 /// Lanes that the block leaves empty hold numbers without a meaning.
-#[multiversion(targets("x86_64+avx512f+avx512vl+avx512bw+avx512dq", "x86_64+avx2"))]
+#[multiversion(targets("x86_64+avx2"))]
 pub(super) fn cavity_products(
     phi: &[&[f32]],
     messages: &[&[f32]],
     variables: &[BlockVariable],
     chains: &mut Chains,
     cavity: &mut [Lanes],
-) -> Lanes {
+) -> CavityTotals {
+    match_target! {
+        "x86_64+avx2" => products::<Avx2>(phi, messages, variables, chains, cavity),
+        _ => products::<Plain>(phi, messages, variables, chains, cavity),
+    }
+}
+
+#[inline(always)]
+fn products<V: Vector>(
+    phi: &[&[f32]],
+    messages: &[&[f32]],
+    variables: &[BlockVariable],
+    chains: &mut Chains,
+    cavity: &mut [Lanes],
+) -> CavityTotals {
     chains.beliefs.clear();
     chains.beliefs.resize(variables.len(), RunningPeak::new());
-    let mut largest = Lanes::splat(0.0);
+    let mut totals = CavityTotals { largest: Lanes::splat(0.0), sum: Lanes::splat(0.0) };
     for (chunk, turned) in cavity.chunks_mut(CHUNK).enumerate() {
-        let labels = chunk * CHUNK..chunk * CHUNK + turned.len();
+        let start = chunk * CHUNK;
         let mut first = 0;
         for (at, of) in variables.iter().enumerate() {
             let incoming = &messages[first..first + of.incoming.len()];
             first += incoming.len();
-            let phi = &phi[at][labels.clone()];
-            if chains.forward.len() <= incoming.len() {
-                chains.forward.resize(incoming.len() + 1, ChunkRow::splat(0.0));
-            }
+            let phi = &phi[at][start..start + turned.len()];
             // The degrees of nearly all vertices of triangle and quad meshes.
             match incoming.len() {
-                3 => multiply_few::<3>(phi, incoming, of, chains, labels.start),
-                4 => multiply_few::<4>(phi, incoming, of, chains, labels.start),
-                5 => multiply_few::<5>(phi, incoming, of, chains, labels.start),
-                6 => multiply_few::<6>(phi, incoming, of, chains, labels.start),
-                7 => multiply_few::<7>(phi, incoming, of, chains, labels.start),
-                8 => multiply_few::<8>(phi, incoming, of, chains, labels.start),
-                _ => multiply_many(phi, incoming, of, chains, labels.start),
+                3 => multiply_few::<V, 3>(phi, incoming, (at, of.lane), chains, start, turned),
+                4 => multiply_few::<V, 4>(phi, incoming, (at, of.lane), chains, start, turned),
+                5 => multiply_few::<V, 5>(phi, incoming, (at, of.lane), chains, start, turned),
+                6 => multiply_few::<V, 6>(phi, incoming, (at, of.lane), chains, start, turned),
+                7 => multiply_few::<V, 7>(phi, incoming, (at, of.lane), chains, start, turned),
+                8 => multiply_few::<V, 8>(phi, incoming, (at, of.lane), chains, start, turned),
+                _ => multiply_many::<V>(phi, incoming, (at, of), chains, start, turned),
             }
-            chains.beliefs[at].add(&chains.forward[incoming.len()][..turned.len()], labels.start);
         }
-        rows_to_lanes(&chains.rows, turned);
         for h in turned.iter() {
             for k in 0..BLOCK_LANES {
-                largest[k] = if h[k] > largest[k] { h[k] } else { largest[k] };
+                totals.largest[k] = if h[k] > totals.largest[k] { h[k] } else { totals.largest[k] };
+            }
+            for k in 0..BLOCK_LANES {
+                totals.sum[k] += h[k];
             }
         }
     }
-    largest
+    totals
 }
 
-/// The products of one variable of `D` neighbours over one chunk of labels, from label `start` on, into its rows. Both
-/// chains stay in registers.
+/// The products of one variable of `D` neighbours over one chunk of labels, from label `start` on, into the lanes from
+/// `lane` on. The variable is number `at` of its block.
 #[inline(always)]
-fn multiply_few<const D: usize>(
+fn multiply_few<V: Vector, const D: usize>(
     phi: &[f32],
     incoming: &[&[f32]],
-    of: &BlockVariable,
+    (at, lane): (usize, usize),
     chains: &mut Chains,
     start: usize,
+    turned: &mut [Lanes],
 ) {
-    let n = phi.len() / VECTOR;
-    let Chains { forward, rows, .. } = chains;
-    let messages: [&[[f32; VECTOR]]; D] =
+    let n = phi.len() / WIDTH;
+    let messages: [&[[f32; WIDTH]]; D] =
         std::array::from_fn(|slot| &incoming[slot][start..start + phi.len()].as_chunks().0[..n]);
-    let beliefs = &mut forward[D].as_chunks_mut::<VECTOR>().0[..n];
-    let (first, _) = rows[of.lane..].as_chunks_mut::<D>();
-    let Some(rows) = first.first_mut() else { return };
-    let products = rows.each_mut().map(|row| &mut row.as_chunks_mut::<VECTOR>().0[..n]);
-    for (at, phi) in phi.as_chunks::<VECTOR>().0.iter().enumerate() {
-        let mut product = multiply(phi, &[CHAIN_SCALE; VECTOR]);
-        let mut before = [[0.0f32; VECTOR]; D];
+    let scale = V::splat(CHAIN_SCALE);
+    let mut peak = Peak::<V>::load(&chains.beliefs[at]);
+    let tiles = phi.as_chunks::<WIDTH>().0.iter().zip(turned.as_chunks_mut::<WIDTH>().0);
+    for (tile, (phi, turned)) in tiles.enumerate() {
+        if tile % 2 == 0 {
+            for row in &messages {
+                V::prefetch(row.as_flattened(), tile * WIDTH + CHUNK);
+            }
+        }
+        let mut product = V::load(phi).mul(scale);
+        let mut before = [product; D];
         for slot in 0..D {
             before[slot] = product;
-            product = multiply(&product, &messages[slot][at]);
+            product = product.mul(V::load(&messages[slot][tile]));
         }
-        beliefs[at] = product;
-        let mut after = [CHAIN_SCALE; VECTOR];
+        peak.add(product, start / WIDTH + tile);
+        let mut after = scale;
+        let mut rows = [V::splat(0.0); WIDTH];
         for slot in (0..D).rev() {
-            products[slot][at] = multiply(&before[slot], &after);
-            after = multiply(&after, &messages[slot][at]);
+            rows[slot] = before[slot].mul(after);
+            after = after.mul(V::load(&messages[slot][tile]));
+        }
+        let columns = V::turn(rows);
+        for (column, turned) in columns.into_iter().zip(turned) {
+            // Numbers beyond the lanes of this variable fall on those of the next one, which are written after.
+            match turned[lane..].first_chunk_mut() {
+                Some(lanes) => column.store(lanes),
+                None => {
+                    let mut lanes = [0.0; WIDTH];
+                    column.store(&mut lanes);
+                    turned[lane..lane + D].copy_from_slice(&lanes[..D]);
+                }
+            }
         }
     }
-}
-
-#[inline(always)]
-fn multiply(a: &[f32; VECTOR], b: &[f32; VECTOR]) -> [f32; VECTOR] {
-    let mut product = [0.0; VECTOR];
-    for k in 0..VECTOR {
-        product[k] = a[k] * b[k];
-    }
-    product
+    peak.store(&mut chains.beliefs[at]);
 }
 
 /// Likewise for any number of neighbours, and for those that a block sends to.
 #[inline(always)]
-fn multiply_many(phi: &[f32], incoming: &[&[f32]], of: &BlockVariable, chains: &mut Chains, start: usize) {
+fn multiply_many<V: Vector>(
+    phi: &[f32],
+    incoming: &[&[f32]],
+    (at, of): (usize, &BlockVariable),
+    chains: &mut Chains,
+    start: usize,
+    turned: &mut [Lanes],
+) {
     let length = phi.len();
-    let Chains { forward, backward, rows, .. } = chains;
+    let Chains { forward, backward, rows, beliefs } = chains;
+    if forward.len() <= incoming.len() {
+        forward.resize(incoming.len() + 1, ChunkRow::splat(0.0));
+    }
     for (product, &phi) in forward[0].iter_mut().zip(phi) {
         *product = phi * CHAIN_SCALE;
     }
@@ -165,10 +206,15 @@ fn multiply_many(phi: &[f32], incoming: &[&[f32]], of: &BlockVariable, chains: &
             *product = a * b;
         }
     }
+    let mut peak = Peak::<V>::load(&beliefs[at]);
+    for (tile, belief) in forward[incoming.len()][..length].as_chunks().0.iter().enumerate() {
+        peak.add(V::load(belief), start / WIDTH + tile);
+    }
+    peak.store(&mut beliefs[at]);
     backward.fill(CHAIN_SCALE);
     for slot in (of.slots.start..incoming.len()).rev() {
         if slot < of.slots.end {
-            let row = &mut rows[of.lane + slot - of.slots.start][..length];
+            let row = &mut rows[slot - of.slots.start][..length];
             for (product, (&a, &b)) in row.iter_mut().zip(forward[slot].iter().zip(backward.iter())) {
                 *product = a * b;
             }
@@ -177,47 +223,67 @@ fn multiply_many(phi: &[f32], incoming: &[&[f32]], of: &BlockVariable, chains: &
             *product *= message;
         }
     }
+    for (x, turned) in turned.iter_mut().enumerate() {
+        for (lane, row) in turned[of.lane..][..of.slots.len()].iter_mut().zip(rows.iter()) {
+            *lane = row[x];
+        }
+    }
 }
 
-/// Peak of a belief while its labels go by, [`LANES`] at a time.
+/// Peak of a belief while its labels go by, [`WIDTH`] at a time.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct RunningPeak {
-    peaks: [f32; LANES],
-    /// Which vector of labels each of them came from.
-    vectors: [u32; LANES],
-    sums: [f32; LANES],
+    peaks: [f32; WIDTH],
+    /// Which vector of labels each of them came from; whole numbers, far below where these end.
+    tiles: [f32; WIDTH],
+    sums: [f32; WIDTH],
 }
 
 impl RunningPeak {
     fn new() -> Self {
-        RunningPeak { peaks: [-1.0; LANES], vectors: [0; LANES], sums: [0.0; LANES] }
-    }
-
-    /// Takes the beliefs of the labels from `start` on.
-    #[inline(always)]
-    fn add(&mut self, beliefs: &[f32], start: usize) {
-        let RunningPeak { mut peaks, mut vectors, mut sums } = *self;
-        for (at, belief) in beliefs.as_chunks::<LANES>().0.iter().enumerate() {
-            let vector = (start / LANES + at) as u32;
-            for k in 0..LANES {
-                sums[k] += belief[k];
-                vectors[k] = if belief[k] > peaks[k] { vector } else { vectors[k] };
-                peaks[k] = if belief[k] > peaks[k] { belief[k] } else { peaks[k] };
-            }
-        }
-        *self = RunningPeak { peaks, vectors, sums };
+        RunningPeak { peaks: [-1.0; WIDTH], tiles: [0.0; WIDTH], sums: [0.0; WIDTH] }
     }
 
     fn finish(&self) -> BeliefPeak {
         let mut best = BeliefPeak { label: u32::MAX, peak: -1.0, sum: self.sums.iter().sum() };
-        for k in 0..LANES {
-            let label = self.vectors[k] * LANES as u32 + k as u32;
+        for k in 0..WIDTH {
+            let label = self.tiles[k] as u32 * WIDTH as u32 + k as u32;
             if self.peaks[k] > best.peak || (self.peaks[k] == best.peak && label < best.label) {
                 best.label = label;
                 best.peak = self.peaks[k];
             }
         }
         best
+    }
+}
+
+/// Likewise, in registers.
+#[derive(Clone, Copy)]
+struct Peak<V> {
+    peaks: V,
+    tiles: V,
+    sums: V,
+}
+
+impl<V: Vector> Peak<V> {
+    #[inline(always)]
+    fn load(from: &RunningPeak) -> Self {
+        Peak { peaks: V::load(&from.peaks), tiles: V::load(&from.tiles), sums: V::load(&from.sums) }
+    }
+
+    #[inline(always)]
+    fn store(self, to: &mut RunningPeak) {
+        self.peaks.store(&mut to.peaks);
+        self.tiles.store(&mut to.tiles);
+        self.sums.store(&mut to.sums);
+    }
+
+    /// Takes the beliefs of the labels of one tile.
+    #[inline(always)]
+    fn add(&mut self, beliefs: V, tile: usize) {
+        self.sums = self.sums.add(beliefs);
+        self.tiles = beliefs.choose_if_above(self.peaks, V::splat(tile as f32), self.tiles);
+        self.peaks = beliefs.max(self.peaks);
     }
 }
 
@@ -237,7 +303,7 @@ mod tests {
             entropy in prop::collection::vec(0.01f32..1.0, 389),
         ) {
             let slots = if degree > 8 { left_out..degree - left_out } else { 0..degree };
-            let stride = vectors * LANES;
+            let stride = vectors * super::super::block_plan::LANES;
             let mut numbers = entropy.iter().copied().cycle();
             let rows: Vec<Vec<f32>> = (0..=degree).map(|_| numbers.by_ref().take(stride).collect()).collect();
             let (phi, messages) = (&rows[degree], &rows[..degree]);
@@ -245,7 +311,7 @@ mod tests {
             let mut cavity = vec![Lanes::splat(0.0); stride];
             let mut chains = Chains::new();
             let messages: Vec<&[f32]> = messages.iter().map(Vec::as_slice).collect();
-            let largest = cavity_products(&[phi], &messages, std::slice::from_ref(&of), &mut chains, &mut cavity);
+            let CavityTotals { largest, sum } = cavity_products(&[phi], &messages, std::slice::from_ref(&of), &mut chains, &mut cavity);
             let scale = f64::from(CHAIN_SCALE);
             for (lane, slot) in (lane..).zip(of.slots.clone()) {
                 for x in 0..stride {
@@ -254,6 +320,7 @@ mod tests {
                     prop_assert!((f64::from(cavity[x][lane]) - product).abs() <= 2e-6 * product);
                 }
                 prop_assert_eq!(largest[lane], cavity.iter().fold(0.0, |top, h| h[lane].max(top)));
+                prop_assert_eq!(sum[lane], cavity.iter().fold(0.0, |sum, h| sum + h[lane]));
             }
             let beliefs: Vec<f64> = (0..stride)
                 .map(|x| f64::from(phi[x]) * messages.iter().map(|m| f64::from(m[x])).product::<f64>() * scale)

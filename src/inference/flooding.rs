@@ -12,8 +12,9 @@ use super::block_plan::{Block, BlockPlan};
 use super::kernel::{Kernel, lane_factors};
 use super::lanes::Lanes;
 use super::message_store::{Batches, MessageStore, OpenStore};
+use super::message_writer::BlockRows;
 use super::outcome::{BpIteration, BpOutcome, BpStop, Decoded, Progress};
-use super::sparse_update::{Finish, Scratch, write_messages};
+use super::sparse_update::Scratch;
 use crate::graph::EdgeGraph;
 use crate::observe::{Cancelled, Observer, checkpoint};
 use rayon::prelude::*;
@@ -146,22 +147,22 @@ impl Flooding {
         open.close();
         checkpoint(observer)?;
         // A variable without neighbours sends nothing and stands in no block: its belief is its unary potential.
-        let n = kernel.model.n_labels();
         for i in (0..kernel.model.n_variables()).filter(|&i| kernel.model.variables.row(i).is_empty()) {
-            found.decoded.push(decode_alone(i, &kernel.phi[i * kernel.stride..][..n]));
+            found.decoded.push(decode_alone(kernel, i));
         }
         Ok(found)
     }
 }
 
-fn decode_alone(variable: usize, phi: &[f32]) -> Decoded {
+fn decode_alone(kernel: Kernel<'_>, variable: usize) -> Decoded {
+    let phi = &kernel.phi_row(variable)[..kernel.model.n_labels()];
     let label = (0..phi.len()).fold(0, |best, x| if phi[x] > phi[best] { x } else { best });
     let sum: f32 = phi.iter().sum();
     Decoded { variable: variable as u32, label: label as u32, confidence: f64::from(phi[label] / sum) }
 }
 
-/// Decodes the variables of a block and, with an `output`, writes its next messages there. Returns also the largest
-/// change of a message.
+/// Decodes the variables of block `number` and, with an `output`, writes its next messages there. Returns also the
+/// largest change of a message.
 fn make_block(
     kernel: Kernel<'_>,
     messages: &OpenStore<'_>,
@@ -170,15 +171,14 @@ fn make_block(
     scratch: &mut Scratch,
     output: Option<&mut [f32]>,
 ) -> (Vec<Decoded>, f32) {
-    let largest = kernel.cavity(|row| messages.row(row), &block.variables, scratch);
+    let totals = kernel.cavity(|row| messages.row(row), &block.variables, scratch);
     // A variable in several blocks is decoded by the one that holds its first edges.
     let decoded = kernel.decode(&block.variables, scratch).filter(|(of, _)| of.slots.start == 0).map(|(_, d)| d);
     let decoded = decoded.collect();
     let Some(output) = output else { return (decoded, 0.0) };
-    let top = kernel.update((near, far), &largest, scratch);
     let n_values = block.edges.len() * kernel.stride;
     let (old, new) = (&messages.block(number)[..n_values], &mut output[..n_values]);
-    let finish = Finish { floor: kernel.options.floor, damping: kernel.options.damping };
-    let change = write_messages(&scratch.updated, &top, old, new, finish, &mut scratch.rows);
+    let mut rows = BlockRows { old, new, stride: kernel.stride };
+    let change = kernel.write((near, far), &totals, scratch, &mut rows);
     (decoded, change)
 }

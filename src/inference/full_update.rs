@@ -9,7 +9,7 @@
 
 use super::block_plan::BLOCK_LANES;
 use super::lanes::Lanes;
-use super::sparse_update::PairTable;
+use super::pair_table::PairTable;
 use multiversion::multiversion;
 
 /// Labels updated together.
@@ -21,7 +21,7 @@ pub(super) type DenseFactors = [[f32; 2]; ROWS];
 /// Which terms a message adds up, and how.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct FullPotential<'a> {
-    /// The [`super::sparse_update::edge_factors`] of each lane.
+    /// The [`super::pair_table::edge_factors`] of each lane.
     pub near: &'a Lanes,
     /// Likewise.
     pub far: &'a Lanes,

@@ -3,9 +3,9 @@
 use super::block_plan::BLOCK_LANES;
 use std::ops::{Deref, DerefMut};
 
-/// Labels treated together between two turns of [`super::turning`]: with all lanes of a block they fill 12 KiB, part of
+/// Labels treated together at a time: with all lanes of a block they fill 12 KiB, part of
 /// the fastest cache.
-pub(super) const CHUNK: usize = 128;
+pub(super) const CHUNK: usize = 64;
 
 /// One number for each lane of a block.
 #[derive(Debug, Clone, Copy, PartialEq)]

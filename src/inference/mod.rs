@@ -25,24 +25,28 @@ mod fixed_point;
 mod flooding;
 mod full_update;
 mod kernel;
+mod label_rows;
 mod lanes;
 mod lower_bound;
 #[cfg(test)]
 mod lower_bound_tests;
 mod message_store;
+mod message_writer;
 #[cfg(test)]
 mod method_tests;
+mod narrow_order;
 mod options;
 #[cfg(test)]
 mod oracle;
 mod outcome;
+mod pair_table;
 mod randomised;
 mod residual;
 mod sparse_update;
 mod sweep_order;
 #[cfg(test)]
 mod tests;
-mod turning;
+mod vector;
 
 pub use active::{
     ActiveModel, ActiveOutcome, ActivePropagation, ActiveSets, CandidateError, Candidates, Evidence, FeaturePotentials,

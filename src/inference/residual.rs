@@ -17,8 +17,9 @@ use super::beliefs::{belief_row, peak};
 use super::block_plan::{BLOCK_LANES, BlockVariable};
 use super::kernel::{Kernel, lane_factors};
 use super::lanes::Lanes;
+use super::message_writer::Finish;
 use super::outcome::{BpIteration, BpOutcome, BpStop, Decoded, Progress};
-use super::sparse_update::{Finish, Scratch};
+use super::sparse_update::Scratch;
 use crate::graph::EdgeGraph;
 use crate::observe::{Cancelled, Observer, checkpoint};
 use multiversion::multiversion;
@@ -265,10 +266,10 @@ impl Residual {
             .zip(blocks)
             .map(|(place, block)| {
                 let row = |edge: u32| &messages[edge as usize * kernel.stride..][..kernel.stride];
-                let largest = kernel.cavity(row, block, &mut place.scratch);
+                let totals = kernel.cavity(row, block, &mut place.scratch);
                 let graph = &kernel.model.variables;
                 let (near, far) = lane_factors(block_edges(graph, block).map(|edge| factors[edge]));
-                let top = kernel.update((&near, &far), &largest, &mut place.scratch);
+                let top = kernel.update((&near, &far), &totals, &mut place.scratch);
                 let finish = Finish { floor: kernel.options.floor, damping: kernel.options.damping };
                 let n = kernel.model.n_labels();
                 block_edges(graph, block)

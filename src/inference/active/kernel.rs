@@ -7,7 +7,7 @@
 // The dispatch to instruction sets that `multiversion` generates needs unsafe calls; nothing here does itself.
 #![allow(unsafe_code)]
 
-use super::super::sparse_update::Finish;
+use super::super::message_writer::Finish;
 use super::plan::{LANES, NearLists};
 use multiversion::multiversion;
 use wide::f32x4;

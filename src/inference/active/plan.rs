@@ -5,7 +5,7 @@
 //! found once for a choice of candidates, by marking the candidates of the variable in a row over all labels and
 //! reading that row at `N_r(y)`, and are read front to back in every iteration.
 
-use super::super::sparse_update::PairTable;
+use super::super::pair_table::PairTable;
 use super::model::ActiveModel;
 use rayon::prelude::*;
 use std::ops::Range;

@@ -3,7 +3,8 @@
 use super::super::beliefs::{belief_row, belief_spread};
 use super::super::options::{BpOptions, Product};
 use super::super::outcome::{BpIteration, BpOutcome, BpStop};
-use super::super::sparse_update::{Finish, PairTable, edge_factors};
+use super::super::message_writer::Finish;
+use super::super::pair_table::{PairTable, edge_factors};
 use super::kernel::{Octet, Scratch, max_uniform, max_weighted, sum_uniform, sum_weighted};
 use super::model::ActiveModel;
 use super::plan::{Group, LANES, Layout, NearLists, groups};

@@ -1,0 +1,99 @@
+//! Neighbourhoods of labels as rows of one length, for loops without a branch that depends on the label.
+//!
+//! Where every row has a length of its own, the processor guesses at the end of most of them and guesses wrong, which
+//! costs as much as half a row. Here all rows are equally long: shorter ones are filled up with a label that adds
+//! nothing, and what longer ones have more is listed apart, chunk by chunk.
+
+use super::lanes::CHUNK;
+
+/// Rows of labels.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct LabelRows {
+    width: usize,
+    /// Row after row.
+    members: Vec<u32>,
+    /// What rows have beyond the width: their label, and the member.
+    more: Vec<[u32; 2]>,
+    /// Where the part of `more` of each chunk of labels starts, and the end of the last.
+    more_starts: Vec<u32>,
+}
+
+impl LabelRows {
+    /// The rows of labels `0..n`; `filler(y)` fills up that of `y`. Cost `O(members)`.
+    pub fn new<'a>(n: usize, row: impl Fn(usize) -> &'a [u32], filler: impl Fn(usize) -> u32) -> Self {
+        let width = best_width((0..n).map(|y| row(y).len()));
+        let mut rows =
+            LabelRows { width, members: Vec::with_capacity(n * width), more: Vec::new(), more_starts: vec![0] };
+        for y in 0..n {
+            let (fixed, more) = row(y).split_at(width.min(row(y).len()));
+            rows.members.extend_from_slice(fixed);
+            rows.members.resize((y + 1) * width, filler(y));
+            rows.more.extend(more.iter().map(|&x| [y as u32, x]));
+            if (y + 1) % CHUNK == 0 || y + 1 == n {
+                rows.more_starts.push(rows.more.len() as u32);
+            }
+        }
+        rows
+    }
+
+    /// Members of a row that stand in [`LabelRows::members`].
+    pub fn width(&self) -> usize {
+        self.width
+    }
+
+    /// The rows of a chunk of [`CHUNK`] labels, one after the other; the last chunk may be shorter.
+    pub fn members(&self, chunk: usize) -> &[u32] {
+        let end = ((chunk + 1) * CHUNK * self.width).min(self.members.len());
+        &self.members[(chunk * CHUNK * self.width).min(end)..end]
+    }
+
+    /// What rows of the chunk have beyond the width: label and member.
+    pub fn more(&self, chunk: usize) -> &[[u32; 2]] {
+        match self.more_starts.get(chunk..chunk + 2) {
+            Some(&[start, end]) => &self.more[start as usize..end as usize],
+            _ => &[],
+        }
+    }
+}
+
+/// The width of lowest cost: a place in a row costs one, a member listed apart two, since what was made of its row so
+/// far has to be read and written again.
+fn best_width(lengths: impl Iterator<Item = usize>) -> usize {
+    let mut count = Vec::new();
+    for length in lengths {
+        if count.len() <= length {
+            count.resize(length + 1, 0usize);
+        }
+        count[length] += 1;
+    }
+    let n: usize = count.iter().sum();
+    let cost = |width: usize| {
+        let apart: usize = count.iter().enumerate().map(|(length, n)| n * length.saturating_sub(width)).sum();
+        n * width + 2 * apart
+    };
+    (1..count.len().max(2)).min_by_key(|&width| cost(width)).unwrap_or(1)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    proptest! {
+        #[test]
+        fn rows_keep_their_members_and_are_filled_up(
+            rows in prop::collection::vec(prop::collection::vec(0u32..999, 1..30), 1..300),
+        ) {
+            let made = LabelRows::new(rows.len(), |y| &rows[y], |y| 1000 + y as u32);
+            for (y, row) in rows.iter().enumerate() {
+                let (chunk, at) = (y / CHUNK, y % CHUNK);
+                let fixed = &made.members(chunk)[at * made.width()..][..made.width()];
+                let more = made.more(chunk).iter().filter(|[label, _]| *label == y as u32).map(|&[_, x]| x);
+                let found: Vec<u32> = fixed.iter().copied().filter(|&x| x != 1000 + y as u32).chain(more).collect();
+                prop_assert_eq!(&found, row);
+            }
+            prop_assert_eq!(made.members(rows.len().div_ceil(CHUNK)).len(), 0);
+            prop_assert_eq!(made.more(rows.len().div_ceil(CHUNK)).len(), 0);
+        }
+    }
+}

@@ -1,0 +1,304 @@
+//! Eight numbers of 32 bits in a register, and what the dense kernel does with them.
+//!
+//! Loops are written once, over [`Vector`], and compiled for two kinds of it: [`Plain`] for any machine and [`Avx2`] for
+//! those that have AVX2. Each operation is one rounding or none in both, so that both give the same bits; a test
+//! holds them equal. By hand, because of the turn of eight rows into eight columns: what the compiler makes of it goes
+//! through memory, number by number.
+
+// Intrinsics need unsafe calls where a vector goes to memory, and outside functions that are compiled for AVX2.
+#![allow(unsafe_code)]
+
+use wide::f32x4;
+
+/// Numbers in a vector.
+pub(super) const WIDTH: usize = 8;
+
+/// Eight numbers; all operations number by number.
+pub(super) trait Vector: Copy {
+    /// The same number eight times.
+    fn splat(value: f32) -> Self;
+    /// From memory, at any address.
+    fn load(from: &[f32; WIDTH]) -> Self;
+    /// To memory, at any address.
+    fn store(self, to: &mut [f32; WIDTH]);
+    /// `self + other`.
+    fn add(self, other: Self) -> Self;
+    /// `self − other`.
+    fn sub(self, other: Self) -> Self;
+    /// `self · other`.
+    fn mul(self, other: Self) -> Self;
+    /// `self` where it is larger, else `other`.
+    fn max(self, other: Self) -> Self;
+    /// Without its sign.
+    fn abs(self) -> Self;
+    /// `a` where `self` is larger than `other`, else `b`.
+    fn choose_if_above(self, other: Self, a: Self, b: Self) -> Self;
+    /// Column `k` of eight rows, for every `k`.
+    fn turn(rows: [Self; WIDTH]) -> [Self; WIDTH];
+    /// [`Vector::turn`] of rows in memory.
+    fn load_turned(rows: [&[f32; WIDTH]; WIDTH]) -> [Self; WIDTH];
+    /// Asks for the line that holds `values[at]`, if there is such a number, to be brought into the nearest cache.
+    fn prefetch(values: &[f32], at: usize);
+    /// Likewise into the second nearest.
+    fn prefetch_far(values: &[f32], at: usize);
+}
+
+/// A vector on any machine.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Plain([f32; WIDTH]);
+
+impl Plain {
+    #[inline(always)]
+    fn zip(self, other: Self, f: impl Fn(f32, f32) -> f32) -> Self {
+        Plain(std::array::from_fn(|k| f(self.0[k], other.0[k])))
+    }
+
+    /// The quad from number `4 · half` on.
+    #[inline(always)]
+    fn quad(self, half: usize) -> f32x4 {
+        f32x4::from([self.0[4 * half], self.0[4 * half + 1], self.0[4 * half + 2], self.0[4 * half + 3]])
+    }
+}
+
+impl Vector for Plain {
+    #[inline(always)]
+    fn splat(value: f32) -> Self {
+        Plain([value; WIDTH])
+    }
+
+    #[inline(always)]
+    fn load(from: &[f32; WIDTH]) -> Self {
+        Plain(*from)
+    }
+
+    #[inline(always)]
+    fn store(self, to: &mut [f32; WIDTH]) {
+        *to = self.0;
+    }
+
+    #[inline(always)]
+    fn add(self, other: Self) -> Self {
+        self.zip(other, |a, b| a + b)
+    }
+
+    #[inline(always)]
+    fn sub(self, other: Self) -> Self {
+        self.zip(other, |a, b| a - b)
+    }
+
+    #[inline(always)]
+    fn mul(self, other: Self) -> Self {
+        self.zip(other, |a, b| a * b)
+    }
+
+    #[inline(always)]
+    fn max(self, other: Self) -> Self {
+        self.zip(other, |a, b| if a > b { a } else { b })
+    }
+
+    #[inline(always)]
+    fn abs(self) -> Self {
+        Plain(self.0.map(f32::abs))
+    }
+
+    #[inline(always)]
+    fn choose_if_above(self, other: Self, a: Self, b: Self) -> Self {
+        Plain(std::array::from_fn(|k| if self.0[k] > other.0[k] { a.0[k] } else { b.0[k] }))
+    }
+
+    #[inline(always)]
+    fn turn(rows: [Self; WIDTH]) -> [Self; WIDTH] {
+        // Four turns of 4 × 4 numbers: `parts[b][a]` are rows 4b.. of columns 4a...
+        let part = |a: usize, b: usize| f32x4::transpose(std::array::from_fn(|k| rows[4 * b + k].quad(a)));
+        let parts = [[part(0, 0), part(1, 0)], [part(0, 1), part(1, 1)]];
+        std::array::from_fn(|x| {
+            let (low, high) = (parts[0][x / 4][x % 4].to_array(), parts[1][x / 4][x % 4].to_array());
+            Plain([low[0], low[1], low[2], low[3], high[0], high[1], high[2], high[3]])
+        })
+    }
+
+    #[inline(always)]
+    fn load_turned(rows: [&[f32; WIDTH]; WIDTH]) -> [Self; WIDTH] {
+        Self::turn(rows.map(Self::load))
+    }
+
+    #[inline(always)]
+    fn prefetch(_: &[f32], _: usize) {}
+
+    #[inline(always)]
+    fn prefetch_far(_: &[f32], _: usize) {}
+}
+
+#[cfg(target_arch = "x86_64")]
+pub(super) use avx2::Avx2;
+
+#[cfg(target_arch = "x86_64")]
+mod avx2 {
+    use super::{Vector, WIDTH};
+    use std::arch::x86_64::*;
+
+    /// A vector of a machine that has AVX2. To be used in functions that are compiled for AVX2 and entered only where
+    /// the machine has it: `#[multiversion]` sees to that, and `match_target!` names this type nowhere else.
+    #[derive(Clone, Copy)]
+    pub(in super::super) struct Avx2(__m256);
+
+    // SAFETY, of every call below: the machine has AVX2, as is said of the type; loads and stores are of memory that is
+    // borrowed for that, at any alignment; a prefetch may be of any address.
+    impl Vector for Avx2 {
+        #[inline(always)]
+        fn splat(value: f32) -> Self {
+            Avx2(unsafe { _mm256_set1_ps(value) })
+        }
+
+        #[inline(always)]
+        fn load(from: &[f32; WIDTH]) -> Self {
+            Avx2(unsafe { _mm256_loadu_ps(from.as_ptr()) })
+        }
+
+        #[inline(always)]
+        fn store(self, to: &mut [f32; WIDTH]) {
+            unsafe { _mm256_storeu_ps(to.as_mut_ptr(), self.0) }
+        }
+
+        #[inline(always)]
+        fn add(self, other: Self) -> Self {
+            Avx2(unsafe { _mm256_add_ps(self.0, other.0) })
+        }
+
+        #[inline(always)]
+        fn sub(self, other: Self) -> Self {
+            Avx2(unsafe { _mm256_sub_ps(self.0, other.0) })
+        }
+
+        #[inline(always)]
+        fn mul(self, other: Self) -> Self {
+            Avx2(unsafe { _mm256_mul_ps(self.0, other.0) })
+        }
+
+        #[inline(always)]
+        fn max(self, other: Self) -> Self {
+            Avx2(unsafe { _mm256_max_ps(self.0, other.0) })
+        }
+
+        #[inline(always)]
+        fn abs(self) -> Self {
+            Avx2(unsafe { _mm256_andnot_ps(_mm256_set1_ps(-0.0), self.0) })
+        }
+
+        #[inline(always)]
+        fn choose_if_above(self, other: Self, a: Self, b: Self) -> Self {
+            Avx2(unsafe { _mm256_blendv_ps(b.0, a.0, _mm256_cmp_ps::<_CMP_GT_OQ>(self.0, other.0)) })
+        }
+
+        #[inline(always)]
+        fn turn([a, b, c, d, e, f, g, h]: [Self; WIDTH]) -> [Self; WIDTH] {
+            unsafe {
+                let low = |x: Avx2, y: Avx2| _mm256_permute2f128_ps::<0x20>(x.0, y.0);
+                let high = |x: Avx2, y: Avx2| _mm256_permute2f128_ps::<0x31>(x.0, y.0);
+                let [p, q, r, s] = quads([low(a, e), low(b, f), low(c, g), low(d, h)]);
+                let [t, u, v, w] = quads([high(a, e), high(b, f), high(c, g), high(d, h)]);
+                [p, q, r, s, t, u, v, w].map(Avx2)
+            }
+        }
+
+        #[inline(always)]
+        fn load_turned([a, b, c, d, e, f, g, h]: [&[f32; WIDTH]; WIDTH]) -> [Self; WIDTH] {
+            unsafe {
+                // Halves of two rows in one register are two loads and no shuffle.
+                let low = |x: &[f32; WIDTH], y: &[f32; WIDTH]| _mm256_loadu2_m128(y.as_ptr(), x.as_ptr());
+                let high = |x: &[f32; WIDTH], y: &[f32; WIDTH]| _mm256_loadu2_m128(y[4..].as_ptr(), x[4..].as_ptr());
+                let [p, q, r, s] = quads([low(a, e), low(b, f), low(c, g), low(d, h)]);
+                let [t, u, v, w] = quads([high(a, e), high(b, f), high(c, g), high(d, h)]);
+                [p, q, r, s, t, u, v, w].map(Avx2)
+            }
+        }
+
+        #[inline(always)]
+        fn prefetch_far(values: &[f32], at: usize) {
+            unsafe { _mm_prefetch::<_MM_HINT_T1>(values.as_ptr().wrapping_add(at).cast()) }
+        }
+
+        #[inline(always)]
+        fn prefetch(values: &[f32], at: usize) {
+            // Past the end it is an address like any other, which nothing is read from.
+            unsafe { _mm_prefetch::<_MM_HINT_T0>(values.as_ptr().wrapping_add(at).cast()) }
+        }
+    }
+
+    /// The turns of four rows in both halves of a register.
+    ///
+    /// # Safety
+    /// The machine has AVX2.
+    #[inline(always)]
+    unsafe fn quads([a, b, c, d]: [__m256; 4]) -> [__m256; 4] {
+        unsafe {
+            let (p, q) = (_mm256_unpacklo_ps(a, b), _mm256_unpackhi_ps(a, b));
+            let (r, s) = (_mm256_unpacklo_ps(c, d), _mm256_unpackhi_ps(c, d));
+            [
+                _mm256_shuffle_ps::<0x44>(p, r),
+                _mm256_shuffle_ps::<0xee>(p, r),
+                _mm256_shuffle_ps::<0x44>(q, s),
+                _mm256_shuffle_ps::<0xee>(q, s),
+            ]
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use multiversion::multiversion;
+    use multiversion::target::match_target;
+    use proptest::prelude::*;
+
+    /// What every operation makes of two vectors, and of eight rows.
+    #[inline(always)]
+    fn everything<V: Vector>(rows: &[[f32; WIDTH]; WIDTH]) -> Vec<[u32; WIDTH]> {
+        let loaded: [V; WIDTH] = std::array::from_fn(|k| V::load(&rows[k]));
+        let (a, b) = (loaded[0], loaded[1]);
+        V::prefetch(&rows[0], 3);
+        V::prefetch_far(&rows[0], 99);
+        let mut made = vec![V::splat(rows[0][0]), a.add(b), a.sub(b), a.mul(b), a.max(b), b.max(a), a.abs()];
+        made.push(a.choose_if_above(b, loaded[2], loaded[3]));
+        made.extend(V::turn(loaded));
+        made.extend(V::load_turned(std::array::from_fn(|k| &rows[k])));
+        let bits = |vector: V| {
+            let mut numbers = [0.0; WIDTH];
+            vector.store(&mut numbers);
+            numbers.map(f32::to_bits)
+        };
+        made.into_iter().map(bits).collect()
+    }
+
+    #[multiversion(targets("x86_64+avx2"))]
+    fn on_this_machine(rows: &[[f32; WIDTH]; WIDTH]) -> Vec<[u32; WIDTH]> {
+        match_target! {
+            "x86_64+avx2" => everything::<Avx2>(rows),
+            _ => everything::<Plain>(rows),
+        }
+    }
+
+    proptest! {
+        #[test]
+        fn both_kinds_of_vector_give_the_same_bits(entropy in prop::collection::vec(-2.0f32..2.0, 64), same in any::<bool>()) {
+            let mut rows = [[0.0; WIDTH]; WIDTH];
+            rows.as_flattened_mut().copy_from_slice(&entropy);
+            if same {
+                rows[1][3] = rows[0][3];
+                rows[1][4] = -0.0;
+                rows[0][4] = 0.0;
+            }
+            prop_assert_eq!(on_this_machine(&rows), everything::<Plain>(&rows));
+        }
+
+        #[test]
+        fn a_turn_puts_columns_into_rows(entropy in prop::collection::vec(-2.0f32..2.0, 64)) {
+            let mut rows = [[0.0; WIDTH]; WIDTH];
+            rows.as_flattened_mut().copy_from_slice(&entropy);
+            let turned = Plain::turn(rows.map(Plain));
+            for (x, column) in turned.iter().enumerate() {
+                prop_assert!((0..WIDTH).all(|k| column.0[k] == rows[k][x]));
+            }
+        }
+    }
+}

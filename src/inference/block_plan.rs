@@ -4,7 +4,6 @@
 //! neighbours is spread over several blocks. The plan also fixes where a message lies in memory: messages of one
 //! block are neighbours, so that a block owns one contiguous piece of the output.
 
-use super::narrow_order::narrow_order;
 use crate::graph::EdgeGraph;
 
 /// Numbers of 32 bits in the widest vector, 512 bits; rows over the labels are a multiple of it long.
@@ -47,9 +46,9 @@ pub(super) struct BlockPlan {
 impl BlockPlan {
     /// Packs the outgoing edges of every variable of `graph`. Cost `O(|E→|)`.
     pub fn new(graph: &EdgeGraph) -> Self {
-        // Pieces (variable, first slot, length), in an order in which neighbours are near.
+        // Pieces (variable, first slot, length), in the order of the variables.
         let mut pieces = Vec::new();
-        for i in narrow_order(graph).into_iter().map(|i| i as usize) {
+        for i in 0..graph.n_vertices() {
             let degree = graph.row(i).len();
             let mut start = 0;
             while start < degree {

@@ -1,9 +1,8 @@
 //! Cavity products of one block: `h_{i→j}(x) = φ_i(x) Π_{k ∈ N(i)\j} m_{k→i}(x)` for each of its lanes.
 //!
-//! Eight labels at a time: the products of a variable's messages from the first on and from the last on, whose meeting
-//! leaves out one, all in registers; turned there, so that the lanes of one label lie side by side. A chunk of labels
-//! of all variables before the next one, so that what is written stays in the nearest cache until the block's lanes are
-//! complete. The belief, which is the whole product, is decoded on the way.
+//! A chunk of labels at a time: the products of a variable's messages from the first on and from the last on, whose
+//! meeting leaves out one; contiguous rows all the way, in registers. Then the chunk is turned, so that the lanes of one
+//! label lie side by side. The belief, which is the whole product, is decoded on the way.
 
 // The dispatch to instruction sets that `multiversion` generates needs unsafe calls; nothing here does itself.
 #![allow(unsafe_code)]
@@ -65,11 +64,12 @@ pub(super) struct BeliefPeak {
 pub(super) struct CavityTotals {
     /// Their maxima.
     pub largest: Lanes,
-    /// Their sums, label by label.
+    /// Their sums, label after label; 0 if nobody asked for them.
     pub sum: Lanes,
 }
 
-/// Writes the cavity products of all lanes of a block to `cavity`, label by label, and returns their totals.
+/// Writes the cavity products of all lanes of a block to `cavity`, label by label, and returns their totals, sums only
+/// if `with_sums`.
 ///
 /// `phi` has the row of every variable of the block, `messages` the incoming rows of all of them, one variable after
 /// the other; all rows are as long as `cavity`, a multiple of [`WIDTH`], and beyond the labels `phi` is 0.
@@ -79,12 +79,12 @@ pub(super) fn cavity_products(
     phi: &[&[f32]],
     messages: &[&[f32]],
     variables: &[BlockVariable],
-    chains: &mut Chains,
+    (chains, with_sums): (&mut Chains, bool),
     cavity: &mut [Lanes],
 ) -> CavityTotals {
     match_target! {
-        "x86_64+avx2" => products::<Avx2>(phi, messages, variables, chains, cavity),
-        _ => products::<Plain>(phi, messages, variables, chains, cavity),
+        "x86_64+avx2" => products::<Avx2>(phi, messages, variables, (chains, with_sums), cavity),
+        _ => products::<Plain>(phi, messages, variables, (chains, with_sums), cavity),
     }
 }
 
@@ -93,7 +93,7 @@ fn products<V: Vector>(
     phi: &[&[f32]],
     messages: &[&[f32]],
     variables: &[BlockVariable],
-    chains: &mut Chains,
+    (chains, with_sums): (&mut Chains, bool),
     cavity: &mut [Lanes],
 ) -> CavityTotals {
     chains.beliefs.clear();
@@ -108,28 +108,54 @@ fn products<V: Vector>(
             let phi = &phi[at][start..start + turned.len()];
             // The degrees of nearly all vertices of triangle and quad meshes.
             match incoming.len() {
-                3 => multiply_few::<V, 3>(phi, incoming, (at, of.lane), chains, start, turned),
-                4 => multiply_few::<V, 4>(phi, incoming, (at, of.lane), chains, start, turned),
-                5 => multiply_few::<V, 5>(phi, incoming, (at, of.lane), chains, start, turned),
-                6 => multiply_few::<V, 6>(phi, incoming, (at, of.lane), chains, start, turned),
-                7 => multiply_few::<V, 7>(phi, incoming, (at, of.lane), chains, start, turned),
-                8 => multiply_few::<V, 8>(phi, incoming, (at, of.lane), chains, start, turned),
-                _ => multiply_many::<V>(phi, incoming, (at, of), chains, start, turned),
+                3 => multiply_few::<V, 3>(phi, incoming, (at, of.lane), chains, start),
+                4 => multiply_few::<V, 4>(phi, incoming, (at, of.lane), chains, start),
+                5 => multiply_few::<V, 5>(phi, incoming, (at, of.lane), chains, start),
+                6 => multiply_few::<V, 6>(phi, incoming, (at, of.lane), chains, start),
+                7 => multiply_few::<V, 7>(phi, incoming, (at, of.lane), chains, start),
+                8 => multiply_few::<V, 8>(phi, incoming, (at, of.lane), chains, start),
+                _ => multiply_many::<V>(phi, incoming, (at, of), chains, start),
             }
         }
-        for h in turned.iter() {
-            for k in 0..BLOCK_LANES {
-                totals.largest[k] = if h[k] > totals.largest[k] { h[k] } else { totals.largest[k] };
-            }
-            for k in 0..BLOCK_LANES {
-                totals.sum[k] += h[k];
-            }
+        if with_sums {
+            turn_chunk::<V, true>(&chains.rows, turned, &mut totals);
+        } else {
+            turn_chunk::<V, false>(&chains.rows, turned, &mut totals);
         }
     }
     totals
 }
 
-/// The products of one variable of `D` neighbours over one chunk of labels, from label `start` on, into the lanes from
+/// `turned[x][l] = rows[l][x]` for the labels that `turned` has; adds them to the totals, to the sums if `SUMS`.
+#[inline(always)]
+fn turn_chunk<V: Vector, const SUMS: bool>(rows: &ChunkRows, turned: &mut [Lanes], totals: &mut CavityTotals) {
+    for (group, rows) in rows.as_chunks::<WIDTH>().0.iter().enumerate() {
+        let lanes = group * WIDTH..(group + 1) * WIDTH;
+        let (Some(largest), Some(sums)) =
+            (totals.largest[lanes.clone()].first_chunk_mut(), totals.sum[lanes.clone()].first_chunk_mut())
+        else {
+            continue;
+        };
+        let (mut top, mut sum) = (V::load(largest), V::load(sums));
+        let rows: [&[[f32; WIDTH]]; WIDTH] = std::array::from_fn(|l| rows[l].as_chunks().0);
+        for (tile, turned) in turned.as_chunks_mut::<WIDTH>().0.iter_mut().enumerate() {
+            let columns = V::load_turned(std::array::from_fn(|l| &rows[l][tile]));
+            for (column, turned) in columns.into_iter().zip(turned) {
+                top = column.max(top);
+                if SUMS {
+                    sum = sum.add(column);
+                }
+                if let Some(turned) = turned[lanes.clone()].first_chunk_mut() {
+                    column.store(turned);
+                }
+            }
+        }
+        top.store(largest);
+        sum.store(sums);
+    }
+}
+
+/// The products of one variable of `D` neighbours over one chunk of labels, from label `start` on, into the rows from
 /// `lane` on. The variable is number `at` of its block.
 #[inline(always)]
 fn multiply_few<V: Vector, const D: usize>(
@@ -138,15 +164,15 @@ fn multiply_few<V: Vector, const D: usize>(
     (at, lane): (usize, usize),
     chains: &mut Chains,
     start: usize,
-    turned: &mut [Lanes],
 ) {
     let n = phi.len() / WIDTH;
     let messages: [&[[f32; WIDTH]]; D] =
         std::array::from_fn(|slot| &incoming[slot][start..start + phi.len()].as_chunks().0[..n]);
+    let Some(rows) = chains.rows[lane..].first_chunk_mut::<D>() else { return };
+    let rows = rows.each_mut().map(|row| &mut row.as_chunks_mut::<WIDTH>().0[..n]);
     let scale = V::splat(CHAIN_SCALE);
     let mut peak = Peak::<V>::load(&chains.beliefs[at]);
-    let tiles = phi.as_chunks::<WIDTH>().0.iter().zip(turned.as_chunks_mut::<WIDTH>().0);
-    for (tile, (phi, turned)) in tiles.enumerate() {
+    for (tile, phi) in phi.as_chunks::<WIDTH>().0.iter().enumerate() {
         if tile % 2 == 0 {
             for row in &messages {
                 V::prefetch(row.as_flattened(), tile * WIDTH + CHUNK);
@@ -160,22 +186,9 @@ fn multiply_few<V: Vector, const D: usize>(
         }
         peak.add(product, start / WIDTH + tile);
         let mut after = scale;
-        let mut rows = [V::splat(0.0); WIDTH];
         for slot in (0..D).rev() {
-            rows[slot] = before[slot].mul(after);
+            before[slot].mul(after).store(&mut rows[slot][tile]);
             after = after.mul(V::load(&messages[slot][tile]));
-        }
-        let columns = V::turn(rows);
-        for (column, turned) in columns.into_iter().zip(turned) {
-            // Numbers beyond the lanes of this variable fall on those of the next one, which are written after.
-            match turned[lane..].first_chunk_mut() {
-                Some(lanes) => column.store(lanes),
-                None => {
-                    let mut lanes = [0.0; WIDTH];
-                    column.store(&mut lanes);
-                    turned[lane..lane + D].copy_from_slice(&lanes[..D]);
-                }
-            }
         }
     }
     peak.store(&mut chains.beliefs[at]);
@@ -189,7 +202,6 @@ fn multiply_many<V: Vector>(
     (at, of): (usize, &BlockVariable),
     chains: &mut Chains,
     start: usize,
-    turned: &mut [Lanes],
 ) {
     let length = phi.len();
     let Chains { forward, backward, rows, beliefs } = chains;
@@ -214,18 +226,13 @@ fn multiply_many<V: Vector>(
     backward.fill(CHAIN_SCALE);
     for slot in (of.slots.start..incoming.len()).rev() {
         if slot < of.slots.end {
-            let row = &mut rows[slot - of.slots.start][..length];
+            let row = &mut rows[of.lane + slot - of.slots.start][..length];
             for (product, (&a, &b)) in row.iter_mut().zip(forward[slot].iter().zip(backward.iter())) {
                 *product = a * b;
             }
         }
         for (product, &message) in backward.iter_mut().zip(&incoming[slot][start..start + length]) {
             *product *= message;
-        }
-    }
-    for (x, turned) in turned.iter_mut().enumerate() {
-        for (lane, row) in turned[of.lane..][..of.slots.len()].iter_mut().zip(rows.iter()) {
-            *lane = row[x];
         }
     }
 }
@@ -311,7 +318,7 @@ mod tests {
             let mut cavity = vec![Lanes::splat(0.0); stride];
             let mut chains = Chains::new();
             let messages: Vec<&[f32]> = messages.iter().map(Vec::as_slice).collect();
-            let CavityTotals { largest, sum } = cavity_products(&[phi], &messages, std::slice::from_ref(&of), &mut chains, &mut cavity);
+            let CavityTotals { largest, sum } = cavity_products(&[phi], &messages, std::slice::from_ref(&of), (&mut chains, true), &mut cavity);
             let scale = f64::from(CHAIN_SCALE);
             for (lane, slot) in (lane..).zip(of.slots.clone()) {
                 for x in 0..stride {

@@ -36,7 +36,8 @@ impl Kernel<'_> {
     ) -> CavityTotals {
         let phi: Vec<&[f32]> = variables.iter().map(|of| self.phi_row(of.variable)).collect();
         let messages: Vec<&[f32]> = variables.iter().flat_map(|of| &of.incoming).map(|&row| message(row)).collect();
-        cavity_products(&phi, &messages, variables, &mut scratch.chains, &mut scratch.cavity[..self.stride])
+        let chains = (&mut scratch.chains, self.options.product == Product::Sum);
+        cavity_products(&phi, &messages, variables, chains, &mut scratch.cavity[..self.stride])
     }
 
     /// `φ` of a variable.

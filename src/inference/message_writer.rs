@@ -101,7 +101,7 @@ impl Group {
             None => &[],
         });
         let mut after = new.chunks_exact_mut(self.stride);
-        let mut new: [&mut [[f32; WIDTH]]; WIDTH] = std::array::from_fn(|_| match after.next() {
+        let new: [&mut [[f32; WIDTH]]; WIDTH] = std::array::from_fn(|_| match after.next() {
             Some(row) => &mut row[self.labels.clone()].as_chunks_mut().0[..n],
             None => &mut [],
         });

@@ -34,7 +34,6 @@ mod message_store;
 mod message_writer;
 #[cfg(test)]
 mod method_tests;
-mod narrow_order;
 mod options;
 #[cfg(test)]
 mod oracle;

@@ -2,11 +2,11 @@
 //!
 //! # What bounds it
 //! An iteration reads and writes every message once, `2 · 4 · |E→| · n` bytes, and does `|E→| · n` times as many
-//! operations as one value of a message needs: with max-product and `β = 0` one maximum for each member of `N_1`, `r`
-//! times over, else a few for each member of `N_r`. The bytes over the bandwidth of the memory, or the operations over
-//! the rate of the vector units, whichever is longer, is the time below which no iteration can go; `benches/kernel.rs`
-//! measures all three in one run. Between the two lie the products of the messages (four operations a value) and the
-//! turns between rows and lanes (one).
+//! operations as one value of a message needs: three products of messages, and with max-product and `β = 0` one maximum
+//! for each member of `N_1`, `r` times over, else a few operations for each member of `N_r`. The bytes over the rate at
+//! which memory is changed in place, or the operations over the rate of the vector units, whichever is longer, is the
+//! time below which no iteration can go; `benches/kernel.rs` measures all in one run. On top come the turns between rows
+//! and lanes, and scaling, damping and comparing, seven operations a value.
 
 use super::block_plan::{Block, BlockPlan};
 use super::kernel::{Kernel, lane_factors};

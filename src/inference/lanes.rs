@@ -3,8 +3,7 @@
 use super::block_plan::BLOCK_LANES;
 use std::ops::{Deref, DerefMut};
 
-/// Labels treated together at a time: with all lanes of a block they fill 12 KiB, part of
-/// the fastest cache.
+/// Labels treated together: with all lanes of a block they fill 6 KiB, part of the fastest cache.
 pub(super) const CHUNK: usize = 64;
 
 /// One number for each lane of a block.

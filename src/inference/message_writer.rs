@@ -108,6 +108,8 @@ impl Group {
         let (floor, damping) = (V::splat(self.floor), V::splat(self.damping));
         let mut most = change;
         for (tile, lanes) in updated.as_chunks::<WIDTH>().0.iter().enumerate() {
+            // What the next chunk needs of these rows is asked for now, a line of the cache every second tile: the rows
+            // are too many, and their pieces too short, for the processor to see what comes next.
             if tile % 2 == 0 {
                 let at = tile * WIDTH;
                 for k in 0..n_rows {

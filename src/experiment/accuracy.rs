@@ -148,7 +148,7 @@ fn cell(accuracy: &Accuracy, method: &str, figure: &Figure) -> Cell {
     }
     let [mean, low, high] = [found.mean, found.low, found.high].map(|v| v * figure.factor);
     let d = figure.digits;
-    Cell::text(&format!("{mean:.d$} [{low:.d$}, {high:.d$}]"))
+    Cell::text(format!("{mean:.d$} [{low:.d$}, {high:.d$}]"))
 }
 
 /// The default against the best of the others.

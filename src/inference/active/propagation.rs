@@ -1,9 +1,9 @@
 //! Messages over candidates, flooding: every message from those of the iteration before.
 
 use super::super::beliefs::{belief_row, belief_spread};
+use super::super::message_writer::Finish;
 use super::super::options::{BpOptions, Product};
 use super::super::outcome::{BpIteration, BpOutcome, BpStop};
-use super::super::message_writer::Finish;
 use super::super::pair_table::{PairTable, edge_factors};
 use super::kernel::{Octet, Scratch, max_uniform, max_weighted, sum_uniform, sum_weighted};
 use super::model::ActiveModel;

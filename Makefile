@@ -92,6 +92,7 @@ bench:
 	@scripts/setup build
 	mkdir -p benches/records
 	$(CARGO) bench --locked --bench matching -- | tee target/bench.md
+	$(CARGO) bench --locked --bench kernel -- | tee -a target/bench.md
 	record="benches/records/$$(date -u +%Y-%m-%d)-$$(git rev-parse --short HEAD 2>/dev/null || echo unknown).md"; \
 	  { echo "# Benchmarks, $$(date -u +%Y-%m-%d); command: make bench"; echo; cat target/bench.md; } > "$$record"; \
 	  echo "record: $$record"

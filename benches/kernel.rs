@@ -14,8 +14,11 @@
 #![allow(clippy::unwrap_used, clippy::print_stdout, unsafe_code)]
 
 use homolog::curvature::{ScaleSpace, gaussian_curvature};
-use homolog::graph::LabelNeighborhoods;
-use homolog::inference::{BeliefPropagation, BpOptions, Product};
+use homolog::graph::{EdgeGraph, LabelNeighborhoods};
+use homolog::inference::{
+    ActiveModel, ActivePropagation, ActiveSets, BeliefPropagation, BpMethod, BpOptions, Evidence, FeaturePotentials,
+    Product, Schedule, Update,
+};
 use homolog::mesh::{SurfaceMesh, canonicalize};
 use homolog::mrf::{Feature, MrfModel, PairwisePotential, unary_potentials};
 use homolog::observe::Silent;
@@ -39,22 +42,47 @@ fn surfaces(edge_mm: f64) -> [SurfaceMesh; 2] {
         .map(|mesh| canonicalize(&mesh).mesh)
 }
 
-fn model([source, target]: &[SurfaceMesh; 2], rings: usize, beta: f64) -> MrfModel {
-    let curvature = |mesh: &SurfaceMesh| gaussian_curvature(&ScaleSpace::new(mesh).smoothed(2.8).unwrap());
-    let feature = Feature { weight: 1.0, source: curvature(source), target: curvature(target) };
-    let variables = source.edge_graph();
-    let length = |i: usize, j: u32| (source.vertices()[i] - source.vertices()[j as usize]).norm() as f32;
-    let lengths = (0..variables.n_vertices())
-        .flat_map(|i| variables.neighbors(i).iter().map(move |&j| (i, j)))
-        .map(|(i, j)| length(i, j))
-        .collect();
-    let distance = |x: usize, y: usize| (target.vertices()[x] - target.vertices()[y]).norm();
+/// What an energy of two surfaces is made of.
+struct Parts {
+    feature: Feature,
+    variables: EdgeGraph,
+    lengths: Vec<f32>,
+    labels: LabelNeighborhoods,
+    length_scale: f64,
+}
+
+impl Parts {
+    fn new([source, target]: &[SurfaceMesh; 2], rings: usize) -> Self {
+        let curvature = |mesh: &SurfaceMesh| gaussian_curvature(&ScaleSpace::new(mesh).smoothed(2.8).unwrap());
+        let variables = source.edge_graph();
+        let length = |i: usize, j: u32| (source.vertices()[i] - source.vertices()[j as usize]).norm() as f32;
+        let lengths = (0..variables.n_vertices())
+            .flat_map(|i| variables.neighbors(i).iter().map(move |&j| (i, j)))
+            .map(|(i, j)| length(i, j))
+            .collect();
+        let distance = |x: usize, y: usize| (target.vertices()[x] - target.vertices()[y]).norm();
+        Parts {
+            feature: Feature { weight: 1.0, source: curvature(source), target: curvature(target) },
+            lengths,
+            labels: LabelNeighborhoods::new(&target.edge_graph(), rings, distance),
+            length_scale: target.mean_edge_length(),
+            variables,
+        }
+    }
+
+    fn pairwise(&self, beta: f64) -> PairwisePotential {
+        PairwisePotential { beta, length_scale: self.length_scale, truncation: 9.2 }
+    }
+}
+
+fn model(surfaces: &[SurfaceMesh; 2], rings: usize, beta: f64) -> MrfModel {
+    let parts = Parts::new(surfaces, rings);
     MrfModel {
-        lengths,
-        labels: LabelNeighborhoods::new(&target.edge_graph(), rings, distance),
-        unary: unary_potentials(&[feature], 2.0, 3.0, 1.0),
-        pairwise: PairwisePotential { beta, length_scale: target.mean_edge_length(), truncation: 9.2 },
-        variables,
+        pairwise: parts.pairwise(beta),
+        unary: unary_potentials(&[parts.feature], 2.0, 3.0, 1.0),
+        lengths: parts.lengths,
+        labels: parts.labels,
+        variables: parts.variables,
     }
 }
 
@@ -160,8 +188,80 @@ fn measure(surfaces: &[SurfaceMesh; 2], threads: usize, iterations: u32) {
     }
 }
 
+/// Most memory that this process ever held, MiB; `None` where the system does not tell.
+fn peak_mib() -> Option<f64> {
+    let status = std::fs::read_to_string("/proc/self/status").ok()?;
+    let line = status.lines().find(|l| l.starts_with("VmHWM:"))?;
+    Some(line.split_whitespace().nth(1)?.parse::<f64>().ok()? / 1024.0)
+}
+
+fn on_threads<T: Send>(threads: usize, work: impl FnOnce() -> T + Send) -> T {
+    rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap().install(work)
+}
+
+/// A sweep over all label pairs, as general engines do, beside one over those that a truncation leaves. Peak memory only
+/// grows, so this comes first, and small surfaces before large ones.
+fn every_pair() {
+    println!("\n## A sweep over every pair of labels, one thread, max-product with a distance term, r = 2\n");
+    println!(
+        "| variables x labels | full update, ms | label pairs, 1e9/s | sparse update, ms | peak memory of the process, MiB |\n\
+         |---|---|---|---|---|"
+    );
+    for edge_mm in [2.2, 1.21] {
+        let model = model(&surfaces(edge_mm), 2, 0.5);
+        let options = BpOptions { product: Product::Max, damping: 0.5, floor: 1e-5, tolerance: 0.0 };
+        let sweep = |update| {
+            let method = BpMethod { update, schedule: Schedule::Flooding };
+            let mut bp = BeliefPropagation::with_method(&model, options, method);
+            bp.run(1, &Silent, |_| ()).unwrap();
+            let mut run = |iterations| fastest(3, || drop(bp.run(iterations, &Silent, |_| ()).unwrap()));
+            (run(4) - run(1)) / 3.0
+        };
+        let (full, sparse) = on_threads(1, || (sweep(Update::Full), sweep(Update::Sparse)));
+        let pairs = model.variables.n_directed_edges() as f64 * (model.n_labels() as f64).powi(2);
+        println!(
+            "| {} x {} | {:.1} | {:.2} | {:.2} | {:.0} |",
+            model.n_variables(),
+            model.n_labels(),
+            full * 1e3,
+            pairs / full / 1e9,
+            sparse * 1e3,
+            peak_mib().unwrap_or(f64::NAN)
+        );
+    }
+}
+
+/// An iteration in which every variable holds its best labels by feature, on surfaces of about 10,000 vertices.
+fn active_labels() {
+    println!("\n## An iteration over active labels, one thread, max-product, r = 2\n");
+    println!("| variables x labels | active labels | ms | peak memory of the process, MiB |\n|---|---|---|---|");
+    let parts = Parts::new(&surfaces(0.39), 2);
+    let potentials = FeaturePotentials::new(std::slice::from_ref(&parts.feature), 2.0, 3.0, 1.0);
+    let evidence = Evidence { unary: &potentials, bias: None };
+    let (n, n_labels) = (parts.variables.n_vertices(), parts.labels.n_labels());
+    for active in [64, 128, 256] {
+        let sets =
+            ActiveSets { initial: active, kept: active, largest: active, margin: f32::MAX, every: 100, demanded: 0 };
+        let options = BpOptions { product: Product::Max, damping: 0.5, floor: 1e-5, tolerance: 0.0 };
+        let seconds = on_threads(1, || {
+            let candidates = sets.propose(n, n_labels, evidence, &Silent).unwrap();
+            let model =
+                ActiveModel::new(&parts.variables, &parts.lengths, &parts.labels, parts.pairwise(0.0), candidates)
+                    .unwrap();
+            let mut bp = ActivePropagation::new(model, options);
+            bp.run(1, &Silent, |_| ()).unwrap();
+            let mut run = |iterations| fastest(3, || drop(bp.run(iterations, &Silent, |_| ()).unwrap()));
+            (run(4) - run(1)) / 3.0
+        });
+        println!("| {n} x {n_labels} | {active} | {:.1} | {:.0} |", seconds * 1e3, peak_mib().unwrap_or(f64::NAN));
+    }
+}
+
 fn main() {
     let cores = std::thread::available_parallelism().map_or(1, usize::from);
+    every_pair();
+    active_labels();
+    println!("\n## An iteration over all labels against its floor (fastest of 3)\n");
     println!(
         "| algorithm | beta | r | vertices | threads | memory, GB/s | maxima, 1e9/s | with products, 1e9/s | floor by bytes, ms | by operations, ms \
          | iteration, ms | share of the floor | messages, GB/s | label pairs, 1e9/s a core |\n\
@@ -173,8 +273,7 @@ fn main() {
         let mut threads = vec![1, cores];
         threads.dedup();
         for threads in threads {
-            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
-            pool.install(|| measure(&surfaces, threads, iterations));
+            on_threads(threads, || measure(&surfaces, threads, iterations));
         }
     }
 }

@@ -1,13 +1,12 @@
-//! Time and memory of a match, and of the message update alone, on generated surfaces.
+//! Time and memory of a match on generated surfaces.
 //!
-//! `make bench` runs this and keeps what it prints as a dated record under `benches/records/`. Every figure is a
+//! `make bench` runs this and `kernel.rs` and keeps what they print as a dated record under `benches/records/`. Every figure is a
 //! median over runs with the spread beside it; thread counts are compared within the run, since machines differ and
 //! drift. No test depends on it.
 #![allow(clippy::unwrap_used, clippy::print_stdout)]
 
-use homolog::inference::{BeliefPropagation, BpOptions, Product};
+use homolog::matching::match_surfaces;
 use homolog::matching::parameters::{MatchParameters, resolve};
-use homolog::matching::{energy_model, match_surfaces};
 use homolog::mesh::{FaceArity, SurfaceMesh};
 use homolog::observe::Silent;
 use homolog::phantom::{PairRecipe, PhantomPair};
@@ -52,19 +51,6 @@ fn peak_mib() -> Option<f64> {
     Some(line.split_whitespace().nth(1)?.parse::<f64>().ok()? / 1024.0)
 }
 
-/// Bytes a second that all `threads` together read from an array far larger than any cache.
-fn read_bandwidth(threads: usize) -> f64 {
-    use rayon::prelude::*;
-    let words = vec![1u64; 48 << 20];
-    let [median, ..] = with_threads(threads, || {
-        timed(5, || {
-            let sum: u64 = words.par_chunks(1 << 20).map(|c| c.iter().fold(0u64, |a, b| a.wrapping_add(*b))).sum();
-            std::hint::black_box(sum);
-        })
-    });
-    (words.len() * 8) as f64 / median
-}
-
 fn machine() -> String {
     let info = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
     let model = info
@@ -81,7 +67,6 @@ fn main() {
     println!("commit: {}", option_env!("HOMOLOG_COMMIT").unwrap_or("unknown"));
     large_matches(cores);
     whole_match(cores);
-    message_update(cores);
 }
 
 fn whole_match(cores: usize) {
@@ -148,46 +133,5 @@ fn large_matches(cores: usize) {
             target.n_vertices(),
             peak_mib().unwrap_or(f64::NAN)
         );
-    }
-}
-
-fn message_update(cores: usize) {
-    println!("\n## One iteration of belief propagation (median of 9 after 3 to warm up)\n");
-    let bandwidth = [read_bandwidth(1), read_bandwidth(cores)];
-    println!("memory read: {:.1} GB/s on 1 thread, {:.1} GB/s on {cores}\n", bandwidth[0] / 1e9, bandwidth[1] / 1e9);
-    println!(
-        "| algorithm | beta | r | vertices | threads | ms | label pairs/s | message bytes/s | of memory read |\n\
-         |---|---|---|---|---|---|---|---|---|"
-    );
-    for (edge_mm, rings) in [(0.8, 1), (0.8, 2), (0.8, 3), (0.56, 2)] {
-        let (source, target) = pair(edge_mm);
-        for (algorithm, product, beta) in
-            [("max_product", Product::Max, 0.0), ("max_product", Product::Max, 0.5), ("sum_product", Product::Sum, 0.5)]
-        {
-            let request = json!({"energy": {"neighborhood_rings": rings, "beta": beta}});
-            let model = energy_model(&source, &target, &resolve(&request).unwrap()).unwrap();
-            let directed_edges = model.variables.n_directed_edges() as f64;
-            let values = directed_edges * model.n_labels() as f64;
-            let mut threads = vec![1, cores];
-            threads.dedup();
-            for (threads, bandwidth) in threads.into_iter().zip(bandwidth) {
-                let options = BpOptions { product, damping: 0.5, floor: 1e-5, tolerance: 0.0 };
-                let per_iteration = with_threads(threads, || {
-                    let mut bp = BeliefPropagation::new(&model, options);
-                    bp.run(3, &Silent, |_| ()).unwrap();
-                    timed(3, || drop(bp.run(3, &Silent, |_| ()).unwrap()))[0] / 3.0
-                });
-                // Each message is read as input, read again as the old value, and written.
-                let bytes = 3.0 * 4.0 * values;
-                println!(
-                    "| {algorithm} | {beta} | {rings} | {} | {threads} | {:.1} | {:.2e} | {:.2e} | {:.2} |",
-                    model.n_variables(),
-                    per_iteration * 1e3,
-                    values * model.labels.mean_size() / per_iteration,
-                    bytes / per_iteration,
-                    bytes / per_iteration / bandwidth,
-                );
-            }
-        }
     }
 }

@@ -198,7 +198,7 @@ pub(super) fn sum_update_uniform(table: &PairTable, rest: &Lanes, epsilon: f32, 
     largest
 }
 
-/// Max-product with a distance term. `near` and `far` are the [`edge_factors`] of each lane.
+/// Max-product with a distance term. `near` and `far` are the [`super::pair_table::edge_factors`] of each lane.
 #[multiversion(targets("x86_64+avx512f+avx512vl+avx512bw+avx512dq", "x86_64+avx2"))]
 pub(super) fn max_update(
     table: &PairTable,

@@ -13,6 +13,9 @@
 //! 10,000, which takes 3 GiB.
 #![allow(clippy::unwrap_used, clippy::print_stdout, unsafe_code)]
 
+mod common;
+
+use common::{pair, peak_mib, with_threads};
 use homolog::curvature::{ScaleSpace, gaussian_curvature};
 use homolog::graph::{EdgeGraph, LabelNeighborhoods};
 use homolog::inference::{
@@ -22,24 +25,13 @@ use homolog::inference::{
 use homolog::mesh::{SurfaceMesh, canonicalize};
 use homolog::mrf::{Feature, MrfModel, PairwisePotential, unary_potentials};
 use homolog::observe::Silent;
-use homolog::phantom::{PairRecipe, PhantomPair};
 use multiversion::multiversion;
 use rayon::prelude::*;
 use std::hint::black_box;
 use std::time::Instant;
 
 fn surfaces(edge_mm: f64) -> [SurfaceMesh; 2] {
-    let recipe = PairRecipe {
-        subject: 1,
-        target_subject: 2,
-        deform_share: 0.0,
-        deform_seed: 0,
-        pose_seed: Some(3),
-        permute_seed: Some(4),
-    };
-    let pair = PhantomPair::new(recipe).unwrap();
-    [pair.source_surface(edge_mm).unwrap().mesh, pair.target_surface(edge_mm).unwrap().0.mesh]
-        .map(|mesh| canonicalize(&mesh).mesh)
+    <[SurfaceMesh; 2]>::from(pair(edge_mm)).map(|mesh| canonicalize(&mesh).mesh)
 }
 
 /// What an energy of two surfaces is made of.
@@ -188,17 +180,6 @@ fn measure(surfaces: &[SurfaceMesh; 2], threads: usize, iterations: u32) {
     }
 }
 
-/// Most memory that this process ever held, MiB; `None` where the system does not tell.
-fn peak_mib() -> Option<f64> {
-    let status = std::fs::read_to_string("/proc/self/status").ok()?;
-    let line = status.lines().find(|l| l.starts_with("VmHWM:"))?;
-    Some(line.split_whitespace().nth(1)?.parse::<f64>().ok()? / 1024.0)
-}
-
-fn on_threads<T: Send>(threads: usize, work: impl FnOnce() -> T + Send) -> T {
-    rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap().install(work)
-}
-
 /// A sweep over all label pairs, as general engines do, beside one over those that a truncation leaves. Peak memory only
 /// grows, so this comes first, and small surfaces before large ones.
 fn every_pair() {
@@ -217,7 +198,7 @@ fn every_pair() {
             let mut run = |iterations| fastest(3, || drop(bp.run(iterations, &Silent, |_| ()).unwrap()));
             (run(4) - run(1)) / 3.0
         };
-        let (full, sparse) = on_threads(1, || (sweep(Update::Full), sweep(Update::Sparse)));
+        let (full, sparse) = with_threads(1, || (sweep(Update::Full), sweep(Update::Sparse)));
         let pairs = model.variables.n_directed_edges() as f64 * (model.n_labels() as f64).powi(2);
         println!(
             "| {} x {} | {:.1} | {:.2} | {:.2} | {:.0} |",
@@ -243,7 +224,7 @@ fn active_labels() {
         let sets =
             ActiveSets { initial: active, kept: active, largest: active, margin: f32::MAX, every: 100, demanded: 0 };
         let options = BpOptions { product: Product::Max, damping: 0.5, floor: 1e-5, tolerance: 0.0 };
-        let seconds = on_threads(1, || {
+        let seconds = with_threads(1, || {
             let candidates = sets.propose(n, n_labels, evidence, &Silent).unwrap();
             let model =
                 ActiveModel::new(&parts.variables, &parts.lengths, &parts.labels, parts.pairwise(0.0), candidates)
@@ -273,7 +254,7 @@ fn main() {
         let mut threads = vec![1, cores];
         threads.dedup();
         for threads in threads {
-            on_threads(threads, || measure(&surfaces, threads, iterations));
+            with_threads(threads, || measure(&surfaces, threads, iterations));
         }
     }
 }

@@ -1,31 +1,20 @@
 //! Time and memory of a match on generated surfaces.
 //!
-//! `make bench` runs this and `kernel.rs` and keeps what they print as a dated record under `benches/records/`. Every figure is a
-//! median over runs with the spread beside it; thread counts are compared within the run, since machines differ and
-//! drift. No test depends on it.
+//! `make bench` runs this and `kernel.rs` and keeps what they print as a dated record under `benches/records/`. Every
+//! figure is a median over runs with the spread beside it; thread counts are compared within the run, since machines
+//! differ and drift. No test depends on it.
 #![allow(clippy::unwrap_used, clippy::print_stdout)]
 
+mod common;
+
+use common::{pair, peak_mib, with_threads};
 use homolog::matching::match_surfaces;
 use homolog::matching::parameters::{MatchParameters, resolve};
 use homolog::mesh::{FaceArity, SurfaceMesh};
 use homolog::observe::Silent;
-use homolog::phantom::{PairRecipe, PhantomPair};
 use serde_json::json;
 use std::collections::HashMap;
 use std::time::Instant;
-
-fn pair(edge_mm: f64) -> (SurfaceMesh, SurfaceMesh) {
-    let pair = PhantomPair::new(PairRecipe {
-        subject: 1,
-        target_subject: 2,
-        deform_share: 0.0,
-        deform_seed: 0,
-        pose_seed: Some(3),
-        permute_seed: Some(4),
-    })
-    .unwrap();
-    (pair.source_surface(edge_mm).unwrap().mesh, pair.target_surface(edge_mm).unwrap().0.mesh)
-}
 
 /// Median, least and most of `runs` timings, seconds.
 fn timed(runs: usize, mut work: impl FnMut()) -> [f64; 3] {
@@ -38,17 +27,6 @@ fn timed(runs: usize, mut work: impl FnMut()) -> [f64; 3] {
         .collect();
     times.sort_by(f64::total_cmp);
     [times[runs / 2], times[0], times[runs - 1]]
-}
-
-fn with_threads<T: Send>(threads: usize, work: impl FnOnce() -> T + Send) -> T {
-    rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap().install(work)
-}
-
-/// Most memory that this process ever held, MiB; `None` where the system does not tell.
-fn peak_mib() -> Option<f64> {
-    let status = std::fs::read_to_string("/proc/self/status").ok()?;
-    let line = status.lines().find(|l| l.starts_with("VmHWM:"))?;
-    Some(line.split_whitespace().nth(1)?.parse::<f64>().ok()? / 1024.0)
 }
 
 fn machine() -> String {

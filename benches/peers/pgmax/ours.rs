@@ -4,12 +4,15 @@
 //! `benches/peers/pgmax/run` calls both and then the peer. No test depends on it.
 #![allow(clippy::unwrap_used, clippy::print_stdout, clippy::panic)]
 
+#[path = "../../common/mod.rs"]
+mod common;
+
+use common::{pair, peak_mib, with_threads};
 use homolog::inference::{BeliefPropagation, BpMethod, BpOptions, Product, Schedule, Update};
 use homolog::matching::energy_model;
 use homolog::matching::parameters::resolve;
 use homolog::mrf::MrfModel;
 use homolog::observe::Silent;
-use homolog::phantom::{PairRecipe, PhantomPair};
 use serde_json::json;
 use std::path::Path;
 use std::time::Instant;
@@ -20,16 +23,7 @@ const EDGE_MM: f64 = 2.7;
 const RUNS: usize = 5;
 
 fn model() -> MrfModel {
-    let recipe = PairRecipe {
-        subject: 1,
-        target_subject: 2,
-        deform_share: 0.0,
-        deform_seed: 0,
-        pose_seed: Some(3),
-        permute_seed: Some(4),
-    };
-    let pair = PhantomPair::new(recipe).unwrap();
-    let (source, target) = (pair.source_surface(EDGE_MM).unwrap().mesh, pair.target_surface(EDGE_MM).unwrap().0.mesh);
+    let (source, target) = pair(EDGE_MM);
     // A weight of distances, so that the potential has a value of its own for every pair of neighbours.
     energy_model(&source, &target, &resolve(&json!({"energy": {"beta": 0.5}})).unwrap()).unwrap()
 }
@@ -77,13 +71,6 @@ fn export(folder: &Path) {
     );
 }
 
-/// Most memory that this process ever held, MiB.
-fn peak_mib() -> f64 {
-    let status = std::fs::read_to_string("/proc/self/status").unwrap();
-    let line = status.lines().find(|l| l.starts_with("VmHWM:")).unwrap();
-    line.split_whitespace().nth(1).unwrap().parse::<f64>().unwrap() / 1024.0
-}
-
 fn measure(update: &str, threads: usize, iterations: u32) {
     let model = model();
     let method = BpMethod {
@@ -96,23 +83,24 @@ fn measure(update: &str, threads: usize, iterations: u32) {
     };
     // A tolerance of 0 lets no run end early.
     let options = BpOptions { product: Product::Max, damping: 0.5, floor: 1e-5, tolerance: 0.0 };
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
     let mut taken = Vec::new();
     let mut energy = f64::NAN;
-    for _ in 0..RUNS {
-        let mut propagation = BeliefPropagation::with_method(&model, options, method);
-        let began = Instant::now();
-        let outcome = pool.install(|| propagation.run(iterations, &Silent, |_| ())).unwrap();
-        taken.push(began.elapsed().as_secs_f64() / f64::from(iterations));
-        energy = outcome.energy.total();
-    }
+    with_threads(threads, || {
+        for _ in 0..RUNS {
+            let mut propagation = BeliefPropagation::with_method(&model, options, method);
+            let began = Instant::now();
+            let outcome = propagation.run(iterations, &Silent, |_| ()).unwrap();
+            taken.push(began.elapsed().as_secs_f64() / f64::from(iterations));
+            energy = outcome.energy.total();
+        }
+    });
     taken.sort_by(f64::total_cmp);
     println!(
         "| homolog, {update} update | {threads} | {:.3} | {:.3} to {:.3} | {:.0} | {energy:.1} |",
         taken[RUNS / 2] * 1e3,
         taken[0] * 1e3,
         taken[RUNS - 1] * 1e3,
-        peak_mib()
+        peak_mib().unwrap()
     );
 }
 

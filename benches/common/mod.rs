@@ -1,0 +1,30 @@
+//! What the benchmarks of matches and of belief propagation share.
+
+use homolog::mesh::SurfaceMesh;
+use homolog::phantom::{PairRecipe, PhantomPair};
+
+/// Source and target of two phantoms in different poses, with edges of about `edge_mm`.
+pub fn pair(edge_mm: f64) -> (SurfaceMesh, SurfaceMesh) {
+    let pair = PhantomPair::new(PairRecipe {
+        subject: 1,
+        target_subject: 2,
+        deform_share: 0.0,
+        deform_seed: 0,
+        pose_seed: Some(3),
+        permute_seed: Some(4),
+    })
+    .unwrap();
+    (pair.source_surface(edge_mm).unwrap().mesh, pair.target_surface(edge_mm).unwrap().0.mesh)
+}
+
+/// What `work` gives with so many threads for it.
+pub fn with_threads<T: Send>(threads: usize, work: impl FnOnce() -> T + Send) -> T {
+    rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap().install(work)
+}
+
+/// Most memory that this process ever held, MiB; `None` where the system does not tell.
+pub fn peak_mib() -> Option<f64> {
+    let status = std::fs::read_to_string("/proc/self/status").ok()?;
+    let line = status.lines().find(|l| l.starts_with("VmHWM:"))?;
+    Some(line.split_whitespace().nth(1)?.parse::<f64>().ok()? / 1024.0)
+}

@@ -4,7 +4,7 @@ use super::displacement::{DisplacementAnswer, Image};
 use super::result::{ReliabilityDocument, UnreliableReason};
 use crate::curvature::vertex_areas;
 use crate::mesh::{ClosestPoint, SurfaceMesh};
-use nalgebra::{Matrix3, Vector3};
+use crate::registration::area_moments;
 
 /// Correlation of curvatures below which surfaces may show different structures. Two hippocampi have 0.65 and more, an
 /// ellipsoid and a hippocampus 0.33 to 0.61, copies of which one has noise of 2 % of its diagonal 0.48 to 0.6.
@@ -52,17 +52,12 @@ fn length_ratio(source: &SurfaceMesh, target: &SurfaceMesh) -> f64 {
     a.max(b) / a.min(b).max(f64::MIN_POSITIVE)
 }
 
-/// Standard deviation of the area of `mesh` along its first principal axis, mm.
+/// Standard deviation of the area of `mesh` along its first principal axis, mm; 0 where it is no number.
 fn length_mm(mesh: &SurfaceMesh) -> f64 {
     let areas = vertex_areas(mesh);
-    let weighted = || mesh.vertices().iter().zip(&areas);
     let total: f64 = areas.iter().sum();
-    let center = weighted().fold(Vector3::zeros(), |s, (p, &a)| s + p.coords * a) / total;
-    let covariance = weighted().fold(Matrix3::zeros(), |s, (p, &a)| {
-        let d = p.coords - center;
-        s + d * d.transpose() * a
-    });
-    (covariance / total).symmetric_eigenvalues().max().sqrt()
+    let moments = area_moments(mesh.vertices(), &areas, total);
+    moments.map_or(0.0, |(_, scatter)| (scatter / total).symmetric_eigenvalues().max().sqrt())
 }
 
 /// What `found`, an answer for `source` on `target`, says of its own reliability.
@@ -106,6 +101,7 @@ mod tests {
     use super::*;
     use crate::mesh::FaceArity;
     use crate::mesh::shapes::ellipsoid;
+    use nalgebra::Vector3;
 
     #[test]
     fn the_length_is_that_of_the_area_along_the_longest_axis() {

@@ -20,6 +20,19 @@ pub fn principal_axis_poses(source: &[Point3<f64>], target: &[Point3<f64>]) -> O
     }))
 }
 
+/// Centroid (mm) of points that stand for `areas` (mm²), which are `total` together, and the sum of `area · d dᵀ` over
+/// their offsets `d` from it (mm⁴). `None` where numbers are not finite: the eigenvalues of those would be sought forever.
+/// Cost `O(n)`.
+pub fn area_moments(points: &[Point3<f64>], areas: &[f64], total: f64) -> Option<(Vector3<f64>, Matrix3<f64>)> {
+    let weighted = || points.iter().zip(areas);
+    let center = weighted().fold(Vector3::zeros(), |s, (p, &a)| s + p.coords * a) / total;
+    let scatter = weighted().fold(Matrix3::zeros(), |s, (p, &a)| {
+        let d = p.coords - center;
+        s + d * d.transpose() * a
+    });
+    scatter.iter().all(|c| c.is_finite()).then_some((center, scatter))
+}
+
 /// Centroid, and the principal axes as columns of a rotation, longest first.
 fn axes(points: &[Point3<f64>]) -> (Vector3<f64>, Matrix3<f64>) {
     let n = points.len() as f64;

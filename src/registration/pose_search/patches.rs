@@ -7,6 +7,7 @@
 //! Source of the seeds: farthest-point sampling, Gonzalez, "Clustering to minimize the maximum intercluster distance", 1985.
 
 use super::OrientedPoints;
+use crate::registration::area_moments;
 use nalgebra::{Matrix3, Vector3};
 
 /// Numbers that say how the surroundings of a patch are formed.
@@ -76,16 +77,8 @@ pub(super) fn mirrored(patches: &[Patch]) -> Vec<Patch> {
 /// finite.
 fn frame(surface: &OrientedPoints<'_>, total: f64) -> Option<(Vector3<f64>, Matrix3<f64>)> {
     let weighted = || surface.points.iter().zip(surface.areas);
-    let center = weighted().fold(Vector3::zeros(), |s, (p, &a)| s + p.coords * a) / total;
-    let covariance = weighted().fold(Matrix3::zeros(), |s, (p, &a)| {
-        let d = p.coords - center;
-        s + d * d.transpose() * a
-    });
-    // The eigenvalues of what is no number would be sought forever.
-    if !covariance.iter().all(|c| c.is_finite()) {
-        return None;
-    }
-    let eigen = covariance.symmetric_eigen();
+    let (center, scatter) = area_moments(surface.points, surface.areas, total)?;
+    let eigen = scatter.symmetric_eigen();
     let mut order = [0, 1, 2];
     order.sort_by(|&a, &b| eigen.eigenvalues[b].total_cmp(&eigen.eigenvalues[a]));
     let [first, second] = [0, 1].map(|k| {

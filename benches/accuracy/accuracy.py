@@ -20,7 +20,7 @@ def arguments():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--data", default="data", help="folder with hippocampus/*.nii.gz, label volumes")
     parser.add_argument("--eval", default="eval", help="folder with real_cases.py, the generator of cases")
-    parser.add_argument("--binary", default=os.path.join(ROOT, "target/release/homolog"))
+    parser.add_argument("--binary", default=os.path.join(ROOT, "target/left-out/homolog"))
     parser.add_argument("--work", default=os.path.join(ROOT, "target/accuracy"), help="cases and answers are kept here")
     parser.add_argument("--cases-cache", help="folder of cases that real_cases.py has made already")
     parser.add_argument("--out", help="default: docs/accuracy/DATE")
@@ -36,7 +36,7 @@ def arguments():
 def complain_of_missing(given):
     faults = []
     if not os.path.exists(given.binary):
-        faults.append(f"no program {given.binary}: run `make build`")
+        faults.append(f"no program {given.binary}: `make accuracy` builds it")
     if not os.path.isdir(os.path.join(given.data, "hippocampus")):
         faults.append(
             f"no folder {os.path.join(given.data, 'hippocampus')}: name with DATA=dir a folder whose subfolder "

@@ -19,6 +19,8 @@ REAL = ["real_warp4", "real_warp8", "real_cross", "real_resample"]
 SPOILS = ["noise", "cut", "half"]
 ROBUSTNESS = [f"{origin}_{spoil}" for origin in ("resample", "bean") for spoil in SPOILS] + ["bean_warp8"]
 UNLIKE = ["mirrored", "ellipsoid", "anterior_part"]
+LEFT_OUT_PAIRS = 34
+"""`train_border.py --without-pairs`: the program that is measured has not learned from the subjects of the first pairs."""
 NOISE_SHARE = 0.02
 CUT_SHARE = 0.2
 

@@ -55,7 +55,7 @@ def tasks(cases, n, with_peers):
     for kind in ROBUSTNESS:
         add(ROBUST_OURS, kind, n, False)
     for kind in ABLATION:
-        add([f"variant: {name}" for name in read_variants()], kind, half, False)
+        add([f"variant: {name}" for name in read_variants()], kind, half * MANY.get(kind, 1), False)
     if with_peers:
         for kind in REAL:
             add([p for p in PEERS if PEERS[p].run], kind, n * MANY.get(kind, 1), True)

@@ -8,7 +8,7 @@ import numpy as np
 
 from cases import CUT_SHARE, NOISE_SHARE, ROBUSTNESS
 from peers import PEERS
-from plan import ABLATION, DEFAULT, OURS, ROBUST_OURS, ROBUST_PEERS, read_variants
+from plan import ABLATION, DEFAULT, MANY, OURS, ROBUST_OURS, ROBUST_PEERS, read_variants
 from summary import CORRECT_DEG, summarize
 
 ENV_NOTE = "target/accuracy-env/missing-peers.txt"
@@ -88,7 +88,9 @@ def markdown(found):
         f"# Accuracy, {p['date']}\n",
         f"`{p['command']}`, {p['machine']}; {p['program']}; {p['n_label_volumes']} label volumes, "
         f"{p['cases_a_set']} pairs a set (three times as many re-sampled copies and pairs of two subjects; half as many in "
-        "the sections on consistency, unlike pairs and ablation).\n",
+        "the sections on consistency, unlike pairs and ablation, there also three times as many of two subjects).\n",
+        "What the program knows of hippocampi was, for this table, learned from other subjects than those of its pairs of "
+        f"two subjects; {p['learned_pairs']} of these pairs are exceptions.\n",
         "Each figure is the mean over pairs with its bootstrap 95 % interval; where three stand, they are the mean, "
         "the median and the worst. An edge is the mean edge length of the target. `accuracy.csv` has all figures, "
         "`accuracy.json` each pair; `benches/accuracy/README.md` says how they are made.\n",
@@ -335,11 +337,12 @@ def told_of(values, name=""):
 
 def ablation_section(found):
     rows = []
-    half = max(found["n"] // 2, 1)
+    half = {kind: max(found["n"] // 2, 1) * MANY.get(kind, 1) for kind in ABLATION}
     for name in [DEFAULT, *(f"variant: {v}" for v in read_variants())]:
         cells = []
         for kind in ABLATION:
-            records = [r for r in found["records"] if r["method"] == name and r["case"].split("/")[0] == kind][:half]
+            records = [r for r in found["records"] if r["method"] == name and r["case"].split("/")[0] == kind]
+            records = records[: half[kind]]
             summary = summarize(records) if records else None
             figure = "label" if kind == "real_cross" else "w1"
             cells.append(mean_text(summary[figure], 3) if summary and summary[figure] else "refused" if summary else "")

@@ -9,7 +9,7 @@ import sys
 import numpy as np
 
 import scores
-from cases import UNLIKE
+from cases import LEFT_OUT_PAIRS, UNLIKE
 from peers import PEERS
 from plan import DEFAULT, OURS
 
@@ -69,7 +69,7 @@ def collect(run, tasks, n, with_peers):
             by_set.setdefault((method, name.split("/")[0]), []).append(record)
     summaries = {key: summarize(records) for key, records in by_set.items()}
     return {
-        "provenance": provenance(run, n),
+        "provenance": provenance(run, tasks, n),
         "n": n,
         "with_peers": with_peers,
         "summaries": summaries,
@@ -144,7 +144,14 @@ def processor():
         return platform.processor() or "unknown"
 
 
-def provenance(run, n):
+def learned_pairs(run, tasks):
+    """Pairs of two subjects whose labels the measured program may have learned from."""
+    pairs = {name for _, name, _ in tasks if name.split("/")[0] in ("real_cross", "swapped_real_cross")}
+    seen = lambda name: "left-out" not in run.homolog.version or int(name.split("/")[1]) >= LEFT_OUT_PAIRS
+    return sum(map(seen, pairs))
+
+
+def provenance(run, tasks, n):
     here = os.path.dirname(os.path.abspath(__file__))
     from importlib.metadata import PackageNotFoundError, version
 
@@ -164,6 +171,7 @@ def provenance(run, n):
         "python": platform.python_version(),
         "packages": versions,
         "n_label_volumes": len(run.cases.files),
+        "learned_pairs": learned_pairs(run, tasks),
         "cases_a_set": n,
     }
 

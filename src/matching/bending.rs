@@ -2,10 +2,11 @@
 
 use super::displacement::{DisplacementOptions, JudgedPose, StartPose, Surfaces, displace, landmark_pose};
 use super::levels::Levels;
+use super::parameters::Anatomy;
 use super::poses::searched;
 use super::reliability::{UNRELIABLE_CONFIDENCE, reliability, without_counterpart};
 use super::report::Answer;
-use super::result::{PoseDocument, PoseOrigin};
+use super::result::{AnatomyDocument, PoseDocument, PoseOrigin};
 use super::scene::Scene;
 use super::{MatchError, rounds};
 use crate::mrf::{Labeling, MrfModel};
@@ -41,7 +42,8 @@ pub(super) fn bend(
     };
     let starts: Vec<StartPose> =
         poses.iter().map(|(_, pose)| StartPose { pose: *pose, excess: excess(pose, &of_search) }).collect();
-    let found = displace(&surfaces, &starts, allow_reflection, &DisplacementOptions::default(), observer)?;
+    let options = DisplacementOptions { anatomy: scene.parameters.displacement.anatomy, ..Default::default() };
+    let found = displace(&surfaces, &starts, allow_reflection, &options, observer)?;
     let Some(found) = found else { return Ok(None) };
     answer.labeling = found.images.iter().map(|image| image.label).collect();
     let reliability = reliability(&found, source.full.mesh(), target.full.mesh());
@@ -58,6 +60,12 @@ pub(super) fn bend(
     answer.moved = Some(found.images.iter().map(|image| image.moved).collect());
     answer.poses = found.judged.iter().map(|judged| document(scene, &poses, judged, &found.transform)).collect();
     answer.reliability = Some(reliability);
+    answer.anatomy = found.slide.map(|slide| AnatomyDocument {
+        structure: Anatomy::Hippocampus,
+        source_distance: slide.distances[0],
+        target_distance: slide.distances[1],
+        slide_mm: slide.rms_mm,
+    });
     answer.transform = found.transform;
     observer.progress(rounds::PROGRESS_AT_END);
     let Some(model) = model else { return Ok(None) };

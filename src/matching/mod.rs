@@ -8,6 +8,7 @@ mod active_labels;
 mod bending;
 #[cfg(test)]
 mod bending_tests;
+mod border;
 mod bound;
 mod clamping;
 pub mod consistency;
@@ -38,8 +39,8 @@ use crate::mrf::MrfModel;
 use crate::observe::{Cancelled, Observer};
 use parameters::{Algorithm, MatchParameters};
 use result::{
-    ConsistencyDocument, Correspondences, EnergyDocument, PoseDocument, ReliabilityDocument, RoundDocument, StopReason,
-    SupportDocument, SurfaceDistanceDocument, TransformDocument,
+    AnatomyDocument, ConsistencyDocument, Correspondences, EnergyDocument, PoseDocument, ReliabilityDocument,
+    RoundDocument, StopReason, SupportDocument, SurfaceDistanceDocument, TransformDocument,
 };
 
 /// What [`match_surfaces`] found; the caller adds timings and provenance to make a [`result::ResultDocument`].
@@ -61,6 +62,8 @@ pub struct MatchOutcome {
     pub poses: Vec<PoseDocument>,
     /// Whether the answer can be relied on, where a displacement field was fitted.
     pub reliability: Option<ReliabilityDocument>,
+    /// What knowledge of the structure changed.
+    pub anatomy: Option<AnatomyDocument>,
     /// Whether an ellipsoid has two half axes so alike that the rotation about the third is arbitrary.
     pub ambiguous_axes: bool,
     /// The dense correspondence.

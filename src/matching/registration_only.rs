@@ -78,6 +78,7 @@ pub(super) fn register(scene: &Scene<'_>) -> Result<Answer, MatchError> {
         moved: None,
         no_counterpart: Vec::new(),
         reliability: None,
+        anatomy: None,
         transform,
         confidence_reached: true,
         trials: 0,

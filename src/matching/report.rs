@@ -7,8 +7,9 @@ use super::outliers::{self, identify_outliers};
 use super::parameters::OrientationSolver as Solver;
 use super::prepare::Side;
 use super::result::{
-    ConsistencyDocument, Correspondences, EnergyDocument, OutlierReason, PoseDocument, ReliabilityDocument,
-    RoundDocument, SimilarityDocument, StopReason, SupportDocument, SurfaceDistanceDocument, TransformDocument,
+    AnatomyDocument, ConsistencyDocument, Correspondences, EnergyDocument, OutlierReason, PoseDocument,
+    ReliabilityDocument, RoundDocument, SimilarityDocument, StopReason, SupportDocument, SurfaceDistanceDocument,
+    TransformDocument,
 };
 use super::scene::Scene;
 use crate::graph::LabelNeighborhoods;
@@ -31,6 +32,8 @@ pub(super) struct Answer {
     pub no_counterpart: Vec<bool>,
     /// Whether it can be relied on, where a displacement says so.
     pub reliability: Option<ReliabilityDocument>,
+    /// What is known of the structure had to say.
+    pub anatomy: Option<AnatomyDocument>,
     pub transform: RigidTransform,
     pub confidence_reached: bool,
     pub trials: u64,
@@ -95,6 +98,7 @@ pub(super) fn outcome(scene: &Scene<'_>, energy: Option<EnergyDocument>, answer:
         rounds: answer.rounds,
         poses: answer.poses,
         reliability: answer.reliability,
+        anatomy: answer.anatomy,
         ambiguous_axes: answer.ambiguous_axes,
         correspondences,
         stop_reason: answer.stop_reason,

@@ -1,6 +1,6 @@
 //! The result document: what a match answers, in the form in which the service and the command line print it.
 
-use super::parameters::MatchParameters;
+use super::parameters::{Anatomy, MatchParameters};
 use crate::intake::InputReport;
 use serde::{Deserialize, Serialize};
 use std::fmt::Write;
@@ -29,6 +29,9 @@ pub struct ResultDocument {
     /// Whether the answer can be relied on; absent where no displacement field was fitted.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub reliability: Option<ReliabilityDocument>,
+    /// What knowledge of the structure changed; absent where it had no say.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub anatomy: Option<AnatomyDocument>,
     /// Whether a first-order ellipsoid has two half axes so alike that the rotation about the third is arbitrary.
     #[serde(default)]
     pub ambiguous_axes: bool,
@@ -170,6 +173,19 @@ pub struct ReliabilityDocument {
     pub normal_agreement: f64,
     /// Robust standard deviation of the distance between the surfaces after bending, along the normals.
     pub residual_mm: f64,
+}
+
+/// What knowledge of the structure changed in the correspondences of two subjects.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, ToSchema)]
+pub struct AnatomyDocument {
+    /// The structure that both surfaces look like.
+    pub structure: Anatomy,
+    /// How unlike those it was learned from the source is, in their standard deviations: 0.95 is usual.
+    pub source_distance: f64,
+    /// The same for the target.
+    pub target_distance: f64,
+    /// Root mean square of how far images slid along the target.
+    pub slide_mm: f64,
 }
 
 /// What speaks against an answer.

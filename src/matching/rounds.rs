@@ -122,6 +122,7 @@ impl Matcher<'_> {
             moved: None,
             no_counterpart: Vec::new(),
             reliability: None,
+            anatomy: None,
             transform: best.transform,
             confidence_reached: best.registration.confidence_reached,
             trials,

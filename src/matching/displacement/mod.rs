@@ -19,6 +19,8 @@
 //!    0.08-0.10 mm in the one case and at 0.24-0.29 mm in the other, says how much each square millimetre tells.
 //! 5. **Back**: closed surfaces of two subjects are also fitted in the other direction, and the middle is answered
 //!    ([`both_ways`]).
+//! 6. **Anatomy**: of two hippocampi the images slide along the long axis, so that borders seen from the form meet
+//!    ([`super::border`]).
 //!
 //! Sources: Myronenko, Song, "Point set registration: coherent point drift", IEEE PAMI 32(12), 2010; Hirose, "A
 //! Bayesian formulation of coherent point drift", IEEE PAMI 43(7), 2021 (prior, weights); Chen, Medioni 1992 (distance
@@ -42,7 +44,8 @@ pub use coarse::{JudgedPose, StartPose};
 pub(super) use guides::landmark_pose;
 
 use super::MatchError;
-use super::parameters::Landmark;
+use super::border::Slide;
+use super::parameters::{Anatomy, Landmark};
 use super::surface_index::SurfaceIndex;
 use crate::deformation::{FieldBasis, FittedField, GaussianKernel, SmoothPrior};
 use crate::mesh::{ClosestPointIndex, SurfaceMesh};
@@ -81,6 +84,8 @@ pub struct DisplacementOptions {
     /// Independent observations a square millimetre at the start and after each of the first three stages: from stiff
     /// to soft.
     pub density: [f64; 4],
+    /// What is known of the structure.
+    pub anatomy: Anatomy,
 }
 
 impl Default for DisplacementOptions {
@@ -94,6 +99,7 @@ impl Default for DisplacementOptions {
             steps: [20, 15, 15, 8],
             sigma: [0.05, 0.04, 0.025, 0.02],
             density: [0.03, 0.03, 0.1, 0.3],
+            anatomy: Anatomy::Any,
         }
     }
 }
@@ -128,6 +134,17 @@ pub struct DisplacementAnswer {
     pub residual_mm: f64,
     /// How alike the surfaces are after the bending.
     pub agreement: Agreement,
+    /// What the anatomy moved; `None` where it had no say.
+    pub slide: Option<AnatomicalSlide>,
+}
+
+/// By how much images slid for what is known of the structure.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct AnatomicalSlide {
+    /// How unlike the structure source and target are, in standard deviations of those it was learned from.
+    pub distances: [f64; 2],
+    /// Root mean square over the source vertices, mm.
+    pub rms_mm: f64,
 }
 
 /// Correspondences of the source on the target, from each of the rigid `poses`. One that
@@ -186,9 +203,16 @@ pub fn displace(
         // A field bends what has no counterpart towards the rim, and with it what has one.
         points = full_source.vertices().iter().map(|p| rigid.transform.apply(p)).collect();
     }
+    // The two fits met in the middle, so that what they left to chance can be told; landmarks say more than a form does.
+    let says = options.anatomy == Anatomy::Hippocampus && back.is_some() && landmarks.is_empty();
+    let slide = if says { Slide::new(source, target, &fitted, &rigid.transform.rotation) } else { None };
+    let report = slide.as_ref().map(|s| AnatomicalSlide { distances: s.distances, rms_mm: s.rms_mm(&points) });
+    if let Some(slide) = &slide {
+        points = slide.moved(full_closest, &points);
+    }
     let images = images(full_target, full_closest, &points, &field.covariances(values.as_ref()));
     let transform = rigid.transform;
-    Ok(Some(DisplacementAnswer { images, transform, judged, residual_mm, agreement }))
+    Ok(Some(DisplacementAnswer { images, transform, judged, residual_mm, agreement, slide: report }))
 }
 
 /// What is believed of the displacement of `mesh` before anything is seen, on its smooth version.

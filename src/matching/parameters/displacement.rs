@@ -9,6 +9,19 @@ use utoipa::ToSchema;
 pub struct DisplacementParameters {
     /// Whether there is one.
     pub mode: DisplacementMode,
+    /// What is known of the structure beside its surface.
+    pub anatomy: Anatomy,
+}
+
+/// What is known of a structure, so that what a surface alone leaves open is answered from it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Anatomy {
+    /// Nothing.
+    Any,
+    /// Where hippocampi part into anterior and posterior, learned from labelled ones. Pairs of two subjects slide along the
+    /// long axis by at most 3 mm, so that these borders meet; surfaces that look otherwise are left alone.
+    Hippocampus,
 }
 
 /// Whether the source bends before its vertices are answered.

@@ -13,7 +13,7 @@ mod ranges;
 mod registration;
 mod resolve;
 
-pub use displacement::{DisplacementMode, DisplacementParameters};
+pub use displacement::{Anatomy, DisplacementMode, DisplacementParameters};
 pub use energy::{CurvatureEstimator, EnergyParameters, FeatureKind, FeatureParameters, PairwiseDistance};
 pub use inference::{
     Algorithm, AnnealingParameters, ClampingMode, ClampingParameters, CoolingSchedule, InferenceParameters,

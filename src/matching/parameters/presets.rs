@@ -2,7 +2,7 @@
 
 use super::energy::default_scales;
 use super::{
-    Algorithm, AnnealingParameters, ClampingMode, ClampingParameters, CoolingSchedule, CurvatureEstimator,
+    Algorithm, Anatomy, AnnealingParameters, ClampingMode, ClampingParameters, CoolingSchedule, CurvatureEstimator,
     DisplacementMode, DisplacementParameters, EnergyParameters, FeatureKind, FeatureParameters, InferenceParameters,
     InitialPose, InputParameters, MatchParameters, MessageSchedule, MinimalEstimator, OrientationSolver,
     PairwiseDistance, Refinement, RegistrationParameters, SurfaceKind, Update,
@@ -104,7 +104,7 @@ pub fn preset(method: Method) -> MatchParameters {
     // Methods that are there to be studied minimise the energy of all vertices and answer with its labels.
     let direct = MatchParameters {
         inference: InferenceParameters { coarse_vertices: None, ..balanced.inference.clone() },
-        displacement: DisplacementParameters { mode: DisplacementMode::None },
+        displacement: DisplacementParameters { mode: DisplacementMode::None, ..balanced.displacement.clone() },
         ..balanced.clone()
     };
     let annealed = |algorithm, sweeps| MatchParameters {
@@ -204,7 +204,7 @@ fn balanced() -> MatchParameters {
             similarity: false,
             refine: Refinement::PointToPoint,
         },
-        displacement: DisplacementParameters { mode: DisplacementMode::Smooth },
+        displacement: DisplacementParameters { mode: DisplacementMode::Smooth, anatomy: Anatomy::Hippocampus },
         landmarks: Vec::new(),
         both_directions: false,
         seed: 0,

@@ -16,6 +16,7 @@ mod phantom;
 mod process;
 mod real_data;
 mod real_pairs;
+mod real_structures;
 mod representations;
 mod scheduling;
 mod server;

@@ -29,14 +29,17 @@ pub mod result;
 mod rivals;
 mod rounds;
 mod scene;
+mod side;
 mod surface_index;
 #[cfg(test)]
 mod tests;
 
+pub use levels::Levels;
+
 use crate::harmonics::HarmonicsError;
 use crate::mesh::SurfaceMesh;
 use crate::mrf::MrfModel;
-use crate::observe::{Cancelled, Observer};
+use crate::observe::{Cancelled, Observer, Phase};
 use parameters::{Algorithm, MatchParameters};
 use result::{
     AnatomyDocument, ConsistencyDocument, Correspondences, EnergyDocument, PoseDocument, ReliabilityDocument,
@@ -135,7 +138,7 @@ pub fn energy_model(
     target: &SurfaceMesh,
     parameters: &MatchParameters,
 ) -> Result<MrfModel, MatchError> {
-    prepare::build_model(&prepare::Side::new(source), &prepare::Side::new(target), parameters)
+    prepare::build_model(&side::Side::new(source), &side::Side::new(target), parameters)
 }
 
 /// Matches `source` to `target` and registers them. Correspondences count the vertices of these two meshes.
@@ -153,6 +156,23 @@ pub fn energy_model(
 pub fn match_surfaces(
     source: &SurfaceMesh,
     target: &SurfaceMesh,
+    parameters: &MatchParameters,
+    observer: &dyn Observer,
+) -> Result<MatchOutcome, MatchError> {
+    observer.phase(Phase::Features);
+    let coarse = parameters.inference.coarse_vertices;
+    let (source, target) = rayon::join(|| Levels::new(source, coarse), || Levels::new(target, coarse));
+    match_levels(&source, &target, parameters, observer)
+}
+
+/// [`match_surfaces`] from levels that were made before, with the `inference.coarse_vertices` of `parameters`; the same
+/// to the bit, whatever else these levels were matched with.
+///
+/// # Errors
+/// [`MatchError`].
+pub fn match_levels(
+    source: &Levels,
+    target: &Levels,
     parameters: &MatchParameters,
     observer: &dyn Observer,
 ) -> Result<MatchOutcome, MatchError> {

@@ -8,23 +8,21 @@ use super::report::{energy, outcome};
 use super::rounds::Matcher;
 use super::scene::Scene;
 use super::{MatchError, MatchOutcome, bound, registration_only};
-use crate::mesh::SurfaceMesh;
 use crate::observe::{Observer, Phase, checkpoint};
 
 pub(super) fn run(
-    source: &SurfaceMesh,
-    target: &SurfaceMesh,
+    source: &Levels,
+    target: &Levels,
     parameters: &MatchParameters,
     observer: &dyn Observer,
 ) -> Result<MatchOutcome, MatchError> {
     observer.phase(Phase::Features);
-    let (source, target) = rayon::join(|| Levels::new(source, parameters), || Levels::new(target, parameters));
     let scene = Scene::new(&source.full, &target.full, parameters, observer);
     let bends = parameters.displacement.mode == DisplacementMode::Smooth;
     if parameters.inference.algorithm == Algorithm::None {
         let mut answer = registration_only::register(&scene)?;
         if bends {
-            bend(&scene, (&source, &target), None, &mut answer)?;
+            bend(&scene, (source, target), None, &mut answer)?;
         }
         observer.phase(Phase::Reporting);
         return Ok(outcome(&scene, None, answer));
@@ -42,7 +40,7 @@ pub(super) fn run(
         registration_only::answer_all(&scene, &mut answer);
     }
     if bends {
-        labeling = bend(&scene, (&source, &target), Some(&model), &mut answer)?.unwrap_or(labeling);
+        labeling = bend(&scene, (source, target), Some(&model), &mut answer)?.unwrap_or(labeling);
     }
     observer.phase(Phase::Reporting);
     let energy = energy(&model, &labeling, answer.lower_bound);

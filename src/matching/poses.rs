@@ -1,6 +1,6 @@
 //! Poses worth trying, from the search of all orientations.
 
-use super::prepare::Side;
+use super::side::Side;
 use crate::curvature::vertex_areas;
 use crate::registration::{OrientedPoints, PoseSearchOptions, ScoredPose, pose_search};
 

@@ -1,58 +1,20 @@
-//! From two surfaces to the energy: canonical numbering, features in scale space, and the MRF.
+//! From two surfaces to the energy: features in scale space, and the MRF.
 
 use super::MatchError;
 use super::parameters::{
     CurvatureEstimator, FeatureKind, FeatureParameters, Landmark, MatchParameters, PairwiseDistance,
 };
-use crate::curvature::{Curvatures, Estimator, ScaleSpace, curvatures, default_radius_mm};
+use super::side::Side;
+use crate::curvature::{Curvatures, Estimator, ScaleSpace, curvatures};
 use crate::geodesic::{LabelDistance, label_neighborhoods};
-use crate::hierarchy::{CoarseSurface, coarsen};
-use crate::mesh::{CanonicalMesh, SurfaceMesh, canonicalize};
 use crate::mrf::{Feature, MrfModel, PairwisePotential, unary_potentials};
-use nalgebra::{Point3, Vector3};
-use std::sync::Arc;
-
-/// One surface, ready for the energy.
-pub(super) struct Side {
-    /// In canonical numbering.
-    pub surface: CanonicalMesh,
-    /// Unit normals of its vertices.
-    pub normals: Vec<Vector3<f64>>,
-    /// Where features are measured instead, and which vertex of that surface each vertex is: on the triangles of a
-    /// coarse level curvature would be that of the triangles.
-    measured_on: Option<(Arc<Side>, Vec<u32>)>,
-}
+use nalgebra::Point3;
 
 impl Side {
-    pub fn new(mesh: &SurfaceMesh) -> Self {
-        let surface = canonicalize(mesh);
-        let normals = surface.mesh.vertex_normals();
-        Side { surface, normals, measured_on: None }
-    }
-
-    /// A coarser level of `finer` of about `n_sites` vertices, and for every vertex of `finer` the one it belongs to.
-    /// `None` where `finer` is as coarse already. Features are those of `finer`, if `inherits`.
-    pub fn coarser(finer: &Arc<Side>, n_sites: usize, inherits: bool) -> Option<(Side, Vec<u32>)> {
-        let CoarseSurface { mesh, sites, cells } = coarsen(finer.mesh(), n_sites)?;
-        let original = sites.iter().map(|&k| finer.surface.original[k as usize]).collect();
-        let normals = mesh.vertex_normals();
-        let measured_on = inherits.then(|| (Arc::clone(finer), sites));
-        Some((Side { surface: CanonicalMesh { mesh, original }, normals, measured_on }, cells))
-    }
-
-    pub fn mesh(&self) -> &SurfaceMesh {
-        &self.surface.mesh
-    }
-
-    /// Radius of estimators whose radius is not stated.
-    fn feature_radius_mm(&self) -> f64 {
-        self.measured_on.as_ref().map_or_else(|| default_radius_mm(self.mesh()), |(finer, _)| finer.feature_radius_mm())
-    }
-
     /// Every feature that `parameters` ask for at every scale, one list of values each, in order. `radius_mm` is that of
     /// estimators whose radius is not stated.
     pub fn features(&self, parameters: &MatchParameters, radius_mm: f64) -> Result<Vec<Vec<f64>>, MatchError> {
-        if let Some((finer, sites)) = &self.measured_on {
+        if let Some((finer, sites)) = self.measured_on() {
             let at_sites = |values: &Vec<f64>| sites.iter().map(|&k| values[k as usize]).collect();
             return Ok(finer.features(parameters, radius_mm)?.iter().map(at_sites).collect());
         }

@@ -2,15 +2,11 @@
 //! each vertex answered with the nearest.
 
 use super::MatchError;
-use super::light_smoothing::lightly_smoothed;
 use super::parameters::{InitialPose, Refinement};
 use super::poses::searched;
-use super::prepare::Side;
 use super::report::Answer;
 use super::result::{PoseDocument, PoseOrigin, StopReason};
 use super::scene::Scene;
-use super::surface_index::SurfaceIndex;
-use crate::curvature::vertex_areas;
 use crate::graph::LabelNeighborhoods;
 use crate::harmonics::{
     EllipsoidOptions, EllipsoidRegistration, FirstOrderEllipsoid, HarmonicsError, ParametrizationOptions,
@@ -23,8 +19,6 @@ use crate::registration::{IcpMetric, RigidTransform, SurfaceSide, TwoSidedOption
 use nalgebra::{Matrix3, Point3, Vector3};
 use rayon::prelude::*;
 
-/// Scale of the positions that poses are refined on, mm: takes off the steps that voxels leave.
-const POSITION_SCALE_MM: f64 = 0.7;
 /// Vertices of each surface at most on which refinement begins.
 const REFINE_SAMPLE: usize = 400;
 /// Its steps there, and on all vertices.
@@ -109,7 +103,7 @@ fn ellipsoids(scene: &Scene<'_>) -> Result<EllipsoidRegistration, MatchError> {
     let (source, target) = rayon::join(|| of(scene.source.mesh(), "source"), || of(scene.target.mesh(), "target"));
     let points = scene.source.mesh().vertices();
     let options = EllipsoidOptions::default();
-    Ok(register_by_ellipsoids(&source?, &target?, points, &scene.closest, &options, scene.observer)?)
+    Ok(register_by_ellipsoids(&source?, &target?, points, scene.closest, &options, scene.observer)?)
 }
 
 /// The poses that the search of all orientations found, the best first, with their distances; and the best.
@@ -137,13 +131,12 @@ fn refined(scene: &Scene<'_>, start: &RigidTransform) -> Result<RigidTransform, 
         Refinement::PointToPlane => IcpMetric::PointToPlane,
     };
     scene.observer.phase(Phase::Refinement);
-    let side = |side: &Side| {
-        let smooth = lightly_smoothed(side.mesh(), POSITION_SCALE_MM);
-        (SurfaceIndex::new(&smooth), vertex_areas(&smooth), smooth)
-    };
-    let (source, target) = rayon::join(|| side(scene.source), || side(scene.target));
-    let [of_source, of_target] =
-        [&source, &target].map(|(closest, areas, mesh)| SurfaceSide { points: mesh.vertices(), areas, closest });
+    let (source, target) = rayon::join(|| scene.source.light(), || scene.target.light());
+    let [of_source, of_target] = [source, target].map(|side| SurfaceSide {
+        points: side.mesh.vertices(),
+        areas: &side.areas,
+        closest: &side.closest,
+    });
     // Whether these are copies a few steps against planes tell, whatever is asked for after them.
     let first = TwoSidedOptions {
         metric: IcpMetric::PointToPlane,

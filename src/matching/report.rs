@@ -5,13 +5,13 @@ use super::consistency::topology_consistency_within;
 use super::inverse::inverse;
 use super::outliers::{self, identify_outliers};
 use super::parameters::OrientationSolver as Solver;
-use super::prepare::Side;
 use super::result::{
     AnatomyDocument, ConsistencyDocument, Correspondences, EnergyDocument, OutlierReason, PoseDocument,
     ReliabilityDocument, RoundDocument, SimilarityDocument, StopReason, SupportDocument, SurfaceDistanceDocument,
     TransformDocument,
 };
 use super::scene::Scene;
+use super::side::Side;
 use crate::graph::LabelNeighborhoods;
 use crate::mesh::{ClosestPoint, ClosestPointIndex, SurfaceMesh};
 use crate::mrf::MrfModel;
@@ -92,7 +92,7 @@ pub(super) fn outcome(scene: &Scene<'_>, energy: Option<EnergyDocument>, answer:
             trials: answer.trials,
             confidence_reached: answer.confidence_reached,
         },
-        surface_distance: surface_distance(scene.source, scene.target.mesh(), &scene.closest.index, &answer.transform),
+        surface_distance: surface_distance(scene.source, scene.target, &answer.transform),
         energy,
         topology: topology(scene, &answer.transform, &labels, &answer.labeling),
         rounds: answer.rounds,
@@ -217,21 +217,16 @@ pub(super) fn transform_document(transform: &RigidTransform) -> TransformDocumen
 }
 
 /// Distances of the vertices of both surfaces from the other, the source moved by `transform`.
-pub(super) fn surface_distance(
-    source: &Side,
-    target: &SurfaceMesh,
-    target_index: &ClosestPointIndex,
-    transform: &RigidTransform,
-) -> SurfaceDistanceDocument {
+pub(super) fn surface_distance(source: &Side, target: &Side, transform: &RigidTransform) -> SurfaceDistanceDocument {
     let moved: Vec<Point3<f64>> = source.mesh().vertices().iter().map(|p| transform.apply(p)).collect();
     let distances = |points: &[Point3<f64>], index: &ClosestPointIndex| -> Vec<f64> {
         points.par_iter().map(|p| (index.closest(p).point - p).norm()).collect()
     };
-    let mut all = distances(&moved, target_index);
+    let mut all = distances(&moved, &target.closest().index);
     // Moved the other way, the target meets the source where it is.
     let back = transform.inverse();
-    let returned: Vec<Point3<f64>> = target.vertices().iter().map(|p| back.apply(p)).collect();
-    all.extend(distances(&returned, &ClosestPointIndex::new(source.mesh())));
+    let returned: Vec<Point3<f64>> = target.mesh().vertices().iter().map(|p| back.apply(p)).collect();
+    all.extend(distances(&returned, &source.closest().index));
     all.sort_by(f64::total_cmp);
     let at = |share: f64| all[((all.len() - 1) as f64 * share).round() as usize];
     SurfaceDistanceDocument { mean_mm: all.iter().sum::<f64>() / all.len() as f64, p95_mm: at(0.95), max_mm: at(1.0) }

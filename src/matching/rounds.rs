@@ -136,7 +136,7 @@ impl Matcher<'_> {
 
     fn rival(&self, present: &RigidTransform) -> Result<Option<RigidTransform>, MatchError> {
         let (source, target) = (self.scene.source.mesh().vertices(), self.scene.target.mesh().vertices());
-        Ok(rival_pose(source, target, &self.scene.closest, present, self.scene.observer)?)
+        Ok(rival_pose(source, target, self.scene.closest, present, self.scene.observer)?)
     }
 
     /// A whole round from a cold start with the feedback of `pose`.

@@ -2,7 +2,7 @@
 
 use super::MatchError;
 use super::parameters::{DisplacementMode, MatchParameters, Refinement};
-use super::prepare::Side;
+use super::side::Side;
 use super::surface_index::SurfaceIndex;
 use crate::observe::{Observer, Phase};
 use crate::registration::{IcpMetric, IcpOptions, RigidTransform, refine_icp};
@@ -24,7 +24,7 @@ pub(super) struct Scene<'a> {
     pub source: &'a Side,
     pub target: &'a Side,
     /// Closest points of the target.
-    pub closest: SurfaceIndex,
+    pub closest: &'a SurfaceIndex,
     pub parameters: &'a MatchParameters,
     /// Mean target edge length.
     pub edge_mm: f64,
@@ -42,7 +42,7 @@ impl<'a> Scene<'a> {
     ) -> Self {
         let edge_mm = target.mesh().mean_edge_length();
         Scene {
-            closest: SurfaceIndex::new(target.mesh()),
+            closest: target.closest(),
             source,
             target,
             parameters,
@@ -79,7 +79,7 @@ impl<'a> Scene<'a> {
             DisplacementMode::Smooth => ICP_ITERATIONS_OF_A_START,
         };
         let options = IcpOptions { metric, keep: ICP_KEEP, max_iterations, tolerance: ICP_TOLERANCE };
-        let report = refine_icp(self.source.mesh().vertices(), &self.closest, start, &options, self.observer)?;
+        let report = refine_icp(self.source.mesh().vertices(), self.closest, start, &options, self.observer)?;
         Ok(report.target_from_source)
     }
 }

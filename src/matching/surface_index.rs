@@ -4,7 +4,7 @@ use crate::mesh::{ClosestPointIndex, SurfaceMesh};
 use crate::registration::ClosestSurfacePoint;
 use nalgebra::{Point3, Vector3};
 
-/// The target surface as ICP sees it: closest points, with the normals of the vertices blended over the triangle.
+/// A surface as ICP sees it: closest points, with the normals of the vertices blended over the triangle.
 pub(super) struct SurfaceIndex {
     pub index: ClosestPointIndex,
     normals: Vec<Vector3<f64>>,
@@ -18,6 +18,17 @@ impl SurfaceIndex {
     /// The same with other unit normals of the vertices, such as those of a smoother surface.
     pub fn with_normals(surface: &SurfaceMesh, normals: Vec<Vector3<f64>>) -> Self {
         SurfaceIndex { index: ClosestPointIndex::new(surface), normals }
+    }
+
+    /// Memory that an index over `surface` takes at most, bytes.
+    pub fn heap_bytes_over(surface: &SurfaceMesh) -> usize {
+        ClosestPointIndex::heap_bytes_over(surface) + surface.n_vertices() * size_of::<Vector3<f64>>()
+    }
+
+    /// Memory that this one takes, bytes.
+    #[cfg(test)]
+    pub fn heap_bytes(&self) -> usize {
+        self.index.heap_bytes() + size_of_val(self.normals.as_slice())
     }
 }
 

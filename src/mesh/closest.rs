@@ -7,6 +7,10 @@ use parry3d_f64::query::PointQueryWithLocation;
 use parry3d_f64::shape::TriMesh;
 use std::ops::{Add, Mul};
 
+/// Memory of the tree for each triangle at most, bytes: its box, the boxes above it, and where they are. A test holds it
+/// against what trees say of themselves.
+const TREE_BYTES_PER_TRIANGLE: usize = 192;
+
 /// Answers closest-point queries against the triangles of one surface (quads cut along a diagonal).
 pub struct ClosestPointIndex {
     tree: TriMesh,
@@ -53,6 +57,20 @@ impl ClosestPointIndex {
         // The tree refuses only an empty list of triangles, and a `SurfaceMesh` has at least one face.
         let tree = TriMesh::new(vertices, triangles.clone()).unwrap_or_else(|_| unreachable!("a mesh without faces"));
         ClosestPointIndex { tree, triangles }
+    }
+
+    /// Memory that an index over `mesh` takes at most, bytes.
+    pub fn heap_bytes_over(mesh: &SurfaceMesh) -> usize {
+        let n_triangles = mesh.n_faces() * (mesh.arity().n_corners() - 2);
+        // The tree has the triangles once more, and the vertices.
+        let each = TREE_BYTES_PER_TRIANGLE + 2 * size_of::<[u32; 3]>();
+        n_triangles * each + size_of_val(mesh.vertices())
+    }
+
+    /// Memory that this index takes, bytes.
+    #[cfg(test)]
+    pub(crate) fn heap_bytes(&self) -> usize {
+        self.tree.heap_memory_size() + size_of_val(self.triangles.as_slice())
     }
 
     /// The closest point of the surface; `O(log n)` on surfaces.

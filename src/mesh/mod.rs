@@ -155,6 +155,11 @@ impl SurfaceMesh {
         self.indices.chunks_exact(self.arity.n_corners())
     }
 
+    /// Memory of vertices and faces, bytes.
+    pub fn heap_bytes(&self) -> usize {
+        size_of_val(self.vertices.as_slice()) + size_of_val(self.indices.as_slice())
+    }
+
     /// The same faces over other positions, one for each vertex.
     ///
     /// # Errors

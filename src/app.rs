@@ -282,7 +282,7 @@ pub fn open_artifacts(settings: &ServiceSettings) -> Result<Arc<dyn ArtifactStor
 
 /// The engine of this program.
 pub fn engine(settings: &ServiceSettings) -> Arc<dyn Engine> {
-    Arc::new(MatchEngine { limits: settings.intake_limits() })
+    Arc::new(MatchEngine::new(settings.intake_limits(), settings.prepared_bytes()))
 }
 
 /// A listener on the address of the settings, refused where it would be open to all.

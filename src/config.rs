@@ -46,6 +46,10 @@ pub struct ServiceSettings {
     /// or the container has
     #[arg(long, env = "HOMOLOG_MEMORY_BYTES", value_name = "BYTES")]
     pub memory_bytes: Option<u64>,
+    /// Memory for surfaces that are kept between jobs, so that a template is prepared once, bytes; a quarter of the memory
+    /// for jobs at most, and part of it; 0: none are kept
+    #[arg(long, env = "HOMOLOG_PREPARED_BYTES", default_value_t = 256 << 20, value_name = "BYTES")]
+    pub prepared_bytes: u64,
     /// How long smaller jobs may pass a waiting one for which not enough cores or memory are free, ms; then they wait too
     #[arg(long, env = "HOMOLOG_PATIENCE_MS", default_value_t = 10_000, value_name = "MS")]
     pub patience_ms: u64,
@@ -201,12 +205,22 @@ impl ServiceSettings {
         }
     }
 
+    /// Memory for surfaces that are kept between jobs, bytes.
+    pub fn prepared_bytes(&self) -> u64 {
+        self.prepared_bytes.min(self.memory_for_jobs() / 4)
+    }
+
+    /// Memory for jobs and what is kept between them, bytes.
+    fn memory_for_jobs(&self) -> u64 {
+        self.memory_bytes.unwrap_or_else(jobs_memory_bytes)
+    }
+
     /// Behavior of workers.
     pub fn worker_settings(&self) -> WorkerSettings {
         let lease = Duration::from_millis(self.lease_ms);
         WorkerSettings {
             cores: self.cores.map_or_else(machine::cores, usize::from),
-            memory_bytes: self.memory_bytes.unwrap_or_else(jobs_memory_bytes),
+            memory_bytes: self.memory_for_jobs() - self.prepared_bytes(),
             places: self.workers,
             patience: Duration::from_millis(self.patience_ms),
             lease,
@@ -291,5 +305,34 @@ impl HttpSettings {
             keep_results: service.retention().results,
             max_run: Duration::from_secs(service.max_run_s),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[derive(clap::Parser)]
+    struct Alone {
+        #[command(flatten)]
+        service: ServiceSettings,
+    }
+
+    fn settings(told: &[&str]) -> ServiceSettings {
+        let words = ["homolog"].iter().chain(told);
+        <Alone as clap::Parser>::try_parse_from(words).unwrap().service
+    }
+
+    #[test]
+    fn kept_surfaces_take_their_memory_from_that_of_the_jobs_and_never_much_of_it() {
+        let shared = |told: &[&str]| {
+            let settings = settings(told);
+            (settings.prepared_bytes(), settings.worker_settings().memory_bytes)
+        };
+        let (gib, mib) = (1 << 30, 1 << 20);
+        assert_eq!(shared(&["--memory-bytes", "8589934592"]), (256 * mib, 8 * gib - 256 * mib));
+        assert_eq!(shared(&["--memory-bytes", "1000"]), (250, 750));
+        assert_eq!(shared(&["--memory-bytes", "1000", "--prepared-bytes", "100"]), (100, 900));
+        assert_eq!(shared(&["--memory-bytes", "1000", "--prepared-bytes", "0"]), (0, 1000));
     }
 }

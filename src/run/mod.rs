@@ -1,12 +1,19 @@
 //! One match from uploaded bytes to the result document: what a worker and the command line both do.
 //!
-//! The numerics know no clock; this is where their phases are timed and their outcome gets its provenance.
+//! The numerics know no clock; this is where their phases are timed and their outcome gets its provenance. What is made
+//! of one input alone may be kept for further matches ([`SurfaceCache`]).
 
-use crate::intake::{IntakeError, IntakeLimits, PreparedSurface, prepare_surface};
+mod surfaces;
+#[cfg(test)]
+mod surfaces_tests;
+
+pub use surfaces::{ReadySurface, SurfaceCache};
+
+use crate::intake::{IntakeError, IntakeLimits, PreparedSurface};
 pub use crate::matching::match_memory_bytes;
 use crate::matching::parameters::MatchParameters;
 use crate::matching::result::{InputProvenance, Provenance, ResultDocument};
-use crate::matching::{MatchError, match_surfaces};
+use crate::matching::{MatchError, match_levels};
 use crate::mesh::{MeshError, SurfaceMesh};
 use crate::observe::{Cancelled, Observer, Phase, TracePoint};
 use std::collections::BTreeMap;
@@ -126,27 +133,33 @@ pub fn run_match(
     limits: &IntakeLimits,
     observer: &dyn Observer,
 ) -> Result<RunOutput, RunError> {
+    run_match_with(&SurfaceCache::none(), source, target, parameters, limits, observer)
+}
+
+/// [`run_match`] with surfaces from `surfaces` where they were prepared before; but for the timings the same bytes.
+///
+/// # Errors
+/// [`RunError`].
+pub fn run_match_with(
+    surfaces: &SurfaceCache,
+    source: InputFile<'_>,
+    target: InputFile<'_>,
+    parameters: &MatchParameters,
+    limits: &IntakeLimits,
+    observer: &dyn Observer,
+) -> Result<RunOutput, RunError> {
     let timed = PhaseTimer::new(observer);
-    timed.phase(Phase::Reading);
-    let prepare = |side, file: InputFile<'_>| {
-        prepare_surface(file.bytes, file.name, &parameters.input, limits)
-            .map_err(|error| RunError::Input { side, error })
-    };
-    let (prepared_source, prepared_target) =
-        rayon::join(|| prepare(Side::Source, source), || prepare(Side::Target, target));
-    let (prepared_source, prepared_target) = (prepared_source?, prepared_target?);
-    let (source_mesh, target_mesh) = (&prepared_source.mesh, &prepared_target.mesh);
-    check_size((source_mesh.n_vertices(), source_mesh.n_faces()), target_mesh.n_vertices(), parameters, limits)?;
-    let mut outcome = match_surfaces(&prepared_source.mesh, &prepared_target.mesh, parameters, &timed)?;
-    count_uploaded_vertices(&mut outcome.correspondences.source, &prepared_source);
-    count_uploaded_vertices(&mut outcome.correspondences.target, &prepared_target);
+    let [source, target] = surfaces.ready([source, target], parameters, limits, &timed)?;
+    let mut outcome = match_levels(&source.levels, &target.levels, parameters, &timed)?;
+    count_uploaded_vertices(&mut outcome.correspondences.source, &source.prepared);
+    count_uploaded_vertices(&mut outcome.correspondences.target, &target.prepared);
     let provenance = Provenance {
         version: env!("CARGO_PKG_VERSION").to_owned(),
         commit: option_env!("HOMOLOG_COMMIT").unwrap_or("unknown").to_owned(),
         parameters: parameters.clone(),
         seed: parameters.seed,
-        source: input_provenance(source, &prepared_source),
-        target: input_provenance(target, &prepared_target),
+        source: input_provenance(&source),
+        target: input_provenance(&target),
     };
     let document = ResultDocument {
         transform: outcome.transform,
@@ -164,8 +177,10 @@ pub fn run_match(
         timings_ms: timed.finish(),
         provenance,
     };
-    let counted = |prepared: PreparedSurface| prepared.uploaded.map_or(prepared.mesh, |uploaded| uploaded.surface);
-    Ok(RunOutput { document, source: counted(prepared_source), target: counted(prepared_target) })
+    let counted = |PreparedSurface { mesh, uploaded, .. }: &PreparedSurface| {
+        uploaded.as_ref().map_or(mesh, |uploaded| &uploaded.surface).clone()
+    };
+    Ok(RunOutput { document, source: counted(&source.prepared), target: counted(&target.prepared) })
 }
 
 /// Turns vertices of the surface that was matched into those of the mesh as it was uploaded.
@@ -177,9 +192,9 @@ fn count_uploaded_vertices(vertices: &mut [u32], prepared: &PreparedSurface) {
     }
 }
 
-fn input_provenance(file: InputFile<'_>, prepared: &PreparedSurface) -> InputProvenance {
+fn input_provenance(ReadySurface { hash, prepared, .. }: &ReadySurface) -> InputProvenance {
     InputProvenance {
-        hash: content_hash(file.bytes),
+        hash: hash.clone(),
         n_vertices: prepared.mesh.n_vertices() as u32,
         n_faces: prepared.mesh.n_faces() as u32,
         report: prepared.report.clone(),

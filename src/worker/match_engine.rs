@@ -14,15 +14,22 @@ use crate::jobs::{
 use crate::matching::MatchError;
 use crate::matching::parameters::{MatchParameters, Method, preset, resolve};
 use crate::observe::Observer;
-use crate::run::{InputFile, RunError, RunOutput, check_size, run_match};
+use crate::run::{InputFile, RunError, RunOutput, SurfaceCache, check_size, run_match_with};
 use serde_json::{Value, json};
 use utoipa::{PartialSchema, ToSchema};
 
 /// Matches surfaces.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug)]
 pub struct MatchEngine {
-    /// Bounds on what is read.
-    pub limits: IntakeLimits,
+    limits: IntakeLimits,
+    surfaces: SurfaceCache,
+}
+
+impl MatchEngine {
+    /// An engine with these bounds on what is read, that keeps prepared surfaces of `prepared_bytes` for further matches.
+    pub fn new(limits: IntakeLimits, prepared_bytes: u64) -> Self {
+        MatchEngine { limits, surfaces: SurfaceCache::new(prepared_bytes) }
+    }
 }
 
 impl Engine for MatchEngine {
@@ -99,8 +106,8 @@ impl Engine for MatchEngine {
             (task.source_hint.as_deref().map(file_name), task.target_hint.as_deref().map(file_name));
         let source = InputFile { bytes: &task.source, name: source_name.as_deref() };
         let target = InputFile { bytes: &task.target, name: target_name.as_deref() };
-        let output = run_match(source, target, &parameters, &self.limits, observer).map_err(compute_error)?;
-        products(output).map_err(ComputeError::Failed)
+        let output = run_match_with(&self.surfaces, source, target, &parameters, &self.limits, observer);
+        products(output.map_err(compute_error)?).map_err(ComputeError::Failed)
     }
 
     fn present(&self, part: ResultPart, format: PartFormat, stored: &[&[u8]]) -> Result<Vec<u8>, PresentError> {

@@ -30,7 +30,7 @@ async fn matched() -> (TestService, String) {
         .part("target", target.file_name("b.nii.gz"))
         .text("parameters", json!({"input": {"surface": "voxel"}}).to_string());
     let folder = Arc::new(tempfile::tempdir().unwrap());
-    let engine = Arc::new(MatchEngine { limits: IntakeLimits::default() });
+    let engine = Arc::new(MatchEngine::new(IntakeLimits::default(), 0));
     let service = TestService::start_with(folder, &[], Some(engine)).await;
     let response = service.send(form).await;
     assert_eq!(response.status(), 202, "{}", response.text().await.unwrap());

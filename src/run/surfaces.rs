@@ -96,7 +96,7 @@ enum Claim<'a> {
 /// What it has of the file after reading it.
 enum Progress<'a> {
     Kept(Arc<ReadySurface>),
-    Read(Wanted<'a>, PreparedSurface, Option<Guard<'a>>),
+    Read(Wanted<'a>, Box<PreparedSurface>, Option<Guard<'a>>),
 }
 
 impl<'a> Wanted<'a> {
@@ -115,7 +115,7 @@ impl<'a> Claim<'a> {
             Claim::Kept(surface) => Progress::Kept(surface),
             Claim::Missing(wanted, guard) => {
                 let prepared = prepare_surface(wanted.file.bytes, wanted.file.name, parameters, limits)?;
-                Progress::Read(wanted, prepared, guard)
+                Progress::Read(wanted, Box::new(prepared), guard)
             }
         })
     }
@@ -134,7 +134,7 @@ impl Progress<'_> {
             Progress::Kept(surface) => surface,
             Progress::Read(wanted, prepared, guard) => {
                 let levels = Levels::new(&prepared.mesh, coarse_vertices);
-                let surface = Arc::new(ReadySurface { hash: wanted.hash, prepared, levels });
+                let surface = Arc::new(ReadySurface { hash: wanted.hash, prepared: *prepared, levels });
                 if let Some(guard) = guard {
                     // Those who wait get it even where it is too large to be kept.
                     let _ = guard.insert(Arc::clone(&surface));

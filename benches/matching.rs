@@ -2,19 +2,28 @@
 //!
 //! `make bench` runs this and `kernel.rs` and keeps what they print as a dated record under `benches/records/`. Every
 //! figure is a median over runs with the spread beside it; thread counts are compared within the run, since machines
-//! differ and drift. No test depends on it.
-#![allow(clippy::unwrap_used, clippy::print_stdout)]
+//! differ and drift. A word (`large`, `whole`, `template`) runs one part. No test depends on it.
+#![allow(clippy::unwrap_used, clippy::print_stdout, missing_docs)]
 
 mod common;
+#[path = "matching/template.rs"]
+mod template;
 
 use common::{pair, peak_mib, with_threads};
+use homolog::formats::ply::write_ply;
+use homolog::intake::IntakeLimits;
 use homolog::matching::match_surfaces;
 use homolog::matching::parameters::{MatchParameters, resolve};
 use homolog::mesh::{FaceArity, SurfaceMesh};
 use homolog::observe::Silent;
+use homolog::run::{InputFile, run_match};
 use serde_json::json;
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap};
 use std::time::Instant;
+
+/// The steps of a match as results time them, in their order.
+const STAGES: [&str; 7] =
+    ["reading", "features", "inference", "registration", "refinement", "displacement", "reporting"];
 
 /// Median, least and most of `runs` timings, seconds.
 fn timed(runs: usize, mut work: impl FnMut()) -> [f64; 3] {
@@ -43,8 +52,17 @@ fn main() {
     let cores = std::thread::available_parallelism().map_or(1, usize::from);
     println!("machine: {}", machine());
     println!("commit: {}", option_env!("HOMOLOG_COMMIT").unwrap_or("unknown"));
-    large_matches(cores);
-    whole_match(cores);
+    let words: Vec<String> = std::env::args().skip(1).filter(|a| !a.starts_with("--")).collect();
+    let wanted = |name: &str| words.is_empty() || words.iter().any(|w| w == name);
+    if wanted("large") {
+        large_matches(cores);
+    }
+    if wanted("whole") {
+        whole_match(cores);
+    }
+    if wanted("template") {
+        template::template(cores);
+    }
 }
 
 fn whole_match(cores: usize) {
@@ -72,7 +90,7 @@ fn whole_match(cores: usize) {
 }
 
 /// `mesh` with every triangle cut in four.
-fn cut_in_four(mesh: &SurfaceMesh) -> SurfaceMesh {
+pub fn cut_in_four(mesh: &SurfaceMesh) -> SurfaceMesh {
     let mut vertices = mesh.vertices().to_vec();
     let mut middles = HashMap::new();
     let mut faces = Vec::new();
@@ -89,19 +107,29 @@ fn cut_in_four(mesh: &SurfaceMesh) -> SurfaceMesh {
     SurfaceMesh::new(vertices, FaceArity::Triangle, faces).unwrap()
 }
 
-/// The default on surfaces of one shape and ever more vertices. Peak memory only grows, so small ones come first.
+/// The default on surfaces of one shape and ever more vertices, and where its time goes. Peak memory only grows, so small
+/// ones come first.
 fn large_matches(cores: usize) {
     println!("\n## The default on ever finer surfaces, {cores} threads (median, least, most of 3)\n");
+    println!("From files in memory to the result document.\n");
     println!("| vertices | seconds | | | peak memory, MiB | slope on a log-log plot |\n|---|---|---|---|---|---|");
     let parameters: MatchParameters = resolve(&json!({})).unwrap();
     let (mut source, mut target) = pair(0.8);
     let mut before: Option<(f64, f64)> = None;
+    let mut stages = Vec::new();
     for level in 0..4 {
         if level > 0 {
             (source, target) = (cut_in_four(&source), cut_in_four(&target));
         }
-        let [median, least, most] =
-            with_threads(cores, || timed(3, || drop(match_surfaces(&source, &target, &parameters, &Silent).unwrap())));
+        let files = [write_ply(&source), write_ply(&target)];
+        let [of_source, of_target] = files.each_ref().map(|bytes| InputFile { bytes, name: None });
+        let mut runs = Vec::new();
+        let [median, least, most] = with_threads(cores, || {
+            timed(3, || {
+                let output = run_match(of_source, of_target, &parameters, &IntakeLimits::default(), &Silent);
+                runs.push(output.unwrap().document.timings_ms);
+            })
+        });
         let n = source.n_vertices() as f64;
         let slope = before.map_or(String::new(), |(m, t)| format!("{:.2}", (median / t).ln() / (n / m).ln()));
         before = Some((n, median));
@@ -111,5 +139,23 @@ fn large_matches(cores: usize) {
             target.n_vertices(),
             peak_mib().unwrap_or(f64::NAN)
         );
+        stages.push((source.n_vertices(), shares(&runs)));
     }
+    println!("\n## Where the time of these matches goes, % (median of 3)\n");
+    println!("| vertices | {} | the rest |\n|{}", STAGES.join(" | "), "---|".repeat(STAGES.len() + 2));
+    for (n_vertices, shares) in stages {
+        let rest = 100.0 - shares.iter().sum::<f64>();
+        let cells: Vec<String> = shares.iter().chain([&rest]).map(|share| format!("{share:.1}")).collect();
+        println!("| {n_vertices} | {} |", cells.join(" | "));
+    }
+}
+
+/// The median over the runs of the share of each stage in the whole, %.
+fn shares(runs: &[BTreeMap<String, f64>]) -> [f64; STAGES.len()] {
+    STAGES.map(|stage| {
+        let mut of_runs: Vec<f64> =
+            runs.iter().map(|ms| 100.0 * ms.get(stage).copied().unwrap_or(0.0) / ms["total"]).collect();
+        of_runs.sort_by(f64::total_cmp);
+        of_runs[of_runs.len() / 2]
+    })
 }

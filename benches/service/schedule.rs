@@ -143,25 +143,32 @@ fn row(workload: &Workload, way: &str, times: &[Times], most_mib: f64) {
     );
 }
 
-/// Pairs an hour of a template against many subjects.
+/// Pairs an hour of a template against many subjects, prepared surfaces kept between jobs or not.
 pub async fn template(scale: Scale) {
     let (n_subjects, n_vertices) = (count(scale, 100), scale.pick(SMALL, MIDDLE));
     println!("\n## A template against {n_subjects} subjects\n");
-    println!("Surfaces of about {n_vertices} vertices, uploaded before; one batch, default settings.");
+    println!(
+        "Surfaces of about {n_vertices} vertices, uploaded before; one batch, default settings, but that in one row"
+    );
+    println!("no prepared surface is kept between jobs.");
     pairs::say_parameters();
-    println!("| seconds | pairs an hour | most MiB |\n|---|---|---|");
-    let place = Place::sqlite();
-    let node = Node::program(&place.environment());
-    let mut client = Client::connect(&node.address).await;
-    let mut template = String::new();
-    let mut subjects = Vec::new();
-    for seed in 0..n_subjects as u64 {
-        let [source, target] = pairs::subject(seed, n_vertices);
-        subjects.push(json!({"mesh_id": upload(&mut client, &source).await}));
-        template = upload(&mut client, &target).await;
+    println!("| prepared surfaces | seconds | pairs an hour | most MiB |\n|---|---|---|---|");
+    for (way, bytes) in [("anew", Some("0")), ("kept", None)] {
+        let place = Place::sqlite();
+        let mut environment = place.environment();
+        environment.extend(bytes.map(|n| ("HOMOLOG_PREPARED_BYTES", n.to_owned())));
+        let node = Node::program(&environment);
+        let mut client = Client::connect(&node.address).await;
+        let mut template = String::new();
+        let mut subjects = Vec::new();
+        for seed in 0..n_subjects as u64 {
+            let [source, target] = pairs::subject(seed, n_vertices);
+            subjects.push(json!({"mesh_id": upload(&mut client, &source).await}));
+            template = upload(&mut client, &target).await;
+        }
+        let batch = json!({"template": template, "subjects": subjects, "parameters": parameters()});
+        let seconds = makespan_s(&run_batch(&mut client, &batch).await);
+        let most = node.status_mib("VmHWM");
+        println!("| {way} | {seconds:.1} | {:.0} | {most:.0} |", n_subjects as f64 / seconds * 3600.0);
     }
-    let batch = json!({"template": template, "subjects": subjects, "parameters": parameters()});
-    let seconds = makespan_s(&run_batch(&mut client, &batch).await);
-    let most = node.status_mib("VmHWM");
-    println!("| {seconds:.1} | {:.0} | {most:.0} |", n_subjects as f64 / seconds * 3600.0);
 }

@@ -1,0 +1,98 @@
+//! What keeping prepared surfaces is worth to a study: a template against subjects, with and without.
+
+use crate::common::with_threads;
+use crate::cut_in_four;
+use homolog::formats::nifti::write_nifti_gz;
+use homolog::formats::ply::write_ply;
+use homolog::intake::IntakeLimits;
+use homolog::matching::parameters::{MatchParameters, resolve};
+use homolog::observe::Silent;
+use homolog::phantom::{PairRecipe, PhantomPair};
+use homolog::run::{InputFile, SurfaceCache, run_match_with};
+use serde_json::json;
+use std::time::Instant;
+
+/// The files of the subject with this seed and of the template.
+type Inputs = fn(u64) -> [Vec<u8>; 2];
+
+const N_SUBJECTS: u64 = 20;
+/// Bytes that are kept, as the service does unless told otherwise.
+const KEPT_BYTES: u64 = 256 << 20;
+
+/// Another source for each seed, and a target that is the same for all.
+fn subject(seed: u64) -> PhantomPair {
+    let recipe = PairRecipe {
+        subject: seed + 1,
+        target_subject: 0,
+        deform_share: 0.0,
+        deform_seed: 0,
+        pose_seed: Some(3),
+        permute_seed: Some(4),
+    };
+    PhantomPair::new(recipe).unwrap()
+}
+
+/// Source and target as PLY, every triangle cut in four so many times.
+fn surfaces(seed: u64, n_cuts: u32) -> [Vec<u8>; 2] {
+    let pair = subject(seed);
+    let [source, target] = [pair.source_surface(0.8).unwrap().mesh, pair.target_surface(0.8).unwrap().0.mesh];
+    [source, target].map(|mesh| write_ply(&(0..n_cuts).fold(mesh, |mesh, _| cut_in_four(&mesh))))
+}
+
+/// Source and target as label volumes with voxels of this size.
+fn volumes(seed: u64, voxel_mm: f64) -> [Vec<u8>; 2] {
+    let pair = subject(seed);
+    let volumes = [pair.source_volume(voxel_mm).unwrap(), pair.target_volume(voxel_mm).unwrap()];
+    volumes.map(|volume| write_nifti_gz(&volume.into_label_volume().unwrap()))
+}
+
+pub fn template(cores: usize) {
+    println!("\n## A template against {N_SUBJECTS} subjects, prepared surfaces kept or not, {cores} threads\n");
+    println!("From files in memory to the result document. Every match runs both ways in turn; sums, the ratio of the");
+    println!("sums, and the least, the median and the most of the ratios of the matches.\n");
+    println!("| inputs | vertices | method | anew s | kept s | kept / anew | least | median | most | kept MiB |");
+    println!("|---|---|---|---|---|---|---|---|---|---|");
+    let sets: [(&str, Inputs); 4] = [
+        ("meshes", |seed| surfaces(seed, 0)),
+        ("label volumes, 1 mm", |seed| volumes(seed, 1.0)),
+        ("label volumes, 0.5 mm", |seed| volumes(seed, 0.5)),
+        ("meshes", |seed| surfaces(seed, 2)),
+    ];
+    // Made one after another: those of large surfaces take memory.
+    for (inputs, of) in sets {
+        let files: Vec<_> = (0..N_SUBJECTS).map(of).collect();
+        for method in ["rigid", "balanced"] {
+            row(inputs, &files, method, cores);
+        }
+    }
+}
+
+fn row(inputs: &str, files: &[[Vec<u8>; 2]], method: &str, cores: usize) {
+    let parameters: MatchParameters = resolve(&json!({"method": method})).unwrap();
+    let (kept, anew) = (SurfaceCache::new(KEPT_BYTES), SurfaceCache::none());
+    let mut seconds = [0.0, 0.0];
+    let mut ratios = Vec::new();
+    let mut n_vertices = 0;
+    for pair in files {
+        let [source, target] = pair.each_ref().map(|bytes| InputFile { bytes, name: None });
+        let taken = [&anew, &kept].map(|surfaces| {
+            let began = Instant::now();
+            let run = || run_match_with(surfaces, source, target, &parameters, &IntakeLimits::default(), &Silent);
+            n_vertices = with_threads(cores, run).unwrap().document.provenance.target.n_vertices;
+            began.elapsed().as_secs_f64()
+        });
+        seconds = [seconds[0] + taken[0], seconds[1] + taken[1]];
+        ratios.push(taken[1] / taken[0]);
+    }
+    ratios.sort_by(f64::total_cmp);
+    println!(
+        "| {inputs} | {n_vertices} | {method} | {:.2} | {:.2} | {:.3} | {:.3} | {:.3} | {:.3} | {:.0} |",
+        seconds[0],
+        seconds[1],
+        seconds[1] / seconds[0],
+        ratios[0],
+        ratios[ratios.len() / 2],
+        ratios[ratios.len() - 1],
+        kept.bytes() as f64 / (1 << 20) as f64
+    );
+}

@@ -61,7 +61,7 @@ fn main() {
         whole_match(cores);
     }
     if wanted("template") {
-        template::template(cores);
+        template::template();
     }
 }
 

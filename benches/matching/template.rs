@@ -46,8 +46,9 @@ fn volumes(seed: u64, voxel_mm: f64) -> [Vec<u8>; 2] {
     volumes.map(|volume| write_nifti_gz(&volume.into_label_volume().unwrap()))
 }
 
-pub fn template(cores: usize) {
-    println!("\n## A template against {N_SUBJECTS} subjects, prepared surfaces kept or not, {cores} threads\n");
+/// On one thread, as matches of a batch run in the service: on two the other surface is prepared meanwhile.
+pub fn template() {
+    println!("\n## A template against {N_SUBJECTS} subjects, prepared surfaces kept or not, one thread\n");
     println!("From files in memory to the result document. Every match runs both ways in turn; sums, the ratio of the");
     println!("sums, and the least, the median and the most of the ratios of the matches.\n");
     println!("| inputs | vertices | method | anew s | kept s | kept / anew | least | median | most | kept MiB |");
@@ -62,12 +63,12 @@ pub fn template(cores: usize) {
     for (inputs, of) in sets {
         let files: Vec<_> = (0..N_SUBJECTS).map(of).collect();
         for method in ["rigid", "balanced"] {
-            row(inputs, &files, method, cores);
+            row(inputs, &files, method);
         }
     }
 }
 
-fn row(inputs: &str, files: &[[Vec<u8>; 2]], method: &str, cores: usize) {
+fn row(inputs: &str, files: &[[Vec<u8>; 2]], method: &str) {
     let parameters: MatchParameters = resolve(&json!({"method": method})).unwrap();
     let (kept, anew) = (SurfaceCache::new(KEPT_BYTES), SurfaceCache::none());
     let mut seconds = [0.0, 0.0];
@@ -78,7 +79,7 @@ fn row(inputs: &str, files: &[[Vec<u8>; 2]], method: &str, cores: usize) {
         let taken = [&anew, &kept].map(|surfaces| {
             let began = Instant::now();
             let run = || run_match_with(surfaces, source, target, &parameters, &IntakeLimits::default(), &Silent);
-            n_vertices = with_threads(cores, run).unwrap().document.provenance.target.n_vertices;
+            n_vertices = with_threads(1, run).unwrap().document.provenance.target.n_vertices;
             began.elapsed().as_secs_f64()
         });
         seconds = [seconds[0] + taken[0], seconds[1] + taken[1]];

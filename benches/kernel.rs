@@ -1,7 +1,7 @@
 //! An iteration of belief propagation against the time below which this machine cannot do it.
 //!
 //! The floor is the longer of two times, both from rates measured in the same run on as many threads:
-//! - every message read once and written once, 8 bytes a value, at the rate at which a plain loop over far more memory
+//! - every message read once and written once, 8 bytes a value or 4 where messages are stored in 16 bits, at the rate at which a plain loop over far more memory
 //!   than the caches hold reads, changes and writes it in place;
 //! - the operations of a value on numbers that lie in the fastest cache: its maxima, minima and sums at the rate at which
 //!   the cores take maxima, or these and the products of it and of the messages that go into it at the rate at which
@@ -9,8 +9,8 @@
 //!   between rows and lanes, and what scales, floors and damps a message and compares it with the one before (seven
 //!   operations a value).
 //!
-//! `cargo bench --bench kernel` prints a table for surfaces of 2,300 and 4,700 vertices; with `-- large` it also measures
-//! 10,000, which takes 3 GiB.
+//! `cargo bench --bench kernel` prints a table for surfaces of 2,300 and 4,700 vertices; `-- large` one for 10,000 instead,
+//! with `r = 2` only, which takes 4 GiB.
 #![allow(clippy::unwrap_used, clippy::print_stdout, unsafe_code)]
 
 mod common;
@@ -20,7 +20,7 @@ use homolog::curvature::{ScaleSpace, gaussian_curvature};
 use homolog::graph::{EdgeGraph, LabelNeighborhoods};
 use homolog::inference::{
     ActiveModel, ActivePropagation, ActiveSets, BeliefPropagation, BpMethod, BpOptions, Evidence, FeaturePotentials,
-    Product, Schedule, Update,
+    MessageStorage, Product, Update,
 };
 use homolog::mesh::{SurfaceMesh, canonicalize};
 use homolog::mrf::{Feature, MrfModel, PairwisePotential, unary_potentials};
@@ -29,6 +29,13 @@ use multiversion::multiversion;
 use rayon::prelude::*;
 use std::hint::black_box;
 use std::time::Instant;
+
+/// Surfaces of the tables: the length of their edges, mm, and how often a row is measured how.
+struct Size {
+    edge_mm: f64,
+    iterations: u32,
+    runs: usize,
+}
 
 fn surfaces(edge_mm: f64) -> [SurfaceMesh; 2] {
     <[SurfaceMesh; 2]>::from(pair(edge_mm)).map(|mesh| canonicalize(&mesh).mesh)
@@ -148,40 +155,64 @@ fn operations(model: &MrfModel, product: Product) -> [f64; 2] {
     }
 }
 
-fn measure(surfaces: &[SurfaceMesh; 2], threads: usize, iterations: u32) {
-    let cases = [1, 2, 3].map(|r| (Product::Max, r, 0.0)).into_iter().chain([1, 2, 3].map(|r| (Product::Sum, r, 0.0)));
-    for (product, rings, beta) in cases.chain([(Product::Max, 2, 0.5), (Product::Sum, 2, 0.5)]) {
+fn measure(surfaces: &[SurfaceMesh; 2], rings: &[usize], threads: usize, size: &Size) {
+    let energies = [0.0, 0.5].into_iter().flat_map(|beta| rings.iter().map(move |&r| (r, beta)));
+    for (rings, beta) in energies {
         let model = model(surfaces, rings, beta);
         let values = (model.variables.n_directed_edges() * model.n_labels()) as f64;
-        let options = BpOptions { product, damping: 0.5, floor: 1e-5, tolerance: 0.0 };
-        let (bandwidth, maxima, both) = (bandwidth(1 << 25), rate::<false>(), rate::<true>());
-        let mut bp = BeliefPropagation::new(&model, options);
-        bp.run(1, &Silent, |_| ()).unwrap();
-        // Every run ends with a pass that only decodes: the difference of two runs is made of iterations alone.
-        let mut run = |iterations| fastest(3, || drop(bp.run(iterations, &Silent, |_| ()).unwrap()));
-        let seconds = (run(1 + iterations) - run(1)) / f64::from(iterations);
-        let bytes_floor = 8.0 * values / bandwidth;
-        let [single, products] = operations(&model, product);
-        let operations_floor = (single / maxima).max((single + products) / both) * values;
-        println!(
-            "| {product:?} | {beta} | {rings} | {} x {} | {threads} | {:.1} | {:.1} | {:.1} | {:.1} | {:.1} | {:.1} | {:.2} | {:.1} | {:.2} |",
-            model.n_variables(),
-            model.n_labels(),
-            bandwidth / 1e9,
-            maxima / 1e9,
-            both / 1e9,
-            bytes_floor * 1e3,
-            operations_floor * 1e3,
-            seconds * 1e3,
-            bytes_floor.max(operations_floor) / seconds,
-            8.0 * values / seconds / 1e9,
-            values * model.labels.mean_size() / seconds / 1e9 / threads as f64,
-        );
+        for product in [Product::Max, Product::Sum] {
+            let (bandwidth, maxima, both) = (bandwidth(1 << 25), rate::<false>(), rate::<true>());
+            let [single, products] = operations(&model, product);
+            let operations_floor = (single / maxima).max((single + products) / both) * values;
+            for (storage, bits) in [(MessageStorage::Single, 32), (MessageStorage::Half, 16)] {
+                let measured = iteration(&model, product, storage, size);
+                let bytes = values * f64::from(bits) / 4.0;
+                let bytes_floor = bytes / bandwidth;
+                println!(
+                    "| {product:?} | {beta} | {rings} | {bits} | {} x {} | {threads} | {:.1} | {:.1} | {:.1} | {:.1} | {:.1} | {:.1} | {:.2} | {:.1} | {:.2} | {:.0} |",
+                    model.n_variables(),
+                    model.n_labels(),
+                    bandwidth / 1e9,
+                    maxima / 1e9,
+                    both / 1e9,
+                    bytes_floor * 1e3,
+                    operations_floor * 1e3,
+                    measured.seconds * 1e3,
+                    bytes_floor.max(operations_floor) / measured.seconds,
+                    bytes / measured.seconds / 1e9,
+                    values * model.labels.mean_size() / measured.seconds / 1e9 / threads as f64,
+                    measured.peak_mib,
+                );
+            }
+        }
     }
 }
 
-/// A sweep over all label pairs, as general engines do, beside one over those that a truncation leaves. Peak memory only
-/// grows, so this comes first, and small surfaces before large ones.
+/// Lets [`peak_mib`] begin anew, on Linux; elsewhere it goes on telling the most that the process ever held.
+fn forget_peak() {
+    // See proc(5): 5 sets the peak to what is held now.
+    let _ = std::fs::write("/proc/self/clear_refs", "5");
+}
+
+/// What an iteration takes.
+struct Iteration {
+    seconds: f64,
+    /// Most memory that the process held meanwhile, the model included, MiB.
+    peak_mib: f64,
+}
+
+fn iteration(model: &MrfModel, product: Product, storage: MessageStorage, size: &Size) -> Iteration {
+    forget_peak();
+    let options = BpOptions { product, damping: 0.5, floor: 1e-5, tolerance: 0.0 };
+    let mut bp = BeliefPropagation::with_method(model, options, BpMethod { storage, ..BpMethod::default() });
+    bp.run(1, &Silent, |_| ()).unwrap();
+    // Every run ends with a pass that only decodes: the difference of two runs is made of iterations alone.
+    let mut run = |iterations| fastest(size.runs, || drop(bp.run(iterations, &Silent, |_| ()).unwrap()));
+    let seconds = (run(1 + size.iterations) - run(1)) / f64::from(size.iterations);
+    Iteration { seconds, peak_mib: peak_mib().unwrap_or(f64::NAN) }
+}
+
+/// A sweep over all label pairs, as general engines do, beside one over those that a truncation leaves.
 fn every_pair() {
     println!("\n## A sweep over every pair of labels, one thread, max-product with a distance term, r = 2\n");
     println!(
@@ -189,10 +220,11 @@ fn every_pair() {
          |---|---|---|---|---|"
     );
     for edge_mm in [2.2, 1.21] {
+        forget_peak();
         let model = model(&surfaces(edge_mm), 2, 0.5);
         let options = BpOptions { product: Product::Max, damping: 0.5, floor: 1e-5, tolerance: 0.0 };
         let sweep = |update| {
-            let method = BpMethod { update, schedule: Schedule::Flooding };
+            let method = BpMethod { update, ..BpMethod::default() };
             let mut bp = BeliefPropagation::with_method(&model, options, method);
             bp.run(1, &Silent, |_| ()).unwrap();
             let mut run = |iterations| fastest(3, || drop(bp.run(iterations, &Silent, |_| ()).unwrap()));
@@ -221,6 +253,7 @@ fn active_labels() {
     let evidence = Evidence { unary: &potentials, bias: None };
     let (n, n_labels) = (parts.variables.n_vertices(), parts.labels.n_labels());
     for active in [64, 128, 256] {
+        forget_peak();
         let sets =
             ActiveSets { initial: active, kept: active, largest: active, margin: f32::MAX, every: 100, demanded: 0 };
         let options = BpOptions { product: Product::Max, damping: 0.5, floor: 1e-5, tolerance: 0.0 };
@@ -240,21 +273,26 @@ fn active_labels() {
 
 fn main() {
     let cores = std::thread::available_parallelism().map_or(1, usize::from);
-    every_pair();
-    active_labels();
-    println!("\n## An iteration over all labels against its floor (fastest of 3)\n");
-    println!(
-        "| algorithm | beta | r | vertices | threads | memory, GB/s | maxima, 1e9/s | with products, 1e9/s | floor by bytes, ms | by operations, ms \
-         | iteration, ms | share of the floor | messages, GB/s | label pairs, 1e9/s a core |\n\
-         |---|---|---|---|---|---|---|---|---|---|---|---|---|---|"
-    );
     let large = std::env::args().any(|argument| argument == "large");
-    for (edge_mm, iterations) in [(0.8, 6), (0.56, 2), (0.39, 1)].into_iter().take(if large { 3 } else { 2 }) {
-        let surfaces = surfaces(edge_mm);
+    let (sizes, rings): (&[Size], &[usize]) = if large {
+        (&[Size { edge_mm: 0.39, iterations: 1, runs: 2 }], &[2])
+    } else {
+        every_pair();
+        active_labels();
+        (&[Size { edge_mm: 0.8, iterations: 6, runs: 3 }, Size { edge_mm: 0.56, iterations: 2, runs: 3 }], &[1, 2, 3])
+    };
+    println!("\n## An iteration over all labels against its floor (fastest of {})\n", sizes[0].runs);
+    println!(
+        "| algorithm | beta | r | bits | vertices | threads | memory, GB/s | maxima, 1e9/s | with products, 1e9/s | floor by bytes, ms \
+         | by operations, ms | iteration, ms | share of the floor | messages, GB/s | label pairs, 1e9/s a core | peak memory, MiB |\n\
+         |---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|"
+    );
+    for size in sizes {
+        let surfaces = surfaces(size.edge_mm);
         let mut threads = vec![1, cores];
         threads.dedup();
         for threads in threads {
-            with_threads(threads, || measure(&surfaces, threads, iterations));
+            with_threads(threads, || measure(&surfaces, rings, threads, size));
         }
     }
 }

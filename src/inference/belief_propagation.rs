@@ -3,22 +3,25 @@
 //! Source: Pearl 1988; Kschischang, Frey, Loeliger 2001 (sum-product, max-product); the sparse update over a
 //! truncated pairwise potential follows the thesis, chapter 5.
 //!
-//! [`BeliefPropagation`] owns the messages (`|E→| · n` numbers of 32 bits, and a little more when flooding) and is reused
-//! from one clamping round to the next, warm. An iteration is `|E→|` message updates: `O(|E→| n k̄)` with the sparse
+//! [`BeliefPropagation`] owns the messages (`|E→| · n` numbers of 32 bits, or of 16, and a little more when flooding) and
+//! is reused from one clamping round to the next, warm. An iteration is `|E→|` message updates: `O(|E→| n k̄)` with the sparse
 //! update, `O(|E→| n²)` with the full one.
 
 use super::beliefs::{belief_row, belief_spread};
 use super::block_plan::LANES;
 use super::flooding::Flooding;
 use super::kernel::Kernel;
-use super::options::{BpMethod, BpOptions, Schedule};
+use super::message_value::MessageValue;
+use super::options::{BpMethod, BpOptions, MessageStorage, Schedule};
 use super::outcome::{BpIteration, BpOutcome};
 use super::pair_table::{PairTable, edge_factors};
 use super::residual::Residual;
 use crate::mrf::MrfModel;
 use crate::observe::{Cancelled, Observer};
+use half::f16;
 use nalgebra::Point3;
 use rayon::prelude::*;
+use std::borrow::Cow;
 
 /// Messages and scratch of belief propagation over one model.
 pub struct BeliefPropagation<'a> {
@@ -37,7 +40,8 @@ pub struct BeliefPropagation<'a> {
 
 /// The messages, and what a schedule needs besides.
 enum Engine {
-    Flooding(Flooding),
+    Flooding(Flooding<f32>),
+    HalfFlooding(Flooding<f16>),
     Residual { residual: Residual, messages: Vec<f32> },
 }
 
@@ -54,14 +58,19 @@ impl<'a> BeliefPropagation<'a> {
         let (beta, scale) = (model.pairwise.beta, model.pairwise.length_scale);
         let factors: Vec<_> = model.lengths.iter().map(|&length| edge_factors(beta, scale, length)).collect();
         let reverse = graph.reverse_edges();
-        let (engine, incoming) = match method.schedule {
-            Schedule::Flooding => {
+        let incoming = |rows: Vec<u32>| reverse.iter().map(|&edge| rows[edge as usize]).collect();
+        let (engine, incoming) = match (method.schedule, method.storage) {
+            (Schedule::Flooding, MessageStorage::Single) => {
                 let flooding = Flooding::new(graph, &factors, stride);
-                let rows = flooding.rows();
-                let incoming = reverse.iter().map(|&edge| rows[edge as usize]).collect();
+                let incoming = incoming(flooding.rows());
                 (Engine::Flooding(flooding), incoming)
             }
-            Schedule::Residual => {
+            (Schedule::Flooding, MessageStorage::Half) => {
+                let flooding = Flooding::new(graph, &factors, stride);
+                let incoming = incoming(flooding.rows());
+                (Engine::HalfFlooding(flooding), incoming)
+            }
+            (Schedule::Residual, _) => {
                 let messages = vec![0.0; stride * graph.n_directed_edges()];
                 (Engine::Residual { residual: Residual::new(graph, factors), messages }, reverse)
             }
@@ -88,6 +97,7 @@ impl<'a> BeliefPropagation<'a> {
         flat[..self.model.n_labels()].fill(1.0);
         match &mut self.engine {
             Engine::Flooding(flooding) => flooding.fill(&flat),
+            Engine::HalfFlooding(flooding) => flooding.fill(&flat),
             Engine::Residual { messages, .. } => {
                 messages.chunks_exact_mut(self.stride.max(1)).for_each(|row| row.copy_from_slice(&flat));
             }
@@ -130,6 +140,7 @@ impl<'a> BeliefPropagation<'a> {
         };
         match &mut self.engine {
             Engine::Flooding(flooding) => flooding.run(kernel, max_iterations, observer, on_iteration),
+            Engine::HalfFlooding(flooding) => flooding.run(kernel, max_iterations, observer, on_iteration),
             Engine::Residual { residual, messages } => {
                 residual.run(kernel, messages, max_iterations, observer, on_iteration)
             }
@@ -146,11 +157,12 @@ impl<'a> BeliefPropagation<'a> {
     }
 
     /// The message `j → i` of the directed edge `i → j`, over the labels; its largest value is 1 up to damping.
-    pub(super) fn incoming_message(&self, edge: usize) -> &[f32] {
+    pub(super) fn incoming_message(&self, edge: usize) -> Cow<'_, [f32]> {
         let (row, n) = (self.incoming[edge] as usize, self.model.n_labels());
         match &self.engine {
-            Engine::Flooding(flooding) => &flooding.message(row)[..n],
-            Engine::Residual { messages, .. } => &messages[row * self.stride..][..n],
+            Engine::Flooding(flooding) => MessageValue::widen(&flooding.message(row)[..n]),
+            Engine::HalfFlooding(flooding) => MessageValue::widen(&flooding.message(row)[..n]),
+            Engine::Residual { messages, .. } => Cow::Borrowed(&messages[row * self.stride..][..n]),
         }
     }
 

@@ -7,10 +7,10 @@ use nalgebra::{Point3, Vector3};
 const MESSAGES_PER_SCALING: usize = 4;
 
 /// The belief `φ(x) Π m(x)` over the labels, in 64 bits, summing to 1; all 0 where all products vanish.
-pub(super) fn belief_row<'a>(phi: &[f32], messages: impl Iterator<Item = &'a [f32]>) -> Vec<f64> {
+pub(super) fn belief_row(phi: &[f32], messages: impl Iterator<Item: AsRef<[f32]>>) -> Vec<f64> {
     let mut belief: Vec<f64> = phi.iter().map(|&p| f64::from(p)).collect();
     for (at, message) in messages.enumerate() {
-        for (b, &m) in belief.iter_mut().zip(message) {
+        for (b, &m) in belief.iter_mut().zip(message.as_ref()) {
             *b *= f64::from(m);
         }
         if at % MESSAGES_PER_SCALING == MESSAGES_PER_SCALING - 1 {

@@ -8,7 +8,8 @@
 #![allow(unsafe_code)]
 
 use super::block_plan::{BLOCK_LANES, BlockVariable};
-use super::lanes::{CHUNK, ChunkRow, ChunkRows, Lanes};
+use super::lanes::{CHUNK, ChunkRow, ChunkRows, LINE_BYTES, Lanes};
+use super::message_value::MessageValue;
 #[cfg(target_arch = "x86_64")]
 use super::vector::Avx2;
 use super::vector::{Plain, Vector, WIDTH};
@@ -74,24 +75,24 @@ pub(super) struct CavityTotals {
 /// `phi` has the row of every variable of the block, `messages` the incoming rows of all of them, one variable after
 /// the other; all rows are as long as `cavity`, a multiple of [`WIDTH`], and beyond the labels `phi` is 0.
 /// Lanes that the block leaves empty hold numbers without a meaning.
-#[multiversion(targets("x86_64+avx2"))]
-pub(super) fn cavity_products(
+#[multiversion(targets("x86_64+avx2+f16c"))]
+pub(super) fn cavity_products<M: MessageValue>(
     phi: &[&[f32]],
-    messages: &[&[f32]],
+    messages: &[&[M]],
     variables: &[BlockVariable],
     (chains, with_sums): (&mut Chains, bool),
     cavity: &mut [Lanes],
 ) -> CavityTotals {
     match_target! {
-        "x86_64+avx2" => products::<Avx2>(phi, messages, variables, (chains, with_sums), cavity),
-        _ => products::<Plain>(phi, messages, variables, (chains, with_sums), cavity),
+        "x86_64+avx2+f16c" => products::<Avx2, M>(phi, messages, variables, (chains, with_sums), cavity),
+        _ => products::<Plain, M>(phi, messages, variables, (chains, with_sums), cavity),
     }
 }
 
 #[inline(always)]
-fn products<V: Vector>(
+fn products<V: Vector, M: MessageValue>(
     phi: &[&[f32]],
-    messages: &[&[f32]],
+    messages: &[&[M]],
     variables: &[BlockVariable],
     (chains, with_sums): (&mut Chains, bool),
     cavity: &mut [Lanes],
@@ -108,13 +109,13 @@ fn products<V: Vector>(
             let phi = &phi[at][start..start + turned.len()];
             // The degrees of nearly all vertices of triangle and quad meshes.
             match incoming.len() {
-                3 => multiply_few::<V, 3>(phi, incoming, (at, of.lane), chains, start),
-                4 => multiply_few::<V, 4>(phi, incoming, (at, of.lane), chains, start),
-                5 => multiply_few::<V, 5>(phi, incoming, (at, of.lane), chains, start),
-                6 => multiply_few::<V, 6>(phi, incoming, (at, of.lane), chains, start),
-                7 => multiply_few::<V, 7>(phi, incoming, (at, of.lane), chains, start),
-                8 => multiply_few::<V, 8>(phi, incoming, (at, of.lane), chains, start),
-                _ => multiply_many::<V>(phi, incoming, (at, of), chains, start),
+                3 => multiply_few::<V, M, 3>(phi, incoming, (at, of.lane), chains, start),
+                4 => multiply_few::<V, M, 4>(phi, incoming, (at, of.lane), chains, start),
+                5 => multiply_few::<V, M, 5>(phi, incoming, (at, of.lane), chains, start),
+                6 => multiply_few::<V, M, 6>(phi, incoming, (at, of.lane), chains, start),
+                7 => multiply_few::<V, M, 7>(phi, incoming, (at, of.lane), chains, start),
+                8 => multiply_few::<V, M, 8>(phi, incoming, (at, of.lane), chains, start),
+                _ => multiply_many::<V, M>(phi, incoming, (at, of), chains, start),
             }
         }
         if with_sums {
@@ -158,22 +159,22 @@ fn turn_chunk<V: Vector, const SUMS: bool>(rows: &ChunkRows, turned: &mut [Lanes
 /// The products of one variable of `D` neighbours over one chunk of labels, from label `start` on, into the rows from
 /// `lane` on. The variable is number `at` of its block.
 #[inline(always)]
-fn multiply_few<V: Vector, const D: usize>(
+fn multiply_few<V: Vector, M: MessageValue, const D: usize>(
     phi: &[f32],
-    incoming: &[&[f32]],
+    incoming: &[&[M]],
     (at, lane): (usize, usize),
     chains: &mut Chains,
     start: usize,
 ) {
     let n = phi.len() / WIDTH;
-    let messages: [&[[f32; WIDTH]]; D] =
+    let messages: [&[[M; WIDTH]]; D] =
         std::array::from_fn(|slot| &incoming[slot][start..start + phi.len()].as_chunks().0[..n]);
     let Some(rows) = chains.rows[lane..].first_chunk_mut::<D>() else { return };
     let rows = rows.each_mut().map(|row| &mut row.as_chunks_mut::<WIDTH>().0[..n]);
     let scale = V::splat(CHAIN_SCALE);
     let mut peak = Peak::<V>::load(&chains.beliefs[at]);
     for (tile, phi) in phi.as_chunks::<WIDTH>().0.iter().enumerate() {
-        if tile % 2 == 0 {
+        if (tile * WIDTH * size_of::<M>()).is_multiple_of(LINE_BYTES) {
             for row in &messages {
                 V::prefetch(row.as_flattened(), tile * WIDTH + CHUNK);
             }
@@ -182,13 +183,13 @@ fn multiply_few<V: Vector, const D: usize>(
         let mut before = [product; D];
         for slot in 0..D {
             before[slot] = product;
-            product = product.mul(V::load(&messages[slot][tile]));
+            product = product.mul(M::load(&messages[slot][tile]));
         }
         peak.add(product, start / WIDTH + tile);
         let mut after = scale;
         for slot in (0..D).rev() {
             before[slot].mul(after).store(&mut rows[slot][tile]);
-            after = after.mul(V::load(&messages[slot][tile]));
+            after = after.mul(M::load(&messages[slot][tile]));
         }
     }
     peak.store(&mut chains.beliefs[at]);
@@ -196,9 +197,9 @@ fn multiply_few<V: Vector, const D: usize>(
 
 /// Likewise for any number of neighbours, and for those that a block sends to.
 #[inline(always)]
-fn multiply_many<V: Vector>(
+fn multiply_many<V: Vector, M: MessageValue>(
     phi: &[f32],
-    incoming: &[&[f32]],
+    incoming: &[&[M]],
     (at, of): (usize, &BlockVariable),
     chains: &mut Chains,
     start: usize,
@@ -211,11 +212,12 @@ fn multiply_many<V: Vector>(
     for (product, &phi) in forward[0].iter_mut().zip(phi) {
         *product = phi * CHAIN_SCALE;
     }
-    for (slot, message) in incoming.iter().enumerate() {
+    let message = |slot: usize| incoming[slot][start..start + length].as_chunks::<WIDTH>().0;
+    for slot in 0..incoming.len() {
         let (done, open) = forward.split_at_mut(slot + 1);
-        let factors = done[slot].iter().zip(&message[start..start + length]);
-        for (product, (&a, &b)) in open[0].iter_mut().zip(factors) {
-            *product = a * b;
+        let factors = done[slot].as_chunks().0.iter().zip(message(slot));
+        for (product, (so_far, factor)) in open[0].as_chunks_mut().0.iter_mut().zip(factors) {
+            V::load(so_far).mul(M::load(factor)).store(product);
         }
     }
     let mut peak = Peak::<V>::load(&beliefs[at]);
@@ -231,8 +233,8 @@ fn multiply_many<V: Vector>(
                 *product = a * b;
             }
         }
-        for (product, &message) in backward.iter_mut().zip(&incoming[slot][start..start + length]) {
-            *product *= message;
+        for (product, factor) in backward.as_chunks_mut().0.iter_mut().zip(message(slot)) {
+            V::load(product).mul(M::load(factor)).store(product);
         }
     }
 }

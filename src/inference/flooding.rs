@@ -12,6 +12,7 @@ use super::block_plan::{Block, BlockPlan};
 use super::kernel::{Kernel, lane_factors};
 use super::lanes::Lanes;
 use super::message_store::{Batches, MessageStore, OpenStore};
+use super::message_value::MessageValue;
 use super::message_writer::BlockRows;
 use super::outcome::{BpIteration, BpOutcome, BpStop, Decoded, Progress};
 use super::sparse_update::Scratch;
@@ -21,12 +22,12 @@ use rayon::prelude::*;
 use std::sync::{Mutex, PoisonError};
 
 /// Blocks, and their messages.
-pub(super) struct Flooding {
+pub(super) struct Flooding<M> {
     plan: BlockPlan,
     batches: Batches,
     /// Near and far factors of the pairwise potential, for each lane of each block.
     factors: Vec<(Lanes, Lanes)>,
-    messages: MessageStore,
+    messages: MessageStore<M>,
     /// One for each thread.
     scratch: Vec<Mutex<Scratch>>,
 }
@@ -38,7 +39,7 @@ struct Pass {
     delta: f32,
 }
 
-impl Flooding {
+impl<M: MessageValue> Flooding<M> {
     /// Blocks over the directed edges of `graph`; `factors` of every edge; rows of `stride` values.
     pub fn new(graph: &EdgeGraph, factors: &[(f32, f32)], stride: usize) -> Self {
         let plan = BlockPlan::new(graph);
@@ -65,7 +66,7 @@ impl Flooding {
     }
 
     /// The message in row `row`.
-    pub fn message(&self, row: usize) -> &[f32] {
+    pub fn message(&self, row: usize) -> &[M] {
         self.messages.row(row)
     }
 
@@ -120,7 +121,7 @@ impl Flooding {
                 break;
             }
             let mut lent = open.lend(if update { blocks.len() } else { 0 });
-            let mut outputs: Vec<Option<&mut [f32]>> = lent.iter_mut().map(|lent| Some(&mut *lent.values)).collect();
+            let mut outputs: Vec<Option<&mut [M]>> = lent.iter_mut().map(|lent| Some(&mut *lent.values)).collect();
             outputs.resize_with(blocks.len(), || None);
             let results: Vec<(Vec<Decoded>, f32)> = blocks
                 .clone()
@@ -163,13 +164,13 @@ fn decode_alone(kernel: Kernel<'_>, variable: usize) -> Decoded {
 
 /// Decodes the variables of block `number` and, with an `output`, writes its next messages there. Returns also the
 /// largest change of a message.
-fn make_block(
+fn make_block<M: MessageValue>(
     kernel: Kernel<'_>,
-    messages: &OpenStore<'_>,
+    messages: &OpenStore<'_, M>,
     (number, block): (usize, &Block),
     (near, far): &(Lanes, Lanes),
     scratch: &mut Scratch,
-    output: Option<&mut [f32]>,
+    output: Option<&mut [M]>,
 ) -> (Vec<Decoded>, f32) {
     let totals = kernel.cavity(|row| messages.row(row), &block.variables, scratch);
     // A variable in several blocks is decoded by the one that holds its first edges.

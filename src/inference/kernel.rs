@@ -4,6 +4,7 @@ use super::block_plan::BlockVariable;
 use super::cavity::{CavityTotals, cavity_products};
 use super::full_update::{FullPotential, full_max_update, full_sum_update};
 use super::lanes::{CHUNK, Lanes};
+use super::message_value::MessageValue;
 use super::message_writer::{BlockRows, Finish, write_chunk};
 use super::options::{BpMethod, BpOptions, Product, Update};
 use super::outcome::Decoded;
@@ -28,14 +29,14 @@ pub(super) struct Kernel<'a> {
 impl Kernel<'_> {
     /// Cavity products of the lanes of `variables` into `scratch`; returns their totals. `message` is the row of an
     /// incoming message.
-    pub fn cavity<'m>(
+    pub fn cavity<'m, M: MessageValue>(
         &self,
-        message: impl Fn(u32) -> &'m [f32],
+        message: impl Fn(u32) -> &'m [M],
         variables: &[BlockVariable],
         scratch: &mut Scratch,
     ) -> CavityTotals {
         let phi: Vec<&[f32]> = variables.iter().map(|of| self.phi_row(of.variable)).collect();
-        let messages: Vec<&[f32]> = variables.iter().flat_map(|of| &of.incoming).map(|&row| message(row)).collect();
+        let messages: Vec<&[M]> = variables.iter().flat_map(|of| &of.incoming).map(|&row| message(row)).collect();
         let chains = (&mut scratch.chains, self.options.product == Product::Sum);
         cavity_products(&phi, &messages, variables, chains, &mut scratch.cavity[..self.stride])
     }
@@ -82,12 +83,12 @@ impl Kernel<'_> {
     }
 
     /// The next messages of all lanes from the cavity products of `scratch`, into `rows`; returns the largest change.
-    pub fn write(
+    pub fn write<M: MessageValue>(
         &self,
         factors: (&Lanes, &Lanes),
         totals: &CavityTotals,
         scratch: &mut Scratch,
-        rows: &mut BlockRows<'_>,
+        rows: &mut BlockRows<'_, M>,
     ) -> f32 {
         let finish = Finish { floor: self.options.floor, damping: self.options.damping };
         let mut change = 0.0f32;

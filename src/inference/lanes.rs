@@ -6,6 +6,9 @@ use std::ops::{Deref, DerefMut};
 /// Labels treated together: with all lanes of a block they fill 6 KiB, part of the fastest cache.
 pub(super) const CHUNK: usize = 64;
 
+/// Bytes of a line of the cache.
+pub(super) const LINE_BYTES: usize = 64;
+
 /// One number for each lane of a block.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[repr(align(32))]

@@ -6,7 +6,9 @@
 //! reader is done. Where a block lies thus changes from iteration to iteration; nothing is copied, and what is
 //! written lands where something has just been read, which the cache still holds.
 
-use super::block_plan::{BLOCK_LANES, Block, BlockPlan, LANES};
+use super::block_plan::{BLOCK_LANES, Block, BlockPlan};
+use super::lanes::LINE_BYTES;
+use super::message_value::MessageValue;
 use std::ops::Range;
 
 /// Blocks between two releases: enough to keep many cores busy, few against the thousands of a surface.
@@ -64,8 +66,8 @@ fn places(plan: &BlockPlan) -> Vec<Place> {
 }
 
 /// All messages, block by block.
-pub(super) struct MessageStore {
-    values: Vec<f32>,
+pub(super) struct MessageStore<M> {
+    values: Vec<M>,
     /// Where the first piece begins: where a line of the cache does.
     start: usize,
     stride: usize,
@@ -76,14 +78,15 @@ pub(super) struct MessageStore {
     spare: Vec<usize>,
 }
 
-impl MessageStore {
+impl<M: MessageValue> MessageStore<M> {
     /// Room for the messages of `plan`, rows of `stride` values, and `n_spare` blocks more. All 0.
     pub fn new(plan: &BlockPlan, stride: usize, n_spare: usize) -> Self {
         let n = plan.blocks.len();
         // A vector that straddles two lines of the cache takes twice as long; rows are whole vectors, so that it is
         // enough to align the first one. Not a matter of results: 0 would do.
-        let values = vec![0.0; (n + n_spare) * BLOCK_LANES * stride + LANES];
-        let start = values.as_ptr().align_offset(LANES * size_of::<f32>()).min(LANES);
+        let line = LINE_BYTES / size_of::<M>();
+        let values = vec![M::ZERO; (n + n_spare) * BLOCK_LANES * stride + line];
+        let start = values.as_ptr().align_offset(LINE_BYTES).min(line);
         MessageStore {
             values,
             start,
@@ -95,16 +98,17 @@ impl MessageStore {
     }
 
     /// The message in row `row`.
-    pub fn row(&self, row: usize) -> &[f32] {
+    pub fn row(&self, row: usize) -> &[M] {
         let start = self.start(row);
         &self.values[start..start + self.stride]
     }
 
     /// Makes every message the same.
     pub fn fill(&mut self, message: &[f32]) {
+        let message: Vec<M> = message.iter().map(|&value| M::narrow(value.max(M::LEAST))).collect();
         for row in 0..self.places.len() {
             let start = self.start(row);
-            self.values[start..start + self.stride].copy_from_slice(message);
+            self.values[start..start + self.stride].copy_from_slice(&message);
         }
     }
 
@@ -114,7 +118,7 @@ impl MessageStore {
     }
 
     /// The messages for one iteration.
-    pub fn open(&mut self) -> OpenStore<'_> {
+    pub fn open(&mut self) -> OpenStore<'_, M> {
         let MessageStore { values, start, stride, places, piece_of_block, spare } = self;
         OpenStore {
             pieces: values[*start..].chunks_exact_mut((BLOCK_LANES * *stride).max(1)).collect(),
@@ -128,9 +132,9 @@ impl MessageStore {
 }
 
 /// The messages while some are read and others written.
-pub(super) struct OpenStore<'a> {
+pub(super) struct OpenStore<'a, M> {
     /// Empty where lent out.
-    pieces: Vec<&'a mut [f32]>,
+    pieces: Vec<&'a mut [M]>,
     /// Where the block of the next iteration lies, once it is made.
     new_piece: Vec<usize>,
     stride: usize,
@@ -140,33 +144,33 @@ pub(super) struct OpenStore<'a> {
 }
 
 /// A piece lent out to be written.
-pub(super) struct Lent<'a> {
+pub(super) struct Lent<'a, M> {
     piece: usize,
     /// Row after row of the block.
-    pub values: &'a mut [f32],
+    pub values: &'a mut [M],
 }
 
-impl<'a> OpenStore<'a> {
+impl<'a, M> OpenStore<'a, M> {
     /// The old message in row `row`.
-    pub fn row(&self, row: u32) -> &[f32] {
+    pub fn row(&self, row: u32) -> &[M] {
         let Place { block, lane } = self.places[row as usize];
         &self.block(block as usize)[lane as usize * self.stride..][..self.stride]
     }
 
     /// All old messages of a block.
-    pub fn block(&self, block: usize) -> &[f32] {
+    pub fn block(&self, block: usize) -> &[M] {
         &*self.pieces[self.piece_of_block[block]]
     }
 
     /// Spare pieces for `count` blocks, or for as many as there are.
-    pub fn lend(&mut self, count: usize) -> Vec<Lent<'a>> {
+    pub fn lend(&mut self, count: usize) -> Vec<Lent<'a, M>> {
         let first = self.spare.len().saturating_sub(count);
         let lent = self.spare.split_off(first).into_iter().rev();
         lent.map(|piece| Lent { piece, values: std::mem::take(&mut self.pieces[piece]) }).collect()
     }
 
     /// Takes back what was lent: from the next iteration on it is `block`.
-    pub fn give_back(&mut self, block: usize, lent: Lent<'a>) {
+    pub fn give_back(&mut self, block: usize, lent: Lent<'a, M>) {
         self.new_piece[block] = lent.piece;
         self.pieces[lent.piece] = lent.values;
     }
@@ -206,7 +210,7 @@ mod tests {
             edges.dedup();
             let plan = BlockPlan::new(&EdgeGraph::from_edges(400, &edges));
             let batches = Batches::new(&plan);
-            let mut store = MessageStore::new(&plan, 1, batches.n_spare);
+            let mut store = MessageStore::<f32>::new(&plan, 1, batches.n_spare);
             store.fill(&[0.0]);
             let mut made = vec![0.0; plan.blocks.len()];
             for iteration in 1..4u8 {

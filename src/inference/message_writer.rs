@@ -3,7 +3,8 @@
 // The dispatch to instruction sets that `multiversion` generates needs unsafe calls; nothing here does itself.
 #![allow(unsafe_code)]
 
-use super::lanes::{CHUNK, Lanes};
+use super::lanes::{CHUNK, LINE_BYTES, Lanes};
+use super::message_value::MessageValue;
 #[cfg(target_arch = "x86_64")]
 use super::vector::Avx2;
 use super::vector::{Plain, Vector, WIDTH};
@@ -13,40 +14,46 @@ use multiversion::target::match_target;
 /// How an updated message becomes the new one.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Finish {
-    /// Smallest value of a message.
+    /// Smallest value of a message, if what it is stored in can tell it from 0.
     pub floor: f32,
     /// Share of the old message that is kept.
     pub damping: f32,
 }
 
 /// The rows of one block while its messages are written.
-pub(super) struct BlockRows<'a> {
+pub(super) struct BlockRows<'a, M> {
     /// The messages before, row after row; as many as `new` has.
-    pub old: &'a [f32],
+    pub old: &'a [M],
     /// Where the next ones go.
-    pub new: &'a mut [f32],
+    pub new: &'a mut [M],
     /// Values of a row.
     pub stride: usize,
 }
 
 /// Writes the messages of one chunk of labels: `updated` has those of the labels from `start` on before scaling,
 /// a multiple of [`WIDTH`], and `largest` the largest value of each lane over all labels. Returns the largest change.
-#[multiversion(targets("x86_64+avx2"))]
-pub(super) fn write_chunk(
+#[multiversion(targets("x86_64+avx2+f16c"))]
+pub(super) fn write_chunk<M: MessageValue>(
     updated: &[Lanes],
     start: usize,
     largest: &Lanes,
     finish: Finish,
-    rows: &mut BlockRows<'_>,
+    rows: &mut BlockRows<'_, M>,
 ) -> f32 {
     match_target! {
-        "x86_64+avx2" => write::<Avx2>(updated, start, largest, finish, rows),
-        _ => write::<Plain>(updated, start, largest, finish, rows),
+        "x86_64+avx2+f16c" => write::<Avx2, M>(updated, start, largest, finish, rows),
+        _ => write::<Plain, M>(updated, start, largest, finish, rows),
     }
 }
 
 #[inline(always)]
-fn write<V: Vector>(updated: &[Lanes], start: usize, largest: &Lanes, finish: Finish, rows: &mut BlockRows<'_>) -> f32 {
+fn write<V: Vector, M: MessageValue>(
+    updated: &[Lanes],
+    start: usize,
+    largest: &Lanes,
+    finish: Finish,
+    rows: &mut BlockRows<'_, M>,
+) -> f32 {
     let BlockRows { old, new, stride } = rows;
     let piece = WIDTH * *stride;
     let share = 1.0 - finish.damping;
@@ -60,15 +67,15 @@ fn write<V: Vector>(updated: &[Lanes], start: usize, largest: &Lanes, finish: Fi
                 top if top > 0.0 => share / top,
                 _ => 0.0,
             }),
-            floor: share * finish.floor,
+            floor: share * finish.floor.max(M::LEAST),
             damping: finish.damping,
             labels,
             stride: *stride,
         };
         change = if old.len() == piece {
-            group.write::<V, true>(updated, old, new, change)
+            group.write::<V, M, true>(updated, old, new, change)
         } else {
-            group.write::<V, false>(updated, old, new, change)
+            group.write::<V, M, false>(updated, old, new, change)
         };
     }
     let mut changes = [0.0; WIDTH];
@@ -92,26 +99,32 @@ struct Group {
 impl Group {
     /// Writes the rows of the group, `FULL` of them or fewer, and returns the changes.
     #[inline(always)]
-    fn write<V: Vector, const FULL: bool>(&self, updated: &[Lanes], old: &[f32], new: &mut [f32], change: V) -> V {
+    fn write<V: Vector, M: MessageValue, const FULL: bool>(
+        &self,
+        updated: &[Lanes],
+        old: &[M],
+        new: &mut [M],
+        change: V,
+    ) -> V {
         let n_rows = if FULL { WIDTH } else { old.len() / self.stride };
         let n = updated.len() / WIDTH;
         let mut before = old.chunks_exact(self.stride);
-        let old: [&[[f32; WIDTH]]; WIDTH] = std::array::from_fn(|_| match before.next() {
+        let old: [&[[M; WIDTH]]; WIDTH] = std::array::from_fn(|_| match before.next() {
             Some(row) => &row[self.labels.clone()].as_chunks().0[..n],
             None => &[],
         });
         let mut after = new.chunks_exact_mut(self.stride);
-        let new: [&mut [[f32; WIDTH]]; WIDTH] = std::array::from_fn(|_| match after.next() {
+        let new: [&mut [[M; WIDTH]]; WIDTH] = std::array::from_fn(|_| match after.next() {
             Some(row) => &mut row[self.labels.clone()].as_chunks_mut().0[..n],
             None => &mut [],
         });
         let (floor, damping) = (V::splat(self.floor), V::splat(self.damping));
         let mut most = change;
         for (tile, lanes) in updated.as_chunks::<WIDTH>().0.iter().enumerate() {
-            // What the next chunk needs of these rows is asked for now, a line of the cache every second tile: the rows
-            // are too many, and their pieces too short, for the processor to see what comes next.
-            if tile % 2 == 0 {
-                let at = tile * WIDTH;
+            // What the next chunk needs of these rows is asked for now, whenever a line of the cache begins: the rows are too
+            // many, and their pieces too short, for the processor to see what comes next.
+            let at = tile * WIDTH;
+            if (at * size_of::<M>()).is_multiple_of(LINE_BYTES) {
                 for k in 0..n_rows {
                     V::prefetch_far(old[k].as_flattened(), at + CHUNK);
                     V::prefetch_far(new[k].as_flattened(), at + CHUNK);
@@ -122,13 +135,57 @@ impl Group {
             let rows = V::load_turned(rows);
             for k in 0..WIDTH {
                 if FULL || k < n_rows {
-                    let old = V::load(&old[k][tile]);
+                    let old = M::load::<V>(&old[k][tile]);
                     let value = rows[k].mul(V::splat(self.scale[k])).max(floor).add(damping.mul(old));
+                    let value = M::store(value, &mut new[k][tile]);
                     most = value.sub(old).abs().max(most);
-                    value.store(&mut new[k][tile]);
                 }
             }
         }
         most
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::block_plan::BLOCK_LANES;
+    use super::*;
+    use half::f16;
+    use proptest::prelude::*;
+
+    /// The new rows as the dispatched function writes them and as any machine does, with the largest change.
+    fn both<M: MessageValue>(updated: &[Lanes], old: &[f32], finish: Finish) -> [(Vec<u32>, u32); 2] {
+        let old: Vec<M> = old.iter().map(|&value| M::narrow(value)).collect();
+        let mut top = Lanes::splat(0.0);
+        for row in updated {
+            (0..BLOCK_LANES).for_each(|k| top[k] = row[k].max(top[k]));
+        }
+        [write_chunk::<M>, write::<Plain, M>].map(|write| {
+            let mut new = vec![M::ZERO; old.len()];
+            let change =
+                write(updated, 0, &top, finish, &mut BlockRows { old: &old, new: &mut new, stride: updated.len() });
+            (M::widen(&new).iter().map(|value| value.to_bits()).collect(), change.to_bits())
+        })
+    }
+
+    proptest! {
+        #[test]
+        fn messages_are_written_in_the_same_bits_on_any_machine(
+            n_rows in 1usize..=BLOCK_LANES,
+            vectors in 1usize..4,
+            exponents in prop::collection::vec(-30.0f32..0.0, 389),
+            damping in prop_oneof![Just(0.0f32), 0.0f32..0.9],
+            floor in prop_oneof![Just(0.0f32), Just(1e-5)],
+        ) {
+            let stride = vectors * WIDTH;
+            let mut numbers = exponents.iter().map(|e| e.exp2()).cycle();
+            let updated: Vec<Lanes> = (0..stride).map(|_| Lanes(std::array::from_fn(|_| numbers.next().unwrap()))).collect();
+            let old: Vec<f32> = numbers.take(n_rows * stride).collect();
+            let finish = Finish { floor, damping };
+            let [dispatched, plain] = both::<f32>(&updated, &old, finish);
+            prop_assert_eq!(dispatched, plain);
+            let [dispatched, plain] = both::<f16>(&updated, &old, finish);
+            prop_assert_eq!(dispatched, plain);
+        }
     }
 }

@@ -8,8 +8,9 @@ use crate::observe::Silent;
 use nalgebra::Point3;
 use proptest::prelude::*;
 
-const FULL: BpMethod = BpMethod { update: Update::Full, schedule: Schedule::Flooding };
-const RESIDUAL: BpMethod = BpMethod { update: Update::Sparse, schedule: Schedule::Residual };
+const FULL: BpMethod = BpMethod { update: Update::Full, schedule: Schedule::Flooding, storage: MessageStorage::Single };
+const RESIDUAL: BpMethod =
+    BpMethod { update: Update::Sparse, schedule: Schedule::Residual, storage: MessageStorage::Single };
 
 fn options(product: Product, damping: f32, floor: f32) -> BpOptions {
     BpOptions { product, damping, floor, tolerance: 0.0 }
@@ -26,6 +27,7 @@ fn any_method() -> impl Strategy<Value = BpMethod> {
     (any::<bool>(), any::<bool>()).prop_map(|(full, residual)| BpMethod {
         update: if full { Update::Full } else { Update::Sparse },
         schedule: if residual { Schedule::Residual } else { Schedule::Flooding },
+        storage: MessageStorage::Single,
     })
 }
 
@@ -129,7 +131,9 @@ fn every_method_gives_the_same_bits_on_any_number_of_threads() {
         for product in [Product::Max, Product::Sum] {
             let with = |threads: usize| {
                 let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
-                pool.install(|| run(&model, options(product, 0.3, 1e-5), BpMethod { update, schedule }, 8))
+                pool.install(|| {
+                    run(&model, options(product, 0.3, 1e-5), BpMethod { update, schedule, ..BpMethod::default() }, 8)
+                })
             };
             let one = with(1);
             for threads in [2, 5] {

@@ -31,6 +31,7 @@ mod lower_bound;
 #[cfg(test)]
 mod lower_bound_tests;
 mod message_store;
+mod message_value;
 mod message_writer;
 #[cfg(test)]
 mod method_tests;
@@ -42,6 +43,8 @@ mod pair_table;
 mod randomised;
 mod residual;
 mod sparse_update;
+#[cfg(test)]
+mod storage_tests;
 mod sweep_order;
 #[cfg(test)]
 mod tests;
@@ -55,7 +58,7 @@ pub use belief_propagation::BeliefPropagation;
 pub use beliefs::belief_spread;
 pub use convergence::{Convergence, ConvergenceStatus};
 pub use lower_bound::{DualBound, DualIteration, DualOptions, DualOutcome, DualStop};
-pub use options::{BpMethod, BpOptions, Product, Schedule, Update};
+pub use options::{BpMethod, BpOptions, MessageStorage, Product, Schedule, Update};
 pub use outcome::{BpIteration, BpOutcome, BpStop};
 pub use randomised::{
     AnnealingOptions, Cooling, LasVegas, LasVegasOptions, Sampler, SearchOutcome, SearchRun, SearchStop, SearchSweep,

@@ -31,13 +31,28 @@ pub enum Schedule {
     Residual,
 }
 
-/// Update and schedule; the default is the sparse update, flooding.
+/// In which numbers messages are stored; they are computed in 32 bits in any case.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum MessageStorage {
+    /// Single precision, 32 bits.
+    #[default]
+    Single,
+    /// Half precision, binary16 of IEEE 754, in half the memory. A message is rounded to a relative `2⁻¹¹` above `2⁻¹⁴`
+    /// (6e-5) and to `2⁻²⁵` absolute below, and its floor is at least `2⁻²⁴` (6e-8). Changes are those of the stored
+    /// messages: none, or a step between two numbers of 16 bits, `2⁻¹¹` near 1. Flooding only; the residual schedule,
+    /// whose bounds on what is pending are finer than such steps, stores single precision all the same.
+    Half,
+}
+
+/// Update, schedule and storage; the default is the sparse update, flooding, single precision.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct BpMethod {
     /// Which label pairs a message update visits.
     pub update: Update,
     /// In which order messages are updated.
     pub schedule: Schedule,
+    /// In which numbers messages are stored.
+    pub storage: MessageStorage,
 }
 
 /// Options of a run.

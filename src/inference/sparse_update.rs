@@ -58,17 +58,17 @@ impl Scratch {
 const GROUPS: usize = BLOCK_LANES / WIDTH;
 
 /// A chunk of `to(y) = max(floor, max_{x ∈ rows(y)} from(x))`; 0 beyond the labels.
-#[multiversion(targets("x86_64+avx2"))]
+#[multiversion(targets("x86_64+avx2+f16c"))]
 pub(super) fn max_chunk(rows: &LabelRows, chunk: usize, from: &[Lanes], floor: &Lanes, to: &mut [Lanes]) {
     match_target! {
-        "x86_64+avx2" => fold_chunk::<Avx2>(rows, chunk, from, floor, |h, best| h.max(best), to),
+        "x86_64+avx2+f16c" => fold_chunk::<Avx2>(rows, chunk, from, floor, |h, best| h.max(best), to),
         _ => fold_chunk::<Plain>(rows, chunk, from, floor, |h, best| h.max(best), to),
     }
 }
 
 /// A chunk of `to(y) = rest + share · Σ_{x ∈ rows(y)} from(x)`; 0 beyond the labels. Raises `largest` to the largest
 /// value of each lane.
-#[multiversion(targets("x86_64+avx2"))]
+#[multiversion(targets("x86_64+avx2+f16c"))]
 pub(super) fn sum_chunk(
     rows: &LabelRows,
     chunk: usize,
@@ -78,7 +78,7 @@ pub(super) fn sum_chunk(
     largest: &mut Lanes,
 ) {
     match_target! {
-        "x86_64+avx2" => sums::<Avx2>(rows, chunk, from, (rest, share), to, largest),
+        "x86_64+avx2+f16c" => sums::<Avx2>(rows, chunk, from, (rest, share), to, largest),
         _ => sums::<Plain>(rows, chunk, from, (rest, share), to, largest),
     }
 }
@@ -199,7 +199,7 @@ pub(super) fn sum_update_uniform(table: &PairTable, rest: &Lanes, epsilon: f32, 
 }
 
 /// Max-product with a distance term. `near` and `far` are the [`super::pair_table::edge_factors`] of each lane.
-#[multiversion(targets("x86_64+avx512f+avx512vl+avx512bw+avx512dq", "x86_64+avx2"))]
+#[multiversion(targets("x86_64+avx512f+avx512vl+avx512bw+avx512dq", "x86_64+avx2+f16c"))]
 pub(super) fn max_update(
     table: &PairTable,
     cavity: &[Lanes],
@@ -228,7 +228,7 @@ pub(super) fn max_update(
 
 /// Sum-product: `ε Σ_x h(x) + Σ_{x ∈ N_r(y)} (ψ(x, y) − ε) h(x)`, with `ψ` not below `ε` (`epsilon`) and
 /// `rest = ε Σ_x h(x)`.
-#[multiversion(targets("x86_64+avx512f+avx512vl+avx512bw+avx512dq", "x86_64+avx2"))]
+#[multiversion(targets("x86_64+avx512f+avx512vl+avx512bw+avx512dq", "x86_64+avx2+f16c"))]
 pub(super) fn sum_update(
     table: &PairTable,
     cavity: &[Lanes],

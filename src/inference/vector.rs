@@ -1,13 +1,14 @@
 //! Eight numbers of 32 bits in a register, and what the dense kernel does with them.
 //!
 //! Loops are written once, over [`Vector`], and compiled for two kinds of it: [`Plain`] for any machine and [`Avx2`] for
-//! those that have AVX2. Each operation is one rounding or none in both, so that both give the same bits; a test
+//! those that have AVX2 and F16C. Each operation is one rounding or none in both, so that both give the same bits; a test
 //! holds them equal. By hand, because of the turn of eight rows into eight columns: what the compiler makes of it goes
 //! through memory, number by number.
 
 // Intrinsics need unsafe calls where a vector goes to memory, and outside functions that are compiled for AVX2.
 #![allow(unsafe_code)]
 
+use half::f16;
 use wide::f32x4;
 
 /// Numbers in a vector.
@@ -21,6 +22,11 @@ pub(super) trait Vector: Copy {
     fn load(from: &[f32; WIDTH]) -> Self;
     /// To memory, at any address.
     fn store(self, to: &mut [f32; WIDTH]);
+    /// From numbers of 16 bits in memory, at any address.
+    fn load_half(from: &[f16; WIDTH]) -> Self;
+    /// To numbers of 16 bits in memory, at any address: to the nearest, of two equally near ones to the even one. Returns
+    /// what [`Vector::load_half`] gives back.
+    fn store_half(self, to: &mut [f16; WIDTH]) -> Self;
     /// `self + other`.
     fn add(self, other: Self) -> Self;
     /// `self − other`.
@@ -38,9 +44,9 @@ pub(super) trait Vector: Copy {
     /// [`Vector::turn`] of rows in memory.
     fn load_turned(rows: [&[f32; WIDTH]; WIDTH]) -> [Self; WIDTH];
     /// Asks for the line that holds `values[at]`, if there is such a number, to be brought into the nearest cache.
-    fn prefetch(values: &[f32], at: usize);
+    fn prefetch<T>(values: &[T], at: usize);
     /// Likewise into the second nearest.
-    fn prefetch_far(values: &[f32], at: usize);
+    fn prefetch_far<T>(values: &[T], at: usize);
 }
 
 /// A vector on any machine.
@@ -74,6 +80,17 @@ impl Vector for Plain {
     #[inline(always)]
     fn store(self, to: &mut [f32; WIDTH]) {
         *to = self.0;
+    }
+
+    #[inline(always)]
+    fn load_half(from: &[f16; WIDTH]) -> Self {
+        Plain(from.map(f16::to_f32))
+    }
+
+    #[inline(always)]
+    fn store_half(self, to: &mut [f16; WIDTH]) -> Self {
+        *to = self.0.map(f16::from_f32);
+        Self::load_half(to)
     }
 
     #[inline(always)]
@@ -123,10 +140,10 @@ impl Vector for Plain {
     }
 
     #[inline(always)]
-    fn prefetch(_: &[f32], _: usize) {}
+    fn prefetch<T>(_: &[T], _: usize) {}
 
     #[inline(always)]
-    fn prefetch_far(_: &[f32], _: usize) {}
+    fn prefetch_far<T>(_: &[T], _: usize) {}
 }
 
 #[cfg(target_arch = "x86_64")]
@@ -135,14 +152,16 @@ pub(super) use avx2::Avx2;
 #[cfg(target_arch = "x86_64")]
 mod avx2 {
     use super::{Vector, WIDTH};
+    use half::f16;
     use std::arch::x86_64::*;
 
-    /// A vector of a machine that has AVX2. To be used in functions that are compiled for AVX2 and entered only where
-    /// the machine has it: `#[multiversion]` sees to that, and `match_target!` names this type nowhere else.
+    /// A vector of a machine that has AVX2 and F16C, which came before it. To be used in functions that are compiled for
+    /// both and entered only where the machine has them: `#[multiversion]` sees to that, and `match_target!` names this
+    /// type nowhere else.
     #[derive(Clone, Copy)]
     pub(in super::super) struct Avx2(__m256);
 
-    // SAFETY, of every call below: the machine has AVX2, as is said of the type; loads and stores are of memory that is
+    // SAFETY, of every call below: the machine has AVX2 and F16C, as is said of the type; loads and stores are of memory that is
     // borrowed for that, at any alignment; a prefetch may be of any address.
     impl Vector for Avx2 {
         #[inline(always)]
@@ -158,6 +177,20 @@ mod avx2 {
         #[inline(always)]
         fn store(self, to: &mut [f32; WIDTH]) {
             unsafe { _mm256_storeu_ps(to.as_mut_ptr(), self.0) }
+        }
+
+        #[inline(always)]
+        fn load_half(from: &[f16; WIDTH]) -> Self {
+            Avx2(unsafe { _mm256_cvtph_ps(_mm_loadu_si128(from.as_ptr().cast())) })
+        }
+
+        #[inline(always)]
+        fn store_half(self, to: &mut [f16; WIDTH]) -> Self {
+            unsafe {
+                let halves = _mm256_cvtps_ph::<_MM_FROUND_TO_NEAREST_INT>(self.0);
+                _mm_storeu_si128(to.as_mut_ptr().cast(), halves);
+                Avx2(_mm256_cvtph_ps(halves))
+            }
         }
 
         #[inline(always)]
@@ -214,12 +247,12 @@ mod avx2 {
         }
 
         #[inline(always)]
-        fn prefetch_far(values: &[f32], at: usize) {
+        fn prefetch_far<T>(values: &[T], at: usize) {
             unsafe { _mm_prefetch::<_MM_HINT_T1>(values.as_ptr().wrapping_add(at).cast()) }
         }
 
         #[inline(always)]
-        fn prefetch(values: &[f32], at: usize) {
+        fn prefetch<T>(values: &[T], at: usize) {
             // Past the end it is an address like any other, which nothing is read from.
             unsafe { _mm_prefetch::<_MM_HINT_T0>(values.as_ptr().wrapping_add(at).cast()) }
         }
@@ -262,6 +295,10 @@ mod tests {
         made.push(a.choose_if_above(b, loaded[2], loaded[3]));
         made.extend(V::turn(loaded));
         made.extend(V::load_turned(std::array::from_fn(|k| &rows[k])));
+        made.extend(loaded.map(|row| row.store_half(&mut [f16::ZERO; WIDTH])));
+        made.extend(
+            rows.map(|row| V::load_half(&row.map(|number| f16::from_bits((number.to_bits() >> 9) as u16 & 0xbfff)))),
+        );
         let bits = |vector: V| {
             let mut numbers = [0.0; WIDTH];
             vector.store(&mut numbers);
@@ -270,10 +307,10 @@ mod tests {
         made.into_iter().map(bits).collect()
     }
 
-    #[multiversion(targets("x86_64+avx2"))]
+    #[multiversion(targets("x86_64+avx2+f16c"))]
     fn on_this_machine(rows: &[[f32; WIDTH]; WIDTH]) -> Vec<[u32; WIDTH]> {
         match_target! {
-            "x86_64+avx2" => everything::<Avx2>(rows),
+            "x86_64+avx2+f16c" => everything::<Avx2>(rows),
             _ => everything::<Plain>(rows),
         }
     }
@@ -289,6 +326,27 @@ mod tests {
                 rows[0][4] = 0.0;
             }
             prop_assert_eq!(on_this_machine(&rows), everything::<Plain>(&rows));
+        }
+
+        #[test]
+        fn numbers_of_any_size_are_rounded_to_the_same_halves(
+            entropy in prop::collection::vec((-30i32..0, 0u32..1 << 23), 64),
+        ) {
+            // Every 16th lies in the middle between two halves.
+            let number = |(at, &(exponent, fraction)): (usize, &(i32, u32))| {
+                let fraction = if at % 16 == 0 { fraction & !0xfff | 0x1000 } else { fraction };
+                f32::from_bits(((exponent + 127) as u32) << 23 | fraction)
+            };
+            let mut rows = [[0.0; WIDTH]; WIDTH];
+            let numbers: Vec<f32> = entropy.iter().enumerate().map(number).collect();
+            rows.as_flattened_mut().copy_from_slice(&numbers);
+            prop_assert_eq!(on_this_machine(&rows), everything::<Plain>(&rows));
+            for row in rows {
+                let mut halves = [f16::ZERO; WIDTH];
+                Plain(row).store_half(&mut halves);
+                prop_assert_eq!(halves, row.map(f16::from_f32_const));
+                prop_assert_eq!(Plain::load_half(&halves), Plain(halves.map(f16::to_f32_const)));
+            }
         }
 
         #[test]

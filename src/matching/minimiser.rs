@@ -101,6 +101,10 @@ fn belief_propagation<'a>(model: &'a MrfModel, p: &InferenceParameters, product:
             MessageSchedule::Flooding => inference::Schedule::Flooding,
             MessageSchedule::Residual => inference::Schedule::Residual,
         },
+        storage: match p.message_bits {
+            16 => inference::MessageStorage::Half,
+            _ => inference::MessageStorage::Single,
+        },
     };
     BeliefPropagation::with_method(model, options, method)
 }

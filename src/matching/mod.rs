@@ -107,9 +107,9 @@ pub enum MatchError {
 const BYTES_PER_VERTEX: u64 = 2048;
 
 /// Bytes that matching surfaces of these sizes takes at its peak, within a tenth where messages are most of it: the
-/// messages once, a quarter of them for those that are still read while they are made anew, and two tables of unary
-/// potentials, all in 32 bits, on the level on which the energy is minimised; and a share for each vertex. `source` is
-/// vertices and faces.
+/// messages once, a quarter of them for those that are still read while they are made anew, in 32 or 16 bits, and two
+/// tables of unary potentials in 32, on the level on which the energy is minimised; and a share for each vertex. `source`
+/// is vertices and faces.
 ///
 /// A closed surface of genus 0 has `V + F − 2` edges, whatever its faces.
 pub fn match_memory_bytes(source: (usize, usize), target_vertices: usize, parameters: &MatchParameters) -> u64 {
@@ -125,7 +125,8 @@ pub fn match_memory_bytes(source: (usize, usize), target_vertices: usize, parame
             (vertices, directed_edges) = (coarse, 6 * coarse);
         }
     }
-    each + 4 * (directed_edges + directed_edges / 4 + 2 * vertices) * labels
+    let message_bytes = u64::from(parameters.inference.message_bits) / 8;
+    each + (message_bytes * (directed_edges + directed_edges / 4) + 4 * 2 * vertices) * labels
 }
 
 /// The energy of matching `source` to `target`, as [`match_surfaces`] minimises it in its first round. Variables and
@@ -150,7 +151,7 @@ pub fn energy_model(
 /// [`MatchError`].
 ///
 /// # Cost
-/// Time `O(iterations · |E→| · n' · k̄)`; memory `1.25·|E→|·n'` numbers of 32 bits for the messages, for `n'` labels,
+/// Time `O(iterations · |E→| · n' · k̄)`; memory `1.25·|E→|·n'` numbers of 32 or 16 bits for the messages, for `n'` labels,
 /// `|E→|` directed edges and `k̄` labels within the neighbourhood radius on the level on which the energy is minimised;
 /// and `O(n log n)` for the vertices beside it.
 pub fn match_surfaces(

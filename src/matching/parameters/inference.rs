@@ -13,6 +13,11 @@ pub struct InferenceParameters {
     pub update: Update,
     /// In which order belief propagation updates messages.
     pub schedule: MessageSchedule,
+    /// Bits in which belief propagation stores a number of a message, 32 or 16; it computes in 32. With 16, half precision,
+    /// messages take half the memory, and labels of nearly equal belief may be exchanged. For flooding over all labels.
+    #[serde(default = "default_message_bits")]
+    #[schema(minimum = 16, maximum = 32, multiple_of = 16)]
+    pub message_bits: u32,
     /// The energy of larger surfaces is that of coarse levels of about so many vertices, and every vertex is answered
     /// after registration; `null`: every vertex is a variable, every target vertex a label.
     #[schema(minimum = 100, maximum = 20000)]
@@ -35,6 +40,10 @@ pub struct InferenceParameters {
     /// Iterations of the dual method that bounds the energy from below; 0: no bound.
     #[schema(minimum = 0, maximum = 10000)]
     pub lower_bound_iterations: u32,
+}
+
+fn default_message_bits() -> u32 {
+    32
 }
 
 /// Who minimises the energy.

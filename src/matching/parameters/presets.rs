@@ -179,6 +179,7 @@ fn balanced() -> MatchParameters {
             algorithm: Algorithm::MaxProduct,
             update: Update::Sparse,
             schedule: MessageSchedule::Flooding,
+            message_bits: 32,
             coarse_vertices: Some(700),
             max_iterations: 40,
             damping: 0.5,

@@ -92,6 +92,15 @@ pub(super) fn out_of_range(p: &MatchParameters) -> Vec<ParameterError> {
         "/inference/schedule",
         "must be flooding unless inference.update is sparse",
     );
+    check(matches!(i.message_bits, 16 | 32), "/inference/message_bits", "must be 16 or 32");
+    let passes_messages = matches!(i.algorithm, Algorithm::MaxProduct | Algorithm::SumProduct);
+    check(
+        i.message_bits != 16
+            || (passes_messages && i.update != Update::Active && i.schedule == MessageSchedule::Flooding),
+        "/inference/message_bits",
+        "must be 32 unless inference.algorithm is max_product or sum_product, inference.update sparse or full, and \
+         inference.schedule flooding",
+    );
     check(p.clamping.max_rounds <= 20, "/clamping/max_rounds", "must be at most 20");
     let r = &p.registration;
     check(

@@ -1,0 +1,103 @@
+//! In which numbers messages are stored. Whatever they are, they are computed in 32 bits.
+//!
+//! A message has maximum 1, and small numbers of it weigh as much as large ones, since it enters products. In half
+//! precision, binary16 of IEEE 754, a number from 2⁻¹⁴ (6.1e-5) to 1 is stored to a relative `2⁻¹¹` (4.9e-4), smaller
+//! ones to `2⁻²⁵` (3.0e-8) absolute: the potential that a message stands for is off by at most 5e-4, and at a floor of
+//! 1e-5 by at most 3e-3. A product of messages is off by the sum of that, which no iteration adds to without end: each
+//! message is made anew from products of the last ones and scaled anew.
+//!
+//! What would be rounded to 0 would rule out a label whatever else speaks for it, so that the floor of messages is not
+//! below the smallest number there is, [`MessageValue::LEAST`].
+
+use super::vector::{Vector, WIDTH};
+use half::f16;
+use half::slice::HalfFloatSliceExt;
+use std::borrow::Cow;
+
+/// A stored value of a message.
+pub(super) trait MessageValue: Copy + Send + Sync + 'static {
+    /// 0.
+    const ZERO: Self;
+    /// Smallest value that a message may have: what keeps it from being rounded to 0.
+    const LEAST: f32;
+    /// From memory, at any address; exact.
+    fn load<V: Vector>(from: &[Self; WIDTH]) -> V;
+    /// To memory, at any address, each number to the nearest that there is, of two equally near ones to the even one.
+    /// Returns what a load gives back.
+    fn store<V: Vector>(values: V, to: &mut [Self; WIDTH]) -> V;
+    /// To the nearest number, likewise.
+    fn narrow(value: f32) -> Self;
+    /// All of a row in 32 bits; exact.
+    fn widen(row: &[Self]) -> Cow<'_, [f32]>;
+}
+
+impl MessageValue for f32 {
+    const ZERO: Self = 0.0;
+    const LEAST: f32 = 0.0;
+
+    #[inline(always)]
+    fn load<V: Vector>(from: &[f32; WIDTH]) -> V {
+        V::load(from)
+    }
+
+    #[inline(always)]
+    fn store<V: Vector>(values: V, to: &mut [f32; WIDTH]) -> V {
+        values.store(to);
+        values
+    }
+
+    fn narrow(value: f32) -> f32 {
+        value
+    }
+
+    fn widen(row: &[f32]) -> Cow<'_, [f32]> {
+        Cow::Borrowed(row)
+    }
+}
+
+impl MessageValue for f16 {
+    const ZERO: Self = f16::ZERO;
+    const LEAST: f32 = f16::MIN_POSITIVE_SUBNORMAL.to_f32_const();
+
+    #[inline(always)]
+    fn load<V: Vector>(from: &[f16; WIDTH]) -> V {
+        V::load_half(from)
+    }
+
+    #[inline(always)]
+    fn store<V: Vector>(values: V, to: &mut [f16; WIDTH]) -> V {
+        values.store_half(to)
+    }
+
+    fn narrow(value: f32) -> f16 {
+        f16::from_f32(value)
+    }
+
+    fn widen(row: &[f16]) -> Cow<'_, [f32]> {
+        let mut wide = vec![0.0; row.len()];
+        row.convert_to_f32_slice(&mut wide);
+        Cow::Owned(wide)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    proptest! {
+        #[test]
+        fn a_message_is_stored_as_closely_as_is_said(message in 1e-7f32..=1.0) {
+            let off = (f16::narrow(message).to_f32() - message).abs();
+            prop_assert!(off <= (message / 2048.0).max(1.0 / 33_554_432.0), "{message} is off by {off}");
+        }
+    }
+
+    #[test]
+    fn nothing_from_the_least_value_on_is_stored_as_zero() {
+        assert_eq!(f16::LEAST, 2.0f32.powi(-24));
+        // What a floor loses to rounding when it is damped.
+        assert_eq!(f16::narrow(f16::LEAST * 0.999).to_f32(), f16::LEAST);
+        assert_eq!(f16::narrow(1.0).to_f32(), 1.0);
+    }
+}

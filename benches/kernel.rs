@@ -10,7 +10,7 @@
 //!   operations a value).
 //!
 //! `cargo bench --bench kernel` prints a table for surfaces of 2,300 and 4,700 vertices; `-- large` one for 10,000 instead,
-//! with `r = 2` only, which takes 4 GiB.
+//! with `r = 2` only, which takes 3 GiB.
 #![allow(clippy::unwrap_used, clippy::print_stdout, unsafe_code)]
 
 mod common;

@@ -1,12 +1,13 @@
 //! The flooding schedule: every message from the messages of the iteration before, block by block on all cores.
 //!
 //! # What bounds it
-//! An iteration reads and writes every message once, `2 · 4 · |E→| · n` bytes, and does `|E→| · n` times as many
-//! operations as one value of a message needs: three products of messages, and with max-product and `β = 0` one maximum
-//! for each member of `N_1`, `r` times over, else a few operations for each member of `N_r`. The bytes over the rate at
-//! which memory is changed in place, or the operations over the rate of the vector units, whichever is longer, is the
-//! time below which no iteration can go; `benches/kernel.rs` measures all in one run. On top come the turns between rows
-//! and lanes, and scaling, damping and comparing, seven operations a value.
+//! An iteration reads and writes every message once, `2 · 4 · |E→| · n` bytes, half of that in half precision, and does
+//! `|E→| · n` times as many operations as one value of a message needs: three products of messages, and with max-product
+//! and `β = 0` one maximum for each member of `N_1`, `r` times over, else a few operations for each member of `N_r`. The
+//! bytes over the rate at which memory is changed in place, or the operations over the rate of the vector units, whichever
+//! is longer, is the time below which no iteration can go; `benches/kernel.rs` measures all in one run. On top come the
+//! turns between rows and lanes, and scaling, damping and comparing, seven operations a value; in half precision also the
+//! conversions: a value is converted three times when it is read, and twice when it is written.
 
 use super::block_plan::{Block, BlockPlan};
 use super::kernel::{Kernel, lane_factors};

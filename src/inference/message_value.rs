@@ -3,8 +3,9 @@
 //! A message has maximum 1, and small numbers of it weigh as much as large ones, since it enters products. In half
 //! precision, binary16 of IEEE 754, a number from 2⁻¹⁴ (6.1e-5) to 1 is stored to a relative `2⁻¹¹` (4.9e-4), smaller
 //! ones to `2⁻²⁵` (3.0e-8) absolute: the potential that a message stands for is off by at most 5e-4, and at a floor of
-//! 1e-5 by at most 3e-3. A product of messages is off by the sum of that, which no iteration adds to without end: each
-//! message is made anew from products of the last ones and scaled anew.
+//! 1e-5 by at most 3e-3. On a tree, where a belief is made of each message towards its variable once, it is off by the sum
+//! of that over those messages. Where there are cycles no such bound holds, and runs that do not settle may part; how far
+//! they do on surfaces has to be measured.
 //!
 //! What would be rounded to 0 would rule out a label whatever else speaks for it, so that the floor of messages is not
 //! below the smallest number there is, [`MessageValue::LEAST`].

@@ -104,6 +104,7 @@ fn one_thread_and_many_give_the_same_bytes() {
         json!({"inference": {"max_iterations": 6, "algorithm": "sum_product"}, "energy": {"beta": 0.5}}),
         json!({"method": "thesis", "inference": {"max_iterations": 6}}),
         json!({"inference": {"max_iterations": 4, "schedule": "residual"}}),
+        json!({"inference": {"max_iterations": 6, "message_bits": 16}}),
         json!({"method": "gibbs", "inference": {"max_iterations": 20}}),
         json!({"method": "metropolis", "inference": {"max_iterations": 50}}),
         json!({"method": "las_vegas", "inference": {"max_iterations": 50}}),
@@ -203,6 +204,9 @@ fn the_memory_of_a_match_is_foretold() {
     };
     let direct = mib(2310, 2626, json!({"inference": {"coarse_vertices": null}}));
     assert!((0.9 * 242.0..1.1 * 242.0).contains(&direct), "{direct}");
+    // Two phantoms of 2,302 and 2,351 with messages of 16 bits: 127 MiB.
+    let half = mib(2302, 2351, json!({"inference": {"coarse_vertices": null, "message_bits": 16}}));
+    assert!((0.9 * 127.0..1.1 * 127.0).contains(&half), "{half}");
     // On a coarse level it grows with the surfaces, not with their product.
     let (small, large) = (mib(10_000, 10_000, json!({})), mib(160_000, 160_000, json!({})));
     assert!(small < 100.0 && large < 16.0 * small, "{small} {large}");
@@ -275,6 +279,7 @@ fn every_update_and_schedule_and_the_hard_constraint_find_the_copy() {
     let target = source.transformed(&motion());
     for mut request in [
         json!({"inference": {"update": "full"}}),
+        json!({"inference": {"message_bits": 16}}),
         json!({"inference": {"update": "active"}}),
         json!({"inference": {"schedule": "residual"}}),
         json!({"energy": {"truncation": null}}),

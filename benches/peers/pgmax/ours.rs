@@ -8,7 +8,7 @@
 mod common;
 
 use common::{pair, peak_mib, with_threads};
-use homolog::inference::{BeliefPropagation, BpMethod, BpOptions, Product, Schedule, Update};
+use homolog::inference::{BeliefPropagation, BpMethod, BpOptions, Product, Update};
 use homolog::matching::energy_model;
 use homolog::matching::parameters::resolve;
 use homolog::mrf::MrfModel;
@@ -79,7 +79,7 @@ fn measure(update: &str, threads: usize, iterations: u32) {
             "full" => Update::Full,
             other => panic!("no update {other}"),
         },
-        schedule: Schedule::Flooding,
+        ..BpMethod::default()
     };
     // A tolerance of 0 lets no run end early.
     let options = BpOptions { product: Product::Max, damping: 0.5, floor: 1e-5, tolerance: 0.0 };

@@ -14,7 +14,8 @@ pub struct InferenceParameters {
     /// In which order belief propagation updates messages.
     pub schedule: MessageSchedule,
     /// Bits in which belief propagation stores a number of a message, 32 or 16; it computes in 32. With 16, half precision,
-    /// messages take half the memory, and labels of nearly equal belief may be exchanged. For flooding over all labels.
+    /// messages take half the memory; beliefs are off by a thousandth or so, and labels of nearly equal belief may be
+    /// exchanged. For flooding over all labels.
     #[serde(default = "default_message_bits")]
     #[schema(minimum = 16, maximum = 32, multiple_of = 16)]
     pub message_bits: u32,

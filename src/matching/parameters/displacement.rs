@@ -10,7 +10,13 @@ pub struct DisplacementParameters {
     /// Whether there is one.
     pub mode: DisplacementMode,
     /// What is known of the structure beside its surface.
+    #[serde(default = "unknown")]
     pub anatomy: Anatomy,
+}
+
+/// Jobs that were stored before this was a parameter knew nothing.
+fn unknown() -> Anatomy {
+    Anatomy::Any
 }
 
 /// What is known of a structure, so that what a surface alone leaves open is answered from it.

@@ -1,8 +1,8 @@
 //! An iteration of belief propagation against the time below which this machine cannot do it.
 //!
 //! The floor is the longer of two times, both from rates measured in the same run on as many threads:
-//! - every message read once and written once, 8 bytes a value or 4 where messages are stored in 16 bits, at the rate at which a plain loop over far more memory
-//!   than the caches hold reads, changes and writes it in place;
+//! - every message read once and written once, 8 bytes a value or 4 where messages are stored in 16 bits, at the rate at
+//!   which a plain loop over far more memory than the caches hold reads, changes and writes it in place;
 //! - the operations of a value on numbers that lie in the fastest cache: its maxima, minima and sums at the rate at which
 //!   the cores take maxima, or these and the products of it and of the messages that go into it at the rate at which
 //!   they take maxima and products in turn, which they do side by side; again whichever is longer. Not counted: turning
@@ -35,7 +35,12 @@ struct Size {
     edge_mm: f64,
     iterations: u32,
     runs: usize,
+    /// How messages are stored, with the bits of a value.
+    storages: &'static [(MessageStorage, u32)],
 }
+
+const SINGLE: (MessageStorage, u32) = (MessageStorage::Single, 32);
+const HALF: (MessageStorage, u32) = (MessageStorage::Half, 16);
 
 fn surfaces(edge_mm: f64) -> [SurfaceMesh; 2] {
     <[SurfaceMesh; 2]>::from(pair(edge_mm)).map(|mesh| canonicalize(&mesh).mesh)
@@ -164,7 +169,7 @@ fn measure(surfaces: &[SurfaceMesh; 2], rings: &[usize], threads: usize, size: &
             let (bandwidth, maxima, both) = (bandwidth(1 << 25), rate::<false>(), rate::<true>());
             let [single, products] = operations(&model, product);
             let operations_floor = (single / maxima).max((single + products) / both) * values;
-            for (storage, bits) in [(MessageStorage::Single, 32), (MessageStorage::Half, 16)] {
+            for &(storage, bits) in size.storages {
                 let measured = iteration(&model, product, storage, size);
                 let bytes = values * f64::from(bits) / 4.0;
                 let bytes_floor = bytes / bandwidth;
@@ -275,11 +280,13 @@ fn main() {
     let cores = std::thread::available_parallelism().map_or(1, usize::from);
     let large = std::env::args().any(|argument| argument == "large");
     let (sizes, rings): (&[Size], &[usize]) = if large {
-        (&[Size { edge_mm: 0.39, iterations: 1, runs: 2 }], &[2])
+        (&[Size { edge_mm: 0.39, iterations: 1, runs: 2, storages: &[SINGLE, HALF] }], &[2])
     } else {
         every_pair();
         active_labels();
-        (&[Size { edge_mm: 0.8, iterations: 6, runs: 3 }, Size { edge_mm: 0.56, iterations: 2, runs: 3 }], &[1, 2, 3])
+        let small = Size { edge_mm: 0.8, iterations: 6, runs: 3, storages: &[SINGLE, HALF] };
+        let middle = Size { edge_mm: 0.56, iterations: 2, runs: 3, storages: &[SINGLE] };
+        (&[small, middle], &[1, 2, 3])
     };
     println!("\n## An iteration over all labels against its floor (fastest of {})\n", sizes[0].runs);
     println!(

@@ -15,7 +15,8 @@ use std::time::Instant;
 /// The files of the subject with this seed and of the template.
 type Inputs = fn(u64) -> [Vec<u8>; 2];
 
-const N_SUBJECTS: u64 = 20;
+/// Of few vertices and of many.
+const N_SUBJECTS: [u64; 2] = [10, 4];
 /// Bytes that are kept, as the service does unless told otherwise.
 const KEPT_BYTES: u64 = 256 << 20;
 
@@ -48,20 +49,23 @@ fn volumes(seed: u64, voxel_mm: f64) -> [Vec<u8>; 2] {
 
 /// On one thread, as matches of a batch run in the service: on two the other surface is prepared meanwhile.
 pub fn template() {
-    println!("\n## A template against {N_SUBJECTS} subjects, prepared surfaces kept or not, one thread\n");
+    println!(
+        "\n## A template against {} subjects ({} of the largest), prepared surfaces kept or not, one thread\n",
+        N_SUBJECTS[0], N_SUBJECTS[1]
+    );
     println!("From files in memory to the result document. Every match runs both ways in turn; sums, the ratio of the");
     println!("sums, and the least, the median and the most of the ratios of the matches.\n");
     println!("| inputs | vertices | method | anew s | kept s | kept / anew | least | median | most | kept MiB |");
     println!("|---|---|---|---|---|---|---|---|---|---|");
-    let sets: [(&str, Inputs); 4] = [
-        ("meshes", |seed| surfaces(seed, 0)),
-        ("label volumes, 1 mm", |seed| volumes(seed, 1.0)),
-        ("label volumes, 0.5 mm", |seed| volumes(seed, 0.5)),
-        ("meshes", |seed| surfaces(seed, 2)),
+    let sets: [(&str, u64, Inputs); 4] = [
+        ("meshes", N_SUBJECTS[0], |seed| surfaces(seed, 0)),
+        ("label volumes, 1 mm", N_SUBJECTS[0], |seed| volumes(seed, 1.0)),
+        ("label volumes, 0.5 mm", N_SUBJECTS[0], |seed| volumes(seed, 0.5)),
+        ("meshes", N_SUBJECTS[1], |seed| surfaces(seed, 2)),
     ];
     // Made one after another: those of large surfaces take memory.
-    for (inputs, of) in sets {
-        let files: Vec<_> = (0..N_SUBJECTS).map(of).collect();
+    for (inputs, n_subjects, of) in sets {
+        let files: Vec<_> = (0..n_subjects).map(of).collect();
         for method in ["rigid", "balanced"] {
             row(inputs, &files, method);
         }

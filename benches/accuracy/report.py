@@ -41,7 +41,7 @@ def title(method):
 
 def write(found, out):
     with open(os.path.join(out, "accuracy.json"), "w") as file:
-        json.dump(flattened(found), file, indent=1)
+        json.dump(flattened(found), file, separators=(",", ":"))
         file.write("\n")
     with open(os.path.join(out, "accuracy.csv"), "w", newline="") as file:
         table = csv.writer(file, lineterminator="\n")

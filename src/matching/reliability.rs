@@ -4,7 +4,7 @@ use super::displacement::{DisplacementAnswer, Image};
 use super::result::{ReliabilityDocument, UnreliableReason};
 use crate::curvature::vertex_areas;
 use crate::mesh::{ClosestPoint, SurfaceMesh};
-use crate::registration::area_moments;
+use crate::registration::weighted_moments;
 
 /// Correlation of curvatures below which surfaces may show different structures. Two hippocampi have 0.65 and more, an
 /// ellipsoid and a hippocampus 0.33 to 0.61, copies of which one has noise of 2 % of its diagonal 0.48 to 0.6.
@@ -56,7 +56,7 @@ fn length_ratio(source: &SurfaceMesh, target: &SurfaceMesh) -> f64 {
 fn length_mm(mesh: &SurfaceMesh) -> f64 {
     let areas = vertex_areas(mesh);
     let total: f64 = areas.iter().sum();
-    let moments = area_moments(mesh.vertices(), &areas, total);
+    let moments = weighted_moments(mesh.vertices(), &areas, total);
     moments.map_or(0.0, |(_, scatter)| (scatter / total).symmetric_eigenvalues().max().sqrt())
 }
 

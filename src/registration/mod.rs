@@ -26,7 +26,7 @@ pub use icp::{ClosestSurfacePoint, IcpMetric, IcpOptions, IcpReport, refine_icp}
 pub use icp_registration::{IcpCandidate, IcpRegistration, IcpStart, IcpStarts, RegisterByIcpOptions, register_by_icp};
 pub use orientation_solvers::{OrientationSolver, solve_orientation};
 pub use pose_search::{OrientedPoints, PoseSearchOptions, SAME_POSE_ANGLE, ScoredPose, pose_search};
-pub use principal_axes::{area_moments, principal_axis_poses};
+pub use principal_axes::{principal_axis_poses, principal_directions, weighted_moments};
 pub use procrustes::{ProcrustesOptions, ProcrustesReport, procrustes};
 pub use ransac::{RansacMethods, RansacOptions, RansacReport, ransac, ransac_with};
 pub use rotation_axis::rotation_axis_estimate;

@@ -20,17 +20,25 @@ pub fn principal_axis_poses(source: &[Point3<f64>], target: &[Point3<f64>]) -> O
     }))
 }
 
-/// Centroid (mm) of points that stand for `areas` (mm²), which are `total` together, and the sum of `area · d dᵀ` over
-/// their offsets `d` from it (mm⁴). `None` where numbers are not finite: the eigenvalues of those would be sought forever.
-/// Cost `O(n)`.
-pub fn area_moments(points: &[Point3<f64>], areas: &[f64], total: f64) -> Option<(Vector3<f64>, Matrix3<f64>)> {
-    let weighted = || points.iter().zip(areas);
-    let center = weighted().fold(Vector3::zeros(), |s, (p, &a)| s + p.coords * a) / total;
-    let scatter = weighted().fold(Matrix3::zeros(), |s, (p, &a)| {
+/// Centroid (mm) of points that stand for `weights`, areas or volumes, which are `total` together, and the sum of
+/// `weight · d dᵀ` over their offsets `d` from it. `None` where numbers are not finite: the eigenvalues of those would be
+/// sought forever. Cost `O(n)`.
+pub fn weighted_moments(points: &[Point3<f64>], weights: &[f64], total: f64) -> Option<(Vector3<f64>, Matrix3<f64>)> {
+    let weighted = || points.iter().zip(weights);
+    let center = weighted().fold(Vector3::zeros(), |s, (p, &w)| s + p.coords * w) / total;
+    let scatter = weighted().fold(Matrix3::zeros(), |s, (p, &w)| {
         let d = p.coords - center;
-        s + d * d.transpose() * a
+        s + d * d.transpose() * w
     });
     scatter.iter().all(|c| c.is_finite()).then_some((center, scatter))
+}
+
+/// The eigenvectors of a symmetric, finite matrix as columns, that of the largest eigenvalue first. Signs are arbitrary.
+pub fn principal_directions(matrix: &Matrix3<f64>) -> Matrix3<f64> {
+    let eigen = matrix.symmetric_eigen();
+    let mut order = [0, 1, 2];
+    order.sort_by(|&a, &b| eigen.eigenvalues[b].total_cmp(&eigen.eigenvalues[a]));
+    Matrix3::from_columns(&order.map(|k| eigen.eigenvectors.column(k).into_owned()))
 }
 
 /// Centroid, and the principal axes as columns of a rotation, longest first.
@@ -41,10 +49,8 @@ fn axes(points: &[Point3<f64>]) -> (Vector3<f64>, Matrix3<f64>) {
         let d = p.coords - center;
         s + d * d.transpose()
     });
-    let eigen = covariance.symmetric_eigen();
-    let mut order = [0, 1, 2];
-    order.sort_by(|&a, &b| eigen.eigenvalues[b].total_cmp(&eigen.eigenvalues[a]));
-    let (first, second) = (eigen.eigenvectors.column(order[0]), eigen.eigenvectors.column(order[1]));
+    let directions = principal_directions(&covariance);
+    let (first, second) = (directions.column(0), directions.column(1));
     (center, Matrix3::from_columns(&[first.into(), second.into(), first.cross(&second)]))
 }
 

@@ -39,9 +39,9 @@ pub const MAX_SLIDE_MM: f64 = 3.0;
 const SLIDE_AT_MM: f64 = 2.0;
 const SLIDE_WIDTH_MM: f64 = 10.0;
 
-/// One surface with its axes named.
-struct Body {
-    sections: Sections,
+/// What the model sees in the sections of one surface whose axes point as `signs` say.
+#[derive(Clone, Copy)]
+struct Reading {
     signs: Signs,
     /// How unlike the training it is, in its standard deviations.
     distance: f64,
@@ -49,8 +49,8 @@ struct Body {
     border: [f64; 2],
 }
 
-impl Body {
-    fn new(sections: Sections, signs: Signs) -> Body {
+impl Reading {
+    fn new(sections: &Sections, signs: Signs) -> Reading {
         let (mut squares, mut border) = (0.0, MEAN_BORDER);
         for (value, [mean, inverse, offset, slope]) in sections.profile(signs).into_iter().zip(FEATURES) {
             let z = (value - mean) * inverse;
@@ -58,17 +58,25 @@ impl Body {
             border[0] += z * offset;
             border[1] += z * slope;
         }
-        Body { sections, signs, distance: (squares / FEATURES.len() as f64).sqrt(), border }
+        Reading { signs, distance: (squares / FEATURES.len() as f64).sqrt(), border }
     }
+}
 
+/// One surface with its axes named.
+struct Body {
+    sections: Sections,
+    reading: Reading,
+}
+
+impl Body {
     fn coordinates(&self, point: &Point3<f64>) -> [f64; 3] {
-        self.sections.coordinates(self.signs, point)
+        self.sections.coordinates(self.reading.signs, point)
     }
 
     /// How far `point` lies before the border, towards the head, mm along the long axis.
     fn before_border(&self, point: &Point3<f64>) -> f64 {
         let [s, m, h] = self.coordinates(point);
-        s - self.border[0] - self.border[1] * m - TILT * h
+        s - self.reading.border[0] - self.reading.border[1] * m - TILT * h
     }
 }
 
@@ -95,19 +103,19 @@ impl Slide {
     ) -> Option<Slide> {
         let (a, b) = rayon::join(|| Sections::new(source), || Sections::new(target));
         let (source_body, target_body) = named(a?, b?, turn)?;
-        let distances = [source_body.distance, target_body.distance];
+        let distances = [source_body.reading.distance, target_body.reading.distance];
         if distances.iter().any(|d| *d > MAX_DISTANCE) {
             return None;
         }
         let carried = carried_border(source, &source_body, &target_body, images)?;
-        let [offset_mm, slope] = [0, 1].map(|k| SHARES[k] * (target_body.border[k] - carried[k]));
+        let [offset_mm, slope] = [0, 1].map(|k| SHARES[k] * (target_body.reading.border[k] - carried[k]));
         Some(Slide { target: target_body, distances, offset_mm, slope })
     }
 
     /// `images`, mm, each slid along the surface whose closest points are `closest`. How far one lies beside the surface
     /// stays. Cost `O(n log n')`.
     pub fn moved(&self, closest: &ClosestPointIndex, images: &[Point3<f64>]) -> Vec<Point3<f64>> {
-        let axis: Vector3<f64> = self.target.sections.axes.column(0) * self.target.signs[0];
+        let axis: Vector3<f64> = self.target.sections.axes.column(0) * self.target.reading.signs[0];
         images
             .par_iter()
             .map(|image| {
@@ -138,17 +146,13 @@ fn named(source: Sections, target: Sections, turn: &Matrix3<f64>) -> Option<(Bod
     if !cosines.iter().all(|c| c.abs() >= MIN_COSINE) {
         return None;
     }
-    let likeness = |signs: Signs| {
+    let readings = ORIENTATIONS.map(|signs| {
         let of_target = std::array::from_fn(|k| signs[k] * cosines[k].signum());
-        let distance = |sections: &Sections, signs: Signs| {
-            let z =
-                sections.profile(signs).into_iter().zip(FEATURES).map(|(v, [mean, inverse, ..])| (v - mean) * inverse);
-            z.map(|z| z * z).sum::<f64>()
-        };
-        (distance(&source, signs) + distance(&target, of_target), signs, of_target)
-    };
-    let best = ORIENTATIONS.map(likeness).into_iter().min_by(|a, b| a.0.total_cmp(&b.0))?;
-    Some((Body::new(source, best.1), Body::new(target, best.2)))
+        (Reading::new(&source, signs), Reading::new(&target, of_target))
+    });
+    let unlikeness = |(a, b): &(Reading, Reading)| a.distance.powi(2) + b.distance.powi(2);
+    let (a, b) = readings.into_iter().min_by(|a, b| unlikeness(a).total_cmp(&unlikeness(b)))?;
+    Some((Body { sections: source, reading: a }, Body { sections: target, reading: b }))
 }
 
 /// Offset and slope of the plane in the target around which the border of the source lands: weighted least squares of

@@ -6,6 +6,7 @@
 
 use super::weights::TILT;
 use crate::mesh::SurfaceMesh;
+use crate::registration::{principal_directions, weighted_moments};
 use nalgebra::{Matrix3, Point3, Vector3};
 use std::f64::consts::TAU;
 
@@ -61,21 +62,16 @@ impl Sections {
     pub fn new(mesh: &SurfaceMesh) -> Option<Sections> {
         let (points, volumes) = interior_points(mesh);
         let total: f64 = volumes.iter().sum();
-        let weighted = || points.iter().zip(&volumes);
-        let center = Point3::from(weighted().fold(Vector3::zeros(), |sum, (p, &w)| sum + p.coords * w) / total);
-        let scatter =
-            weighted().fold(Matrix3::zeros(), |sum, (p, &w)| sum + (p - center) * (p - center).transpose() * w);
-        let covariance: Matrix3<f64> = scatter / total;
+        let (center, scatter) = weighted_moments(&points, &volumes, total)?;
+        let covariance = scatter / total;
+        // `None` too where a volume of next to nothing divides.
         if !covariance.iter().all(|c| c.is_finite()) || covariance.trace() <= 0.0 {
             return None;
         }
-        let eigen = covariance.symmetric_eigen();
-        let mut order = [0, 1, 2];
-        order.sort_by(|&a, &b| eigen.eigenvalues[b].total_cmp(&eigen.eigenvalues[a]));
-        let axes = Matrix3::from_columns(&order.map(|k| eigen.eigenvectors.column(k).into_owned()));
+        let axes = principal_directions(&covariance);
         // A surface whose faces look inwards holds the same volume with the other sign.
         let volumes: Vec<f64> = volumes.iter().map(|w| w * total.signum()).collect();
-        let mut found = Sections { center, axes, leaning: [Vec::new(), Vec::new()] };
+        let mut found = Sections { center: center.into(), axes, leaning: [Vec::new(), Vec::new()] };
         found.leaning = [-TILT, TILT].map(|lean| found.bins(&points, &volumes, lean));
         Some(found)
     }

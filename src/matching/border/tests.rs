@@ -44,9 +44,14 @@ fn a_profile_does_not_depend_on_the_pose() {
     let turn = nalgebra::Rotation3::from_euler_angles(0.4, -1.1, 2.0).into_inner();
     let (still, turned) = (Sections::new(&bean(&Matrix3::identity())).unwrap(), Sections::new(&bean(&turn)).unwrap());
     let (a, b) = named(still, turned, &turn).unwrap();
-    let apart = a.sections.profile(a.signs).into_iter().zip(b.sections.profile(b.signs)).map(|(x, y)| (x - y).abs());
+    let apart = a
+        .sections
+        .profile(a.reading.signs)
+        .into_iter()
+        .zip(b.sections.profile(b.reading.signs))
+        .map(|(x, y)| (x - y).abs());
     assert!(apart.fold(0.0, f64::max) < 1e-6);
-    assert!((a.border[0] - b.border[0]).abs() < 1e-6);
+    assert!((a.reading.border[0] - b.reading.border[0]).abs() < 1e-6);
 }
 
 #[test]
@@ -73,8 +78,8 @@ fn slide(mesh: &SurfaceMesh, images: &[Point3<f64>]) -> Slide {
     let [a, b] = [0, 1].map(|_| Sections::new(mesh).unwrap());
     let (source, target) = named(a, b, &Matrix3::identity()).unwrap();
     let carried = carried_border(mesh, &source, &target, images).unwrap();
-    let [offset_mm, slope] = [0, 1].map(|k| target.border[k] - carried[k]);
-    Slide { distances: [source.distance, target.distance], target, offset_mm, slope }
+    let [offset_mm, slope] = [0, 1].map(|k| target.reading.border[k] - carried[k]);
+    Slide { distances: [source.reading.distance, target.reading.distance], target, offset_mm, slope }
 }
 
 #[test]
@@ -90,7 +95,7 @@ fn a_map_that_carries_the_border_where_it_belongs_stays() {
 fn a_map_that_is_off_along_the_axis_is_led_back() {
     let mesh = bean(&Matrix3::identity());
     let body = slide(&mesh, mesh.vertices()).target;
-    let axis = body.sections.axes.column(0) * body.signs[0];
+    let axis = body.sections.axes.column(0) * body.reading.signs[0];
     // Off by a millimetre towards the head, more on one side.
     let images: Vec<Point3<f64>> =
         mesh.vertices().iter().map(|p| p + (1.0 + 0.05 * body.coordinates(p)[1]) * axis).collect();
@@ -149,9 +154,11 @@ fn the_border_of_real_hippocampi_is_where_raters_drew_it() {
     for path in &files[..20] {
         let bytes = std::fs::read(path).unwrap();
         let mesh = prepare_surface(&bytes, None, &input, &IntakeLimits::default()).unwrap().mesh;
-        let bodies = ORIENTATIONS.map(|signs| Body::new(Sections::new(&mesh).unwrap(), signs));
-        let body = bodies.into_iter().min_by(|a, b| a.distance.total_cmp(&b.distance)).unwrap();
-        assert!(body.distance < MAX_DISTANCE, "{}", body.distance);
+        let sections = Sections::new(&mesh).unwrap();
+        let readings = ORIENTATIONS.map(|signs| Reading::new(&sections, signs));
+        let reading = readings.into_iter().min_by(|a, b| a.distance.total_cmp(&b.distance)).unwrap();
+        let body = Body { sections, reading };
+        assert!(reading.distance < MAX_DISTANCE, "{}", reading.distance);
         let labels = anterior(&read_nifti(&bytes, &ReadLimits::default()).unwrap(), &mesh);
         let right = mesh.vertices().iter().zip(&labels).filter(|(p, label)| (body.before_border(p) > 0.0) == **label);
         shares.push(right.count() as f64 / labels.len() as f64);

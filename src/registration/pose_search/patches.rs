@@ -7,7 +7,7 @@
 //! Source of the seeds: farthest-point sampling, Gonzalez, "Clustering to minimize the maximum intercluster distance", 1985.
 
 use super::OrientedPoints;
-use crate::registration::area_moments;
+use crate::registration::weighted_moments;
 use nalgebra::{Matrix3, Vector3};
 
 /// Numbers that say how the surroundings of a patch are formed.
@@ -77,7 +77,7 @@ pub(super) fn mirrored(patches: &[Patch]) -> Vec<Patch> {
 /// finite.
 fn frame(surface: &OrientedPoints<'_>, total: f64) -> Option<(Vector3<f64>, Matrix3<f64>)> {
     let weighted = || surface.points.iter().zip(surface.areas);
-    let (center, scatter) = area_moments(surface.points, surface.areas, total)?;
+    let (center, scatter) = weighted_moments(surface.points, surface.areas, total)?;
     let eigen = scatter.symmetric_eigen();
     let mut order = [0, 1, 2];
     order.sort_by(|&a, &b| eigen.eigenvalues[b].total_cmp(&eigen.eigenvalues[a]));

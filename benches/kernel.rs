@@ -114,18 +114,19 @@ fn bandwidth(n_values: usize) -> f64 {
     8.0 * n_values as f64 / seconds
 }
 
-const LANES: usize = 24;
+const LANES: usize = 16;
 
 /// Maxima of rows of numbers, or of their products with one, in as many chains as hide their latency.
 #[multiversion(targets("x86_64+avx512f+avx512vl+avx512bw+avx512dq", "x86_64+avx2"))]
 fn maxima<const PRODUCTS: bool>(rows: &[[f32; LANES]; 64], factor: f32, times: usize) -> [[f32; LANES]; 4] {
     let mut best = [[0.0f32; LANES]; 4];
-    for at in 0..times {
-        for (chain, best) in best.iter_mut().enumerate() {
-            let row = &rows[(at + chain) % 64];
-            for k in 0..LANES {
-                let value = if PRODUCTS { factor * row[k] } else { row[k] };
-                best[k] = if value > best[k] { value } else { best[k] };
+    for _ in 0..times {
+        for rows in black_box(rows).as_chunks::<4>().0 {
+            for (best, row) in best.iter_mut().zip(rows) {
+                for k in 0..LANES {
+                    let value = if PRODUCTS { factor * row[k] } else { row[k] };
+                    best[k] = if best[k] > value { best[k] } else { value };
+                }
             }
         }
     }
@@ -134,7 +135,7 @@ fn maxima<const PRODUCTS: bool>(rows: &[[f32; LANES]; 64], factor: f32, times: u
 
 /// Maxima a second of all threads, or maxima and products.
 fn rate<const PRODUCTS: bool>() -> f64 {
-    const TIMES: usize = 500_000;
+    const TIMES: usize = 40_000;
     let rows = [[1.0f32; LANES]; 64];
     let threads = rayon::current_num_threads();
     let seconds = fastest(6, || {
@@ -142,7 +143,7 @@ fn rate<const PRODUCTS: bool>() -> f64 {
             black_box(maxima::<PRODUCTS>(black_box(&rows), black_box(0.5), TIMES));
         });
     });
-    (threads * TIMES * 4 * LANES * (1 + usize::from(PRODUCTS))) as f64 / seconds
+    (threads * TIMES * 64 * LANES * (1 + usize::from(PRODUCTS))) as f64 / seconds
 }
 
 /// Operations for one value of a message: maxima, minima and sums; and products, those of the messages included, of which

@@ -45,7 +45,7 @@ impl<M: MessageValue> Flooding<M> {
     pub fn new(graph: &EdgeGraph, factors: &[(f32, f32)], stride: usize) -> Self {
         let plan = BlockPlan::new(graph);
         let batches = Batches::new(&plan);
-        let lanes = |block: &Block| lane_factors(block.edges.iter().map(|&edge| factors[edge as usize]));
+        let lanes = |block: &Block| lane_factors(factors.iter().skip(block.first_edge).take(block.n_edges).copied());
         Flooding {
             factors: plan.blocks.iter().map(lanes).collect(),
             messages: MessageStore::new(&plan, stride, batches.n_spare),
@@ -55,20 +55,9 @@ impl<M: MessageValue> Flooding<M> {
         }
     }
 
-    /// The row in which message `i → j` lies, for every directed edge.
-    pub fn rows(&self) -> Vec<u32> {
-        let mut rows = vec![0; self.plan.blocks.iter().map(|b| b.edges.len()).sum()];
-        for block in &self.plan.blocks {
-            for (lane, &edge) in block.edges.iter().enumerate() {
-                rows[edge as usize] = (block.first_row + lane) as u32;
-            }
-        }
-        rows
-    }
-
-    /// The message in row `row`.
-    pub fn message(&self, row: usize) -> &[M] {
-        self.messages.row(row)
+    /// The message `i → j` of a directed edge.
+    pub fn message(&self, edge: usize) -> &[M] {
+        self.messages.message(edge)
     }
 
     /// Makes every message the same.
@@ -173,12 +162,12 @@ fn make_block<M: MessageValue>(
     scratch: &mut Scratch,
     output: Option<&mut [M]>,
 ) -> (Vec<Decoded>, f32) {
-    let totals = kernel.cavity(|row| messages.row(row), &block.variables, scratch);
+    let totals = kernel.cavity(|edge| messages.message(edge), &block.variables, scratch);
     // A variable in several blocks is decoded by the one that holds its first edges.
     let decoded = kernel.decode(&block.variables, scratch).filter(|(of, _)| of.slots.start == 0).map(|(_, d)| d);
     let decoded = decoded.collect();
     let Some(output) = output else { return (decoded, 0.0) };
-    let n_values = block.edges.len() * kernel.stride;
+    let n_values = block.n_edges * kernel.stride;
     let (old, new) = (&messages.block(number)[..n_values], &mut output[..n_values]);
     let mut rows = BlockRows { old, new, stride: kernel.stride };
     let change = kernel.write((near, far), &totals, scratch, &mut rows);

@@ -12,6 +12,8 @@ pub(super) struct LabelRows {
     width: usize,
     /// Row after row.
     members: Vec<u32>,
+    /// One more than the largest of them.
+    limit: usize,
     /// What rows have beyond the width: their label, and the member.
     more: Vec<[u32; 2]>,
     /// Where the part of `more` of each chunk of labels starts, and the end of the last.
@@ -22,8 +24,13 @@ impl LabelRows {
     /// The rows of labels `0..n`; `filler(y)` fills up that of `y`. Cost `O(members)`.
     pub fn new<'a>(n: usize, row: impl Fn(usize) -> &'a [u32], filler: impl Fn(usize) -> u32) -> Self {
         let width = best_width((0..n).map(|y| row(y).len()));
-        let mut rows =
-            LabelRows { width, members: Vec::with_capacity(n * width), more: Vec::new(), more_starts: vec![0] };
+        let mut rows = LabelRows {
+            width,
+            members: Vec::with_capacity(n * width),
+            limit: 0,
+            more: Vec::new(),
+            more_starts: vec![0],
+        };
         for y in 0..n {
             let (fixed, more) = row(y).split_at(width.min(row(y).len()));
             rows.members.extend_from_slice(fixed);
@@ -33,7 +40,13 @@ impl LabelRows {
                 rows.more_starts.push(rows.more.len() as u32);
             }
         }
+        rows.limit = rows.members.iter().max().map_or(0, |&largest| largest as usize + 1);
         rows
+    }
+
+    /// One more than the largest label that [`LabelRows::members`] gives.
+    pub fn limit(&self) -> usize {
+        self.limit
     }
 
     /// Members of a row that stand in [`LabelRows::members`].

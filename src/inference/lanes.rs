@@ -3,7 +3,7 @@
 use super::block_plan::BLOCK_LANES;
 use std::ops::{Deref, DerefMut};
 
-/// Labels treated together: with all lanes of a block they fill 6 KiB, part of the fastest cache.
+/// Labels treated together: with all lanes of a block they fill 4 KiB, part of the fastest cache.
 pub(super) const CHUNK: usize = 64;
 
 /// Bytes of a line of the cache.
@@ -11,7 +11,7 @@ pub(super) const LINE_BYTES: usize = 64;
 
 /// One number for each lane of a block.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[repr(align(32))]
+#[repr(align(64))]
 pub(super) struct Lanes(pub [f32; BLOCK_LANES]);
 
 /// A chunk of labels of one message.

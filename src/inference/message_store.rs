@@ -6,13 +6,13 @@
 //! reader is done. Where a block lies thus changes from iteration to iteration; nothing is copied, and what is
 //! written lands where something has just been read, which the cache still holds.
 
-use super::block_plan::{BLOCK_LANES, Block, BlockPlan};
+use super::block_plan::{BLOCK_LANES, BlockPlan};
 use super::lanes::LINE_BYTES;
 use super::message_value::MessageValue;
 use std::ops::Range;
 
 /// Blocks between two releases: enough to keep many cores busy, few against the thousands of a surface.
-const BATCH_BLOCKS: usize = 16;
+const BATCH_BLOCKS: usize = 24;
 
 /// Which blocks are updated together, and which old ones are needed no more after each batch.
 #[derive(Debug, Clone, PartialEq)]
@@ -28,10 +28,9 @@ impl Batches {
     pub fn new(plan: &BlockPlan) -> Self {
         let n = plan.blocks.len();
         let mut last_reader: Vec<usize> = (0..n).collect();
-        let places = places(plan);
         for (reader, block) in plan.blocks.iter().enumerate() {
-            for &row in block.variables.iter().flat_map(|of| &of.incoming) {
-                let of = places[row as usize].block as usize;
+            for &edge in block.variables.iter().flat_map(|of| &of.incoming) {
+                let of = edge as usize / BLOCK_LANES;
                 last_reader[of] = last_reader[of].max(reader);
             }
         }
@@ -50,28 +49,13 @@ impl Batches {
     }
 }
 
-/// Where a message row lies.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-struct Place {
-    block: u32,
-    lane: u32,
-}
-
-/// The place of every message row.
-fn places(plan: &BlockPlan) -> Vec<Place> {
-    let lanes = |(block, of): (usize, &Block)| {
-        (0..of.edges.len()).map(move |lane| Place { block: block as u32, lane: lane as u32 })
-    };
-    plan.blocks.iter().enumerate().flat_map(lanes).collect()
-}
-
 /// All messages, block by block.
 pub(super) struct MessageStore<M> {
     values: Vec<M>,
     /// Where the first piece begins: where a line of the cache does.
     start: usize,
     stride: usize,
-    places: Vec<Place>,
+    n_edges: usize,
     /// Which piece of `values` a block lies in.
     piece_of_block: Vec<usize>,
     /// Pieces not in use; the one freed last is used first.
@@ -91,40 +75,39 @@ impl<M: MessageValue> MessageStore<M> {
             values,
             start,
             stride,
-            places: places(plan),
+            n_edges: plan.blocks.iter().map(|block| block.n_edges).sum(),
             piece_of_block: (0..n).collect(),
             spare: (n..n + n_spare).rev().collect(),
         }
     }
 
-    /// The message in row `row`.
-    pub fn row(&self, row: usize) -> &[M] {
-        let start = self.start(row);
+    /// The message of a directed edge.
+    pub fn message(&self, edge: usize) -> &[M] {
+        let start = self.start(edge);
         &self.values[start..start + self.stride]
     }
 
     /// Makes every message the same.
     pub fn fill(&mut self, message: &[f32]) {
         let message: Vec<M> = message.iter().map(|&value| M::narrow(value.max(M::LEAST))).collect();
-        for row in 0..self.places.len() {
-            let start = self.start(row);
+        for edge in 0..self.n_edges {
+            let start = self.start(edge);
             self.values[start..start + self.stride].copy_from_slice(&message);
         }
     }
 
-    fn start(&self, row: usize) -> usize {
-        let Place { block, lane } = self.places[row];
-        self.start + (self.piece_of_block[block as usize] * BLOCK_LANES + lane as usize) * self.stride
+    fn start(&self, edge: usize) -> usize {
+        let (block, lane) = (edge / BLOCK_LANES, edge % BLOCK_LANES);
+        self.start + (self.piece_of_block[block] * BLOCK_LANES + lane) * self.stride
     }
 
     /// The messages for one iteration.
     pub fn open(&mut self) -> OpenStore<'_, M> {
-        let MessageStore { values, start, stride, places, piece_of_block, spare } = self;
+        let MessageStore { values, start, stride, piece_of_block, spare, .. } = self;
         OpenStore {
             pieces: values[*start..].chunks_exact_mut((BLOCK_LANES * *stride).max(1)).collect(),
             new_piece: vec![usize::MAX; piece_of_block.len()],
             stride: *stride,
-            places,
             piece_of_block,
             spare,
         }
@@ -138,7 +121,6 @@ pub(super) struct OpenStore<'a, M> {
     /// Where the block of the next iteration lies, once it is made.
     new_piece: Vec<usize>,
     stride: usize,
-    places: &'a [Place],
     piece_of_block: &'a mut [usize],
     spare: &'a mut Vec<usize>,
 }
@@ -151,10 +133,10 @@ pub(super) struct Lent<'a, M> {
 }
 
 impl<'a, M> OpenStore<'a, M> {
-    /// The old message in row `row`.
-    pub fn row(&self, row: u32) -> &[M] {
-        let Place { block, lane } = self.places[row as usize];
-        &self.block(block as usize)[lane as usize * self.stride..][..self.stride]
+    /// The old message of a directed edge.
+    pub fn message(&self, edge: u32) -> &[M] {
+        let (block, lane) = (edge as usize / BLOCK_LANES, edge as usize % BLOCK_LANES);
+        &self.block(block)[lane * self.stride..][..self.stride]
     }
 
     /// All old messages of a block.
@@ -225,9 +207,8 @@ mod tests {
                     for (block, lent) in blocks.clone().zip(&mut lent) {
                         lent.values.fill(f32::from(iteration));
                         prop_assert_eq!(open.block(block)[0], before[block]);
-                        for &row in plan.blocks[block].variables.iter().flat_map(|of| &of.incoming) {
-                            let of = open.places[row as usize].block as usize;
-                            prop_assert_eq!(open.row(row)[0], before[of]);
+                        for &edge in plan.blocks[block].variables.iter().flat_map(|of| &of.incoming) {
+                            prop_assert_eq!(open.message(edge)[0], before[edge as usize / BLOCK_LANES]);
                         }
                         made[block] = f32::from(iteration);
                     }
@@ -239,8 +220,8 @@ mod tests {
                     }
                 }
                 open.close();
-                for row in 0..store.places.len() {
-                    prop_assert_eq!(store.row(row)[0], made[store.places[row].block as usize]);
+                for edge in 0..store.n_edges {
+                    prop_assert_eq!(store.message(edge)[0], made[edge / BLOCK_LANES]);
                 }
                 prop_assert_eq!(store.spare.len(), batches.n_spare);
             }

@@ -83,6 +83,12 @@ fn write<V: Vector, M: MessageValue>(
     changes.iter().fold(0.0, |a, &b| if b > a { b } else { a })
 }
 
+/// Four numbers of a label from `lane` on.
+#[inline(always)]
+fn quad(label: &Lanes, lane: usize) -> &[f32; 4] {
+    label[lane..].first_chunk().unwrap_or(&[0.0; 4])
+}
+
 /// [`WIDTH`] lanes of a block.
 struct Group {
     /// The first of them.
@@ -106,39 +112,35 @@ impl Group {
         new: &mut [M],
         change: V,
     ) -> V {
-        let n_rows = if FULL { WIDTH } else { old.len() / self.stride };
-        let n = updated.len() / WIDTH;
-        let mut before = old.chunks_exact(self.stride);
-        let old: [&[[M; WIDTH]]; WIDTH] = std::array::from_fn(|_| match before.next() {
-            Some(row) => &row[self.labels.clone()].as_chunks().0[..n],
-            None => &[],
-        });
-        let mut after = new.chunks_exact_mut(self.stride);
-        let new: [&mut [[M; WIDTH]]; WIDTH] = std::array::from_fn(|_| match after.next() {
-            Some(row) => &mut row[self.labels.clone()].as_chunks_mut().0[..n],
-            None => &mut [],
-        });
+        let (start, stride) = (self.labels.start, self.stride);
+        let n_rows = if FULL { WIDTH } else { old.len() / stride };
+        assert!(self.labels.end <= stride && n_rows * stride <= old.len().min(new.len()), "labels beyond the rows");
         let (floor, damping) = (V::splat(self.floor), V::splat(self.damping));
+        let scale = self.scale.map(V::splat);
         let mut most = change;
         for (tile, lanes) in updated.as_chunks::<WIDTH>().0.iter().enumerate() {
+            let label = start + tile * WIDTH;
             // What the next chunk needs of these rows is asked for now, whenever a line of the cache begins: the rows are too
             // many, and their pieces too short, for the processor to see what comes next.
-            let at = tile * WIDTH;
-            if (at * size_of::<M>()).is_multiple_of(LINE_BYTES) {
-                for k in 0..n_rows {
-                    V::prefetch_far(old[k].as_flattened(), at + CHUNK);
-                    V::prefetch_far(new[k].as_flattened(), at + CHUNK);
+            if (tile * WIDTH * size_of::<M>()).is_multiple_of(LINE_BYTES) {
+                for row in 0..n_rows {
+                    V::prefetch_far(old, row * stride + label + CHUNK);
+                    V::prefetch_far(new, row * stride + label + CHUNK);
                 }
             }
-            let rows: [&[f32; WIDTH]; WIDTH] =
-                std::array::from_fn(|x| lanes[x][self.lane..].first_chunk().unwrap_or(&[0.0; WIDTH]));
-            let rows = V::load_turned(rows);
-            for k in 0..WIDTH {
-                if FULL || k < n_rows {
-                    let old = M::load::<V>(&old[k][tile]);
-                    let value = rows[k].mul(V::splat(self.scale[k])).max(floor).add(damping.mul(old));
-                    let value = M::store(value, &mut new[k][tile]);
-                    most = value.sub(old).abs().max(most);
+            for half in 0..2 {
+                let rows = std::array::from_fn(|x| quad(&lanes[x], self.lane + 4 * half));
+                for (row, column) in (4 * half..).zip(V::columns(rows)) {
+                    if FULL || row < n_rows {
+                        let at = row * stride + label;
+                        // SAFETY: `row < n_rows`, and tiles of whole vectors within `labels`, so that the vector ends within
+                        // its row, and both slices have that row: asserted above. Checks here would be a tenth of the work.
+                        let (old, new) =
+                            unsafe { (&*old.as_ptr().add(at).cast(), &mut *new.as_mut_ptr().add(at).cast()) };
+                        let old = M::load::<V>(old);
+                        let value = column.mul(scale[row]).max(floor).add(damping.mul(old));
+                        most = M::store(value, new).sub(old).abs().max(most);
+                    }
                 }
             }
         }

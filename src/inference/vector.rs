@@ -2,8 +2,8 @@
 //!
 //! Loops are written once, over [`Vector`], and compiled for two kinds of it: [`Plain`] for any machine and [`Avx2`] for
 //! those that have AVX2 and F16C. Each operation is one rounding or none in both, so that both give the same bits; a test
-//! holds them equal. By hand, because of the turn of eight rows into eight columns: what the compiler makes of it goes
-//! through memory, number by number.
+//! holds them equal. By hand, because of the turn of rows into columns: what the compiler makes of it goes through memory,
+//! number by number.
 
 // Intrinsics need unsafe calls where a vector goes to memory, and outside functions that are compiled for AVX2.
 #![allow(unsafe_code)]
@@ -39,10 +39,8 @@ pub(super) trait Vector: Copy {
     fn abs(self) -> Self;
     /// `a` where `self` is larger than `other`, else `b`.
     fn choose_if_above(self, other: Self, a: Self, b: Self) -> Self;
-    /// Column `k` of eight rows, for every `k`.
-    fn turn(rows: [Self; WIDTH]) -> [Self; WIDTH];
-    /// [`Vector::turn`] of rows in memory.
-    fn load_turned(rows: [&[f32; WIDTH]; WIDTH]) -> [Self; WIDTH];
+    /// Column `k` of eight rows in memory, for every `k`.
+    fn columns(rows: [&[f32; 4]; WIDTH]) -> [Self; 4];
     /// Asks for the line that holds `values[at]`, if there is such a number, to be brought into the nearest cache.
     fn prefetch<T>(values: &[T], at: usize);
     /// Likewise into the second nearest.
@@ -57,12 +55,6 @@ impl Plain {
     #[inline(always)]
     fn zip(self, other: Self, f: impl Fn(f32, f32) -> f32) -> Self {
         Plain(std::array::from_fn(|k| f(self.0[k], other.0[k])))
-    }
-
-    /// The quad from number `4 · half` on.
-    #[inline(always)]
-    fn quad(self, half: usize) -> f32x4 {
-        f32x4::from([self.0[4 * half], self.0[4 * half + 1], self.0[4 * half + 2], self.0[4 * half + 3]])
     }
 }
 
@@ -124,19 +116,13 @@ impl Vector for Plain {
     }
 
     #[inline(always)]
-    fn turn(rows: [Self; WIDTH]) -> [Self; WIDTH] {
-        // Four turns of 4 × 4 numbers: `parts[b][a]` are rows 4b.. of columns 4a...
-        let part = |a: usize, b: usize| f32x4::transpose(std::array::from_fn(|k| rows[4 * b + k].quad(a)));
-        let parts = [[part(0, 0), part(1, 0)], [part(0, 1), part(1, 1)]];
+    fn columns(rows: [&[f32; 4]; WIDTH]) -> [Self; 4] {
+        let turned = |at: usize| f32x4::transpose(std::array::from_fn(|k| f32x4::from(*rows[at + k])));
+        let (low, high) = (turned(0), turned(4));
         std::array::from_fn(|x| {
-            let (low, high) = (parts[0][x / 4][x % 4].to_array(), parts[1][x / 4][x % 4].to_array());
-            Plain([low[0], low[1], low[2], low[3], high[0], high[1], high[2], high[3]])
+            let ([a, b, c, d], [e, f, g, h]) = (low[x].to_array(), high[x].to_array());
+            Plain([a, b, c, d, e, f, g, h])
         })
-    }
-
-    #[inline(always)]
-    fn load_turned(rows: [&[f32; WIDTH]; WIDTH]) -> [Self; WIDTH] {
-        Self::turn(rows.map(Self::load))
     }
 
     #[inline(always)]
@@ -224,25 +210,11 @@ mod avx2 {
         }
 
         #[inline(always)]
-        fn turn([a, b, c, d, e, f, g, h]: [Self; WIDTH]) -> [Self; WIDTH] {
+        fn columns([a, b, c, d, e, f, g, h]: [&[f32; 4]; WIDTH]) -> [Self; 4] {
             unsafe {
-                let low = |x: Avx2, y: Avx2| _mm256_permute2f128_ps::<0x20>(x.0, y.0);
-                let high = |x: Avx2, y: Avx2| _mm256_permute2f128_ps::<0x31>(x.0, y.0);
-                let [p, q, r, s] = quads([low(a, e), low(b, f), low(c, g), low(d, h)]);
-                let [t, u, v, w] = quads([high(a, e), high(b, f), high(c, g), high(d, h)]);
-                [p, q, r, s, t, u, v, w].map(Avx2)
-            }
-        }
-
-        #[inline(always)]
-        fn load_turned([a, b, c, d, e, f, g, h]: [&[f32; WIDTH]; WIDTH]) -> [Self; WIDTH] {
-            unsafe {
-                // Halves of two rows in one register are two loads and no shuffle.
-                let low = |x: &[f32; WIDTH], y: &[f32; WIDTH]| _mm256_loadu2_m128(y.as_ptr(), x.as_ptr());
-                let high = |x: &[f32; WIDTH], y: &[f32; WIDTH]| _mm256_loadu2_m128(y[4..].as_ptr(), x[4..].as_ptr());
-                let [p, q, r, s] = quads([low(a, e), low(b, f), low(c, g), low(d, h)]);
-                let [t, u, v, w] = quads([high(a, e), high(b, f), high(c, g), high(d, h)]);
-                [p, q, r, s, t, u, v, w].map(Avx2)
+                // Two rows in one register are two loads and no shuffle.
+                let two = |x: &[f32; 4], y: &[f32; 4]| _mm256_loadu2_m128(y.as_ptr(), x.as_ptr());
+                quads([two(a, e), two(b, f), two(c, g), two(d, h)]).map(Avx2)
             }
         }
 
@@ -284,6 +256,11 @@ mod tests {
     use multiversion::target::match_target;
     use proptest::prelude::*;
 
+    /// A half of each row.
+    fn quads(rows: &[[f32; WIDTH]; WIDTH], half: usize) -> [&[f32; 4]; WIDTH] {
+        std::array::from_fn(|k| &rows[k].as_chunks().0[half])
+    }
+
     /// What every operation makes of two vectors, and of eight rows.
     #[inline(always)]
     fn everything<V: Vector>(rows: &[[f32; WIDTH]; WIDTH]) -> Vec<[u32; WIDTH]> {
@@ -293,8 +270,7 @@ mod tests {
         V::prefetch_far(&rows[0], 99);
         let mut made = vec![V::splat(rows[0][0]), a.add(b), a.sub(b), a.mul(b), a.max(b), b.max(a), a.abs()];
         made.push(a.choose_if_above(b, loaded[2], loaded[3]));
-        made.extend(V::turn(loaded));
-        made.extend(V::load_turned(std::array::from_fn(|k| &rows[k])));
+        made.extend(V::columns(quads(rows, 0)).into_iter().chain(V::columns(quads(rows, 1))));
         made.extend(loaded.map(|row| row.store_half(&mut [f16::ZERO; WIDTH])));
         made.extend(
             rows.map(|row| V::load_half(&row.map(|number| f16::from_bits((number.to_bits() >> 9) as u16 & 0xbfff)))),
@@ -350,11 +326,10 @@ mod tests {
         }
 
         #[test]
-        fn a_turn_puts_columns_into_rows(entropy in prop::collection::vec(-2.0f32..2.0, 64)) {
+        fn columns_are_those_of_the_rows(entropy in prop::collection::vec(-2.0f32..2.0, 64), half in 0usize..2) {
             let mut rows = [[0.0; WIDTH]; WIDTH];
             rows.as_flattened_mut().copy_from_slice(&entropy);
-            let turned = Plain::turn(rows.map(Plain));
-            for (x, column) in turned.iter().enumerate() {
+            for (x, column) in (4 * half..).zip(Plain::columns(quads(&rows, half))) {
                 prop_assert!((0..WIDTH).all(|k| column.0[k] == rows[k][x]));
             }
         }

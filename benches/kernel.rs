@@ -4,13 +4,16 @@
 //! - every message read once and written once, 8 bytes a value or 4 where messages are stored in 16 bits, at the rate at
 //!   which a plain loop over far more memory than the caches hold reads, changes and writes it in place;
 //! - the operations of a value on numbers that lie in the fastest cache: its maxima, minima and sums at the rate at which
-//!   the cores take maxima, or these and the products of it and of the messages that go into it at the rate at which
-//!   they take maxima and products in turn, which they do side by side; again whichever is longer. Not counted: turning
+//!   the cores take maxima, or the products of it and of the messages that go into it at the rate at which they multiply,
+//!   or all of them at the rate at which they do both side by side; again whichever is longer. Not counted: turning
 //!   between rows and lanes, and what scales, floors and damps a message and compares it with the one before (seven
 //!   operations a value).
 //!
+//! Beside it stands what an iteration takes where nothing waits for memory: the same iteration of a patch of the source,
+//! whose messages the caches hold, a value, times the values of the whole.
+//!
 //! `cargo bench --bench kernel` prints a table for surfaces of 2,300 and 4,700 vertices; `-- large` one for 10,000 instead,
-//! with `r = 2` only, which takes 3 GiB.
+//! which takes 3 GiB.
 #![allow(clippy::unwrap_used, clippy::print_stdout, unsafe_code)]
 
 mod common;
@@ -90,6 +93,23 @@ fn model(surfaces: &[SurfaceMesh; 2], rings: usize, beta: f64) -> MrfModel {
     }
 }
 
+/// Variables of a patch.
+const PATCH: usize = 64;
+
+/// The energy of the first `n` variables, which lie side by side, and of the edges between them.
+fn patch(model: &MrfModel, n: usize) -> MrfModel {
+    let of = |i: usize| model.variables.row(i).zip(model.variables.neighbors(i)).filter(|&(_, &j)| (j as usize) < n);
+    let edges: Vec<[u32; 2]> =
+        (0..n).flat_map(|i| of(i).map(move |(_, &j)| [i as u32, j])).filter(|[i, j]| i < j).collect();
+    MrfModel {
+        variables: EdgeGraph::from_edges(n, &edges),
+        lengths: (0..n).flat_map(|i| of(i).map(|(edge, _)| model.lengths[edge])).collect(),
+        labels: model.labels.clone(),
+        pairwise: model.pairwise,
+        unary: model.unary[..n * model.n_labels()].to_vec(),
+    }
+}
+
 /// Seconds of the fastest of `runs`: what others do on the machine only ever adds.
 fn fastest(runs: usize, mut work: impl FnMut()) -> f64 {
     let seconds = (0..runs).map(|_| {
@@ -116,34 +136,53 @@ fn bandwidth(n_values: usize) -> f64 {
 
 const LANES: usize = 16;
 
-/// Maxima of rows of numbers, or of their products with one, in as many chains as hide their latency.
-#[multiversion(targets("x86_64+avx512f+avx512vl+avx512bw+avx512dq", "x86_64+avx2"))]
-fn maxima<const PRODUCTS: bool>(rows: &[[f32; LANES]; 64], factor: f32, times: usize) -> [[f32; LANES]; 4] {
-    let mut best = [[0.0f32; LANES]; 4];
+/// Numbers in the fastest cache, none of whose vectors straddles two lines of it.
+#[repr(align(64))]
+struct Rows([[f32; LANES]; 64]);
+
+/// `step` with all rows, so many times, in as many chains as hide its latency.
+#[inline(always)]
+fn work_through(rows: &Rows, times: usize, step: impl Fn(f32, f32) -> f32) -> [[f32; LANES]; 4] {
+    let mut made = [[1.0f32; LANES]; 4];
     for _ in 0..times {
-        for rows in black_box(rows).as_chunks::<4>().0 {
-            for (best, row) in best.iter_mut().zip(rows) {
+        for rows in black_box(rows).0.as_chunks::<4>().0 {
+            for (made, row) in made.iter_mut().zip(rows) {
                 for k in 0..LANES {
-                    let value = if PRODUCTS { factor * row[k] } else { row[k] };
-                    best[k] = if best[k] > value { best[k] } else { value };
+                    made[k] = step(made[k], row[k]);
                 }
             }
         }
     }
-    best
+    made
 }
 
-/// Maxima a second of all threads, or maxima and products.
-fn rate<const PRODUCTS: bool>() -> f64 {
+#[multiversion(targets("x86_64+avx512f+avx512vl+avx512bw+avx512dq", "x86_64+avx2"))]
+fn maxima(rows: &Rows, times: usize) -> [[f32; LANES]; 4] {
+    work_through(rows, times, |made, value| if made > value { made } else { value })
+}
+
+#[multiversion(targets("x86_64+avx512f+avx512vl+avx512bw+avx512dq", "x86_64+avx2"))]
+fn products(rows: &Rows, times: usize) -> [[f32; LANES]; 4] {
+    work_through(rows, times, |made, value| made * value)
+}
+
+#[multiversion(targets("x86_64+avx512f+avx512vl+avx512bw+avx512dq", "x86_64+avx2"))]
+fn maxima_of_products(rows: &Rows, times: usize) -> [[f32; LANES]; 4] {
+    let factor = black_box(0.5);
+    work_through(rows, times, |made, value| if made > factor * value { made } else { factor * value })
+}
+
+/// Numbers a second of all threads that go through such a loop.
+fn rate(work: fn(&Rows, usize) -> [[f32; LANES]; 4]) -> f64 {
     const TIMES: usize = 40_000;
-    let rows = [[1.0f32; LANES]; 64];
+    let rows = Rows([[1.0f32; LANES]; 64]);
     let threads = rayon::current_num_threads();
     let seconds = fastest(6, || {
         (0..threads).into_par_iter().for_each(|_| {
-            black_box(maxima::<PRODUCTS>(black_box(&rows), black_box(0.5), TIMES));
+            black_box(work(black_box(&rows), TIMES));
         });
     });
-    (threads * TIMES * 64 * LANES * (1 + usize::from(PRODUCTS))) as f64 / seconds
+    (threads * TIMES * 64 * LANES) as f64 / seconds
 }
 
 /// Operations for one value of a message: maxima, minima and sums; and products, those of the messages included, of which
@@ -165,24 +204,31 @@ fn measure(surfaces: &[SurfaceMesh; 2], rings: &[usize], threads: usize, size: &
     let energies = [0.0, 0.5].into_iter().flat_map(|beta| rings.iter().map(move |&r| (r, beta)));
     for (rings, beta) in energies {
         let model = model(surfaces, rings, beta);
-        let values = (model.variables.n_directed_edges() * model.n_labels()) as f64;
+        let patch = patch(&model, PATCH);
+        let [values, patch_values] =
+            [&model, &patch].map(|model| (model.variables.n_directed_edges() * model.n_labels()) as f64);
         for product in [Product::Max, Product::Sum] {
-            let (bandwidth, maxima, both) = (bandwidth(1 << 25), rate::<false>(), rate::<true>());
+            let bandwidth = bandwidth(1 << 25);
+            let rates = [rate(maxima), rate(products), 2.0 * rate(maxima_of_products)];
             let [single, products] = operations(&model, product);
-            let operations_floor = (single / maxima).max((single + products) / both) * values;
+            let seconds = [single / rates[0], products / rates[1], (single + products) / rates[2]];
+            let operations_floor = seconds.into_iter().fold(0.0, f64::max) * values;
             for &(storage, bits) in size.storages {
-                let measured = iteration(&model, product, storage, size);
+                let measured = iteration(&model, product, storage, size.runs, size.iterations);
+                let in_cache = iteration(&patch, product, storage, size.runs, 50).seconds * values / patch_values;
                 let bytes = values * f64::from(bits) / 4.0;
                 let bytes_floor = bytes / bandwidth;
                 println!(
-                    "| {product:?} | {beta} | {rings} | {bits} | {} x {} | {threads} | {:.1} | {:.1} | {:.1} | {:.1} | {:.1} | {:.1} | {:.2} | {:.1} | {:.2} | {:.0} |",
+                    "| {product:?} | {beta} | {rings} | {bits} | {} x {} | {threads} | {:.1} | {:.1} | {:.1} | {:.1} | {:.1} | {:.1} | {:.1} | {:.1} | {:.2} | {:.1} | {:.2} | {:.0} |",
                     model.n_variables(),
                     model.n_labels(),
                     bandwidth / 1e9,
-                    maxima / 1e9,
-                    both / 1e9,
+                    rates[0] / 1e9,
+                    rates[1] / 1e9,
+                    rates[2] / 1e9,
                     bytes_floor * 1e3,
                     operations_floor * 1e3,
+                    in_cache * 1e3,
                     measured.seconds * 1e3,
                     bytes_floor.max(operations_floor) / measured.seconds,
                     bytes / measured.seconds / 1e9,
@@ -207,14 +253,14 @@ struct Iteration {
     peak_mib: f64,
 }
 
-fn iteration(model: &MrfModel, product: Product, storage: MessageStorage, size: &Size) -> Iteration {
+fn iteration(model: &MrfModel, product: Product, storage: MessageStorage, runs: usize, iterations: u32) -> Iteration {
     forget_peak();
     let options = BpOptions { product, damping: 0.5, floor: 1e-5, tolerance: 0.0 };
     let mut bp = BeliefPropagation::with_method(model, options, BpMethod { storage, ..BpMethod::default() });
     bp.run(1, &Silent, |_| ()).unwrap();
     // Every run ends with a pass that only decodes: the difference of two runs is made of iterations alone.
-    let mut run = |iterations| fastest(size.runs, || drop(bp.run(iterations, &Silent, |_| ()).unwrap()));
-    let seconds = (run(1 + size.iterations) - run(1)) / f64::from(size.iterations);
+    let mut run = |iterations| fastest(runs, || drop(bp.run(iterations, &Silent, |_| ()).unwrap()));
+    let seconds = (run(1 + iterations) - run(1)) / f64::from(iterations);
     Iteration { seconds, peak_mib: peak_mib().unwrap_or(f64::NAN) }
 }
 
@@ -281,7 +327,7 @@ fn main() {
     let cores = std::thread::available_parallelism().map_or(1, usize::from);
     let large = std::env::args().any(|argument| argument == "large");
     let (sizes, rings): (&[Size], &[usize]) = if large {
-        (&[Size { edge_mm: 0.39, iterations: 1, runs: 2, storages: &[SINGLE, HALF] }], &[2])
+        (&[Size { edge_mm: 0.39, iterations: 1, runs: 2, storages: &[SINGLE] }], &[1, 2, 3])
     } else {
         every_pair();
         active_labels();
@@ -291,9 +337,9 @@ fn main() {
     };
     println!("\n## An iteration over all labels against its floor (fastest of {})\n", sizes[0].runs);
     println!(
-        "| algorithm | beta | r | bits | vertices | threads | memory, GB/s | maxima, 1e9/s | with products, 1e9/s | floor by bytes, ms \
-         | by operations, ms | iteration, ms | share of the floor | messages, GB/s | label pairs, 1e9/s a core | peak memory, MiB |\n\
-         |---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|"
+        "| algorithm | beta | r | bits | vertices | threads | memory, GB/s | maxima, 1e9/s | products, 1e9/s | both, 1e9/s | floor by bytes, ms \
+         | by operations, ms | all in cache, ms | iteration, ms | share of the floor | messages, GB/s | label pairs, 1e9/s a core | peak memory, MiB |\n\
+         |---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|"
     );
     for size in sizes {
         let surfaces = surfaces(size.edge_mm);

@@ -85,35 +85,44 @@ fn full_update(
 
 #[multiversion(targets("x86_64+avx512f+avx512vl+avx512bw+avx512dq", "x86_64+avx2"))]
 fn max_rows(dense: &[DenseFactors], cavity: &[Lanes], potential: FullPotential<'_>) -> [Lanes; ROWS] {
-    let FullPotential { near, far, epsilon } = potential;
-    let mut best = [Lanes::splat(0.0); ROWS];
+    // One variable for each label: of an array of them, the compiler makes no vectors.
+    let [mut first, mut second] = [Lanes::splat(0.0); ROWS];
     for (factors, h) in dense.iter().zip(cavity) {
-        for (best, [rising, falling]) in best.iter_mut().zip(factors) {
-            for k in 0..BLOCK_LANES {
-                let (a, b) = (near[k] * rising, far[k] * falling);
-                let psi = if a < b { a } else { b };
-                let psi = if psi > epsilon { psi } else { epsilon };
-                let value = psi * h[k];
-                best[k] = if value > best[k] { value } else { best[k] };
-            }
-        }
+        take_larger(&mut first, potential, factors[0], h);
+        take_larger(&mut second, potential, factors[1], h);
     }
-    best
+    [first, second]
+}
+
+#[inline(always)]
+fn take_larger(best: &mut Lanes, potential: FullPotential<'_>, [rising, falling]: [f32; 2], h: &Lanes) {
+    let FullPotential { near, far, epsilon } = potential;
+    for k in 0..BLOCK_LANES {
+        let (a, b) = (near[k] * rising, far[k] * falling);
+        let psi = if a < b { a } else { b };
+        let psi = if psi > epsilon { psi } else { epsilon };
+        let value = psi * h[k];
+        best[k] = if value > best[k] { value } else { best[k] };
+    }
 }
 
 #[multiversion(targets("x86_64+avx512f+avx512vl+avx512bw+avx512dq", "x86_64+avx2"))]
 fn sum_rows(dense: &[DenseFactors], cavity: &[Lanes], potential: FullPotential<'_>) -> [Lanes; ROWS] {
-    let FullPotential { near, far, epsilon } = potential;
-    let mut sum = [Lanes::splat(0.0); ROWS];
+    let [mut first, mut second] = [Lanes::splat(0.0); ROWS];
     for (factors, h) in dense.iter().zip(cavity) {
-        for (sum, [rising, falling]) in sum.iter_mut().zip(factors) {
-            for k in 0..BLOCK_LANES {
-                let (a, b) = (near[k] * rising, far[k] * falling);
-                let psi = if a < b { a } else { b };
-                let psi = if psi > epsilon { psi } else { epsilon };
-                sum[k] += psi * h[k];
-            }
-        }
+        take_sum(&mut first, potential, factors[0], h);
+        take_sum(&mut second, potential, factors[1], h);
     }
-    sum
+    [first, second]
+}
+
+#[inline(always)]
+fn take_sum(sum: &mut Lanes, potential: FullPotential<'_>, [rising, falling]: [f32; 2], h: &Lanes) {
+    let FullPotential { near, far, epsilon } = potential;
+    for k in 0..BLOCK_LANES {
+        let (a, b) = (near[k] * rising, far[k] * falling);
+        let psi = if a < b { a } else { b };
+        let psi = if psi > epsilon { psi } else { epsilon };
+        sum[k] += psi * h[k];
+    }
 }

@@ -12,8 +12,7 @@
 //! Beside it stands what an iteration takes where nothing waits for memory: the same iteration of a patch of the source,
 //! whose messages the caches hold, a value, times the values of the whole.
 //!
-//! `cargo bench --bench kernel` prints a table for surfaces of 2,300 and 4,700 vertices; `-- large` one for 10,000 instead,
-//! which takes 3 GiB.
+//! `cargo bench --bench kernel` prints a table for surfaces of 2,300 and 10,000 vertices, which takes 3 GiB.
 #![allow(clippy::unwrap_used, clippy::print_stdout, unsafe_code)]
 
 mod common;
@@ -325,28 +324,24 @@ fn active_labels() {
 
 fn main() {
     let cores = std::thread::available_parallelism().map_or(1, usize::from);
-    let large = std::env::args().any(|argument| argument == "large");
-    let (sizes, rings): (&[Size], &[usize]) = if large {
-        (&[Size { edge_mm: 0.39, iterations: 1, runs: 2, storages: &[SINGLE] }], &[1, 2, 3])
-    } else {
-        every_pair();
-        active_labels();
-        let small = Size { edge_mm: 0.8, iterations: 6, runs: 3, storages: &[SINGLE, HALF] };
-        let middle = Size { edge_mm: 0.56, iterations: 2, runs: 3, storages: &[SINGLE] };
-        (&[small, middle], &[1, 2, 3])
-    };
+    every_pair();
+    active_labels();
+    let sizes = [
+        Size { edge_mm: 0.8, iterations: 6, runs: 3, storages: &[SINGLE, HALF] },
+        Size { edge_mm: 0.39, iterations: 1, runs: 3, storages: &[SINGLE] },
+    ];
     println!("\n## An iteration over all labels against its floor (fastest of {})\n", sizes[0].runs);
     println!(
         "| algorithm | beta | r | bits | vertices | threads | memory, GB/s | maxima, 1e9/s | products, 1e9/s | both, 1e9/s | floor by bytes, ms \
          | by operations, ms | all in cache, ms | iteration, ms | share of the floor | messages, GB/s | label pairs, 1e9/s a core | peak memory, MiB |\n\
          |---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|"
     );
-    for size in sizes {
+    for size in &sizes {
         let surfaces = surfaces(size.edge_mm);
         let mut threads = vec![1, cores];
         threads.dedup();
         for threads in threads {
-            with_threads(threads, || measure(&surfaces, rings, threads, size));
+            with_threads(threads, || measure(&surfaces, &[1, 2, 3], threads, size));
         }
     }
 }

@@ -11,6 +11,7 @@ use super::beliefs::{belief_row, belief_spread};
 use super::block_plan::LANES;
 use super::flooding::Flooding;
 use super::kernel::Kernel;
+use super::label_order::LabelOrder;
 use super::message_value::MessageValue;
 use super::options::{BpMethod, BpOptions, MessageStorage, Schedule};
 use super::outcome::{BpIteration, BpOutcome};
@@ -28,10 +29,12 @@ pub struct BeliefPropagation<'a> {
     model: &'a MrfModel,
     options: BpOptions,
     method: BpMethod,
+    /// The order of the labels in all rows.
+    order: LabelOrder,
     table: PairTable,
     /// Values of a message row: the labels, rounded up by [`stride`].
     stride: usize,
-    /// `φ_i(x) = exp(−θ_i(x))`, unary bias included, row by row; 0 beyond the labels.
+    /// `φ_i(x) = exp(−θ_i(x))`, unary bias included, row by row, in the order of the labels; 0 beyond them.
     phi: Vec<f32>,
     /// For every directed edge `i → j` the edge `j → i`.
     reverse: Vec<u32>,
@@ -65,10 +68,12 @@ impl<'a> BeliefPropagation<'a> {
                 Engine::Residual { residual: Residual::new(graph, factors), messages }
             }
         };
+        let order = LabelOrder::new(model.labels.graph());
         let mut this = BeliefPropagation {
             options,
             method,
-            table: PairTable::new(&model.labels, beta, scale),
+            table: PairTable::new(&order.reorder(&model.labels), beta, scale),
+            order,
             stride,
             phi: vec![0.0; model.n_variables() * stride],
             reverse: graph.reverse_edges(),
@@ -99,13 +104,17 @@ impl<'a> BeliefPropagation<'a> {
     pub fn set_bias(&mut self, add: impl Fn(usize, &mut [f32]) + Sync) {
         let n = self.model.n_labels();
         let model = self.model;
-        self.phi.par_chunks_mut(self.stride.max(1)).enumerate().for_each(|(i, row)| {
-            row[..n].copy_from_slice(model.unary_row(i));
-            add(i, &mut row[..n]);
-            for value in &mut row[..n] {
-                *value = (-*value).exp();
-            }
-        });
+        let order = &self.order;
+        self.phi.par_chunks_mut(self.stride.max(1)).enumerate().for_each_init(
+            || vec![0.0; n],
+            |potential, (i, row)| {
+                potential.copy_from_slice(model.unary_row(i));
+                add(i, potential);
+                for (value, &label) in row.iter_mut().zip(order.labels()) {
+                    *value = (-potential[label as usize]).exp();
+                }
+            },
+        );
     }
 
     /// Runs until no message changes by more than the tolerance, or for `max_iterations`.
@@ -124,6 +133,7 @@ impl<'a> BeliefPropagation<'a> {
             model: self.model,
             options: self.options,
             method: self.method,
+            order: &self.order,
             table: &self.table,
             stride: self.stride,
             phi: &self.phi,
@@ -141,13 +151,19 @@ impl<'a> BeliefPropagation<'a> {
     /// sum-product is exact. All 0 if every product of messages vanishes. Cost `O(n · degree)`.
     pub fn belief(&self, variable: usize) -> Vec<f32> {
         let n = self.model.n_labels();
-        let messages = self.model.variables.row(variable).map(|edge| self.incoming_message(edge));
+        let messages = self.model.variables.row(variable).map(|edge| self.incoming_row(edge));
         let belief = belief_row(&self.phi[variable * self.stride..][..n], messages);
-        belief.into_iter().map(|b| b as f32).collect()
+        self.order.by_label(&belief).into_iter().map(|b| b as f32).collect()
     }
 
     /// The message `j → i` of the directed edge `i → j`, over the labels; its largest value is 1 up to damping.
-    pub(super) fn incoming_message(&self, edge: usize) -> Cow<'_, [f32]> {
+    #[cfg(test)]
+    pub(super) fn incoming_message(&self, edge: usize) -> Vec<f32> {
+        self.order.by_label(&self.incoming_row(edge))
+    }
+
+    /// Likewise in the order of the rows.
+    fn incoming_row(&self, edge: usize) -> Cow<'_, [f32]> {
         let (edge, n) = (self.reverse[edge] as usize, self.model.n_labels());
         match &self.engine {
             Engine::Flooding(flooding) => MessageValue::widen(&flooding.message(edge)[..n]),

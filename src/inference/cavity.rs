@@ -59,7 +59,7 @@ impl Chains {
 /// The largest belief of a variable.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct BeliefPeak {
-    /// The label of the largest belief, the lowest of equal ones.
+    /// The place of the label of the largest belief, the lowest of equal ones.
     pub label: u32,
     /// That belief, in an arbitrary scale.
     pub peak: f32,

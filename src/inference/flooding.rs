@@ -149,7 +149,11 @@ fn decode_alone(kernel: Kernel<'_>, variable: usize) -> Decoded {
     let phi = &kernel.phi_row(variable)[..kernel.model.n_labels()];
     let label = (0..phi.len()).fold(0, |best, x| if phi[x] > phi[best] { x } else { best });
     let sum: f32 = phi.iter().sum();
-    Decoded { variable: variable as u32, label: label as u32, confidence: f64::from(phi[label] / sum) }
+    Decoded {
+        variable: variable as u32,
+        label: kernel.order.label(label as u32),
+        confidence: f64::from(phi[label] / sum),
+    }
 }
 
 /// Decodes the variables of block `number` and, with an `output`, writes its next messages there. Returns also the

@@ -3,6 +3,7 @@
 use super::block_plan::BlockVariable;
 use super::cavity::{CavityTotals, cavity_products};
 use super::full_update::{FullPotential, full_max_update, full_sum_update};
+use super::label_order::LabelOrder;
 use super::lanes::{CHUNK, Lanes};
 use super::message_value::MessageValue;
 use super::message_writer::{BlockRows, Finish, write_chunk};
@@ -20,6 +21,8 @@ pub(super) struct Kernel<'a> {
     pub model: &'a MrfModel,
     pub options: BpOptions,
     pub method: BpMethod,
+    pub order: &'a LabelOrder,
+    /// In that order, like all rows over the labels.
     pub table: &'a PairTable,
     /// Values of a row of `phi` and of a message.
     pub stride: usize,
@@ -54,7 +57,7 @@ impl Kernel<'_> {
     ) -> impl Iterator<Item = (&'v BlockVariable, Decoded)> {
         variables.iter().zip(scratch.chains.peaks()).map(|(of, best)| {
             let confidence = if best.sum > 0.0 { f64::from(best.peak / best.sum) } else { 0.0 };
-            (of, Decoded { variable: of.variable as u32, label: best.label, confidence })
+            (of, Decoded { variable: of.variable as u32, label: self.order.label(best.label), confidence })
         })
     }
 

@@ -25,6 +25,7 @@ mod fixed_point;
 mod flooding;
 mod full_update;
 mod kernel;
+mod label_order;
 mod label_rows;
 mod lanes;
 mod lower_bound;

@@ -137,7 +137,7 @@ impl Residual {
                 let incoming = self.pieces[i].first().map_or(&[][..], |piece| &piece.incoming);
                 let rows = incoming.iter().map(|&row| &messages[row as usize * stride..][..n]);
                 let (label, confidence) = peak(&belief_row(&kernel.phi[i * stride..][..n], rows));
-                Decoded { variable: i as u32, label, confidence }
+                Decoded { variable: i as u32, label: kernel.order.label(label), confidence }
             })
             .collect()
     }

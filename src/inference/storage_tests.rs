@@ -137,7 +137,7 @@ fn a_message_of_sixteen_bits_is_never_zero() {
     let least = |method| {
         let (_, bp) = run(&model, options(Product::Max, 0.0, 0.0), method, 10);
         let edges = 0..model.variables.n_directed_edges();
-        edges.flat_map(|edge| bp.incoming_message(edge).into_owned()).fold(1.0, f32::min)
+        edges.flat_map(|edge| bp.incoming_message(edge)).fold(1.0, f32::min)
     };
     let (single, half) = (least(BpMethod::default()), least(HALF));
     assert!(single < 1e-12, "{single}");

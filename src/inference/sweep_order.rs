@@ -51,15 +51,15 @@ fn depths(graph: &EdgeGraph) -> Vec<u32> {
     let mut found = vec![u32::MAX; n];
     for start in 0..n {
         if found[start] == u32::MAX {
-            let far = search(graph, start, &mut found);
+            let far = search(graph, start, &mut found).last().copied().unwrap_or(start);
             search(graph, far, &mut depth);
         }
     }
     depth
 }
 
-/// Breadth-first search from `start` over vertices whose depth is not set; returns the one found last.
-fn search(graph: &EdgeGraph, start: usize, depth: &mut [u32]) -> usize {
+/// Breadth-first search from `start` over vertices whose depth is not set; returns them as they are found.
+pub(super) fn search(graph: &EdgeGraph, start: usize, depth: &mut [u32]) -> Vec<usize> {
     let mut queue = vec![start];
     depth[start] = 0;
     let mut at = 0;
@@ -74,7 +74,7 @@ fn search(graph: &EdgeGraph, start: usize, depth: &mut [u32]) -> usize {
             }
         }
     }
-    queue[queue.len() - 1]
+    queue
 }
 
 #[cfg(test)]

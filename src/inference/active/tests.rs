@@ -130,7 +130,7 @@ proptest! {
             let message = &active.messages[active.layout.message(active.reverse[edge] as usize)];
             match product {
                 // Maxima do not depend on an order, so that the bits are the same.
-                Product::Max => prop_assert_eq!(&message[..n_labels], &*dense.incoming_message(edge)),
+                Product::Max => prop_assert_eq!(&message[..n_labels], &dense.incoming_message(edge)[..]),
                 Product::Sum => for (a, b) in message.iter().zip(dense.incoming_message(edge).iter()) {
                     prop_assert!((a - b).abs() < 1e-5, "{} against {}", a, b);
                 },

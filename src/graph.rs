@@ -10,18 +10,25 @@ pub struct EdgeGraph {
 impl EdgeGraph {
     /// The graph of `n` vertices with the given undirected edges, each named once.
     pub fn from_edges(n: usize, edges: &[[u32; 2]]) -> Self {
-        let mut rows = vec![Vec::new(); n];
+        let mut offsets = vec![0u32; n + 1];
         for &[a, b] in edges {
-            rows[a as usize].push(b);
-            rows[b as usize].push(a);
+            offsets[a as usize + 1] += 1;
+            offsets[b as usize + 1] += 1;
         }
-        let mut offsets = Vec::with_capacity(n + 1);
-        let mut neighbors = Vec::with_capacity(2 * edges.len());
-        offsets.push(0);
-        for row in &mut rows {
-            row.sort_unstable();
-            neighbors.extend_from_slice(row);
-            offsets.push(neighbors.len() as u32);
+        for i in 0..n {
+            offsets[i + 1] += offsets[i];
+        }
+        let mut neighbors = vec![0u32; 2 * edges.len()];
+        let mut ends = offsets.clone();
+        for &[a, b] in edges {
+            for (from, to) in [(a, b), (b, a)] {
+                let end = &mut ends[from as usize];
+                neighbors[*end as usize] = to;
+                *end += 1;
+            }
+        }
+        for i in 0..n {
+            neighbors[offsets[i] as usize..offsets[i + 1] as usize].sort_unstable();
         }
         EdgeGraph { offsets, neighbors }
     }
@@ -64,6 +71,40 @@ impl EdgeGraph {
         }
         reverse
     }
+}
+
+/// Whether vertices lie within `r` edges of each other, asked of the edges as they are: for those who ask about a few
+/// pairs, not about all that are near. Where many ask, [`LabelNeighborhoods`] has the answers at hand.
+#[derive(Debug, Clone, Copy)]
+pub struct Reach<'a> {
+    /// The edges.
+    pub graph: &'a EdgeGraph,
+    /// `r`.
+    pub rings: usize,
+}
+
+impl Reach<'_> {
+    /// Whether `y` is in `N_r(x)`. Cost `O(k^(r−1))` for `k` neighbours a vertex; less where they are close.
+    pub fn within(&self, x: u32, y: u32) -> bool {
+        let Reach { graph, rings } = *self;
+        let of_x = graph.neighbors(x as usize);
+        match rings {
+            _ if x == y => true,
+            0 => false,
+            1 => of_x.contains(&y),
+            2 => of_x.contains(&y) || share_a_member(of_x, graph.neighbors(y as usize)),
+            _ => of_x.iter().any(|&z| Reach { graph, rings: rings - 1 }.within(z, y)),
+        }
+    }
+}
+
+/// Whether two ascending lists have a member in common.
+fn share_a_member(a: &[u32], b: &[u32]) -> bool {
+    let mut rest = b.iter().peekable();
+    a.iter().any(|x| {
+        while rest.next_if(|y| *y < x).is_some() {}
+        rest.peek() == Some(&x)
+    })
 }
 
 /// `N_r(x)` for every vertex `x`: the vertices within `r` edges of it, itself included, with a distance for each.
@@ -126,6 +167,12 @@ impl LabelNeighborhoods {
         self.rings
     }
 
+    /// The same question, asked of the edges.
+    #[cfg(test)]
+    pub fn reach(&self) -> Reach<'_> {
+        Reach { graph: &self.graph, rings: self.rings }
+    }
+
     /// Members of `N_r(label)`, ascending.
     pub fn members(&self, label: usize) -> &[u32] {
         &self.members[self.range(label)]
@@ -149,5 +196,56 @@ impl LabelNeighborhoods {
 
     fn range(&self, label: usize) -> std::ops::Range<usize> {
         self.offsets[label] as usize..self.offsets[label + 1] as usize
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+    use std::collections::BTreeSet;
+
+    proptest! {
+        #[test]
+        fn within_reach_is_whoever_the_neighborhood_holds(
+            pairs in prop::collection::btree_set((0u32..40, 0u32..40), 0..90),
+            rings in 0usize..5,
+        ) {
+            let edges: BTreeSet<[u32; 2]> =
+                pairs.into_iter().filter(|(a, b)| a != b).map(|(a, b)| [a.min(b), a.max(b)]).collect();
+            let graph = EdgeGraph::from_edges(40, &edges.into_iter().collect::<Vec<_>>());
+            let labels = LabelNeighborhoods::new(&graph, rings, |_, _| 0.0);
+            for x in 0..40 {
+                for y in 0..40 {
+                    let held = labels.distance_within(x, y).is_some();
+                    prop_assert_eq!(labels.reach().within(x as u32, y as u32), held, "{} {}", x, y);
+                }
+            }
+        }
+
+        #[test]
+        fn rows_hold_the_other_ends_of_the_edges_ascending(
+            pairs in prop::collection::btree_set((0u32..30, 0u32..30), 0..120),
+            turned: bool,
+        ) {
+            let once: BTreeSet<[u32; 2]> =
+                pairs.into_iter().filter(|(a, b)| a != b).map(|(a, b)| [a.min(b), a.max(b)]).collect();
+            let mut edges: Vec<[u32; 2]> = once.into_iter().collect();
+            if turned {
+                edges.reverse();
+                edges.iter_mut().step_by(2).for_each(|e| e.reverse());
+            }
+            let graph = EdgeGraph::from_edges(30, &edges);
+            prop_assert_eq!((graph.n_vertices(), graph.n_directed_edges()), (30, 2 * edges.len()));
+            for i in 0..30 {
+                let mut expected: Vec<u32> = edges
+                    .iter()
+                    .filter(|e| e.contains(&i))
+                    .map(|&[a, b]| if a == i { b } else { a })
+                    .collect();
+                expected.sort_unstable();
+                prop_assert_eq!(graph.neighbors(i as usize), &expected);
+            }
+        }
     }
 }

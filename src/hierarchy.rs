@@ -70,6 +70,8 @@ fn cells(mesh: &SurfaceMesh, graph: &EdgeGraph, sites: &[u32]) -> Option<Vec<u32
     // Lengths are not negative, so their bits are in the order of their values.
     let mut front: BinaryHeap<Reverse<(u64, u32, u32)>> =
         sites.iter().enumerate().map(|(k, &s)| Reverse((0, k as u32, s))).collect();
+    // The shortest way known to each vertex, and the site it comes from: what is no better never enters the queue.
+    let mut nearest = vec![(u64::MAX, u32::MAX); v.len()];
     let mut reached = 0;
     while let Some(Reverse((length, k, i))) = front.pop() {
         if cell[i as usize] != u32::MAX {
@@ -80,8 +82,11 @@ fn cells(mesh: &SurfaceMesh, graph: &EdgeGraph, sites: &[u32]) -> Option<Vec<u32
         let length = f64::from_bits(length);
         for &j in graph.neighbors(i as usize) {
             if cell[j as usize] == u32::MAX {
-                let next = length + (v[i as usize] - v[j as usize]).norm();
-                front.push(Reverse((next.to_bits(), k, j)));
+                let next = ((length + (v[i as usize] - v[j as usize]).norm()).to_bits(), k);
+                if next < nearest[j as usize] {
+                    nearest[j as usize] = next;
+                    front.push(Reverse((next.0, k, j)));
+                }
             }
         }
     }
@@ -152,6 +157,37 @@ mod tests {
         let edge = coarse.mesh.mean_edge_length();
         for (p, &k) in fine.vertices().iter().zip(&coarse.cells) {
             assert!((p - coarse.mesh.vertices()[k as usize]).norm() < 2.0 * edge);
+        }
+    }
+
+    #[test]
+    fn every_vertex_is_in_the_cell_of_the_site_that_is_nearest_along_edges() {
+        for fine in [ellipsoid(Vector3::new(9.0, 6.0, 4.0), 3), torus(10.0, 4.0, 24, 12, FaceArity::Quad)] {
+            let (fine, graph) = (canonicalize(&fine).mesh, canonicalize(&fine).mesh.edge_graph());
+            let sites: Vec<u32> = (0..fine.n_vertices() as u32).step_by(23).collect();
+            let found = cells(&fine, &graph, &sites).unwrap();
+            assert_eq!(found, cells_by_relaxation(&fine, &graph, &sites));
+        }
+    }
+
+    /// Bellman and Ford: every edge is tried until nothing becomes shorter.
+    fn cells_by_relaxation(mesh: &SurfaceMesh, graph: &EdgeGraph, sites: &[u32]) -> Vec<u32> {
+        let v = mesh.vertices();
+        let mut best = vec![(f64::INFINITY, u32::MAX); v.len()];
+        sites.iter().enumerate().for_each(|(k, &s)| best[s as usize] = (0.0, k as u32));
+        loop {
+            let before = best.clone();
+            for i in 0..v.len() {
+                for &j in graph.neighbors(i) {
+                    let way = (best[i].0 + (v[i] - v[j as usize]).norm(), best[i].1);
+                    if way < best[j as usize] {
+                        best[j as usize] = way;
+                    }
+                }
+            }
+            if best == before {
+                return best.into_iter().map(|(_, k)| k).collect();
+            }
         }
     }
 

@@ -197,18 +197,33 @@ proptest! {
     }
 
     #[test]
-    fn farthest_points_are_those_of_the_definition(seed in any::<u64>(), n in 1usize..60, m in 1usize..20) {
-        let points = cloud(seed, n);
-        let chosen = farthest_points(&points, m);
-        prop_assert_eq!(chosen.len(), m.min(n));
-        for k in 1..chosen.len() {
-            let nearest = |p: &Point3<f64>| {
-                chosen[..k].iter().map(|&c| (p - points[c]).norm_squared()).fold(f64::INFINITY, f64::min)
-            };
-            let reached = nearest(&points[chosen[k]]);
-            prop_assert!(points.iter().all(|p| nearest(p) <= reached));
-        }
+    fn farthest_points_are_those_of_the_definition(seed in any::<u64>(), n in 1usize..400, m in 1usize..60, grid: bool) {
+        // On a grid many are equally far, and some coincide.
+        let snapped = |p: Point3<f64>| if grid { p.map(|c| (c / 4.0).round() * 4.0) } else { p };
+        let points: Vec<Point3<f64>> = cloud(seed, n).into_iter().map(snapped).collect();
+        prop_assert_eq!(farthest_points(&points, m), farthest_by_definition(&points, m));
     }
+}
+
+/// Each the first of those farthest from all before it, every distance taken anew.
+fn farthest_by_definition(points: &[Point3<f64>], n: usize) -> Vec<usize> {
+    let center = points.iter().fold(Vector3::zeros(), |s, p| s + p.coords) / points.len() as f64;
+    let mut chosen: Vec<usize> = Vec::new();
+    while chosen.len() < n.min(points.len()) {
+        let from_chosen = |p: &Point3<f64>| {
+            chosen.iter().map(|&c: &usize| (p - points[c]).norm_squared()).fold(f64::INFINITY, f64::min)
+        };
+        let distance = |p: &Point3<f64>| {
+            if chosen.is_empty() { (p.coords - center).norm_squared() } else { from_chosen(p) }
+        };
+        let all: Vec<f64> = points.iter().map(distance).collect();
+        let largest = all.iter().copied().fold(0.0, f64::max);
+        if !chosen.is_empty() && largest == 0.0 {
+            break;
+        }
+        chosen.extend(all.iter().position(|&d| d == largest));
+    }
+    chosen
 }
 
 #[test]

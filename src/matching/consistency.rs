@@ -1,8 +1,9 @@
 //! How well a labeling keeps the topology of the surfaces: neighbours together, faces the right way round.
 
-use crate::graph::LabelNeighborhoods;
+use crate::graph::{EdgeGraph, Reach};
 use crate::mesh::SurfaceMesh;
 use nalgebra::Vector3;
+use rayon::prelude::*;
 
 /// An image triangle with less than this share of the mean area of target triangles is degenerate.
 pub const DEGENERATE_AREA_SHARE: f64 = 1e-6;
@@ -58,34 +59,39 @@ pub enum LabelingError {
 /// [`LabelingError`].
 ///
 /// # Cost
-/// `O(n' k̄ + edges log k̄)` for `n'` target vertices with `k̄` labels a neighbourhood.
+/// `O(edges + faces)` where neighbours have images that are close, on all threads.
 pub fn topology_consistency(
     source: &SurfaceMesh,
     target: &SurfaceMesh,
     labeling: &[u32],
     rings: usize,
 ) -> Result<TopologyConsistency, LabelingError> {
-    // Who is within reach is all that is asked; how far does not matter.
-    let labels = LabelNeighborhoods::new(&target.edge_graph(), rings, |_, _| 0.0);
-    topology_consistency_within(source, target, labeling, &labels)
+    let (variables, graph) = (source.edge_graph(), target.edge_graph());
+    topology_consistency_within(source, &variables, target, labeling, &Reach { graph: &graph, rings })
 }
 
-/// [`topology_consistency`] with neighbourhoods that are already there: `N_r` over the vertices of `target`.
+/// [`topology_consistency`] with edges that are already there: `variables` are those of `source`, `labels` has those of
+/// `target`.
 ///
 /// # Errors
 /// [`LabelingError`].
 ///
 /// # Cost
-/// `O(edges log k̄ + faces)`.
+/// As [`topology_consistency`].
 pub fn topology_consistency_within(
     source: &SurfaceMesh,
+    variables: &EdgeGraph,
     target: &SurfaceMesh,
     labeling: &[u32],
-    labels: &LabelNeighborhoods,
+    labels: &Reach<'_>,
 ) -> Result<TopologyConsistency, LabelingError> {
     check_labeling(labeling, source.n_vertices(), target.n_vertices())?;
-    let edges = source.edges();
-    let n_kept = edges.iter().filter(|[i, j]| keeps_edge(labels, labeling, *i as usize, *j as usize)).count();
+    let kept_from = |i: usize| {
+        let later = variables.neighbors(i).iter().filter(|&&j| j as usize > i);
+        later.filter(|&&j| keeps_edge(labels, labeling, i, j as usize)).count()
+    };
+    let n_kept: usize = (0..variables.n_vertices()).into_par_iter().map(kept_from).sum();
+    let n_edges = variables.n_directed_edges() / 2;
     let mut hit = vec![false; target.n_vertices()];
     for &x in labeling {
         hit[x as usize] = true;
@@ -93,16 +99,15 @@ pub fn topology_consistency_within(
     let n_hit = hit.iter().filter(|&&h| h).count();
     let triangles = source.triangles();
     let images = Images::new(target);
-    let (mut n_flipped, mut n_degenerate) = (0, 0);
-    for triangle in &triangles {
-        match images.kind(triangle.map(|v| labeling[v as usize])) {
-            Image::Upright => {}
-            Image::Flipped => n_flipped += 1,
-            Image::Degenerate => n_degenerate += 1,
-        }
-    }
+    let count = |triangle: &[u32; 3]| match images.kind(triangle.map(|v| labeling[v as usize])) {
+        Image::Upright => (0, 0),
+        Image::Flipped => (1, 0),
+        Image::Degenerate => (0, 1),
+    };
+    let sum = |a: (usize, usize), b: (usize, usize)| (a.0 + b.0, a.1 + b.1);
+    let (n_flipped, n_degenerate) = triangles.par_iter().map(count).reduce(|| (0, 0), sum);
     Ok(TopologyConsistency {
-        consistency: n_kept as f64 / edges.len().max(1) as f64,
+        consistency: n_kept as f64 / n_edges.max(1) as f64,
         coverage: n_hit as f64 / hit.len().max(1) as f64,
         n_triangles: triangles.len(),
         n_flipped,
@@ -111,8 +116,8 @@ pub fn topology_consistency_within(
 }
 
 /// Whether the images of `i` and `j` lie within one neighbourhood.
-pub(super) fn keeps_edge(labels: &LabelNeighborhoods, labeling: &[u32], i: usize, j: usize) -> bool {
-    labels.distance_within(labeling[i] as usize, labeling[j] as usize).is_some()
+pub(super) fn keeps_edge(labels: &Reach<'_>, labeling: &[u32], i: usize, j: usize) -> bool {
+    labels.within(labeling[i], labeling[j])
 }
 
 pub(super) fn check_labeling(labeling: &[u32], n_vertices: usize, n_labels: usize) -> Result<(), LabelingError> {

@@ -1,7 +1,8 @@
 //! Which correspondences are not to be believed, and why.
 
 use super::consistency::{LabelingError, check_labeling, keeps_edge};
-use crate::graph::{EdgeGraph, LabelNeighborhoods};
+use crate::graph::{EdgeGraph, Reach};
+use rayon::prelude::*;
 
 /// Why a source vertex is an outlier.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -24,16 +25,16 @@ pub enum OutlierReason {
 /// [`LabelingError`], also if there is not one residual a vertex.
 ///
 /// # Cost
-/// `O(|E→| log k̄)` for `k̄` labels a neighbourhood.
+/// `O(|E→|)` where neighbours have images that are close, on all threads.
 pub fn identify_outliers(
     variables: &EdgeGraph,
-    labels: &LabelNeighborhoods,
+    labels: &Reach<'_>,
     labeling: &[u32],
     residuals_mm: &[f64],
     tolerance_mm: f64,
 ) -> Result<Vec<Option<OutlierReason>>, LabelingError> {
     let n_vertices = variables.n_vertices();
-    check_labeling(labeling, n_vertices, labels.n_labels())?;
+    check_labeling(labeling, n_vertices, labels.graph.n_vertices())?;
     if residuals_mm.len() != n_vertices {
         return Err(LabelingError::LengthMismatch { found: residuals_mm.len(), n_vertices });
     }
@@ -50,8 +51,9 @@ pub fn identify_outliers(
 }
 
 /// Whether each vertex of `variables` loses more than half of its edges under `labeling`.
-fn breaks_neighborhood(variables: &EdgeGraph, labels: &LabelNeighborhoods, labeling: &[u32]) -> Vec<bool> {
+fn breaks_neighborhood(variables: &EdgeGraph, labels: &Reach<'_>, labeling: &[u32]) -> Vec<bool> {
     (0..variables.n_vertices())
+        .into_par_iter()
         .map(|i| {
             let neighbors = variables.neighbors(i);
             let n_broken = neighbors.iter().filter(|&&j| !keeps_edge(labels, labeling, i, j as usize)).count();
@@ -94,6 +96,7 @@ fn median(mut values: Vec<f64>) -> Option<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::graph::LabelNeighborhoods;
     use crate::mesh::FaceArity;
     use crate::mesh::SurfaceMesh;
     use crate::mesh::shapes::{ellipsoid, torus};
@@ -145,14 +148,14 @@ mod tests {
                 }
                 let variables = mesh.edge_graph();
                 let found =
-                    identify_outliers(&variables, &labels, &labeling, &residuals(&mesh, &labeling), 4.0).unwrap();
+                    identify_outliers(&variables, &labels.reach(), &labeling, &residuals(&mesh, &labeling), 4.0).unwrap();
                 for (at, reason) in found.iter().enumerate() {
                     prop_assert_eq!(*reason, planted.contains(&at).then_some(OutlierReason::Both), "vertex {}", at);
                 }
                 // The tolerance that fits these residuals, nearly all zero, finds the same.
                 let own = residuals(&mesh, &labeling);
                 let tolerance = robust_tolerance_mm(&own).unwrap();
-                prop_assert_eq!(&identify_outliers(&variables, &labels, &labeling, &own, tolerance).unwrap(), &found);
+                prop_assert_eq!(&identify_outliers(&variables, &labels.reach(), &labeling, &own, tolerance).unwrap(), &found);
             }
         }
 
@@ -181,7 +184,7 @@ mod tests {
             .collect();
         let labels = neighborhoods(&mesh, 1);
         let own = residuals(&mesh, &labeling);
-        let found = identify_outliers(&mesh.edge_graph(), &labels, &labeling, &own, 1.0).unwrap();
+        let found = identify_outliers(&mesh.edge_graph(), &labels.reach(), &labeling, &own, 1.0).unwrap();
         for (v, reason) in found.iter().enumerate() {
             let moved = v as u32 / across >= around / 2;
             assert_eq!(*reason, moved.then_some(OutlierReason::Residual), "vertex {v}");
@@ -196,7 +199,8 @@ mod tests {
         let far = (0..v.len()).max_by(|&a, &b| (v[a] - v[100]).norm().total_cmp(&(v[b] - v[100]).norm())).unwrap();
         labeling[100] = far as u32;
         let own = residuals(&mesh, &labeling);
-        let found = identify_outliers(&mesh.edge_graph(), &neighborhoods(&mesh, 2), &labeling, &own, 100.0).unwrap();
+        let found =
+            identify_outliers(&mesh.edge_graph(), &neighborhoods(&mesh, 2).reach(), &labeling, &own, 100.0).unwrap();
         assert_eq!(found[100], Some(OutlierReason::Neighborhood));
         assert_eq!(found.iter().filter(|r| r.is_some()).count(), 1);
     }
@@ -206,7 +210,7 @@ mod tests {
         // A path of five variables over five labels in a row; the label of the last is torn off.
         let path = EdgeGraph::from_edges(5, &[[0, 1], [1, 2], [2, 3], [3, 4]]);
         let labels = LabelNeighborhoods::new(&path, 1, |_, _| 0.0);
-        let found = identify_outliers(&path, &labels, &[0, 1, 2, 3, 0], &[0.0; 5], 1.0).unwrap();
+        let found = identify_outliers(&path, &labels.reach(), &[0, 1, 2, 3, 0], &[0.0; 5], 1.0).unwrap();
         assert_eq!(found, [None, None, None, None, Some(OutlierReason::Neighborhood)]);
     }
 
@@ -215,7 +219,7 @@ mod tests {
         let path = EdgeGraph::from_edges(3, &[[0, 1], [1, 2]]);
         let labels = LabelNeighborhoods::new(&path, 1, |_, _| 0.0);
         let own = [1.0, f64::NAN, 1.0];
-        let found = identify_outliers(&path, &labels, &[0, 1, 2], &own, 2.0).unwrap();
+        let found = identify_outliers(&path, &labels.reach(), &[0, 1, 2], &own, 2.0).unwrap();
         assert_eq!(found, [None, Some(OutlierReason::Residual), None]);
         assert_eq!(robust_tolerance_mm(&own), Some(1.0));
         assert_eq!(robust_tolerance_mm(&[f64::INFINITY]), None);
@@ -235,7 +239,7 @@ mod tests {
         let path = EdgeGraph::from_edges(3, &[[0, 1], [1, 2]]);
         let labels = LabelNeighborhoods::new(&path, 1, |_, _| 0.0);
         let short = LabelingError::LengthMismatch { found: 2, n_vertices: 3 };
-        assert_eq!(identify_outliers(&path, &labels, &[0, 1], &[0.0; 3], 1.0).unwrap_err(), short);
-        assert_eq!(identify_outliers(&path, &labels, &[0, 1, 2], &[0.0; 2], 1.0).unwrap_err(), short);
+        assert_eq!(identify_outliers(&path, &labels.reach(), &[0, 1], &[0.0; 3], 1.0).unwrap_err(), short);
+        assert_eq!(identify_outliers(&path, &labels.reach(), &[0, 1, 2], &[0.0; 2], 1.0).unwrap_err(), short);
     }
 }

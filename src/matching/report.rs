@@ -12,8 +12,8 @@ use super::result::{
 };
 use super::scene::Scene;
 use super::side::Side;
-use crate::graph::LabelNeighborhoods;
-use crate::mesh::{ClosestPoint, ClosestPointIndex, SurfaceMesh};
+use crate::graph::{EdgeGraph, Reach};
+use crate::mesh::{ClosestPoint, SurfaceDistances, SurfaceMesh};
 use crate::mrf::MrfModel;
 use crate::registration::{OrientationSolver, ProcrustesOptions, RigidTransform, procrustes};
 use nalgebra::Point3;
@@ -55,8 +55,9 @@ pub(super) fn outcome(scene: &Scene<'_>, energy: Option<EnergyDocument>, answer:
     let supporting: Vec<usize> = (0..n).filter(|&i| inlier[i]).collect();
     let squares: f64 = supporting.iter().map(|&i| residuals[i] * residuals[i]).sum();
     let rings = scene.parameters.energy.neighborhood_rings as usize;
-    let labels = LabelNeighborhoods::new(&scene.target.mesh().edge_graph(), rings, |_, _| 0.0);
-    let mut outlier = outlier_reasons(scene, &labels, &answer.labeling, &residuals);
+    let (variables, graph) = rayon::join(|| source.edge_graph(), || scene.target.mesh().edge_graph());
+    let labels = Reach { graph: &graph, rings };
+    let mut outlier = outlier_reasons(scene, &variables, &labels, &answer.labeling, &residuals);
     for (reason, alone) in outlier.iter_mut().zip(&answer.no_counterpart) {
         if *alone {
             *reason = OutlierReason::NoCounterpart;
@@ -94,7 +95,7 @@ pub(super) fn outcome(scene: &Scene<'_>, energy: Option<EnergyDocument>, answer:
         },
         surface_distance: surface_distance(scene.source, scene.target, &answer.transform),
         energy,
-        topology: topology(scene, &answer.transform, &labels, &answer.labeling),
+        topology: topology(scene, &answer.transform, &variables, &labels, &answer.labeling),
         rounds: answer.rounds,
         poses: answer.poses,
         reliability: answer.reliability,
@@ -142,10 +143,12 @@ pub(super) fn energy(model: &MrfModel, labeling: &[u32], lower_bound: Option<f64
 fn topology(
     scene: &Scene<'_>,
     transform: &RigidTransform,
-    labels: &LabelNeighborhoods,
+    variables: &EdgeGraph,
+    labels: &Reach<'_>,
     labeling: &[u32],
 ) -> ConsistencyDocument {
-    let found = topology_consistency_within(scene.source.mesh(), scene.target.mesh(), labeling, labels);
+    let (source, target) = (scene.source.mesh(), scene.target.mesh());
+    let found = topology_consistency_within(source, variables, target, labeling, labels);
     // Every label is a target vertex: minimisers and closest points give no other.
     let Ok(found) = found else { unreachable!("a labeling with labels that are no target vertices") };
     let flipped = if transform.is_reflection() {
@@ -164,12 +167,12 @@ fn topology(
 
 fn outlier_reasons(
     scene: &Scene<'_>,
-    labels: &LabelNeighborhoods,
+    variables: &EdgeGraph,
+    labels: &Reach<'_>,
     labeling: &[u32],
     residuals: &[f64],
 ) -> Vec<OutlierReason> {
-    let graph = scene.source.mesh().edge_graph();
-    let found = identify_outliers(&graph, labels, labeling, residuals, scene.tolerance_mm);
+    let found = identify_outliers(variables, labels, labeling, residuals, scene.tolerance_mm);
     let Ok(found) = found else { unreachable!("a labeling with labels that are no target vertices") };
     let reason = |reason: Option<outliers::OutlierReason>| match reason {
         None => OutlierReason::None,
@@ -217,17 +220,17 @@ pub(super) fn transform_document(transform: &RigidTransform) -> TransformDocumen
 }
 
 /// Distances of the vertices of both surfaces from the other, the source moved by `transform`.
-pub(super) fn surface_distance(source: &Side, target: &Side, transform: &RigidTransform) -> SurfaceDistanceDocument {
-    let moved: Vec<Point3<f64>> = source.mesh().vertices().iter().map(|p| transform.apply(p)).collect();
-    let distances = |points: &[Point3<f64>], index: &ClosestPointIndex| -> Vec<f64> {
-        points.par_iter().map(|p| (index.closest(p).point - p).norm()).collect()
-    };
-    let mut all = distances(&moved, &target.closest().index);
+fn surface_distance(source: &Side, target: &Side, transform: &RigidTransform) -> SurfaceDistanceDocument {
     // Moved the other way, the target meets the source where it is.
     let back = transform.inverse();
-    let returned: Vec<Point3<f64>> = target.mesh().vertices().iter().map(|p| back.apply(p)).collect();
-    all.extend(distances(&returned, &source.closest().index));
-    all.sort_by(f64::total_cmp);
+    let distances = |from: &Side, to: &Side, motion: &RigidTransform| -> Vec<f64> {
+        let moved: Vec<Point3<f64>> = from.mesh().vertices().iter().map(|p| motion.apply(p)).collect();
+        SurfaceDistances::new(to.mesh()).of(&moved)
+    };
+    let (mut all, returned) = rayon::join(|| distances(source, target, transform), || distances(target, source, &back));
+    all.extend(returned);
+    // No two that are equal differ, so that nothing depends on how this sorts.
+    all.par_sort_unstable_by(f64::total_cmp);
     let at = |share: f64| all[((all.len() - 1) as f64 * share).round() as usize];
     SurfaceDistanceDocument { mean_mm: all.iter().sum::<f64>() / all.len() as f64, p95_mm: at(0.95), max_mm: at(1.0) }
 }

@@ -4,7 +4,7 @@
 //! an input permutes the answer exactly, rounding included. The order is along a Morton (Z-order) curve: close
 //! vertices get close numbers, which keeps neighbouring labels near each other in memory.
 
-use super::SurfaceMesh;
+use super::{FaceArity, SurfaceMesh};
 use std::cmp::Ordering;
 
 /// A mesh in canonical numbering, with the way back.
@@ -33,28 +33,37 @@ pub fn canonicalize(mesh: &SurfaceMesh) -> CanonicalMesh {
     let by_position = |a: usize, b: usize| -> Ordering {
         v[a].x.total_cmp(&v[b].x).then(v[a].y.total_cmp(&v[b].y)).then(v[a].z.total_cmp(&v[b].z))
     };
-    let mut original: Vec<u32> = (0..mesh.n_vertices() as u32).collect();
-    original.sort_by(|&a, &b| {
-        let (a, b) = (a as usize, b as usize);
-        keys[a].cmp(&keys[b]).then_with(|| by_position(a, b)).then(a.cmp(&b))
+    let mut order: Vec<(u64, u32)> = keys.into_iter().zip(0..).collect();
+    // No two are equal, so that nothing depends on how this sorts.
+    order.sort_unstable_by(|&(key_a, a), &(key_b, b)| {
+        key_a.cmp(&key_b).then_with(|| by_position(a as usize, b as usize)).then(a.cmp(&b))
     });
+    let original: Vec<u32> = order.into_iter().map(|(_, old)| old).collect();
     let mut canonical = vec![0u32; original.len()];
     for (new, &old) in original.iter().enumerate() {
         canonical[old as usize] = new as u32;
     }
-    let mut faces: Vec<Vec<u32>> = mesh
-        .faces()
-        .map(|f| {
-            let mut face: Vec<u32> = f.iter().map(|&k| canonical[k as usize]).collect();
-            let first = (0..face.len()).min_by_key(|&k| face[k]).unwrap_or(0);
-            face.rotate_left(first);
-            face
-        })
-        .collect();
-    faces.sort_unstable();
+    let indices = match mesh.arity {
+        FaceArity::Triangle => sorted_faces::<3>(&mesh.indices, &canonical),
+        FaceArity::Quad => sorted_faces::<4>(&mesh.indices, &canonical),
+    };
     let vertices = original.iter().map(|&k| v[k as usize]).collect();
-    let mesh = SurfaceMesh { vertices, arity: mesh.arity, indices: faces.concat() };
+    let mesh = SurfaceMesh { vertices, arity: mesh.arity, indices };
     CanonicalMesh { mesh, original }
+}
+
+/// Faces of `N` corners in the numbering `canonical`, each turned so that its lowest corner is first, ascending.
+fn sorted_faces<const N: usize>(indices: &[u32], canonical: &[u32]) -> Vec<u32> {
+    let (faces, _) = indices.as_chunks::<N>();
+    let turned = |face: &[u32; N]| {
+        let mut face = face.map(|k| canonical[k as usize]);
+        let first = (0..N).min_by_key(|&k| face[k]).unwrap_or(0);
+        face.rotate_left(first);
+        face
+    };
+    let mut faces: Vec<[u32; N]> = faces.iter().map(turned).collect();
+    faces.sort_unstable();
+    faces.concat()
 }
 
 /// The low 21 bits of `x`, two zero bits between each.
@@ -65,4 +74,40 @@ fn spread(x: u64) -> u64 {
     x = (x | x << 8) & 0x100f_00f0_0f00_f00f;
     x = (x | x << 4) & 0x10c3_0c30_c30c_30c3;
     (x | x << 2) & 0x1249_2492_4924_9249
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::shapes::{ellipsoid, torus};
+    use nalgebra::Vector3;
+
+    /// Faces as lists, sorted as such.
+    fn sorted_lists(mesh: &SurfaceMesh, canonical: &[u32]) -> Vec<u32> {
+        let turned = |f: &[u32]| {
+            let mut face: Vec<u32> = f.iter().map(|&k| canonical[k as usize]).collect();
+            let first = (0..face.len()).min_by_key(|&k| face[k]).unwrap();
+            face.rotate_left(first);
+            face
+        };
+        let mut faces: Vec<Vec<u32>> = mesh.faces().map(turned).collect();
+        faces.sort();
+        faces.concat()
+    }
+
+    #[test]
+    fn the_numbering_is_a_permutation_and_the_faces_are_the_same_ascending() {
+        let torus = |arity| torus(10.0, 4.0, 16, 9, arity);
+        let shapes = [ellipsoid(Vector3::new(9.0, 6.0, 5.0), 3), torus(FaceArity::Triangle), torus(FaceArity::Quad)];
+        for mesh in shapes {
+            let CanonicalMesh { mesh: renumbered, original } = canonicalize(&mesh);
+            let mut number = vec![u32::MAX; original.len()];
+            for (new, &old) in original.iter().enumerate() {
+                assert_eq!(renumbered.vertices()[new], mesh.vertices()[old as usize]);
+                number[old as usize] = new as u32;
+            }
+            assert!(!number.contains(&u32::MAX));
+            assert_eq!(renumbered.indices(), sorted_lists(&mesh, &number));
+        }
+    }
 }

@@ -8,6 +8,7 @@
 mod boundary;
 mod canonical;
 mod closest;
+mod distance;
 mod geometry;
 #[cfg(test)]
 pub(crate) mod shapes;
@@ -17,6 +18,7 @@ pub mod topology;
 
 pub use canonical::{CanonicalMesh, canonicalize};
 pub use closest::{ClosestPoint, ClosestPointIndex};
+pub use distance::SurfaceDistances;
 
 use crate::graph::EdgeGraph;
 use nalgebra::{Matrix3, Point3, Vector3};
@@ -197,20 +199,42 @@ impl SurfaceMesh {
         }
     }
 
-    /// The edge graph: a quad mesh keeps its 4-neighbourhoods. Cost `O(faces log faces)`.
+    /// The edge graph: a quad mesh keeps its 4-neighbourhoods. Cost as that of [`SurfaceMesh::edges`].
     pub fn edge_graph(&self) -> EdgeGraph {
         EdgeGraph::from_edges(self.n_vertices(), &self.edges())
     }
 
-    /// Every undirected edge once, as `[low, high]`, in ascending order.
+    /// Every undirected edge once, as `[low, high]`, in ascending order. Cost `O(faces)` for faces that are few around
+    /// each vertex.
     pub fn edges(&self) -> Vec<[u32; 2]> {
-        let mut edges: Vec<[u32; 2]> = self
-            .faces()
-            .flat_map(|f| (0..f.len()).map(move |k| (f[k], f[(k + 1) % f.len()])))
-            .map(|(a, b)| [a.min(b), a.max(b)])
-            .collect();
-        edges.sort_unstable();
-        edges.dedup();
+        let sides = || self.faces().flat_map(|f| (0..f.len()).map(move |k| (f[k], f[(k + 1) % f.len()])));
+        // Those of one lower vertex together; only these few are sorted.
+        let mut ends = vec![0u32; self.n_vertices() + 1];
+        for (a, b) in sides() {
+            ends[a.min(b) as usize + 1] += 1;
+        }
+        for low in 0..self.n_vertices() {
+            ends[low + 1] += ends[low];
+        }
+        let mut highs = vec![0u32; self.indices.len()];
+        // While it is filled, the row of `low` ends at `ends[low]`; in the end that is where the next begins.
+        for (a, b) in sides() {
+            let end = &mut ends[a.min(b) as usize];
+            highs[*end as usize] = a.max(b);
+            *end += 1;
+        }
+        let mut edges = Vec::with_capacity(self.indices.len() / 2 + 1);
+        let mut start = 0;
+        for low in 0..self.n_vertices() {
+            let row = &mut highs[start..ends[low] as usize];
+            row.sort_unstable();
+            for (k, &high) in row.iter().enumerate() {
+                if k == 0 || row[k - 1] != high {
+                    edges.push([low as u32, high]);
+                }
+            }
+            start = ends[low] as usize;
+        }
         edges
     }
 }
@@ -218,6 +242,21 @@ impl SurfaceMesh {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn edges_are_the_sides_of_the_faces_each_once_ascending() {
+        let torus = |arity| shapes::torus(5.0, 2.0, 9, 7, arity);
+        let mut meshes = vec![shapes::ellipsoid(Vector3::new(3.0, 2.0, 1.0), 3)];
+        meshes.extend([FaceArity::Triangle, FaceArity::Quad].map(torus));
+        // A rim, an edge of three faces, and vertices that no face uses.
+        let v = (0..8).map(|k| Point3::new(f64::from(k), f64::from(k * k), 0.0)).collect();
+        meshes.push(SurfaceMesh::new(v, FaceArity::Triangle, vec![5, 1, 2, 2, 1, 6, 4, 1, 2]).unwrap());
+        for mesh in meshes {
+            let sides = mesh.faces().flat_map(|f| (0..f.len()).map(move |k| (f[k], f[(k + 1) % f.len()])));
+            let set: std::collections::BTreeSet<[u32; 2]> = sides.map(|(a, b)| [a.min(b), a.max(b)]).collect();
+            assert_eq!(mesh.edges(), set.into_iter().collect::<Vec<_>>());
+        }
+    }
 
     #[test]
     fn a_reflection_turns_the_faces() {

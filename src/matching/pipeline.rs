@@ -17,9 +17,9 @@ pub(super) fn run(
     observer: &dyn Observer,
 ) -> Result<MatchOutcome, MatchError> {
     observer.phase(Phase::Features);
-    let scene = Scene::new(&source.full, &target.full, parameters, observer);
     let bends = parameters.displacement.mode == DisplacementMode::Smooth;
     if parameters.inference.algorithm == Algorithm::None {
+        let scene = Scene::new(&source.full, &target.full, parameters, observer);
         let mut answer = registration_only::register(&scene)?;
         if bends {
             bend(&scene, (source, target), None, &mut answer)?;
@@ -27,7 +27,12 @@ pub(super) fn run(
         observer.phase(Phase::Reporting);
         return Ok(outcome(&scene, None, answer));
     }
-    let model = build_model(&source.energy, &target.energy, parameters)?;
+    // The scene's tree of closest points grows on one thread, and both take about as long on fine surfaces.
+    let (scene, model) = rayon::join(
+        || Scene::new(&source.full, &target.full, parameters, observer),
+        || build_model(&source.energy, &target.energy, parameters),
+    );
+    let model = model?;
     checkpoint(observer)?;
     observer.progress(0.05);
     let lower_bound = bound::lower_bound(&model, parameters.inference.lower_bound_iterations, observer)?;
@@ -35,13 +40,13 @@ pub(super) fn run(
         .then(|| Scene::new(&source.energy, &target.energy, parameters, observer));
     let level = coarse.as_ref().unwrap_or(&scene);
     let mut answer = Matcher { scene: level, model: &model, lower_bound }.rounds()?;
-    let mut labeling = answer.labeling.clone();
-    if coarse.is_some() {
+    let labeling = answer.labeling.clone();
+    let bent = if bends { bend(&scene, (source, target), Some(&model), &mut answer)? } else { None };
+    // A displacement has answered all vertices; where there is none, those of the energy have to speak for them.
+    if coarse.is_some() && answer.moved.is_none() {
         registration_only::answer_all(&scene, &mut answer);
     }
-    if bends {
-        labeling = bend(&scene, (source, target), Some(&model), &mut answer)?.unwrap_or(labeling);
-    }
+    let labeling = bent.unwrap_or(labeling);
     observer.phase(Phase::Reporting);
     let energy = energy(&model, &labeling, answer.lower_bound);
     Ok(outcome(&scene, Some(energy), answer))

@@ -46,56 +46,18 @@ pub(super) struct Answer {
 
 /// The outcome of `answer`.
 pub(super) fn outcome(scene: &Scene<'_>, energy: Option<EnergyDocument>, answer: Answer) -> MatchOutcome {
-    let n = answer.labeling.len();
-    let source = scene.source.mesh();
-    let images = scene.images(&answer.labeling);
-    let residual = |i: usize| (answer.transform.apply(&source.vertices()[i]) - images[i]).norm();
-    let residuals: Vec<f64> = (0..n).map(residual).collect();
-    let inlier: Vec<bool> = residuals.iter().map(|&r| r <= scene.tolerance_mm).collect();
-    let supporting: Vec<usize> = (0..n).filter(|&i| inlier[i]).collect();
-    let squares: f64 = supporting.iter().map(|&i| residuals[i] * residuals[i]).sum();
-    let rings = scene.parameters.energy.neighborhood_rings as usize;
-    let (variables, graph) = rayon::join(|| source.edge_graph(), || scene.target.mesh().edge_graph());
-    let labels = Reach { graph: &graph, rings };
-    let mut outlier = outlier_reasons(scene, &variables, &labels, &answer.labeling, &residuals);
-    for (reason, alone) in outlier.iter_mut().zip(&answer.no_counterpart) {
-        if *alone {
-            *reason = OutlierReason::NoCounterpart;
-        }
-    }
-    let inverse = scene.parameters.both_directions.then(|| inverse(scene, &answer)).flatten().map(Box::new);
-    let points = answer.points.unwrap_or_else(|| on_vertices(scene.target.mesh(), &answer.labeling));
-    let as_uploaded = |x: u32| scene.target.surface.original[x as usize];
-    // Back to the numbering of the inputs, in its order.
-    let mut rows: Vec<(u32, usize)> = scene.source.surface.original.iter().copied().zip(0..n).collect();
-    rows.sort_unstable();
-    let correspondences = Correspondences {
-        source: rows.iter().map(|&(original, _)| original).collect(),
-        target: rows.iter().map(|&(_, i)| scene.target.surface.original[answer.labeling[i] as usize]).collect(),
-        confidence: rows.iter().map(|&(_, i)| answer.confidence[i]).collect(),
-        inlier: rows.iter().map(|&(_, i)| inlier[i]).collect(),
-        spread_mm: rows.iter().map(|&(_, i)| answer.spread_mm[i]).collect(),
-        outlier: rows.iter().map(|&(_, i)| outlier[i]).collect(),
-        triangle: rows.iter().map(|&(_, i)| points[i].triangle.map(as_uploaded)).collect(),
-        barycentric: rows.iter().map(|&(_, i)| points[i].barycentric).collect(),
-        inverse,
-    };
+    let (surface_distance, of_pairs) = rayon::join(
+        || surface_distance(scene.source, scene.target, &answer.transform),
+        || OfPairs::new(scene, &answer),
+    );
+    let OfPairs { similarity, support, topology, mut correspondences } = of_pairs;
+    correspondences.inverse = scene.parameters.both_directions.then(|| inverse(scene, &answer)).flatten().map(Box::new);
     MatchOutcome {
-        transform: TransformDocument {
-            similarity: similarity(scene, &images, &supporting),
-            ..transform_document(&answer.transform)
-        },
-        support: SupportDocument {
-            inliers: supporting.len() as u32,
-            ratio: supporting.len() as f64 / n as f64,
-            rms_mm: if supporting.is_empty() { 0.0 } else { (squares / supporting.len() as f64).sqrt() },
-            tolerance_mm: scene.tolerance_mm,
-            trials: answer.trials,
-            confidence_reached: answer.confidence_reached,
-        },
-        surface_distance: surface_distance(scene.source, scene.target, &answer.transform),
+        transform: TransformDocument { similarity, ..transform_document(&answer.transform) },
+        support,
+        surface_distance,
         energy,
-        topology: topology(scene, &answer.transform, &variables, &labels, &answer.labeling),
+        topology,
         rounds: answer.rounds,
         poses: answer.poses,
         reliability: answer.reliability,
@@ -103,6 +65,67 @@ pub(super) fn outcome(scene: &Scene<'_>, energy: Option<EnergyDocument>, answer:
         ambiguous_axes: answer.ambiguous_axes,
         correspondences,
         stop_reason: answer.stop_reason,
+    }
+}
+
+/// What is measured on the pairs of vertices and images.
+struct OfPairs {
+    similarity: Option<SimilarityDocument>,
+    support: SupportDocument,
+    topology: ConsistencyDocument,
+    /// In the numbering of the inputs, without the map the other way.
+    correspondences: Correspondences,
+}
+
+impl OfPairs {
+    fn new(scene: &Scene<'_>, answer: &Answer) -> Self {
+        let n = answer.labeling.len();
+        let source = scene.source.mesh();
+        let images = scene.images(&answer.labeling);
+        let residual = |i: usize| (answer.transform.apply(&source.vertices()[i]) - images[i]).norm();
+        let residuals: Vec<f64> = (0..n).map(residual).collect();
+        let inlier: Vec<bool> = residuals.iter().map(|&r| r <= scene.tolerance_mm).collect();
+        let supporting: Vec<usize> = (0..n).filter(|&i| inlier[i]).collect();
+        let squares: f64 = supporting.iter().map(|&i| residuals[i] * residuals[i]).sum();
+        let rings = scene.parameters.energy.neighborhood_rings as usize;
+        let (variables, graph) = rayon::join(|| source.edge_graph(), || scene.target.mesh().edge_graph());
+        let labels = Reach { graph: &graph, rings };
+        let mut outlier = outlier_reasons(scene, &variables, &labels, &answer.labeling, &residuals);
+        for (reason, alone) in outlier.iter_mut().zip(&answer.no_counterpart) {
+            if *alone {
+                *reason = OutlierReason::NoCounterpart;
+            }
+        }
+        let on_vertices = answer.points.is_none().then(|| on_vertices(scene.target.mesh(), &answer.labeling));
+        let points = answer.points.as_ref().or(on_vertices.as_ref()).map_or(&[][..], Vec::as_slice);
+        let as_uploaded = |x: u32| scene.target.surface.original[x as usize];
+        // Back to the numbering of the inputs, in its order.
+        let mut rows: Vec<(u32, usize)> = scene.source.surface.original.iter().copied().zip(0..n).collect();
+        rows.sort_unstable();
+        let correspondences = Correspondences {
+            source: rows.iter().map(|&(original, _)| original).collect(),
+            target: rows.iter().map(|&(_, i)| as_uploaded(answer.labeling[i])).collect(),
+            confidence: rows.iter().map(|&(_, i)| answer.confidence[i]).collect(),
+            inlier: rows.iter().map(|&(_, i)| inlier[i]).collect(),
+            spread_mm: rows.iter().map(|&(_, i)| answer.spread_mm[i]).collect(),
+            outlier: rows.iter().map(|&(_, i)| outlier[i]).collect(),
+            triangle: rows.iter().map(|&(_, i)| points[i].triangle.map(as_uploaded)).collect(),
+            barycentric: rows.iter().map(|&(_, i)| points[i].barycentric).collect(),
+            inverse: None,
+        };
+        OfPairs {
+            similarity: similarity(scene, &images, &supporting),
+            support: SupportDocument {
+                inliers: supporting.len() as u32,
+                ratio: supporting.len() as f64 / n as f64,
+                rms_mm: if supporting.is_empty() { 0.0 } else { (squares / supporting.len() as f64).sqrt() },
+                tolerance_mm: scene.tolerance_mm,
+                trials: answer.trials,
+                confidence_reached: answer.confidence_reached,
+            },
+            topology: topology(scene, &answer.transform, &variables, &labels, &answer.labeling),
+            correspondences,
+        }
     }
 }
 

@@ -1,118 +1,155 @@
 //! How far points lie from a surface, for a great many points.
 //!
 //! [`super::ClosestPointIndex`] also says where the closest point is, and grows a tree for that. Where only the distance
-//! counts, as between two surfaces laid on each other, three things make it several times as fast:
+//! counts, as between two surfaces laid on each other, three things make it faster:
 //!
 //! - the tree is that of the numbering: faces in canonical order follow a curve through space, so eight of them in a row
 //!   lie together, and so do eight such rows; nothing is sorted;
-//! - every triangle lies in a disc. Far from a fine surface the boxes of many triangles are closer than the surface is,
-//!   but few of the discs, so that few triangles are looked at themselves;
+//! - every patch lies in a box, and in a slab: a disc of some thickness along its mean normal. Far from a fine surface the
+//!   boxes of many patches are closer than the surface is, but few of the slabs;
 //! - queries are answered in a row, and the triangle of the answer before bounds each before its search begins.
 //!
-//! Boxes and discs only pass triangles over that are farther by more than rounding; the distance itself is computed by the
+//! Boxes and slabs only pass patches over that are farther by more than rounding; the distance itself is computed by the
 //! same routine as in [`super::ClosestPointIndex`], so that both give the same bits.
 
+// The dispatch to instruction sets that `multiversion` generates needs unsafe calls; nothing here does itself.
+#![allow(unsafe_code)]
+
 use super::SurfaceMesh;
+use multiversion::multiversion;
 use nalgebra::{Point3, Vector3};
 use parry3d_f64::math::Vector;
 use parry3d_f64::query::PointQuery;
 use parry3d_f64::shape::Triangle;
 use rayon::prelude::*;
 
-/// Children of a node, and triangles of a leaf: a whole number of vector registers of any instruction set.
+/// Children of a node: a whole number of vector registers of any instruction set.
 const FAN: usize = 8;
 /// Queries answered in a row. Fixed, so that the work does not depend on the threads.
 const ROW: usize = 256;
-/// What a bound may be wrong by, in the size of the numbers it is computed from; rounding is a millionth of that.
-const BOUND_RTOL: f64 = 1e-9;
-/// Twice the area of a triangle over the square of its longest side, below which its normal is left out of its bound.
-const THIN: f64 = 1e-4;
-/// A place beyond all queries, for what a node has not: the square of its distance is no number any more, but infinite.
-const NOWHERE: f64 = 1e300;
+/// Levels with slabs: they pay where patches are flat, for single triangles and for eight. Above, they ruled out nearly
+/// nothing.
+const SLAB_LEVELS: usize = 2;
+/// What a bound may be wrong by, in the size of the numbers it is computed from: some fifty times the rounding of 32 bits.
+const BOUND_RTOL: f64 = 4e-6;
+/// A place beyond all queries, for children that a node has not: its squared distance is infinite in 32 bits.
+const NOWHERE: f32 = f32::MAX;
 
-type Lanes = [f64; FAN];
+type Lanes = [f32; FAN];
 
 /// The distances of points from one surface. Fast where faces that are close in space are close in the list, as in
 /// canonical numbering; right in any case.
 pub struct SurfaceDistances<'a> {
     vertices: &'a [Point3<f64>],
     triangles: Vec<[u32; 3]>,
-    /// The discs of eight triangles after the other.
-    discs: Vec<Discs>,
-    /// From the boxes of the discs upwards; the last level has one node.
-    levels: Vec<Vec<Boxes>>,
-    /// Largest coordinate, mm.
+    /// From the bounds of single triangles upwards; the last level has one node.
+    levels: Vec<Vec<Node>>,
+    /// What bounds are relative to, so that 32 bits tell places on it well apart.
+    center: Point3<f64>,
+    /// Largest coordinate relative to `center`, mm.
     extent: f64,
 }
 
-/// Boxes of the children of a node, axis by axis.
-#[derive(Clone)]
-struct Boxes {
+/// Bounds of the children of a node, each a run of triangles. Lengths in mm.
+struct Node {
     low: [Lanes; 3],
     high: [Lanes; 3],
-}
-
-/// A disc around each triangle of a leaf, or a ball where `normal` is zero.
-struct Discs {
-    center: [Lanes; 3],
+    /// The middle of the slab.
+    middle: [Lanes; 3],
+    /// Unit normal of the slab, or zero: then it is a ball.
     normal: [Lanes; 3],
     radius: Lanes,
+    half_thickness: Lanes,
 }
 
-impl Boxes {
+impl Node {
     fn nowhere() -> Self {
-        Boxes { low: [[NOWHERE; FAN]; 3], high: [[NOWHERE; FAN]; 3] }
+        let (place, none) = ([[NOWHERE; FAN]; 3], [[0.0; FAN]; 3]);
+        Node { low: place, high: place, middle: place, normal: none, radius: [0.0; FAN], half_thickness: [0.0; FAN] }
     }
 
-    /// The box around all.
-    fn around(&self, n: usize) -> [[f64; 2]; 3] {
-        std::array::from_fn(|axis| {
-            let low = self.low[axis][..n].iter().copied().fold(f64::INFINITY, f64::min);
-            [low, self.high[axis][..n].iter().copied().fold(f64::NEG_INFINITY, f64::max)]
-        })
-    }
-
-    fn squared_bounds(&self, p: &Point3<f64>) -> Lanes {
-        let mut squared = [0.0; FAN];
+    /// Bounds child `k` by a box.
+    fn set_box(&mut self, k: usize, [low, high]: [Vector3<f64>; 2]) {
         for axis in 0..3 {
-            for (k, sum) in squared.iter_mut().enumerate() {
-                let gap = (self.low[axis][k] - p[axis]).max(p[axis] - self.high[axis][k]).max(0.0);
-                *sum += gap * gap;
+            (self.low[axis][k], self.high[axis][k]) = (low[axis] as f32, high[axis] as f32);
+        }
+    }
+
+    /// Bounds child `k`, triangles with these corners, by a box and a slab.
+    fn set_patch(&mut self, k: usize, corners: &[[Vector3<f64>; 3]]) {
+        let points = || corners.iter().flatten();
+        self.set_box(k, box_around(points()));
+        // Twice the vector area. Any direction makes a slab that holds the corners; only how thin it is depends on it.
+        let area: Vector3<f64> = corners.iter().map(|[a, b, c]| (b - a).cross(&(c - a))).sum();
+        let normal = area.try_normalize(f64::MIN_POSITIVE).unwrap_or_default();
+        let mean = points().sum::<Vector3<f64>>() / (3 * corners.len()) as f64;
+        let (mut lowest, mut highest, mut across) = (f64::INFINITY, f64::NEG_INFINITY, 0.0f64);
+        for p in points() {
+            let height = (p - mean).dot(&normal);
+            (lowest, highest) = (lowest.min(height), highest.max(height));
+            across = across.max((p - mean - normal * height).norm_squared());
+        }
+        let middle = mean + normal * ((lowest + highest) / 2.0);
+        for axis in 0..3 {
+            (self.middle[axis][k], self.normal[axis][k]) = (middle[axis] as f32, normal[axis] as f32);
+        }
+        (self.radius[k], self.half_thickness[k]) = (across.sqrt() as f32, ((highest - lowest) / 2.0) as f32);
+    }
+
+    /// The box around its first `n` children.
+    fn around(&self, n: usize) -> [Vector3<f64>; 2] {
+        let corner = |of: &[Lanes; 3], k: usize| Vector3::from_fn(|axis, _| f64::from(of[axis][k]));
+        let [low, high] = [&self.low, &self.high].map(|of| box_around((0..n).map(|k| corner(of, k))));
+        [low[0], high[1]]
+    }
+
+    /// For every child a number that its squared distance from `p` is no less than, but for rounding.
+    #[inline(always)]
+    fn squared_bounds(&self, p: &[f32; 3], with_slabs: bool) -> Lanes {
+        let mut bounds = [0.0; FAN];
+        for axis in 0..3 {
+            for k in 0..FAN {
+                let outside = larger(self.low[axis][k] - p[axis], p[axis] - self.high[axis][k]);
+                let gap = larger(outside, 0.0);
+                bounds[k] += gap * gap;
             }
         }
-        squared
+        if !with_slabs {
+            return bounds;
+        }
+        let mut height = [0.0; FAN];
+        for axis in 0..3 {
+            for k in 0..FAN {
+                height[k] += (p[axis] - self.middle[axis][k]) * self.normal[axis][k];
+            }
+        }
+        let mut across = [0.0; FAN];
+        for axis in 0..3 {
+            for k in 0..FAN {
+                // Not by the difference of squares, which would lose half of the digits.
+                let part = p[axis] - self.middle[axis][k] - height[k] * self.normal[axis][k];
+                across[k] += part * part;
+            }
+        }
+        for k in 0..FAN {
+            let above = larger(height[k].abs() - self.half_thickness[k], 0.0);
+            let beyond = larger(across[k].sqrt() - self.radius[k], 0.0);
+            bounds[k] = larger(bounds[k], above * above + beyond * beyond);
+        }
+        bounds
     }
 }
 
-impl Discs {
-    fn new(vertices: &[Point3<f64>], triangles: &[[u32; 3]]) -> Self {
-        let mut discs = Discs { center: [[NOWHERE; FAN]; 3], normal: [[0.0; FAN]; 3], radius: [0.0; FAN] };
-        for (k, triangle) in triangles.iter().enumerate() {
-            let [a, b, c] = triangle.map(|v| vertices[v as usize].coords);
-            let center = (a + b + c) / 3.0;
-            let twice_area = (b - a).cross(&(c - a));
-            let longest = (b - a).norm_squared().max((c - b).norm_squared()).max((a - c).norm_squared());
-            let flat = twice_area.norm() > THIN * longest;
-            let normal = if flat { twice_area.normalize() } else { Vector3::zeros() };
-            for axis in 0..3 {
-                discs.center[axis][k] = center[axis];
-                discs.normal[axis][k] = normal[axis];
-            }
-            discs.radius[k] = [a, b, c].iter().map(|corner| (corner - center).norm()).fold(0.0, f64::max);
-        }
-        discs
-    }
+/// The larger of two numbers; the one instruction that every set has for it, unlike [`f32::max`].
+#[inline(always)]
+fn larger(a: f32, b: f32) -> f32 {
+    if a > b { a } else { b }
+}
 
-    fn squared_bounds(&self, p: &Point3<f64>) -> Lanes {
-        std::array::from_fn(|k| {
-            let offset: [f64; 3] = std::array::from_fn(|axis| p[axis] - self.center[axis][k]);
-            let height = (0..3).map(|axis| offset[axis] * self.normal[axis][k]).sum::<f64>();
-            // Not by the difference of squares, which would lose half of the digits.
-            let across = (0..3).map(|axis| (offset[axis] - height * self.normal[axis][k]).powi(2)).sum::<f64>().sqrt();
-            let beyond = (across - self.radius[k]).max(0.0);
-            height * height + beyond * beyond
-        })
-    }
+/// Lowest and highest corner of the box around `points`.
+fn box_around(points: impl Iterator<Item = impl std::borrow::Borrow<Vector3<f64>>>) -> [Vector3<f64>; 2] {
+    let limits = [Vector3::repeat(f64::INFINITY), Vector3::repeat(f64::NEG_INFINITY)];
+    points.fold(limits, |[low, high], p| [low.inf(p.borrow()), high.sup(p.borrow())])
 }
 
 /// One search: the least distance so far, and the triangle it is to.
@@ -120,9 +157,10 @@ struct Search {
     at: Point3<f64>,
     best: f64,
     triangle: usize,
-    /// Squared distance from which a bound tells that something is farther.
-    limit_squared: f64,
-    extent: f64,
+    /// A bound above this tells that something is farther than `best`.
+    limit_squared: f32,
+    /// By how much bounds may be wrong, mm.
+    slack: f64,
 }
 
 impl Search {
@@ -130,90 +168,102 @@ impl Search {
         let distance = surface.distance_from_triangle(&self.at, triangle);
         if distance < self.best {
             (self.best, self.triangle) = (distance, triangle);
-            let limit = distance + BOUND_RTOL * (distance + self.extent);
-            self.limit_squared = limit * limit;
+            self.limit_squared = (distance + self.slack).powi(2) as f32;
         }
     }
+}
+
+/// A node to be looked at, and the bound it was found with.
+type Open = (f32, usize, usize);
+
+/// The distance of `at`, and a triangle that is as close; `first` is tried first. `open` is scratch memory.
+#[inline(always)]
+fn search(surface: &SurfaceDistances<'_>, at: &Point3<f64>, first: usize, open: &mut Vec<Open>) -> (f64, usize) {
+    let place = at - surface.center;
+    let slack = BOUND_RTOL * (place.amax() + surface.extent);
+    let place = [place.x as f32, place.y as f32, place.z as f32];
+    let mut search = Search { at: *at, best: f64::INFINITY, triangle: first, limit_squared: f32::INFINITY, slack };
+    search.try_triangle(surface, first);
+    open.push((0.0, surface.levels.len() - 1, 0));
+    while let Some((bound, level, node)) = open.pop() {
+        if bound > search.limit_squared {
+            continue;
+        }
+        let bounds = surface.levels[level][node].squared_bounds(&place, level < SLAB_LEVELS);
+        let mut near = 0u32;
+        for (k, bound) in bounds.iter().enumerate() {
+            near |= u32::from(*bound <= search.limit_squared) << k;
+        }
+        while near != 0 {
+            let k = near.trailing_zeros() as usize;
+            near &= near - 1;
+            let child = node * FAN + k;
+            if level > 0 {
+                open.push((bounds[k], level - 1, child));
+            } else if bounds[k] <= search.limit_squared {
+                search.try_triangle(surface, child);
+            }
+        }
+    }
+    (search.best, search.triangle)
+}
+
+/// The distances of points in a row.
+#[multiversion(targets("x86_64+avx2"))]
+fn search_row(surface: &SurfaceDistances<'_>, points: &[Point3<f64>]) -> Vec<f64> {
+    let (mut last, mut open) = (0, Vec::new());
+    let mut distances = Vec::with_capacity(points.len());
+    for p in points {
+        let (distance, triangle) = search(surface, p, last, &mut open);
+        last = triangle;
+        distances.push(distance);
+    }
+    distances
 }
 
 impl<'a> SurfaceDistances<'a> {
     /// Prepares `mesh`, of which quads are cut along a diagonal. `O(n)`, on all threads.
     pub fn new(mesh: &'a SurfaceMesh) -> Self {
         let (vertices, triangles) = (mesh.vertices(), mesh.triangles());
-        let discs = triangles.par_chunks(FAN).map(|of_leaf| Discs::new(vertices, of_leaf)).collect();
-        let corners = |triangle: &[u32; 3]| triangle.map(|v| vertices[v as usize]);
-        let of_leaf = |leaf: &[[u32; 3]]| -> [[f64; 2]; 3] {
-            let (first, points) = (vertices[leaf[0][0] as usize], leaf.iter().flat_map(corners));
-            let (low, high) = points.fold((first, first), |(low, high), p| (low.inf(&p), high.sup(&p)));
-            std::array::from_fn(|axis| [low[axis], high[axis]])
-        };
-        let mut boxes: Vec<[[f64; 2]; 3]> = triangles.par_chunks(FAN).map(of_leaf).collect();
-        let mut levels = Vec::new();
-        loop {
-            let level: Vec<Boxes> = boxes.chunks(FAN).map(node).collect();
-            boxes = level.iter().zip(boxes.chunks(FAN)).map(|(node, of)| node.around(of.len())).collect();
-            levels.push(level);
-            if boxes.len() == 1 {
-                break;
-            }
+        let (low, high) = mesh.bounding_box();
+        let center = nalgebra::center(&low, &high);
+        let mut levels: Vec<Vec<Node>> = Vec::new();
+        for of_child in [1, FAN] {
+            let node = |of_node: &[[u32; 3]]| {
+                let mut node = Node::nowhere();
+                let mut corners = [[Vector3::zeros(); 3]; FAN];
+                for (k, run) in of_node.chunks(of_child).enumerate() {
+                    for (corners, triangle) in corners.iter_mut().zip(run) {
+                        *corners = triangle.map(|v| vertices[v as usize] - center);
+                    }
+                    node.set_patch(k, &corners[..run.len()]);
+                }
+                node
+            };
+            levels.push(triangles.par_chunks(FAN * of_child).map(node).collect());
         }
-        let extent = vertices.iter().map(|p| p.coords.amax()).fold(0.0, f64::max);
-        SurfaceDistances { vertices, triangles, discs, levels, extent }
+        let mut n_below = triangles.len().div_ceil(FAN);
+        while levels[levels.len() - 1].len() > 1 {
+            let below = &levels[levels.len() - 1];
+            let last = below.len() - 1;
+            let of_last = n_below - FAN * last;
+            let boxes = below.iter().enumerate().map(|(k, node)| node.around(if k < last { FAN } else { of_last }));
+            n_below = below.len();
+            let boxes: Vec<[Vector3<f64>; 2]> = boxes.collect();
+            let node = |boxes: &[[Vector3<f64>; 2]]| {
+                let mut node = Node::nowhere();
+                boxes.iter().enumerate().for_each(|(k, of_child)| node.set_box(k, *of_child));
+                node
+            };
+            levels.push(boxes.chunks(FAN).map(node).collect());
+        }
+        SurfaceDistances { vertices, triangles, levels, center, extent: (high - center).amax() }
     }
 
     /// The distance of each of `points` from the surface, mm. `O(n log n')`, on all threads; fast where points that are
     /// close in space are close in the list. Coordinates have to be finite.
     pub fn of(&self, points: &[Point3<f64>]) -> Vec<f64> {
-        let row = |points: &'_ [Point3<f64>]| -> Vec<f64> {
-            let mut last = 0;
-            let each = |p: &Point3<f64>| {
-                let (distance, triangle) = self.search(p, last);
-                last = triangle;
-                distance
-            };
-            points.iter().map(each).collect()
-        };
-        points.par_chunks(ROW).flat_map_iter(row).collect()
-    }
-
-    /// The distance of `at`, and a triangle that is as close; `first` is tried first.
-    fn search(&self, at: &Point3<f64>, first: usize) -> (f64, usize) {
-        let mut search = Search {
-            at: *at,
-            best: f64::INFINITY,
-            triangle: first,
-            limit_squared: f64::INFINITY,
-            extent: self.extent + at.coords.amax(),
-        };
-        search.try_triangle(self, first);
-        self.visit(self.levels.len(), 0, &mut search);
-        (search.best, search.triangle)
-    }
-
-    /// Looks at node `node` of `level`, counted from the leaves, 0, whose children are triangles.
-    fn visit(&self, level: usize, node: usize, search: &mut Search) {
-        let mut bounds = match level {
-            0 => self.discs[node].squared_bounds(&search.at),
-            _ => self.levels[level - 1][node].squared_bounds(&search.at),
-        };
-        // The nearest first: what it finds may rule the others out.
-        loop {
-            let mut nearest = 0;
-            for k in 1..FAN {
-                if bounds[k] < bounds[nearest] {
-                    nearest = k;
-                }
-            }
-            if bounds[nearest] > search.limit_squared || bounds[nearest] == f64::INFINITY {
-                return;
-            }
-            bounds[nearest] = f64::INFINITY;
-            let child = node * FAN + nearest;
-            match level {
-                0 => search.try_triangle(self, child),
-                _ => self.visit(level - 1, child, search),
-            }
-        }
+        points.par_chunks(ROW).flat_map_iter(|row| search_row(self, row)).collect()
     }
 
     fn distance_from_triangle(&self, p: &Point3<f64>, triangle: usize) -> f64 {
@@ -222,17 +272,6 @@ impl<'a> SurfaceDistances<'a> {
         let found = Triangle::new(a, b, c).project_local_point(vector(p), false).point;
         (Point3::new(found.x, found.y, found.z) - p).norm()
     }
-}
-
-/// A node over these boxes.
-fn node(boxes: &[[[f64; 2]; 3]]) -> Boxes {
-    let mut node = Boxes::nowhere();
-    for (k, of_child) in boxes.iter().enumerate() {
-        for axis in 0..3 {
-            [node.low[axis][k], node.high[axis][k]] = of_child[axis];
-        }
-    }
-    node
 }
 
 #[cfg(test)]

@@ -104,6 +104,8 @@ impl Node {
     }
 
     /// For every child a number that its squared distance from `p` is no less than, but for rounding.
+    // One index over all columns, so that the loops become vectors.
+    #[allow(clippy::needless_range_loop)]
     #[inline(always)]
     fn squared_bounds(&self, p: &[f32; 3], with_slabs: bool) -> Lanes {
         let mut bounds = [0.0; FAN];

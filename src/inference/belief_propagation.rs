@@ -68,7 +68,7 @@ impl<'a> BeliefPropagation<'a> {
                 Engine::Residual { residual: Residual::new(graph, factors), messages }
             }
         };
-        let order = LabelOrder::new(model.labels.graph());
+        let order = LabelOrder::new(model.labels.graph(), stride);
         let mut this = BeliefPropagation {
             options,
             method,

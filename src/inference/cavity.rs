@@ -59,7 +59,7 @@ impl Chains {
 /// The largest belief of a variable.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct BeliefPeak {
-    /// The place of the label of the largest belief, the lowest of equal ones.
+    /// The label of the largest belief, the lowest of equal ones.
     pub label: u32,
     /// That belief, in an arbitrary scale.
     pub peak: f32,
@@ -80,25 +80,26 @@ pub(super) struct CavityTotals {
 /// if `with_sums`.
 ///
 /// `phi` has the row of every variable of the block, `messages` the incoming rows of all of them, one variable after
-/// the other; all rows are as long as `cavity`, a multiple of [`WIDTH`], and beyond the labels `phi` is 0.
+/// the other, `labels` the labels of a row, negated, and −∞ beyond; all rows are as long as `cavity`, a multiple of
+/// [`WIDTH`], and beyond the labels `phi` is 0.
 /// Lanes that the block leaves empty hold numbers without a meaning.
 #[multiversion(targets("x86_64+avx2+f16c"))]
 pub(super) fn cavity_products<M: MessageValue>(
-    phi: &[&[f32]],
+    (labels, phi): (&[f32], &[&[f32]]),
     messages: &[&[M]],
     variables: &[BlockVariable],
     (chains, with_sums): (&mut Chains, bool),
     cavity: &mut [Lanes],
 ) -> CavityTotals {
     match_target! {
-        "x86_64+avx2+f16c" => products::<Avx2, M>(phi, messages, variables, (chains, with_sums), cavity),
-        _ => products::<Plain, M>(phi, messages, variables, (chains, with_sums), cavity),
+        "x86_64+avx2+f16c" => products::<Avx2, M>((labels, phi), messages, variables, (chains, with_sums), cavity),
+        _ => products::<Plain, M>((labels, phi), messages, variables, (chains, with_sums), cavity),
     }
 }
 
 #[inline(always)]
 fn products<V: Vector, M: MessageValue>(
-    phi: &[&[f32]],
+    (labels, phi): (&[f32], &[&[f32]]),
     messages: &[&[M]],
     variables: &[BlockVariable],
     (chains, with_sums): (&mut Chains, bool),
@@ -113,7 +114,7 @@ fn products<V: Vector, M: MessageValue>(
         for (at, of) in variables.iter().enumerate() {
             let incoming = &messages[first..first + of.incoming.len()];
             first += incoming.len();
-            let phi = &phi[at][start..start + turned.len()];
+            let phi = (&labels[start..start + turned.len()], &phi[at][start..start + turned.len()]);
             // The degrees of nearly all vertices of triangle and quad meshes.
             match incoming.len() {
                 3 => multiply_few::<V, M, 3>(phi, incoming, (at, of), chains, start),
@@ -172,7 +173,7 @@ fn turn_chunk<V: Vector, const SUMS: bool>(rows: &ChunkRows, turned: &mut [Lanes
 /// variable. The variable is number `at` of its block.
 #[inline(always)]
 fn multiply_few<V: Vector, M: MessageValue, const D: usize>(
-    phi: &[f32],
+    (labels, phi): (&[f32], &[f32]),
     incoming: &[&[M]],
     (at, of): (usize, &BlockVariable),
     chains: &mut Chains,
@@ -183,6 +184,7 @@ fn multiply_few<V: Vector, M: MessageValue, const D: usize>(
         std::array::from_fn(|slot| &incoming[slot][start..start + phi.len()].as_chunks().0[..n]);
     let Some(rows) = chains.rows[OVERHANG + of.lane - of.slots.start..].first_chunk_mut::<D>() else { return };
     let rows = rows.each_mut().map(|row| &mut row.as_chunks_mut::<WIDTH>().0[..n]);
+    let labels = &labels.as_chunks::<WIDTH>().0[..n];
     let scale = V::splat(CHAIN_SCALE);
     let mut peak = Peak::<V>::load(&chains.beliefs[at]);
     for (tile, phi) in phi.as_chunks::<WIDTH>().0.iter().enumerate() {
@@ -197,7 +199,7 @@ fn multiply_few<V: Vector, M: MessageValue, const D: usize>(
             before[slot] = product;
             product = product.mul(M::load(&messages[slot][tile]));
         }
-        peak.add(product, start / WIDTH + tile);
+        peak.add(product, V::load(&labels[tile]));
         let mut after = scale;
         for slot in (0..D).rev() {
             before[slot].mul(after).store(&mut rows[slot][tile]);
@@ -210,7 +212,7 @@ fn multiply_few<V: Vector, M: MessageValue, const D: usize>(
 /// Likewise for any number of neighbours, and for those that a block sends to.
 #[inline(always)]
 fn multiply_many<V: Vector, M: MessageValue>(
-    phi: &[f32],
+    (labels, phi): (&[f32], &[f32]),
     incoming: &[&[M]],
     (at, of): (usize, &BlockVariable),
     chains: &mut Chains,
@@ -233,8 +235,8 @@ fn multiply_many<V: Vector, M: MessageValue>(
         }
     }
     let mut peak = Peak::<V>::load(&beliefs[at]);
-    for (tile, belief) in forward[incoming.len()][..length].as_chunks().0.iter().enumerate() {
-        peak.add(V::load(belief), start / WIDTH + tile);
+    for (belief, labels) in forward[incoming.len()][..length].as_chunks().0.iter().zip(labels.as_chunks().0) {
+        peak.add(V::load(belief), V::load(labels));
     }
     peak.store(&mut beliefs[at]);
     backward.fill(CHAIN_SCALE);
@@ -255,26 +257,24 @@ fn multiply_many<V: Vector, M: MessageValue>(
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct RunningPeak {
     peaks: [f32; WIDTH],
-    /// Which vector of labels each of them came from; whole numbers, far below where these end.
-    tiles: [f32; WIDTH],
+    /// The label of each of them, negated.
+    labels: [f32; WIDTH],
     sums: [f32; WIDTH],
 }
 
 impl RunningPeak {
     fn new() -> Self {
-        RunningPeak { peaks: [-1.0; WIDTH], tiles: [0.0; WIDTH], sums: [0.0; WIDTH] }
+        RunningPeak { peaks: [-1.0; WIDTH], labels: [f32::NEG_INFINITY; WIDTH], sums: [0.0; WIDTH] }
     }
 
     fn finish(&self) -> BeliefPeak {
-        let mut best = BeliefPeak { label: u32::MAX, peak: -1.0, sum: self.sums.iter().sum() };
-        for k in 0..WIDTH {
-            let label = self.tiles[k] as u32 * WIDTH as u32 + k as u32;
-            if self.peaks[k] > best.peak || (self.peaks[k] == best.peak && label < best.label) {
-                best.label = label;
-                best.peak = self.peaks[k];
+        let (mut peak, mut label) = (self.peaks[0], self.labels[0]);
+        for k in 1..WIDTH {
+            if self.peaks[k] > peak || (self.peaks[k] == peak && self.labels[k] > label) {
+                (peak, label) = (self.peaks[k], self.labels[k]);
             }
         }
-        best
+        BeliefPeak { label: -label as u32, peak, sum: self.sums.iter().sum() }
     }
 }
 
@@ -282,28 +282,30 @@ impl RunningPeak {
 #[derive(Clone, Copy)]
 struct Peak<V> {
     peaks: V,
-    tiles: V,
+    labels: V,
     sums: V,
 }
 
 impl<V: Vector> Peak<V> {
     #[inline(always)]
     fn load(from: &RunningPeak) -> Self {
-        Peak { peaks: V::load(&from.peaks), tiles: V::load(&from.tiles), sums: V::load(&from.sums) }
+        Peak { peaks: V::load(&from.peaks), labels: V::load(&from.labels), sums: V::load(&from.sums) }
     }
 
     #[inline(always)]
     fn store(self, to: &mut RunningPeak) {
         self.peaks.store(&mut to.peaks);
-        self.tiles.store(&mut to.tiles);
+        self.labels.store(&mut to.labels);
         self.sums.store(&mut to.sums);
     }
 
-    /// Takes the beliefs of the labels of one tile.
+    /// Takes the beliefs of some labels, which are negated: the larger is the lower.
     #[inline(always)]
-    fn add(&mut self, beliefs: V, tile: usize) {
+    fn add(&mut self, beliefs: V, labels: V) {
+        let of_equal = labels.max(self.labels);
+        let if_not_above = self.peaks.choose_if_above(beliefs, self.labels, of_equal);
         self.sums = self.sums.add(beliefs);
-        self.tiles = beliefs.choose_if_above(self.peaks, V::splat(tile as f32), self.tiles);
+        self.labels = beliefs.choose_if_above(self.peaks, labels, if_not_above);
         self.peaks = beliefs.max(self.peaks);
     }
 }
@@ -339,8 +341,12 @@ mod tests {
             let phi = rows(variables.len());
             let mut cavity = vec![Lanes::splat(0.0); stride];
             let mut chains = Chains::new();
+            // In an order of their own, beyond which one is none.
+            let n = stride - 1;
+            let labels: Vec<f32> = (0..n).rev().map(|x| -(x as f32)).chain([f32::NEG_INFINITY]).collect();
+            let phi: Vec<Vec<f32>> = phi.into_iter().map(|row| [&row[..n], &[0.0]].concat()).collect();
             let CavityTotals { largest, sum } = cavity_products(
-                &phi.iter().map(Vec::as_slice).collect::<Vec<_>>(),
+                (&labels, &phi.iter().map(Vec::as_slice).collect::<Vec<_>>()),
                 &messages.iter().flatten().map(Vec::as_slice).collect::<Vec<_>>(),
                 &variables,
                 (&mut chains, true),
@@ -365,7 +371,7 @@ mod tests {
                 let beliefs: Vec<f64> = (0..stride).map(|x| product(x, usize::MAX)).collect();
                 let (peak, sum) = (beliefs.iter().copied().fold(0.0, f64::max), beliefs.iter().sum::<f64>());
                 prop_assert!((f64::from(found.peak) - peak).abs() <= 2e-6 * peak);
-                prop_assert!((beliefs[found.label as usize] - peak).abs() <= 2e-6 * peak);
+                prop_assert!((beliefs[n - 1 - found.label as usize] - peak).abs() <= 2e-6 * peak);
                 prop_assert!((f64::from(found.sum) - sum).abs() <= 1e-4 * sum);
             }
         }

@@ -41,7 +41,13 @@ impl Kernel<'_> {
         let phi: Vec<&[f32]> = variables.iter().map(|of| self.phi_row(of.variable)).collect();
         let messages: Vec<&[M]> = variables.iter().flat_map(|of| &of.incoming).map(|&row| message(row)).collect();
         let chains = (&mut scratch.chains, self.options.product == Product::Sum);
-        cavity_products(&phi, &messages, variables, chains, &mut scratch.cavity[..self.stride])
+        cavity_products(
+            (&self.order.negated()[..self.stride], &phi),
+            &messages,
+            variables,
+            chains,
+            &mut scratch.cavity[..self.stride],
+        )
     }
 
     /// `φ` of a variable.
@@ -57,7 +63,7 @@ impl Kernel<'_> {
     ) -> impl Iterator<Item = (&'v BlockVariable, Decoded)> {
         variables.iter().zip(scratch.chains.peaks()).map(|(of, best)| {
             let confidence = if best.sum > 0.0 { f64::from(best.peak / best.sum) } else { 0.0 };
-            (of, Decoded { variable: of.variable as u32, label: self.order.label(best.label), confidence })
+            (of, Decoded { variable: of.variable as u32, label: best.label, confidence })
         })
     }
 

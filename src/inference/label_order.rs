@@ -15,11 +15,15 @@ pub(super) struct LabelOrder {
     labels: Vec<u32>,
     /// The place of every label.
     places: Vec<u32>,
+    /// The label of every place, negated, and −∞ beyond, as many as a row has values: in numbers that tell labels apart up
+    /// to 2²⁴, far more than there are messages for.
+    negated: Vec<f32>,
 }
 
 impl LabelOrder {
-    /// The labels by breadth-first search, component after component, each from a far end. Cost `O(edges)`.
-    pub fn new(graph: &EdgeGraph) -> Self {
+    /// The labels by breadth-first search, component after component, each from a far end, for rows of `stride` values.
+    /// Cost `O(edges)`.
+    pub fn new(graph: &EdgeGraph, stride: usize) -> Self {
         let n = graph.n_vertices();
         let (mut found, mut depth) = (vec![u32::MAX; n], vec![u32::MAX; n]);
         let mut labels: Vec<u32> = Vec::with_capacity(n);
@@ -33,7 +37,9 @@ impl LabelOrder {
         for (place, &label) in labels.iter().enumerate() {
             places[label as usize] = place as u32;
         }
-        LabelOrder { labels, places }
+        let mut negated: Vec<f32> = labels.iter().map(|&label| -(label as f32)).collect();
+        negated.resize(stride, f32::NEG_INFINITY);
+        LabelOrder { labels, places, negated }
     }
 
     /// The labels in order.
@@ -41,9 +47,9 @@ impl LabelOrder {
         &self.labels
     }
 
-    /// The label at `place`.
-    pub fn label(&self, place: u32) -> u32 {
-        self.labels.get(place as usize).copied().unwrap_or(place)
+    /// The labels of a row in order, negated, and −∞ beyond.
+    pub fn negated(&self) -> &[f32] {
+        &self.negated
     }
 
     /// What stands in a row of places, by label.
@@ -81,16 +87,17 @@ mod tests {
             let edges: Vec<[u32; 2]> = edges.into_iter().filter(|(a, b)| a < b).map(|(a, b)| [a, b]).collect();
             let graph = EdgeGraph::from_edges(30, &edges);
             let labels = LabelNeighborhoods::new(&graph, rings, |x, y| x.abs_diff(y) as f64);
-            let order = LabelOrder::new(&graph);
+            let order = LabelOrder::new(&graph, 32);
             let reordered = order.reorder(&labels);
             prop_assert_eq!(order.by_label(order.labels()), (0..30).collect::<Vec<u32>>());
-            for place in 0..30u32 {
-                let x = order.label(place) as usize;
+            for (place, &x) in order.labels().iter().enumerate() {
+                let x = x as usize;
+                prop_assert_eq!(order.negated()[place], -(x as f32));
                 let mut members: Vec<(u32, f32)> = reordered
-                    .members(place as usize)
+                    .members(place)
                     .iter()
-                    .map(|&place| order.label(place))
-                    .zip(reordered.distances(place as usize).iter().copied())
+                    .map(|&place| order.labels()[place as usize])
+                    .zip(reordered.distances(place).iter().copied())
                     .collect();
                 members.sort_unstable_by_key(|(y, _)| *y);
                 let expected: Vec<(u32, f32)> =
@@ -115,7 +122,7 @@ mod tests {
         // Names that say nothing of where they lie.
         let n = width * length;
         let named: Vec<[u32; 2]> = edges.iter().map(|e| e.map(|i| i * 101 % n)).collect();
-        let order = LabelOrder::new(&EdgeGraph::from_edges(n as usize, &named));
+        let order = LabelOrder::new(&EdgeGraph::from_edges(n as usize, &named), n as usize);
         let apart = |[a, b]: [u32; 2]| order.places[a as usize].abs_diff(order.places[b as usize]);
         assert!(named.iter().all(|&edge| apart(edge) <= 2 * width));
         assert!(named.iter().any(|[a, b]| a.abs_diff(*b) > 2 * width));

@@ -262,3 +262,22 @@ fn broken_edges_are_those_whose_labels_are_no_neighbors() {
     assert_eq!(model.broken_edges(&[0, 3, 0, 3]), 4);
     assert_eq!(model.energy(&[0, 3, 0, 3]).total(), f64::INFINITY);
 }
+
+proptest! {
+    /// However the labels lie in memory. Variables of 0 to 3 neighbours; every number is 0 or 1, or next to 0.
+    #[test]
+    fn of_equal_beliefs_that_of_the_lowest_label_wins(
+        good in prop::collection::btree_set(0usize..40, 1..20),
+        half: bool,
+        method in any_method(),
+    ) {
+        let mut model = model(5, &[[0, 1], [0, 2], [0, 3]], 40, &[0.5], 0.0, 9.2);
+        for (at, unary) in model.unary.iter_mut().enumerate() {
+            *unary = if good.contains(&(at % 40)) { 0.0 } else { 7.0 };
+        }
+        let storage = if half { MessageStorage::Half } else { MessageStorage::Single };
+        let (outcome, _) = run(&model, options(Product::Max, 0.0, 1e-5), BpMethod { storage, ..method }, 4);
+        let lowest = *good.first().unwrap() as u32;
+        prop_assert_eq!(outcome.labeling, vec![lowest; 5]);
+    }
+}

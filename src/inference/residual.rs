@@ -136,8 +136,9 @@ impl Residual {
             .map(|i| {
                 let incoming = self.pieces[i].first().map_or(&[][..], |piece| &piece.incoming);
                 let rows = incoming.iter().map(|&row| &messages[row as usize * stride..][..n]);
-                let (label, confidence) = peak(&belief_row(&kernel.phi[i * stride..][..n], rows));
-                Decoded { variable: i as u32, label: kernel.order.label(label), confidence }
+                let belief = belief_row(&kernel.phi[i * stride..][..n], rows);
+                let (label, confidence) = peak(&kernel.order.by_label(&belief));
+                Decoded { variable: i as u32, label, confidence }
             })
             .collect()
     }

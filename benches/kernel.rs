@@ -139,40 +139,41 @@ const LANES: usize = 16;
 #[repr(align(64))]
 struct Rows([[f32; LANES]; 64]);
 
-/// `step` with all rows, so many times, in as many chains as hide its latency.
-#[inline(always)]
-fn work_through(rows: &Rows, times: usize, step: impl Fn(f32, f32) -> f32) -> [[f32; LANES]; 4] {
-    let mut made = [[1.0f32; LANES]; 4];
+/// Maxima of rows of numbers, or of their products with one, in as many chains as hide their latency.
+#[multiversion(targets("x86_64+avx512f+avx512vl+avx512bw+avx512dq", "x86_64+avx2"))]
+fn maxima<const SCALED: bool>(rows: &Rows, factor: f32, times: usize) -> [[f32; LANES]; 4] {
+    let mut best = [[0.0f32; LANES]; 4];
     for _ in 0..times {
         for rows in black_box(rows).0.as_chunks::<4>().0 {
-            for (made, row) in made.iter_mut().zip(rows) {
+            for (best, row) in best.iter_mut().zip(rows) {
                 for k in 0..LANES {
-                    made[k] = step(made[k], row[k]);
+                    let value = if SCALED { factor * row[k] } else { row[k] };
+                    best[k] = if best[k] > value { best[k] } else { value };
                 }
             }
         }
     }
-    made
+    best
 }
 
-#[multiversion(targets("x86_64+avx512f+avx512vl+avx512bw+avx512dq", "x86_64+avx2"))]
-fn maxima(rows: &Rows, times: usize) -> [[f32; LANES]; 4] {
-    work_through(rows, times, |made, value| if made > value { made } else { value })
-}
-
+/// Products of rows of numbers, likewise.
 #[multiversion(targets("x86_64+avx512f+avx512vl+avx512bw+avx512dq", "x86_64+avx2"))]
 fn products(rows: &Rows, times: usize) -> [[f32; LANES]; 4] {
-    work_through(rows, times, |made, value| made * value)
-}
-
-#[multiversion(targets("x86_64+avx512f+avx512vl+avx512bw+avx512dq", "x86_64+avx2"))]
-fn maxima_of_products(rows: &Rows, times: usize) -> [[f32; LANES]; 4] {
-    let factor = black_box(0.5);
-    work_through(rows, times, |made, value| if made > factor * value { made } else { factor * value })
+    let mut product = [[1.0f32; LANES]; 4];
+    for _ in 0..times {
+        for rows in black_box(rows).0.as_chunks::<4>().0 {
+            for (product, row) in product.iter_mut().zip(rows) {
+                for k in 0..LANES {
+                    product[k] *= row[k];
+                }
+            }
+        }
+    }
+    product
 }
 
 /// Numbers a second of all threads that go through such a loop.
-fn rate(work: fn(&Rows, usize) -> [[f32; LANES]; 4]) -> f64 {
+fn rate(work: impl Fn(&Rows, usize) -> [[f32; LANES]; 4] + Sync) -> f64 {
     const TIMES: usize = 40_000;
     let rows = Rows([[1.0f32; LANES]; 64]);
     let threads = rayon::current_num_threads();
@@ -208,7 +209,9 @@ fn measure(surfaces: &[SurfaceMesh; 2], rings: &[usize], threads: usize, size: &
             [&model, &patch].map(|model| (model.variables.n_directed_edges() * model.n_labels()) as f64);
         for product in [Product::Max, Product::Sum] {
             let bandwidth = bandwidth(1 << 25);
-            let rates = [rate(maxima), rate(products), 2.0 * rate(maxima_of_products)];
+            let maxima_alone = rate(|rows, times| maxima::<false>(rows, black_box(0.5), times));
+            let maxima_of_products = rate(|rows, times| maxima::<true>(rows, black_box(0.5), times));
+            let rates = [maxima_alone, rate(products), 2.0 * maxima_of_products];
             let [single, products] = operations(&model, product);
             let seconds = [single / rates[0], products / rates[1], (single + products) / rates[2]];
             let operations_floor = seconds.into_iter().fold(0.0, f64::max) * values;

@@ -257,7 +257,8 @@ struct Iteration {
 
 fn iteration(model: &MrfModel, product: Product, storage: MessageStorage, runs: usize, iterations: u32) -> Iteration {
     forget_peak();
-    let options = BpOptions { product, damping: 0.5, floor: 1e-5, tolerance: 0.0 };
+    // A tolerance that no change is below: small energies settle to the bit, and would stop.
+    let options = BpOptions { product, damping: 0.5, floor: 1e-5, tolerance: -1.0 };
     let mut bp = BeliefPropagation::with_method(model, options, BpMethod { storage, ..BpMethod::default() });
     bp.run(1, &Silent, |_| ()).unwrap();
     // Every run ends with a pass that only decodes: the difference of two runs is made of iterations alone.

@@ -28,13 +28,11 @@ pub(super) struct BlockVariable {
     pub lane: usize,
 }
 
-/// Up to [`BLOCK_LANES`] outgoing messages.
+/// Up to [`BLOCK_LANES`] outgoing messages: lane `l` of block `b` is that of directed edge `b · BLOCK_LANES + l`.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Block {
     /// The variables that send them.
     pub variables: Vec<BlockVariable>,
-    /// Its first directed edge; lane `l` is the message of edge `first_edge + l`.
-    pub first_edge: usize,
     /// Lanes in use.
     pub n_edges: usize,
 }
@@ -57,7 +55,7 @@ impl BlockPlan {
                 let edge = row.start + start;
                 let lane = edge % BLOCK_LANES;
                 if lane == 0 {
-                    blocks.push(Block { variables: Vec::new(), first_edge: edge, n_edges: 0 });
+                    blocks.push(Block { variables: Vec::new(), n_edges: 0 });
                 }
                 let end = row.len().min(start + BLOCK_LANES - lane);
                 if let Some(block) = blocks.last_mut() {
@@ -88,7 +86,7 @@ mod tests {
             let plan = BlockPlan::new(&graph);
             let (reverse, mut next) = (graph.reverse_edges(), 0);
             for (number, block) in plan.blocks.iter().enumerate() {
-                prop_assert_eq!(block.first_edge, number * BLOCK_LANES);
+                prop_assert_eq!(next, number * BLOCK_LANES);
                 prop_assert!(block.n_edges == BLOCK_LANES || number + 1 == plan.blocks.len());
                 for of in &block.variables {
                     let row = graph.row(of.variable);
@@ -97,10 +95,10 @@ mod tests {
                     prop_assert!(of.slots.start == 0 || of.lane == 0);
                     prop_assert!(of.slots.end == row.len() || of.lane + of.slots.len() == BLOCK_LANES);
                     prop_assert_eq!(row.start + of.slots.start, next);
-                    prop_assert_eq!(block.first_edge + of.lane, next);
+                    prop_assert_eq!(number * BLOCK_LANES + of.lane, next);
                     next += of.slots.len();
                 }
-                prop_assert_eq!(block.first_edge + block.n_edges, next);
+                prop_assert_eq!(number * BLOCK_LANES + block.n_edges, next);
             }
             prop_assert_eq!(next, graph.n_directed_edges());
         }

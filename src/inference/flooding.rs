@@ -14,7 +14,7 @@
 //! value is loaded twice for its products, once for each of two turns, once for each member of `N_1` and once to be
 //! compared, and stored four times.
 
-use super::block_plan::{Block, BlockPlan};
+use super::block_plan::{BLOCK_LANES, Block, BlockPlan};
 use super::kernel::{Kernel, lane_factors};
 use super::lanes::Lanes;
 use super::message_store::{Batches, MessageStore, OpenStore};
@@ -50,9 +50,8 @@ impl<M: MessageValue> Flooding<M> {
     pub fn new(graph: &EdgeGraph, factors: &[(f32, f32)], stride: usize) -> Self {
         let plan = BlockPlan::new(graph);
         let batches = Batches::new(&plan);
-        let lanes = |block: &Block| lane_factors(factors.iter().skip(block.first_edge).take(block.n_edges).copied());
         Flooding {
-            factors: plan.blocks.iter().map(lanes).collect(),
+            factors: factors.chunks(BLOCK_LANES).map(|edges| lane_factors(edges.iter().copied())).collect(),
             messages: MessageStore::new(&plan, stride, batches.n_spare),
             batches,
             plan,

@@ -134,7 +134,8 @@ impl Group {
                     if FULL || row < n_rows {
                         let at = row * stride + label;
                         // SAFETY: `row < n_rows`, and tiles of whole vectors within `labels`, so that the vector ends within
-                        // its row, and both slices have that row: asserted above. Checks here would be a tenth of the work.
+                        // its row, and both slices have that row: asserted above. With a slice for each row, and checks, writing
+                        // took 1.6 times as long.
                         let (old, new) =
                             unsafe { (&*old.as_ptr().add(at).cast(), &mut *new.as_mut_ptr().add(at).cast()) };
                         let old = M::load::<V>(old);

@@ -19,7 +19,7 @@ impl SweepOrder {
     /// Cost `O(|E→|)`.
     pub fn new(graph: &EdgeGraph) -> Self {
         let n = graph.n_vertices();
-        let depth = depths(graph);
+        let (_, depth) = from_far_ends(graph);
         let mut color = vec![u32::MAX; n];
         let mut keys: Vec<(u32, u32)> = Vec::with_capacity(n);
         let mut used = Vec::new();
@@ -44,32 +44,33 @@ impl SweepOrder {
     }
 }
 
-/// Number of edges from a far end of each component: from the vertex that a first search reaches last.
-fn depths(graph: &EdgeGraph) -> Vec<u32> {
+/// All vertices by breadth-first search, component after component, each from a far end: from the vertex that a first
+/// search reaches last. Also the number of edges of each from there. Cost `O(|E→|)`.
+pub(super) fn from_far_ends(graph: &EdgeGraph) -> (Vec<u32>, Vec<u32>) {
     let n = graph.n_vertices();
+    let mut order = Vec::with_capacity(n);
     let mut depth = vec![u32::MAX; n];
     let mut found = vec![u32::MAX; n];
     for start in 0..n {
         if found[start] == u32::MAX {
-            let far = search(graph, start, &mut found).last().copied().unwrap_or(start);
-            search(graph, far, &mut depth);
+            let far = search(graph, start as u32, &mut found).last().copied().unwrap_or(start as u32);
+            order.extend(search(graph, far, &mut depth));
         }
     }
-    depth
+    (order, depth)
 }
 
 /// Breadth-first search from `start` over vertices whose depth is not set; returns them as they are found.
-pub(super) fn search(graph: &EdgeGraph, start: usize, depth: &mut [u32]) -> Vec<usize> {
+fn search(graph: &EdgeGraph, start: u32, depth: &mut [u32]) -> Vec<u32> {
     let mut queue = vec![start];
-    depth[start] = 0;
+    depth[start as usize] = 0;
     let mut at = 0;
     while at < queue.len() {
-        let i = queue[at];
+        let i = queue[at] as usize;
         at += 1;
         for &j in graph.neighbors(i) {
-            let j = j as usize;
-            if depth[j] == u32::MAX {
-                depth[j] = depth[i] + 1;
+            if depth[j as usize] == u32::MAX {
+                depth[j as usize] = depth[i] + 1;
                 queue.push(j);
             }
         }

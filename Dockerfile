@@ -12,6 +12,7 @@ FROM rust:1.95-slim-bookworm AS build
 WORKDIR /build
 # The official image holds a C compiler, which the bundled SQLite needs.
 COPY Cargo.toml Cargo.lock build.rs ./
+COPY crates crates
 COPY src src
 COPY api api
 # No checkout in here: the commit comes from outside, or is "unknown".

@@ -48,9 +48,9 @@ demo: build
 test:
 	@scripts/setup test
 	@if $(CARGO) nextest --version >/dev/null 2>&1; then \
-	  set -x; $(CARGO) nextest run --locked --no-fail-fast; $(CARGO) test --locked --doc; \
+	  set -x; $(CARGO) nextest run --workspace --locked --no-fail-fast; $(CARGO) test --workspace --locked --doc; \
 	else \
-	  set -x; $(CARGO) test --locked --no-fail-fast; \
+	  set -x; $(CARGO) test --workspace --locked --no-fail-fast; \
 	fi
 
 faults:
@@ -64,8 +64,8 @@ faults:
 check:
 	@scripts/setup check
 	$(CARGO) fmt --all --check
-	$(CARGO) clippy --locked --all-targets -- -D warnings
-	RUSTDOCFLAGS="-D warnings" $(CARGO) doc --locked --no-deps --document-private-items
+	$(CARGO) clippy --workspace --locked --all-targets -- -D warnings
+	RUSTDOCFLAGS="-D warnings" $(CARGO) doc --workspace --locked --no-deps --document-private-items
 	target/tools/bin/cargo-machete
 
 contract:

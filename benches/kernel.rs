@@ -18,15 +18,15 @@
 mod common;
 
 use common::{pair, peak_mib, with_threads};
-use homolog::curvature::{ScaleSpace, gaussian_curvature};
-use homolog::graph::{EdgeGraph, LabelNeighborhoods};
-use homolog::inference::{
+use homolog_geometry::curvature::{ScaleSpace, gaussian_curvature};
+use homolog_mesh::{SurfaceMesh, canonicalize};
+use homolog_mrf::inference::{
     ActiveModel, ActivePropagation, ActiveSets, BeliefPropagation, BpMethod, BpOptions, Evidence, FeaturePotentials,
     MessageStorage, Product, Update,
 };
-use homolog::mesh::{SurfaceMesh, canonicalize};
-use homolog::mrf::{Feature, MrfModel, PairwisePotential, unary_potentials};
-use homolog::observe::Silent;
+use homolog_mrf::{Feature, MrfModel, PairwisePotential, unary_potentials};
+use homolog_primitives::graph::{EdgeGraph, LabelNeighborhoods};
+use homolog_primitives::observe::Silent;
 use multiversion::multiversion;
 use rayon::prelude::*;
 use std::hint::black_box;

@@ -1,12 +1,12 @@
 //! The settings, each from the command line or the environment, with its default.
 
 use crate::http::{AllowedHosts, AuthMode, ConnectionLimits, HttpLimits};
-use crate::intake::{DEFAULT_MATCH_BYTES, IntakeLimits};
 use crate::jobs::{Retention, SubmissionLimits};
 use crate::store::sql::DatabaseLocation;
 use crate::worker::WorkerSettings;
 use crate::worker::courier::CourierSettings;
 use crate::worker::machine;
+use homolog_run::intake::{DEFAULT_MATCH_BYTES, IntakeLimits};
 use std::net::SocketAddr;
 use std::path::PathBuf;
 use std::time::Duration;

@@ -1,50 +1,13 @@
 //! homolog finds homologous points of two anatomical surfaces: a dense correspondence and a rigid transform.
 //!
-//! The modules in reading order, by layer; ARCHITECTURE.md says which may know which.
+//! This package is the program: the service and the command line. What it computes stands in the members under `crates/`;
+//! a Rust program that matches surfaces takes `homolog-matching` alone. ARCHITECTURE.md is the map.
 //!
-//! - Numerics (no runtime, no database, no HTTP, no clock, no files): [`graph`], [`observe`], [`mesh`], [`volume`],
-//!   [`formats`], [`curvature`], [`geodesic`], [`mrf`], [`inference`], [`registration`], [`harmonics`],
-//!   [`deformation`], [`hierarchy`], [`matching`], [`phantom`], [`intake`].
-//! - One match from uploaded bytes to the result document: [`run`].
-//! - The service: [`jobs`] (what a job is, and the ports), [`store`] (SQLite or PostgreSQL, and blobs), [`worker`] (who
-//!   runs them), [`http`] (how the outside asks).
+//! The modules in reading order:
+//!
+//! - The service: [`jobs`] (what a job is, and the ports), [`store`] (SQLite or PostgreSQL, and blobs), [`worker`] (runs
+//!   jobs), [`http`] (the API).
 //! - Wiring: [`app`], [`cli`], [`config`], [`telemetry`], [`tls`].
-
-pub mod graph;
-pub mod observe;
-
-pub mod mesh;
-pub mod volume;
-
-pub mod formats;
-
-pub mod curvature;
-
-pub mod geodesic;
-
-pub mod mrf;
-
-pub mod inference;
-
-pub mod registration;
-
-pub mod harmonics;
-
-mod exponential;
-
-pub mod deformation;
-
-pub mod hierarchy;
-
-pub mod matching;
-
-pub mod phantom;
-
-pub mod intake;
-
-pub mod run;
-
-pub mod experiment;
 
 pub mod jobs;
 

@@ -1,7 +1,7 @@
 //! What the benchmarks of matches and of belief propagation share.
 
-use homolog::mesh::SurfaceMesh;
-use homolog::phantom::{PairRecipe, PhantomPair};
+use homolog_laboratory::phantom::{PairRecipe, PhantomPair};
+use homolog_mesh::SurfaceMesh;
 
 /// Source and target of two phantoms in different poses, with edges of about `edge_mm`.
 pub fn pair(edge_mm: f64) -> (SurfaceMesh, SurfaceMesh) {

@@ -2,13 +2,13 @@
 
 use crate::common::with_threads;
 use crate::cut_in_four;
-use homolog::formats::nifti::write_nifti_gz;
-use homolog::formats::ply::write_ply;
-use homolog::intake::IntakeLimits;
-use homolog::matching::parameters::{MatchParameters, resolve};
-use homolog::observe::Silent;
-use homolog::phantom::{PairRecipe, PhantomPair};
-use homolog::run::{InputFile, SurfaceCache, run_match_with};
+use homolog_contract::parameters::{MatchParameters, resolve};
+use homolog_formats::nifti::write_nifti_gz;
+use homolog_formats::ply::write_ply;
+use homolog_laboratory::phantom::{PairRecipe, PhantomPair};
+use homolog_primitives::observe::Silent;
+use homolog_run::intake::IntakeLimits;
+use homolog_run::{InputFile, SurfaceCache, run_match_with};
 use serde_json::json;
 use std::time::Instant;
 

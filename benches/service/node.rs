@@ -7,7 +7,7 @@ use homolog::jobs::{
     ArtifactKind, ComputeError, ComputeTask, Engine, InputBytes, InputRefusal, InputSummary, ParameterFault,
     PartFormat, PresentError, ResultPart,
 };
-use homolog::observe::{Observer, Phase, TracePoint};
+use homolog_primitives::observe::{Observer, Phase, TracePoint};
 use rayon::prelude::*;
 use rustix::process::{Pid, Signal, kill_process};
 use serde_json::{Value, json};

@@ -1,9 +1,9 @@
 //! Surfaces of about a given size, and batches of matches through the service.
 
 use crate::http::Client;
-use homolog::formats::ply::write_ply;
-use homolog::mesh::SurfaceMesh;
-use homolog::phantom::{PairRecipe, PhantomPair};
+use homolog_formats::ply::write_ply;
+use homolog_laboratory::phantom::{PairRecipe, PhantomPair};
+use homolog_mesh::SurfaceMesh;
 use jiff::Timestamp;
 use serde_json::{Value, json};
 use std::time::Duration;

@@ -3,9 +3,9 @@
 use super::error::CliError;
 use super::output::{note, print};
 use super::progress::{Progress, WithoutTerminal};
-use crate::experiment::document::ReportProvenance;
-use crate::experiment::{ExperimentError, ExperimentOptions, run as run_experiments};
 use clap::Args;
+use homolog_laboratory::experiment::document::ReportProvenance;
+use homolog_laboratory::experiment::{ExperimentError, ExperimentOptions, run as run_experiments};
 use std::path::PathBuf;
 use std::time::Instant;
 

@@ -1,7 +1,7 @@
 //! Files that commands read and write: inputs under a limit, outputs whole or not at all.
 
 use super::error::CliError;
-use crate::intake::IntakeLimits;
+use homolog_run::intake::IntakeLimits;
 use serde::Serialize;
 use std::fs;
 use std::io::{self, Write};

@@ -4,8 +4,8 @@ use super::error::CliError;
 use super::files::{file_name, read_input};
 use super::output::{print, print_json};
 use super::parameters::ParameterArgs;
-use crate::intake::{IntakeLimits, inspect};
 use clap::Args;
+use homolog_run::intake::{IntakeLimits, inspect};
 use serde_json::Value;
 use std::path::PathBuf;
 

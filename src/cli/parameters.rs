@@ -2,9 +2,9 @@
 
 use super::error::CliError;
 use super::files::read_input;
-use crate::intake::IntakeLimits;
-use crate::matching::parameters::{MatchParameters, Method, ParameterError, preset, resolve};
 use clap::Args;
+use homolog_contract::parameters::{MatchParameters, Method, ParameterError, preset, resolve};
+use homolog_run::intake::IntakeLimits;
 use serde_json::{Map, Value};
 use std::path::PathBuf;
 

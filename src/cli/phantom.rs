@@ -3,10 +3,12 @@
 use super::error::CliError;
 use super::files::OutputFolder;
 use super::output::print;
-use crate::formats::nifti::write_nifti_gz;
-use crate::formats::ply::write_ply;
-use crate::phantom::{DEFAULT_EDGE_MM, MAX_RMS_SHARE, PairRecipe, PhantomError, PhantomPair, PhantomVolume};
 use clap::{Args, ValueEnum};
+use homolog_formats::nifti::write_nifti_gz;
+use homolog_formats::ply::write_ply;
+use homolog_laboratory::phantom::{
+    DEFAULT_EDGE_MM, MAX_RMS_SHARE, PairRecipe, PhantomError, PhantomPair, PhantomVolume,
+};
 use nalgebra::Point3;
 use serde_json::json;
 use std::fmt::Write;

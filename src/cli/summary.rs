@@ -1,6 +1,6 @@
 //! A result document in a few lines for people.
 
-use crate::matching::result::{ResultDocument, StopReason};
+use homolog_contract::result::{ResultDocument, StopReason};
 use std::fmt::Write;
 
 /// Transform, support, distances, energies and counts.

@@ -5,7 +5,7 @@
 use super::demand::{Demand, SurfaceSize};
 use super::ports::ArtifactKind;
 use super::presentation::{PartFormat, PresentError, ResultPart};
-use crate::observe::Observer;
+use homolog_primitives::observe::Observer;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 

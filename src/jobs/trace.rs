@@ -1,6 +1,6 @@
 //! What a running job tells: its progress and its energy trace, numbered and timed.
 
-use crate::observe::{Phase, TracePoint};
+use homolog_primitives::observe::{Phase, TracePoint};
 use serde::{Deserialize, Serialize};
 use utoipa::ToSchema;
 

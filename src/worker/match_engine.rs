@@ -1,20 +1,20 @@
 //! The engine of this service: what it checks and computes is a match of two surfaces.
 //!
-//! The only place where jobs meet [`crate::run`], [`crate::intake`] and [`crate::matching`].
+//! The only place where jobs meet [`homolog_run`], [`homolog_run::intake`] and [`homolog_matching`].
 
 use super::{prediction, presentation};
-use crate::formats::ply::write_ply;
-use crate::intake::{IntakeError, IntakeLimits, prepare_surface};
 use crate::jobs::engine::{MethodDescription, Product, Resolved};
 use crate::jobs::uploads::input_key;
 use crate::jobs::{
     ArtifactKind, ComputeError, ComputeTask, Demand, Engine, Failure, InputBytes, InputRefusal, InputSummary,
     ParameterFault, PartFormat, PresentError, ResultPart, SurfaceSize,
 };
-use crate::matching::MatchError;
-use crate::matching::parameters::{MatchParameters, Method, preset, resolve};
-use crate::observe::Observer;
-use crate::run::{InputFile, RunError, RunOutput, SurfaceCache, check_size, run_match_with};
+use homolog_contract::parameters::{MatchParameters, Method, preset, resolve};
+use homolog_formats::ply::write_ply;
+use homolog_matching::MatchError;
+use homolog_primitives::observe::Observer;
+use homolog_run::intake::{IntakeError, IntakeLimits, prepare_surface};
+use homolog_run::{InputFile, RunError, RunOutput, SurfaceCache, check_size, run_match_with};
 use serde_json::{Value, json};
 use utoipa::{PartialSchema, ToSchema};
 

@@ -1,8 +1,8 @@
 //! What a match is predicted to take: cores by its method and the sizes of its surfaces, memory as `matching` counts it.
 
 use crate::jobs::{Demand, SurfaceSize};
-use crate::matching::parameters::{Algorithm, MatchParameters};
-use crate::run::match_memory_bytes;
+use homolog_contract::parameters::{Algorithm, MatchParameters};
+use homolog_run::match_memory_bytes;
 
 /// Vertices of a surface for each core that a match is given; of two surfaces, the geometric mean.
 ///
@@ -30,7 +30,7 @@ pub fn predict(parameters: &MatchParameters, source: SurfaceSize, target: Surfac
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::matching::parameters::{Method, preset};
+    use homolog_contract::parameters::{Method, preset};
 
     fn cores(method: Method, source: u32, target: u32) -> usize {
         let size = |n_vertices| SurfaceSize { n_vertices, n_faces: 2 * n_vertices - 4 };

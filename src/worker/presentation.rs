@@ -1,15 +1,15 @@
 //! Stored parts of a result in other file formats.
 
-use crate::formats::arrow::write_arrow;
-use crate::formats::gifti::write_gifti;
-use crate::formats::npy::write_npy;
-use crate::formats::ply::{read_ply, write_ply_with};
-use crate::formats::transform::{write_itk_transform, write_lta, write_matrix_text};
-use crate::formats::vtk::write_vtk_with;
-use crate::formats::{PairColumns, ReadLimits, VertexArray, VertexValues, write_stl};
 use crate::jobs::{PartFormat, PresentError, ResultPart};
-use crate::matching::result::{Correspondences, TransformDocument};
-use crate::mesh::SurfaceMesh;
+use homolog_contract::result::{Correspondences, TransformDocument};
+use homolog_formats::arrow::write_arrow;
+use homolog_formats::gifti::write_gifti;
+use homolog_formats::npy::write_npy;
+use homolog_formats::ply::{read_ply, write_ply_with};
+use homolog_formats::transform::{write_itk_transform, write_lta, write_matrix_text};
+use homolog_formats::vtk::write_vtk_with;
+use homolog_formats::{PairColumns, ReadLimits, VertexArray, VertexValues, write_stl};
+use homolog_mesh::SurfaceMesh;
 use serde::Deserialize;
 
 /// What stands in `target` where a source vertex has no correspondence. Its confidence and its mark as inlier are 0.
@@ -124,7 +124,7 @@ fn unreadable(what: &'static str, error: impl std::error::Error + Send + Sync + 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::matching::result::OutlierReason;
+    use homolog_contract::result::OutlierReason;
 
     #[test]
     fn vertices_without_a_correspondence_are_filled_as_documented() {

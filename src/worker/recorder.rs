@@ -2,7 +2,7 @@
 
 use super::control::Control;
 use crate::jobs::{NumberedPoint, Progress, TraceChunk};
-use crate::observe::{Observer, Phase, TracePoint};
+use homolog_primitives::observe::{Observer, Phase, TracePoint};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Instant;
 

@@ -1,9 +1,9 @@
 //! Real files of every format, as their programs wrote them.
 
 use crate::real_data::{real, real_files};
-use homolog::formats::{FileContent, FormatError, InputFormat, MeshFile, ReadLimits, read};
-use homolog::mesh::repair::{largest_component, weld};
-use homolog::mesh::topology::{TopologyReport, topology_report};
+use homolog_formats::{FileContent, FormatError, InputFormat, MeshFile, ReadLimits, read};
+use homolog_mesh::repair::{largest_component, weld};
+use homolog_mesh::topology::{TopologyReport, topology_report};
 
 fn read_real(path: &str) -> Option<Result<(InputFormat, FileContent), FormatError>> {
     let bytes = std::fs::read(real(path)?).unwrap();
@@ -64,7 +64,7 @@ fn nifti_files() {
     // Left hippocampus lies left of the midline in world coordinates.
     let center = |label| {
         let mask = volume.mask(Some(&[label])).unwrap();
-        homolog::volume::voxel_surface(&mask).unwrap().centroid()
+        homolog_mesh::volume::voxel_surface(&mask).unwrap().centroid()
     };
     let (left, right) = (center(37), center(38));
     assert!(left.x < -15.0 && right.x > 15.0 && (left.y - right.y).abs() < 5.0, "{left} {right}");

@@ -1,13 +1,15 @@
 //! From files to closed surfaces of genus 0, or refusals that say where and why.
 
 use crate::real_data::{real, real_files};
-use homolog::formats::{FormatError, write_nifti, write_nifti_gz, write_ply, write_stl, write_vtk};
-use homolog::intake::{InputFormat, InputKind, IntakeError, IntakeLimits, PreparedSurface, inspect, prepare_surface};
-use homolog::matching::parameters::{InputParameters, Method, Repair, SurfaceKind, preset};
-use homolog::mesh::repair::turned;
-use homolog::mesh::topology::analyze;
-use homolog::mesh::{FaceArity, SurfaceMesh};
-use homolog::volume::LabelVolume;
+use homolog_contract::parameters::{InputParameters, Method, Repair, SurfaceKind, preset};
+use homolog_formats::{FormatError, write_nifti, write_nifti_gz, write_ply, write_stl, write_vtk};
+use homolog_mesh::repair::turned;
+use homolog_mesh::topology::analyze;
+use homolog_mesh::volume::LabelVolume;
+use homolog_mesh::{FaceArity, SurfaceMesh};
+use homolog_run::intake::{
+    InputFormat, InputKind, IntakeError, IntakeLimits, PreparedSurface, inspect, prepare_surface,
+};
 use nalgebra::{Matrix4, Point3};
 use proptest::prelude::*;
 

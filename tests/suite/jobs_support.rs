@@ -7,7 +7,7 @@ use homolog::jobs::{
     ArtifactKind, ComputeError, ComputeTask, Demand, Engine, Failure, InputBytes, InputRefusal, InputSummary,
     ParameterFault, PartFormat, PresentError, ResultPart, SurfaceSize,
 };
-use homolog::observe::{Observer, Phase, TracePoint};
+use homolog_primitives::observe::{Observer, Phase, TracePoint};
 use reqwest::multipart::{Form, Part};
 use serde_json::{Value, json};
 use std::sync::Arc;

@@ -1,9 +1,9 @@
 //! The real program in a process of its own: killed, asked to end, and fed with nonsense.
 
 use super::cli::homolog;
-use homolog::formats::{write_nifti, write_nifti_gz, write_ply, write_stl, write_vtk};
-use homolog::mesh::{FaceArity, SurfaceMesh};
-use homolog::volume::LabelVolume;
+use homolog_formats::{write_nifti, write_nifti_gz, write_ply, write_stl, write_vtk};
+use homolog_mesh::volume::LabelVolume;
+use homolog_mesh::{FaceArity, SurfaceMesh};
 use nalgebra::{Matrix4, Point3};
 use rand_xoshiro::Xoshiro256PlusPlus;
 use rand_xoshiro::rand_core::{Rng, SeedableRng};

@@ -4,16 +4,16 @@
 //! nothing: it is skipped, with the reason printed.
 
 use crate::real_data::hippocampi;
-use homolog::formats::ReadLimits;
-use homolog::formats::nifti::{read_nifti, write_nifti};
-use homolog::formats::ply::write_ply;
-use homolog::intake::{IntakeLimits, prepare_surface};
-use homolog::matching::parameters::{MatchParameters, Method, preset};
-use homolog::mesh::{ClosestPointIndex, SurfaceMesh};
-use homolog::observe::Silent;
-use homolog::registration::{ClosestSurfacePoint, IcpMetric, IcpOptions, RigidTransform, refine_icp};
-use homolog::run::{InputFile, RunOutput, run_match};
-use homolog::volume::LabelVolume;
+use homolog_contract::parameters::{MatchParameters, Method, preset};
+use homolog_formats::ReadLimits;
+use homolog_formats::nifti::{read_nifti, write_nifti};
+use homolog_formats::ply::write_ply;
+use homolog_mesh::volume::LabelVolume;
+use homolog_mesh::{ClosestPointIndex, SurfaceMesh};
+use homolog_primitives::observe::Silent;
+use homolog_registration::{ClosestSurfacePoint, IcpMetric, IcpOptions, RigidTransform, refine_icp};
+use homolog_run::intake::{IntakeLimits, prepare_surface};
+use homolog_run::{InputFile, RunOutput, run_match};
 use nalgebra::{Matrix4, Point3, Quaternion, Rotation3, UnitQuaternion, Vector3};
 use rand_core::{Rng, SeedableRng};
 use rand_xoshiro::Xoshiro256PlusPlus;

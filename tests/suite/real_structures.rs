@@ -1,11 +1,11 @@
 //! What is known of one structure is used for it alone: real left and right structures of another atlas.
 
 use crate::real_data::real;
-use homolog::intake::IntakeLimits;
-use homolog::matching::parameters::resolve;
-use homolog::matching::result::ResultDocument;
-use homolog::observe::Silent;
-use homolog::run::{InputFile, run_match};
+use homolog_contract::parameters::resolve;
+use homolog_contract::result::ResultDocument;
+use homolog_primitives::observe::Silent;
+use homolog_run::intake::IntakeLimits;
+use homolog_run::{InputFile, run_match};
 use serde_json::json;
 
 /// The default match of two surfaces of the folder, of either handedness; `None` where the folder is absent.

@@ -1,11 +1,11 @@
 //! Results of a real match in every format: chosen by query or `Accept`, named, validated, and right to the number.
 
 use super::jobs_support::{TestService, problem};
-use homolog::formats::{FileContent, ReadLimits, read, write_nifti_gz};
-use homolog::intake::IntakeLimits;
-use homolog::mesh::{FaceArity, SurfaceMesh};
-use homolog::phantom::{PairRecipe, PhantomPair};
 use homolog::worker::match_engine::MatchEngine;
+use homolog_formats::{FileContent, ReadLimits, read, write_nifti_gz};
+use homolog_laboratory::phantom::{PairRecipe, PhantomPair};
+use homolog_mesh::{FaceArity, SurfaceMesh};
+use homolog_run::intake::IntakeLimits;
 use nalgebra::{Matrix4, Point3};
 use reqwest::multipart::{Form, Part};
 use reqwest::{Response, header::HeaderMap};

@@ -7,8 +7,8 @@ use homolog::jobs::{
     JobInput, JobState, JobStore, Lease, LeaseStatus, NewJob, NumberedPoint, Outcome, PageRequest, Progress, Recovered,
     Tenant, TraceChunk, WaitingJob, WorkerId,
 };
-use homolog::observe::{Phase, TracePoint};
 use homolog::store::sql::SqlStore;
+use homolog_primitives::observe::{Phase, TracePoint};
 use serde_json::json;
 use std::collections::BTreeMap;
 use std::sync::Arc;

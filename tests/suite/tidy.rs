@@ -1,171 +1,96 @@
-//! The rules of the source tree that no compiler checks: who may use whom, and how files look.
+//! The rules of the source tree that no compiler checks: which module of the program may use which, what members may
+//! depend on, and how files look.
 //!
-//! ARCHITECTURE.md shows the table of arrows below; a test holds the two equal.
+//! Between members the compiler holds the arrows: what is not in a member's `Cargo.toml` cannot be used. ARCHITECTURE.md
+//! shows both tables below; tests hold them equal.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// Which modules of this crate each module may use; an entry may name a part of a module. Itself is always allowed.
+/// Which members each member depends on, in reading order. The compiler holds this; here it is held equal to the graph in
+/// ARCHITECTURE.md and to the `Cargo.toml` files.
+const MEMBERS: &[(&str, &[&str])] = &[
+    ("primitives", &[]),
+    ("mesh", &["primitives"]),
+    ("mrf", &["primitives"]),
+    ("registration", &["primitives"]),
+    ("geometry", &["primitives", "mesh", "registration"]),
+    ("contract", &["mesh"]),
+    ("matching", &["primitives", "mesh", "geometry", "mrf", "registration", "contract"]),
+    ("formats", &["mesh", "contract"]),
+    ("run", &["primitives", "mesh", "contract", "formats", "matching"]),
+    (
+        "laboratory",
+        &["primitives", "mesh", "geometry", "mrf", "registration", "contract", "matching", "formats", "run"],
+    ),
+];
+
+/// Members that only compute: bytes and numbers in, numbers out.
+const NUMERICS: &[&str] = &["primitives", "mesh", "geometry", "mrf", "registration", "contract", "matching", "formats"];
+
+/// What those never name: networks, files, clocks, the environment, the terminal. Runtimes and databases are not among
+/// their dependencies, which the compiler holds.
+const NOT_IN_NUMERICS: &[&str] =
+    &["std::fs", "std::net", "std::env", "std::process", "std::time", "Instant", "SystemTime"];
+
+/// What no member depends on: only the program has a runtime, a database, a network and a terminal.
+const NOT_IN_MEMBERS: &[&str] =
+    &["tokio", "sqlx", "axum", "hyper", "tower", "reqwest", "ureq", "clap", "indicatif", "tracing", "jiff", "uuid"];
+
+/// Which modules and members each module of the program may use; an entry may name a part. Itself is always allowed.
 const ARROWS: &[(&str, &[&str])] = &[
-    ("observe", &[]),
-    ("exponential", &[]),
-    ("graph", &[]),
-    ("mesh", &["graph"]),
-    ("volume", &["mesh"]),
-    ("formats", &["mesh", "volume"]),
-    ("curvature", &["graph", "mesh", "observe"]),
-    ("mrf", &["graph"]),
-    ("inference", &["exponential", "graph", "mrf", "observe"]),
-    ("registration", &["observe"]),
-    ("deformation", &["exponential"]),
-    ("hierarchy", &["deformation", "graph", "mesh"]),
-    ("geodesic", &["curvature", "graph", "mesh"]),
-    ("harmonics", &["graph", "mesh", "observe", "registration"]),
-    ("intake", &["formats", "matching::parameters", "mesh", "volume"]),
-    (
-        "matching",
-        &[
-            "curvature",
-            "deformation",
-            "geodesic",
-            "graph",
-            "harmonics",
-            "hierarchy",
-            "inference",
-            "intake::InputReport",
-            "mesh",
-            "mrf",
-            "observe",
-            "registration",
-        ],
-    ),
-    ("phantom", &["mesh", "volume"]),
-    (
-        "experiment",
-        &[
-            "curvature",
-            "formats",
-            "harmonics",
-            "inference",
-            "intake",
-            "matching",
-            "mesh",
-            "observe",
-            "phantom",
-            "registration",
-            "volume",
-        ],
-    ),
-    ("run", &["intake", "matching", "mesh", "observe"]),
-    ("jobs", &["intake::InputReport", "matching::parameters", "matching::result", "mesh::topology", "observe"]),
+    ("jobs", &["homolog_contract", "homolog_mesh::topology", "homolog_primitives"]),
     ("tls", &[]),
-    ("store", &["jobs", "observe", "tls"]),
+    ("store", &["homolog_primitives", "jobs", "tls"]),
     (
         "worker",
         &[
-            "formats",
-            "intake",
+            "homolog_contract",
+            "homolog_formats",
+            "homolog_matching::MatchError",
+            "homolog_mesh",
+            "homolog_primitives",
+            "homolog_run",
             "jobs",
-            "matching::MatchError",
-            "matching::parameters",
-            "matching::result",
-            "mesh",
-            "observe",
-            "run",
             "tls",
         ],
     ),
-    ("config", &["http", "intake", "jobs", "store::sql", "worker"]),
+    ("config", &["homolog_run", "http", "jobs", "store::sql", "worker"]),
     ("telemetry", &["config::LogFormat"]),
     ("http", &["jobs"]),
-    ("app", &["config", "http", "intake", "jobs", "run", "store", "telemetry", "worker"]),
+    ("app", &["config", "homolog_run", "http", "jobs", "store", "telemetry", "worker"]),
     (
         "cli",
         &[
             "app",
             "config",
-            "experiment",
-            "formats",
+            "homolog_contract",
+            "homolog_formats",
+            "homolog_laboratory",
+            "homolog_mesh",
+            "homolog_primitives",
+            "homolog_run",
             "http",
-            "intake",
             "jobs",
-            "matching",
-            "mesh",
-            "observe",
-            "phantom",
-            "run",
             "store::sql",
             "telemetry",
-            "volume",
             "worker::quota",
         ],
     ),
 ];
 
-/// Modules that only compute: bytes and numbers in, numbers out.
-const NUMERICS: &[&str] = &[
-    "observe",
-    "exponential",
-    "graph",
-    "mesh",
-    "volume",
-    "formats",
-    "curvature",
-    "geodesic",
-    "harmonics",
-    "deformation",
-    "hierarchy",
-    "mrf",
-    "inference",
-    "registration",
-    "intake",
-    "matching",
-    "phantom",
-];
-
-/// What those never name: runtimes, databases, networks, files, clocks, the environment, the terminal.
-const NOT_IN_NUMERICS: &[&str] = &[
-    "tokio",
-    "tokio_util",
-    "sqlx",
-    "axum",
-    "tower",
-    "tower_http",
-    "http",
-    "ureq",
-    "indicatif",
-    "clap",
-    "jiff",
-    "uuid",
-    "async_trait",
-    "tracing",
-    "std::fs",
-    "std::net",
-    "std::env",
-    "std::process",
-    "std::time",
-    "Instant",
-    "SystemTime",
-];
-
-/// Further crates that a module of the service does not know.
+/// Crates that a module of the program does not know.
 const NOT_IN: &[(&str, &[&str])] = &[
-    ("jobs", &["sqlx", "axum", "tower", "tower_http", "http", "nalgebra", "faer", "std::fs"]),
-    ("http", &["sqlx", "nalgebra", "faer"]),
+    ("jobs", &["sqlx", "axum", "tower", "tower_http", "http", "nalgebra", "std::fs"]),
+    ("http", &["sqlx", "nalgebra"]),
     ("worker", &["sqlx", "axum"]),
-    ("run", &["tokio", "sqlx", "axum", "std::fs"]),
 ];
 
 const MAX_LINES: usize = 700;
 
 fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
-}
-
-/// The folder that is checked; another checkout's may be named to see whether a merge would pass.
-fn source_root() -> PathBuf {
-    std::env::var_os("HOMOLOG_TIDY_SRC").map_or_else(|| root().join("src"), PathBuf::from)
 }
 
 fn files_under(folder: &Path, extension: &str, into: &mut Vec<PathBuf>) {
@@ -181,29 +106,46 @@ fn files_under(folder: &Path, extension: &str, into: &mut Vec<PathBuf>) {
 }
 
 struct SourceFile {
+    /// From the root of the checkout.
     name: String,
+    /// The member it belongs to; none for the program.
+    member: Option<&'static str>,
     /// Module path from the crate root; empty for lib.rs and main.rs.
     module: Vec<String>,
     text: String,
 }
 
+/// The sources of the program and of every member.
 fn sources() -> Vec<SourceFile> {
-    let root = source_root();
+    let mut all = sources_under("src", None);
+    for &(member, _) in MEMBERS {
+        all.extend(sources_under(&format!("crates/{member}/src"), Some(member)));
+    }
+    all
+}
+
+/// The sources of the program alone.
+fn program() -> Vec<SourceFile> {
+    sources_under("src", None)
+}
+
+fn sources_under(folder: &str, member: Option<&'static str>) -> Vec<SourceFile> {
+    let folder = root().join(folder);
     let mut paths = Vec::new();
-    files_under(&root, "rs", &mut paths);
+    files_under(&folder, "rs", &mut paths);
     paths.sort();
-    assert!(paths.len() > 10, "no sources under {}", root.display());
+    assert!(!paths.is_empty(), "no sources under {}", folder.display());
     paths
         .into_iter()
         .map(|path| {
-            let relative = path.strip_prefix(&root).unwrap().with_extension("");
+            let relative = path.strip_prefix(&folder).unwrap().with_extension("");
             let mut module: Vec<String> =
                 relative.components().map(|c| c.as_os_str().to_str().unwrap().to_owned()).collect();
             if module.last().is_some_and(|last| last == "mod") || module == ["lib"] || module == ["main"] {
                 module.pop();
             }
-            let name = format!("src/{}", path.strip_prefix(&root).unwrap().display());
-            SourceFile { name, module, text: fs::read_to_string(&path).unwrap() }
+            let name = path.strip_prefix(root()).unwrap().display().to_string();
+            SourceFile { name, member, module, text: fs::read_to_string(&path).unwrap() }
         })
         .collect()
 }
@@ -260,6 +202,15 @@ fn crate_paths(code: &str, module: &[String]) -> Vec<String> {
         for (at, _) in code.match_indices(start) {
             if !code[..at].ends_with(|c: char| c.is_alphanumeric() || c == '_' || c == ':' || c == '$') {
                 expand(&code[at + start.len()..], "", &mut found);
+            }
+        }
+    }
+    // Members of the workspace, by their whole name.
+    for (at, _) in code.match_indices("homolog_") {
+        if !code[..at].ends_with(|c: char| c.is_alphanumeric() || c == '_' || c == '"') {
+            let end = code[at..].find(|c: char| !(c.is_alphanumeric() || c == '_')).map_or(code.len(), |n| at + n);
+            if code[end..].starts_with("::") {
+                expand(&code[at..], "", &mut found);
             }
         }
     }
@@ -339,7 +290,7 @@ fn allowed(arrows: &[&str], path: &str) -> bool {
 fn no_arrow_points_where_it_must_not() {
     let table: BTreeMap<_, _> = ARROWS.iter().copied().collect();
     let mut faults = Vec::new();
-    for file in sources() {
+    for file in program() {
         let Some(module) = file.module.first() else { continue };
         let Some(arrows) = table.get(module.as_str()) else {
             faults.push(format!("{}: module {module} is not in the table of arrows", file.name));
@@ -347,8 +298,8 @@ fn no_arrow_points_where_it_must_not() {
         };
         for path in crate_paths(&production_code(&file), &file.module) {
             let head = path.split("::").next().unwrap_or_default();
-            // Only modules; a name in capitals would be a re-export of the crate root, of which there are none.
-            if head != module && table.contains_key(head) && !allowed(arrows, &path) {
+            let known = table.contains_key(head) || head.starts_with("homolog_");
+            if head != module && known && !allowed(arrows, &path) {
                 faults.push(format!("{}: {module} uses {path}", file.name));
             }
         }
@@ -357,14 +308,40 @@ fn no_arrow_points_where_it_must_not() {
     assert!(faults.is_empty(), "arrows that are not allowed:\n{}", faults.join("\n"));
 }
 
+/// Names in a section of a `Cargo.toml`.
+fn dependencies(manifest: &str, section: &str) -> BTreeSet<String> {
+    let header = format!("[{section}]");
+    let lines = manifest.lines().skip_while(|l| *l != header).skip(1).take_while(|l| !l.starts_with('['));
+    let name = |line: &str| line.split(['.', ' ', '=']).next().unwrap_or_default().to_owned();
+    lines.filter(|l| !l.is_empty() && !l.starts_with('#')).map(name).collect()
+}
+
 #[test]
-fn numerics_know_no_runtime_no_files_and_no_clock() {
+fn members_depend_on_what_the_table_says() {
+    let mut faults = Vec::new();
+    for &(member, expected) in MEMBERS {
+        let manifest = fs::read_to_string(root().join(format!("crates/{member}/Cargo.toml"))).unwrap();
+        let all = dependencies(&manifest, "dependencies");
+        let members: BTreeSet<_> = all.iter().filter_map(|name| name.strip_prefix("homolog-")).collect();
+        if members != expected.iter().copied().collect() {
+            faults.push(format!("{member} depends on the members {members:?}"));
+        }
+        faults.extend(all.iter().filter(|d| NOT_IN_MEMBERS.contains(&d.as_str())).map(|d| format!("{member}: {d}")));
+    }
+    let folders = fs::read_dir(root().join("crates")).unwrap().count();
+    assert_eq!(folders, MEMBERS.len(), "a member is missing in the table");
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
+}
+
+#[test]
+fn numerics_know_no_files_and_no_clock() {
     let mut faults = Vec::new();
     for file in sources() {
-        let Some(module) = file.module.first() else { continue };
         let code = production_code(&file);
-        let numerics = if NUMERICS.contains(&module.as_str()) { NOT_IN_NUMERICS } else { &[] };
-        let further = NOT_IN.iter().filter(|(m, _)| m == module).flat_map(|(_, crates)| crates.iter());
+        let numerics = if file.member.is_some_and(|m| NUMERICS.contains(&m)) { NOT_IN_NUMERICS } else { &[] };
+        let module = if file.member.is_none() { file.module.first() } else { None };
+        let further =
+            NOT_IN.iter().filter(|(m, _)| module.is_some_and(|x| x == m)).flat_map(|(_, crates)| crates.iter());
         for banned in numerics.iter().chain(further) {
             if names(&code, banned) {
                 faults.push(format!("{}: names {banned}", file.name));
@@ -376,7 +353,7 @@ fn numerics_know_no_runtime_no_files_and_no_clock() {
 
 #[test]
 fn the_http_layer_starts_no_computation() {
-    for file in sources().iter().filter(|f| f.module.first().is_some_and(|m| m == "http")) {
+    for file in program().iter().filter(|f| f.module.first().is_some_and(|m| m == "http")) {
         let code = production_code(file);
         for banned in ["match_surfaces", "run_match", "prepare_surface"] {
             assert!(!names(&code, banned) && !code.contains(&format!("{banned}(")), "{} calls {banned}", file.name);
@@ -419,7 +396,8 @@ fn the_library_prints_nothing() {
                 faults.push(format!("{}: {banned}", file.name));
             }
         }
-        if file.module.first().is_some_and(|m| m != "cli") && names(&code, "std::io::stdout") {
+        let speaks = file.member.is_none() && file.module.first().is_none_or(|m| m == "cli");
+        if !speaks && names(&code, "std::io::stdout") {
             faults.push(format!("{}: writes to the standard output", file.name));
         }
     }
@@ -445,19 +423,24 @@ fn sql_stands_in_sql_files() {
     assert!(faults.is_empty(), "SQL outside .sql files:\n{}", faults.join("\n"));
 }
 
-#[test]
-fn the_table_of_arrows_is_the_one_in_the_architecture() {
+/// Holds a marked table of ARCHITECTURE.md equal to one of the tables above.
+fn assert_table_in_architecture(marker: &str, table: &[(&str, &[&str])]) {
     let text = fs::read_to_string(root().join("ARCHITECTURE.md")).unwrap();
     let row = |(module, arrows): &(&str, &[&str])| {
         let list: Vec<_> = arrows.iter().map(|a| format!("`{a}`")).collect();
         format!("| `{module}` | {} |", if list.is_empty() { "nothing".to_owned() } else { list.join(", ") })
     };
-    let expected: Vec<String> = ARROWS.iter().map(row).collect();
-    let begin = "<!-- arrows: held equal to tests/suite/tidy.rs -->";
-    let section = text.split(begin).nth(1).expect("ARCHITECTURE.md has the marked table");
+    let expected: Vec<String> = table.iter().map(row).collect();
+    let section = text.split(marker).nth(1).unwrap_or_else(|| panic!("ARCHITECTURE.md has no {marker}"));
     let found: Vec<&str> =
         section.lines().skip_while(|l| !l.starts_with("| `")).take_while(|l| l.starts_with("| `")).collect();
     assert_eq!(found, expected, "the table in ARCHITECTURE.md should be:\n{}", expected.join("\n"));
+}
+
+#[test]
+fn the_tables_of_arrows_are_those_in_the_architecture() {
+    assert_table_in_architecture("<!-- members: held equal to tests/suite/tidy.rs -->", MEMBERS);
+    assert_table_in_architecture("<!-- arrows: held equal to tests/suite/tidy.rs -->", ARROWS);
 }
 
 #[test]

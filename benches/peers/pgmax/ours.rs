@@ -8,11 +8,11 @@
 mod common;
 
 use common::{pair, peak_mib, with_threads};
-use homolog::inference::{BeliefPropagation, BpMethod, BpOptions, Product, Update};
-use homolog::matching::energy_model;
-use homolog::matching::parameters::resolve;
-use homolog::mrf::MrfModel;
-use homolog::observe::Silent;
+use homolog_contract::parameters::resolve;
+use homolog_matching::energy_model;
+use homolog_mrf::MrfModel;
+use homolog_mrf::inference::{BeliefPropagation, BpMethod, BpOptions, Product, Update};
+use homolog_primitives::observe::Silent;
 use serde_json::json;
 use std::path::Path;
 use std::time::Instant;

@@ -3,7 +3,7 @@
 use super::database::Row;
 use crate::jobs::job::Cursor;
 use crate::jobs::{BatchId, Failure, Job, JobError, JobId, JobInput, JobState, Progress, Tenant, WaitingJob};
-use crate::observe::Phase;
+use homolog_primitives::observe::Phase;
 use jiff::Timestamp;
 use serde::de::DeserializeOwned;
 use std::time::Duration;

@@ -1,0 +1,99 @@
+//! Parameters of the energy: vertex features, unary and pairwise potentials.
+
+/// One vertex feature of the unary potential.
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
+pub struct FeatureParameters {
+    /// What is measured.
+    pub kind: FeatureKind,
+    /// How it is measured.
+    #[cfg_attr(feature = "serde", serde(default = "angle_defect"))]
+    pub estimator: CurvatureEstimator,
+    /// Radius of the neighbourhood that `covariance` and `quadric` look at, mm; `null`: three mean edge lengths.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub radius_mm: Option<f64>,
+    /// Scales `σ` of the heat flow before it is measured, mm.
+    #[cfg_attr(feature = "serde", serde(default = "default_scales"))]
+    pub scales_mm: Vec<f64>,
+    /// Weight `w_f` in the unary potential.
+    #[cfg_attr(feature = "serde", serde(default = "one"))]
+    pub weight: f64,
+}
+
+fn angle_defect() -> CurvatureEstimator {
+    CurvatureEstimator::AngleDefect
+}
+
+pub(super) fn default_scales() -> Vec<f64> {
+    vec![1.4, 2.8, 4.5]
+}
+
+fn one() -> f64 {
+    1.0
+}
+
+/// What a feature measures.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
+pub enum FeatureKind {
+    /// Gaussian curvature `K`, 1/mm².
+    GaussianCurvature,
+    /// Mean curvature `H`, 1/mm.
+    MeanCurvature,
+}
+
+/// How curvature is estimated.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
+pub enum CurvatureEstimator {
+    /// Angle defect over mixed Voronoi area (Gaussian), cotangent Laplacian of the positions (mean).
+    AngleDefect,
+    /// Covariance of the normals in a neighbourhood (Berkmann, Caelli 1994).
+    Covariance,
+    /// Least-squares paraboloid in the tangent frame.
+    Quadric,
+}
+
+/// The energy `E(x) = Σ θ_i(x_i) + Σ θ_ij(x_i, x_j)`.
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
+pub struct EnergyParameters {
+    /// Weight `α` of the unary potentials.
+    pub alpha: f64,
+    /// Weight `β` of the difference of distances in the pairwise potentials.
+    pub beta: f64,
+    /// How `d'`, the distance of two labels, is measured.
+    pub pairwise_distance: PairwiseDistance,
+    /// Truncation `T` of a pairwise potential, met where the neighbourhood is broken; `null`: `T → ∞`, the hard
+    /// neighbourhood constraint of the thesis. A broken edge then counts as 60 in every energy that is reported.
+    pub truncation: Option<f64>,
+    /// Neighbourhood radius `r` in edges.
+    #[cfg_attr(feature = "openapi", schema(minimum = 1, maximum = 4))]
+    pub neighborhood_rings: u32,
+    /// Order `p` of the Minkowski distance of features.
+    pub minkowski_p: f64,
+    /// Largest difference of one feature that counts, `τ`, in robust standard deviations.
+    pub feature_cap: f64,
+}
+
+/// How the distance `d'` of two labels is measured.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
+pub enum PairwiseDistance {
+    /// Along the straight line.
+    Euclidean,
+    /// Along edges.
+    Graph,
+    /// Along the surface.
+    Geodesic,
+}

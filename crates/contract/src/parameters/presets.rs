@@ -1,0 +1,213 @@
+//! The named presets: each a whole set of parameters that a request may change.
+
+use super::energy::default_scales;
+use super::{
+    Algorithm, Anatomy, AnnealingParameters, ClampingMode, ClampingParameters, CoolingSchedule, CurvatureEstimator,
+    DisplacementMode, DisplacementParameters, EnergyParameters, FeatureKind, FeatureParameters, InferenceParameters,
+    InitialPose, InputParameters, MatchParameters, MessageSchedule, MinimalEstimator, OrientationSolver,
+    PairwiseDistance, Refinement, RegistrationParameters, SurfaceKind, Update,
+};
+
+/// A named preset.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
+pub enum Method {
+    /// Coarse levels, Gaussian and mean curvature, soft clamping, a smooth displacement field: the default.
+    Balanced,
+    /// All vertices, Gaussian curvature only, hard clamping, no refinement.
+    Thesis,
+    /// As balanced, on coarser levels, with fewer iterations and one round.
+    Fast,
+    /// As balanced, on finer levels, with more scales, iterations and rounds.
+    Accurate,
+    /// Registration only, all orientations searched.
+    Rigid,
+    /// Simulated annealing with the Gibbs sampler.
+    Gibbs,
+    /// Simulated annealing with the Metropolis sampler.
+    Metropolis,
+    /// Random descent with restarts.
+    LasVegas,
+    /// First-order ellipsoids.
+    Foe,
+    /// Iterative closest points from the centroids.
+    Icp,
+}
+
+impl Method {
+    /// All presets, the default first.
+    pub const ALL: [Method; 10] = [
+        Method::Balanced,
+        Method::Thesis,
+        Method::Fast,
+        Method::Accurate,
+        Method::Rigid,
+        Method::Gibbs,
+        Method::Metropolis,
+        Method::LasVegas,
+        Method::Foe,
+        Method::Icp,
+    ];
+
+    /// The name used in JSON.
+    pub fn name(self) -> &'static str {
+        match self {
+            Method::Balanced => "balanced",
+            Method::Thesis => "thesis",
+            Method::Fast => "fast",
+            Method::Accurate => "accurate",
+            Method::Rigid => "rigid",
+            Method::Gibbs => "gibbs",
+            Method::Metropolis => "metropolis",
+            Method::LasVegas => "las_vegas",
+            Method::Foe => "foe",
+            Method::Icp => "icp",
+        }
+    }
+
+    /// One sentence for people.
+    pub fn description(self) -> &'static str {
+        match self {
+            Method::Balanced => {
+                "Max-product belief propagation on coarse levels, soft clamping rounds, and a smooth displacement field from \
+                 the best pose."
+            }
+            Method::Thesis => {
+                "Max-product belief propagation over all vertices on Gaussian curvature, hard clamping, RANSAC only."
+            }
+            Method::Fast => "As balanced, on coarser levels, with a third of the iterations and one round of feedback.",
+            Method::Accurate => "As balanced, on finer levels, with more scales, iterations and rounds.",
+            Method::Rigid => {
+                "Registration only: all orientations searched, the best pose refined by closest points both ways; each \
+                 vertex is answered with the nearest."
+            }
+            Method::Gibbs => "Simulated annealing with the Gibbs sampler in place of belief propagation.",
+            Method::Metropolis => "Simulated annealing with the Metropolis sampler in place of belief propagation.",
+            Method::LasVegas => {
+                "Random moves that lower the energy, with restarts, until a stated energy is reached and certified."
+            }
+            Method::Foe => {
+                "Baseline: first-order ellipsoids laid on each other, their four-fold ambiguity reported, no refinement."
+            }
+            Method::Icp => {
+                "Baseline: iterative closest points from the centroids, for surfaces that are nearly aligned."
+            }
+        }
+    }
+}
+
+/// The effective parameters of a preset.
+pub fn preset(method: Method) -> MatchParameters {
+    let balanced = MatchParameters { method, ..balanced() };
+    // Methods that are there to be studied minimise the energy of all vertices and answer with its labels.
+    let direct = MatchParameters {
+        inference: InferenceParameters { coarse_vertices: None, ..balanced.inference.clone() },
+        displacement: DisplacementParameters { mode: DisplacementMode::None, ..balanced.displacement.clone() },
+        ..balanced.clone()
+    };
+    let annealed = |algorithm, sweeps| MatchParameters {
+        inference: InferenceParameters { algorithm, max_iterations: sweeps, ..direct.inference.clone() },
+        ..direct.clone()
+    };
+    // Nobody minimises an energy, so that nothing can be fed back to it.
+    let registration_only = |initial, refine| MatchParameters {
+        inference: InferenceParameters { algorithm: Algorithm::None, ..direct.inference.clone() },
+        clamping: ClampingParameters { mode: ClampingMode::None, max_rounds: 0 },
+        registration: RegistrationParameters { initial, refine, ..direct.registration.clone() },
+        ..direct.clone()
+    };
+    match method {
+        Method::Balanced => balanced,
+        Method::Thesis => MatchParameters {
+            features: vec![feature(FeatureKind::GaussianCurvature, default_scales())],
+            clamping: ClampingParameters { mode: ClampingMode::Hard, max_rounds: 3 },
+            registration: RegistrationParameters { refine: Refinement::None, ..direct.registration },
+            ..direct
+        },
+        Method::Fast => MatchParameters {
+            inference: InferenceParameters { max_iterations: 12, coarse_vertices: Some(400), ..balanced.inference },
+            clamping: ClampingParameters { mode: ClampingMode::Soft, max_rounds: 1 },
+            ..balanced
+        },
+        Method::Accurate => MatchParameters {
+            features: [FeatureKind::GaussianCurvature, FeatureKind::MeanCurvature]
+                .map(|kind| feature(kind, vec![1.0, 1.4, 2.0, 2.8, 4.5]))
+                .to_vec(),
+            inference: InferenceParameters { max_iterations: 80, coarse_vertices: Some(1500), ..balanced.inference },
+            clamping: ClampingParameters { mode: ClampingMode::Soft, max_rounds: 6 },
+            ..balanced
+        },
+        Method::Rigid => registration_only(InitialPose::Search, Refinement::PointToPlane),
+        Method::Gibbs => annealed(Algorithm::Gibbs, 300),
+        Method::Metropolis => annealed(Algorithm::Metropolis, 3000),
+        Method::LasVegas => annealed(Algorithm::LasVegas, 1000),
+        Method::Foe => registration_only(InitialPose::FirstOrderEllipsoid, Refinement::None),
+        Method::Icp => registration_only(InitialPose::Centroids, Refinement::PointToPoint),
+    }
+}
+
+fn feature(kind: FeatureKind, scales_mm: Vec<f64>) -> FeatureParameters {
+    FeatureParameters { kind, estimator: CurvatureEstimator::AngleDefect, radius_mm: None, scales_mm, weight: 1.0 }
+}
+
+fn balanced() -> MatchParameters {
+    MatchParameters {
+        method: Method::Balanced,
+        input: InputParameters {
+            labels: None,
+            surface: SurfaceKind::Smooth,
+            smoothing_mm: 0.7,
+            repair: None,
+            allow_boundary: false,
+        },
+        features: vec![
+            feature(FeatureKind::GaussianCurvature, default_scales()),
+            feature(FeatureKind::MeanCurvature, default_scales()),
+        ],
+        energy: EnergyParameters {
+            alpha: 1.0,
+            beta: 0.0,
+            pairwise_distance: PairwiseDistance::Euclidean,
+            truncation: Some(9.2),
+            neighborhood_rings: 2,
+            minkowski_p: 1.0,
+            feature_cap: 3.0,
+        },
+        inference: InferenceParameters {
+            algorithm: Algorithm::MaxProduct,
+            update: Update::Sparse,
+            schedule: MessageSchedule::Flooding,
+            message_bits: 32,
+            coarse_vertices: Some(700),
+            max_iterations: 40,
+            damping: 0.5,
+            tolerance: 1e-5,
+            annealing: AnnealingParameters {
+                schedule: CoolingSchedule::Geometric,
+                initial_temperature: None,
+                final_temperature: None,
+            },
+            target_energy: None,
+            restart_after: 50,
+            lower_bound_iterations: 0,
+        },
+        clamping: ClampingParameters { mode: ClampingMode::Soft, max_rounds: 3 },
+        registration: RegistrationParameters {
+            initial: InitialPose::Ransac,
+            estimator: MinimalEstimator::Frame,
+            solver: OrientationSolver::Svd,
+            tolerance_mm: None,
+            confidence: 0.999,
+            max_trials: 100_000,
+            allow_reflection: false,
+            similarity: false,
+            refine: Refinement::PointToPoint,
+        },
+        displacement: DisplacementParameters { mode: DisplacementMode::Smooth, anatomy: Anatomy::Hippocampus },
+        landmarks: Vec::new(),
+        both_directions: false,
+        seed: 0,
+    }
+}

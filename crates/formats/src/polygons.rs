@@ -1,0 +1,104 @@
+//! From polygons, as files hold them, to a mesh of one arity.
+
+use super::{FormatError, ReadLimits};
+use homolog_mesh::{FaceArity, MeshError, SurfaceMesh};
+use nalgebra::Point3;
+
+/// A mesh as a file held it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MeshFile {
+    /// The mesh, without degenerate faces; vertices as in the file.
+    pub mesh: SurfaceMesh,
+    /// The first face that named a vertex twice, and that vertex.
+    pub first_degenerate: Option<(usize, u32)>,
+    /// How many such faces were left out.
+    pub n_degenerate: usize,
+    /// Whether the vertices were welded on reading, because the format has no shared vertices.
+    pub welded: bool,
+}
+
+/// Vertices and polygons of any number of corners.
+#[derive(Debug, Default)]
+pub(super) struct Polygons {
+    pub vertices: Vec<Point3<f64>>,
+    corners: Vec<u32>,
+    ends: Vec<usize>,
+}
+
+impl Polygons {
+    /// Refuses more vertices than the limit allows, before they are read.
+    pub fn check_count(found: u64, limits: &ReadLimits) -> Result<(), FormatError> {
+        let limit = limits.max_vertices as u64;
+        if found > limit { Err(FormatError::TooLarge { what: "vertices", found, limit }) } else { Ok(()) }
+    }
+
+    /// Adds a face; all vertices must be known by now.
+    ///
+    /// # Errors
+    /// A corner that names no vertex.
+    pub fn push(&mut self, face: impl IntoIterator<Item = i64>) -> Result<(), FormatError> {
+        let n_vertices = self.vertices.len();
+        for vertex in face {
+            let face = self.ends.len();
+            if vertex < 0 {
+                return Err(FormatError::NegativeIndex { face, vertex });
+            }
+            if vertex as u64 >= n_vertices as u64 {
+                return Err(MeshError::IndexOutOfRange { face, vertex: vertex as u64, n_vertices }.into());
+            }
+            self.corners.push(vertex as u32);
+        }
+        self.ends.push(self.corners.len());
+        Ok(())
+    }
+
+    fn faces(&self) -> impl Iterator<Item = &[u32]> {
+        let starts = std::iter::once(0).chain(self.ends.iter().copied());
+        starts.zip(&self.ends).map(|(start, &end)| &self.corners[start..end])
+    }
+
+    /// A quad mesh if every face is a quad; else triangles, larger polygons cut to fans from their first corner.
+    ///
+    /// # Errors
+    /// [`MeshError`] if nothing is left or a coordinate is not finite.
+    pub fn into_mesh(self) -> Result<MeshFile, FormatError> {
+        let all_quads = self.faces().all(|f| f.len() == 4);
+        let arity = if all_quads { FaceArity::Quad } else { FaceArity::Triangle };
+        let mut indices = Vec::with_capacity(self.corners.len());
+        let (mut first_degenerate, mut n_degenerate) = (None, 0);
+        for (at, face) in self.faces().enumerate() {
+            // Fewer than three corners enclose nothing: VTK writes such "polygons" for points and lines.
+            if face.len() < 3 {
+                continue;
+            }
+            if let Some(twice) = repeated(face) {
+                n_degenerate += 1;
+                first_degenerate = first_degenerate.or(Some((at, twice)));
+            }
+            match arity {
+                FaceArity::Quad if repeated(face).is_none() => indices.extend(face),
+                FaceArity::Quad => {}
+                FaceArity::Triangle => {
+                    for k in 1..face.len() - 1 {
+                        let triangle = [face[0], face[k], face[k + 1]];
+                        if repeated(&triangle).is_none() {
+                            indices.extend(triangle);
+                        }
+                    }
+                }
+            }
+        }
+        let mesh = SurfaceMesh::new(self.vertices, arity, indices)?;
+        Ok(MeshFile { mesh, first_degenerate, n_degenerate, welded: false })
+    }
+}
+
+/// A vertex that occurs twice among the corners. Polygons of many corners are sorted, so a hostile one costs little.
+fn repeated(face: &[u32]) -> Option<u32> {
+    if face.len() <= 8 {
+        return (1..face.len()).find(|&k| face[..k].contains(&face[k])).map(|k| face[k]);
+    }
+    let mut sorted = face.to_vec();
+    sorted.sort_unstable();
+    sorted.windows(2).find(|w| w[0] == w[1]).map(|w| w[0])
+}

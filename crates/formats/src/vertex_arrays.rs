@@ -1,0 +1,46 @@
+//! Arrays with a value for each vertex, which travel in a file beside the mesh.
+
+use homolog_mesh::SurfaceMesh;
+
+/// A named array with one value for each vertex.
+#[derive(Debug, Clone, PartialEq)]
+pub struct VertexArray {
+    /// One word of ASCII letters, digits and `_`: every format can write it as it is.
+    pub name: &'static str,
+    /// Its values.
+    pub values: VertexValues,
+}
+
+/// The values of a [`VertexArray`], of a type that every format has.
+#[derive(Debug, Clone, PartialEq)]
+pub enum VertexValues {
+    /// Whole numbers.
+    Int(Vec<i32>),
+    /// Real numbers.
+    Real(Vec<f64>),
+    /// Small whole numbers; 0 and 1 for false and true.
+    Byte(Vec<u8>),
+}
+
+impl VertexValues {
+    /// Number of values.
+    pub fn len(&self) -> usize {
+        match self {
+            VertexValues::Int(v) => v.len(),
+            VertexValues::Real(v) => v.len(),
+            VertexValues::Byte(v) => v.len(),
+        }
+    }
+
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+}
+
+/// The arrays that fit the mesh. One of another length would shift everything behind it in a binary file.
+pub(super) fn fitting<'a>(mesh: &SurfaceMesh, arrays: &'a [VertexArray]) -> impl Iterator<Item = &'a VertexArray> {
+    let n_vertices = mesh.n_vertices();
+    debug_assert!(arrays.iter().all(|a| a.values.len() == n_vertices), "an array needs a value for each vertex");
+    arrays.iter().filter(move |array| array.values.len() == n_vertices)
+}

@@ -1,0 +1,304 @@
+//! Legacy VTK poly data, versions 1.0 to 5.1, ASCII and binary (big-endian).
+//!
+//! Source: "VTK File Formats", The VTK User's Guide, and what VTK 9 writes. Read are `POINTS`, `POLYGONS` (each
+//! face with its count, or since 5.1 `OFFSETS` and `CONNECTIVITY`) and `TRIANGLE_STRIPS`; vertices, lines, fields
+//! and metadata are skipped; reading ends at `POINT_DATA` or `CELL_DATA`.
+
+use super::polygons::{MeshFile, Polygons};
+use super::text::Scanner;
+use super::vertex_arrays::{VertexArray, VertexValues, fitting};
+use super::{FormatError, ReadLimits};
+use homolog_mesh::SurfaceMesh;
+use nalgebra::Point3;
+
+/// Reads a mesh. Quads stay quads if there is nothing else; strips and other polygons become triangles.
+///
+/// # Errors
+/// [`FormatError`]; data sets other than `POLYDATA` are not read.
+///
+/// # Cost
+/// Linear in the file's length.
+pub fn read_vtk(bytes: &[u8], limits: &ReadLimits) -> Result<MeshFile, FormatError> {
+    let mut scanner = Scanner::new(bytes);
+    // Version, then a title of free text, then the encoding.
+    scanner.line();
+    scanner.line();
+    let encoding = scanner.word().unwrap_or_default();
+    let binary = encoding.eq_ignore_ascii_case(b"BINARY");
+    if !binary && !encoding.eq_ignore_ascii_case(b"ASCII") {
+        return Err(scanner.expected("ASCII or BINARY"));
+    }
+    if !scanner.word().unwrap_or_default().eq_ignore_ascii_case(b"DATASET") {
+        return Err(scanner.expected("DATASET"));
+    }
+    if !scanner.word().unwrap_or_default().eq_ignore_ascii_case(b"POLYDATA") {
+        return Err(FormatError::Unsupported {
+            what: "a VTK data set other than POLYDATA",
+            advice: "extract its surface",
+        });
+    }
+    let mut reader = VtkReader { scanner, binary, polygons: Polygons::default(), limits };
+    while let Some(keyword) = reader.scanner.word() {
+        match keyword.to_ascii_uppercase().as_slice() {
+            b"POINTS" => reader.points()?,
+            b"POLYGONS" => reader.cells(Cells::Polygons)?,
+            b"TRIANGLE_STRIPS" => reader.cells(Cells::Strips)?,
+            b"VERTICES" | b"LINES" => reader.cells(Cells::Skipped)?,
+            b"FIELD" => reader.field()?,
+            b"METADATA" => reader.metadata(),
+            b"POINT_DATA" | b"CELL_DATA" => break,
+            _ => return Err(reader.scanner.expected("a section of POLYDATA")),
+        }
+    }
+    reader.polygons.into_mesh()
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Cells {
+    Polygons,
+    Strips,
+    Skipped,
+}
+
+/// Type of the numbers of an array.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Element {
+    I8,
+    U8,
+    I16,
+    U16,
+    I32,
+    U32,
+    I64,
+    U64,
+    F32,
+    F64,
+}
+
+impl Element {
+    fn from_name(name: &[u8]) -> Option<Self> {
+        Some(match name.to_ascii_lowercase().as_slice() {
+            b"char" | b"vtktypeint8" => Element::I8,
+            b"unsigned_char" | b"vtktypeuint8" => Element::U8,
+            b"short" | b"vtktypeint16" => Element::I16,
+            b"unsigned_short" | b"vtktypeuint16" => Element::U16,
+            b"int" | b"vtkidtype" | b"vtktypeint32" => Element::I32,
+            b"unsigned_int" | b"vtktypeuint32" => Element::U32,
+            b"long" | b"vtktypeint64" => Element::I64,
+            b"unsigned_long" | b"vtktypeuint64" => Element::U64,
+            b"float" => Element::F32,
+            b"double" => Element::F64,
+            _ => return None,
+        })
+    }
+
+    fn size(self) -> usize {
+        match self {
+            Element::I8 | Element::U8 => 1,
+            Element::I16 | Element::U16 => 2,
+            Element::I32 | Element::U32 | Element::F32 => 4,
+            Element::I64 | Element::U64 | Element::F64 => 8,
+        }
+    }
+}
+
+struct VtkReader<'a> {
+    scanner: Scanner<'a>,
+    binary: bool,
+    polygons: Polygons,
+    limits: &'a ReadLimits,
+}
+
+impl VtkReader<'_> {
+    fn element(&mut self) -> Result<Element, FormatError> {
+        let name = self.scanner.word().unwrap_or_default();
+        Element::from_name(name).ok_or_else(|| self.scanner.expected("a number type such as float or int"))
+    }
+
+    /// Refuses a count of numbers that the rest of the file cannot hold.
+    fn check(&self, n: u64, element: Element, part: &'static str) -> Result<(), FormatError> {
+        // In text a number takes a digit and a blank; the last may do without.
+        let needed = n.saturating_mul(if self.binary { element.size() as u64 } else { 2 });
+        let available = self.scanner.remaining() as u64;
+        if needed > available + 1 { Err(FormatError::Truncated { part, needed, available }) } else { Ok(()) }
+    }
+
+    /// Ends the line of a keyword: binary data begin right after it.
+    fn end_line(&mut self) {
+        if self.binary {
+            self.scanner.line();
+        }
+    }
+
+    fn points(&mut self) -> Result<(), FormatError> {
+        let n: u64 = self.scanner.number("the number of points")?;
+        let element = self.element()?;
+        Polygons::check_count(n, self.limits)?;
+        self.check(n.saturating_mul(3), element, "the list of points")?;
+        let numbers = self.reals(n * 3, element)?;
+        self.polygons.vertices = numbers.chunks_exact(3).map(|p| Point3::new(p[0], p[1], p[2])).collect();
+        Ok(())
+    }
+
+    fn reals(&mut self, n: u64, element: Element) -> Result<Vec<f64>, FormatError> {
+        if !self.binary {
+            return (0..n).map(|_| self.scanner.number("a coordinate")).collect();
+        }
+        self.end_line();
+        let raw = self.scanner.take(n, element.size(), "the list of points")?;
+        match element {
+            Element::F32 => Ok(numbers(raw, |b| f64::from(f32::from_be_bytes(b)))),
+            Element::F64 => Ok(numbers(raw, f64::from_be_bytes)),
+            _ => Ok(integers(raw, element).into_iter().map(|v| v as f64).collect()),
+        }
+    }
+
+    fn whole(&mut self, n: u64, element: Element) -> Result<Vec<i64>, FormatError> {
+        self.check(n, element, "a list of cells")?;
+        if !self.binary {
+            return (0..n).map(|_| self.scanner.number("a vertex index")).collect();
+        }
+        self.end_line();
+        let raw = self.scanner.take(n, element.size(), "a list of cells")?;
+        Ok(integers(raw, element))
+    }
+
+    fn cells(&mut self, kind: Cells) -> Result<(), FormatError> {
+        let first: u64 = self.scanner.number("the number of cells")?;
+        let second: u64 = self.scanner.number("the length of the list of cells")?;
+        if self.scanner.peek().is_some_and(|w| w.eq_ignore_ascii_case(b"OFFSETS")) {
+            return self.cells_by_offset(kind, first, second);
+        }
+        let list = self.whole(second, Element::I32)?;
+        let mut rest = list.as_slice();
+        for _ in 0..first {
+            let Some((&count, after)) = rest.split_first() else {
+                return Err(self.scanner.expected("as many cells as announced"));
+            };
+            let cell = usize::try_from(count).ok().and_then(|n| after.split_at_checked(n));
+            let Some((cell, after)) = cell else {
+                return Err(self.scanner.expected("a cell that fits into its list"));
+            };
+            self.cell(kind, cell)?;
+            rest = after;
+        }
+        Ok(())
+    }
+
+    fn cells_by_offset(&mut self, kind: Cells, n_offsets: u64, n_corners: u64) -> Result<(), FormatError> {
+        self.scanner.word();
+        let element = self.element()?;
+        let offsets = self.whole(n_offsets, element)?;
+        if !self.scanner.word().unwrap_or_default().eq_ignore_ascii_case(b"CONNECTIVITY") {
+            return Err(self.scanner.expected("CONNECTIVITY"));
+        }
+        let element = self.element()?;
+        let corners = self.whole(n_corners, element)?;
+        for pair in offsets.windows(2) {
+            let range = usize::try_from(pair[0]).ok().zip(usize::try_from(pair[1]).ok());
+            let cell = range.and_then(|(start, end)| corners.get(start..end));
+            let Some(cell) = cell else {
+                return Err(self.scanner.expected("offsets that ascend within the list of corners"));
+            };
+            self.cell(kind, cell)?;
+        }
+        Ok(())
+    }
+
+    fn cell(&mut self, kind: Cells, cell: &[i64]) -> Result<(), FormatError> {
+        match kind {
+            Cells::Skipped => Ok(()),
+            Cells::Polygons => self.polygons.push(cell.iter().copied()),
+            Cells::Strips => cell.windows(3).enumerate().try_for_each(|(k, t)| {
+                // Every second triangle of a strip runs the other way; strips turn corners by empty triangles.
+                let t = if k % 2 == 0 { [t[0], t[1], t[2]] } else { [t[1], t[0], t[2]] };
+                let empty = t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
+                if empty { Ok(()) } else { self.polygons.push(t) }
+            }),
+        }
+    }
+
+    /// Skips everything up to an empty line.
+    fn metadata(&mut self) {
+        self.scanner.line();
+        while self.scanner.line().is_some_and(|line| !line.is_empty()) {}
+    }
+
+    /// Skips `FIELD name n` with `n` arrays.
+    fn field(&mut self) -> Result<(), FormatError> {
+        self.scanner.word();
+        let n: u64 = self.scanner.number("the number of arrays")?;
+        for _ in 0..n {
+            self.scanner.word();
+            let width: u64 = self.scanner.number("the number of components")?;
+            let length: u64 = self.scanner.number("the number of tuples")?;
+            let element = self.element()?;
+            let n = width.saturating_mul(length);
+            self.check(n, element, "a field")?;
+            self.end_line();
+            if self.binary {
+                self.scanner.take(n, element.size(), "a field")?;
+            } else {
+                for _ in 0..n {
+                    self.scanner.word();
+                }
+            }
+        }
+        Ok(())
+    }
+}
+
+fn numbers<const N: usize, T>(raw: &[u8], value: impl Fn([u8; N]) -> T) -> Vec<T> {
+    raw.as_chunks::<N>().0.iter().map(|&b| value(b)).collect()
+}
+
+/// Whole numbers; reals are cut, indices beyond `i64` become the largest, which no mesh has.
+fn integers(raw: &[u8], element: Element) -> Vec<i64> {
+    match element {
+        Element::I8 => numbers(raw, |b| i8::from_be_bytes(b).into()),
+        Element::U8 => numbers(raw, |b| u8::from_be_bytes(b).into()),
+        Element::I16 => numbers(raw, |b| i16::from_be_bytes(b).into()),
+        Element::U16 => numbers(raw, |b| u16::from_be_bytes(b).into()),
+        Element::I32 => numbers(raw, |b| i32::from_be_bytes(b).into()),
+        Element::U32 => numbers(raw, |b| u32::from_be_bytes(b).into()),
+        Element::I64 => numbers(raw, i64::from_be_bytes),
+        Element::U64 => numbers(raw, |b| i64::try_from(u64::from_be_bytes(b)).unwrap_or(i64::MAX)),
+        Element::F32 => numbers(raw, |b| f32::from_be_bytes(b) as i64),
+        Element::F64 => numbers(raw, |b| f64::from_be_bytes(b) as i64),
+    }
+}
+
+/// A binary legacy VTK file, version 3.0, double precision. Reading it back gives the same mesh to the bit.
+pub fn write_vtk(mesh: &SurfaceMesh) -> Vec<u8> {
+    write_vtk_with(mesh, &[])
+}
+
+/// The same with `POINT_DATA`: a field of arrays of `int`, `double` and `unsigned_char`.
+pub fn write_vtk_with(mesh: &SurfaceMesh, arrays: &[VertexArray]) -> Vec<u8> {
+    let arrays: Vec<_> = fitting(mesh, arrays).collect();
+    let mut file = b"# vtk DataFile Version 3.0\nsurface, millimetres\nBINARY\nDATASET POLYDATA\n".to_vec();
+    file.extend(format!("POINTS {} double\n", mesh.n_vertices()).into_bytes());
+    file.extend(mesh.vertices().iter().flat_map(|p| p.iter()).flat_map(|c| c.to_be_bytes()));
+    let n = mesh.n_faces();
+    file.extend(format!("\nPOLYGONS {n} {}\n", n + mesh.indices().len()).into_bytes());
+    for face in mesh.faces() {
+        file.extend((face.len() as u32).to_be_bytes());
+        file.extend(face.iter().flat_map(|v| v.to_be_bytes()));
+    }
+    file.push(b'\n');
+    if !arrays.is_empty() {
+        let head = format!("POINT_DATA {}\nFIELD FieldData {}\n", mesh.n_vertices(), arrays.len());
+        file.extend(head.into_bytes());
+    }
+    for VertexArray { name, values } in arrays {
+        let (kind, bytes): (_, Vec<u8>) = match values {
+            VertexValues::Int(v) => ("int", v.iter().flat_map(|x| x.to_be_bytes()).collect()),
+            VertexValues::Real(v) => ("double", v.iter().flat_map(|x| x.to_be_bytes()).collect()),
+            VertexValues::Byte(v) => ("unsigned_char", v.clone()),
+        };
+        file.extend(format!("{name} 1 {} {kind}\n", values.len()).into_bytes());
+        file.extend(bytes);
+        file.push(b'\n');
+    }
+    file
+}

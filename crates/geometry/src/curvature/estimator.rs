@@ -1,0 +1,86 @@
+//! The choice between the estimators of curvature.
+
+use super::angle_defect::{both_curvatures, vertex_areas};
+use super::ball::{Patches, Visited};
+use super::{covariance, quadric};
+use homolog_mesh::SurfaceMesh;
+use rayon::prelude::*;
+
+/// How curvature is measured.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub enum Estimator {
+    /// Corner angles and cotangents over the faces around a vertex (`angle_defect.rs`): no radius, the theorem of
+    /// Gauss and Bonnet to rounding, and the noise of single faces.
+    #[default]
+    AngleDefect,
+    /// How normals turn with positions in a ball (`covariance.rs`).
+    Covariance {
+        /// Radius of the ball, mm; see [`default_radius_mm`].
+        radius_mm: f64,
+    },
+    /// The least-squares paraboloid in a ball (`quadric.rs`).
+    Quadric {
+        /// Radius of the ball, mm; see [`default_radius_mm`].
+        radius_mm: f64,
+    },
+}
+
+/// Both curvatures of every vertex.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Curvatures {
+    /// Gaussian curvature `K_i`, 1/mm².
+    pub gaussian: Vec<f64>,
+    /// Mean curvature `H_i`, 1/mm, positive where the surface is convex (`1/r` on a sphere).
+    pub mean: Vec<f64>,
+}
+
+/// Radius of the default ball in mean edge lengths: two rings of triangles or quads with the diagonals, about 19
+/// vertices for the 6 unknowns of a paraboloid.
+const DEFAULT_RADIUS_EDGES: f64 = 2.5;
+
+/// Gaussian and mean curvature at a vertex from the members of its ball, if they determine them.
+type CurvatureOf = fn(&Patches, usize, &[u32]) -> Option<(f64, f64)>;
+
+/// Vertices a task takes at a time, with one scratch memory.
+const CHUNK: usize = 256;
+
+/// The radius of the ball that fits the resolution of `mesh`: 2.5 mean edge lengths, mm. To compare two surfaces, use
+/// one radius for both.
+pub fn default_radius_mm(mesh: &SurfaceMesh) -> f64 {
+    DEFAULT_RADIUS_EDGES * mesh.mean_edge_length()
+}
+
+/// Gaussian and mean curvature of every vertex of `mesh`, as `estimator` measures them.
+///
+/// A vertex whose ball does not hold enough of the surface (fewer than 6 vertices for a paraboloid, all on a line for
+/// the covariance) gets the values of [`Estimator::AngleDefect`], which need no ball. That includes every vertex if the
+/// radius is zero, negative or no number.
+///
+/// # Cost
+/// `O(faces)`, with a ball `O(n k)` for `k` vertices a ball, on all cores; every vertex is computed alone, so the bits
+/// do not depend on the number of threads.
+pub fn curvatures(mesh: &SurfaceMesh, estimator: Estimator) -> Curvatures {
+    let areas = vertex_areas(mesh);
+    let around = both_curvatures(mesh, &areas);
+    let (radius_mm, curvature_of): (f64, CurvatureOf) = match estimator {
+        Estimator::AngleDefect => return around,
+        Estimator::Covariance { radius_mm } => (radius_mm, covariance::curvature_of),
+        Estimator::Quadric { radius_mm } => (radius_mm, quadric::curvature_of),
+    };
+    let patches = Patches::new(mesh, areas, radius_mm);
+    let n = mesh.n_vertices();
+    let (gaussian, mean) = (0..n.div_ceil(CHUNK))
+        .into_par_iter()
+        .flat_map_iter(|chunk| {
+            let mut visited = Visited::new(n);
+            let mut values = Vec::with_capacity(CHUNK);
+            for v in chunk * CHUNK..n.min((chunk + 1) * CHUNK) {
+                patches.collect(v, &mut visited);
+                let found = curvature_of(&patches, v, &visited.members).filter(|(k, h)| k.is_finite() && h.is_finite());
+                values.push(found.unwrap_or((around.gaussian[v], around.mean[v])));
+            }
+            values
+        })
+        .unzip();
+    Curvatures { gaussian, mean }
+}

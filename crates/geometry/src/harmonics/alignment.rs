@@ -1,0 +1,111 @@
+//! Registration by first-order ellipsoids: centre on centre, axes on axes.
+//!
+//! Axes have no direction, so four proper rotations align them, half turns apart. The ellipsoids cannot tell which is
+//! right; the surfaces themselves can, by how close they come.
+
+use super::FirstOrderEllipsoid;
+use homolog_primitives::observe::{Cancelled, Observer, checkpoint};
+use homolog_registration::{ClosestSurfacePoint, RigidTransform};
+use nalgebra::{Matrix3, Point3, Vector3};
+use rayon::prelude::*;
+
+/// How ellipsoids are aligned.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct EllipsoidOptions {
+    /// Two half axes of one ellipsoid within this ratio leave the rotation about the third undetermined.
+    pub ambiguous_ratio: f64,
+    /// Whether the pose with the smallest residual is chosen; otherwise the one with the smallest rotation.
+    pub resolve: bool,
+    /// Source points at most on which residuals are measured, evenly by index.
+    pub max_sample: usize,
+}
+
+impl Default for EllipsoidOptions {
+    fn default() -> Self {
+        EllipsoidOptions { ambiguous_ratio: 1.1, resolve: true, max_sample: 500 }
+    }
+}
+
+/// One of the four alignments.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct EllipsoidPose {
+    /// The transform; `det R = +1`.
+    pub target_from_source: RigidTransform,
+    /// Angle of its rotation, radians, in `[0, π]`.
+    pub rotation_angle_rad: f64,
+    /// Root mean square distance of the moved source sample from the target surface, mm.
+    pub rms_mm: f64,
+}
+
+/// The four alignments, and which to take.
+#[derive(Debug, Clone, PartialEq)]
+pub struct EllipsoidRegistration {
+    /// All four, the smallest rotation first.
+    pub poses: [EllipsoidPose; 4],
+    /// Index of the pose to take: 0, or that of the smallest residual where it was to be resolved.
+    pub chosen: usize,
+    /// First over second and second over third half axis of the source's ellipsoid.
+    pub source_axis_ratios: [f64; 2],
+    /// The same of the target's.
+    pub target_axis_ratios: [f64; 2],
+    /// Whether one of those four ratios is below the stated one: then there are more than four poses, and these four
+    /// are arbitrary ones of them.
+    pub ambiguous_axes: bool,
+}
+
+impl EllipsoidRegistration {
+    /// The pose to take.
+    pub fn pose(&self) -> &EllipsoidPose {
+        &self.poses[self.chosen]
+    }
+}
+
+/// Aligns the ellipsoid of the source with that of the target.
+///
+/// `points`: points of the source surface, mm, at least one; `closest`: the target surface.
+///
+/// # Errors
+/// [`Cancelled`].
+///
+/// # Cost
+/// Four closest-point queries a sampled point, on all cores; the same bits on any number of threads.
+pub fn register_by_ellipsoids(
+    source: &FirstOrderEllipsoid,
+    target: &FirstOrderEllipsoid,
+    points: &[Point3<f64>],
+    closest: &dyn ClosestSurfacePoint,
+    options: &EllipsoidOptions,
+    observer: &dyn Observer,
+) -> Result<EllipsoidRegistration, Cancelled> {
+    checkpoint(observer)?;
+    let sample: Vec<Point3<f64>> =
+        points.iter().step_by(points.len().div_ceil(options.max_sample.max(1)).max(1)).copied().collect();
+    let mut poses = [[1.0, 1.0], [1.0, -1.0], [-1.0, 1.0], [-1.0, -1.0]].map(|[a, b]| {
+        let signs = Matrix3::from_diagonal(&Vector3::new(a, b, a * b));
+        let rotation = target.axes * signs * source.axes.transpose();
+        let translation = target.center.coords - rotation * source.center.coords;
+        let target_from_source = RigidTransform { rotation, translation };
+        let squares: Vec<f64> = sample
+            .par_iter()
+            .map(|p| {
+                let moved = target_from_source.apply(p);
+                (closest.closest(&moved).0 - moved).norm_squared()
+            })
+            .collect();
+        let rms_mm = (squares.iter().sum::<f64>() / squares.len() as f64).sqrt();
+        EllipsoidPose { target_from_source, rotation_angle_rad: target_from_source.angle_rad(), rms_mm }
+    });
+    poses.sort_by(|a, b| a.rotation_angle_rad.total_cmp(&b.rotation_angle_rad));
+    let mut chosen = 0;
+    if options.resolve {
+        for (k, pose) in poses.iter().enumerate() {
+            if pose.rms_mm < poses[chosen].rms_mm {
+                chosen = k;
+            }
+        }
+    }
+    let (source_axis_ratios, target_axis_ratios) = (source.axis_ratios(), target.axis_ratios());
+    let ambiguous_axes =
+        source_axis_ratios.iter().chain(&target_axis_ratios).any(|&ratio| ratio < options.ambiguous_ratio);
+    Ok(EllipsoidRegistration { poses, chosen, source_axis_ratios, target_axis_ratios, ambiguous_axes })
+}

@@ -1,0 +1,138 @@
+//! First-order spherical harmonics of closed surfaces, and the registration by their ellipsoids.
+//!
+//! A surface of genus 0 is mapped one to one onto the unit sphere ([`parametrize`]); the spherical harmonics of degree 0
+//! and 1 that fit its points best over that sphere make an ellipsoid, the *first-order ellipsoid*
+//! ([`first_order_ellipsoid`]); two surfaces are registered by laying the axes of one ellipsoid on those of the other
+//! ([`register_by_ellipsoids`]). It is the classic baseline of shape analysis: global, without any choice of start, and
+//! blind to which end of an axis is which.
+//!
+//! Source: Brechbühler, Gerig, Kübler, "Parametrization of closed surfaces for 3-D shape description", Computer Vision
+//! and Image Understanding 61(2), 1995. The start by heat conduction is theirs; the optimization after it has their
+//! aims (equal areas, least distortion, no fold) by other means, see `relaxation`.
+
+mod alignment;
+mod first_order;
+mod heat;
+mod lbfgs;
+mod relaxation;
+mod sphere;
+mod untangling;
+mod weights;
+
+pub use alignment::{EllipsoidOptions, EllipsoidPose, EllipsoidRegistration, register_by_ellipsoids};
+pub use first_order::{FirstOrderEllipsoid, first_order_ellipsoid};
+
+use homolog_mesh::SurfaceMesh;
+use homolog_mesh::topology::{SurfaceFault, analyze};
+use homolog_primitives::observe::{Cancelled, Observer};
+use nalgebra::Vector3;
+
+/// Why a surface has no parametrization, or two have no registration by it.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum HarmonicsError {
+    /// The surface is not a closed outward surface of genus 0.
+    #[error(transparent)]
+    Surface(#[from] SurfaceFault),
+    /// A vertex belongs to no face, so that nothing says where on the sphere it goes.
+    #[error("vertex {vertex} belongs to no face")]
+    UnusedVertex {
+        /// The first such vertex.
+        vertex: u32,
+    },
+    /// The two ends of the surface are neighbours: there is nothing between them to give a latitude to.
+    #[error("{n_vertices} vertices are too few to tell two ends of the surface apart")]
+    TooCoarse {
+        /// Vertices there are.
+        n_vertices: usize,
+    },
+    /// A linear system of the heat conduction has no unique solution.
+    #[error("heat conduction over the surface is not determined: parts of it hang together at two vertices only")]
+    NotPositiveDefinite,
+    /// The start could not be freed of folds.
+    #[error("{n_triangles} triangles stay folded on the sphere")]
+    Folded {
+        /// Triangles of negative area on the sphere.
+        n_triangles: usize,
+    },
+    /// The first-order ellipsoid is flat.
+    #[error("the first-order ellipsoid has no volume (half axes {half_axes_mm:?} mm)")]
+    Flat {
+        /// Its half axes, mm, longest first.
+        half_axes_mm: [f64; 3],
+    },
+    /// The observer asked to stop.
+    #[error(transparent)]
+    Cancelled(#[from] Cancelled),
+}
+
+/// How a surface is mapped onto the sphere.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ParametrizationOptions {
+    /// Steps of the optimization at most.
+    pub max_iterations: u32,
+    /// It ends when the energy falls by less than this share over ten steps.
+    pub tolerance: f64,
+    /// Weight of the stretching energy against the area energy; small and positive. At 0 any area-preserving map would
+    /// be as good as any other.
+    pub stretching: f64,
+}
+
+impl Default for ParametrizationOptions {
+    fn default() -> Self {
+        ParametrizationOptions { max_iterations: 400, tolerance: 1e-6, stretching: 0.02 }
+    }
+}
+
+/// A one-to-one map of a surface onto the unit sphere.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Parametrization {
+    /// Where every vertex lies on the unit sphere. All triangles (quads cut along their first diagonal) keep their
+    /// orientation there and cover the sphere once.
+    pub directions: Vec<Vector3<f64>>,
+    /// Area-weighted root mean square of `area on the sphere / area on the surface − 1`, both scaled to sum 1; 0 is an
+    /// area-preserving map.
+    pub area_distortion: f64,
+    /// Triangles that the start had folded.
+    pub n_unfolded: usize,
+    /// Steps of the optimization.
+    pub iterations: u32,
+    /// Whether it ended by its tolerance.
+    pub converged: bool,
+}
+
+/// Maps `mesh` onto the unit sphere, with areas as equal and stretching as small as `options` weigh them.
+///
+/// The map depends on the surface only, not on where it lies: a moved copy gets the same map up to a rotation of the
+/// sphere and rounding.
+///
+/// # Errors
+/// [`HarmonicsError`]: a surface that is not closed, not of genus 0 or degenerate; [`HarmonicsError::Folded`];
+/// [`HarmonicsError::Cancelled`].
+///
+/// # Cost
+/// Three sparse Cholesky factorizations and up to `max_iterations` steps of `O(n log n)`; one thread, the same bits
+/// everywhere.
+pub fn parametrize(
+    mesh: &SurfaceMesh,
+    options: &ParametrizationOptions,
+    observer: &dyn Observer,
+) -> Result<Parametrization, HarmonicsError> {
+    if let Some(fault) = analyze(mesh).fault {
+        return Err(fault.into());
+    }
+    let weighted = weights::WeightedEdges::new(mesh)?;
+    let areas = sphere::TargetAreas::new(mesh);
+    let mut directions = heat::initial_directions(mesh, &weighted, &areas)?;
+    let n_unfolded = untangling::untangle(&mut directions, &weighted, &areas, observer)?;
+    let relaxed = relaxation::relax(directions, &weighted, &areas, options, observer)?;
+    Ok(Parametrization {
+        area_distortion: areas.distortion(&relaxed.directions),
+        directions: relaxed.directions,
+        n_unfolded,
+        iterations: relaxed.iterations,
+        converged: relaxed.converged,
+    })
+}
+
+#[cfg(test)]
+mod tests;

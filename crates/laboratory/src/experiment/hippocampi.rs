@@ -1,0 +1,77 @@
+//! Real hippocampi: label volumes of a folder, as surfaces with a part for every vertex.
+
+use homolog_contract::parameters::{Method, preset};
+use homolog_formats::ReadLimits;
+use homolog_formats::nifti::read_nifti;
+use homolog_mesh::SurfaceMesh;
+use homolog_mesh::volume::LabelVolume;
+use homolog_run::intake::{IntakeLimits, prepare_surface};
+use nalgebra::Point3;
+use rayon::prelude::*;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// The label volumes of a folder, by name. They are numbered, never named, in reports.
+pub(super) struct Hippocampi {
+    files: Vec<PathBuf>,
+}
+
+/// One hippocampus.
+#[derive(Debug, Clone)]
+pub(super) struct Subject {
+    /// In the pose in which the scanner saw it, mm.
+    pub mesh: SurfaceMesh,
+    /// Label (1 anterior, 2 posterior) of the voxel nearest to every vertex.
+    pub parts: Vec<u32>,
+}
+
+impl Hippocampi {
+    /// Those of `data/hippocampus`; none if there are no label volumes.
+    pub fn open(data: &Path) -> Option<Self> {
+        let is_volume = |path: &PathBuf| path.to_string_lossy().ends_with(".nii.gz");
+        let entries = fs::read_dir(data.join("hippocampus")).ok()?;
+        let mut files: Vec<PathBuf> = entries.filter_map(|e| Some(e.ok()?.path())).filter(is_volume).collect();
+        files.sort();
+        (!files.is_empty()).then_some(Hippocampi { files })
+    }
+
+    pub fn len(&self) -> usize {
+        self.files.len()
+    }
+
+    /// Hash of the content of a file, and of a file that cannot be read.
+    pub fn hash(&self, index: usize) -> String {
+        fs::read(&self.files[index]).map_or_else(|e| e.to_string(), |bytes| blake3::hash(&bytes).to_hex().to_string())
+    }
+
+    /// Reads a volume and makes a smooth surface of it, as the service does.
+    pub fn subject(&self, index: usize) -> Result<Subject, String> {
+        let bytes = fs::read(&self.files[index]).map_err(|e| format!("subject {index} cannot be read: {e}"))?;
+        let input = preset(Method::Balanced).input;
+        let refused = |e: &dyn std::fmt::Display| format!("subject {index}: {e}");
+        let mesh = prepare_surface(&bytes, None, &input, &IntakeLimits::default()).map_err(|e| refused(&e))?.mesh;
+        let volume = read_nifti(&bytes, &ReadLimits::default()).map_err(|e| refused(&e))?;
+        let parts = nearest_labels(&volume, &mesh);
+        Ok(Subject { mesh, parts })
+    }
+}
+
+/// The label of the voxel nearest to every vertex. Cost `O(vertices · voxels)`.
+fn nearest_labels(volume: &LabelVolume, mesh: &SurfaceMesh) -> Vec<u32> {
+    let [nx, ny, _] = volume.dims();
+    let voxels: Vec<(Point3<f64>, u32)> = volume
+        .labels()
+        .iter()
+        .enumerate()
+        .filter(|(_, label)| **label > 0)
+        .map(|(k, &label)| {
+            let at = Point3::new((k % nx) as f64, (k / nx % ny) as f64, (k / (nx * ny)) as f64);
+            (volume.affine().transform_point(&at), label)
+        })
+        .collect();
+    let nearest = |p: &Point3<f64>| {
+        let distance = |v: &(Point3<f64>, u32)| (v.0 - p).norm_squared();
+        voxels.iter().min_by(|a, b| distance(a).total_cmp(&distance(b))).map_or(0, |v| v.1)
+    };
+    mesh.vertices().par_iter().map(nearest).collect()
+}

@@ -1,0 +1,167 @@
+//! Pairs of surfaces with what is known of the truth between them.
+
+use super::draws::Draws;
+use super::hippocampi::Subject;
+use super::solids::{Form, Individual, bumped};
+use crate::phantom::{PairRecipe, Part, PhantomPair, random_permutation, random_pose};
+use homolog_mesh::{ClosestPointIndex, SurfaceMesh};
+use homolog_primitives::observe::Silent;
+use homolog_registration::{
+    ClosestSurfacePoint, IcpMetric, IcpOptions, RigidTransform, absolute_orientation, refine_icp,
+};
+use nalgebra::{Isometry3, Matrix3, Point3, Vector3};
+use serde::Serialize;
+
+/// A source, a target, and the truth as far as it is known.
+#[derive(Debug, Clone)]
+pub(super) struct Pair {
+    pub source: SurfaceMesh,
+    pub target: SurfaceMesh,
+    /// Where every source vertex belongs on the target, mm.
+    pub truth: Option<Vec<Point3<f64>>>,
+    /// The transform that a registration should find.
+    pub pose: Option<RigidTransform>,
+    /// Part of every source vertex and of every target vertex.
+    pub parts: Option<(Vec<u32>, Vec<u32>)>,
+}
+
+/// How a pair is made; equal recipes give equal pairs.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub(super) struct PhantomRecipe {
+    /// Number of the pair, from which all seeds come.
+    pub number: u64,
+    /// Mean edge of the source, mm; the target is a tenth coarser, so that no vertex has a twin.
+    pub edge_mm: f64,
+    /// RMS of the smooth deformation, as a share of the diagonal.
+    pub deform_share: f64,
+    /// Standard deviation, an axis, of the noise on all vertices, as a share of the diagonal.
+    pub noise_share: f64,
+}
+
+const COARSER: f64 = 1.1;
+
+/// A phantom and its deformed, turned, re-sampled and shuffled copy.
+pub(super) fn phantom_pair(recipe: &PhantomRecipe) -> Result<Pair, String> {
+    let k = recipe.number;
+    let pair = PhantomPair::new(PairRecipe {
+        subject: k,
+        target_subject: k,
+        deform_share: recipe.deform_share,
+        deform_seed: 100 + k,
+        pose_seed: Some(200 + k),
+        permute_seed: Some(300 + k),
+    })
+    .map_err(|e| e.to_string())?;
+    let source = pair.source_surface(recipe.edge_mm).map_err(|e| e.to_string())?;
+    let (target, _) = pair.target_surface(COARSER * recipe.edge_mm).map_err(|e| e.to_string())?;
+    let truth: Vec<_> = source.mesh.vertices().iter().map(|p| pair.place(p)).collect();
+    let pose = absolute_orientation(source.mesh.vertices(), &truth, None, false).map_err(|e| e.to_string())?;
+    let (low, high) = source.mesh.bounding_box();
+    let sigma_mm = recipe.noise_share * (high - low).norm();
+    let noisy = |mesh: SurfaceMesh, seed| {
+        let moved = Draws::new(seed).jitter(mesh.vertices(), sigma_mm);
+        mesh.with_vertices(moved).map_err(|e| e.to_string())
+    };
+    let parts = |parts: &[Part]| parts.iter().map(|p| u32::from(p.label())).collect();
+    Ok(Pair {
+        parts: Some((parts(&source.parts), parts(&target.parts))),
+        source: noisy(source.mesh, 400 + k)?,
+        target: noisy(target.mesh, 500 + k)?,
+        truth: Some(truth),
+        pose: Some(pose),
+    })
+}
+
+/// How a pair of solids is made.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub(super) struct SolidRecipe {
+    pub form: Form,
+    /// Number of the pair, from which all seeds come.
+    pub number: u64,
+    /// How often the triangles of an icosahedron are cut.
+    pub levels: u32,
+}
+
+/// A bumped solid and its turned copy, whose triangles lie elsewhere and which has small bumps of its own. The truth is
+/// that of the points before these.
+pub(super) fn solid_pair(recipe: &SolidRecipe) -> Result<Pair, String> {
+    let k = recipe.number;
+    let (still, frame, motion) = (Isometry3::identity(), random_pose(900 + k), random_pose(1000 + k));
+    let frame = Isometry3::from_parts(still.translation, frame.rotation);
+    let of = |own_seed| Individual { seed: k, own_seed };
+    let source = bumped(recipe.form, recipe.levels, of(None), &still, &still)?;
+    let target = bumped(recipe.form, recipe.levels, of(Some(1100 + k)), &frame, &motion)?;
+    Ok(Pair {
+        truth: Some(source.vertices().iter().map(|p| motion * p).collect()),
+        pose: Some(rigid(&motion)),
+        parts: None,
+        source,
+        target,
+    })
+}
+
+/// A surface and its turned and shuffled copy.
+pub(super) fn copy_pair(subject: &Subject, seed: u64) -> Result<Pair, String> {
+    let motion = random_pose(seed);
+    let (target, order) = turned(&subject.mesh, &motion, seed)?;
+    Ok(Pair {
+        truth: Some(subject.mesh.vertices().iter().map(|p| motion * p).collect()),
+        pose: Some(rigid(&motion)),
+        parts: Some((subject.parts.clone(), shuffled(&subject.parts, &order))),
+        source: subject.mesh.clone(),
+        target,
+    })
+}
+
+/// Two subjects, the second one turned and shuffled. The reference pose is trimmed ICP from where the scanner put them.
+pub(super) fn cross_pair(source: &Subject, target: &Subject, seed: u64) -> Result<Pair, String> {
+    let start =
+        RigidTransform { rotation: Matrix3::identity(), translation: target.mesh.centroid() - source.mesh.centroid() };
+    let options = IcpOptions { metric: IcpMetric::PointToPoint, keep: 0.9, max_iterations: 100, tolerance: 1e-6 };
+    let closest = Surface(ClosestPointIndex::new(&target.mesh));
+    let reference = refine_icp(source.mesh.vertices(), &closest, &start, &options, &Silent)
+        .map_err(|e| e.to_string())?
+        .target_from_source;
+    let motion = random_pose(seed);
+    let (moved, order) = turned(&target.mesh, &motion, seed)?;
+    Ok(Pair {
+        source: source.mesh.clone(),
+        target: moved,
+        truth: None,
+        pose: Some(rigid(&motion).after(&reference)),
+        parts: Some((source.parts.clone(), shuffled(&target.parts, &order))),
+    })
+}
+
+fn rigid(motion: &Isometry3<f64>) -> RigidTransform {
+    RigidTransform { rotation: *motion.rotation.to_rotation_matrix().matrix(), translation: motion.translation.vector }
+}
+
+/// The surface moved, vertex `k` of it put at `order[k]`.
+fn turned(mesh: &SurfaceMesh, motion: &Isometry3<f64>, seed: u64) -> Result<(SurfaceMesh, Vec<u32>), String> {
+    let order = random_permutation(mesh.n_vertices(), seed);
+    let mut vertices = vec![Point3::origin(); mesh.n_vertices()];
+    for (p, &new) in mesh.vertices().iter().zip(&order) {
+        vertices[new as usize] = motion * p;
+    }
+    let indices = mesh.indices().iter().map(|&k| order[k as usize]).collect();
+    let mesh = SurfaceMesh::new(vertices, mesh.arity(), indices).map_err(|e| e.to_string())?;
+    Ok((mesh, order))
+}
+
+fn shuffled(parts: &[u32], order: &[u32]) -> Vec<u32> {
+    let mut moved = vec![0; parts.len()];
+    for (&part, &new) in parts.iter().zip(order) {
+        moved[new as usize] = part;
+    }
+    moved
+}
+
+/// Closest points for ICP from point to point, which asks for no normals.
+struct Surface(ClosestPointIndex);
+
+impl ClosestSurfacePoint for Surface {
+    fn closest(&self, query: &Point3<f64>) -> (Point3<f64>, Vector3<f64>) {
+        (self.0.closest(query).point, Vector3::z())
+    }
+}

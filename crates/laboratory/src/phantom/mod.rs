@@ -1,0 +1,72 @@
+//! Synthetic hippocampus-like shapes with a known truth: for the demo, for tests, and for users without data.
+//!
+//! A [`Phantom`] is one subject, made from a seed: a bent, tapered, bumpy tube of genus 0 with a larger head in front
+//! and a thin, curved tail. It gives itself as a closed triangle surface ([`Phantom::surface`]) or as a label volume
+//! with an anterior and a posterior part ([`Phantom::volume`]), both of the same formula. A [`PhantomPair`] adds the
+//! second surface of a pair, deformed by a known smooth field and put into a known pose. Nothing here reads a file or
+//! a clock; the same seeds give the same shapes.
+
+mod deformation;
+mod pair;
+mod random;
+mod raster;
+mod shape;
+mod spine;
+mod surface;
+
+pub use deformation::{Deformation, MAX_RMS_SHARE, MIN_JACOBIAN, random_permutation, random_pose};
+pub use pair::{PairRecipe, PhantomPair};
+pub use raster::PhantomVolume;
+pub use shape::{Part, Phantom};
+pub use surface::PhantomSurface;
+
+use homolog_mesh::MeshError;
+
+/// Edge length that gives about as many vertices (2,400) as the surface of a real hippocampus labelled at 1 mm.
+pub const DEFAULT_EDGE_MM: f64 = 0.8;
+
+/// Why a phantom cannot be made as asked.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum PhantomError {
+    /// The edge length is not one that makes a usable surface.
+    #[error("edges of {edge_mm} mm are asked for; from 0.2 to 4 mm can be made")]
+    EdgeOutOfRange {
+        /// Asked for, mm.
+        edge_mm: f64,
+    },
+    /// The voxel spacing is not one that shows the shape.
+    #[error("a spacing of {spacing_mm} mm is asked for; from 0.2 to 3 mm can be made")]
+    SpacingOutOfRange {
+        /// Asked for, mm.
+        spacing_mm: f64,
+    },
+    /// The deformation asked for is too strong, or negative.
+    #[error("a deformation of {rms_share} of the diagonal is asked for; from 0 to {MAX_RMS_SHARE} can be made")]
+    ShareOutOfRange {
+        /// RMS displacement asked for, as a share of the diagonal.
+        rms_share: f64,
+    },
+    /// No deformation of this strength and seed keeps the orientation.
+    #[error("no deformation of {rms_share} of the diagonal with this seed keeps the orientation; take another seed")]
+    Folds {
+        /// RMS displacement asked for, as a share of the diagonal.
+        rms_share: f64,
+    },
+    /// There is nothing to deform or to fill.
+    #[error("the surface has no vertices")]
+    NoVertices,
+    /// The volume would not fit.
+    #[error("the volume would have {n_voxels} voxels; at most {max} can be made")]
+    TooManyVoxels {
+        /// Voxels needed.
+        n_voxels: usize,
+        /// Allowed.
+        max: usize,
+    },
+    /// The surface is no mesh.
+    #[error(transparent)]
+    Mesh(#[from] MeshError),
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,34 @@
+//! The lower bound on the energy, as the first step of a match that asks for one.
+
+use super::MatchError;
+use homolog_mrf::MrfModel;
+use homolog_mrf::inference::{DualBound, DualOptions};
+use homolog_primitives::observe::{Observer, Phase, TracePoint};
+
+/// The bound is met when the energy of a labeling is within this share of it.
+const GAP_TOLERANCE: f64 = 1e-9;
+/// Iterations that lift the bound by less than this share are not worth their time.
+const PROGRESS_TOLERANCE: f64 = 1e-6;
+
+/// A bound below the energy of every labeling, after at most `iterations`; none if that is 0.
+pub(super) fn lower_bound(
+    model: &MrfModel,
+    iterations: u32,
+    observer: &dyn Observer,
+) -> Result<Option<f64>, MatchError> {
+    if iterations == 0 {
+        return Ok(None);
+    }
+    observer.phase(Phase::Bounding);
+    let options = DualOptions { gap_tolerance: GAP_TOLERANCE, progress_tolerance: PROGRESS_TOLERANCE };
+    let found = DualBound::new(model, options).run(iterations, observer, |iteration, _| {
+        observer.trace(&TracePoint {
+            energy: Some(iteration.energy.total()),
+            energy_unary: Some(iteration.energy.unary),
+            energy_pairwise: Some(iteration.energy.pairwise),
+            lower_bound: Some(iteration.bound),
+            ..TracePoint::new(0, Phase::Bounding, iteration.iteration)
+        });
+    })?;
+    Ok(Some(found.bound))
+}

@@ -1,0 +1,152 @@
+//! The first stage: which pose, and the field from it.
+
+use super::stages::{Displacement, State, between, displaced, likeness, precision_of_features, pulls_to_means, share};
+use super::surface::{N_FEATURES, Thinned};
+use crate::MatchError;
+use faer::Mat;
+use homolog_primitives::observe::checkpoint;
+use homolog_registration::RigidTransform;
+use homolog_registration::deformation::{Samples, assign, fit};
+use nalgebra::{Point3, Vector3};
+use rayon::prelude::*;
+
+/// Vertices and steps of the first glance at every pose.
+const GLANCE_SAMPLES: usize = 250;
+const GLANCE_STEPS: u32 = 6;
+/// Of poses of one handedness that are nearer to each other than this, radians, the better one is followed: the stages
+/// to come would bring them together.
+const SAME_POSE: f64 = std::f64::consts::FRAC_PI_4;
+/// Poses of one handedness that are followed after the first glance.
+const FOLLOWED: usize = 2;
+
+/// A rigid pose to start from.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct StartPose {
+    /// `target_from_source`.
+    pub pose: RigidTransform,
+    /// How much worse than the best it is by what is known before; counts as misfit.
+    pub excess: f64,
+}
+
+/// What the first stage says of one pose.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct JudgedPose {
+    /// Which of the poses.
+    pub pose: usize,
+    /// Whether it mirrors.
+    pub mirrored: bool,
+    /// Mean of `−ln` of how much of a matching surface each point sees, lower is better, after the bending.
+    pub misfit: f64,
+}
+
+impl Displacement<'_> {
+    /// The poses that were followed, the best that may be answered first, and the field of that one.
+    pub fn coarse(
+        &self,
+        poses: &[StartPose],
+        may_answer: impl Fn(&RigidTransform) -> bool,
+    ) -> Result<Option<(Vec<JudgedPose>, State)>, MatchError> {
+        let Some(followed) = self.glance(poses)? else { return Ok(None) };
+        let n = self.options.n_samples[0];
+        let (source, target) = (self.source.thinned(n), self.target.thinned(n));
+        let values = self.guides.below(&self.basis.values(&source.points));
+        // Each pose alone, so that all cores have work where a step is too short to share.
+        let found: Vec<Option<(f64, State)>> = followed
+            .par_iter()
+            .map(|&pose| {
+                checkpoint(self.observer)?;
+                Ok(self.coarse_from(&poses[pose].pose, &source, &target, &values, self.options.steps[0]))
+            })
+            .collect::<Result<_, MatchError>>()?;
+        let mut best: Option<State> = None;
+        let mut judged: Vec<JudgedPose> = Vec::new();
+        for (&pose, found) in followed.iter().zip(found) {
+            let Some((misfit, state)) = found else { return Ok(None) };
+            let misfit = misfit + poses[pose].excess;
+            if may_answer(&poses[pose].pose)
+                && judged.iter().all(|j| misfit < j.misfit || !may_answer(&poses[j.pose].pose))
+            {
+                best = Some(state);
+            }
+            judged.push(JudgedPose { pose, mirrored: poses[pose].pose.is_reflection(), misfit });
+        }
+        judged.sort_by(|a, b| {
+            let rank = |j: &JudgedPose| !may_answer(&poses[j.pose].pose);
+            rank(a).cmp(&rank(b)).then(a.misfit.total_cmp(&b.misfit)).then(a.pose.cmp(&b.pose))
+        });
+        Ok(best.map(|state| (judged, state)))
+    }
+
+    /// The field from one pose alone.
+    pub fn coarse_alone(&self, pose: &RigidTransform) -> Option<State> {
+        let n = self.options.n_samples[0];
+        let (source, target) = (self.source.thinned(n), self.target.thinned(n));
+        let values = self.guides.below(&self.basis.values(&source.points));
+        self.coarse_from(pose, &source, &target, &values, self.options.steps[0]).map(|(_, state)| state)
+    }
+
+    /// The poses worth following, after a few steps on few vertices from each: the best of each handedness.
+    fn glance(&self, poses: &[StartPose]) -> Result<Option<Vec<usize>>, MatchError> {
+        let (source, target) = (self.source.thinned(GLANCE_SAMPLES), self.target.thinned(GLANCE_SAMPLES));
+        let values = self.guides.below(&self.basis.values(&source.points));
+        let seen: Vec<Option<(f64, usize)>> = poses
+            .par_iter()
+            .enumerate()
+            .map(|(k, pose)| {
+                checkpoint(self.observer)?;
+                let found = self.coarse_from(&pose.pose, &source, &target, &values, GLANCE_STEPS);
+                Ok(found.map(|(misfit, _)| (misfit + pose.excess, k)))
+            })
+            .collect::<Result<_, MatchError>>()?;
+        let Some(mut seen) = seen.into_iter().collect::<Option<Vec<_>>>() else { return Ok(None) };
+        seen.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+        let mut followed: Vec<usize> = Vec::new();
+        for (_, k) in seen {
+            let alike = |&&other: &&usize| poses[other].pose.is_reflection() == poses[k].pose.is_reflection();
+            let near = |&&other: &&usize| poses[other].pose.angle_to(&poses[k].pose) < SAME_POSE;
+            let kin: Vec<&usize> = followed.iter().filter(alike).collect();
+            if kin.len() < FOLLOWED && !kin.iter().any(near) {
+                followed.push(k);
+            }
+        }
+        Ok(Some(followed))
+    }
+
+    /// The field from one pose after so many steps, with its misfit.
+    fn coarse_from(
+        &self,
+        pose: &RigidTransform,
+        source: &Thinned,
+        target: &Thinned,
+        values: &Mat<f64>,
+        steps: u32,
+    ) -> Option<(f64, State)> {
+        let base: Vec<Point3<f64>> = source.points.iter().map(|p| pose.apply(p)).collect();
+        let guided = self.guides.pulls(pose);
+        let normals: Vec<Vector3<f64>> = source.normals.iter().map(|n| pose.rotation * n).collect();
+        let mut moved = base.clone();
+        let assigned = |moved: &[Point3<f64>], sigma: f64, precision: Vec<f64>| {
+            let samples = Samples { points: moved, normals: &normals, ..source.samples() };
+            assign(&samples, &target.samples(), &likeness(sigma * self.diagonal_mm, precision))
+        };
+        let [sigma, last_sigma, ..] = self.options.sigma;
+        let [density, last_density, ..] = self.options.density;
+        let mut precision = precision_of_features(&[1.0; N_FEATURES]);
+        let mut field = None;
+        for step in 0..steps.max(1) {
+            let at = share(step, steps);
+            let sigma = between(sigma, last_sigma, at);
+            let found = assigned(&moved, sigma, precision);
+            let weight = between(density, last_density, at) / (sigma * self.diagonal_mm).powi(2);
+            let pulls = [pulls_to_means(&found, &base, &source.areas, weight), guided.clone()].concat();
+            let fitted = fit(values.as_ref(), &pulls)?;
+            moved = displaced(&base, &fitted, values);
+            precision = precision_of_features(&found.feature_variance);
+            field = Some(fitted);
+        }
+        // All poses by one yardstick: a wrong pose that has learned to distrust features must not gain by it.
+        let misfit = assigned(&moved, last_sigma, vec![4.0 / N_FEATURES as f64; N_FEATURES]).misfit
+            + field.as_ref().map_or(0.0, |field| self.guides.misfit(pose, field));
+        field.map(|field| (misfit, State { field, feature_precision: precision }))
+    }
+}

@@ -1,0 +1,83 @@
+//! Landmarks as a displacement field hears them.
+
+use faer::Mat;
+use homolog_contract::parameters::Landmark;
+use homolog_registration::deformation::{FieldBasis, FittedField, Pull};
+use homolog_registration::{RigidTransform, absolute_orientation};
+use nalgebra::{Point3, Vector3};
+
+/// What one landmark adds to the misfit of a pose at most, so that a wrong one does not decide alone.
+const CAP: f64 = 10.0;
+/// Poses are judged before the field is fine: landmarks count as no more exact than this, mm.
+const COARSE_MM: f64 = 2.0;
+
+/// Points with where they should go.
+pub(super) struct Guides {
+    source: Vec<Point3<f64>>,
+    target: Vec<Point3<f64>>,
+    sigma_mm: Vec<f64>,
+    /// Functions of the field at the points, a row each.
+    values: Mat<f64>,
+}
+
+impl Guides {
+    pub fn new(landmarks: &[Landmark], basis: &FieldBasis) -> Self {
+        let source: Vec<Point3<f64>> = landmarks.iter().map(|l| Point3::from(l.source_mm)).collect();
+        Guides {
+            values: basis.values(&source),
+            source,
+            target: landmarks.iter().map(|l| Point3::from(l.target_mm)).collect(),
+            sigma_mm: landmarks.iter().map(|l| l.sigma_mm).collect(),
+        }
+    }
+
+    /// The same points for a field that moves the target to the source; `basis` is that field's.
+    pub fn swapped(&self, basis: &FieldBasis) -> Self {
+        Guides {
+            values: basis.values(&self.target),
+            source: self.target.clone(),
+            target: self.source.clone(),
+            sigma_mm: self.sigma_mm.clone(),
+        }
+    }
+
+    /// `values` with the rows of the guides below.
+    pub fn below(&self, values: &Mat<f64>) -> Mat<f64> {
+        let n = values.nrows();
+        Mat::from_fn(n + self.source.len(), values.ncols(), |i, k| {
+            if i < n { values[(i, k)] } else { self.values[(i - n, k)] }
+        })
+    }
+
+    /// The pull of each guide on a source that `pose` has moved.
+    pub fn pulls(&self, pose: &RigidTransform) -> Vec<Pull> {
+        let pull = |((p, q), sigma): ((&Point3<f64>, &Point3<f64>), &f64)| {
+            let precision = 1.0 / (sigma * sigma);
+            Pull { displacement: q - pose.apply(p), normal: Vector3::x(), along: precision, across: precision }
+        };
+        self.source.iter().zip(&self.target).zip(&self.sigma_mm).map(pull).collect()
+    }
+
+    /// How badly `pose` and `field` together miss the guides: half the mean squared distance in standard deviations.
+    pub fn misfit(&self, pose: &RigidTransform, field: &FittedField) -> f64 {
+        if self.source.is_empty() {
+            return 0.0;
+        }
+        let displaced = field.displacements(self.values.as_ref());
+        let missed =
+            self.source.iter().zip(&self.target).zip(&self.sigma_mm).zip(&displaced).map(|(((p, q), sigma), u)| {
+                let sigma = sigma.max(COARSE_MM);
+                (0.5 * (pose.apply(p) + u - q).norm_squared() / (sigma * sigma)).min(CAP)
+            });
+        missed.sum::<f64>() / self.source.len() as f64
+    }
+}
+
+/// The rigid transform of the landmarks alone, if three or more determine it; each counts by its precision.
+pub(crate) fn landmark_pose(landmarks: &[Landmark], allow_reflection: bool) -> Option<RigidTransform> {
+    let of = |point: fn(&Landmark) -> [f64; 3]| -> Vec<Point3<f64>> {
+        landmarks.iter().map(|l| Point3::from(point(l))).collect()
+    };
+    let weights: Vec<f64> = landmarks.iter().map(|l| 1.0 / (l.sigma_mm * l.sigma_mm)).collect();
+    absolute_orientation(&of(|l| l.source_mm), &of(|l| l.target_mm), Some(&weights), allow_reflection).ok()
+}

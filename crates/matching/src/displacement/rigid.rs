@@ -1,0 +1,95 @@
+//! The rigid transform that a displacement amounts to.
+//!
+//! Where surfaces differ in shape, it is the absolute orientation of all correspondences. Where they are copies, the
+//! field's freedom is only noise: then points against tangent planes, both ways and on surfaces without the voxels'
+//! steps, are finer. On re-sampled copies the median rotation error was 0.27° by the former and 0.13° by the latter;
+//! leaving out the farthest tenth of the pairs, as ICP does, gave 0.24°.
+//!
+//! Where a surface is open, a part may be missing, and the pairs of what has no counterpart turn their orientation: on
+//! copies without a fifth of their area at one end the field's bending hid that they are copies, and the orientation of
+//! its pairs was off by 4° to 16° for synthetic shapes and by 1° to 7° for real ones. So open surfaces are laid on each other
+//! first, and are copies if what is left along the normals is as small as sampling.
+//!
+//! Source: Chen, Medioni 1992 (point-to-plane); Rusinkiewicz, "A symmetric objective function for ICP", 2019 (both
+//! surfaces take part; here each in turn is the one with planes); Tukey's biweight for what has no counterpart.
+
+use super::stages::Displacement;
+use crate::MatchError;
+use crate::surface_index::SurfaceIndex;
+use homolog_geometry::curvature::vertex_areas;
+use homolog_mesh::SurfaceMesh;
+use homolog_registration::{
+    IcpMetric, RigidTransform, SurfaceSide, TwoSidedOptions, absolute_orientation, align_both_ways,
+};
+use nalgebra::Point3;
+
+/// Root mean square displacement in mean target edge lengths, after the rigid transform, below which surfaces are
+/// copies. Re-sampled copies are at about 0.2, 4 % warps above 1.
+const COPY_EDGES: f64 = 0.5;
+/// Of open surfaces: the robust standard deviation of the residuals along the normals, in the same edges, below which
+/// they are. It was 0.11 to 0.15 for forty copies with an end cut.
+const OPEN_COPY_EDGES: f64 = 0.2;
+/// Points of each surface and steps that find it.
+const FIRST_SAMPLE: usize = 400;
+const FIRST_STEPS: u32 = 10;
+const MAX_STEPS: u32 = 30;
+/// Ends when a step turns by less, radians, and moves by less, mm.
+const TOLERANCE: f64 = 1e-7;
+
+/// A rigid transform, and what surfaces it is between.
+pub(super) struct RigidPart {
+    /// `target_from_source`.
+    pub transform: RigidTransform,
+    /// Whether they are copies of one shape.
+    pub copies: bool,
+}
+
+impl Displacement<'_> {
+    /// The rigid part of the correspondences `source vertex → image` (mm), where `open` says that one of the surfaces
+    /// has a boundary. `None` for collinear ones.
+    ///
+    /// # Errors
+    /// [`MatchError::Cancelled`].
+    pub fn rigid_part(
+        &self,
+        source: &SurfaceMesh,
+        images: &[Point3<f64>],
+        edge_mm: f64,
+        open: bool,
+    ) -> Result<Option<RigidPart>, MatchError> {
+        let areas = vertex_areas(source);
+        // A field keeps the handedness of its pose.
+        let Ok(fitted) = absolute_orientation(source.vertices(), images, Some(&areas), true) else { return Ok(None) };
+        let squares: f64 =
+            source.vertices().iter().zip(images).map(|(p, q)| (fitted.apply(p) - q).norm_squared()).sum();
+        let mut copies = (squares / images.len() as f64).sqrt() < COPY_EDGES * edge_mm;
+        if !copies && !open {
+            return Ok(Some(RigidPart { transform: fitted, copies }));
+        }
+        let closest = SurfaceIndex::with_normals(&self.source.mesh, self.source.normals.clone());
+        let of_source =
+            SurfaceSide { points: self.source.mesh.vertices(), areas: &self.source.areas, closest: &closest };
+        let of_target =
+            SurfaceSide { points: self.target.mesh.vertices(), areas: &self.target.areas, closest: &self.closest };
+        let options = TwoSidedOptions {
+            metric: IcpMetric::PointToPlane,
+            max_sample: usize::MAX,
+            sample_steps: 0,
+            full_steps: MAX_STEPS,
+            tolerance: TOLERANCE,
+        };
+        let mut start = fitted;
+        if !copies {
+            let first =
+                TwoSidedOptions { max_sample: FIRST_SAMPLE, sample_steps: FIRST_STEPS, full_steps: 0, ..options };
+            let found = align_both_ways(&of_source, &of_target, &fitted, &first, self.observer)?;
+            copies = found.residual_mm < OPEN_COPY_EDGES * edge_mm;
+            if !copies {
+                return Ok(Some(RigidPart { transform: fitted, copies }));
+            }
+            start = found.target_from_source;
+        }
+        let found = align_both_ways(&of_source, &of_target, &start, &options, self.observer)?;
+        Ok(Some(RigidPart { transform: found.target_from_source, copies }))
+    }
+}

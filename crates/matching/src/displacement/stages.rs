@@ -1,0 +1,69 @@
+//! What the stages of a displacement share.
+
+use super::DisplacementOptions;
+use super::guides::Guides;
+use super::surface::{N_FEATURES, SmoothSurface};
+use crate::surface_index::SurfaceIndex;
+use faer::Mat;
+use homolog_primitives::observe::Observer;
+use homolog_registration::deformation::{Assignment, FieldBasis, FittedField, Likeness, Pull};
+use nalgebra::{Point3, Vector3};
+
+/// `ν` in the assignment's `ν (1 − ⟨n, n'⟩)`.
+const NORMAL_WEIGHT: f64 = 2.0;
+/// Share of a surface without counterpart.
+const OUTLIER: f64 = 0.1;
+/// Curvatures of one place at several scales say nearly the same: together they count as half an observation.
+const FEATURE_SHARE: f64 = 0.5;
+/// Feature variances are taken to be at least this, in squared robust standard deviations.
+const MIN_FEATURE_VARIANCE: f64 = 0.02;
+/// Geometric interpolation.
+pub(super) fn between(from: f64, to: f64, share: f64) -> f64 {
+    from * (to / from).powf(share)
+}
+
+pub(super) fn share(step: u32, steps: u32) -> f64 {
+    f64::from(step) / f64::from(steps.saturating_sub(1).max(1))
+}
+
+/// A field with what the assignment has learned.
+pub(super) struct State {
+    pub field: FittedField,
+    pub feature_precision: Vec<f64>,
+}
+
+pub(super) fn likeness(sigma_mm: f64, feature_precision: Vec<f64>) -> Likeness {
+    Likeness { sigma_mm, normal_weight: NORMAL_WEIGHT, feature_precision, outlier: OUTLIER }
+}
+
+pub(super) fn precision_of_features(variance: &[f64]) -> Vec<f64> {
+    variance.iter().map(|v| FEATURE_SHARE / (N_FEATURES as f64 * v.max(MIN_FEATURE_VARIANCE))).collect()
+}
+
+pub(super) fn displaced(base: &[Point3<f64>], field: &FittedField, values: &Mat<f64>) -> Vec<Point3<f64>> {
+    base.iter().zip(field.displacements(values.as_ref())).map(|(p, u)| p + u).collect()
+}
+
+/// Pulls towards the assigned means, the same in every direction.
+pub(super) fn pulls_to_means(found: &Assignment, base: &[Point3<f64>], areas: &[f64], precision: f64) -> Vec<Pull> {
+    (0..base.len())
+        .map(|i| {
+            let weight = precision * found.mass[i] * areas[i];
+            let displacement = found.targets[i] - base[i];
+            Pull { displacement, normal: Vector3::x(), along: weight, across: weight }
+        })
+        .collect()
+}
+
+/// What all stages share.
+pub(super) struct Displacement<'a> {
+    pub source: SmoothSurface,
+    pub target: SmoothSurface,
+    /// Closest points of the target, with its normals.
+    pub closest: SurfaceIndex,
+    pub basis: FieldBasis,
+    pub guides: Guides,
+    pub diagonal_mm: f64,
+    pub options: &'a DisplacementOptions,
+    pub observer: &'a dyn Observer,
+}

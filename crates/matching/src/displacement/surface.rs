@@ -1,0 +1,155 @@
+//! A surface as displacement sees it: slightly smoothed, with curvature features as numbers of comparable size.
+
+use crate::MatchError;
+use homolog_geometry::curvature::{Curvatures, Estimator, ScaleSpace, curvatures, vertex_areas};
+use homolog_mesh::SurfaceMesh;
+use homolog_registration::deformation::Samples;
+use nalgebra::{Point3, Vector3};
+use rayon::prelude::*;
+
+/// Scales of the features, mm: finer than those that find the pose, because the poses are close already. The first is
+/// that of the normals as well.
+const FEATURE_SCALES_MM: [f64; 3] = [1.0, 2.0, 3.5];
+/// Gaussian and mean curvature at each scale.
+pub(super) const N_FEATURES: usize = 2 * FEATURE_SCALES_MM.len();
+/// Features count up to this many robust standard deviations from the median.
+const FEATURE_CAP: f64 = 3.0;
+/// Scale of the positions that fields and rigid transforms are fitted to, mm: takes off the steps that voxels leave.
+const POSITION_SCALE_MM: f64 = 0.7;
+
+/// How far light smoothing moves the vertices of a surface that voxels of 1 mm left, mm. One that it moves farther is
+/// noisy, and all scales grow with that.
+const GRAIN_MM: f64 = 0.09;
+const MAX_COARSENING: f64 = 4.0;
+
+/// One surface, prepared.
+#[derive(Clone)]
+pub(super) struct SmoothSurface {
+    /// Positions at [`POSITION_SCALE_MM`].
+    pub mesh: SurfaceMesh,
+    /// Unit normals of its vertices.
+    pub normals: Vec<Vector3<f64>>,
+    /// Area of each vertex, mm².
+    pub areas: Vec<f64>,
+    /// `n × N_FEATURES`.
+    pub features: Vec<f64>,
+}
+
+/// Every `k`-th vertex of a surface, with the area of all.
+pub(super) struct Thinned {
+    /// Which.
+    pub vertices: Vec<usize>,
+    pub points: Vec<Point3<f64>>,
+    pub normals: Vec<Vector3<f64>>,
+    pub areas: Vec<f64>,
+    pub features: Vec<f64>,
+}
+
+/// Both surfaces; features are brought to the median and the median absolute deviation of both together.
+///
+/// # Errors
+/// [`MatchError::ScaleSpace`].
+pub(super) fn prepare(
+    source: &SurfaceMesh,
+    target: &SurfaceMesh,
+) -> Result<(SmoothSurface, SmoothSurface), MatchError> {
+    let (a, b) = rayon::join(|| Flow::new(source), || Flow::new(target));
+    let (a, b) = (a?, b?);
+    // One set of scales for both, or the smoother surface would look different.
+    let coarsening = (a.grain_mm().max(b.grain_mm()) / GRAIN_MM).clamp(1.0, MAX_COARSENING);
+    let (a, b) = rayon::join(|| a.surface(coarsening), || b.surface(coarsening));
+    let ((mut a, a_values), (mut b, b_values)) = (a?, b?);
+    for (feature, (of_a, of_b)) in a_values.iter().zip(&b_values).enumerate() {
+        let mut all: Vec<f64> = of_a.iter().chain(of_b).copied().collect();
+        let center = median(&mut all);
+        all.iter_mut().for_each(|x| *x = (*x - center).abs());
+        // A sphere has the same curvature everywhere: then the feature says nothing, and nothing is divided by 0.
+        let scale = (1.4826 * median(&mut all)).max(f64::MIN_POSITIVE.sqrt());
+        for (values, side) in [(of_a, &mut a), (of_b, &mut b)] {
+            for (i, x) in values.iter().enumerate() {
+                side.features[i * N_FEATURES + feature] = ((x - center) / scale).clamp(-FEATURE_CAP, FEATURE_CAP);
+            }
+        }
+    }
+    Ok((a, b))
+}
+
+/// The middle of `values` in ascending order, the upper one of two; orders them partly.
+pub(super) fn median(values: &mut [f64]) -> f64 {
+    let middle = values.len() / 2;
+    *values.select_nth_unstable_by(middle, f64::total_cmp).1
+}
+
+/// A surface with its scale space.
+struct Flow<'a> {
+    mesh: &'a SurfaceMesh,
+    space: ScaleSpace<'a>,
+    /// At [`POSITION_SCALE_MM`].
+    smoothed: SurfaceMesh,
+}
+
+impl<'a> Flow<'a> {
+    fn new(mesh: &'a SurfaceMesh) -> Result<Self, MatchError> {
+        let space = ScaleSpace::new(mesh);
+        let smoothed = at(&space, POSITION_SCALE_MM)?;
+        Ok(Flow { mesh, space, smoothed })
+    }
+
+    /// Median distance that light smoothing moves a vertex, mm.
+    fn grain_mm(&self) -> f64 {
+        let (rough, smooth) = (self.mesh.vertices(), self.smoothed.vertices());
+        let mut moved: Vec<f64> = rough.iter().zip(smooth).map(|(p, q)| (p - q).norm()).collect();
+        median(&mut moved)
+    }
+
+    /// The surface without features, and their values as they are; all scales `coarsening` times as coarse.
+    fn surface(self, coarsening: f64) -> Result<(SmoothSurface, Vec<Vec<f64>>), MatchError> {
+        let at_scales: Vec<(SurfaceMesh, Curvatures)> = FEATURE_SCALES_MM
+            .into_par_iter()
+            .map(|scale_mm| {
+                let smoothed = at(&self.space, coarsening * scale_mm)?;
+                let measured = curvatures(&smoothed, Estimator::AngleDefect);
+                Ok((smoothed, measured))
+            })
+            .collect::<Result<_, MatchError>>()?;
+        let normals = at_scales[0].0.vertex_normals();
+        let values = at_scales.into_iter().flat_map(|(_, measured)| [measured.mean, measured.gaussian]).collect();
+        let mesh = if coarsening > 1.0 { at(&self.space, coarsening * POSITION_SCALE_MM)? } else { self.smoothed };
+        let surface = SmoothSurface {
+            normals,
+            areas: vertex_areas(&mesh),
+            features: vec![0.0; mesh.n_vertices() * N_FEATURES],
+            mesh,
+        };
+        Ok((surface, values))
+    }
+}
+
+fn at(space: &ScaleSpace<'_>, scale_mm: f64) -> Result<SurfaceMesh, MatchError> {
+    space.smoothed(scale_mm).map_err(|_| MatchError::ScaleSpace { scale_mm })
+}
+
+impl SmoothSurface {
+    pub fn samples(&self) -> Samples<'_> {
+        Samples { points: self.mesh.vertices(), normals: &self.normals, areas: &self.areas, features: &self.features }
+    }
+
+    /// At most `n` vertices. Canonical numbering follows a curve through space, so every `k`-th is an even sample.
+    pub fn thinned(&self, n: usize) -> Thinned {
+        let step = self.mesh.n_vertices().div_ceil(n);
+        let picked = || (0..self.mesh.n_vertices()).step_by(step);
+        Thinned {
+            vertices: picked().collect(),
+            points: picked().map(|i| self.mesh.vertices()[i]).collect(),
+            normals: picked().map(|i| self.normals[i]).collect(),
+            areas: picked().map(|i| self.areas[i] * step as f64).collect(),
+            features: picked().flat_map(|i| self.features[i * N_FEATURES..][..N_FEATURES].to_vec()).collect(),
+        }
+    }
+}
+
+impl Thinned {
+    pub fn samples(&self) -> Samples<'_> {
+        Samples { points: &self.points, normals: &self.normals, areas: &self.areas, features: &self.features }
+    }
+}

@@ -1,0 +1,144 @@
+//! Laws of displacement on a bent bean.
+
+use super::{DisplacementAnswer, DisplacementOptions, StartPose, Surfaces};
+use crate::MatchError;
+use homolog_mesh::shapes::ellipsoid;
+use homolog_mesh::{CanonicalMesh, ClosestPointIndex, FaceArity, SurfaceMesh, canonicalize};
+use homolog_primitives::observe::{Observer, Silent};
+use homolog_registration::{RigidTransform, absolute_orientation, principal_axis_poses};
+use nalgebra::{Point3, Rotation3, Vector3};
+
+/// The displacement of `source` fitted on all its vertices.
+fn displace(
+    source: &SurfaceMesh,
+    target: &SurfaceMesh,
+    poses: &[RigidTransform],
+    options: &DisplacementOptions,
+    observer: &dyn Observer,
+) -> Result<Option<DisplacementAnswer>, MatchError> {
+    let surfaces = Surfaces {
+        source,
+        target,
+        full_source: source,
+        full_target: target,
+        full_closest: &ClosestPointIndex::new(target),
+        landmarks: &[],
+    };
+    let poses: Vec<_> = poses.iter().map(|&pose| StartPose { pose, excess: 0.0 }).collect();
+    super::displace(&surfaces, &poses, true, options, observer)
+}
+
+/// A lopsided bean of 2562 vertices, its cross-sections rounded triangles: round ones would have nothing against rolling.
+pub(crate) fn lopsided_bean() -> SurfaceMesh {
+    let mesh = ellipsoid(Vector3::new(18.0, 7.0, 5.0), 4);
+    let bent = mesh
+        .vertices()
+        .iter()
+        .map(|p| {
+            let along = p.x / 18.0;
+            let ridges = 0.12 * (3.0 * (p.z / 5.0).atan2(p.y / 7.0) + along).cos();
+            let width = 1.0 + 0.3 * along + 0.12 * (5.0 * along).sin() + ridges;
+            Point3::new(p.x, p.y * width + 5.0 * along * along, p.z * width + (2.0 * along).sin())
+        })
+        .collect();
+    mesh.with_vertices(bent).unwrap()
+}
+
+fn turned() -> RigidTransform {
+    let rotation = *Rotation3::new(Vector3::new(1.9, -0.7, 2.2)).matrix();
+    RigidTransform { rotation, translation: Vector3::new(12.0, -30.0, 7.0) }
+}
+
+/// A smooth displacement of about 2 mm.
+fn warped(p: &Point3<f64>) -> Point3<f64> {
+    let bump = |c: Vector3<f64>, a: Vector3<f64>| a * (-(p.coords - c).norm_squared() / (2.0 * 81.0)).exp();
+    p + bump(Vector3::new(10.0, 0.0, 3.0), Vector3::new(1.0, 2.5, -1.0))
+        + bump(Vector3::new(-9.0, 4.0, 0.0), Vector3::new(2.0, -1.5, 2.0))
+}
+
+/// Source, target, and for every canonical source vertex its true image.
+fn pair(warp: fn(&Point3<f64>) -> Point3<f64>) -> (CanonicalMesh, CanonicalMesh, Vec<Point3<f64>>) {
+    let source = lopsided_bean();
+    let images: Vec<Point3<f64>> = source.vertices().iter().map(|p| turned().apply(&warp(p))).collect();
+    let target = canonicalize(&source.with_vertices(images.clone()).unwrap());
+    let source = canonicalize(&source);
+    let images = source.original.iter().map(|&k| images[k as usize]).collect();
+    (source, target, images)
+}
+
+#[test]
+fn a_warped_copy_is_followed_where_no_rigid_transform_can() {
+    let (source, target, images) = pair(warped);
+    let poses = principal_axis_poses(source.mesh.vertices(), target.mesh.vertices()).unwrap();
+    let found =
+        displace(&source.mesh, &target.mesh, &poses, &DisplacementOptions::default(), &Silent).unwrap().unwrap();
+    let n = images.len() as f64;
+    let mean = found.images.iter().zip(&images).map(|(i, q)| (i.moved - q).norm()).sum::<f64>() / n;
+    let rigid = absolute_orientation(source.mesh.vertices(), &images, None, false).unwrap();
+    let best = source.mesh.vertices().iter().zip(&images).map(|(p, q)| (rigid.apply(p) - q).norm()).sum::<f64>() / n;
+    assert!(mean < 0.8 * target.mesh.mean_edge_length() && mean < 0.5 * best, "{mean} mm, rigid {best} mm");
+    for (image, q) in found.images.iter().zip(&images) {
+        assert!((0.0..=1.0).contains(&image.confidence));
+        assert!((image.closest.point - image.moved).norm() <= (image.moved - q).norm() + 1e-9);
+    }
+    assert_eq!(found.judged.len(), 2, "{:?}", found.judged);
+}
+
+#[test]
+fn a_moved_copy_gives_its_motion() {
+    let (source, target, _) = pair(|p| *p);
+    let poses = principal_axis_poses(source.mesh.vertices(), target.mesh.vertices()).unwrap();
+    let found =
+        displace(&source.mesh, &target.mesh, &poses, &DisplacementOptions::default(), &Silent).unwrap().unwrap();
+    let error = found.transform.angle_to(&turned()).to_degrees();
+    assert!(error < 1e-3, "{error} degrees");
+    assert!(found.residual_mm < 0.05, "{}", found.residual_mm);
+}
+
+#[test]
+fn a_mirrored_copy_is_followed_from_a_mirroring_pose() {
+    let mirror = RigidTransform {
+        rotation: nalgebra::Matrix3::from_diagonal(&Vector3::new(-1.0, 1.0, 1.0)),
+        translation: Vector3::zeros(),
+    };
+    let source = lopsided_bean();
+    let target = source.moved(&turned().after(&mirror).matrix()).unwrap();
+    let (source, target) = (canonicalize(&source), canonicalize(&target));
+    let pose = turned().after(&mirror);
+    let found =
+        displace(&source.mesh, &target.mesh, &[pose], &DisplacementOptions::default(), &Silent).unwrap().unwrap();
+    assert!(found.transform.is_reflection());
+    let edge = target.mesh.mean_edge_length();
+    for (p, image) in source.mesh.vertices().iter().zip(&found.images) {
+        assert!((pose.apply(p) - image.moved).norm() < 0.5 * edge);
+    }
+}
+
+#[test]
+fn renumbering_permutes_the_images_and_threads_change_nothing() {
+    let (source, target, _) = pair(warped);
+    let n = source.mesh.n_vertices();
+    let new_of_old: Vec<u32> = (0..n).map(|k| ((k * 31 + 17) % n) as u32).collect();
+    let mut vertices = source.mesh.vertices().to_vec();
+    for (old, &new) in new_of_old.iter().enumerate() {
+        vertices[new as usize] = source.mesh.vertices()[old];
+    }
+    let faces = source.mesh.indices().iter().map(|&k| new_of_old[k as usize]).collect();
+    let renumbered = canonicalize(&SurfaceMesh::new(vertices, FaceArity::Triangle, faces).unwrap());
+    let options = DisplacementOptions { steps: [4, 2, 2, 2], ..DisplacementOptions::default() };
+    let poses = principal_axis_poses(source.mesh.vertices(), target.mesh.vertices()).unwrap();
+    let on = |threads: usize, mesh: &SurfaceMesh| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        pool.install(|| displace(mesh, &target.mesh, &poses, &options, &Silent).unwrap().unwrap())
+    };
+    let plain = on(1, &source.mesh);
+    assert_eq!(plain, on(3, &source.mesh));
+    assert_eq!(plain, on(2, &renumbered.mesh));
+}
+
+#[test]
+fn without_a_pose_there_is_no_answer() {
+    let (source, target, _) = pair(|p| *p);
+    let none = displace(&source.mesh, &target.mesh, &[], &DisplacementOptions::default(), &Silent).unwrap();
+    assert_eq!(none, None);
+}

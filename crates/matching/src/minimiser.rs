@@ -1,0 +1,324 @@
+//! One face for all minimisers of the energy, so that the rounds of a match do not know which one runs.
+
+use super::active_labels::ActiveLabels;
+use homolog_contract::parameters::{
+    Algorithm, CoolingSchedule, InferenceParameters, MatchParameters, MessageSchedule, Update,
+};
+use homolog_contract::result::{ConvergenceDocument, ConvergenceStatus, StopReason};
+use homolog_mrf::inference::{
+    self, AnnealingOptions, BeliefPropagation, BpIteration, BpMethod, BpOptions, BpOutcome, BpStop, DualBound,
+    DualOptions, DualOutcome, DualStop, LasVegas, LasVegasOptions, Product, Sampler, SearchOutcome, SearchRun,
+    SearchStop, SearchSweep, SimulatedAnnealing, local_confidence,
+};
+use homolog_mrf::{Energy, Labeling, MrfModel};
+use homolog_primitives::observe::{Cancelled, Observer, Phase, TracePoint};
+use nalgebra::Point3;
+use rayon::prelude::*;
+
+/// Smallest value of a message; far below `exp(−T)` at the default truncation, so that it only keeps products finite.
+const MESSAGE_FLOOR: f32 = 1e-5;
+/// The dual method ends when the energy is within this share of the bound.
+const GAP_TOLERANCE: f64 = 1e-6;
+/// Iterations that lift the bound by less than this share are not worth their time.
+const PROGRESS_TOLERANCE: f64 = 1e-5;
+/// An annealer whose labels all stay for so many sweeps is frozen.
+const FROZEN_SWEEPS: u32 = 20;
+
+/// A labeling with what is known of it.
+pub(super) struct Labeled {
+    pub labeling: Labeling,
+    pub confidence: Vec<f64>,
+    /// Root mean square distance of each belief from its mean, mm; 0 for minimisers that have no beliefs.
+    pub spread_mm: Vec<f64>,
+    pub energy: Energy,
+    pub iterations: u32,
+    pub stop_reason: StopReason,
+    pub convergence: ConvergenceDocument,
+}
+
+/// Hears of every point of the trace.
+pub(super) type OnStep<'f> = &'f mut dyn FnMut(TracePoint);
+
+/// A minimiser that is used again from round to round.
+pub(super) trait Minimiser {
+    /// The next run starts cold.
+    fn forget(&mut self);
+
+    /// Sets the unary potentials to the model's plus what `add(i, row)` adds to the row of variable `i`.
+    fn set_bias(&mut self, add: &(dyn Fn(usize, &mut [f32]) + Sync));
+
+    /// Runs for at most `budget` iterations or sweeps. `positions` are those of the labels, mm. `round` is written into
+    /// the points of the trace.
+    fn run(
+        &mut self,
+        round: u32,
+        budget: u32,
+        positions: &[Point3<f64>],
+        observer: &dyn Observer,
+        on_step: OnStep<'_>,
+    ) -> Result<Labeled, Cancelled>;
+}
+
+/// The minimiser that `parameters` name. `lower_bound` is a target for those that have one.
+pub(super) fn minimiser<'a>(
+    model: &'a MrfModel,
+    parameters: &MatchParameters,
+    lower_bound: Option<f64>,
+) -> Box<dyn Minimiser + 'a> {
+    let p = &parameters.inference;
+    let propagation = |product| -> Box<dyn Minimiser + 'a> {
+        match p.update {
+            Update::Active => Box::new(ActiveLabels::new(model, bp_options(p, product))),
+            Update::Sparse | Update::Full => Box::new(Propagation { bp: belief_propagation(model, p, product) }),
+        }
+    };
+    let search = |engine| {
+        Box::new(Search { engine, seed: parameters.seed, target_energy: p.target_energy.or(lower_bound), last: None })
+    };
+    match p.algorithm {
+        Algorithm::SumProduct => propagation(Product::Sum),
+        // Registration alone has no rounds and asks for no minimiser.
+        Algorithm::MaxProduct | Algorithm::None => propagation(Product::Max),
+        Algorithm::TreeReweighted => Box::new(Dual { model, biased: None }),
+        Algorithm::Gibbs => search(Engine::Annealing(annealing(model, p, Sampler::Gibbs))),
+        Algorithm::Metropolis => search(Engine::Annealing(annealing(model, p, Sampler::Metropolis))),
+        Algorithm::LasVegas => {
+            search(Engine::LasVegas(LasVegas::new(model, LasVegasOptions { patience: p.restart_after })))
+        }
+    }
+}
+
+fn bp_options(p: &InferenceParameters, product: Product) -> BpOptions {
+    BpOptions { product, damping: p.damping as f32, floor: MESSAGE_FLOOR, tolerance: p.tolerance as f32 }
+}
+
+fn belief_propagation<'a>(model: &'a MrfModel, p: &InferenceParameters, product: Product) -> BeliefPropagation<'a> {
+    let options = bp_options(p, product);
+    let method = BpMethod {
+        update: match p.update {
+            Update::Sparse | Update::Active => inference::Update::Sparse,
+            Update::Full => inference::Update::Full,
+        },
+        schedule: match p.schedule {
+            MessageSchedule::Flooding => inference::Schedule::Flooding,
+            MessageSchedule::Residual => inference::Schedule::Residual,
+        },
+        storage: match p.message_bits {
+            16 => inference::MessageStorage::Half,
+            _ => inference::MessageStorage::Single,
+        },
+    };
+    BeliefPropagation::with_method(model, options, method)
+}
+
+fn annealing<'a>(model: &'a MrfModel, p: &InferenceParameters, sampler: Sampler) -> SimulatedAnnealing<'a> {
+    let options = AnnealingOptions {
+        sampler,
+        schedule: match p.annealing.schedule {
+            CoolingSchedule::Geometric => inference::Cooling::Geometric,
+            CoolingSchedule::Logarithmic => inference::Cooling::Logarithmic,
+            CoolingSchedule::Linear => inference::Cooling::Linear,
+        },
+        initial_temperature: p.annealing.initial_temperature,
+        final_temperature: p.annealing.final_temperature,
+        patience: FROZEN_SWEEPS,
+    };
+    SimulatedAnnealing::new(model, options)
+}
+
+struct Propagation<'a> {
+    bp: BeliefPropagation<'a>,
+}
+
+impl Minimiser for Propagation<'_> {
+    fn forget(&mut self) {
+        self.bp.forget();
+    }
+
+    fn set_bias(&mut self, add: &(dyn Fn(usize, &mut [f32]) + Sync)) {
+        self.bp.set_bias(add);
+    }
+
+    fn run(
+        &mut self,
+        round: u32,
+        budget: u32,
+        positions: &[Point3<f64>],
+        observer: &dyn Observer,
+        on_step: OnStep<'_>,
+    ) -> Result<Labeled, Cancelled> {
+        let outcome = self.bp.run(budget, observer, |iteration| on_step(trace_point(round, iteration)))?;
+        let spread_mm = self.bp.spreads(positions);
+        Ok(labeled(outcome, spread_mm))
+    }
+}
+
+/// An iteration of belief propagation as a point of the trace.
+pub(super) fn trace_point(round: u32, iteration: &BpIteration) -> TracePoint {
+    TracePoint {
+        energy: Some(iteration.energy.total()),
+        energy_unary: Some(iteration.energy.unary),
+        energy_pairwise: Some(iteration.energy.pairwise),
+        message_delta_max: Some(iteration.message_delta_max.into()),
+        labels_changed: Some(iteration.labels_changed),
+        ..TracePoint::new(round, Phase::Inference, iteration.iteration)
+    }
+}
+
+/// The outcome of belief propagation as the rounds see it.
+pub(super) fn labeled(outcome: BpOutcome, spread_mm: Vec<f64>) -> Labeled {
+    let BpOutcome { labeling, confidence, energy, iterations, stop, convergence } = outcome;
+    let (status, period) = match convergence.status {
+        inference::ConvergenceStatus::Converged => (ConvergenceStatus::Converged, None),
+        inference::ConvergenceStatus::Slow => (ConvergenceStatus::Slow, None),
+        inference::ConvergenceStatus::Oscillating { period } => (ConvergenceStatus::Oscillating, Some(period)),
+    };
+    Labeled {
+        labeling,
+        confidence,
+        spread_mm,
+        energy,
+        iterations,
+        stop_reason: match stop {
+            BpStop::Converged => StopReason::Converged,
+            BpStop::MaxIterations => StopReason::MaxIterations,
+        },
+        convergence: ConvergenceDocument { status, period },
+    }
+}
+
+/// The dual method as a minimiser: every round raises the bound of its own energy, feedback included.
+struct Dual<'a> {
+    model: &'a MrfModel,
+    biased: Option<MrfModel>,
+}
+
+impl Minimiser for Dual<'_> {
+    fn forget(&mut self) {}
+
+    fn set_bias(&mut self, add: &(dyn Fn(usize, &mut [f32]) + Sync)) {
+        let mut biased = self.model.clone();
+        let n = biased.n_labels().max(1);
+        biased.unary.par_chunks_mut(n).enumerate().for_each(|(i, row)| add(i, row));
+        self.biased = Some(biased);
+    }
+
+    fn run(
+        &mut self,
+        round: u32,
+        budget: u32,
+        _positions: &[Point3<f64>],
+        observer: &dyn Observer,
+        on_step: OnStep<'_>,
+    ) -> Result<Labeled, Cancelled> {
+        let minimised = self.biased.as_ref().unwrap_or(self.model);
+        let mut last: Labeling = Vec::new();
+        let options = DualOptions { gap_tolerance: GAP_TOLERANCE, progress_tolerance: PROGRESS_TOLERANCE };
+        let outcome = DualBound::new(minimised, options).run(budget, observer, |iteration, labeling| {
+            let energy = self.model.energy(labeling);
+            let changed = labeling.iter().zip(&last).filter(|(a, b)| a != b).count();
+            on_step(TracePoint {
+                energy: Some(energy.total()),
+                energy_unary: Some(energy.unary),
+                energy_pairwise: Some(energy.pairwise),
+                labels_changed: (!last.is_empty()).then_some(changed as u32),
+                // The bound of an energy with feedback bounds no energy that is reported.
+                lower_bound: self.biased.is_none().then_some(iteration.bound),
+                ..TracePoint::new(round, Phase::Inference, iteration.iteration)
+            });
+            last = labeling.to_vec();
+        })?;
+        let DualOutcome { labeling, iterations, stop, .. } = outcome;
+        Ok(Labeled {
+            confidence: local_confidence(minimised, &labeling, observer)?,
+            spread_mm: vec![0.0; labeling.len()],
+            energy: self.model.energy(&labeling),
+            labeling,
+            iterations,
+            stop_reason: if stop == DualStop::MaxIterations {
+                StopReason::MaxIterations
+            } else {
+                StopReason::Converged
+            },
+            convergence: ConvergenceDocument {
+                status: if stop == DualStop::MaxIterations {
+                    ConvergenceStatus::Slow
+                } else {
+                    ConvergenceStatus::Converged
+                },
+                period: None,
+            },
+        })
+    }
+}
+
+enum Engine<'a> {
+    Annealing(SimulatedAnnealing<'a>),
+    LasVegas(LasVegas<'a>),
+}
+
+/// A randomised minimiser. A round after the first starts with the labels of the one before.
+struct Search<'a> {
+    engine: Engine<'a>,
+    seed: u64,
+    target_energy: Option<f64>,
+    last: Option<Labeling>,
+}
+
+impl Minimiser for Search<'_> {
+    fn forget(&mut self) {
+        self.last = None;
+    }
+
+    fn set_bias(&mut self, add: &(dyn Fn(usize, &mut [f32]) + Sync)) {
+        match &mut self.engine {
+            Engine::Annealing(annealing) => annealing.set_bias(add),
+            Engine::LasVegas(las_vegas) => las_vegas.set_bias(add),
+        }
+    }
+
+    fn run(
+        &mut self,
+        round: u32,
+        budget: u32,
+        _positions: &[Point3<f64>],
+        observer: &dyn Observer,
+        on_step: OnStep<'_>,
+    ) -> Result<Labeled, Cancelled> {
+        let run = SearchRun {
+            sweeps: budget,
+            seed: self.seed.wrapping_add(u64::from(round)),
+            start: self.last.as_deref(),
+            target_energy: self.target_energy,
+        };
+        let tell = |sweep: &SearchSweep| {
+            on_step(TracePoint {
+                energy: Some(sweep.energy.total()),
+                energy_unary: Some(sweep.energy.unary),
+                energy_pairwise: Some(sweep.energy.pairwise),
+                labels_changed: Some(sweep.labels_changed),
+                temperature: sweep.temperature,
+                ..TracePoint::new(round, Phase::Inference, sweep.sweep)
+            });
+        };
+        let outcome = match &mut self.engine {
+            Engine::Annealing(annealing) => annealing.run(&run, observer, tell),
+            Engine::LasVegas(las_vegas) => las_vegas.run(&run, observer, tell),
+        }?;
+        let SearchOutcome { labeling, confidence, energy, sweeps, stop, .. } = outcome;
+        self.last = Some(labeling.clone());
+        Ok(Labeled {
+            spread_mm: vec![0.0; labeling.len()],
+            labeling,
+            confidence,
+            energy,
+            iterations: sweeps,
+            stop_reason: match stop {
+                SearchStop::TargetReached => StopReason::TargetReached,
+                SearchStop::Budget => StopReason::MaxIterations,
+                SearchStop::Frozen => StopReason::Converged,
+            },
+            convergence: ConvergenceDocument { status: ConvergenceStatus::Sampled, period: None },
+        })
+    }
+}

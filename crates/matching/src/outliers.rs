@@ -1,0 +1,245 @@
+//! Which correspondences are not to be believed, and why.
+
+use super::consistency::{LabelingError, check_labeling, keeps_edge};
+use homolog_primitives::graph::{EdgeGraph, Reach};
+use rayon::prelude::*;
+
+/// Why a source vertex is an outlier.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum OutlierReason {
+    /// Its residual after registration exceeds the tolerance.
+    Residual,
+    /// More than half of its edges break: the images of its neighbours do not lie within `r` edges of its own.
+    Neighborhood,
+    /// Both.
+    Both,
+}
+
+/// For every source vertex why it is an outlier, or `None` where it is not.
+///
+/// `variables` is the edge graph of the source, `labels` is `N_r` over the target; `residuals_mm` holds the distance of
+/// each registered source vertex from its label. A residual that is no number exceeds every tolerance. A vertex next to
+/// outliers is none itself as long as at least half of its edges hold.
+///
+/// # Errors
+/// [`LabelingError`], also if there is not one residual a vertex.
+///
+/// # Cost
+/// `O(|E→|)` where neighbours have images that are close, on all threads.
+pub fn identify_outliers(
+    variables: &EdgeGraph,
+    labels: &Reach<'_>,
+    labeling: &[u32],
+    residuals_mm: &[f64],
+    tolerance_mm: f64,
+) -> Result<Vec<Option<OutlierReason>>, LabelingError> {
+    let n_vertices = variables.n_vertices();
+    check_labeling(labeling, n_vertices, labels.graph.n_vertices())?;
+    if residuals_mm.len() != n_vertices {
+        return Err(LabelingError::LengthMismatch { found: residuals_mm.len(), n_vertices });
+    }
+    let reasons = breaks_neighborhood(variables, labels, labeling).into_iter().zip(residuals_mm).map(|(breaks, r)| {
+        let within = *r <= tolerance_mm;
+        match (within, breaks) {
+            (true, false) => None,
+            (false, false) => Some(OutlierReason::Residual),
+            (true, true) => Some(OutlierReason::Neighborhood),
+            (false, true) => Some(OutlierReason::Both),
+        }
+    });
+    Ok(reasons.collect())
+}
+
+/// Whether each vertex of `variables` loses more than half of its edges under `labeling`.
+fn breaks_neighborhood(variables: &EdgeGraph, labels: &Reach<'_>, labeling: &[u32]) -> Vec<bool> {
+    (0..variables.n_vertices())
+        .into_par_iter()
+        .map(|i| {
+            let neighbors = variables.neighbors(i);
+            let n_broken = neighbors.iter().filter(|&&j| !keeps_edge(labels, labeling, i, j as usize)).count();
+            2 * n_broken > neighbors.len()
+        })
+        .collect()
+}
+
+/// How many standard deviations from the median a residual may lie: the usual rule of three.
+const N_DEVIATIONS: f64 = 3.0;
+
+/// Makes the median absolute deviation the standard deviation where values are normally distributed.
+const DEVIATION_OF_MAD: f64 = 1.4826;
+
+/// A tolerance that fits the residuals themselves: median + 3 · 1.4826 · median absolute deviation, mm. Up to half of
+/// the residuals may be arbitrarily wrong without moving it far.
+///
+/// Residuals that are not finite do not count; `None` if no others are given. The median of an even number of values is
+/// the mean of the two in the middle.
+///
+/// # Cost
+/// `O(n log n)`.
+///
+/// # Source
+/// Rousseeuw, Croux, "Alternatives to the median absolute deviation", JASA 88, 1993.
+pub fn robust_tolerance_mm(residuals_mm: &[f64]) -> Option<f64> {
+    let finite: Vec<f64> = residuals_mm.iter().copied().filter(|r| r.is_finite()).collect();
+    let center = median(finite.clone())?;
+    let deviation = median(finite.iter().map(|r| (r - center).abs()).collect())?;
+    Some(center + N_DEVIATIONS * DEVIATION_OF_MAD * deviation)
+}
+
+fn median(mut values: Vec<f64>) -> Option<f64> {
+    values.sort_by(f64::total_cmp);
+    let upper = values.get(values.len() / 2)?;
+    let lower = values[(values.len() - 1) / 2];
+    Some(lower + (upper - lower) / 2.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use homolog_mesh::FaceArity;
+    use homolog_mesh::SurfaceMesh;
+    use homolog_mesh::shapes::{ellipsoid, torus};
+    use homolog_primitives::graph::LabelNeighborhoods;
+    use nalgebra::Vector3;
+    use proptest::prelude::*;
+    use rand_core::{Rng, SeedableRng};
+    use rand_xoshiro::Xoshiro256PlusPlus;
+
+    fn neighborhoods(mesh: &SurfaceMesh, rings: usize) -> LabelNeighborhoods {
+        LabelNeighborhoods::new(&mesh.edge_graph(), rings, |_, _| 0.0)
+    }
+
+    fn residuals(mesh: &SurfaceMesh, labeling: &[u32]) -> Vec<f64> {
+        let v = mesh.vertices();
+        labeling.iter().zip(v).map(|(&x, p)| (v[x as usize] - p).norm()).collect()
+    }
+
+    /// Vertices drawn at random, no two of them within two edges of each other, so that no vertex loses more than one
+    /// edge to a neighbour.
+    fn scattered(mesh: &SurfaceMesh, random: &mut Xoshiro256PlusPlus, n_drawn: usize) -> Vec<usize> {
+        let within_two = neighborhoods(mesh, 2);
+        let mut chosen: Vec<usize> = Vec::new();
+        for _ in 0..n_drawn {
+            let v = (random.next_u64() % mesh.n_vertices() as u64) as usize;
+            if chosen.iter().all(|&c| within_two.distance_within(c, v).is_none()) {
+                chosen.push(v);
+            }
+        }
+        chosen
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(24))]
+
+        #[test]
+        fn planted_outliers_are_found_exactly(seed in any::<u64>(), n_drawn in 0usize..60, rings in 1usize..4) {
+            for mesh in [ellipsoid(Vector3::new(9.0, 6.0, 5.0), 3), torus(10.0, 4.0, 24, 12, FaceArity::Quad)] {
+                let mut random = Xoshiro256PlusPlus::seed_from_u64(seed);
+                let planted = scattered(&mesh, &mut random, n_drawn);
+                let labels = neighborhoods(&mesh, rings);
+                let mut labeling: Vec<u32> = (0..mesh.n_vertices() as u32).collect();
+                let v = mesh.vertices();
+                // From outside one ring more, no neighbour's neighbourhood holds the planted label.
+                let wider = neighborhoods(&mesh, rings + 1);
+                for &at in &planted {
+                    let is_far = |x: usize| (v[x] - v[at]).norm() > 8.0 && wider.distance_within(at, x).is_none();
+                    let far: Vec<usize> = (0..v.len()).filter(|&x| is_far(x)).collect();
+                    labeling[at] = far[(random.next_u64() % far.len() as u64) as usize] as u32;
+                }
+                let variables = mesh.edge_graph();
+                let found =
+                    identify_outliers(&variables, &labels.reach(), &labeling, &residuals(&mesh, &labeling), 4.0).unwrap();
+                for (at, reason) in found.iter().enumerate() {
+                    prop_assert_eq!(*reason, planted.contains(&at).then_some(OutlierReason::Both), "vertex {}", at);
+                }
+                // The tolerance that fits these residuals, nearly all zero, finds the same.
+                let own = residuals(&mesh, &labeling);
+                let tolerance = robust_tolerance_mm(&own).unwrap();
+                prop_assert_eq!(&identify_outliers(&variables, &labels.reach(), &labeling, &own, tolerance).unwrap(), &found);
+            }
+        }
+
+        #[test]
+        fn planted_residuals_are_found_exactly_under_noise(seed in any::<u64>(), share in 0.0f64..0.4) {
+            let mut random = Xoshiro256PlusPlus::seed_from_u64(seed);
+            let mut number = || (random.next_u64() >> 11) as f64 / (1u64 << 53) as f64;
+            let planted: Vec<bool> = (0..500).map(|_| number() < share).collect();
+            // Uniform between 0.5 and 1.5 mm: nobody is three deviations above the median.
+            let values: Vec<f64> = planted.iter().map(|&p| if p { 20.0 + number() } else { 0.5 + number() }).collect();
+            let tolerance = robust_tolerance_mm(&values).unwrap();
+            prop_assert!(tolerance > 1.5 && tolerance < 20.0, "{}", tolerance);
+        }
+    }
+
+    #[test]
+    fn a_patch_that_moves_together_breaks_only_at_its_rim() {
+        // Half of a torus is turned against the other half by a quarter: edges break along the two seams only.
+        let (around, across) = (40u32, 12u32);
+        let mesh = torus(10.0, 4.0, around, across, FaceArity::Quad);
+        let labeling: Vec<u32> = (0..around * across)
+            .map(|v| {
+                let (i, j) = (v / across, v % across);
+                if i < around / 2 { v } else { i * across + (j + across / 2) % across }
+            })
+            .collect();
+        let labels = neighborhoods(&mesh, 1);
+        let own = residuals(&mesh, &labeling);
+        let found = identify_outliers(&mesh.edge_graph(), &labels.reach(), &labeling, &own, 1.0).unwrap();
+        for (v, reason) in found.iter().enumerate() {
+            let moved = v as u32 / across >= around / 2;
+            assert_eq!(*reason, moved.then_some(OutlierReason::Residual), "vertex {v}");
+        }
+    }
+
+    #[test]
+    fn a_torn_neighborhood_is_an_outlier_even_within_the_tolerance() {
+        let mesh = ellipsoid(Vector3::repeat(6.0), 3);
+        let mut labeling: Vec<u32> = (0..mesh.n_vertices() as u32).collect();
+        let v = mesh.vertices();
+        let far = (0..v.len()).max_by(|&a, &b| (v[a] - v[100]).norm().total_cmp(&(v[b] - v[100]).norm())).unwrap();
+        labeling[100] = far as u32;
+        let own = residuals(&mesh, &labeling);
+        let found =
+            identify_outliers(&mesh.edge_graph(), &neighborhoods(&mesh, 2).reach(), &labeling, &own, 100.0).unwrap();
+        assert_eq!(found[100], Some(OutlierReason::Neighborhood));
+        assert_eq!(found.iter().filter(|r| r.is_some()).count(), 1);
+    }
+
+    #[test]
+    fn exactly_half_of_the_edges_may_break() {
+        // A path of five variables over five labels in a row; the label of the last is torn off.
+        let path = EdgeGraph::from_edges(5, &[[0, 1], [1, 2], [2, 3], [3, 4]]);
+        let labels = LabelNeighborhoods::new(&path, 1, |_, _| 0.0);
+        let found = identify_outliers(&path, &labels.reach(), &[0, 1, 2, 3, 0], &[0.0; 5], 1.0).unwrap();
+        assert_eq!(found, [None, None, None, None, Some(OutlierReason::Neighborhood)]);
+    }
+
+    #[test]
+    fn a_residual_that_is_no_number_is_an_outlier_and_moves_no_tolerance() {
+        let path = EdgeGraph::from_edges(3, &[[0, 1], [1, 2]]);
+        let labels = LabelNeighborhoods::new(&path, 1, |_, _| 0.0);
+        let own = [1.0, f64::NAN, 1.0];
+        let found = identify_outliers(&path, &labels.reach(), &[0, 1, 2], &own, 2.0).unwrap();
+        assert_eq!(found, [None, Some(OutlierReason::Residual), None]);
+        assert_eq!(robust_tolerance_mm(&own), Some(1.0));
+        assert_eq!(robust_tolerance_mm(&[f64::INFINITY]), None);
+        assert_eq!(robust_tolerance_mm(&[]), None);
+    }
+
+    #[test]
+    fn the_robust_tolerance_is_the_formula() {
+        // Median 3, deviations 2 1 0 1 97: median 1.
+        assert_eq!(robust_tolerance_mm(&[1.0, 2.0, 3.0, 4.0, 100.0]), Some(3.0 + 3.0 * 1.4826));
+        // Median 2.5, deviations 1.5 0.5 0.5 1.5: median 1.
+        assert_eq!(robust_tolerance_mm(&[4.0, 1.0, 3.0, 2.0]), Some(2.5 + 3.0 * 1.4826));
+    }
+
+    #[test]
+    fn what_does_not_fit_together_is_named() {
+        let path = EdgeGraph::from_edges(3, &[[0, 1], [1, 2]]);
+        let labels = LabelNeighborhoods::new(&path, 1, |_, _| 0.0);
+        let short = LabelingError::LengthMismatch { found: 2, n_vertices: 3 };
+        assert_eq!(identify_outliers(&path, &labels.reach(), &[0, 1], &[0.0; 3], 1.0).unwrap_err(), short);
+        assert_eq!(identify_outliers(&path, &labels.reach(), &[0, 1, 2], &[0.0; 2], 1.0).unwrap_err(), short);
+    }
+}

@@ -1,0 +1,66 @@
+//! Where an open surface ends.
+
+use super::SurfaceMesh;
+
+impl SurfaceMesh {
+    /// For every vertex whether an edge at it has only one face; `None` for a surface that ends nowhere.
+    ///
+    /// Cost `O(faces)` for closed surfaces, `O(faces log faces)` for open ones.
+    pub fn boundary_vertices(&self) -> Option<Vec<bool>> {
+        let directed = || self.faces().flat_map(|f| (0..f.len()).map(move |k| (f[k], f[(k + 1) % f.len()])));
+        // On a closed oriented surface every edge is run through once each way, so that these sums are equal; on any
+        // other they differ but for one chance in 2^64.
+        let difference = directed().fold(0u64, |sum, (a, b)| sum.wrapping_add(mixed(a, b)).wrapping_sub(mixed(b, a)));
+        if difference == 0 {
+            return None;
+        }
+        let mut edges: Vec<(u32, u32)> = directed().map(|(a, b)| (a.min(b), a.max(b))).collect();
+        edges.sort_unstable();
+        let mut on_boundary = vec![false; self.n_vertices()];
+        for uses in edges.chunk_by(|a, b| a == b).filter(|uses| uses.len() == 1) {
+            on_boundary[uses[0].0 as usize] = true;
+            on_boundary[uses[0].1 as usize] = true;
+        }
+        on_boundary.contains(&true).then_some(on_boundary)
+    }
+}
+
+/// A number that tells directed edges apart (the finalizer of SplitMix64).
+fn mixed(a: u32, b: u32) -> u64 {
+    let mut x = (u64::from(a) << 32 | u64::from(b)).wrapping_add(0x9e37_79b9_7f4a_7c15);
+    x = (x ^ x >> 30).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+    x = (x ^ x >> 27).wrapping_mul(0x94d0_49bb_1331_11eb);
+    x ^ x >> 31
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::SurfaceMesh;
+    use crate::shapes::{ellipsoid, torus};
+    use crate::{FaceArity, repair};
+    use nalgebra::Vector3;
+
+    #[test]
+    fn a_closed_surface_has_no_boundary() {
+        assert_eq!(ellipsoid(Vector3::new(3.0, 2.0, 1.0), 3).boundary_vertices(), None);
+        assert_eq!(torus(5.0, 2.0, 9, 7, FaceArity::Quad).boundary_vertices(), None);
+    }
+
+    #[test]
+    fn the_rim_of_half_an_ellipsoid_is_its_boundary() {
+        let whole = ellipsoid(Vector3::new(3.0, 2.0, 1.0), 3);
+        let kept: Vec<u32> = whole
+            .triangles()
+            .into_iter()
+            .filter(|t| t.iter().all(|&k| whole.vertices()[k as usize].x < 0.5))
+            .flatten()
+            .collect();
+        let half = SurfaceMesh::new(whole.vertices().to_vec(), FaceArity::Triangle, kept).unwrap();
+        let half = repair::drop_unused(&half).mesh;
+        let on_boundary = half.boundary_vertices().unwrap();
+        let rim = on_boundary.iter().filter(|&&b| b).count();
+        assert!(rim > 10 && rim < half.n_vertices() / 4, "{rim}");
+        // The rim is where the cut was.
+        assert!(half.vertices().iter().zip(&on_boundary).filter(|(_, b)| **b).all(|(p, _)| p.x > 0.0));
+    }
+}

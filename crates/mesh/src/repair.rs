@@ -1,0 +1,196 @@
+//! Repairs of a mesh that move no vertex: welding, the largest piece, turning inside out, dropping unused vertices.
+//!
+//! Vertices keep their order; every repair says which vertex of its input each kept vertex was, so that answers can
+//! be given in the numbering of the file. (Filling tunnels is done on voxels, not here.)
+
+use super::topology::vertex_components;
+use super::{FaceArity, MeshError, SurfaceMesh};
+use nalgebra::Point3;
+use std::collections::{HashMap, HashSet};
+
+/// A repaired mesh with the way back.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RepairedMesh {
+    /// The mesh.
+    pub mesh: SurfaceMesh,
+    /// For every vertex of it the vertex of the input (the first of those that became one).
+    pub original: Vec<u32>,
+}
+
+/// Vertices closer than this share of the bounding box's diagonal are one: far below any mesh's resolution, above
+/// the rounding of single-precision files whose coordinates are of the size of the diagonal.
+pub const WELD_RTOL: f64 = 1e-7;
+
+/// Joins vertices at the same place (to [`WELD_RTOL`] of the diagonal); drops faces that thereby lose a corner, faces
+/// that occur twice with the same orientation, and unused vertices.
+///
+/// Quads that become triangles turn the whole mesh into triangles. Each vertex goes to the lowest vertex it is close
+/// to that was itself kept.
+///
+/// # Errors
+/// [`MeshError::Empty`] if no face is left.
+///
+/// # Cost
+/// `O(n)` expected.
+pub fn weld(mesh: &SurfaceMesh) -> Result<RepairedMesh, MeshError> {
+    let kept = nearest_kept(mesh);
+    let renamed = |face: &[u32]| -> Vec<u32> { face.iter().map(|&v| kept[v as usize]).collect() };
+    let collapsed_quad = mesh.arity() == FaceArity::Quad
+        && mesh.faces().any(|f| {
+            let f = renamed(f);
+            (0..4).any(|k| f[k + 1..].contains(&f[k]))
+        });
+    let (arity, faces): (_, Vec<Vec<u32>>) = if collapsed_quad {
+        (FaceArity::Triangle, mesh.triangles().iter().map(|t| renamed(t)).collect())
+    } else {
+        (mesh.arity(), mesh.faces().map(renamed).collect())
+    };
+    let mut seen = HashSet::new();
+    let mut indices = Vec::with_capacity(faces.len() * arity.n_corners());
+    for face in faces {
+        let repeats = (0..face.len()).any(|k| face[k + 1..].contains(&face[k]));
+        let mut name = face.clone();
+        let first = (0..name.len()).min_by_key(|&k| name[k]).unwrap_or(0);
+        name.rotate_left(first);
+        if !repeats && seen.insert(name) {
+            indices.extend(face);
+        }
+    }
+    if indices.is_empty() {
+        return Err(MeshError::Empty { n_vertices: mesh.n_vertices(), n_faces: 0 });
+    }
+    Ok(compacted(mesh.vertices(), arity, indices))
+}
+
+/// For every vertex the lowest kept vertex within the tolerance; kept vertices name themselves.
+fn nearest_kept(mesh: &SurfaceMesh) -> Vec<u32> {
+    let (low, high) = mesh.bounding_box();
+    let tolerance = (high - low).norm() * WELD_RTOL;
+    // Cells much larger than the tolerance: only the few vertices near a wall look into a second cell.
+    let width = (tolerance * 64.0).max(f64::MIN_POSITIVE);
+    let v = mesh.vertices();
+    let cell = |p: &Point3<f64>, off: [f64; 3]| -> [i64; 3] {
+        [0, 1, 2].map(|k| (((p[k] - low[k]) + off[k] * tolerance) / width).floor() as i64)
+    };
+    let mut cells: HashMap<[i64; 3], Vec<u32>> = HashMap::new();
+    let mut kept: Vec<u32> = Vec::with_capacity(v.len());
+    for (i, p) in v.iter().enumerate() {
+        let mut found = u32::MAX;
+        let mut looked = [[i64::MIN; 3]; 8];
+        for corner in 0..8 {
+            let off = [0, 1, 2].map(|k| if corner >> k & 1 == 0 { -1.0 } else { 1.0 });
+            let c = cell(p, off);
+            if looked[..corner].contains(&c) {
+                continue;
+            }
+            looked[corner] = c;
+            for &k in cells.get(&c).into_iter().flatten() {
+                if k < found && (v[k as usize] - p).norm() <= tolerance {
+                    found = k;
+                }
+            }
+        }
+        if found == u32::MAX {
+            found = i as u32;
+            cells.entry(cell(p, [0.0; 3])).or_default().push(found);
+        }
+        kept.push(found);
+    }
+    kept
+}
+
+/// The connected piece with the most vertices (the first of equals), by shared vertices.
+///
+/// Cost `O(n)`.
+pub fn largest_component(mesh: &SurfaceMesh) -> RepairedMesh {
+    let components = vertex_components(mesh);
+    let largest = components.largest();
+    let indices = mesh
+        .faces()
+        .filter(|f| components.of_vertex[f[0] as usize] == largest)
+        .flat_map(|f| f.iter().copied())
+        .collect();
+    compacted(&mesh.vertices, mesh.arity, indices)
+}
+
+/// `mesh` without the vertices that no face uses. Cost `O(n)`.
+pub fn drop_unused(mesh: &SurfaceMesh) -> RepairedMesh {
+    compacted(&mesh.vertices, mesh.arity, mesh.indices.clone())
+}
+
+/// `mesh` with every face turned: inside becomes outside. Cost `O(n)`.
+pub fn turned(mesh: &SurfaceMesh) -> SurfaceMesh {
+    let mut mesh = mesh.clone();
+    // The first corner stays first, so a quad keeps its first diagonal.
+    mesh.indices.chunks_exact_mut(mesh.arity.n_corners()).for_each(|f| f[1..].reverse());
+    mesh
+}
+
+/// The faces `indices` over those of `vertices` that they use, in the old order.
+fn compacted(vertices: &[Point3<f64>], arity: FaceArity, mut indices: Vec<u32>) -> RepairedMesh {
+    let mut number = vec![u32::MAX; vertices.len()];
+    indices.iter().for_each(|&v| number[v as usize] = 0);
+    let original: Vec<u32> = (0..vertices.len() as u32).filter(|&v| number[v as usize] == 0).collect();
+    for (new, &old) in original.iter().enumerate() {
+        number[old as usize] = new as u32;
+    }
+    indices.iter_mut().for_each(|v| *v = number[*v as usize]);
+    let vertices = original.iter().map(|&v| vertices[v as usize]).collect();
+    RepairedMesh { mesh: SurfaceMesh { vertices, arity, indices }, original }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::topology::topology_report;
+
+    /// A cube of quads in which every face has its own corners, far from the origin, and a stray quad.
+    fn split_cube() -> SurfaceMesh {
+        let corner = |k: u32| Point3::new(f64::from(k & 1), f64::from(k >> 1 & 1), f64::from(k >> 2 & 1));
+        let faces = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
+        let mut v: Vec<Point3<f64>> = faces.iter().flatten().map(|&k| corner(k) * 1.0).collect();
+        v.extend([0u32, 1, 3, 2].map(|k| corner(k) + nalgebra::Vector3::new(0.0, 0.0, 7.0)));
+        let n = v.len() as u32;
+        SurfaceMesh::new(v, FaceArity::Quad, (0..n).collect()).unwrap()
+    }
+
+    #[test]
+    fn weld_closes_a_split_cube_and_names_the_first_originals() {
+        let split = split_cube();
+        let welded = weld(&split).unwrap();
+        assert_eq!(welded.mesh.n_vertices(), 12);
+        let one = largest_component(&welded.mesh);
+        let report = topology_report(&one.mesh);
+        assert_eq!((report.genus, report.volume_mm3), (Some(0), Some(1.0)));
+        for (new, &old) in one.original.iter().enumerate() {
+            let uploaded = welded.original[old as usize];
+            assert_eq!(split.vertices()[uploaded as usize], one.mesh.vertices()[new]);
+            let first = split.vertices().iter().position(|p| *p == one.mesh.vertices()[new]);
+            assert_eq!(first, Some(uploaded as usize));
+        }
+    }
+
+    #[test]
+    fn weld_is_the_identity_on_a_welded_mesh() {
+        let once = weld(&split_cube()).unwrap();
+        let twice = weld(&once.mesh).unwrap();
+        assert_eq!(twice.mesh, once.mesh);
+        assert_eq!(twice.original, (0..once.mesh.n_vertices() as u32).collect::<Vec<_>>());
+    }
+
+    #[test]
+    fn weld_drops_slivers_and_doubles() {
+        let v = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 1e-9, 0.0]].map(Point3::from).to_vec();
+        let mesh = SurfaceMesh::new(v, FaceArity::Triangle, vec![0, 1, 2, 1, 3, 2, 3, 2, 0]).unwrap();
+        let welded = weld(&mesh).unwrap();
+        assert_eq!(welded.mesh.indices(), [0, 1, 2]);
+        assert_eq!(welded.original, [0, 1, 2]);
+    }
+
+    #[test]
+    fn turning_twice_is_nothing() {
+        let mesh = largest_component(&weld(&split_cube()).unwrap().mesh).mesh;
+        assert_eq!(turned(&mesh).signed_volume(), -mesh.signed_volume());
+        assert_eq!(turned(&turned(&mesh)), mesh);
+    }
+}

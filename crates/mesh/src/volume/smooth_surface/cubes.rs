@@ -1,0 +1,251 @@
+//! Marching cubes without a case table from a paper: contours are traced, so the surface is closed and 2-manifold.
+//!
+//! Every lattice edge that crosses the level carries one vertex. On each face of a cube the crossings are joined so
+//! that corners above the level are kept apart where the face is ambiguous; the rule looks at the face alone, so the
+//! two cubes that share it agree. The segments of a cube close to loops. A loop is cut into triangles by the shortest
+//! diagonals of which none lies in a face of the cube (such a diagonal could be used by the neighbouring cube too and
+//! become a non-manifold edge); where that is impossible the loop gets a vertex in its middle.
+//!
+//! Corners `0..8` have bit 0, 1, 2 for x, y, z. Edge `4·axis + k` runs along `axis`; `k` holds the other two bits.
+
+use super::super::VoxelMask;
+use crate::{FaceArity, MeshError, SurfaceMesh};
+use nalgebra::{Point3, Vector3};
+
+/// Vertices keep this share of an edge from its ends, so that no triangle shrinks to nothing where the field meets
+/// the level at a lattice point.
+const MARGIN: f64 = 0.05;
+
+/// The corners of each face, counter-clockwise seen from outside the cube.
+const FACES: [[usize; 4]; 6] = [[0, 4, 6, 2], [1, 3, 7, 5], [0, 1, 5, 4], [2, 6, 7, 3], [0, 2, 3, 1], [4, 5, 7, 6]];
+
+/// The edge between two corners that differ in one bit.
+fn edge_between(a: usize, b: usize) -> usize {
+    let axis = (a ^ b).trailing_zeros() as usize;
+    let low = a & b;
+    let others = match axis {
+        0 => low >> 1,
+        1 => (low & 1) | (low >> 2) << 1,
+        _ => low & 3,
+    };
+    4 * axis + others
+}
+
+/// The lower corner of an edge.
+fn edge_corner(edge: usize) -> usize {
+    let k = edge % 4;
+    match edge / 4 {
+        0 => k << 1,
+        1 => (k & 1) | (k >> 1) << 2,
+        _ => k,
+    }
+}
+
+/// The contour loops of all 256 sign patterns, and which edges share a face.
+struct Cases {
+    loops: Vec<Vec<Vec<usize>>>,
+    share_face: [[bool; 12]; 12],
+}
+
+impl Cases {
+    fn new() -> Self {
+        let mut share_face = [[false; 12]; 12];
+        for face in FACES {
+            let edges = [0, 1, 2, 3].map(|k| edge_between(face[k], face[(k + 1) % 4]));
+            for a in edges {
+                for b in edges {
+                    share_face[a][b] = true;
+                }
+            }
+        }
+        Cases { loops: (0..256).map(trace_loops).collect(), share_face }
+    }
+}
+
+/// The loops of one sign pattern (bit = corner at or above the level), as edges, counter-clockwise seen from below
+/// the level.
+fn trace_loops(pattern: usize) -> Vec<Vec<usize>> {
+    let above = |corner: usize| pattern >> corner & 1 == 1;
+    let mut next = [usize::MAX; 12];
+    for face in FACES {
+        let edge = |k: usize| edge_between(face[k % 4], face[(k + 1) % 4]);
+        for k in 0..4 {
+            // Where the contour leaves the corners above, it came in at the start of the same run of corners.
+            if above(face[k]) && !above(face[(k + 1) % 4]) {
+                let mut first = k + 4;
+                while above(face[(first - 1) % 4]) {
+                    first -= 1;
+                }
+                // Against the direction of the run: seen from below the level the loop is then counter-clockwise.
+                next[edge(first + 3)] = edge(k);
+            }
+        }
+    }
+    let mut loops = Vec::new();
+    for start in 0..12 {
+        let mut ring = Vec::new();
+        let mut at = start;
+        while next[at] != usize::MAX {
+            ring.push(at);
+            at = std::mem::replace(&mut next[at], usize::MAX);
+        }
+        if !ring.is_empty() {
+            loops.push(ring);
+        }
+    }
+    loops
+}
+
+/// The surface where `field` (on the lattice of `mask`, below `level` on its border) crosses `level`, in world mm,
+/// looking to where the field is below.
+///
+/// # Errors
+/// [`MeshError::Empty`] if the field crosses the level nowhere.
+///
+/// # Cost
+/// `O(voxels)`.
+pub(super) fn iso_surface(mask: &VoxelMask, field: &[f64], level: f64) -> Result<SurfaceMesh, MeshError> {
+    let mut cutter = Cutter::new(mask, field, level);
+    let [nx, ny, nz] = mask.dims();
+    for z in 0..nz - 1 {
+        for y in 0..ny - 1 {
+            for x in 0..nx - 1 {
+                cutter.cube([x, y, z]);
+            }
+        }
+        cutter.next_layer();
+    }
+    let mut indices = cutter.indices;
+    if mask.mirrors() {
+        indices.chunks_exact_mut(3).for_each(|t| t.swap(1, 2));
+    }
+    SurfaceMesh::new(cutter.vertices, FaceArity::Triangle, indices)
+}
+
+struct Cutter<'a> {
+    mask: &'a VoxelMask,
+    field: &'a [f64],
+    level: f64,
+    cases: Cases,
+    corner_steps: [usize; 8],
+    vertices: Vec<Point3<f64>>,
+    indices: Vec<u32>,
+    /// Vertices on x, y and z edges from the lattice points of this layer, and x and y edges of the next.
+    layer: [Vec<u32>; 3],
+    next_layer: [Vec<u32>; 2],
+}
+
+impl<'a> Cutter<'a> {
+    fn new(mask: &'a VoxelMask, field: &'a [f64], level: f64) -> Self {
+        let s = mask.strides();
+        let corner_steps = std::array::from_fn(|c| (c & 1) * s[0] + (c >> 1 & 1) * s[1] + (c >> 2) * s[2]);
+        let none = || vec![u32::MAX; s[2]];
+        Cutter {
+            mask,
+            field,
+            level,
+            cases: Cases::new(),
+            corner_steps,
+            vertices: Vec::new(),
+            indices: Vec::new(),
+            layer: [none(), none(), none()],
+            next_layer: [none(), none()],
+        }
+    }
+
+    fn next_layer(&mut self) {
+        for axis in 0..2 {
+            std::mem::swap(&mut self.layer[axis], &mut self.next_layer[axis]);
+            self.next_layer[axis].fill(u32::MAX);
+        }
+        self.layer[2].fill(u32::MAX);
+    }
+
+    fn cube(&mut self, place: [usize; 3]) {
+        let base = self.mask.index(place);
+        let above = |c: usize| self.field[base + self.corner_steps[c]] >= self.level;
+        let pattern = (0..8).fold(0, |p, c| p | usize::from(above(c)) << c);
+        if pattern == 0 || pattern == 255 {
+            return;
+        }
+        for k in 0..self.cases.loops[pattern].len() {
+            let edges = self.cases.loops[pattern][k].clone();
+            let ring: Vec<u32> = edges.iter().map(|&e| self.vertex(place, e)).collect();
+            self.triangulate(&edges, &ring);
+        }
+    }
+
+    /// The vertex on an edge of a cube, made when it is first met.
+    fn vertex(&mut self, place: [usize; 3], edge: usize) -> u32 {
+        let (axis, corner) = (edge / 4, edge_corner(edge));
+        let low = [0, 1, 2].map(|k| place[k] + (corner >> k & 1));
+        let slot = low[1] * self.mask.dims()[0] + low[0];
+        let numbers = if corner >> 2 == 1 { &mut self.next_layer[axis] } else { &mut self.layer[axis] };
+        if numbers[slot] == u32::MAX {
+            numbers[slot] = self.vertices.len() as u32;
+            let at = self.mask.index(low);
+            let (a, b) = (self.field[at], self.field[at + self.mask.strides()[axis]]);
+            let mut voxel = low.map(|c| c as f64);
+            voxel[axis] += ((self.level - a) / (b - a)).clamp(MARGIN, 1.0 - MARGIN);
+            self.vertices.push(self.mask.world(voxel));
+        }
+        numbers[slot]
+    }
+
+    fn triangulate(&mut self, edges: &[usize], ring: &[u32]) {
+        let at = |k: usize| self.vertices[ring[k] as usize];
+        let allowed = |a: usize, b: usize| !self.cases.share_face[edges[a]][edges[b]];
+        match shortest_triangulation(ring.len(), allowed, |a, b| (at(a) - at(b)).norm_squared()) {
+            Some(triangles) => self.indices.extend(triangles.iter().flatten().map(|&k| ring[k])),
+            None => {
+                let sum = ring.iter().fold(Vector3::zeros(), |s, &v| s + self.vertices[v as usize].coords);
+                let middle = self.vertices.len() as u32;
+                self.vertices.push(Point3::from(sum / ring.len() as f64));
+                for k in 0..ring.len() {
+                    self.indices.extend([ring[k], ring[(k + 1) % ring.len()], middle]);
+                }
+            }
+        }
+    }
+}
+
+/// Triangles of a polygon of `n` corners (at most 12) whose diagonals are all allowed and together as short as
+/// possible (squares of lengths), by dynamic programming over spans; `None` if there is no such triangulation.
+fn shortest_triangulation(
+    n: usize,
+    allowed: impl Fn(usize, usize) -> bool,
+    length2: impl Fn(usize, usize) -> f64,
+) -> Option<Vec<[usize; 3]>> {
+    if n == 3 {
+        return Some(vec![[0, 1, 2]]);
+    }
+    let mut cost = [[0.0; 12]; 12];
+    let mut split = [[0; 12]; 12];
+    for span in 2..n {
+        for a in 0..n - span {
+            let b = a + span;
+            let own = match span {
+                _ if span == n - 1 => 0.0,
+                _ if allowed(a, b) => length2(a, b),
+                _ => f64::INFINITY,
+            };
+            let halves = (a + 1..b).map(|m| (cost[a][m] + cost[m][b], m));
+            let (best, m) = halves.reduce(|x, y| if y.0 < x.0 { y } else { x }).unwrap_or((f64::INFINITY, a));
+            split[a][b] = m;
+            cost[a][b] = best + own;
+        }
+    }
+    if cost[0][n - 1].is_infinite() {
+        return None;
+    }
+    let mut triangles = Vec::with_capacity(n - 2);
+    let mut spans = vec![(0, n - 1)];
+    while let Some((a, b)) = spans.pop() {
+        if b - a >= 2 {
+            let m = split[a][b];
+            triangles.push([a, m, b]);
+            spans.extend([(m, b), (a, m)]);
+        }
+    }
+    Some(triangles)
+}

@@ -1,0 +1,42 @@
+//! Belief propagation over **active labels**: every variable holds a set of candidates and no other label.
+//!
+//! The energy is that of [`crate`]; a label outside its variable's set has weight 0, so that it cannot be taken.
+//! A message `i → j` then has `|C_j|` values instead of `n`, and `|C_i|` of them to be made from:
+//!
+//! ```text
+//! m_{i→j}(y) = max( ε max_{x ∈ C_i} h(x),  max_{x ∈ N_r(y) ∩ C_i} ψ(x, y) h(x) )        y ∈ C_j
+//! ```
+//!
+//! and likewise for sums. With all labels as candidates these are the messages of the dense engine. Memory is
+//! `O(|E→| K)` and an iteration `O(|E→| K k)` for `K` candidates a variable, of which `k ≤ k̄` are near a label, both
+//! linear in the size of the surfaces where `K` does not grow with them.
+//!
+//! What a set leaves out, no message can bring back. [`ActiveSets`] therefore says how sets are revised on the way:
+//! labels whose belief has fallen far behind are dropped, and those next to the images of a variable's neighbours,
+//! which is where its own image has to be, are taken in.
+//!
+//! # What the truncation allows
+//! Two labels' messages from one neighbour differ by `exp(T)` at most, so that the labels of a variable with `d`
+//! neighbours whose unary potential is more than `d T` above the lowest can never win, and leaving them out is exact.
+//! Where `T` is larger than the spread of the unary potentials, as it is by default, that excludes nothing; sets are
+//! capped instead, and [`crate::inference`]'s dense engine remains the reference.
+
+mod candidates;
+mod kernel;
+mod model;
+mod plan;
+mod potentials;
+mod progress;
+mod propagation;
+mod revision;
+#[cfg(test)]
+mod revision_tests;
+mod sets;
+#[cfg(test)]
+mod tests;
+
+pub use candidates::{CandidateError, Candidates};
+pub use model::ActiveModel;
+pub use potentials::{Evidence, FeaturePotentials, UnaryPotentials};
+pub use propagation::{ActiveOutcome, ActivePropagation, belief_propagation_active};
+pub use sets::ActiveSets;

@@ -1,0 +1,89 @@
+//! The energy over candidate labels.
+
+use super::candidates::{CandidateError, Candidates, MAX_CANDIDATES};
+use crate::{Energy, MrfModel, PairwisePotential};
+use homolog_primitives::graph::{EdgeGraph, LabelNeighborhoods};
+
+/// The energy of [`crate`], with unary potentials of candidate labels only.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ActiveModel<'a> {
+    pub(super) variables: &'a EdgeGraph,
+    pub(super) lengths: &'a [f32],
+    pub(super) labels: &'a LabelNeighborhoods,
+    pub(super) pairwise: PairwisePotential,
+    pub(super) candidates: Candidates,
+}
+
+impl<'a> ActiveModel<'a> {
+    /// The model of `variables` with edges of `lengths` (mm, one a directed edge) that take labels of `candidates`,
+    /// whose neighbourhoods are `labels`.
+    ///
+    /// # Errors
+    /// [`CandidateError`]: as many lengths as directed edges and as many rows as variables are needed; a row, and
+    /// different candidates of the neighbours of one variable, may be 65,536 at most.
+    pub fn new(
+        variables: &'a EdgeGraph,
+        lengths: &'a [f32],
+        labels: &'a LabelNeighborhoods,
+        pairwise: PairwisePotential,
+        candidates: Candidates,
+    ) -> Result<Self, CandidateError> {
+        let mismatch = |what, found, expected| Err(CandidateError::LengthMismatch { what, found, expected });
+        let n = variables.n_vertices();
+        if lengths.len() != variables.n_directed_edges() {
+            return mismatch("lengths", lengths.len(), variables.n_directed_edges());
+        }
+        if candidates.n_variables() != n {
+            return mismatch("rows of candidates", candidates.n_variables(), n);
+        }
+        for variable in 0..n {
+            let row = candidates.labels(variable);
+            if row.last().is_some_and(|&x| x as usize >= labels.n_labels()) {
+                return Err(CandidateError::NotAscending { variable, n_labels: labels.n_labels() });
+            }
+            let size = |&j: &u32| candidates.labels(j as usize).len();
+            let around: usize = variables.neighbors(variable).iter().map(size).sum();
+            let found = row.len().max(around.min(labels.n_labels()));
+            if found > MAX_CANDIDATES {
+                return Err(CandidateError::TooManyCandidates { variable, found });
+            }
+        }
+        Ok(ActiveModel { variables, lengths, labels, pairwise, candidates })
+    }
+
+    /// `model` with `candidates` for its variables.
+    ///
+    /// # Errors
+    /// As [`ActiveModel::new`].
+    pub fn of(model: &'a MrfModel, candidates: Candidates) -> Result<Self, CandidateError> {
+        ActiveModel::new(&model.variables, &model.lengths, &model.labels, model.pairwise, candidates)
+    }
+
+    /// The candidate sets.
+    pub fn candidates(&self) -> &Candidates {
+        &self.candidates
+    }
+
+    /// Number of variables.
+    pub fn n_variables(&self) -> usize {
+        self.variables.n_vertices()
+    }
+
+    /// `E` of the labeling in which variable `i` has its candidate number `chosen[i]`, term by term in a fixed order, as
+    /// [`MrfModel::energy`]. Cost `O(|E→| log k̄)`.
+    pub(super) fn energy(&self, chosen: &[u32]) -> Energy {
+        let label = |i: usize| self.candidates.labels(i)[chosen[i] as usize];
+        let mut energy = Energy { unary: 0.0, pairwise: 0.0 };
+        for (i, &at) in chosen.iter().enumerate() {
+            energy.unary += f64::from(self.candidates.unary(i)[at as usize]);
+            for edge in self.variables.row(i) {
+                let j = self.variables.head(edge);
+                if i < j {
+                    let distance = self.labels.distance_within(label(i) as usize, label(j) as usize).map(f64::from);
+                    energy.pairwise += self.pairwise.potential(self.lengths[edge].into(), distance);
+                }
+            }
+        }
+        energy
+    }
+}

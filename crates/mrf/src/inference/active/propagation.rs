@@ -1,0 +1,354 @@
+//! Messages over candidates, flooding: every message from those of the iteration before.
+
+use super::super::beliefs::{belief_row, belief_spread};
+use super::super::message_writer::Finish;
+use super::super::options::{BpOptions, Product};
+use super::super::outcome::{BpIteration, BpOutcome, BpStop};
+use super::super::pair_table::{PairTable, edge_factors};
+use super::kernel::{Octet, Scratch, max_uniform, max_weighted, sum_uniform, sum_weighted};
+use super::model::ActiveModel;
+use super::plan::{Group, LANES, Layout, NearLists, groups};
+use super::potentials::{Evidence, UnaryPotentials};
+use super::progress::{Chosen, Progress};
+use super::sets::ActiveSets;
+use homolog_primitives::observe::{Cancelled, Observer, checkpoint};
+use nalgebra::Point3;
+use rayon::prelude::*;
+
+/// Groups of variables between two looks at the observer.
+pub(super) const BATCH_GROUPS: usize = 32;
+
+/// Belief propagation over the candidates of `model` as they are, from flat messages, for at most `max_iterations`.
+///
+/// Reports as [`crate::inference::BeliefPropagation::run`] does, which it equals where all labels are candidates.
+///
+/// # Errors
+/// [`Cancelled`].
+///
+/// # Cost
+/// `O(|E→| K k)` an iteration for `K` candidates a variable, `k` of them near a label. Ten bytes for each of the `|E→| K`
+/// values of the messages (which are held twice, with a place in a list) and two for each pair of near labels, ten
+/// where the pairwise potential has a distance term.
+pub fn belief_propagation_active(
+    model: ActiveModel<'_>,
+    options: BpOptions,
+    max_iterations: u32,
+    observer: &dyn Observer,
+    on_iteration: impl FnMut(&BpIteration),
+) -> Result<BpOutcome, Cancelled> {
+    ActivePropagation::new(model, options).run(max_iterations, observer, on_iteration)
+}
+
+/// What a run over revised sets leaves.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ActiveOutcome {
+    /// As of any run.
+    pub propagation: BpOutcome,
+    /// Candidates of a variable, in the mean over variables and iterations.
+    pub mean_active: f64,
+    /// Times that the sets were revised.
+    pub revisions: u32,
+    /// Pairs of near labels that all message updates together visited.
+    pub pair_updates: u64,
+}
+
+/// Messages and candidate sets, kept from one run to the next.
+pub struct ActivePropagation<'a> {
+    pub(super) model: ActiveModel<'a>,
+    pub(super) options: BpOptions,
+    pub(super) table: PairTable,
+    /// `j → i` for every directed edge `i → j`.
+    pub(super) reverse: Vec<u32>,
+    /// Near and far factor of every directed edge.
+    pub(super) factors: Vec<(f32, f32)>,
+    pub(super) layout: Layout,
+    pub(super) groups: Vec<Group>,
+    /// `exp(−θ)`, bias included, in rows of the layout; 0 beyond the candidates.
+    pub(super) phi: Vec<f32>,
+    pub(super) messages: Vec<f32>,
+    /// Where the next messages are written.
+    pub(super) spare: Vec<f32>,
+}
+
+/// How sets are revised during a run.
+type Revising<'r> = Option<(&'r ActiveSets, Evidence<'r>)>;
+
+impl<'a> ActivePropagation<'a> {
+    /// Flat messages over the candidates of `model`. Allocates what an iteration needs.
+    pub fn new(model: ActiveModel<'a>, options: BpOptions) -> Self {
+        let (beta, scale) = (model.pairwise.beta, model.pairwise.length_scale);
+        let table = PairTable::new(model.labels, beta, scale);
+        let groups = groups(&model, &table);
+        let mut this = ActivePropagation {
+            options,
+            reverse: model.variables.reverse_edges(),
+            factors: model.lengths.iter().map(|&length| edge_factors(beta, scale, length)).collect(),
+            layout: Layout::new(&model),
+            groups,
+            phi: Vec::new(),
+            messages: Vec::new(),
+            spare: Vec::new(),
+            table,
+            model,
+        };
+        this.set_bias(None);
+        this.forget();
+        this
+    }
+
+    /// The model with its present candidates.
+    pub fn model(&self) -> &ActiveModel<'a> {
+        &self.model
+    }
+
+    /// Makes all messages flat again, so that the next run starts cold.
+    pub fn forget(&mut self) {
+        let n_values = self.layout.messages.last().copied().unwrap_or(0);
+        // Beyond the candidates a message is at its floor from the first iteration on.
+        self.messages.clear();
+        self.messages.resize(n_values, self.options.floor);
+        self.spare.resize(n_values, 0.0);
+        for edge in 0..self.model.variables.n_directed_edges() {
+            let n = self.model.candidates.labels(self.model.variables.head(edge)).len();
+            self.messages[self.layout.message(edge)][..n].fill(1.0);
+        }
+    }
+
+    /// Sets what is added to the unary potentials of the present candidates. Messages stay.
+    pub fn set_bias(&mut self, bias: Option<&dyn UnaryPotentials>) {
+        let model = &self.model;
+        let rows: Vec<Vec<f32>> = (0..model.n_variables())
+            .into_par_iter()
+            .map(|i| {
+                let unary = model.candidates.unary(i);
+                let mut row = vec![0.0; unary.len()];
+                if let Some(bias) = bias {
+                    bias.at(i, model.candidates.labels(i), &mut row);
+                }
+                row.iter_mut().zip(unary).for_each(|(value, theta)| *value = (-(theta + *value)).exp());
+                row
+            })
+            .collect();
+        self.phi.clear();
+        self.phi.resize(self.layout.rows.last().copied().unwrap_or(0), 0.0);
+        for (i, row) in rows.iter().enumerate() {
+            self.phi[self.layout.row(i)][..row.len()].copy_from_slice(row);
+        }
+    }
+
+    /// Runs over the candidates as they are until no message changes by more than the tolerance, or for
+    /// `max_iterations`.
+    ///
+    /// # Errors
+    /// [`Cancelled`]; the messages are then those of the last iteration that was finished.
+    pub fn run(
+        &mut self,
+        max_iterations: u32,
+        observer: &dyn Observer,
+        on_iteration: impl FnMut(&BpIteration),
+    ) -> Result<BpOutcome, Cancelled> {
+        Ok(self.run_with(max_iterations, None, observer, on_iteration)?.propagation)
+    }
+
+    /// Likewise, with candidates revised as `sets` say from potentials of `evidence`, whose bias counts from the first
+    /// revision on; set it before the run as well. A run ends when neither messages nor sets change.
+    ///
+    /// # Errors
+    /// [`Cancelled`].
+    pub fn run_revising(
+        &mut self,
+        max_iterations: u32,
+        sets: &ActiveSets,
+        evidence: Evidence<'_>,
+        observer: &dyn Observer,
+        on_iteration: impl FnMut(&BpIteration),
+    ) -> Result<ActiveOutcome, Cancelled> {
+        self.run_with(max_iterations, Some((sets, evidence)), observer, on_iteration)
+    }
+
+    fn run_with(
+        &mut self,
+        max_iterations: u32,
+        revising: Revising<'_>,
+        observer: &dyn Observer,
+        mut on_iteration: impl FnMut(&BpIteration),
+    ) -> Result<ActiveOutcome, Cancelled> {
+        let mut progress = Progress::new(self.model.n_variables());
+        let mut delta = f32::INFINITY;
+        let mut settled = false;
+        let (mut revisions, mut pair_updates, mut active) = (0, 0, 0.0);
+        // Beliefs come out of the pass that makes the next messages, so the labeling of iteration `k` is known in
+        // pass `k + 1`; the last pass only decodes.
+        for pass in 0..=max_iterations {
+            settled = delta <= self.options.tolerance;
+            if let Some((sets, evidence)) = revising
+                && pass > 0
+                && pass < max_iterations
+                && (settled || pass % sets.every.max(1) == 0)
+            {
+                revisions += 1;
+                settled &= !self.revise(sets, evidence, observer)?;
+            }
+            let last = pass == max_iterations || settled;
+            let (chosen, new_delta) = self.pass(!last, observer)?;
+            let labels_changed = progress.take(&self.model, &chosen);
+            if pass > 0 {
+                on_iteration(&progress.iterate(delta, labels_changed));
+            }
+            if last {
+                break;
+            }
+            delta = new_delta;
+            pair_updates += self.pair_updates();
+            active += self.model.candidates.mean_size();
+        }
+        let iterations = progress.iterations;
+        Ok(ActiveOutcome {
+            propagation: progress.finish(if settled { BpStop::Converged } else { BpStop::MaxIterations }),
+            mean_active: if iterations > 0 {
+                active / f64::from(iterations)
+            } else {
+                self.model.candidates.mean_size()
+            },
+            revisions,
+            pair_updates,
+        })
+    }
+
+    /// One pass over all variables: decodes the beliefs of the present messages and, with `update`, makes the next ones;
+    /// returns the largest change of one.
+    fn pass(&mut self, update: bool, observer: &dyn Observer) -> Result<(Vec<Chosen>, f32), Cancelled> {
+        let mut spare = std::mem::take(&mut self.spare);
+        let mut rest = spare.as_mut_slice();
+        let mut outputs: Vec<&mut [f32]> = Vec::with_capacity(self.groups.len());
+        for group in &self.groups {
+            let n_values = if update { self.layout.sent_by(&self.model, &group.variables).len() } else { 0 };
+            let (output, left) = rest.split_at_mut(n_values);
+            outputs.push(output);
+            rest = left;
+        }
+        let mut found = Vec::with_capacity(self.model.n_variables());
+        let mut delta = 0.0f32;
+        let mut finished = Ok(());
+        for (groups, outputs) in self.groups.chunks(BATCH_GROUPS).zip(outputs.chunks_mut(BATCH_GROUPS)) {
+            finished = checkpoint(observer);
+            if finished.is_err() {
+                break;
+            }
+            let results: Vec<(Vec<Chosen>, f32)> = groups
+                .par_iter()
+                .zip(outputs)
+                .map_init(Scratch::default, |scratch, (group, output)| {
+                    self.pass_group(group, update.then_some(&mut **output), scratch)
+                })
+                .collect();
+            for (chosen, change) in results {
+                found.extend(chosen);
+                delta = delta.max(change);
+            }
+        }
+        self.spare = spare;
+        finished?;
+        if update {
+            std::mem::swap(&mut self.messages, &mut self.spare);
+        }
+        Ok((found, delta))
+    }
+
+    fn pass_group(&self, group: &Group, output: Option<&mut [f32]>, scratch: &mut Scratch) -> (Vec<Chosen>, f32) {
+        let mut chosen = Vec::with_capacity(group.variables.len());
+        let mut change = 0.0f32;
+        let mut output = output;
+        let finish = Finish { floor: self.options.floor, damping: self.options.damping };
+        let first_value = self.layout.sent_by(&self.model, &group.variables).start;
+        for (i, lists) in group.lists(&self.model) {
+            let phi = &self.phi[self.layout.row(i)];
+            scratch.multiply(phi, &self.incoming(i));
+            let peak = scratch.peak(phi);
+            let confidence = if peak.sum > 0.0 { f64::from(peak.value / peak.sum) } else { 0.0 };
+            chosen.push(Chosen { candidate: peak.candidate, confidence });
+            let Some(output) = output.as_deref_mut() else { continue };
+            let mut places = lists.places;
+            let edges = self.model.variables.row(i);
+            for first in (0..edges.len()).step_by(LANES) {
+                self.update(i, first, &lists, scratch);
+                for (lane, edge) in edges.clone().skip(first).take(LANES).enumerate() {
+                    let n = self.model.candidates.labels(self.model.variables.head(edge)).len();
+                    let (own, left) = places.split_at(n);
+                    places = left;
+                    let range = self.layout.message(edge);
+                    let new = &mut output[range.start - first_value..range.end - first_value];
+                    change = change.max(scratch.finish(lane, own, finish, &self.messages[range], new));
+                }
+            }
+        }
+        (chosen, change)
+    }
+
+    /// The messages to `variable`, in the order of its edges.
+    pub(super) fn incoming(&self, variable: usize) -> Vec<&[f32]> {
+        let message = |edge: usize| &self.messages[self.layout.message(self.reverse[edge] as usize)];
+        self.model.variables.row(variable).map(message).collect()
+    }
+
+    /// Messages of `variable`, which was multiplied last, to its neighbours from number `first` on, over the union of
+    /// their candidates, unscaled, into `scratch.updated`. Returns the value that no message is below, for each.
+    pub(super) fn update(&self, variable: usize, first: usize, lists: &NearLists<'_>, scratch: &mut Scratch) -> Octet {
+        let largest = scratch.turn(&self.phi[self.layout.row(variable)], first);
+        scratch.updated.resize(lists.ends.len(), Octet([0.0; LANES]));
+        let epsilon = self.epsilon();
+        let floor = Octet(largest.0.map(|top| top * epsilon));
+        let (near, far) = self.edge_octets(variable, first);
+        let Scratch { cavity, updated, .. } = scratch;
+        match (self.options.product, self.model.pairwise.beta == 0.0) {
+            (Product::Max, true) => max_uniform(lists, cavity, &floor, updated),
+            (Product::Max, false) => max_weighted(lists, cavity, (&near, &far), &floor, updated),
+            (Product::Sum, true) => sum_uniform(lists, cavity, epsilon, updated),
+            (Product::Sum, false) => sum_weighted(lists, cavity, (&near, &far), epsilon, updated),
+        }
+        floor
+    }
+
+    /// `exp(−T)`; 0 for the hard constraint, a truncation of infinity.
+    pub(super) fn epsilon(&self) -> f32 {
+        (-self.model.pairwise.truncation).exp() as f32
+    }
+
+    /// Near and far factors of the edges of `variable` from number `first` on; 0 where there is none.
+    fn edge_octets(&self, variable: usize, first: usize) -> (Octet, Octet) {
+        let (mut near, mut far) = (Octet([0.0; LANES]), Octet([0.0; LANES]));
+        let factors = &self.factors[self.model.variables.row(variable)][first..];
+        for (lane, &(n, f)) in factors.iter().take(LANES).enumerate() {
+            (near.0[lane], far.0[lane]) = (n, f);
+        }
+        (near, far)
+    }
+
+    /// The belief of `variable` over its candidates, summing to 1. All 0 if every product of messages vanishes.
+    pub fn belief(&self, variable: usize) -> Vec<f32> {
+        let n = self.model.candidates.labels(variable).len();
+        let messages = self.incoming(variable);
+        let belief = belief_row(&self.phi[self.layout.row(variable)][..n], messages.iter().map(|m| &m[..n]));
+        belief.into_iter().map(|b| b as f32).collect()
+    }
+
+    /// [`belief_spread`] of every variable over the positions of all labels, mm. Cost `O(|E→| K)`, on all cores.
+    pub fn spreads(&self, positions: &[Point3<f64>]) -> Vec<f64> {
+        let spread = |i: usize| {
+            let at: Vec<Point3<f64>> = self.model.candidates.labels(i).iter().map(|&x| positions[x as usize]).collect();
+            belief_spread(&self.belief(i), &at)
+        };
+        (0..self.model.n_variables()).into_par_iter().map(spread).collect()
+    }
+
+    /// Pairs of near labels that the message updates of one iteration visit.
+    pub fn pair_updates(&self) -> u64 {
+        self.groups.iter().map(|group| group.pair_updates(&self.model)).sum()
+    }
+
+    /// Bytes of messages, lists and potentials.
+    pub fn memory_bytes(&self) -> usize {
+        let values = self.messages.len() + self.spare.len() + self.phi.len() + 2 * self.model.candidates.n_candidates();
+        4 * values + self.groups.iter().map(Group::bytes).sum::<usize>()
+    }
+}

@@ -1,0 +1,144 @@
+//! What both schedules do with one block of lanes: from cavity products to messages.
+
+use super::block_plan::BlockVariable;
+use super::cavity::{CavityTotals, cavity_products};
+use super::full_update::{FullPotential, full_max_update, full_sum_update};
+use super::label_order::LabelOrder;
+use super::lanes::{CHUNK, Lanes};
+use super::message_value::MessageValue;
+use super::message_writer::{BlockRows, Finish, write_chunk};
+use super::options::{BpMethod, BpOptions, Product, Update};
+use super::outcome::Decoded;
+use super::pair_table::PairTable;
+use super::sparse_update::{
+    Scratch, max_chunk, max_steps_but_last, max_update, max_update_uniform, sum_update, sum_update_uniform,
+};
+use crate::MrfModel;
+
+/// Everything that a message update reads besides the messages.
+#[derive(Clone, Copy)]
+pub(super) struct Kernel<'a> {
+    pub model: &'a MrfModel,
+    pub options: BpOptions,
+    pub method: BpMethod,
+    pub order: &'a LabelOrder,
+    /// In that order, like all rows over the labels.
+    pub table: &'a PairTable,
+    /// Values of a row of `phi` and of a message.
+    pub stride: usize,
+    pub phi: &'a [f32],
+}
+
+impl Kernel<'_> {
+    /// Cavity products of the lanes of `variables` into `scratch`; returns their totals. `message` is the row of an
+    /// incoming message.
+    pub fn cavity<'m, M: MessageValue>(
+        &self,
+        message: impl Fn(u32) -> &'m [M],
+        variables: &[BlockVariable],
+        scratch: &mut Scratch,
+    ) -> CavityTotals {
+        let phi: Vec<&[f32]> = variables.iter().map(|of| self.phi_row(of.variable)).collect();
+        let messages: Vec<&[M]> = variables.iter().flat_map(|of| &of.incoming).map(|&row| message(row)).collect();
+        let chains = (&mut scratch.chains, self.options.product == Product::Sum);
+        cavity_products(
+            (&self.order.negated()[..self.stride], &phi),
+            &messages,
+            variables,
+            chains,
+            &mut scratch.cavity[..self.stride],
+        )
+    }
+
+    /// `φ` of a variable.
+    pub fn phi_row(&self, variable: usize) -> &[f32] {
+        &self.phi[variable * self.stride..][..self.stride]
+    }
+
+    /// The decoded beliefs of the `variables` whose cavity products were computed last.
+    pub fn decode<'v>(
+        &self,
+        variables: &'v [BlockVariable],
+        scratch: &Scratch,
+    ) -> impl Iterator<Item = (&'v BlockVariable, Decoded)> {
+        variables.iter().zip(scratch.chains.peaks()).map(|(of, best)| {
+            let confidence = if best.sum > 0.0 { f64::from(best.peak / best.sum) } else { 0.0 };
+            (of, Decoded { variable: of.variable as u32, label: best.label, confidence })
+        })
+    }
+
+    /// Messages of all lanes from the cavity products of `scratch`, unscaled, into its `updated`; returns the largest
+    /// value of each lane. `(near, far)` are the edge factors and `totals` those of the cavity products.
+    pub fn update(&self, (near, far): (&Lanes, &Lanes), totals: &CavityTotals, scratch: &mut Scratch) -> Lanes {
+        let epsilon = self.epsilon();
+        let rest = Lanes(totals.sum.map(|sum| sum * epsilon));
+        if self.method.update == Update::Sparse && self.model.pairwise.beta == 0.0 {
+            return match self.options.product {
+                Product::Max => {
+                    max_update_uniform(self.table, &self.least(totals), scratch);
+                    totals.largest
+                }
+                Product::Sum => sum_update_uniform(self.table, &rest, epsilon, scratch),
+            };
+        }
+        let Scratch { cavity, updated, dense, .. } = scratch;
+        let potential = FullPotential { near, far, epsilon };
+        match (self.method.update, self.options.product) {
+            (Update::Full, Product::Max) => full_max_update(self.table, cavity, potential, dense, updated),
+            (Update::Full, Product::Sum) => full_sum_update(self.table, cavity, potential, dense, updated),
+            (Update::Sparse, Product::Sum) => sum_update(self.table, cavity, (near, far), (&rest, epsilon), updated),
+            (Update::Sparse, Product::Max) => max_update(self.table, cavity, (near, far), &self.least(totals), updated),
+        }
+    }
+
+    /// The next messages of all lanes from the cavity products of `scratch`, into `rows`; returns the largest change.
+    pub fn write<M: MessageValue>(
+        &self,
+        factors: (&Lanes, &Lanes),
+        totals: &CavityTotals,
+        scratch: &mut Scratch,
+        rows: &mut BlockRows<'_, M>,
+    ) -> f32 {
+        let finish = Finish { floor: self.options.floor, damping: self.options.damping };
+        let mut change = 0.0f32;
+        let starts = (0..self.stride).step_by(CHUNK);
+        let sparse_max = (self.method.update, self.options.product) == (Update::Sparse, Product::Max);
+        if sparse_max && self.model.pairwise.beta == 0.0 {
+            // The scale is known before the messages are: what is updated is written while the nearest cache has it.
+            max_steps_but_last(self.table, scratch);
+            let floor = self.least(totals);
+            for (chunk, start) in starts.enumerate() {
+                let updated = &mut scratch.chunk[..CHUNK.min(self.stride - start)];
+                max_chunk(&self.table.steps, chunk, &scratch.cavity, &floor, updated);
+                change = change.max(write_chunk(updated, start, &totals.largest, finish, rows));
+            }
+        } else {
+            let largest = self.update(factors, totals, scratch);
+            for start in starts {
+                let updated = &scratch.updated[start..(start + CHUNK).min(self.stride)];
+                change = change.max(write_chunk(updated, start, &largest, finish, rows));
+            }
+        }
+        change
+    }
+
+    /// `ε = exp(−T)`: 0 for the hard constraint, a truncation of infinity; pairs outside the neighbourhood then add
+    /// nothing.
+    fn epsilon(&self) -> f32 {
+        (-self.model.pairwise.truncation).exp() as f32
+    }
+
+    /// What max-product messages are not below, before scaling.
+    fn least(&self, totals: &CavityTotals) -> Lanes {
+        Lanes(totals.largest.map(|top| top * self.epsilon()))
+    }
+}
+
+/// The factors of the edges of a block, lane by lane; 0 in lanes without an edge.
+pub(super) fn lane_factors(edges: impl Iterator<Item = (f32, f32)>) -> (Lanes, Lanes) {
+    let mut factors = (Lanes::splat(0.0), Lanes::splat(0.0));
+    for (lane, (near, far)) in edges.enumerate() {
+        (factors.0[lane], factors.1[lane]) = (near, far);
+    }
+    factors
+}

@@ -1,0 +1,295 @@
+//! A lower bound on the energy of every labeling, and so on how far a labeling is from the lowest energy.
+//!
+//! Messages move energy between unary and pairwise potentials without changing the energy of any labeling; whatever
+//! they are, the sum of the minima of all potentials is a bound. Each sweep visits the variables in one order and
+//! back: a variable gathers what its edges hold, shares it between the edges ahead, and each edge passes on all that
+//! it can. The bound never falls and settles at a fixed point (weak tree agreement), which on trees is the minimum
+//! itself, and otherwise near the optimum of the linear relaxation.
+//!
+//! Source: tree-reweighted message passing, sequential: Kolmogorov, IEEE PAMI 28(10), 2006, written with the shares
+//! in the messages as in Kolmogorov, IEEE PAMI 37(5), 2015. The sparse message over a truncated potential is that of
+//! belief propagation in the domain of energies. Whole numbers instead of floating point make the arithmetic exact
+//! ([`super::fixed_point`]): no rounding in a sweep can lift the bound above the energy.
+//!
+//! Pairwise potentials must be `≥ 0` and unary potentials finite. A truncation of infinity is supported: the bound
+//! is then that of a large finite one, which is lower or equal.
+
+use super::block_plan::LANES;
+use super::dual_update::{PassScratch, UnitTable, add, minimum, pass_on, shares, subtract};
+use super::fixed_point::Grid;
+use super::sweep_order::SweepOrder;
+use crate::{Energy, Labeling, MrfModel};
+use homolog_primitives::observe::{Cancelled, Observer, checkpoint};
+use rayon::prelude::*;
+
+/// Blocks of messages made side by side: enough for many cores, little scratch.
+const BLOCKS_AT_ONCE: usize = 16;
+
+/// When [`DualBound::run`] is content.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct DualOptions {
+    /// A run ends when the energy of the best labeling is above the bound by no more than this share of its magnitude.
+    pub gap_tolerance: f64,
+    /// A run ends when an iteration lifts the bound by no more than this share of its magnitude.
+    pub progress_tolerance: f64,
+}
+
+/// Why a run ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum DualStop {
+    /// The best labeling is within the gap tolerance of the bound: it has the lowest energy, to that tolerance.
+    Optimal,
+    /// The bound hardly rises any more; a gap remains.
+    Stalled,
+    /// The budget of iterations ended.
+    MaxIterations,
+}
+
+/// One finished iteration: a sweep there and back, `|E→|` messages.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct DualIteration {
+    /// From 1.
+    pub iteration: u32,
+    /// The bound so far; never less than before.
+    pub bound: f64,
+    /// Energy of the best labeling decoded so far; never more than before.
+    pub energy: Energy,
+}
+
+/// What a run leaves.
+#[derive(Debug, Clone, PartialEq)]
+pub struct DualOutcome {
+    /// No labeling has an energy below this.
+    pub bound: f64,
+    /// The decoded labeling of lowest energy.
+    pub labeling: Labeling,
+    /// Its energy.
+    pub energy: Energy,
+    /// Iterations of this run.
+    pub iterations: u32,
+    /// Why it ended.
+    pub stop: DualStop,
+}
+
+/// Messages of the dual of one model, the best bound and the best labeling.
+///
+/// Memory: `|E→| · n` whole numbers of 32 bits, and a few for every label and core.
+pub struct DualBound<'a> {
+    model: &'a MrfModel,
+    options: DualOptions,
+    grid: Grid,
+    table: UnitTable,
+    order: SweepOrder,
+    reverse: Vec<u32>,
+    /// `βℓ/ℓ'` of every directed edge, in grid units.
+    lengths: Vec<i32>,
+    /// Message `i → j`, one value a label of `j`, for every directed edge.
+    messages: Vec<Vec<i32>>,
+    scratch: Vec<PassScratch>,
+    /// Labels as the sweep decodes them.
+    decoded: Labeling,
+    best: (Labeling, Energy),
+    bound: f64,
+}
+
+/// The way a sweep goes through the order.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Direction {
+    Forward,
+    Backward,
+}
+
+/// A variable whose turn it is.
+struct Turn {
+    variable: usize,
+    /// Its edges to variables whose turn is still to come.
+    ahead: Vec<usize>,
+    /// The messages that came along them, to be lessened by what is shared out; taken from the table meanwhile.
+    incoming: Vec<Vec<i32>>,
+    /// Minimum of the reparametrised unary potential.
+    minimum: i32,
+    label: u32,
+}
+
+impl<'a> DualBound<'a> {
+    /// No messages yet; the bound is the sum of the smallest unary potentials.
+    pub fn new(model: &'a MrfModel, options: DualOptions) -> Self {
+        let grid = Grid::new(model);
+        let labeling = model.unary_minimum();
+        let energy = model.energy(&labeling);
+        DualBound {
+            options,
+            table: UnitTable::new(model, &grid),
+            order: SweepOrder::new(&model.variables),
+            reverse: model.variables.reverse_edges(),
+            lengths: model.lengths.iter().map(|&length| grid.scaled_length(model, length)).collect(),
+            messages: vec![vec![0; model.n_labels()]; model.variables.n_directed_edges()],
+            scratch: Vec::new(),
+            decoded: labeling.clone(),
+            best: (labeling, energy),
+            bound: grid.trivial_bound(),
+            grid,
+            model,
+        }
+    }
+
+    /// The best bound so far: not above the energy of any labeling, at any time.
+    pub fn bound(&self) -> f64 {
+        self.bound
+    }
+
+    /// Sweeps until the bound meets the best labeling or hardly rises, or for `max_iterations`; a further run goes on
+    /// from there.
+    ///
+    /// `on_iteration` hears of every iteration, with the best labeling so far. Cost of an iteration: `O(|E→| n k̄)`, on all cores, the same bits on
+    /// any number of them.
+    ///
+    /// # Errors
+    /// [`Cancelled`] as soon as `observer` asks to stop. The bound so far holds; a further run starts from no messages.
+    pub fn run(
+        &mut self,
+        max_iterations: u32,
+        observer: &dyn Observer,
+        mut on_iteration: impl FnMut(&DualIteration, &[u32]),
+    ) -> Result<DualOutcome, Cancelled> {
+        let mut stop = DualStop::MaxIterations;
+        let mut iterations = 0;
+        while iterations < max_iterations {
+            iterations += 1;
+            let before = self.bound;
+            for direction in [Direction::Forward, Direction::Backward] {
+                let swept = self.sweep(direction, observer);
+                if swept.is_err() {
+                    self.messages.iter_mut().for_each(|row| row.fill(0));
+                }
+                self.bound = self.bound.max(self.grid.bound(swept?));
+                let energy = self.model.energy(&self.decoded);
+                if energy.total() < self.best.1.total() {
+                    self.best = (self.decoded.clone(), energy);
+                }
+            }
+            let energy = self.best.1;
+            on_iteration(&DualIteration { iteration: iterations, bound: self.bound, energy }, &self.best.0);
+            if energy.total() - self.bound <= self.options.gap_tolerance * energy.total().abs() {
+                stop = DualStop::Optimal;
+                break;
+            }
+            if self.bound - before <= self.options.progress_tolerance * self.bound.abs() {
+                stop = DualStop::Stalled;
+                break;
+            }
+        }
+        let (labeling, energy) = self.best.clone();
+        Ok(DualOutcome { bound: self.bound, labeling, energy, iterations, stop })
+    }
+
+    /// Every variable once. The sum of the minima of all potentials after it, in grid units.
+    fn sweep(&mut self, direction: Direction, observer: &dyn Observer) -> Result<i64, Cancelled> {
+        let mut units = 0;
+        let n_steps = self.order.steps.len();
+        for at in 0..n_steps {
+            checkpoint(observer)?;
+            let step = match direction {
+                Direction::Forward => at,
+                Direction::Backward => n_steps - 1 - at,
+            };
+            let turns = self.take_turns(step, direction);
+            let mut ahead = Vec::new();
+            for turn in turns {
+                units += i64::from(turn.minimum);
+                self.decoded[turn.variable] = turn.label;
+                for (&edge, row) in turn.ahead.iter().zip(turn.incoming) {
+                    self.messages[self.reverse[edge] as usize] = row;
+                }
+                ahead.extend(turn.ahead);
+            }
+            units += self.pass_on(&ahead);
+        }
+        Ok(units)
+    }
+
+    /// The variables of a step share out what they have, side by side: they are no neighbours.
+    fn take_turns(&mut self, step: usize, direction: Direction) -> Vec<Turn> {
+        let graph = &self.model.variables;
+        let turns: Vec<Turn> = self.order.steps[step]
+            .iter()
+            .map(|&i| {
+                let is_ahead = |&edge: &usize| {
+                    let other = self.order.step_of[graph.head(edge)] as usize;
+                    if direction == Direction::Forward { other > step } else { other < step }
+                };
+                let ahead: Vec<usize> = graph.row(i as usize).filter(is_ahead).collect();
+                let incoming =
+                    ahead.iter().map(|&edge| std::mem::take(&mut self.messages[self.reverse[edge] as usize])).collect();
+                Turn { variable: i as usize, ahead, incoming, minimum: 0, label: 0 }
+            })
+            .collect();
+        let this = &*self;
+        turns.into_par_iter().map(|turn| this.take_turn(turn)).collect()
+    }
+
+    fn take_turn(&self, mut turn: Turn) -> Turn {
+        let graph = &self.model.variables;
+        let mut potential = Vec::with_capacity(self.model.n_labels());
+        self.grid.unary(turn.variable, self.model.unary_row(turn.variable), &mut potential);
+        for row in &turn.incoming {
+            add(&mut potential, row);
+        }
+        // A label is decoded given those of the variables that had their turn, whose potentials replace messages.
+        // The truncation is left out of them: it is the same for all labels.
+        let mut given = potential.clone();
+        let behind: Vec<usize> = graph.row(turn.variable).filter(|edge| !turn.ahead.contains(edge)).collect();
+        for &edge in &behind {
+            add(&mut potential, &self.messages[self.reverse[edge] as usize]);
+            for &(x, distance) in self.table.row(self.decoded[graph.head(edge)] as usize) {
+                let near = (self.lengths[edge] - distance).abs().min(self.grid.truncation);
+                given[x as usize] += near - self.grid.truncation;
+            }
+        }
+        turn.label = minimum(&given).0 as u32;
+        turn.minimum = minimum(&potential).1;
+        shares(&mut potential, turn.minimum, turn.ahead.len().max(behind.len()));
+        for row in &mut turn.incoming {
+            subtract(row, &potential);
+        }
+        turn
+    }
+
+    /// Every edge of `edges` passes on all it can. The sum of the minima that remain in them, in grid units.
+    fn pass_on(&mut self, edges: &[usize]) -> i64 {
+        let mut units = 0;
+        let n = self.model.n_labels();
+        for edges in edges.chunks(LANES * BLOCKS_AT_ONCE) {
+            let blocks: Vec<&[usize]> = edges.chunks(LANES).collect();
+            while self.scratch.len() < blocks.len() {
+                self.scratch.push(PassScratch::new(n));
+            }
+            let mut outgoing: Vec<Vec<Vec<i32>>> = blocks
+                .iter()
+                .map(|block| block.iter().map(|&edge| std::mem::take(&mut self.messages[edge])).collect())
+                .collect();
+            let DualBound { model, grid, table, reverse, lengths, messages, scratch, .. } = &mut *self;
+            let potential = (grid.truncation, model.pairwise.beta == 0.0);
+            let sums: Vec<i64> = scratch
+                .par_iter_mut()
+                .zip(&blocks)
+                .zip(&mut outgoing)
+                .map(|((scratch, block), outgoing)| {
+                    let against: Vec<&[i32]> =
+                        block.iter().map(|&edge| messages[reverse[edge] as usize].as_slice()).collect();
+                    let mut lane_lengths = [0; LANES];
+                    for (lane, &edge) in block.iter().enumerate() {
+                        lane_lengths[lane] = lengths[edge];
+                    }
+                    let minima = pass_on(table, &against, &lane_lengths, potential, scratch, outgoing);
+                    minima[..block.len()].iter().map(|&m| i64::from(m)).sum()
+                })
+                .collect();
+            units += sums.iter().sum::<i64>();
+            for (&edge, row) in edges.iter().zip(outgoing.into_iter().flatten()) {
+                self.messages[edge] = row;
+            }
+        }
+        units
+    }
+}

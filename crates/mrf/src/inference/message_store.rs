@@ -1,0 +1,230 @@
+//! The messages of the flooding schedule: one copy, and a few blocks more.
+//!
+//! Flooding makes every message from those of the iteration before, so an old message must live until all that read
+//! it are done: the variable it goes to, and the block it belongs to, which damps with it. Blocks are treated a batch
+//! after another in an order in which neighbours are near, and a block written anew takes the place of one whose last
+//! reader is done. Where a block lies thus changes from iteration to iteration; nothing is copied, and what is
+//! written lands where something has just been read, which the cache still holds.
+
+use super::block_plan::{BLOCK_LANES, BlockPlan};
+use super::lanes::LINE_BYTES;
+use super::message_value::MessageValue;
+use std::ops::Range;
+
+/// Blocks between two releases: enough to keep many cores busy, few against the thousands of a surface.
+const BATCH_BLOCKS: usize = 24;
+
+/// Which blocks are updated together, and which old ones are needed no more after each batch.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Batches {
+    /// In order: the blocks of the batch, and those whose last reader is in it.
+    pub batches: Vec<(Range<usize>, Vec<usize>)>,
+    /// Blocks that must have room besides the old ones.
+    pub n_spare: usize,
+}
+
+impl Batches {
+    /// Cost `O(|E→|)`.
+    pub fn new(plan: &BlockPlan) -> Self {
+        let n = plan.blocks.len();
+        let mut last_reader: Vec<usize> = (0..n).collect();
+        for (reader, block) in plan.blocks.iter().enumerate() {
+            for &edge in block.variables.iter().flat_map(|of| &of.incoming) {
+                let of = edge as usize / BLOCK_LANES;
+                last_reader[of] = last_reader[of].max(reader);
+            }
+        }
+        let mut batches: Vec<(Range<usize>, Vec<usize>)> =
+            (0..n).step_by(BATCH_BLOCKS).map(|start| (start..(start + BATCH_BLOCKS).min(n), Vec::new())).collect();
+        for (block, reader) in last_reader.into_iter().enumerate() {
+            batches[reader / BATCH_BLOCKS].1.push(block);
+        }
+        let (mut in_use, mut n_spare) = (0, 0);
+        for (blocks, released) in &batches {
+            in_use += blocks.len();
+            n_spare = n_spare.max(in_use);
+            in_use -= released.len();
+        }
+        Batches { batches, n_spare }
+    }
+}
+
+/// All messages, block by block.
+pub(super) struct MessageStore<M> {
+    values: Vec<M>,
+    /// Where the first piece begins: where a line of the cache does.
+    start: usize,
+    stride: usize,
+    n_edges: usize,
+    /// Which piece of `values` a block lies in.
+    piece_of_block: Vec<usize>,
+    /// Pieces not in use; the one freed last is used first.
+    spare: Vec<usize>,
+}
+
+impl<M: MessageValue> MessageStore<M> {
+    /// Room for the messages of `plan`, rows of `stride` values, and `n_spare` blocks more. All 0.
+    pub fn new(plan: &BlockPlan, stride: usize, n_spare: usize) -> Self {
+        let n = plan.blocks.len();
+        // A vector that straddles two lines of the cache takes twice as long; rows are whole vectors, so that it is
+        // enough to align the first one. Not a matter of results: 0 would do.
+        let line = LINE_BYTES / size_of::<M>();
+        let values = vec![M::ZERO; (n + n_spare) * BLOCK_LANES * stride + line];
+        let start = values.as_ptr().align_offset(LINE_BYTES).min(line);
+        MessageStore {
+            values,
+            start,
+            stride,
+            n_edges: plan.blocks.iter().map(|block| block.n_edges).sum(),
+            piece_of_block: (0..n).collect(),
+            spare: (n..n + n_spare).rev().collect(),
+        }
+    }
+
+    /// The message of a directed edge.
+    pub fn message(&self, edge: usize) -> &[M] {
+        let start = self.start(edge);
+        &self.values[start..start + self.stride]
+    }
+
+    /// Makes every message the same.
+    pub fn fill(&mut self, message: &[f32]) {
+        let message: Vec<M> = message.iter().map(|&value| M::narrow(value.max(M::LEAST))).collect();
+        for edge in 0..self.n_edges {
+            let start = self.start(edge);
+            self.values[start..start + self.stride].copy_from_slice(&message);
+        }
+    }
+
+    fn start(&self, edge: usize) -> usize {
+        let (block, lane) = (edge / BLOCK_LANES, edge % BLOCK_LANES);
+        self.start + (self.piece_of_block[block] * BLOCK_LANES + lane) * self.stride
+    }
+
+    /// The messages for one iteration.
+    pub fn open(&mut self) -> OpenStore<'_, M> {
+        let MessageStore { values, start, stride, piece_of_block, spare, .. } = self;
+        OpenStore {
+            pieces: values[*start..].chunks_exact_mut((BLOCK_LANES * *stride).max(1)).collect(),
+            new_piece: vec![usize::MAX; piece_of_block.len()],
+            stride: *stride,
+            piece_of_block,
+            spare,
+        }
+    }
+}
+
+/// The messages while some are read and others written.
+pub(super) struct OpenStore<'a, M> {
+    /// Empty where lent out.
+    pieces: Vec<&'a mut [M]>,
+    /// Where the block of the next iteration lies, once it is made.
+    new_piece: Vec<usize>,
+    stride: usize,
+    piece_of_block: &'a mut [usize],
+    spare: &'a mut Vec<usize>,
+}
+
+/// A piece lent out to be written.
+pub(super) struct Lent<'a, M> {
+    piece: usize,
+    /// Row after row of the block.
+    pub values: &'a mut [M],
+}
+
+impl<'a, M> OpenStore<'a, M> {
+    /// The old message of a directed edge.
+    pub fn message(&self, edge: u32) -> &[M] {
+        let (block, lane) = (edge as usize / BLOCK_LANES, edge as usize % BLOCK_LANES);
+        &self.block(block)[lane * self.stride..][..self.stride]
+    }
+
+    /// All old messages of a block.
+    pub fn block(&self, block: usize) -> &[M] {
+        &*self.pieces[self.piece_of_block[block]]
+    }
+
+    /// Spare pieces for `count` blocks, or for as many as there are.
+    pub fn lend(&mut self, count: usize) -> Vec<Lent<'a, M>> {
+        let first = self.spare.len().saturating_sub(count);
+        let lent = self.spare.split_off(first).into_iter().rev();
+        lent.map(|piece| Lent { piece, values: std::mem::take(&mut self.pieces[piece]) }).collect()
+    }
+
+    /// Takes back what was lent: from the next iteration on it is `block`.
+    pub fn give_back(&mut self, block: usize, lent: Lent<'a, M>) {
+        self.new_piece[block] = lent.piece;
+        self.pieces[lent.piece] = lent.values;
+    }
+
+    /// Nobody reads the old messages of `block` any more: the new ones take their name, and their place is spare.
+    pub fn release(&mut self, block: usize) {
+        let new = std::mem::replace(&mut self.new_piece[block], usize::MAX);
+        if new != usize::MAX {
+            self.spare.push(std::mem::replace(&mut self.piece_of_block[block], new));
+        }
+    }
+
+    /// Releases whatever is made but not released, as after an iteration that was cut short.
+    pub fn close(mut self) {
+        for block in 0..self.new_piece.len() {
+            self.release(block);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use homolog_primitives::graph::EdgeGraph;
+    use proptest::prelude::*;
+
+    proptest! {
+        /// Every block is written with its number times the iteration; whoever reads it meanwhile must find the number
+        /// of the iteration before.
+        #[test]
+        fn old_messages_last_until_their_last_reader_is_done(
+            edges in prop::collection::btree_set((0u32..400, 1u32..9), 1..900),
+            cut in prop::option::of(0usize..12),
+        ) {
+            let mut edges: Vec<[u32; 2]> = edges.into_iter().map(|(a, step)| [a, (a + step * step) % 400]).collect();
+            edges.retain(|[a, b]| a < b);
+            edges.dedup();
+            let plan = BlockPlan::new(&EdgeGraph::from_edges(400, &edges));
+            let batches = Batches::new(&plan);
+            let mut store = MessageStore::<f32>::new(&plan, 1, batches.n_spare);
+            store.fill(&[0.0]);
+            let mut made = vec![0.0; plan.blocks.len()];
+            for iteration in 1..4u8 {
+                let mut open = store.open();
+                let before = made.clone();
+                for (at, (blocks, released)) in batches.batches.iter().enumerate() {
+                    if iteration == 2 && cut == Some(at) {
+                        break;
+                    }
+                    let mut lent = open.lend(blocks.len());
+                    prop_assert_eq!(lent.len(), blocks.len());
+                    for (block, lent) in blocks.clone().zip(&mut lent) {
+                        lent.values.fill(f32::from(iteration));
+                        prop_assert_eq!(open.block(block)[0], before[block]);
+                        for &edge in plan.blocks[block].variables.iter().flat_map(|of| &of.incoming) {
+                            prop_assert_eq!(open.message(edge)[0], before[edge as usize / BLOCK_LANES]);
+                        }
+                        made[block] = f32::from(iteration);
+                    }
+                    for (block, lent) in blocks.clone().zip(lent) {
+                        open.give_back(block, lent);
+                    }
+                    for &block in released {
+                        open.release(block);
+                    }
+                }
+                open.close();
+                for edge in 0..store.n_edges {
+                    prop_assert_eq!(store.message(edge)[0], made[edge / BLOCK_LANES]);
+                }
+                prop_assert_eq!(store.spare.len(), batches.n_spare);
+            }
+        }
+    }
+}

@@ -1,0 +1,67 @@
+//! Minimisers of the energy of [`crate`], and what they report on the way.
+//!
+//! [`BeliefPropagation`] passes messages over the graph of variables: max-product heads for the labeling of lowest
+//! energy, sum-product for the marginals. Its **sparse update** visits only label pairs within the neighbourhood,
+//! because all others share the truncated potential; it computes the same messages as the **full update** over all
+//! pairs. Messages go all at once (flooding) or the most pending first (residual).
+//!
+//! [`DualBound`] minimises nothing: it raises a bound that no energy is below, and so tells how good a labeling is.
+//!
+//! [`SimulatedAnnealing`] and [`LasVegas`] change one label at a time at random; [`LasVegas`] knows when it is done.
+//!
+//! [`ActivePropagation`] passes the messages of [`BeliefPropagation`] over a set of candidate labels for each variable, in
+//! time and memory linear in the size of the surfaces.
+//!
+//! Sign convention: energies, lower is better. Messages and beliefs are in the linear domain, scaled to maximum 1.
+
+mod active;
+mod belief_propagation;
+mod beliefs;
+mod block_plan;
+mod cavity;
+mod convergence;
+mod dual_update;
+mod fixed_point;
+mod flooding;
+mod full_update;
+mod kernel;
+mod label_order;
+mod label_rows;
+mod lanes;
+mod lower_bound;
+#[cfg(test)]
+mod lower_bound_tests;
+mod message_store;
+mod message_value;
+mod message_writer;
+#[cfg(test)]
+mod method_tests;
+mod options;
+#[cfg(test)]
+mod oracle;
+mod outcome;
+mod pair_table;
+mod randomised;
+mod residual;
+mod sparse_update;
+#[cfg(test)]
+mod storage_tests;
+mod sweep_order;
+#[cfg(test)]
+mod tests;
+mod vector;
+
+pub use active::{
+    ActiveModel, ActiveOutcome, ActivePropagation, ActiveSets, CandidateError, Candidates, Evidence, FeaturePotentials,
+    UnaryPotentials, belief_propagation_active,
+};
+pub use belief_propagation::BeliefPropagation;
+pub use beliefs::belief_spread;
+pub use convergence::{Convergence, ConvergenceStatus};
+pub use lower_bound::{DualBound, DualIteration, DualOptions, DualOutcome, DualStop};
+pub use options::{BpMethod, BpOptions, MessageStorage, Product, Schedule, Update};
+pub use outcome::{BpIteration, BpOutcome, BpStop};
+pub use randomised::{
+    AnnealingOptions, Cooling, LasVegas, LasVegasOptions, Sampler, SearchOutcome, SearchRun, SearchStop, SearchSweep,
+    SimulatedAnnealing, local_confidence,
+};

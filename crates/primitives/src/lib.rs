@@ -1,0 +1,8 @@
+//! What all numerics of homolog share: graphs ([`graph`]), how a computation is watched and stopped ([`observe`]), and an
+//! exponential for vector loops ([`exponential`]).
+//!
+//! This crate knows no surface, no energy, no file and no runtime.
+
+pub mod exponential;
+pub mod graph;
+pub mod observe;

@@ -1,0 +1,140 @@
+//! How a running computation is watched and stopped: one [`Observer`] that every minimiser and the pipeline call.
+//!
+//! The numerics know no clock, no job and no terminal. They tell an observer which phase they are in, how far
+//! they are and every point of the energy trace, and they ask it whether to go on. Who listens (the worker, the
+//! command line, a test) adds sequence numbers and times.
+
+/// The steps of a matching job, in the order in which they usually run.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
+pub enum Phase {
+    /// Reading both inputs and making closed surfaces of them.
+    Reading,
+    /// Curvature in scale space on both surfaces.
+    Features,
+    /// Bounding the energy from below.
+    Bounding,
+    /// Minimising the energy.
+    Inference,
+    /// RANSAC and absolute orientation.
+    Registration,
+    /// Iterative closest points.
+    Refinement,
+    /// Fitting a smooth displacement field.
+    Displacement,
+    /// Distances, consistency and the result document.
+    Reporting,
+}
+
+impl Phase {
+    /// The name used in JSON.
+    pub fn name(self) -> &'static str {
+        match self {
+            Phase::Reading => "reading",
+            Phase::Features => "features",
+            Phase::Bounding => "bounding",
+            Phase::Inference => "inference",
+            Phase::Registration => "registration",
+            Phase::Refinement => "refinement",
+            Phase::Displacement => "displacement",
+            Phase::Reporting => "reporting",
+        }
+    }
+}
+
+/// One point of the energy trace; fields that have no meaning in a phase are `None` and absent in JSON.
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+pub struct TracePoint {
+    /// Clamping round, from 0.
+    pub round: u32,
+    /// Where in the pipeline the point was taken.
+    pub phase: Phase,
+    /// Iteration within the phase of this round, from 1.
+    pub iteration: u32,
+    /// Energy `E` of the labeling decoded at this point, without clamping terms; no unit, lower is better.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+    pub energy: Option<f64>,
+    /// Sum of the unary potentials.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+    pub energy_unary: Option<f64>,
+    /// Sum of the pairwise potentials.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+    pub energy_pairwise: Option<f64>,
+    /// Largest change of any message in this iteration, in the linear domain (messages have maximum 1).
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+    pub message_delta_max: Option<f64>,
+    /// Variables whose decoded label changed in this iteration.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+    pub labels_changed: Option<u32>,
+    /// Temperature of the annealer.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+    pub temperature: Option<f64>,
+    /// No labeling has an energy below this, as far as is known.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+    pub lower_bound: Option<f64>,
+    /// Inliers of the registration.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+    pub support: Option<u32>,
+}
+
+impl TracePoint {
+    /// A point with nothing measured yet.
+    pub fn new(round: u32, phase: Phase, iteration: u32) -> Self {
+        TracePoint {
+            round,
+            phase,
+            iteration,
+            energy: None,
+            energy_unary: None,
+            energy_pairwise: None,
+            message_delta_max: None,
+            labels_changed: None,
+            temperature: None,
+            lower_bound: None,
+            support: None,
+        }
+    }
+}
+
+/// Watches a computation and may stop it. All methods are called from one thread at a time, often; be quick.
+pub trait Observer: Sync {
+    /// A phase begins.
+    fn phase(&self, phase: Phase) {
+        let _ = phase;
+    }
+    /// The share of the whole work that is done, in `[0, 1]`, never less than before.
+    fn progress(&self, fraction: f64) {
+        let _ = fraction;
+    }
+    /// A point of the energy trace.
+    fn trace(&self, point: &TracePoint) {
+        let _ = point;
+    }
+    /// Whether the computation should end now, without a result.
+    fn is_cancelled(&self) -> bool {
+        false
+    }
+}
+
+/// Listens to nothing and never cancels.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Silent;
+
+impl Observer for Silent {}
+
+/// The observer asked the computation to stop.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+#[error("the computation was cancelled")]
+pub struct Cancelled;
+
+/// `Err(Cancelled)` once `observer` asks to stop. Called between pieces of work of a few milliseconds.
+///
+/// # Errors
+/// [`Cancelled`].
+pub fn checkpoint(observer: &dyn Observer) -> Result<(), Cancelled> {
+    if observer.is_cancelled() { Err(Cancelled) } else { Ok(()) }
+}

@@ -1,0 +1,123 @@
+//! Rigid transforms from three point pairs, the minimal sample of RANSAC.
+//!
+//! Two ways to the same transform on congruent triangles ([`MinimalEstimator`]); on triangles that differ a little they
+//! spread the difference otherwise. Both refuse thin triangles before they estimate anything.
+
+use super::RigidTransform;
+use super::rotation_axis::rotation_axis_estimate;
+use nalgebra::{Matrix3, Point3, Vector3};
+
+/// How three pairs give a rigid transform.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum MinimalEstimator {
+    /// An orthonormal frame on each triple: [`frame_estimate`].
+    #[default]
+    Frame,
+    /// The axis that the rotation leaves fixed, then the angle about it: [`rotation_axis_estimate`].
+    RotationAxis,
+}
+
+impl MinimalEstimator {
+    /// `target_from_source` of three pairs, mm, centroid on centroid; `det R = −1` if `mirrored`.
+    ///
+    /// # Errors
+    /// [`TripleError::Collinear`] if either triple is thin, alike for both estimators.
+    pub fn estimate(
+        self,
+        source: &[Point3<f64>; 3],
+        target: &[Point3<f64>; 3],
+        mirrored: bool,
+    ) -> Result<RigidTransform, TripleError> {
+        match self {
+            MinimalEstimator::Frame => frame_estimate(source, target, mirrored),
+            MinimalEstimator::RotationAxis => rotation_axis_estimate(source, target, mirrored),
+        }
+    }
+}
+
+/// Why a triple gives no transform.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+pub enum TripleError {
+    /// The three points of one side lie nearly on a line.
+    #[error("the three points lie nearly on a line")]
+    Collinear,
+}
+
+/// Triangles whose height is below this share of their longest edge are too thin to carry an orientation.
+const MIN_HEIGHT_RATIO: f64 = 0.05;
+
+/// The normal of a triple, its length twice the area, mm².
+pub(super) fn triangle_normal(p: &[Point3<f64>; 3]) -> Result<Vector3<f64>, TripleError> {
+    let (a, b) = (p[1] - p[0], p[2] - p[0]);
+    let longest = a.norm_squared().max(b.norm_squared()).max((p[2] - p[1]).norm_squared());
+    let normal = a.cross(&b);
+    // Twice the area is base times height.
+    if normal.norm() <= MIN_HEIGHT_RATIO * longest || longest == 0.0 {
+        return Err(TripleError::Collinear);
+    }
+    Ok(normal)
+}
+
+/// An orthonormal frame on a triple: first axis along its first edge, third along its normal.
+fn frame(p: &[Point3<f64>; 3]) -> Result<Matrix3<f64>, TripleError> {
+    let z = triangle_normal(p)?.normalize();
+    let x = (p[1] - p[0]).normalize();
+    Ok(Matrix3::from_columns(&[x, z.cross(&x), z]))
+}
+
+/// The transform that carries the frame of the source triple to that of the target triple and its centroid to the
+/// centroid there; exact where the two triangles are congruent. With `mirrored`, the third axis is turned round
+/// (a triangle is congruent to its mirror image), so `det R = −1`.
+///
+/// # Errors
+/// [`TripleError::Collinear`].
+///
+/// # Source
+/// The thesis, section 3.4.1 (coordinate systems on both triples).
+pub fn frame_estimate(
+    source: &[Point3<f64>; 3],
+    target: &[Point3<f64>; 3],
+    mirrored: bool,
+) -> Result<RigidTransform, TripleError> {
+    let mut to = frame(target)?;
+    if mirrored {
+        to.set_column(2, &-to.column(2));
+    }
+    let rotation = to * frame(source)?.transpose();
+    let centroid = |p: &[Point3<f64>; 3]| (p[0].coords + p[1].coords + p[2].coords) / 3.0;
+    let translation: Vector3<f64> = centroid(target) - rotation * centroid(source);
+    Ok(RigidTransform { rotation, translation })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::testing::{cloud, pose};
+    use proptest::prelude::*;
+
+    proptest! {
+        #[test]
+        fn a_moved_triple_gives_its_motion(seed in any::<u64>(), mirrored in any::<bool>()) {
+            let points = cloud(seed, 3);
+            let mut truth = pose(seed ^ 1);
+            if mirrored {
+                truth.rotation = -truth.rotation;
+            }
+            let source = [points[0], points[1], points[2]];
+            let target = source.map(|p| truth.apply(&p));
+            match frame_estimate(&source, &target, mirrored) {
+                Ok(found) => {
+                    prop_assert!((found.rotation - truth.rotation).norm() < 1e-9);
+                    prop_assert!((found.translation - truth.translation).norm() < 1e-7);
+                }
+                Err(TripleError::Collinear) => prop_assert!(frame(&source).is_err() || frame(&target).is_err()),
+            }
+        }
+    }
+
+    #[test]
+    fn three_points_on_a_line_give_nothing() {
+        let line = [0.0, 1.0, 2.0].map(|k| Point3::new(k, k, k));
+        assert_eq!(frame_estimate(&line, &line, false), Err(TripleError::Collinear));
+    }
+}

@@ -1,0 +1,72 @@
+//! What an input is and whether it can be matched, told instead of refused.
+
+use super::candidate::Candidate;
+use super::{InputKind, Inspection, IntakeError, IntakeLimits, LabelCount, Refusal, VolumeInspection, read};
+use homolog_contract::parameters::InputParameters;
+use homolog_formats::FileContent;
+use homolog_mesh::volume::LabelVolume;
+
+/// Labels listed at most.
+const MAX_LISTED_LABELS: usize = 1000;
+
+/// Reads `bytes` and tells what it is and what would be made of it.
+///
+/// # Errors
+/// [`IntakeError`] if the file cannot be read; what can be read but not matched is told in the answer.
+///
+/// # Cost
+/// As [`super::prepare_surface`]; for unsuitable inputs up to four times that, to find which repair would help.
+pub fn inspect(
+    bytes: &[u8],
+    file_name: Option<&str>,
+    parameters: &InputParameters,
+    limits: &IntakeLimits,
+) -> Result<Inspection, IntakeError> {
+    let (format, content) = read(bytes, file_name, limits)?;
+    let (kind, volume) = match &content {
+        FileContent::Labels(volume) => (InputKind::LabelVolume, Some(describe(volume))),
+        FileContent::Mesh(_) => (InputKind::Mesh, None),
+    };
+    let mut inspection = Inspection {
+        format,
+        kind,
+        volume,
+        topology: None,
+        repaired_topology: None,
+        repairs: Vec::new(),
+        turned_outward: false,
+        suitable: false,
+        refusal: None,
+    };
+    let refusal = match Candidate::from_content(&content, parameters, limits) {
+        Ok(candidate) => {
+            let refusal = candidate.refusal(&content, parameters, limits);
+            inspection.topology = Some(candidate.topology);
+            inspection.repaired_topology = Some(candidate.repaired);
+            inspection.repairs = candidate.repairs;
+            inspection.turned_outward = candidate.turned_outward;
+            refusal
+        }
+        Err(error) => {
+            inspection.topology = error.topology().cloned();
+            Some(error)
+        }
+    };
+    inspection.suitable = refusal.is_none();
+    inspection.refusal = refusal.map(|e| Refusal { code: e.code().to_owned(), detail: e.to_string() });
+    Ok(inspection)
+}
+
+fn describe(volume: &LabelVolume) -> VolumeInspection {
+    let counts = volume.label_counts();
+    VolumeInspection {
+        dims: volume.dims().map(|d| d as u32),
+        spacing_mm: volume.spacing_mm(),
+        n_labels: counts.len() as u32,
+        labels: counts
+            .into_iter()
+            .take(MAX_LISTED_LABELS)
+            .map(|(label, n_voxels)| LabelCount { label, n_voxels })
+            .collect(),
+    }
+}

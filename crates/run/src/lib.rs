@@ -1,0 +1,269 @@
+//! One match from uploaded bytes to the result document: what a worker and the command line both do.
+//!
+//! The numerics know no clock; this is where their phases are timed and their outcome gets its provenance. What is made
+//! of one input alone may be kept for further matches ([`SurfaceCache`]).
+
+pub mod intake;
+mod surfaces;
+#[cfg(test)]
+mod surfaces_tests;
+
+pub use surfaces::{ReadySurface, SurfaceCache};
+
+use crate::intake::{IntakeError, IntakeLimits, PreparedSurface};
+use homolog_contract::parameters::MatchParameters;
+use homolog_contract::result::{InputProvenance, Provenance, ResultDocument};
+pub use homolog_matching::match_memory_bytes;
+use homolog_matching::{MatchError, match_levels};
+use homolog_mesh::{MeshError, SurfaceMesh};
+use homolog_primitives::observe::{Cancelled, Observer, Phase, TracePoint};
+use std::collections::BTreeMap;
+use std::sync::{Mutex, PoisonError};
+use std::time::Instant;
+
+/// One input of a match: the bytes as uploaded.
+#[derive(Debug, Clone, Copy)]
+pub struct InputFile<'a> {
+    /// The whole file.
+    pub bytes: &'a [u8],
+    /// Its name, where known; helps only where the bytes alone do not tell the format.
+    pub name: Option<&'a str>,
+}
+
+/// Which of the two inputs.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Side {
+    /// The surface that moves.
+    Source,
+    /// The surface that stays.
+    Target,
+}
+
+impl Side {
+    /// The name used in JSON and in forms.
+    pub fn name(self) -> &'static str {
+        match self {
+            Side::Source => "source",
+            Side::Target => "target",
+        }
+    }
+}
+
+/// What a finished run leaves.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RunOutput {
+    /// The result document, correspondences included.
+    pub document: ResultDocument,
+    /// The source surface whose vertices the correspondences count.
+    pub source: SurfaceMesh,
+    /// The target surface, likewise.
+    pub target: SurfaceMesh,
+}
+
+impl RunOutput {
+    /// The source surface moved onto the target by the transform of the result.
+    ///
+    /// # Errors
+    /// [`MeshError::NonFinite`] if the transform moves a vertex beyond the numbers there are.
+    pub fn aligned(&self) -> Result<SurfaceMesh, MeshError> {
+        self.source.moved(&self.document.transform.matrix)
+    }
+}
+
+/// Why a run has no result.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum RunError {
+    /// An input was refused.
+    #[error("{}: {error}", side.name())]
+    Input {
+        /// Which.
+        side: Side,
+        /// Why.
+        error: IntakeError,
+    },
+    /// Both surfaces are fine, but matching them takes more memory than is allowed.
+    #[error(
+        "matching {source_vertices} to {target_vertices} vertices takes {needed} bytes of memory, but {limit} are \
+         allowed; send coarser surfaces, or set inference.coarse_vertices"
+    )]
+    TooLarge {
+        /// Source vertices.
+        source_vertices: usize,
+        /// Target vertices.
+        target_vertices: usize,
+        /// Memory it would take.
+        needed: u64,
+        /// Memory allowed.
+        limit: u64,
+    },
+    /// The match found nothing.
+    #[error(transparent)]
+    Match(#[from] MatchError),
+}
+
+/// Refuses a pair whose match would take more memory than `limits` allow. `source` is vertices and faces.
+///
+/// # Errors
+/// [`RunError::TooLarge`].
+pub fn check_size(
+    source: (usize, usize),
+    target_vertices: usize,
+    parameters: &MatchParameters,
+    limits: &IntakeLimits,
+) -> Result<(), RunError> {
+    let (needed, limit) = (match_memory_bytes(source, target_vertices, parameters), limits.max_match_bytes);
+    if needed > limit {
+        return Err(RunError::TooLarge { source_vertices: source.0, target_vertices, needed, limit });
+    }
+    Ok(())
+}
+
+/// Content address of a file: `blake3:` and 64 hexadecimal digits.
+pub fn content_hash(bytes: &[u8]) -> String {
+    format!("blake3:{}", blake3::hash(bytes).to_hex())
+}
+
+/// Reads both inputs, matches them, and writes the result document.
+///
+/// # Errors
+/// [`RunError`].
+pub fn run_match(
+    source: InputFile<'_>,
+    target: InputFile<'_>,
+    parameters: &MatchParameters,
+    limits: &IntakeLimits,
+    observer: &dyn Observer,
+) -> Result<RunOutput, RunError> {
+    run_match_with(&SurfaceCache::none(), source, target, parameters, limits, observer)
+}
+
+/// [`run_match`] with surfaces from `surfaces` where they were prepared before; but for the timings the same bytes.
+///
+/// # Errors
+/// [`RunError`].
+pub fn run_match_with(
+    surfaces: &SurfaceCache,
+    source: InputFile<'_>,
+    target: InputFile<'_>,
+    parameters: &MatchParameters,
+    limits: &IntakeLimits,
+    observer: &dyn Observer,
+) -> Result<RunOutput, RunError> {
+    let timed = PhaseTimer::new(observer);
+    let [source, target] = surfaces.ready([source, target], parameters, limits, &timed)?;
+    let mut outcome = match_levels(&source.levels, &target.levels, parameters, &timed)?;
+    count_uploaded_vertices(&mut outcome.correspondences.source, &source.prepared);
+    count_uploaded_vertices(&mut outcome.correspondences.target, &target.prepared);
+    let provenance = Provenance {
+        version: env!("CARGO_PKG_VERSION").to_owned(),
+        commit: option_env!("HOMOLOG_COMMIT").unwrap_or("unknown").to_owned(),
+        parameters: parameters.clone(),
+        seed: parameters.seed,
+        source: input_provenance(&source),
+        target: input_provenance(&target),
+    };
+    let document = ResultDocument {
+        transform: outcome.transform,
+        support: outcome.support,
+        surface_distance: outcome.surface_distance,
+        energy: outcome.energy,
+        topology: outcome.topology,
+        rounds: outcome.rounds,
+        poses: outcome.poses,
+        reliability: outcome.reliability,
+        anatomy: outcome.anatomy,
+        ambiguous_axes: outcome.ambiguous_axes,
+        correspondences: Some(outcome.correspondences),
+        stop_reason: outcome.stop_reason,
+        timings_ms: timed.finish(),
+        provenance,
+    };
+    let counted = |PreparedSurface { mesh, uploaded, .. }: &PreparedSurface| {
+        uploaded.as_ref().map_or(mesh, |uploaded| &uploaded.surface).clone()
+    };
+    Ok(RunOutput { document, source: counted(&source.prepared), target: counted(&target.prepared) })
+}
+
+/// Turns vertices of the surface that was matched into those of the mesh as it was uploaded.
+fn count_uploaded_vertices(vertices: &mut [u32], prepared: &PreparedSurface) {
+    if let Some(uploaded) = &prepared.uploaded {
+        for vertex in vertices {
+            *vertex = uploaded.vertex[*vertex as usize];
+        }
+    }
+}
+
+fn input_provenance(ReadySurface { hash, prepared, .. }: &ReadySurface) -> InputProvenance {
+    InputProvenance {
+        hash: hash.clone(),
+        n_vertices: prepared.mesh.n_vertices() as u32,
+        n_faces: prepared.mesh.n_faces() as u32,
+        report: prepared.report.clone(),
+    }
+}
+
+/// Passes everything on and adds up the time spent in each phase.
+struct PhaseTimer<'a> {
+    observer: &'a dyn Observer,
+    clock: Mutex<PhaseClock>,
+}
+
+struct PhaseClock {
+    started: Instant,
+    current: Option<(Phase, Instant)>,
+    spent_ms: BTreeMap<String, f64>,
+}
+
+impl PhaseClock {
+    fn close(&mut self, now: Instant) {
+        if let Some((phase, since)) = self.current.take() {
+            *self.spent_ms.entry(phase.name().to_owned()).or_default() += milliseconds(now - since);
+        }
+    }
+}
+
+fn milliseconds(duration: std::time::Duration) -> f64 {
+    (duration.as_secs_f64() * 1e6).round() / 1e3
+}
+
+impl<'a> PhaseTimer<'a> {
+    fn new(observer: &'a dyn Observer) -> Self {
+        let clock = PhaseClock { started: Instant::now(), current: None, spent_ms: BTreeMap::new() };
+        PhaseTimer { observer, clock: Mutex::new(clock) }
+    }
+
+    fn finish(self) -> BTreeMap<String, f64> {
+        let mut clock = self.clock.into_inner().unwrap_or_else(PoisonError::into_inner);
+        let now = Instant::now();
+        clock.close(now);
+        clock.spent_ms.insert("total".to_owned(), milliseconds(now - clock.started));
+        clock.spent_ms
+    }
+}
+
+impl Observer for PhaseTimer<'_> {
+    fn phase(&self, phase: Phase) {
+        let now = Instant::now();
+        let mut clock = self.clock.lock().unwrap_or_else(PoisonError::into_inner);
+        clock.close(now);
+        clock.current = Some((phase, now));
+        drop(clock);
+        self.observer.phase(phase);
+    }
+    fn progress(&self, fraction: f64) {
+        self.observer.progress(fraction);
+    }
+    fn trace(&self, point: &TracePoint) {
+        self.observer.trace(point);
+    }
+    fn is_cancelled(&self) -> bool {
+        self.observer.is_cancelled()
+    }
+}
+
+impl RunError {
+    /// Whether the observer asked for the end.
+    pub fn is_cancelled(&self) -> bool {
+        matches!(self, RunError::Match(MatchError::Cancelled(Cancelled)))
+    }
+}

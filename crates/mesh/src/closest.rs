@@ -68,8 +68,7 @@ impl ClosestPointIndex {
     }
 
     /// Memory that this index takes, bytes.
-    #[cfg(test)]
-    pub(crate) fn heap_bytes(&self) -> usize {
+    pub fn heap_bytes(&self) -> usize {
         self.tree.heap_memory_size() + size_of_val(self.triangles.as_slice())
     }
 

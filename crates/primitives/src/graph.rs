@@ -168,7 +168,6 @@ impl LabelNeighborhoods {
     }
 
     /// The same question, asked of the edges.
-    #[cfg(test)]
     pub fn reach(&self) -> Reach<'_> {
         Reach { graph: &self.graph, rings: self.rings }
     }

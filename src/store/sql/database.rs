@@ -6,18 +6,26 @@
 
 use super::dialect::{Dialect, Sql};
 use crate::jobs::JobError;
+use sqlx::migrate::{Migration, MigrationType, Migrator};
 use sqlx::pool::PoolConnection;
 use sqlx::postgres::{PgConnectOptions, PgListener, PgPool, PgPoolOptions, PgRow};
 use sqlx::sqlite::{
     SqliteConnectOptions, SqliteJournalMode, SqlitePool, SqlitePoolOptions, SqliteRow, SqliteSynchronous,
 };
-use sqlx::{AssertSqlSafe, ColumnIndex, Postgres, Row as _, Sqlite};
+use sqlx::{AssertSqlSafe, ColumnIndex, Postgres, Row as _, SqlSafeStr as _, Sqlite};
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
 use std::time::Duration;
 
-static SQLITE_MIGRATIONS: sqlx::migrate::Migrator = sqlx::migrate!("src/store/sql/migrations/sqlite");
-static POSTGRES_MIGRATIONS: sqlx::migrate::Migrator = sqlx::migrate!("src/store/sql/migrations/postgres");
+/// Migrations in their order: version, description, text. Listed here because the macro that reads the folder would build
+/// both database drivers a second time, for the compiler.
+const SQLITE_MIGRATIONS: &[(i64, &str, &str)] = &[
+    (1, "jobs", include_str!("migrations/sqlite/0001_jobs.sql")),
+    (2, "service", include_str!("migrations/sqlite/0002_service.sql")),
+];
+/// The same for PostgreSQL.
+const POSTGRES_MIGRATIONS: &[(i64, &str, &str)] =
+    &[(1, "service", include_str!("migrations/postgres/0001_service.sql"))];
 
 /// Longest wait for SQLite: for another process's write, or a free connection.
 const SQLITE_PATIENCE: Duration = Duration::from_secs(10);
@@ -31,6 +39,13 @@ const READERS: u32 = 4;
 const IDLE_IN_TRANSACTION: &str = "SET idle_in_transaction_session_timeout = '30s'";
 /// The channel of hints.
 const CHANNEL: &str = "homolog_queued";
+
+fn migrator(migrations: &[(i64, &'static str, &'static str)]) -> Migrator {
+    let migration = |&(version, description, text): &(i64, &'static str, &'static str)| {
+        Migration::new(version, description.into(), MigrationType::Simple, text.into_sql_str(), false)
+    };
+    Migrator::with_migrations(migrations.iter().map(migration).collect())
+}
 
 /// Where jobs are.
 #[derive(Debug, Clone)]
@@ -75,7 +90,7 @@ impl Database {
                     .connect_with(options)
                     .await
                     .map_err(domain_error)?;
-                POSTGRES_MIGRATIONS.run(&pool).await.map_err(|e| JobError::Unavailable(Box::new(e)))?;
+                migrator(POSTGRES_MIGRATIONS).run(&pool).await.map_err(|e| JobError::Unavailable(Box::new(e)))?;
                 Ok(Database::Postgres { pool, notify: *notify })
             }
         }
@@ -183,7 +198,7 @@ async fn open_sqlite(folder: &Path) -> Result<Database, JobError> {
         .connect_with(options.clone())
         .await
         .map_err(domain_error)?;
-    SQLITE_MIGRATIONS.run(&writer).await.map_err(|e| JobError::Unavailable(Box::new(e)))?;
+    migrator(SQLITE_MIGRATIONS).run(&writer).await.map_err(|e| JobError::Unavailable(Box::new(e)))?;
     drop(turn);
     let readers = SqlitePoolOptions::new()
         .max_connections(READERS)
@@ -501,4 +516,22 @@ pub(super) fn domain_error(error: sqlx::Error) -> JobError {
         code == DISK_FULL || (code.len() < 5 && code.parse::<i64>().is_ok_and(|code| code & 0xff == SQLITE_FULL))
     });
     if is_full { JobError::StorageFull } else { JobError::Unavailable(Box::new(error)) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::collections::BTreeSet;
+
+    #[test]
+    fn every_migration_file_is_listed_with_the_version_and_description_of_its_name() {
+        for (folder, listed) in [("sqlite", SQLITE_MIGRATIONS), ("postgres", POSTGRES_MIGRATIONS)] {
+            let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/store/sql/migrations").join(folder);
+            let name = |entry: std::io::Result<std::fs::DirEntry>| entry.unwrap().file_name().into_string().unwrap();
+            let found: BTreeSet<String> = std::fs::read_dir(folder).unwrap().map(name).collect();
+            let expected: BTreeSet<String> =
+                listed.iter().map(|(version, description, _)| format!("{version:04}_{description}.sql")).collect();
+            assert_eq!(found, expected);
+        }
+    }
 }

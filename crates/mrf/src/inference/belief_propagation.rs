@@ -17,6 +17,7 @@ use super::options::{BpMethod, BpOptions, MessageStorage, Schedule};
 use super::outcome::{BpIteration, BpOutcome};
 use super::pair_table::{PairTable, edge_factors};
 use super::residual::Residual;
+use super::unary_factors::exponentiate;
 use crate::MrfModel;
 use half::f16;
 use homolog_primitives::observe::{Cancelled, Observer};
@@ -34,7 +35,7 @@ pub struct BeliefPropagation<'a> {
     table: PairTable,
     /// Values of a message row: the labels, rounded up by [`stride`].
     stride: usize,
-    /// `φ_i(x) = exp(−θ_i(x))`, unary bias included, row by row, in the order of the labels; 0 beyond them.
+    /// [Unary factors](super::unary_factors) `φ_i(x)`, bias included, row by row, in the order of the labels; 0 beyond them.
     phi: Vec<f32>,
     /// For every directed edge `i → j` the edge `j → i`.
     reverse: Vec<u32>,
@@ -104,14 +105,15 @@ impl<'a> BeliefPropagation<'a> {
     pub fn set_bias(&mut self, add: impl Fn(usize, &mut [f32]) + Sync) {
         let n = self.model.n_labels();
         let model = self.model;
-        let order = &self.order;
+        let (order, product) = (&self.order, self.options.product);
         self.phi.par_chunks_mut(self.stride.max(1)).enumerate().for_each_init(
             || vec![0.0; n],
             |potential, (i, row)| {
                 potential.copy_from_slice(model.unary_row(i));
                 add(i, potential);
+                exponentiate(potential, product);
                 for (value, &label) in row.iter_mut().zip(order.labels()) {
-                    *value = (-potential[label as usize]).exp();
+                    *value = potential[label as usize];
                 }
             },
         );

@@ -3,6 +3,7 @@
 // The dispatch to instruction sets that `multiversion` generates needs unsafe calls; nothing here does itself.
 #![allow(unsafe_code)]
 
+use super::block_plan::BLOCK_LANES;
 use super::lanes::{CHUNK, LINE_BYTES, Lanes};
 use super::message_value::MessageValue;
 #[cfg(target_arch = "x86_64")]
@@ -30,8 +31,16 @@ pub(super) struct BlockRows<'a, M> {
     pub stride: usize,
 }
 
+/// `share / largest`, the factor that scales a message to a maximum of `share`; 0 where its products all vanished, or
+/// nearly so: the factor would leave the range then, and what is left of the products has few digits.
+#[inline(always)]
+pub(super) fn inverse_of(largest: f32, share: f32) -> f32 {
+    let scale = share / largest;
+    if largest > 0.0 && scale < f32::INFINITY { scale } else { 0.0 }
+}
+
 /// Writes the messages of one chunk of labels: `updated` has those of the labels from `start` on before scaling,
-/// a multiple of [`WIDTH`], and `largest` the largest value of each lane over all labels. Returns the largest change.
+/// a multiple of [`WIDTH`] and at most [`CHUNK`], and `largest` the largest value of each lane over all labels. Returns the largest change.
 #[multiversion(targets("x86_64+avx2+f16c"))]
 pub(super) fn write_chunk<M: MessageValue>(
     updated: &[Lanes],
@@ -57,16 +66,20 @@ fn write<V: Vector, M: MessageValue>(
     let BlockRows { old, new, stride } = rows;
     let piece = WIDTH * *stride;
     let share = 1.0 - finish.damping;
+    let mut scales: [f32; BLOCK_LANES] = std::array::from_fn(|lane| inverse_of(largest[lane], share));
+    let flattened;
+    let updated = if scales.contains(&0.0) {
+        flattened = with_flat_lanes(updated, &mut scales, share);
+        &flattened[..updated.len()]
+    } else {
+        updated
+    };
     let mut change = V::splat(0.0);
     for (group, (old, new)) in old.chunks(piece).zip(new.chunks_mut(piece)).enumerate() {
         let labels = start..start + updated.len();
         let group = Group {
             lane: group * WIDTH,
-            // A lane whose products all vanished carries no information: a flat message.
-            scale: std::array::from_fn(|k| match largest[group * WIDTH + k] {
-                top if top > 0.0 => share / top,
-                _ => 0.0,
-            }),
+            scale: std::array::from_fn(|k| scales[group * WIDTH + k]),
             floor: share * finish.floor.max(M::LEAST),
             damping: finish.damping,
             labels,
@@ -81,6 +94,19 @@ fn write<V: Vector, M: MessageValue>(
     let mut changes = [0.0; WIDTH];
     change.store(&mut changes);
     changes.iter().fold(0.0, |a, &b| if b > a { b } else { a })
+}
+
+/// A chunk of messages in which those of lanes whose products all vanished are flat, since they carry no information;
+/// their scales become `share`. Lanes that a block leaves empty may be among them.
+#[cold]
+#[inline(never)]
+fn with_flat_lanes(updated: &[Lanes], scales: &mut [f32; BLOCK_LANES], share: f32) -> [Lanes; CHUNK] {
+    let mut flattened = [Lanes::splat(0.0); CHUNK];
+    for (to, from) in flattened.iter_mut().zip(updated) {
+        *to = Lanes(std::array::from_fn(|lane| if scales[lane] > 0.0 { from[lane] } else { 1.0 }));
+    }
+    scales.iter_mut().filter(|scale| **scale == 0.0).for_each(|scale| *scale = share);
+    flattened
 }
 
 /// Four numbers of a label from `lane` on.
@@ -151,7 +177,6 @@ impl Group {
 
 #[cfg(test)]
 mod tests {
-    use super::super::block_plan::BLOCK_LANES;
     use super::*;
     use half::f16;
     use proptest::prelude::*;

@@ -28,6 +28,8 @@ mod kernel;
 mod label_order;
 mod label_rows;
 mod lanes;
+#[cfg(test)]
+mod large_potentials_tests;
 mod lower_bound;
 #[cfg(test)]
 mod lower_bound_tests;
@@ -49,6 +51,7 @@ mod storage_tests;
 mod sweep_order;
 #[cfg(test)]
 mod tests;
+mod unary_factors;
 mod vector;
 
 pub use active::{

@@ -4,7 +4,7 @@ use super::Product;
 use crate::MrfModel;
 
 /// Every labeling of the model with its energy, by counting.
-fn for_each_labeling(model: &MrfModel, mut visit: impl FnMut(&[u32], f64)) {
+pub fn for_each_labeling(model: &MrfModel, mut visit: impl FnMut(&[u32], f64)) {
     let (n, labels) = (model.n_variables(), model.n_labels() as u32);
     let mut labeling = vec![0u32; n];
     loop {
@@ -24,10 +24,11 @@ pub fn exhaustive_minimum(model: &MrfModel) -> f64 {
 
 /// Marginal of every variable under `p(x) ∝ exp(−E(x))`.
 pub fn exhaustive_marginals(model: &MrfModel) -> Vec<Vec<f64>> {
+    let lowest = exhaustive_minimum(model);
     let mut marginals = vec![vec![0.0; model.n_labels()]; model.n_variables()];
     for_each_labeling(model, |labeling, energy| {
         for (marginal, &x) in marginals.iter_mut().zip(labeling) {
-            marginal[x as usize] += (-energy).exp();
+            marginal[x as usize] += (lowest - energy).exp();
         }
     });
     for marginal in &mut marginals {

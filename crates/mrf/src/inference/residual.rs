@@ -17,7 +17,7 @@ use super::beliefs::{belief_row, peak};
 use super::block_plan::{BLOCK_LANES, BlockVariable};
 use super::kernel::{Kernel, lane_factors};
 use super::lanes::Lanes;
-use super::message_writer::Finish;
+use super::message_writer::{Finish, inverse_of};
 use super::outcome::{BpIteration, BpOutcome, BpStop, Decoded, Progress};
 use super::sparse_update::Scratch;
 use homolog_primitives::graph::EdgeGraph;
@@ -345,13 +345,14 @@ fn settle_lane(
     new: &mut [f32],
     finish: Finish,
 ) -> MessageChange {
+    let scale = inverse_of(top, 1.0);
     // A lane whose products all vanished carries no information: a flat message.
-    let scale = if top > 0.0 { 1.0 / top } else { 0.0 };
+    let floor = if scale > 0.0 { finish.floor } else { 1.0 };
     let share = 1.0 - finish.damping;
     let mut change = MessageChange { delta: 0.0, lowest: f32::INFINITY, highest: 0.0 };
     for ((row, &old), new) in updated.iter().zip(old).zip(new) {
         let value = row[lane] * scale;
-        let value = if value > finish.floor { value } else { finish.floor };
+        let value = if value > floor { value } else { floor };
         // Without a floor both may be 0; that is no change.
         let (above, below) = (value + f32::MIN_POSITIVE, old + f32::MIN_POSITIVE);
         let ratio = above / below;

@@ -7,7 +7,7 @@
 // The dispatch to instruction sets that `multiversion` generates needs unsafe calls; nothing here does itself.
 #![allow(unsafe_code)]
 
-use super::super::message_writer::Finish;
+use super::super::message_writer::{Finish, inverse_of};
 use super::plan::{LANES, NearLists};
 use multiversion::multiversion;
 use wide::f32x4;
@@ -277,8 +277,9 @@ fn finish_message(
         }
     }
     let top = tops.iter().fold(0.0f32, |a, &b| if b > a { b } else { a });
+    let scale = inverse_of(top, 1.0);
     // A message whose products all vanished carries no information: a flat one.
-    let scale = if top > 0.0 { 1.0 / top } else { 0.0 };
+    let floor = if scale > 0.0 { floor } else { 1.0 };
     let mut most = [0.0f32; LANES];
     let vectors = gathered.as_chunks::<LANES>().0.iter().zip(old.as_chunks::<LANES>().0);
     for ((values, old), new) in vectors.zip(new.as_chunks_mut::<LANES>().0) {

@@ -5,6 +5,7 @@ use super::super::message_writer::Finish;
 use super::super::options::{BpOptions, Product};
 use super::super::outcome::{BpIteration, BpOutcome, BpStop};
 use super::super::pair_table::{PairTable, edge_factors};
+use super::super::unary_factors::exponentiate;
 use super::kernel::{Octet, Scratch, max_uniform, max_weighted, sum_uniform, sum_weighted};
 use super::model::ActiveModel;
 use super::plan::{Group, LANES, Layout, NearLists, groups};
@@ -63,7 +64,7 @@ pub struct ActivePropagation<'a> {
     pub(super) factors: Vec<(f32, f32)>,
     pub(super) layout: Layout,
     pub(super) groups: Vec<Group>,
-    /// `exp(−θ)`, bias included, in rows of the layout; 0 beyond the candidates.
+    /// Unary factors, bias included, in rows of the layout; 0 beyond the candidates.
     pub(super) phi: Vec<f32>,
     pub(super) messages: Vec<f32>,
     /// Where the next messages are written.
@@ -116,7 +117,7 @@ impl<'a> ActivePropagation<'a> {
 
     /// Sets what is added to the unary potentials of the present candidates. Messages stay.
     pub fn set_bias(&mut self, bias: Option<&dyn UnaryPotentials>) {
-        let model = &self.model;
+        let (model, product) = (&self.model, self.options.product);
         let rows: Vec<Vec<f32>> = (0..model.n_variables())
             .into_par_iter()
             .map(|i| {
@@ -125,7 +126,8 @@ impl<'a> ActivePropagation<'a> {
                 if let Some(bias) = bias {
                     bias.at(i, model.candidates.labels(i), &mut row);
                 }
-                row.iter_mut().zip(unary).for_each(|(value, theta)| *value = (-(theta + *value)).exp());
+                row.iter_mut().zip(unary).for_each(|(value, theta)| *value += theta);
+                exponentiate(&mut row, product);
                 row
             })
             .collect();

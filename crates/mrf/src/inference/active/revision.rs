@@ -3,6 +3,7 @@
 //! A label that comes in gets the messages that its neighbours would have sent it, had it been there when they sent
 //! last; what was known of the others stays, so that a revision does not start a run anew.
 
+use super::super::message_writer::inverse_of;
 use super::super::options::Product;
 use super::candidates::{Candidates, MAX_CANDIDATES};
 use super::kernel::{Octet, Scratch};
@@ -209,8 +210,7 @@ impl ActivePropagation<'_> {
                     let (own, left) = places.split_at(before.len());
                     places = left;
                     let top = own.iter().map(|&place| scratch.updated[place as usize].0[lane]).fold(0.0, f32::max);
-                    let sender =
-                        Sender { edge, lane, floor: floor.0[lane], scale: if top > 0.0 { 1.0 / top } else { 0.0 } };
+                    let sender = Sender { edge, lane, floor: floor.0[lane], scale: inverse_of(top, 1.0) };
                     let old = &self.messages[self.layout.message(edge)];
                     let new = &mut output[layout.message(edge).start - first_value..][..next.labels(j).len()];
                     let mut known = before.iter().zip(old).peekable();
@@ -245,7 +245,8 @@ impl ActivePropagation<'_> {
                 terms.map(|(psi, h)| (psi.max(epsilon) - epsilon) * h).fold(epsilon * all, |sum, term| sum + term)
             }
         };
-        (value * sender.scale).max(self.options.floor)
+        // A label that came in may be better than all before by more than the range of a number.
+        (value * sender.scale).clamp(self.options.floor, f32::MAX)
     }
 }
 

@@ -1,4 +1,4 @@
-//! The exponential of numbers that are not positive, for loops over many of them.
+//! `exp(x)` for `x ≤ 0`, for loops over many numbers.
 //!
 //! A polynomial in 32 bits without fused operations, so that a loop around it vectorizes and every instruction set gives
 //! the same bits. Source: range reduction by `ln 2` in two parts and the minimax polynomial of Moshier's Cephes library
@@ -6,7 +6,7 @@
 
 /// 1.5 · 2²³: adding it rounds to the nearest integer and leaves that in the low bits.
 const ROUND: f32 = 12_582_912.0;
-/// Below this the exponential leaves the normal numbers and counts as 0.
+/// Below this the exponential is no normal number, and 0 is returned.
 const SMALLEST_EXPONENT: f32 = -87.0;
 
 /// `exp(x)` for `x ≤ 0`, to two units in the last place; 0 below −87.
@@ -33,14 +33,14 @@ mod tests {
 
     proptest! {
         #[test]
-        fn the_exponential_equals_that_of_64_bits(x in -86.9f32..=0.0) {
+        fn the_exponential_agrees_with_double_precision(x in -86.9f32..=0.0) {
             let exact = f64::from(x).exp();
             prop_assert!((f64::from(exp_negative(x)) / exact - 1.0).abs() < 4e-7, "{} at {x}", exp_negative(x));
         }
     }
 
     #[test]
-    fn what_is_too_small_is_nothing() {
+    fn exponentials_below_the_range_are_zero() {
         assert_eq!((exp_negative(0.0), exp_negative(-87.5), exp_negative(f32::NEG_INFINITY)), (1.0, 0.0, 0.0));
     }
 }

@@ -73,8 +73,8 @@ impl EdgeGraph {
     }
 }
 
-/// Whether vertices lie within `r` edges of each other, asked of the edges as they are: for those who ask about a few
-/// pairs, not about all that are near. Where many ask, [`LabelNeighborhoods`] has the answers at hand.
+/// Tells whether two vertices lie within `r` edges of each other by searching the graph. Needs no memory, and suits callers
+/// that test a few pairs; for many tests [`LabelNeighborhoods`] stores the answers.
 #[derive(Debug, Clone, Copy)]
 pub struct Reach<'a> {
     /// The edges.
@@ -157,7 +157,7 @@ impl LabelNeighborhoods {
         self.offsets.len() - 1
     }
 
-    /// The edges of which `N_r` counts `r`: `N_r(x)` is `N_1` taken `r` times.
+    /// The graph whose edges `N_r` counts: `N_r(x)` is `N_1` taken `r` times.
     pub fn graph(&self) -> &EdgeGraph {
         &self.graph
     }
@@ -167,7 +167,7 @@ impl LabelNeighborhoods {
         self.rings
     }
 
-    /// The same question, asked of the edges.
+    /// The same neighbourhoods as a search of the graph.
     pub fn reach(&self) -> Reach<'_> {
         Reach { graph: &self.graph, rings: self.rings }
     }
@@ -206,7 +206,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn within_reach_is_whoever_the_neighborhood_holds(
+        fn reach_agrees_with_the_stored_neighborhoods(
             pairs in prop::collection::btree_set((0u32..40, 0u32..40), 0..90),
             rings in 0usize..5,
         ) {
@@ -216,8 +216,8 @@ mod tests {
             let labels = LabelNeighborhoods::new(&graph, rings, |_, _| 0.0);
             for x in 0..40 {
                 for y in 0..40 {
-                    let held = labels.distance_within(x, y).is_some();
-                    prop_assert_eq!(labels.reach().within(x as u32, y as u32), held, "{} {}", x, y);
+                    let stored = labels.distance_within(x, y).is_some();
+                    prop_assert_eq!(labels.reach().within(x as u32, y as u32), stored, "{} {}", x, y);
                 }
             }
         }
@@ -225,12 +225,12 @@ mod tests {
         #[test]
         fn rows_hold_the_other_ends_of_the_edges_ascending(
             pairs in prop::collection::btree_set((0u32..30, 0u32..30), 0..120),
-            turned: bool,
+            reversed: bool,
         ) {
             let once: BTreeSet<[u32; 2]> =
                 pairs.into_iter().filter(|(a, b)| a != b).map(|(a, b)| [a.min(b), a.max(b)]).collect();
             let mut edges: Vec<[u32; 2]> = once.into_iter().collect();
-            if turned {
+            if reversed {
                 edges.reverse();
                 edges.iter_mut().step_by(2).for_each(|e| e.reverse());
             }

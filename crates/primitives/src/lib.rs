@@ -1,5 +1,5 @@
-//! What all numerics of homolog share: graphs ([`graph`]), how a computation is watched and stopped ([`observe`]), and an
-//! exponential for vector loops ([`exponential`]).
+//! What all numerics of homolog share: graphs ([`graph`]), progress reports and cancellation ([`observe`]), and an exponential
+//! for vector loops ([`exponential`]).
 //!
 //! This crate knows no surface, no energy, no file and no runtime.
 

@@ -1,8 +1,9 @@
-//! How a running computation is watched and stopped: one [`Observer`] that every minimiser and the pipeline call.
+//! Progress, energy trace and cancellation of a running computation: one [`Observer`] that every minimiser and the pipeline
+//! call.
 //!
-//! The numerics know no clock, no job and no terminal. They tell an observer which phase they are in, how far
-//! they are and every point of the energy trace, and they ask it whether to go on. Who listens (the worker, the
-//! command line, a test) adds sequence numbers and times.
+//! The numerics know no clock, no job and no terminal. They report to the observer the phase they are in, the share of the
+//! work that is done and every point of the energy trace, and ask it whether to go on. Its implementations (the worker, the
+//! command line, tests) add sequence numbers and times.
 
 /// The steps of a matching job, in the order in which they usually run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -73,7 +74,7 @@ pub struct TracePoint {
     /// Temperature of the annealer.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub temperature: Option<f64>,
-    /// No labeling has an energy below this, as far as is known.
+    /// Best lower bound known on the energy of any labeling.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub lower_bound: Option<f64>,
     /// Inliers of the registration.
@@ -100,13 +101,14 @@ impl TracePoint {
     }
 }
 
-/// Watches a computation and may stop it. All methods are called from one thread at a time, often; be quick.
+/// Receives the progress of a computation and may cancel it. All methods are called often, from one thread at a time, and
+/// should return quickly.
 pub trait Observer: Sync {
     /// A phase begins.
     fn phase(&self, phase: Phase) {
         let _ = phase;
     }
-    /// The share of the whole work that is done, in `[0, 1]`, never less than before.
+    /// The share of the whole work that is done, in `[0, 1]`; it never falls.
     fn progress(&self, fraction: f64) {
         let _ = fraction;
     }
@@ -120,7 +122,7 @@ pub trait Observer: Sync {
     }
 }
 
-/// Listens to nothing and never cancels.
+/// Ignores all reports and never cancels.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Silent;
 
@@ -131,7 +133,7 @@ impl Observer for Silent {}
 #[error("the computation was cancelled")]
 pub struct Cancelled;
 
-/// `Err(Cancelled)` once `observer` asks to stop. Called between pieces of work of a few milliseconds.
+/// `Err(Cancelled)` once `observer` asks to stop. To be called between pieces of work of a few milliseconds.
 ///
 /// # Errors
 /// [`Cancelled`].

@@ -21,10 +21,10 @@ use common::{pair, peak_mib, with_threads};
 use homolog_geometry::curvature::{ScaleSpace, gaussian_curvature};
 use homolog_mesh::{SurfaceMesh, canonicalize};
 use homolog_mrf::inference::{
-    ActiveModel, ActivePropagation, ActiveSets, BeliefPropagation, BpMethod, BpOptions, Evidence, FeaturePotentials,
-    MessageStorage, Product, Update,
+    ActiveModel, ActivePropagation, ActiveSets, BeliefPropagation, BpMethod, BpOptions, Evidence, MessageStorage,
+    Product, Update,
 };
-use homolog_mrf::{Feature, MrfModel, PairwisePotential, unary_potentials};
+use homolog_mrf::{Feature, FeaturePotentials, MrfModel, PairwisePotential, unary_potentials};
 use homolog_primitives::graph::{EdgeGraph, LabelNeighborhoods};
 use homolog_primitives::observe::Silent;
 use multiversion::multiversion;
@@ -309,8 +309,14 @@ fn active_labels() {
     let (n, n_labels) = (parts.variables.n_vertices(), parts.labels.n_labels());
     for active in [64, 128, 256] {
         forget_peak();
-        let sets =
-            ActiveSets { initial: active, kept: active, largest: active, margin: f32::MAX, every: 100, demanded: 0 };
+        let sets = ActiveSets {
+            initial: active,
+            kept: active,
+            largest: active,
+            margin: f32::MAX,
+            every: 100,
+            best_of_neighbors: 0,
+        };
         let options = BpOptions { product: Product::Max, damping: 0.5, floor: 1e-5, tolerance: 0.0 };
         let seconds = with_threads(1, || {
             let candidates = sets.propose(n, n_labels, evidence, &Silent).unwrap();

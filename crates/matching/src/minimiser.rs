@@ -132,7 +132,7 @@ struct Propagation<'a> {
 
 impl Minimiser for Propagation<'_> {
     fn forget(&mut self) {
-        self.bp.forget();
+        self.bp.reset();
     }
 
     fn set_bias(&mut self, add: &(dyn Fn(usize, &mut [f32]) + Sync)) {

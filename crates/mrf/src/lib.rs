@@ -1,5 +1,4 @@
-//! The energy of a labeling: a Markov random field whose variables are source vertices and whose labels are target
-//! vertices.
+//! A Markov random field whose labels are the vertices of a graph, and minimisers of its energy.
 //!
 //! ```text
 //! E(x) = Σ_i θ_i(x_i) + Σ_{ij ∈ edges} θ_ij(x_i, x_j)          lower is better, no unit
@@ -8,15 +7,42 @@
 //! θ_ij(x, y) = min(β · |ℓ_ij − d'(x, y)| / ℓ', T)   if y ∈ N_r(x),   else T          pairwise
 //! ```
 //!
-//! `f` are vertex features with robust scales `s_f`; `ℓ_ij` is the length of the source edge, `d'` the distance on
-//! the target and `ℓ'` its mean edge length; `N_r(x)` are the labels within `r` edges of `x`, itself included.
-//! Nothing here knows a mesh: a model is made of a graph, a table of unary potentials and label neighbourhoods.
-//! Who minimises it is [`crate::inference`]'s business.
+//! A **variable** `i` takes a **label** `x_i`; an assignment of all variables is a **labeling**. The unary potential `θ_i(x)`
+//! is what label `x` costs variable `i`, the pairwise potential `θ_ij(x, y)` what two neighbouring variables pay for their
+//! labels. Unary potentials may come from anywhere; those of the formula compare vertex features `f` with robust scales
+//! `s_f` ([`unary_potentials`]). Labels are vertices of a graph themselves: `N_r(x)` are the labels within `r` edges of `x`,
+//! itself included, at distances `d'`. Neighbouring variables whose labels are not neighbours pay the truncation `T`;
+//! others pay for the difference between the length `ℓ_ij` of their edge and the distance of their labels, in units of `ℓ'`.
+//!
+//! In homolog the variables are the vertices of a source surface and the labels those of a target surface. Nothing here
+//! knows a surface: a model is a graph, a table of unary potentials and label neighbourhoods. Minimisers are in
+//! [`inference`]: belief propagation, simulated annealing, Las Vegas, and a lower bound on the energy.
+//!
+//! ```
+//! use homolog_mrf::inference::{BeliefPropagation, BpOptions, Product};
+//! use homolog_mrf::{MrfModel, PairwisePotential};
+//! use homolog_primitives::graph::{EdgeGraph, LabelNeighborhoods};
+//! use homolog_primitives::observe::Silent;
+//!
+//! // Three variables in a row and four labels in a row; the variable in the middle has a preference that is an outlier.
+//! let variables = EdgeGraph::from_edges(3, &[[0, 1], [1, 2]]);
+//! let label_graph = EdgeGraph::from_edges(4, &[[0, 1], [1, 2], [2, 3]]);
+//! let labels = LabelNeighborhoods::new(&label_graph, 1, |x, y| x.abs_diff(y) as f64);
+//! let unary = vec![0.0, 1.0, 2.0, 3.0, /* variable 1 */ 2.0, 1.0, 1.0, 0.0, /* variable 2 */ 2.0, 1.0, 0.0, 1.0];
+//! let pairwise = PairwisePotential { beta: 0.0, length_scale: 1.0, truncation: 5.0 };
+//! let model = MrfModel { lengths: vec![1.0; variables.n_directed_edges()], variables, labels, unary, pairwise };
+//!
+//! let options = BpOptions { product: Product::Max, damping: 0.0, floor: 1e-5, tolerance: 1e-6 };
+//! let outcome = BeliefPropagation::new(&model, options).run(20, &Silent, |_| ())?;
+//! assert_eq!(outcome.labeling, [0, 1, 2]);
+//! assert_eq!(outcome.energy.total(), 1.0);
+//! # Ok::<(), homolog_primitives::observe::Cancelled>(())
+//! ```
 
 pub mod inference;
 mod potentials;
 
-pub use potentials::{Feature, unary_potentials};
+pub use potentials::{Feature, FeaturePotentials, unary_potentials};
 
 use homolog_primitives::graph::{EdgeGraph, LabelNeighborhoods};
 
@@ -57,6 +83,12 @@ impl PairwisePotential {
             None => self.truncation,
         }
     }
+
+    /// `ε = exp(−T)`: 0 for the hard constraint, a truncation of infinity; pairs outside the neighbourhood then add
+    /// nothing to a message.
+    pub(crate) fn epsilon(&self) -> f32 {
+        (-self.truncation).exp() as f32
+    }
 }
 
 /// An energy with its two parts.
@@ -69,6 +101,26 @@ pub struct Energy {
 }
 
 impl Energy {
+    /// The sum over all variables and edges, term by term in a fixed order: `unary(i)` of every variable and
+    /// `pairwise(edge, i, j)` of every edge `i < j`.
+    pub(crate) fn sum(
+        variables: &EdgeGraph,
+        unary: impl Fn(usize) -> f32,
+        pairwise: impl Fn(usize, usize, usize) -> f64,
+    ) -> Self {
+        let mut energy = Energy { unary: 0.0, pairwise: 0.0 };
+        for i in 0..variables.n_vertices() {
+            energy.unary += f64::from(unary(i));
+            for edge in variables.row(i) {
+                let j = variables.head(edge);
+                if i < j {
+                    energy.pairwise += pairwise(edge, i, j);
+                }
+            }
+        }
+        energy
+    }
+
     /// `E`, the sum of both parts.
     pub fn total(&self) -> f64 {
         self.unary + self.pairwise
@@ -104,17 +156,8 @@ impl MrfModel {
     /// infinite energy, and this says so. JSON has no infinity: a report then leaves the energy out and gives
     /// [`MrfModel::broken_edges`] instead.
     pub fn energy(&self, labeling: &[u32]) -> Energy {
-        let mut energy = Energy { unary: 0.0, pairwise: 0.0 };
-        for (i, &x) in labeling.iter().enumerate() {
-            energy.unary += f64::from(self.unary_row(i)[x as usize]);
-            for edge in self.variables.row(i) {
-                let j = self.variables.head(edge);
-                if i < j {
-                    energy.pairwise += self.pairwise_potential(edge, x, labeling[j]);
-                }
-            }
-        }
-        energy
+        let unary = |i: usize| self.unary_row(i)[labeling[i] as usize];
+        Energy::sum(&self.variables, unary, |edge, i, j| self.pairwise_potential(edge, labeling[i], labeling[j]))
     }
 
     /// Edges (each counted once) whose labels are no neighbours, `y ∉ N_r(x)`: those that pay the truncation because

@@ -32,38 +32,77 @@ fn median(values: &mut [f64]) -> f64 {
     *values.select_nth_unstable_by(middle, f64::total_cmp).1
 }
 
+/// Unary potentials `θ_i(x) = α · mean_f [ w_f · min(|f_i − f'_x| / s_f, τ)^p ]`, computed where they are asked for: those of
+/// [`unary_potentials`] without its table.
+///
+/// Memory `O((variables + labels) · features)`; a row costs `O(labels · features)`, a label `O(features)`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FeaturePotentials {
+    scaled: Vec<ScaledFeature>,
+    cap: f32,
+    order: f32,
+}
+
+/// A feature in units of its scale.
+#[derive(Debug, Clone, PartialEq)]
+struct ScaledFeature {
+    weight: f32,
+    source: Vec<f32>,
+    target: Vec<f32>,
+}
+
+impl FeaturePotentials {
+    /// `alpha ≥ 0`, `cap` is `τ` and `order` is `p` of `θ_i(x) = α · mean_f [ w_f · min(|f_i − f'_x| / s_f, τ)^p ]`.
+    pub fn new(features: &[Feature], alpha: f64, cap: f64, order: f64) -> Self {
+        // Scaled once, so that the loop is a difference, a minimum and a sum in 32 bits.
+        let scaled = features.iter().map(|f| {
+            let scale = f.robust_scale();
+            let scaled = |values: &[f64]| values.iter().map(|v| (v / scale) as f32).collect();
+            let weight = (alpha * f.weight / features.len() as f64) as f32;
+            ScaledFeature { weight, source: scaled(&f.source), target: scaled(&f.target) }
+        });
+        FeaturePotentials { scaled: scaled.collect(), cap: cap as f32, order: order as f32 }
+    }
+
+    /// Potentials of `variable` at every label into `row`.
+    pub(crate) fn fill_row(&self, variable: usize, row: &mut [f32]) {
+        row.fill(0.0);
+        for f in &self.scaled {
+            self.add(f.weight, f.source[variable], f.target.iter().copied(), row);
+        }
+    }
+
+    /// Potentials of `variable` at `labels` into `values`, one each.
+    pub(crate) fn fill_at(&self, variable: usize, labels: &[u32], values: &mut [f32]) {
+        values.fill(0.0);
+        for f in &self.scaled {
+            self.add(f.weight, f.source[variable], labels.iter().map(|&x| f.target[x as usize]), values);
+        }
+    }
+
+    /// Adds the term of one feature at `at` to every potential of `values`, whose labels have it at `targets`.
+    fn add(&self, weight: f32, at: f32, targets: impl Iterator<Item = f32>, values: &mut [f32]) {
+        if self.order == 1.0 {
+            for (theta, value) in values.iter_mut().zip(targets) {
+                let d = (value - at).abs();
+                *theta += weight * if d < self.cap { d } else { self.cap };
+            }
+        } else {
+            for (theta, value) in values.iter_mut().zip(targets) {
+                *theta += weight * (value - at).abs().min(self.cap).powf(self.order);
+            }
+        }
+    }
+}
+
 /// The table `θ_i(x) = α · mean_f [ w_f · min(|f_i − f'_x| / s_f, τ)^p ]`, variable by variable.
 ///
 /// `alpha ≥ 0`, `cap` is `τ`, `order` is `p`. Cost `O(variables · labels · features)`, on all cores.
 pub fn unary_potentials(features: &[Feature], alpha: f64, cap: f64, order: f64) -> Vec<f32> {
     let n_variables = features.first().map_or(0, |f| f.source.len());
     let n_labels = features.first().map_or(0, |f| f.target.len());
+    let potentials = FeaturePotentials::new(features, alpha, cap, order);
     let mut table = vec![0.0f32; n_variables * n_labels];
-    // Scaled once, so that the loop is a difference, a minimum and a sum in 32 bits.
-    let scaled: Vec<(f32, Vec<f32>, Vec<f32>)> = features
-        .iter()
-        .map(|f| {
-            let scale = f.robust_scale();
-            let scaled = |values: &[f64]| values.iter().map(|v| (v / scale) as f32).collect();
-            let weight = (alpha * f.weight / features.len() as f64) as f32;
-            (weight, scaled(&f.source), scaled(&f.target))
-        })
-        .collect();
-    let (cap, order) = (cap as f32, order as f32);
-    table.par_chunks_mut(n_labels.max(1)).enumerate().for_each(|(i, row)| {
-        for (weight, source, target) in &scaled {
-            let (weight, at) = (*weight, source[i]);
-            if order == 1.0 {
-                for (theta, &value) in row.iter_mut().zip(target) {
-                    let d = (value - at).abs();
-                    *theta += weight * if d < cap { d } else { cap };
-                }
-            } else {
-                for (theta, &value) in row.iter_mut().zip(target) {
-                    *theta += weight * (value - at).abs().min(cap).powf(order);
-                }
-            }
-        }
-    });
+    table.par_chunks_mut(n_labels.max(1)).enumerate().for_each(|(i, row)| potentials.fill_row(i, row));
     table
 }

@@ -81,13 +81,13 @@ impl<'a> BeliefPropagation<'a> {
             engine,
             model,
         };
-        this.forget();
+        this.reset();
         this.set_bias(|_, _| ());
         this
     }
 
     /// Makes all messages flat again, so that the next run starts cold.
-    pub fn forget(&mut self) {
+    pub fn reset(&mut self) {
         // Beyond the labels a message is at its floor from the first iteration on.
         let mut flat = vec![self.options.floor; self.stride];
         flat[..self.model.n_labels()].fill(1.0);
@@ -121,7 +121,7 @@ impl<'a> BeliefPropagation<'a> {
 
     /// Runs until no message changes by more than the tolerance, or for `max_iterations`.
     ///
-    /// `on_iteration` hears of every iteration after its labeling is decoded.
+    /// `on_iteration` is called after every iteration, with the energy of the labeling decoded then.
     ///
     /// # Errors
     /// [`Cancelled`] as soon as `observer` asks to stop; the messages are then half-updated.

@@ -45,7 +45,7 @@ pub(super) struct BlockPlan {
 
 impl BlockPlan {
     /// Cuts the outgoing edges of all variables of `graph` into blocks. Cost `O(|E→|)`.
-    pub fn new(graph: &EdgeGraph) -> Self {
+    pub(super) fn new(graph: &EdgeGraph) -> Self {
         let reverse = graph.reverse_edges();
         let mut blocks: Vec<Block> = Vec::with_capacity(graph.n_directed_edges().div_ceil(BLOCK_LANES));
         for variable in 0..graph.n_vertices() {

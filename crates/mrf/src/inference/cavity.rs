@@ -1,24 +1,13 @@
 //! Cavity products of one block: `h_{i→j}(x) = φ_i(x) Π_{k ∈ N(i)\j} m_{k→i}(x)` for each of its lanes.
 //!
 //! A chunk of labels at a time: the products of a variable's messages from the first on and from the last on, whose
-//! meeting leaves out one; contiguous rows all the way, in registers. Then the chunk is turned, so that the lanes of one
+//! meeting leaves out one; contiguous rows all the way, in registers. Then the chunk is transposed, so that the lanes of one
 //! label lie side by side. The belief, which is the whole product, is decoded on the way.
 
-// The dispatch to instruction sets that `multiversion` generates needs unsafe calls; nothing here does itself.
-#![allow(unsafe_code)]
-
 use super::block_plan::{BLOCK_LANES, BlockVariable};
-use super::lanes::{CHUNK, ChunkRow, ChunkRows, LINE_BYTES, Lanes};
+use super::lanes::{CHAIN_SCALE, CHUNK, ChunkRow, ChunkRows, LINE_BYTES, Lanes};
 use super::message_value::MessageValue;
-#[cfg(target_arch = "x86_64")]
-use super::vector::Avx2;
-use super::vector::{Plain, Vector, WIDTH};
-use multiversion::multiversion;
-use multiversion::target::match_target;
-
-/// Products of messages are carried times this in each of two chains, so that a dozen messages at the floor do not
-/// underflow 32 bits; a power of two, so that no rounding depends on it. Their product stays below 2¹²⁸.
-const CHAIN_SCALE: f32 = (1u64 << 60) as f32;
+use super::vector::{Simd, Vector, WIDTH, dispatch};
 
 /// Neighbours for which the products of a variable are made all at once, in registers.
 const FEW: usize = 8;
@@ -34,14 +23,14 @@ pub(super) struct Chains {
     forward: Vec<ChunkRow>,
     /// Product of the last messages.
     backward: ChunkRow,
-    /// Cavity products before they are turned: [`OVERHANG`] rows, those of the lanes, and as many again.
+    /// Cavity products before they are transposed: [`OVERHANG`] rows, those of the lanes, and as many again.
     rows: Box<[ChunkRow; OVERHANG + BLOCK_LANES + OVERHANG]>,
     /// Of every variable of the block.
     beliefs: Vec<RunningPeak>,
 }
 
 impl Chains {
-    pub fn new() -> Self {
+    pub(super) fn new() -> Self {
         Chains {
             forward: Vec::new(),
             backward: ChunkRow::splat(0.0),
@@ -51,7 +40,7 @@ impl Chains {
     }
 
     /// The peaks of the beliefs of the variables of the block that was last computed, in its order.
-    pub fn peaks(&self) -> impl Iterator<Item = BeliefPeak> {
+    pub(super) fn peaks(&self) -> impl Iterator<Item = BeliefPeak> {
         self.beliefs.iter().map(RunningPeak::finish)
     }
 }
@@ -72,73 +61,80 @@ pub(super) struct BeliefPeak {
 pub(super) struct CavityTotals {
     /// Their maxima.
     pub largest: Lanes,
-    /// Their sums, label after label; 0 if nobody asked for them.
+    /// Their sums, label after label; 0 if they were not asked for.
     pub sum: Lanes,
 }
 
-/// Writes the cavity products of all lanes of a block to `cavity`, label by label, and returns their totals, sums only
-/// if `with_sums`.
-///
-/// `phi` has the row of every variable of the block, `messages` the incoming rows of all of them, one variable after
-/// the other, `labels` the labels of a row, negated, and −∞ beyond; all rows are as long as `cavity`, a multiple of
-/// [`WIDTH`], and beyond the labels `phi` is 0.
-/// Lanes that the block leaves empty hold numbers without a meaning.
-#[multiversion(targets("x86_64+avx2+f16c"))]
-pub(super) fn cavity_products<M: MessageValue>(
-    (labels, phi): (&[f32], &[&[f32]]),
-    messages: &[&[M]],
-    variables: &[BlockVariable],
-    (chains, with_sums): (&mut Chains, bool),
-    cavity: &mut [Lanes],
-) -> CavityTotals {
-    match_target! {
-        "x86_64+avx2+f16c" => products::<Avx2, M>((labels, phi), messages, variables, (chains, with_sums), cavity),
-        _ => products::<Plain, M>((labels, phi), messages, variables, (chains, with_sums), cavity),
-    }
+dispatch! {
+    /// Writes the cavity products of all lanes of a block to `cavity`, label by label, and returns their totals, sums only
+    /// if `with_sums`.
+    ///
+    /// `phi` has the row of every variable of the block, `messages` the incoming rows of all of them, one variable after
+    /// the other, `labels` the labels of a row, negated, and −∞ beyond; all rows are as long as `cavity`, a multiple of
+    /// [`WIDTH`], and beyond the labels `phi` is 0.
+    /// Lanes that the block leaves empty hold numbers without a meaning.
+    pub(super) fn cavity_products<M: MessageValue>(
+        labels: &[f32],
+        phi: &[&[f32]],
+        messages: &[&[M]],
+        variables: &[BlockVariable],
+        chains: &mut Chains,
+        with_sums: bool,
+        cavity: &mut [Lanes],
+    ) -> CavityTotals = products
 }
 
 #[inline(always)]
-fn products<V: Vector, M: MessageValue>(
-    (labels, phi): (&[f32], &[&[f32]]),
+#[allow(clippy::too_many_arguments, reason = "dispatched functions take arguments by name only")]
+fn products<S: Simd, M: MessageValue>(
+    simd: S,
+    labels: &[f32],
+    phi: &[&[f32]],
     messages: &[&[M]],
     variables: &[BlockVariable],
-    (chains, with_sums): (&mut Chains, bool),
+    chains: &mut Chains,
+    with_sums: bool,
     cavity: &mut [Lanes],
 ) -> CavityTotals {
     chains.beliefs.clear();
     chains.beliefs.resize(variables.len(), RunningPeak::new());
     let mut totals = CavityTotals { largest: Lanes::splat(0.0), sum: Lanes::splat(0.0) };
-    for (chunk, turned) in cavity.chunks_mut(CHUNK).enumerate() {
+    for (chunk, transposed) in cavity.chunks_mut(CHUNK).enumerate() {
         let start = chunk * CHUNK;
         let mut first = 0;
         for (at, of) in variables.iter().enumerate() {
             let incoming = &messages[first..first + of.incoming.len()];
             first += incoming.len();
-            let phi = (&labels[start..start + turned.len()], &phi[at][start..start + turned.len()]);
+            let phi = (&labels[start..start + transposed.len()], &phi[at][start..start + transposed.len()]);
             // The degrees of nearly all vertices of triangle and quad meshes.
             match incoming.len() {
-                3 => multiply_few::<V, M, 3>(phi, incoming, (at, of), chains, start),
-                4 => multiply_few::<V, M, 4>(phi, incoming, (at, of), chains, start),
-                5 => multiply_few::<V, M, 5>(phi, incoming, (at, of), chains, start),
-                6 => multiply_few::<V, M, 6>(phi, incoming, (at, of), chains, start),
-                7 => multiply_few::<V, M, 7>(phi, incoming, (at, of), chains, start),
-                8 => multiply_few::<V, M, 8>(phi, incoming, (at, of), chains, start),
-                _ => multiply_many::<V, M>(phi, incoming, (at, of), chains, start),
+                3 => multiply_few::<S, M, 3>(simd, phi, incoming, (at, of), chains, start),
+                4 => multiply_few::<S, M, 4>(simd, phi, incoming, (at, of), chains, start),
+                5 => multiply_few::<S, M, 5>(simd, phi, incoming, (at, of), chains, start),
+                6 => multiply_few::<S, M, 6>(simd, phi, incoming, (at, of), chains, start),
+                7 => multiply_few::<S, M, 7>(simd, phi, incoming, (at, of), chains, start),
+                8 => multiply_few::<S, M, 8>(simd, phi, incoming, (at, of), chains, start),
+                _ => multiply_many::<S, M>(simd, phi, incoming, (at, of), chains, start),
             }
         }
         let Some(rows) = chains.rows[OVERHANG..].first_chunk() else { continue };
         if with_sums {
-            turn_chunk::<V, true>(rows, turned, &mut totals);
+            transpose_chunk::<S, true>(simd, rows, transposed, &mut totals);
         } else {
-            turn_chunk::<V, false>(rows, turned, &mut totals);
+            transpose_chunk::<S, false>(simd, rows, transposed, &mut totals);
         }
     }
     totals
 }
 
-/// `turned[x][l] = rows[l][x]` for the labels that `turned` has; adds them to the totals, to the sums if `SUMS`.
+/// `transposed[x][l] = rows[l][x]` for the labels that `transposed` has; adds them to the totals, to the sums if `SUMS`.
 #[inline(always)]
-fn turn_chunk<V: Vector, const SUMS: bool>(rows: &ChunkRows, turned: &mut [Lanes], totals: &mut CavityTotals) {
+fn transpose_chunk<S: Simd, const SUMS: bool>(
+    simd: S,
+    rows: &ChunkRows,
+    transposed: &mut [Lanes],
+    totals: &mut CavityTotals,
+) {
     for (group, rows) in rows.as_chunks::<WIDTH>().0.iter().enumerate() {
         let lanes = group * WIDTH..(group + 1) * WIDTH;
         let (Some(largest), Some(sums)) =
@@ -146,18 +142,18 @@ fn turn_chunk<V: Vector, const SUMS: bool>(rows: &ChunkRows, turned: &mut [Lanes
         else {
             continue;
         };
-        let (mut top, mut sum) = (V::load(largest), V::load(sums));
+        let (mut top, mut sum) = (simd.load(largest), simd.load(sums));
         let rows: [&[[f32; WIDTH]]; WIDTH] = std::array::from_fn(|l| rows[l].as_chunks().0);
-        for (tile, turned) in turned.as_chunks_mut::<WIDTH>().0.iter_mut().enumerate() {
-            for (half, turned) in turned.as_chunks_mut::<4>().0.iter_mut().enumerate() {
-                let columns = V::columns(std::array::from_fn(|l| &rows[l][tile].as_chunks().0[half]));
-                for (column, turned) in columns.into_iter().zip(turned) {
+        for (tile, transposed) in transposed.as_chunks_mut::<WIDTH>().0.iter_mut().enumerate() {
+            for (half, transposed) in transposed.as_chunks_mut::<4>().0.iter_mut().enumerate() {
+                let columns = simd.columns(std::array::from_fn(|l| &rows[l][tile].as_chunks().0[half]));
+                for (column, transposed) in columns.into_iter().zip(transposed) {
                     top = column.max(top);
                     if SUMS {
                         sum = sum.add(column);
                     }
-                    if let Some(turned) = turned[lanes.clone()].first_chunk_mut() {
-                        column.store(turned);
+                    if let Some(transposed) = transposed[lanes.clone()].first_chunk_mut() {
+                        column.store(transposed);
                     }
                 }
             }
@@ -169,10 +165,11 @@ fn turn_chunk<V: Vector, const SUMS: bool>(rows: &ChunkRows, turned: &mut [Lanes
 
 /// The products of one variable of `D` neighbours, at most [`FEW`], over one chunk of labels, from label `start` on, into
 /// the rows from its lane on. Products of neighbours that the block sends nothing to go to the rows before and after,
-/// which are nobody's, since such a variable is the first or the last of the block, or are overwritten by the next
+/// which no lane owns, since such a variable is the first or the last of the block, or are overwritten by the next
 /// variable. The variable is number `at` of its block.
 #[inline(always)]
-fn multiply_few<V: Vector, M: MessageValue, const D: usize>(
+fn multiply_few<S: Simd, M: MessageValue, const D: usize>(
+    simd: S,
     (labels, phi): (&[f32], &[f32]),
     incoming: &[&[M]],
     (at, of): (usize, &BlockVariable),
@@ -185,25 +182,25 @@ fn multiply_few<V: Vector, M: MessageValue, const D: usize>(
     let Some(rows) = chains.rows[OVERHANG + of.lane - of.slots.start..].first_chunk_mut::<D>() else { return };
     let rows = rows.each_mut().map(|row| &mut row.as_chunks_mut::<WIDTH>().0[..n]);
     let labels = &labels.as_chunks::<WIDTH>().0[..n];
-    let scale = V::splat(CHAIN_SCALE);
-    let mut peak = Peak::<V>::load(&chains.beliefs[at]);
+    let scale = simd.splat(CHAIN_SCALE);
+    let mut peak = Peak::load(simd, &chains.beliefs[at]);
     for (tile, phi) in phi.as_chunks::<WIDTH>().0.iter().enumerate() {
         if (tile * WIDTH * size_of::<M>()).is_multiple_of(LINE_BYTES) {
             for row in &messages {
-                V::prefetch(row.as_flattened(), tile * WIDTH + CHUNK);
+                simd.prefetch(row.as_flattened(), tile * WIDTH + CHUNK);
             }
         }
-        let mut product = V::load(phi).mul(scale);
+        let mut product = simd.load(phi).mul(scale);
         let mut before = [product; D];
         for slot in 0..D {
             before[slot] = product;
-            product = product.mul(M::load(&messages[slot][tile]));
+            product = product.mul(M::load(simd, &messages[slot][tile]));
         }
-        peak.add(product, V::load(&labels[tile]));
+        peak.add(product, simd.load(&labels[tile]));
         let mut after = scale;
         for slot in (0..D).rev() {
             before[slot].mul(after).store(&mut rows[slot][tile]);
-            after = after.mul(M::load(&messages[slot][tile]));
+            after = after.mul(M::load(simd, &messages[slot][tile]));
         }
     }
     peak.store(&mut chains.beliefs[at]);
@@ -211,7 +208,8 @@ fn multiply_few<V: Vector, M: MessageValue, const D: usize>(
 
 /// Likewise for any number of neighbours, and for those that a block sends to.
 #[inline(always)]
-fn multiply_many<V: Vector, M: MessageValue>(
+fn multiply_many<S: Simd, M: MessageValue>(
+    simd: S,
     (labels, phi): (&[f32], &[f32]),
     incoming: &[&[M]],
     (at, of): (usize, &BlockVariable),
@@ -231,12 +229,12 @@ fn multiply_many<V: Vector, M: MessageValue>(
         let (done, open) = forward.split_at_mut(slot + 1);
         let factors = done[slot].as_chunks().0.iter().zip(message(slot));
         for (product, (so_far, factor)) in open[0].as_chunks_mut().0.iter_mut().zip(factors) {
-            V::load(so_far).mul(M::load(factor)).store(product);
+            simd.load(so_far).mul(M::load(simd, factor)).store(product);
         }
     }
-    let mut peak = Peak::<V>::load(&beliefs[at]);
+    let mut peak = Peak::load(simd, &beliefs[at]);
     for (belief, labels) in forward[incoming.len()][..length].as_chunks().0.iter().zip(labels.as_chunks().0) {
-        peak.add(V::load(belief), V::load(labels));
+        peak.add(simd.load(belief), simd.load(labels));
     }
     peak.store(&mut beliefs[at]);
     backward.fill(CHAIN_SCALE);
@@ -248,7 +246,7 @@ fn multiply_many<V: Vector, M: MessageValue>(
             }
         }
         for (product, factor) in backward.as_chunks_mut().0.iter_mut().zip(message(slot)) {
-            V::load(product).mul(M::load(factor)).store(product);
+            simd.load(product).mul(M::load(simd, factor)).store(product);
         }
     }
 }
@@ -288,8 +286,8 @@ struct Peak<V> {
 
 impl<V: Vector> Peak<V> {
     #[inline(always)]
-    fn load(from: &RunningPeak) -> Self {
-        Peak { peaks: V::load(&from.peaks), labels: V::load(&from.labels), sums: V::load(&from.sums) }
+    fn load(simd: impl Simd<Vector = V>, from: &RunningPeak) -> Self {
+        Peak { peaks: simd.load(&from.peaks), labels: simd.load(&from.labels), sums: simd.load(&from.sums) }
     }
 
     #[inline(always)]
@@ -346,10 +344,12 @@ mod tests {
             let labels: Vec<f32> = (0..n).rev().map(|x| -(x as f32)).chain([f32::NEG_INFINITY]).collect();
             let phi: Vec<Vec<f32>> = phi.into_iter().map(|row| [&row[..n], &[0.0]].concat()).collect();
             let CavityTotals { largest, sum } = cavity_products(
-                (&labels, &phi.iter().map(Vec::as_slice).collect::<Vec<_>>()),
+                &labels,
+                &phi.iter().map(Vec::as_slice).collect::<Vec<_>>(),
                 &messages.iter().flatten().map(Vec::as_slice).collect::<Vec<_>>(),
                 &variables,
-                (&mut chains, true),
+                &mut chains,
+                true,
                 &mut cavity,
             );
             let found: Vec<BeliefPeak> = chains.peaks().collect();

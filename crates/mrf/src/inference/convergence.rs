@@ -1,6 +1,6 @@
-//! Did a run settle, and if not, how did it fail to: from its series of message changes and labelings.
+//! Whether a run converged, converges slowly or oscillates, from its series of message changes and labelings.
 
-/// How a run stood when it ended.
+/// State of a run when it ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ConvergenceStatus {
     /// No message changed by more than the tolerance.
@@ -18,7 +18,7 @@ pub enum ConvergenceStatus {
 /// Convergence of a run.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Convergence {
-    /// How it stood at the end.
+    /// State at the end.
     pub status: ConvergenceStatus,
     /// Factor by which the largest message change shrank from one iteration to the next, a geometric mean over the
     /// last iterations (at most 16); below 1 while a run converges. `None` before the second iteration.
@@ -34,7 +34,7 @@ const SETTLING: f32 = 0.99;
 /// Iterations on either side of the comparison that gives the rate.
 const RATE_HALF: usize = 8;
 
-/// What is kept of every iteration.
+/// Largest message change and labeling of every iteration.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(super) struct History {
     deltas: Vec<f32>,
@@ -43,13 +43,13 @@ pub(super) struct History {
 
 impl History {
     /// One more iteration: its largest message change and the labeling decoded after it.
-    pub fn push(&mut self, delta: f32, labeling: impl Iterator<Item = u32>) {
+    pub(super) fn push(&mut self, delta: f32, labeling: impl Iterator<Item = u32>) {
         self.deltas.push(delta);
         self.fingerprints.push(fingerprint(labeling));
     }
 
     /// What the series says about a run that `settled` or not. Cost `O(LONGEST_PERIOD²)`.
-    pub fn convergence(&self, settled: bool) -> Convergence {
+    pub(super) fn convergence(&self, settled: bool) -> Convergence {
         let status = match self.period() {
             _ if settled => ConvergenceStatus::Converged,
             Some(period) => ConvergenceStatus::Oscillating { period: period as u32 },

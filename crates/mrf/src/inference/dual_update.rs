@@ -3,9 +3,6 @@
 //! Sums stay within 30 bits by the choice of the grid ([`super::fixed_point`]), so that wrapping arithmetic never
 //! wraps; it is used because a check in every addition would keep the loops from being vectors.
 
-// The dispatch to instruction sets that `multiversion` generates needs unsafe calls; nothing here does itself.
-#![allow(unsafe_code)]
-
 use super::block_plan::LANES;
 use super::fixed_point::Grid;
 use crate::MrfModel;
@@ -24,7 +21,7 @@ pub(super) struct UnitTable {
 
 impl UnitTable {
     /// Cost `O(n k̄)`.
-    pub fn new(model: &MrfModel, grid: &Grid) -> Self {
+    pub(super) fn new(model: &MrfModel, grid: &Grid) -> Self {
         let mut offsets = vec![0u32];
         let mut pairs = Vec::new();
         for y in 0..model.n_labels() {
@@ -36,12 +33,13 @@ impl UnitTable {
     }
 
     /// The labels of `N_r(y)` with their scaled distances.
-    pub fn row(&self, y: usize) -> &[(u32, i32)] {
+    pub(super) fn row(&self, y: usize) -> &[(u32, i32)] {
         &self.pairs[self.offsets[y] as usize..self.offsets[y + 1] as usize]
     }
 }
 
 /// Adds `row` to `sum`.
+#[allow(unsafe_code, reason = "the dispatch to instruction sets that `multiversion` generates")]
 #[multiversion(targets("x86_64+avx512f+avx512vl+avx512bw+avx512dq", "x86_64+avx2"))]
 pub(super) fn add(sum: &mut [i32], row: &[i32]) {
     for (sum, &value) in sum.iter_mut().zip(row) {
@@ -58,6 +56,7 @@ pub(super) fn minimum(values: &[i32]) -> (usize, i32) {
 /// Turns the reparametrised unary potential of a variable into the share of each of its edges: what it is above its
 /// minimum, divided by `parts` and rounded down. At the minimum the share is 0, and all shares together are nowhere
 /// more than there was to share, so that the minimum stays where and what it is.
+#[allow(unsafe_code, reason = "the dispatch to instruction sets that `multiversion` generates")]
 #[multiversion(targets("x86_64+avx512f+avx512vl+avx512bw+avx512dq", "x86_64+avx2"))]
 pub(super) fn shares(potential: &mut [i32], lowest: i32, parts: usize) {
     // Exact division is slow; the product with the inverse, rounded down, is at most one unit lower.
@@ -68,6 +67,7 @@ pub(super) fn shares(potential: &mut [i32], lowest: i32, parts: usize) {
 }
 
 /// Subtracts `share` from `row`.
+#[allow(unsafe_code, reason = "the dispatch to instruction sets that `multiversion` generates")]
 #[multiversion(targets("x86_64+avx512f+avx512vl+avx512bw+avx512dq", "x86_64+avx2"))]
 pub(super) fn subtract(row: &mut [i32], share: &[i32]) {
     for (value, &share) in row.iter_mut().zip(share) {
@@ -86,7 +86,7 @@ pub(super) struct PassScratch {
 
 impl PassScratch {
     /// Room for `n` labels.
-    pub fn new(n: usize) -> Self {
+    pub(super) fn new(n: usize) -> Self {
         PassScratch { against: vec![[0; LANES]; n], made: vec![[0; LANES]; n] }
     }
 }
@@ -124,6 +124,7 @@ pub(super) fn pass_on(
     minima
 }
 
+#[allow(unsafe_code, reason = "the dispatch to instruction sets that `multiversion` generates")]
 #[multiversion(targets("x86_64+avx512f+avx512vl+avx512bw+avx512dq", "x86_64+avx2"))]
 fn make(table: &UnitTable, against: &[Units], lengths: &Units, ceiling: &Units, made: &mut [Units]) -> Units {
     let mut minima = [i32::MAX; LANES];
@@ -144,6 +145,7 @@ fn make(table: &UnitTable, against: &[Units], lengths: &Units, ceiling: &Units, 
     minima
 }
 
+#[allow(unsafe_code, reason = "the dispatch to instruction sets that `multiversion` generates")]
 #[multiversion(targets("x86_64+avx512f+avx512vl+avx512bw+avx512dq", "x86_64+avx2"))]
 fn make_uniform(table: &UnitTable, against: &[Units], ceiling: &Units, made: &mut [Units]) -> Units {
     let mut minima = [i32::MAX; LANES];

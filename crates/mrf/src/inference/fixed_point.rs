@@ -32,7 +32,7 @@ pub(super) struct Grid {
 
 impl Grid {
     /// The finest grid on which no sum of messages of `model` overflows. Cost: two passes over the unary potentials.
-    pub fn new(model: &MrfModel) -> Self {
+    pub(super) fn new(model: &MrfModel) -> Self {
         let n_variables = model.n_variables();
         let n_edges = model.variables.n_directed_edges() / 2;
         let degree = (0..n_variables).map(|i| model.variables.row(i).len()).max().unwrap_or(0);
@@ -68,26 +68,26 @@ impl Grid {
     }
 
     /// The unary potentials of a row above the smallest of them, rounded down, into `row`.
-    pub fn unary(&self, variable: usize, potentials: &[f32], row: &mut Vec<i32>) {
+    pub(super) fn unary(&self, variable: usize, potentials: &[f32], row: &mut Vec<i32>) {
         let low = self.minima[variable];
         row.clear();
         row.extend(potentials.iter().map(|&theta| ((f64::from(theta) - low) / self.unit) as i32));
     }
 
     /// `β·length/ℓ'` to the nearest unit.
-    pub fn scaled_length(&self, model: &MrfModel, length: f32) -> i32 {
+    pub(super) fn scaled_length(&self, model: &MrfModel, length: f32) -> i32 {
         (model.pairwise.beta * f64::from(length) / model.pairwise.length_scale / self.unit).round() as i32
     }
 
     /// The lower bound that stands for `units` above the sum of the smallest unary potentials: less what rounding
     /// may have put on top of the energy.
-    pub fn bound(&self, units: i64) -> f64 {
+    pub(super) fn bound(&self, units: i64) -> f64 {
         let base: f64 = self.minima.iter().sum();
         base + (units - self.pairwise_excess) as f64 * self.unit - self.sum_error
     }
 
     /// The bound that needs no message: every unary potential at its smallest, no pairwise potential below 0.
-    pub fn trivial_bound(&self) -> f64 {
+    pub(super) fn trivial_bound(&self) -> f64 {
         self.minima.iter().sum::<f64>() - self.sum_error
     }
 }

@@ -6,12 +6,12 @@
 //! and `β = 0` one maximum for each member of `N_1`, `r` times over, else a few operations for each member of `N_r`. The
 //! bytes over the rate at which memory is changed in place, or the operations over the rate of the vector units, whichever
 //! is longer, is the time below which no iteration can go; `benches/kernel.rs` measures all in one run. On top come the
-//! turns between rows and lanes, and scaling, damping and comparing, seven operations a value; in half precision also the
+//! transposes between rows and lanes, and scaling, damping and comparing, seven operations a value; in half precision also the
 //! conversions: a value is converted three times when it is read, and twice when it is written.
 //!
 //! That floor is far below what is reached without a distance term, and no wait for memory is why: with all messages in
 //! the caches an iteration takes four fifths of its time. Two vectors can be loaded and one stored in a cycle, while each
-//! value is loaded twice for its products, once for each of two turns, once for each member of `N_1` and once to be
+//! value is loaded twice for its products, once for each of two transposes, once for each member of `N_1` and once to be
 //! compared, and stored four times.
 
 use super::block_plan::{BLOCK_LANES, Block, BlockPlan};
@@ -47,7 +47,7 @@ struct Pass {
 
 impl<M: MessageValue> Flooding<M> {
     /// Blocks over the directed edges of `graph`; `factors` of every edge; rows of `stride` values.
-    pub fn new(graph: &EdgeGraph, factors: &[(f32, f32)], stride: usize) -> Self {
+    pub(super) fn new(graph: &EdgeGraph, factors: &[(f32, f32)], stride: usize) -> Self {
         let plan = BlockPlan::new(graph);
         let batches = Batches::new(&plan);
         Flooding {
@@ -60,12 +60,12 @@ impl<M: MessageValue> Flooding<M> {
     }
 
     /// The message `i → j` of a directed edge.
-    pub fn message(&self, edge: usize) -> &[M] {
+    pub(super) fn message(&self, edge: usize) -> &[M] {
         self.messages.message(edge)
     }
 
     /// Makes every message the same.
-    pub fn fill(&mut self, message: &[f32]) {
+    pub(super) fn fill(&mut self, message: &[f32]) {
         self.messages.fill(message);
     }
 
@@ -73,7 +73,7 @@ impl<M: MessageValue> Flooding<M> {
     ///
     /// # Errors
     /// [`Cancelled`].
-    pub fn run(
+    pub(super) fn run(
         &mut self,
         kernel: Kernel<'_>,
         max_iterations: u32,
@@ -81,7 +81,7 @@ impl<M: MessageValue> Flooding<M> {
         mut on_iteration: impl FnMut(&BpIteration),
     ) -> Result<BpOutcome, Cancelled> {
         let tolerance = kernel.options.tolerance;
-        let mut progress = Progress::new(kernel.model);
+        let mut progress = Progress::new(kernel.model.n_variables());
         let mut delta = f32::INFINITY;
         while self.scratch.len() < rayon::current_num_threads() {
             self.scratch.push(Mutex::new(Scratch::new(kernel.stride)));
@@ -91,10 +91,9 @@ impl<M: MessageValue> Flooding<M> {
         for pass in 0..=max_iterations {
             let last = pass == max_iterations || delta <= tolerance;
             let Pass { decoded, delta: new_delta } = self.pass(kernel, !last, observer)?;
-            if pass == 0 {
-                progress.start(&decoded);
-            } else {
-                on_iteration(&progress.iterate(&decoded, delta));
+            let labels_changed = progress.decoded(&decoded, |labeling| kernel.model.energy(labeling));
+            if pass > 0 {
+                on_iteration(&progress.iterated(delta, labels_changed));
             }
             if last {
                 break;
@@ -122,7 +121,7 @@ impl<M: MessageValue> Flooding<M> {
                 .into_par_iter()
                 .zip(outputs)
                 .map(|(block, output)| {
-                    // No other thread has this index, so nobody waits; what a panic left is overwritten.
+                    // No other thread has this index, so the lock is free; what a panic left is overwritten.
                     let own = &scratch[rayon::current_thread_index().unwrap_or(0) % scratch.len()];
                     let mut scratch = own.lock().unwrap_or_else(PoisonError::into_inner);
                     make_block(kernel, &open, (block, &plan.blocks[block]), &factors[block], &mut scratch, output)
@@ -141,7 +140,7 @@ impl<M: MessageValue> Flooding<M> {
         }
         open.close();
         checkpoint(observer)?;
-        // A variable without neighbours sends nothing and stands in no block: its belief is its unary potential.
+        // A variable without neighbours sends no message and is in no block: its belief is its unary factor.
         for i in (0..kernel.model.n_variables()).filter(|&i| kernel.model.variables.row(i).is_empty()) {
             found.decoded.push(decode_alone(kernel, i));
         }

@@ -1,15 +1,12 @@
 //! The full message update: every label pair of one block of up to [`BLOCK_LANES`] outgoing messages.
 //!
 //! No table of potentials is stored. A dense row holds the two factors of the potential of one label against all
-//! others, and 0 for those outside its neighbourhood, which the lower limit `ε` turns into the truncation; it costs
+//! others, and 0 for those outside its neighbourhood, which the lower limit `ε` makes the truncation; it costs
 //! `O(n)` a thread. Two labels go through the cavity products at a time, as many as 16 registers have room for.
-
-// The dispatch to instruction sets that `multiversion` generates needs unsafe calls; nothing here does itself.
-#![allow(unsafe_code)]
 
 use super::block_plan::BLOCK_LANES;
 use super::lanes::Lanes;
-use super::pair_table::PairTable;
+use super::pair_table::{PairTable, truncated_pair_factor};
 use multiversion::multiversion;
 
 /// Labels updated together.
@@ -83,6 +80,7 @@ fn full_update(
     largest
 }
 
+#[allow(unsafe_code, reason = "the dispatch to instruction sets that `multiversion` generates")]
 #[multiversion(targets("x86_64+avx512f+avx512vl+avx512bw+avx512dq", "x86_64+avx2"))]
 fn max_rows(dense: &[DenseFactors], cavity: &[Lanes], potential: FullPotential<'_>) -> [Lanes; ROWS] {
     // One variable for each label: of an array of them, the compiler makes no vectors.
@@ -95,17 +93,16 @@ fn max_rows(dense: &[DenseFactors], cavity: &[Lanes], potential: FullPotential<'
 }
 
 #[inline(always)]
-fn take_larger(best: &mut Lanes, potential: FullPotential<'_>, [rising, falling]: [f32; 2], h: &Lanes) {
+fn take_larger(best: &mut Lanes, potential: FullPotential<'_>, factors: [f32; 2], h: &Lanes) {
     let FullPotential { near, far, epsilon } = potential;
     for k in 0..BLOCK_LANES {
-        let (a, b) = (near[k] * rising, far[k] * falling);
-        let psi = if a < b { a } else { b };
-        let psi = if psi > epsilon { psi } else { epsilon };
+        let psi = truncated_pair_factor((near[k], far[k]), factors, epsilon);
         let value = psi * h[k];
         best[k] = if value > best[k] { value } else { best[k] };
     }
 }
 
+#[allow(unsafe_code, reason = "the dispatch to instruction sets that `multiversion` generates")]
 #[multiversion(targets("x86_64+avx512f+avx512vl+avx512bw+avx512dq", "x86_64+avx2"))]
 fn sum_rows(dense: &[DenseFactors], cavity: &[Lanes], potential: FullPotential<'_>) -> [Lanes; ROWS] {
     let [mut first, mut second] = [Lanes::splat(0.0); ROWS];
@@ -117,12 +114,10 @@ fn sum_rows(dense: &[DenseFactors], cavity: &[Lanes], potential: FullPotential<'
 }
 
 #[inline(always)]
-fn take_sum(sum: &mut Lanes, potential: FullPotential<'_>, [rising, falling]: [f32; 2], h: &Lanes) {
+fn take_sum(sum: &mut Lanes, potential: FullPotential<'_>, factors: [f32; 2], h: &Lanes) {
     let FullPotential { near, far, epsilon } = potential;
     for k in 0..BLOCK_LANES {
-        let (a, b) = (near[k] * rising, far[k] * falling);
-        let psi = if a < b { a } else { b };
-        let psi = if psi > epsilon { psi } else { epsilon };
+        let psi = truncated_pair_factor((near[k], far[k]), factors, epsilon);
         sum[k] += psi * h[k];
     }
 }

@@ -32,7 +32,7 @@ pub(super) struct Kernel<'a> {
 impl Kernel<'_> {
     /// Cavity products of the lanes of `variables` into `scratch`; returns their totals. `message` is the row of an
     /// incoming message.
-    pub fn cavity<'m, M: MessageValue>(
+    pub(super) fn cavity<'m, M: MessageValue>(
         &self,
         message: impl Fn(u32) -> &'m [M],
         variables: &[BlockVariable],
@@ -40,23 +40,24 @@ impl Kernel<'_> {
     ) -> CavityTotals {
         let phi: Vec<&[f32]> = variables.iter().map(|of| self.phi_row(of.variable)).collect();
         let messages: Vec<&[M]> = variables.iter().flat_map(|of| &of.incoming).map(|&row| message(row)).collect();
-        let chains = (&mut scratch.chains, self.options.product == Product::Sum);
         cavity_products(
-            (&self.order.negated()[..self.stride], &phi),
+            &self.order.negated()[..self.stride],
+            &phi,
             &messages,
             variables,
-            chains,
+            &mut scratch.chains,
+            self.options.product == Product::Sum,
             &mut scratch.cavity[..self.stride],
         )
     }
 
     /// `φ` of a variable.
-    pub fn phi_row(&self, variable: usize) -> &[f32] {
+    pub(super) fn phi_row(&self, variable: usize) -> &[f32] {
         &self.phi[variable * self.stride..][..self.stride]
     }
 
     /// The decoded beliefs of the `variables` whose cavity products were computed last.
-    pub fn decode<'v>(
+    pub(super) fn decode<'v>(
         &self,
         variables: &'v [BlockVariable],
         scratch: &Scratch,
@@ -69,8 +70,8 @@ impl Kernel<'_> {
 
     /// Messages of all lanes from the cavity products of `scratch`, unscaled, into its `updated`; returns the largest
     /// value of each lane. `(near, far)` are the edge factors and `totals` those of the cavity products.
-    pub fn update(&self, (near, far): (&Lanes, &Lanes), totals: &CavityTotals, scratch: &mut Scratch) -> Lanes {
-        let epsilon = self.epsilon();
+    pub(super) fn update(&self, (near, far): (&Lanes, &Lanes), totals: &CavityTotals, scratch: &mut Scratch) -> Lanes {
+        let epsilon = self.model.pairwise.epsilon();
         let rest = Lanes(totals.sum.map(|sum| sum * epsilon));
         if self.method.update == Update::Sparse && self.model.pairwise.beta == 0.0 {
             return match self.options.product {
@@ -92,7 +93,7 @@ impl Kernel<'_> {
     }
 
     /// The next messages of all lanes from the cavity products of `scratch`, into `rows`; returns the largest change.
-    pub fn write<M: MessageValue>(
+    pub(super) fn write<M: MessageValue>(
         &self,
         factors: (&Lanes, &Lanes),
         totals: &CavityTotals,
@@ -122,15 +123,10 @@ impl Kernel<'_> {
         change
     }
 
-    /// `ε = exp(−T)`: 0 for the hard constraint, a truncation of infinity; pairs outside the neighbourhood then add
-    /// nothing.
-    fn epsilon(&self) -> f32 {
-        (-self.model.pairwise.truncation).exp() as f32
-    }
-
     /// What max-product messages are not below, before scaling.
     fn least(&self, totals: &CavityTotals) -> Lanes {
-        Lanes(totals.largest.map(|top| top * self.epsilon()))
+        let epsilon = self.model.pairwise.epsilon();
+        Lanes(totals.largest.map(|top| top * epsilon))
     }
 }
 

@@ -23,7 +23,7 @@ pub(super) struct LabelOrder {
 impl LabelOrder {
     /// The labels by breadth-first search, component after component, each from a far end, for rows of `stride` values.
     /// Cost `O(edges)`.
-    pub fn new(graph: &EdgeGraph, stride: usize) -> Self {
+    pub(super) fn new(graph: &EdgeGraph, stride: usize) -> Self {
         let (labels, _) = from_far_ends(graph);
         let mut places = vec![0; labels.len()];
         for (place, &label) in labels.iter().enumerate() {
@@ -35,22 +35,22 @@ impl LabelOrder {
     }
 
     /// The labels in order.
-    pub fn labels(&self) -> &[u32] {
+    pub(super) fn labels(&self) -> &[u32] {
         &self.labels
     }
 
     /// The labels of a row in order, negated, and −∞ beyond.
-    pub fn negated(&self) -> &[f32] {
+    pub(super) fn negated(&self) -> &[f32] {
         &self.negated
     }
 
     /// What stands in a row of places, by label.
-    pub fn by_label<T: Copy>(&self, row: &[T]) -> Vec<T> {
+    pub(super) fn by_label<T: Copy>(&self, row: &[T]) -> Vec<T> {
         self.places.iter().map(|&place| row[place as usize]).collect()
     }
 
     /// `labels` with places for labels. Cost `O(n k̄ log k̄)`.
-    pub fn reorder(&self, labels: &LabelNeighborhoods) -> LabelNeighborhoods {
+    pub(super) fn reorder(&self, labels: &LabelNeighborhoods) -> LabelNeighborhoods {
         let graph = labels.graph();
         let places = |x: usize, y: u32| [self.places[x], self.places[y as usize]];
         let edges: Vec<[u32; 2]> = (0..graph.n_vertices())
@@ -111,7 +111,7 @@ mod tests {
                 edges.push([i, i + width]);
             }
         }
-        // Names that say nothing of where they lie.
+        // Labels in an order that has nothing to do with their places.
         let n = width * length;
         let named: Vec<[u32; 2]> = edges.iter().map(|e| e.map(|i| i * 101 % n)).collect();
         let order = LabelOrder::new(&EdgeGraph::from_edges(n as usize, &named), n as usize);

@@ -22,7 +22,7 @@ pub(super) struct LabelRows {
 
 impl LabelRows {
     /// The rows of labels `0..n`; `filler(y)` fills up that of `y`. Cost `O(members)`.
-    pub fn new<'a>(n: usize, row: impl Fn(usize) -> &'a [u32], filler: impl Fn(usize) -> u32) -> Self {
+    pub(super) fn new<'a>(n: usize, row: impl Fn(usize) -> &'a [u32], filler: impl Fn(usize) -> u32) -> Self {
         let width = best_width((0..n).map(|y| row(y).len()));
         let mut rows = LabelRows {
             width,
@@ -45,23 +45,23 @@ impl LabelRows {
     }
 
     /// One more than the largest label that [`LabelRows::members`] gives.
-    pub fn limit(&self) -> usize {
+    pub(super) fn limit(&self) -> usize {
         self.limit
     }
 
     /// Members of a row that stand in [`LabelRows::members`].
-    pub fn width(&self) -> usize {
+    pub(super) fn width(&self) -> usize {
         self.width
     }
 
     /// The rows of a chunk of [`CHUNK`] labels, one after the other; the last chunk may be shorter.
-    pub fn members(&self, chunk: usize) -> &[u32] {
+    pub(super) fn members(&self, chunk: usize) -> &[u32] {
         let end = ((chunk + 1) * CHUNK * self.width).min(self.members.len());
         &self.members[(chunk * CHUNK * self.width).min(end)..end]
     }
 
     /// What rows of the chunk have beyond the width: label and member.
-    pub fn more(&self, chunk: usize) -> &[[u32; 2]] {
+    pub(super) fn more(&self, chunk: usize) -> &[[u32; 2]] {
         match self.more_starts.get(chunk..chunk + 2) {
             Some(&[start, end]) => &self.more[start as usize..end as usize],
             _ => &[],

@@ -6,6 +6,11 @@ use std::ops::{Deref, DerefMut};
 /// Labels treated together: with all lanes of a block they fill 4 KiB, part of the fastest cache.
 pub(super) const CHUNK: usize = 64;
 
+/// Products of messages are carried times this in each of two chains, from the first message on and from the last on, so
+/// that a dozen messages at the floor do not underflow 32 bits; a power of two, so that no rounding depends on it. The
+/// product of both chains stays below 2¹²⁸ by the choice of the [unary factors](super::unary_factors).
+pub(super) const CHAIN_SCALE: f32 = (1u64 << 60) as f32;
+
 /// Bytes of a line of the cache.
 pub(super) const LINE_BYTES: usize = 64;
 
@@ -24,14 +29,14 @@ pub(super) type ChunkRows = [ChunkRow; BLOCK_LANES];
 
 impl Lanes {
     /// The same number in every lane.
-    pub const fn splat(value: f32) -> Self {
+    pub(super) const fn splat(value: f32) -> Self {
         Lanes([value; BLOCK_LANES])
     }
 }
 
 impl ChunkRow {
     /// The same number for every label.
-    pub const fn splat(value: f32) -> Self {
+    pub(super) const fn splat(value: f32) -> Self {
         ChunkRow([value; CHUNK])
     }
 }

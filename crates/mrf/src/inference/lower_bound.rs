@@ -25,7 +25,7 @@ use rayon::prelude::*;
 /// Blocks of messages made side by side: enough for many cores, little scratch.
 const BLOCKS_AT_ONCE: usize = 16;
 
-/// When [`DualBound::run`] is content.
+/// When a [`DualBound::run`] ends before its budget does.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct DualOptions {
     /// A run ends when the energy of the best labeling is above the bound by no more than this share of its magnitude.
@@ -56,7 +56,7 @@ pub struct DualIteration {
     pub energy: Energy,
 }
 
-/// What a run leaves.
+/// The result of a run.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DualOutcome {
     /// No labeling has an energy below this.
@@ -99,12 +99,12 @@ enum Direction {
     Backward,
 }
 
-/// A variable whose turn it is.
-struct Turn {
+/// A variable that a sweep visits.
+struct Visit {
     variable: usize,
-    /// Its edges to variables whose turn is still to come.
+    /// Its edges to variables that are visited later.
     ahead: Vec<usize>,
-    /// The messages that came along them, to be lessened by what is shared out; taken from the table meanwhile.
+    /// The messages that came along them, from which the shares are subtracted; taken out of the table meanwhile.
     incoming: Vec<Vec<i32>>,
     /// Minimum of the reparametrised unary potential.
     minimum: i32,
@@ -141,7 +141,7 @@ impl<'a> DualBound<'a> {
     /// Sweeps until the bound meets the best labeling or hardly rises, or for `max_iterations`; a further run goes on
     /// from there.
     ///
-    /// `on_iteration` hears of every iteration, with the best labeling so far. Cost of an iteration: `O(|E→| n k̄)`, on all cores, the same bits on
+    /// `on_iteration` is called after every iteration, with the best labeling so far. Cost of an iteration: `O(|E→| n k̄)`, on all cores, the same bits on
     /// any number of them.
     ///
     /// # Errors
@@ -193,15 +193,15 @@ impl<'a> DualBound<'a> {
                 Direction::Forward => at,
                 Direction::Backward => n_steps - 1 - at,
             };
-            let turns = self.take_turns(step, direction);
+            let visits = self.visit_step(step, direction);
             let mut ahead = Vec::new();
-            for turn in turns {
-                units += i64::from(turn.minimum);
-                self.decoded[turn.variable] = turn.label;
-                for (&edge, row) in turn.ahead.iter().zip(turn.incoming) {
+            for visit in visits {
+                units += i64::from(visit.minimum);
+                self.decoded[visit.variable] = visit.label;
+                for (&edge, row) in visit.ahead.iter().zip(visit.incoming) {
                     self.messages[self.reverse[edge] as usize] = row;
                 }
-                ahead.extend(turn.ahead);
+                ahead.extend(visit.ahead);
             }
             units += self.pass_on(&ahead);
         }
@@ -209,9 +209,9 @@ impl<'a> DualBound<'a> {
     }
 
     /// The variables of a step share out what they have, side by side: they are no neighbours.
-    fn take_turns(&mut self, step: usize, direction: Direction) -> Vec<Turn> {
+    fn visit_step(&mut self, step: usize, direction: Direction) -> Vec<Visit> {
         let graph = &self.model.variables;
-        let turns: Vec<Turn> = self.order.steps[step]
+        let visits: Vec<Visit> = self.order.steps[step]
             .iter()
             .map(|&i| {
                 let is_ahead = |&edge: &usize| {
@@ -221,24 +221,24 @@ impl<'a> DualBound<'a> {
                 let ahead: Vec<usize> = graph.row(i as usize).filter(is_ahead).collect();
                 let incoming =
                     ahead.iter().map(|&edge| std::mem::take(&mut self.messages[self.reverse[edge] as usize])).collect();
-                Turn { variable: i as usize, ahead, incoming, minimum: 0, label: 0 }
+                Visit { variable: i as usize, ahead, incoming, minimum: 0, label: 0 }
             })
             .collect();
         let this = &*self;
-        turns.into_par_iter().map(|turn| this.take_turn(turn)).collect()
+        visits.into_par_iter().map(|visit| this.visit(visit)).collect()
     }
 
-    fn take_turn(&self, mut turn: Turn) -> Turn {
+    fn visit(&self, mut visit: Visit) -> Visit {
         let graph = &self.model.variables;
         let mut potential = Vec::with_capacity(self.model.n_labels());
-        self.grid.unary(turn.variable, self.model.unary_row(turn.variable), &mut potential);
-        for row in &turn.incoming {
+        self.grid.unary(visit.variable, self.model.unary_row(visit.variable), &mut potential);
+        for row in &visit.incoming {
             add(&mut potential, row);
         }
-        // A label is decoded given those of the variables that had their turn, whose potentials replace messages.
+        // A label is decoded given those of the variables visited before, whose potentials replace messages.
         // The truncation is left out of them: it is the same for all labels.
         let mut given = potential.clone();
-        let behind: Vec<usize> = graph.row(turn.variable).filter(|edge| !turn.ahead.contains(edge)).collect();
+        let behind: Vec<usize> = graph.row(visit.variable).filter(|edge| !visit.ahead.contains(edge)).collect();
         for &edge in &behind {
             add(&mut potential, &self.messages[self.reverse[edge] as usize]);
             for &(x, distance) in self.table.row(self.decoded[graph.head(edge)] as usize) {
@@ -246,13 +246,13 @@ impl<'a> DualBound<'a> {
                 given[x as usize] += near - self.grid.truncation;
             }
         }
-        turn.label = minimum(&given).0 as u32;
-        turn.minimum = minimum(&potential).1;
-        shares(&mut potential, turn.minimum, turn.ahead.len().max(behind.len()));
-        for row in &mut turn.incoming {
+        visit.label = minimum(&given).0 as u32;
+        visit.minimum = minimum(&potential).1;
+        shares(&mut potential, visit.minimum, visit.ahead.len().max(behind.len()));
+        for row in &mut visit.incoming {
             subtract(row, &potential);
         }
-        turn
+        visit
     }
 
     /// Every edge of `edges` passes on all it can. The sum of the minima that remain in them, in grid units.

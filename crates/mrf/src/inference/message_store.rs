@@ -25,7 +25,7 @@ pub(super) struct Batches {
 
 impl Batches {
     /// Cost `O(|E→|)`.
-    pub fn new(plan: &BlockPlan) -> Self {
+    pub(super) fn new(plan: &BlockPlan) -> Self {
         let n = plan.blocks.len();
         let mut last_reader: Vec<usize> = (0..n).collect();
         for (reader, block) in plan.blocks.iter().enumerate() {
@@ -64,7 +64,7 @@ pub(super) struct MessageStore<M> {
 
 impl<M: MessageValue> MessageStore<M> {
     /// Room for the messages of `plan`, rows of `stride` values, and `n_spare` blocks more. All 0.
-    pub fn new(plan: &BlockPlan, stride: usize, n_spare: usize) -> Self {
+    pub(super) fn new(plan: &BlockPlan, stride: usize, n_spare: usize) -> Self {
         let n = plan.blocks.len();
         // A vector that straddles two lines of the cache takes twice as long; rows are whole vectors, so that it is
         // enough to align the first one. Not a matter of results: 0 would do.
@@ -82,13 +82,13 @@ impl<M: MessageValue> MessageStore<M> {
     }
 
     /// The message of a directed edge.
-    pub fn message(&self, edge: usize) -> &[M] {
+    pub(super) fn message(&self, edge: usize) -> &[M] {
         let start = self.start(edge);
         &self.values[start..start + self.stride]
     }
 
     /// Makes every message the same.
-    pub fn fill(&mut self, message: &[f32]) {
+    pub(super) fn fill(&mut self, message: &[f32]) {
         let message: Vec<M> = message.iter().map(|&value| M::narrow(value.max(M::LEAST))).collect();
         for edge in 0..self.n_edges {
             let start = self.start(edge);
@@ -102,7 +102,7 @@ impl<M: MessageValue> MessageStore<M> {
     }
 
     /// The messages for one iteration.
-    pub fn open(&mut self) -> OpenStore<'_, M> {
+    pub(super) fn open(&mut self) -> OpenStore<'_, M> {
         let MessageStore { values, start, stride, piece_of_block, spare, .. } = self;
         OpenStore {
             pieces: values[*start..].chunks_exact_mut((BLOCK_LANES * *stride).max(1)).collect(),
@@ -134,31 +134,31 @@ pub(super) struct Lent<'a, M> {
 
 impl<'a, M> OpenStore<'a, M> {
     /// The old message of a directed edge.
-    pub fn message(&self, edge: u32) -> &[M] {
+    pub(super) fn message(&self, edge: u32) -> &[M] {
         let (block, lane) = (edge as usize / BLOCK_LANES, edge as usize % BLOCK_LANES);
         &self.block(block)[lane * self.stride..][..self.stride]
     }
 
     /// All old messages of a block.
-    pub fn block(&self, block: usize) -> &[M] {
+    pub(super) fn block(&self, block: usize) -> &[M] {
         &*self.pieces[self.piece_of_block[block]]
     }
 
     /// Spare pieces for `count` blocks, or for as many as there are.
-    pub fn lend(&mut self, count: usize) -> Vec<Lent<'a, M>> {
+    pub(super) fn lend(&mut self, count: usize) -> Vec<Lent<'a, M>> {
         let first = self.spare.len().saturating_sub(count);
         let lent = self.spare.split_off(first).into_iter().rev();
         lent.map(|piece| Lent { piece, values: std::mem::take(&mut self.pieces[piece]) }).collect()
     }
 
     /// Takes back what was lent: from the next iteration on it is `block`.
-    pub fn give_back(&mut self, block: usize, lent: Lent<'a, M>) {
+    pub(super) fn give_back(&mut self, block: usize, lent: Lent<'a, M>) {
         self.new_piece[block] = lent.piece;
         self.pieces[lent.piece] = lent.values;
     }
 
-    /// Nobody reads the old messages of `block` any more: the new ones take their name, and their place is spare.
-    pub fn release(&mut self, block: usize) {
+    /// Replaces the old messages of `block`, which are read no more, by the new ones; their piece becomes spare.
+    pub(super) fn release(&mut self, block: usize) {
         let new = std::mem::replace(&mut self.new_piece[block], usize::MAX);
         if new != usize::MAX {
             self.spare.push(std::mem::replace(&mut self.piece_of_block[block], new));
@@ -166,7 +166,7 @@ impl<'a, M> OpenStore<'a, M> {
     }
 
     /// Releases whatever is made but not released, as after an iteration that was cut short.
-    pub fn close(mut self) {
+    pub(super) fn close(mut self) {
         for block in 0..self.new_piece.len() {
             self.release(block);
         }
@@ -180,7 +180,7 @@ mod tests {
     use proptest::prelude::*;
 
     proptest! {
-        /// Every block is written with its number times the iteration; whoever reads it meanwhile must find the number
+        /// Every block is written with its number times the iteration; readers meanwhile must find the number
         /// of the iteration before.
         #[test]
         fn old_messages_last_until_their_last_reader_is_done(

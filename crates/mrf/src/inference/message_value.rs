@@ -7,10 +7,10 @@
 //! of that over those messages. Where there are cycles no such bound holds, and runs that do not settle may part; how far
 //! they do on surfaces has to be measured.
 //!
-//! What would be rounded to 0 would rule out a label whatever else speaks for it, so that the floor of messages is not
+//! A value rounded to 0 would rule out a label whatever the other messages are, so that the floor of messages is not
 //! below the smallest number there is, [`MessageValue::LEAST`].
 
-use super::vector::{Vector, WIDTH};
+use super::vector::{Simd, Vector, WIDTH};
 use half::f16;
 use half::slice::HalfFloatSliceExt;
 use std::borrow::Cow;
@@ -22,7 +22,7 @@ pub(super) trait MessageValue: Copy + Send + Sync + 'static {
     /// Smallest value that a message may have: what keeps it from being rounded to 0.
     const LEAST: f32;
     /// From memory, at any address; exact.
-    fn load<V: Vector>(from: &[Self; WIDTH]) -> V;
+    fn load<S: Simd>(simd: S, from: &[Self; WIDTH]) -> S::Vector;
     /// To memory, at any address, each number to the nearest that there is, of two equally near ones to the even one.
     /// Returns what a load gives back.
     fn store<V: Vector>(values: V, to: &mut [Self; WIDTH]) -> V;
@@ -37,8 +37,8 @@ impl MessageValue for f32 {
     const LEAST: f32 = 0.0;
 
     #[inline(always)]
-    fn load<V: Vector>(from: &[f32; WIDTH]) -> V {
-        V::load(from)
+    fn load<S: Simd>(simd: S, from: &[f32; WIDTH]) -> S::Vector {
+        simd.load(from)
     }
 
     #[inline(always)]
@@ -61,8 +61,8 @@ impl MessageValue for f16 {
     const LEAST: f32 = f16::MIN_POSITIVE_SUBNORMAL.to_f32_const();
 
     #[inline(always)]
-    fn load<V: Vector>(from: &[f16; WIDTH]) -> V {
-        V::load_half(from)
+    fn load<S: Simd>(simd: S, from: &[f16; WIDTH]) -> S::Vector {
+        simd.load_half(from)
     }
 
     #[inline(always)]
@@ -88,7 +88,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn a_message_is_stored_as_closely_as_is_said(message in 1e-7f32..=1.0) {
+        fn half_precision_rounds_messages_by_no_more_than_documented(message in 1e-7f32..=1.0) {
             let off = (f16::narrow(message).to_f32() - message).abs();
             prop_assert!(off <= (message / 2048.0).max(1.0 / 33_554_432.0), "{message} is off by {off}");
         }

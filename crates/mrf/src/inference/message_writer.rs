@@ -1,16 +1,9 @@
-//! From updated messages to the next ones: scaled to maximum 1, floored, turned back into rows, damped.
-
-// The dispatch to instruction sets that `multiversion` generates needs unsafe calls; nothing here does itself.
-#![allow(unsafe_code)]
+//! From updated messages to the next ones: scaled to maximum 1, floored, transposed back into rows, damped.
 
 use super::block_plan::BLOCK_LANES;
 use super::lanes::{CHUNK, LINE_BYTES, Lanes};
 use super::message_value::MessageValue;
-#[cfg(target_arch = "x86_64")]
-use super::vector::Avx2;
-use super::vector::{Plain, Vector, WIDTH};
-use multiversion::multiversion;
-use multiversion::target::match_target;
+use super::vector::{Simd, Vector, WIDTH, dispatch};
 
 /// How an updated message becomes the new one.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -39,24 +32,22 @@ pub(super) fn inverse_of(largest: f32, share: f32) -> f32 {
     if largest > 0.0 && scale < f32::INFINITY { scale } else { 0.0 }
 }
 
-/// Writes the messages of one chunk of labels: `updated` has those of the labels from `start` on before scaling,
-/// a multiple of [`WIDTH`] and at most [`CHUNK`], and `largest` the largest value of each lane over all labels. Returns the largest change.
-#[multiversion(targets("x86_64+avx2+f16c"))]
-pub(super) fn write_chunk<M: MessageValue>(
-    updated: &[Lanes],
-    start: usize,
-    largest: &Lanes,
-    finish: Finish,
-    rows: &mut BlockRows<'_, M>,
-) -> f32 {
-    match_target! {
-        "x86_64+avx2+f16c" => write::<Avx2, M>(updated, start, largest, finish, rows),
-        _ => write::<Plain, M>(updated, start, largest, finish, rows),
-    }
+dispatch! {
+    /// Writes the messages of one chunk of labels: `updated` has those of the labels from `start` on before scaling, a
+    /// multiple of [`WIDTH`] and at most [`CHUNK`], and `largest` the largest value of each lane over all labels. Returns
+    /// the largest change.
+    pub(super) fn write_chunk<M: MessageValue>(
+        updated: &[Lanes],
+        start: usize,
+        largest: &Lanes,
+        finish: Finish,
+        rows: &mut BlockRows<'_, M>,
+    ) -> f32 = write
 }
 
 #[inline(always)]
-fn write<V: Vector, M: MessageValue>(
+fn write<S: Simd, M: MessageValue>(
+    simd: S,
     updated: &[Lanes],
     start: usize,
     largest: &Lanes,
@@ -74,7 +65,7 @@ fn write<V: Vector, M: MessageValue>(
     } else {
         updated
     };
-    let mut change = V::splat(0.0);
+    let mut change = simd.splat(0.0);
     for (group, (old, new)) in old.chunks(piece).zip(new.chunks_mut(piece)).enumerate() {
         let labels = start..start + updated.len();
         let group = Group {
@@ -86,9 +77,9 @@ fn write<V: Vector, M: MessageValue>(
             stride: *stride,
         };
         change = if old.len() == piece {
-            group.write::<V, M, true>(updated, old, new, change)
+            group.write::<S, M, true>(simd, updated, old, new, change)
         } else {
-            group.write::<V, M, false>(updated, old, new, change)
+            group.write::<S, M, false>(simd, updated, old, new, change)
         };
     }
     let mut changes = [0.0; WIDTH];
@@ -131,18 +122,19 @@ struct Group {
 impl Group {
     /// Writes the rows of the group, `FULL` of them or fewer, and returns the changes.
     #[inline(always)]
-    fn write<V: Vector, M: MessageValue, const FULL: bool>(
+    fn write<S: Simd, M: MessageValue, const FULL: bool>(
         &self,
+        simd: S,
         updated: &[Lanes],
         old: &[M],
         new: &mut [M],
-        change: V,
-    ) -> V {
+        change: S::Vector,
+    ) -> S::Vector {
         let (start, stride) = (self.labels.start, self.stride);
         let n_rows = if FULL { WIDTH } else { old.len() / stride };
         assert!(self.labels.end <= stride && n_rows * stride <= old.len().min(new.len()), "labels beyond the rows");
-        let (floor, damping) = (V::splat(self.floor), V::splat(self.damping));
-        let scale = self.scale.map(V::splat);
+        let (floor, damping) = (simd.splat(self.floor), simd.splat(self.damping));
+        let scale = self.scale.map(|scale| simd.splat(scale));
         let mut most = change;
         for (tile, lanes) in updated.as_chunks::<WIDTH>().0.iter().enumerate() {
             let label = start + tile * WIDTH;
@@ -150,21 +142,22 @@ impl Group {
             // many, and their pieces too short, for the processor to see what comes next.
             if (tile * WIDTH * size_of::<M>()).is_multiple_of(LINE_BYTES) {
                 for row in 0..n_rows {
-                    V::prefetch_far(old, row * stride + label + CHUNK);
-                    V::prefetch_far(new, row * stride + label + CHUNK);
+                    simd.prefetch_far(old, row * stride + label + CHUNK);
+                    simd.prefetch_far(new, row * stride + label + CHUNK);
                 }
             }
             for half in 0..2 {
                 let rows = std::array::from_fn(|x| quad(&lanes[x], self.lane + 4 * half));
-                for (row, column) in (4 * half..).zip(V::columns(rows)) {
+                for (row, column) in (4 * half..).zip(simd.columns(rows)) {
                     if FULL || row < n_rows {
                         let at = row * stride + label;
                         // SAFETY: `row < n_rows`, and tiles of whole vectors within `labels`, so that the vector ends within
                         // its row, and both slices have that row: asserted above. With a slice for each row, and checks, writing
                         // took 1.6 times as long.
+                        #[allow(unsafe_code)]
                         let (old, new) =
                             unsafe { (&*old.as_ptr().add(at).cast(), &mut *new.as_mut_ptr().add(at).cast()) };
-                        let old = M::load::<V>(old);
+                        let old = M::load(simd, old);
                         let value = column.mul(scale[row]).max(floor).add(damping.mul(old));
                         most = M::store(value, new).sub(old).abs().max(most);
                     }
@@ -177,6 +170,7 @@ impl Group {
 
 #[cfg(test)]
 mod tests {
+    use super::super::vector::Plain;
     use super::*;
     use half::f16;
     use proptest::prelude::*;
@@ -188,7 +182,12 @@ mod tests {
         for row in updated {
             (0..BLOCK_LANES).for_each(|k| top[k] = row[k].max(top[k]));
         }
-        [write_chunk::<M>, write::<Plain, M>].map(|write| {
+        let write_plain = |updated: &[Lanes], start, top: &Lanes, finish, rows: &mut BlockRows<'_, M>| {
+            write(Plain, updated, start, top, finish, rows)
+        };
+        let writers: [&dyn Fn(&[Lanes], usize, &Lanes, Finish, &mut BlockRows<'_, M>) -> f32; 2] =
+            [&write_chunk::<M>, &write_plain];
+        writers.map(|write| {
             let mut new = vec![M::ZERO; old.len()];
             let change =
                 write(updated, 0, &top, finish, &mut BlockRows { old: &old, new: &mut new, stride: updated.len() });

@@ -94,7 +94,7 @@ proptest! {
         let mut bp = BeliefPropagation::with_method(&model, settings, RESIDUAL);
         let outcome = bp.run(400, &Silent, |_| ()).unwrap();
         prop_assume!(outcome.stop == BpStop::Converged);
-        // Models with cycles may have several fixed points, so that the one of another schedule proves nothing.
+        // Models with cycles may have several fixed points, so that agreement with another schedule would be no proof.
         let reverse = model.variables.reverse_edges();
         let message = |edge: &u32| bp.incoming_message(*edge as usize).iter().map(|&m| f64::from(m)).collect();
         let messages: Vec<Vec<f64>> = reverse.iter().map(message).collect();
@@ -161,8 +161,8 @@ fn a_hub_is_updated_in_pieces_by_the_residual_schedule() {
     }
 }
 
-/// Four variables, all neighbours, two labels: equal labels cost 5, different ones nothing; all prefer label 0 a
-/// little. Flooded, all flee to the label that nobody had, for ever.
+/// Four variables, all neighbours, two labels: equal labels cost 5, different ones nothing; all prefer label 0
+/// slightly. Under flooding all variables switch to the other label in every iteration.
 fn frustrated() -> MrfModel {
     let edges = [[0, 1], [0, 2], [0, 3], [1, 2], [1, 3], [2, 3]];
     let mut model = model(4, &edges, 2, &[0.5], 5.0, 5.0);
@@ -179,7 +179,7 @@ fn frustrated() -> MrfModel {
 }
 
 #[test]
-fn a_frustrated_model_oscillates_under_flooding_and_is_said_to() {
+fn a_frustrated_model_oscillates_under_flooding_and_is_reported_so() {
     let (outcome, _) = run(&frustrated(), options(Product::Max, 0.0, 1e-5), BpMethod::default(), 40);
     assert_eq!(outcome.stop, BpStop::MaxIterations);
     assert_eq!(outcome.convergence.status, ConvergenceStatus::Oscillating { period: 2 });

@@ -1,13 +1,16 @@
-//! Minimisers of the energy of [`crate`], and what they report on the way.
+//! Minimisers of the energy of [`crate`], and what they report while they run.
 //!
-//! [`BeliefPropagation`] passes messages over the graph of variables: max-product heads for the labeling of lowest
-//! energy, sum-product for the marginals. Its **sparse update** visits only label pairs within the neighbourhood,
+//! [`BeliefPropagation`] passes messages over the graph of variables: max-product approximates the labeling of lowest
+//! energy, sum-product the marginals. Its **sparse update** visits only label pairs within the neighbourhood,
 //! because all others share the truncated potential; it computes the same messages as the **full update** over all
-//! pairs. Messages go all at once (flooding) or the most pending first (residual).
+//! pairs. All messages are updated at once (flooding), or those of the variable with
+//! the largest pending change first (residual).
 //!
-//! [`DualBound`] minimises nothing: it raises a bound that no energy is below, and so tells how good a labeling is.
+//! [`DualBound`] raises a lower bound on the energy of every labeling, which shows how far a labeling is from the minimum; it
+//! decodes labelings on the way.
 //!
-//! [`SimulatedAnnealing`] and [`LasVegas`] change one label at a time at random; [`LasVegas`] knows when it is done.
+//! [`SimulatedAnnealing`] and [`LasVegas`] change one label at a time at random; [`LasVegas`] certifies an answer whose energy
+//! is at most a given target.
 //!
 //! [`ActivePropagation`] passes the messages of [`BeliefPropagation`] over a set of candidate labels for each variable, in
 //! time and memory linear in the size of the surfaces.
@@ -55,8 +58,7 @@ mod unary_factors;
 mod vector;
 
 pub use active::{
-    ActiveModel, ActiveOutcome, ActivePropagation, ActiveSets, CandidateError, Candidates, Evidence, FeaturePotentials,
-    UnaryPotentials, belief_propagation_active,
+    ActiveModel, ActiveOutcome, ActivePropagation, ActiveSets, CandidateError, Candidates, Evidence, UnaryPotentials,
 };
 pub use belief_propagation::BeliefPropagation;
 pub use beliefs::belief_spread;

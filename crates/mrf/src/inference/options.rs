@@ -3,9 +3,9 @@
 /// Which semiring the messages live in.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Product {
-    /// Max-product: heads for the labeling of lowest energy.
+    /// Max-product: approximates the labeling of lowest energy; exact on trees.
     Max,
-    /// Sum-product: heads for the marginals.
+    /// Sum-product: approximates the marginals; exact on trees.
     Sum,
 }
 

@@ -4,7 +4,7 @@ use super::Product;
 use crate::MrfModel;
 
 /// Every labeling of the model with its energy, by counting.
-pub fn for_each_labeling(model: &MrfModel, mut visit: impl FnMut(&[u32], f64)) {
+pub(super) fn for_each_labeling(model: &MrfModel, mut visit: impl FnMut(&[u32], f64)) {
     let (n, labels) = (model.n_variables(), model.n_labels() as u32);
     let mut labeling = vec![0u32; n];
     loop {
@@ -16,14 +16,14 @@ pub fn for_each_labeling(model: &MrfModel, mut visit: impl FnMut(&[u32], f64)) {
 }
 
 /// Lowest energy of all labelings.
-pub fn exhaustive_minimum(model: &MrfModel) -> f64 {
+pub(super) fn exhaustive_minimum(model: &MrfModel) -> f64 {
     let mut lowest = f64::INFINITY;
     for_each_labeling(model, |_, energy| lowest = lowest.min(energy));
     lowest
 }
 
 /// Marginal of every variable under `p(x) ∝ exp(−E(x))`.
-pub fn exhaustive_marginals(model: &MrfModel) -> Vec<Vec<f64>> {
+pub(super) fn exhaustive_marginals(model: &MrfModel) -> Vec<Vec<f64>> {
     let lowest = exhaustive_minimum(model);
     let mut marginals = vec![vec![0.0; model.n_labels()]; model.n_variables()];
     for_each_labeling(model, |labeling, energy| {
@@ -39,7 +39,7 @@ pub fn exhaustive_marginals(model: &MrfModel) -> Vec<Vec<f64>> {
 }
 
 /// Beliefs (summing to 1 for each variable) after `iterations` of the full update with the given damping and floor.
-pub fn full_update_beliefs(
+pub(super) fn full_update_beliefs(
     model: &MrfModel,
     product: Product,
     iterations: usize,
@@ -71,7 +71,13 @@ pub fn full_update_beliefs(
 }
 
 /// The message of directed edge `edge` by the full update from all `messages`, scaled to maximum 1 and floored.
-pub fn updated_message(model: &MrfModel, product: Product, messages: &[Vec<f64>], edge: usize, floor: f64) -> Vec<f64> {
+pub(super) fn updated_message(
+    model: &MrfModel,
+    product: Product,
+    messages: &[Vec<f64>],
+    edge: usize,
+    floor: f64,
+) -> Vec<f64> {
     let graph = &model.variables;
     let reverse = graph.reverse_edges();
     let i = graph.head(reverse[edge] as usize);

@@ -1,7 +1,7 @@
-//! What a run of belief propagation tells on the way and leaves at the end.
+//! Iteration reports and the outcome of a run of belief propagation.
 
 use super::convergence::{Convergence, History};
-use crate::{Energy, Labeling, MrfModel};
+use crate::{Energy, Labeling};
 
 /// Why a run ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -25,7 +25,7 @@ pub struct BpIteration {
     pub labels_changed: u32,
 }
 
-/// What a run leaves.
+/// The result of a run.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BpOutcome {
     /// Label of the largest belief of every variable.
@@ -51,56 +51,57 @@ pub(super) struct Decoded {
 }
 
 /// The labeling of a run as it changes, and the history of its iterations.
-pub(super) struct Progress<'m> {
-    model: &'m MrfModel,
-    decoded: Vec<Decoded>,
+pub(super) struct Progress {
+    labeling: Labeling,
+    confidence: Vec<f64>,
     energy: Energy,
     history: History,
     iterations: u32,
 }
 
-impl<'m> Progress<'m> {
+impl Progress {
     /// Before the first labeling is decoded.
-    pub fn new(model: &'m MrfModel) -> Self {
+    pub(super) fn new(n_variables: usize) -> Self {
         Progress {
-            model,
-            decoded: vec![Decoded { variable: 0, label: 0, confidence: 1.0 }; model.n_variables()],
+            labeling: vec![0; n_variables],
+            confidence: vec![1.0; n_variables],
             energy: Energy { unary: 0.0, pairwise: 0.0 },
             history: History::default(),
             iterations: 0,
         }
     }
 
-    /// Takes the labeling that was decoded before any iteration, of every variable once, in any order.
-    pub fn start(&mut self, found: &[Decoded]) {
-        self.take(found);
-    }
-
-    /// Takes the labeling decoded after one more iteration, whose largest message change was `delta`.
-    pub fn iterate(&mut self, found: &[Decoded], delta: f32) -> BpIteration {
-        let labels_changed = self.take(found);
-        self.iterations += 1;
-        self.history.push(delta, self.decoded.iter().map(|d| d.label));
-        BpIteration { iteration: self.iterations, energy: self.energy, message_delta_max: delta, labels_changed }
-    }
-
-    fn take(&mut self, found: &[Decoded]) -> u32 {
+    /// Takes the labeling decoded from the present messages, of every variable once, in any order; `energy` evaluates it.
+    /// Returns how many labels changed.
+    pub(super) fn decoded(&mut self, found: &[Decoded], energy: impl FnOnce(&[u32]) -> Energy) -> u32 {
         let mut changed = 0;
         for d in found {
-            let slot = &mut self.decoded[d.variable as usize];
-            changed += u32::from(slot.label != d.label);
-            *slot = *d;
+            let label = &mut self.labeling[d.variable as usize];
+            changed += u32::from(*label != d.label);
+            *label = d.label;
+            self.confidence[d.variable as usize] = d.confidence;
         }
-        let labeling: Labeling = self.decoded.iter().map(|d| d.label).collect();
-        self.energy = self.model.energy(&labeling);
+        self.energy = energy(&self.labeling);
         changed
     }
 
+    /// One more iteration is done, whose labeling was decoded last and whose largest message change is given.
+    pub(super) fn iterated(&mut self, message_delta_max: f32, labels_changed: u32) -> BpIteration {
+        self.iterations += 1;
+        self.history.push(message_delta_max, self.labeling.iter().copied());
+        BpIteration { iteration: self.iterations, energy: self.energy, message_delta_max, labels_changed }
+    }
+
+    /// Iterations so far.
+    pub(super) fn iterations(&self) -> u32 {
+        self.iterations
+    }
+
     /// The outcome of the run.
-    pub fn finish(self, stop: BpStop) -> BpOutcome {
+    pub(super) fn finish(self, stop: BpStop) -> BpOutcome {
         BpOutcome {
-            labeling: self.decoded.iter().map(|d| d.label).collect(),
-            confidence: self.decoded.iter().map(|d| d.confidence).collect(),
+            labeling: self.labeling,
+            confidence: self.confidence,
             energy: self.energy,
             iterations: self.iterations,
             stop,

@@ -20,15 +20,13 @@ pub(super) struct PairTable {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Pair {
     pub label: u32,
-    /// `exp(β(d'/ℓ' − 1))`.
-    pub rising: f32,
-    /// Its inverse.
-    pub falling: f32,
+    /// `exp(β(d'/ℓ' − 1))`, rising with the distance, and its inverse, falling with it.
+    pub factors: [f32; 2],
 }
 
 impl PairTable {
     /// The table of `labels` for weight `beta` and length scale `length_scale`. Cost `O(n k̄)`.
-    pub fn new(labels: &LabelNeighborhoods, beta: f64, length_scale: f64) -> Self {
+    pub(super) fn new(labels: &LabelNeighborhoods, beta: f64, length_scale: f64) -> Self {
         let n = labels.n_labels();
         let mut offsets = vec![0u32];
         let mut pairs = Vec::new();
@@ -36,7 +34,7 @@ impl PairTable {
         for y in 0..n {
             for (&x, &d) in labels.members(y).iter().zip(labels.distances(y)) {
                 let exponent = beta * (f64::from(d) / length_scale - 1.0);
-                pairs.push(Pair { label: x, rising: exponent.exp() as f32, falling: (-exponent).exp() as f32 });
+                pairs.push(Pair { label: x, factors: [exponent.exp() as f32, (-exponent).exp() as f32] });
             }
             offsets.push(pairs.len() as u32);
             let neighbors = if labels.rings() > 0 { labels.graph().neighbors(y) } else { &[] };
@@ -52,19 +50,34 @@ impl PairTable {
     }
 
     /// Number of labels `n`.
-    pub fn n_labels(&self) -> usize {
+    pub(super) fn n_labels(&self) -> usize {
         self.offsets.len() - 1
     }
 
     /// The labels of `N_r(y)` with their factors `[rising, falling]`.
-    pub fn factors(&self, y: usize) -> impl Iterator<Item = (usize, [f32; 2])> {
-        self.row(y).iter().map(|pair| (pair.label as usize, [pair.rising, pair.falling]))
+    pub(super) fn factors(&self, y: usize) -> impl Iterator<Item = (usize, [f32; 2])> {
+        self.row(y).iter().map(|pair| (pair.label as usize, pair.factors))
     }
 
     /// `N_r(y)`.
-    pub fn row(&self, y: usize) -> &[Pair] {
+    pub(super) fn row(&self, y: usize) -> &[Pair] {
         &self.pairs[self.offsets[y] as usize..self.offsets[y + 1] as usize]
     }
+}
+
+/// `ψ = exp(−β|ℓ − d'|/ℓ')` from the [`edge_factors`] of an edge and the factors `[rising, falling]` of a pair of labels: the
+/// smaller of a product and its inverse, so that no loop over labels needs an exponential.
+#[inline(always)]
+pub(super) fn pair_factor((near, far): (f32, f32), [rising, falling]: [f32; 2]) -> f32 {
+    let (a, b) = (near * rising, far * falling);
+    if a < b { a } else { b }
+}
+
+/// Likewise, not below `ε = exp(−T)`.
+#[inline(always)]
+pub(super) fn truncated_pair_factor(edge: (f32, f32), pair: [f32; 2], epsilon: f32) -> f32 {
+    let psi = pair_factor(edge, pair);
+    if psi > epsilon { psi } else { epsilon }
 }
 
 /// The two factors of `ψ` that belong to a source edge of `length`: `exp(−β(ℓ/ℓ' − 1))` and its inverse.

@@ -10,9 +10,6 @@
 //! the front of the queue is therefore updated side by side and gives what one after the other would give; neither
 //! the batch nor its result depends on the number of threads. Of equal bounds the lowest variable goes first.
 
-// The dispatch to instruction sets that `multiversion` generates needs unsafe calls; nothing here does itself.
-#![allow(unsafe_code)]
-
 use super::beliefs::{belief_row, peak};
 use super::block_plan::{BLOCK_LANES, BlockVariable};
 use super::kernel::{Kernel, lane_factors};
@@ -77,7 +74,7 @@ struct Round {
 
 impl Residual {
     /// A queue over the variables of `graph`, with the edge factors of every directed edge.
-    pub fn new(graph: &EdgeGraph, factors: Vec<(f32, f32)>) -> Self {
+    pub(super) fn new(graph: &EdgeGraph, factors: Vec<(f32, f32)>) -> Self {
         let reverse = graph.reverse_edges();
         let n = graph.n_vertices();
         let pieces = |variable: usize| {
@@ -105,7 +102,7 @@ impl Residual {
     ///
     /// # Errors
     /// [`Cancelled`].
-    pub fn run(
+    pub(super) fn run(
         &mut self,
         kernel: Kernel<'_>,
         messages: &mut [f32],
@@ -113,13 +110,15 @@ impl Residual {
         observer: &dyn Observer,
         mut on_iteration: impl FnMut(&BpIteration),
     ) -> Result<BpOutcome, Cancelled> {
-        let mut progress = Progress::new(kernel.model);
+        let mut progress = Progress::new(kernel.model.n_variables());
         let mut stop = BpStop::MaxIterations;
-        progress.start(&self.decode(kernel, messages));
+        let energy = |labeling: &[u32]| kernel.model.energy(labeling);
+        progress.decoded(&self.decode(kernel, messages), energy);
         self.begin();
         for _ in 0..max_iterations {
             let round = self.iterate(kernel, messages, observer)?;
-            on_iteration(&progress.iterate(&self.decode(kernel, messages), round.delta));
+            let labels_changed = progress.decoded(&self.decode(kernel, messages), energy);
+            on_iteration(&progress.iterated(round.delta, labels_changed));
             if round.settled {
                 stop = BpStop::Converged;
                 break;
@@ -143,7 +142,7 @@ impl Residual {
             .collect()
     }
 
-    /// Nothing is known of any message: every variable has to send.
+    /// Every variable is pending, since no message has been compared with its update yet.
     fn begin(&mut self) {
         self.queue.clear();
         for i in 0..self.pending.len() {
@@ -336,6 +335,7 @@ impl MessageChange {
 }
 
 /// Scales one lane to maximum 1, floors and damps it into `new`; the message before is `old`.
+#[allow(unsafe_code, reason = "the dispatch to instruction sets that `multiversion` generates")]
 #[multiversion(targets("x86_64+avx512f+avx512vl+avx512bw+avx512dq", "x86_64+avx2"))]
 fn settle_lane(
     updated: &[Lanes],

@@ -10,20 +10,14 @@
 //! Every operation is the same on every instruction set (no fused multiply-add, fixed order), so the dispatched
 //! versions give equal bits.
 
-// The dispatch to instruction sets that `multiversion` generates needs unsafe calls; nothing here does itself.
-#![allow(unsafe_code)]
-
 use super::block_plan::BLOCK_LANES;
 use super::cavity::Chains;
 use super::full_update::DenseFactors;
 use super::label_rows::LabelRows;
 use super::lanes::{CHUNK, Lanes};
-use super::pair_table::PairTable;
-#[cfg(target_arch = "x86_64")]
-use super::vector::Avx2;
-use super::vector::{Plain, Vector, WIDTH};
+use super::pair_table::{PairTable, pair_factor, truncated_pair_factor};
+use super::vector::{Simd, Vector, WIDTH, dispatch};
 use multiversion::multiversion;
-use multiversion::target::match_target;
 
 /// Scratch of one thread, reused from block to block.
 #[derive(Debug, Clone)]
@@ -42,7 +36,7 @@ pub(super) struct Scratch {
 
 impl Scratch {
     /// Room for `stride` labels.
-    pub fn new(stride: usize) -> Self {
+    pub(super) fn new(stride: usize) -> Self {
         let zero = Lanes::splat(0.0);
         Scratch {
             cavity: vec![zero; stride + 1],
@@ -57,34 +51,32 @@ impl Scratch {
 /// Vectors of all lanes of a label.
 const GROUPS: usize = BLOCK_LANES / WIDTH;
 
-/// A chunk of `to(y) = max(floor, max_{x ∈ rows(y)} from(x))`; 0 beyond the labels.
-#[multiversion(targets("x86_64+avx2+f16c"))]
-pub(super) fn max_chunk(rows: &LabelRows, chunk: usize, from: &[Lanes], floor: &Lanes, to: &mut [Lanes]) {
-    match_target! {
-        "x86_64+avx2+f16c" => fold_chunk::<Avx2>(rows, chunk, from, floor, |best, h| best.max(h), to),
-        _ => fold_chunk::<Plain>(rows, chunk, from, floor, |best, h| best.max(h), to),
-    }
+dispatch! {
+    /// A chunk of `to(y) = max(floor, max_{x ∈ rows(y)} from(x))`; 0 beyond the labels.
+    pub(super) fn max_chunk(rows: &LabelRows, chunk: usize, from: &[Lanes], floor: &Lanes, to: &mut [Lanes]) = maxima
 }
 
-/// A chunk of `to(y) = rest + share · Σ_{x ∈ rows(y)} from(x)`; 0 beyond the labels. Raises `largest` to the largest
-/// value of each lane.
-#[multiversion(targets("x86_64+avx2+f16c"))]
-pub(super) fn sum_chunk(
-    rows: &LabelRows,
-    chunk: usize,
-    from: &[Lanes],
-    (rest, share): (&Lanes, f32),
-    to: &mut [Lanes],
-    largest: &mut Lanes,
-) {
-    match_target! {
-        "x86_64+avx2+f16c" => sums::<Avx2>(rows, chunk, from, (rest, share), to, largest),
-        _ => sums::<Plain>(rows, chunk, from, (rest, share), to, largest),
-    }
+dispatch! {
+    /// A chunk of `to(y) = rest + share · Σ_{x ∈ rows(y)} from(x)` with `terms = (rest, share)`; 0 beyond the labels. Raises `largest` to the largest
+    /// value of each lane.
+    pub(super) fn sum_chunk(
+        rows: &LabelRows,
+        chunk: usize,
+        from: &[Lanes],
+        terms: (&Lanes, f32),
+        to: &mut [Lanes],
+        largest: &mut Lanes,
+    ) = sums
 }
 
 #[inline(always)]
-fn sums<V: Vector>(
+fn maxima<S: Simd>(simd: S, rows: &LabelRows, chunk: usize, from: &[Lanes], floor: &Lanes, to: &mut [Lanes]) {
+    fold_chunk(simd, rows, chunk, from, floor, |best: S::Vector, h| best.max(h), to);
+}
+
+#[inline(always)]
+fn sums<S: Simd>(
+    simd: S,
     rows: &LabelRows,
     chunk: usize,
     from: &[Lanes],
@@ -92,13 +84,13 @@ fn sums<V: Vector>(
     to: &mut [Lanes],
     largest: &mut Lanes,
 ) {
-    fold_chunk::<V>(rows, chunk, from, &Lanes::splat(0.0), |sum, h| sum.add(h), to);
-    let (rest, share) = (load::<V>(rest), V::splat(share));
-    let mut top = load::<V>(largest);
+    fold_chunk(simd, rows, chunk, from, &Lanes::splat(0.0), |sum: S::Vector, h| sum.add(h), to);
+    let (rest, share) = (load(simd, rest), simd.splat(share));
+    let mut top = load(simd, largest);
     let n = rows.members(chunk).len() / rows.width();
     for message in &mut to[..n] {
-        let sum = load::<V>(message);
-        let made: [V; GROUPS] = std::array::from_fn(|group| rest[group].add(share.mul(sum[group])));
+        let sum = load(simd, message);
+        let made: [S::Vector; GROUPS] = std::array::from_fn(|group| rest[group].add(share.mul(sum[group])));
         for group in 0..GROUPS {
             top[group] = made[group].max(top[group]);
         }
@@ -109,38 +101,40 @@ fn sums<V: Vector>(
 
 /// `to(y)` is `first`, combined with the numbers of every member of the row of `y`.
 #[inline(always)]
-fn fold_chunk<V: Vector>(
+fn fold_chunk<S: Simd>(
+    simd: S,
     rows: &LabelRows,
     chunk: usize,
     from: &[Lanes],
     first: &Lanes,
-    combine: impl Fn(V, V) -> V + Copy,
+    combine: impl Fn(S::Vector, S::Vector) -> S::Vector + Copy,
     to: &mut [Lanes],
 ) {
     assert!(rows.limit() <= from.len(), "labels beyond the cavity products");
-    let first = load::<V>(first);
+    let first = load(simd, first);
     let members = rows.members(chunk);
     // The usual widths of triangle and quad meshes, one after the other without a loop.
     match rows.width() {
-        5 => fold_rows::<V>(members.as_chunks::<5>().0.iter(), from, first, combine, to),
-        7 => fold_rows::<V>(members.as_chunks::<7>().0.iter(), from, first, combine, to),
-        8 => fold_rows::<V>(members.as_chunks::<8>().0.iter(), from, first, combine, to),
-        width => fold_rows::<V>(members.chunks_exact(width), from, first, combine, to),
+        5 => fold_rows(simd, members.as_chunks::<5>().0.iter(), from, first, combine, to),
+        7 => fold_rows(simd, members.as_chunks::<7>().0.iter(), from, first, combine, to),
+        8 => fold_rows(simd, members.as_chunks::<8>().0.iter(), from, first, combine, to),
+        width => fold_rows(simd, members.chunks_exact(width), from, first, combine, to),
     }
     for &[y, x] in rows.more(chunk) {
         let to = &mut to[y as usize % CHUNK];
-        let (h, so_far) = (load::<V>(&from[x as usize]), load::<V>(to));
+        let (h, so_far) = (load(simd, &from[x as usize]), load(simd, to));
         store(std::array::from_fn(|group| combine(so_far[group], h[group])), to);
     }
     to[members.len() / rows.width()..].fill(Lanes::splat(0.0));
 }
 
 #[inline(always)]
-fn fold_rows<'a, V: Vector>(
+fn fold_rows<'a, S: Simd>(
+    simd: S,
     rows: impl Iterator<Item = impl IntoIterator<Item = &'a u32>>,
     from: &[Lanes],
-    first: [V; GROUPS],
-    combine: impl Fn(V, V) -> V + Copy,
+    first: [S::Vector; GROUPS],
+    combine: impl Fn(S::Vector, S::Vector) -> S::Vector + Copy,
     to: &mut [Lanes],
 ) {
     for (row, to) in rows.zip(to) {
@@ -148,7 +142,8 @@ fn fold_rows<'a, V: Vector>(
         for &x in row {
             // SAFETY: labels of the rows are below their limit, and `from` has as many, which the caller asserts.
             // Checks here would be a fifth of the work.
-            let h = load::<V>(unsafe { from.get_unchecked(x as usize) });
+            #[allow(unsafe_code)]
+            let h = load(simd, unsafe { from.get_unchecked(x as usize) });
             for group in 0..GROUPS {
                 so_far[group] = combine(so_far[group], h[group]);
             }
@@ -158,9 +153,9 @@ fn fold_rows<'a, V: Vector>(
 }
 
 #[inline(always)]
-fn load<V: Vector>(lanes: &Lanes) -> [V; GROUPS] {
+fn load<S: Simd>(simd: S, lanes: &Lanes) -> [S::Vector; GROUPS] {
     let groups = lanes.as_chunks().0;
-    std::array::from_fn(|group| V::load(&groups[group]))
+    std::array::from_fn(|group| simd.load(&groups[group]))
 }
 
 #[inline(always)]
@@ -202,6 +197,7 @@ pub(super) fn sum_update_uniform(table: &PairTable, rest: &Lanes, epsilon: f32, 
 }
 
 /// Max-product with a distance term. `near` and `far` are the [`super::pair_table::edge_factors`] of each lane.
+#[allow(unsafe_code, reason = "the dispatch to instruction sets that `multiversion` generates")]
 #[multiversion(targets("x86_64+avx512f+avx512vl+avx512bw+avx512dq", "x86_64+avx2+f16c"))]
 pub(super) fn max_update(
     table: &PairTable,
@@ -216,8 +212,7 @@ pub(super) fn max_update(
         for pair in table.row(y) {
             let h = &cavity[pair.label as usize];
             for k in 0..BLOCK_LANES {
-                let (a, b) = (near[k] * pair.rising, far[k] * pair.falling);
-                let value = if a < b { a } else { b } * h[k];
+                let value = pair_factor((near[k], far[k]), pair.factors) * h[k];
                 best[k] = if value > best[k] { value } else { best[k] };
             }
         }
@@ -231,6 +226,7 @@ pub(super) fn max_update(
 
 /// Sum-product: `ε Σ_x h(x) + Σ_{x ∈ N_r(y)} (ψ(x, y) − ε) h(x)`, with `ψ` not below `ε` (`epsilon`) and
 /// `rest = ε Σ_x h(x)`.
+#[allow(unsafe_code, reason = "the dispatch to instruction sets that `multiversion` generates")]
 #[multiversion(targets("x86_64+avx512f+avx512vl+avx512bw+avx512dq", "x86_64+avx2+f16c"))]
 pub(super) fn sum_update(
     table: &PairTable,
@@ -245,9 +241,7 @@ pub(super) fn sum_update(
         for pair in table.row(y) {
             let h = &cavity[pair.label as usize];
             for k in 0..BLOCK_LANES {
-                let (a, b) = (near[k] * pair.rising, far[k] * pair.falling);
-                let psi = if a < b { a } else { b };
-                let psi = if psi > epsilon { psi } else { epsilon };
+                let psi = truncated_pair_factor((near[k], far[k]), pair.factors, epsilon);
                 sum[k] += (psi - epsilon) * h[k];
             }
         }

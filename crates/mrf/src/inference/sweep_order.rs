@@ -17,7 +17,7 @@ pub(super) struct SweepOrder {
 
 impl SweepOrder {
     /// Cost `O(|E→|)`.
-    pub fn new(graph: &EdgeGraph) -> Self {
+    pub(super) fn new(graph: &EdgeGraph) -> Self {
         let n = graph.n_vertices();
         let (_, depth) = from_far_ends(graph);
         let mut color = vec![u32::MAX; n];

@@ -1,12 +1,11 @@
-//! Eight numbers of 32 bits in a register, and what the dense kernel does with them.
+//! Eight `f32` in a register, and what the dense kernel does with them.
 //!
-//! Loops are written once, over [`Vector`], and compiled for two kinds of it: [`Plain`] for any machine and [`Avx2`] for
-//! those that have AVX2 and F16C. Each operation is one rounding or none in both, so that both give the same bits; a test
-//! holds them equal. By hand, because of the turn of rows into columns: what the compiler makes of it goes through memory,
-//! number by number.
-
-// Intrinsics need unsafe calls where a vector goes to memory, and outside functions that are compiled for AVX2.
-#![allow(unsafe_code)]
+//! An instruction set is a token ([`Simd`]): [`Plain`] for any machine, [`Avx2`] for those that have AVX2 and F16C, which
+//! [`Avx2::new`] checks. Vectors are made by tokens only, so that the existence of a vector proves its instruction set
+//! and its methods are safe. Loops are written once, over any token, and compiled for both by [`dispatch!`].
+//!
+//! Each operation is one rounding or none on both, so that both give the same bits; a test holds them equal. Intrinsics
+//! are used because of the transposes: what the compiler makes of those goes through memory, number by number.
 
 use half::f16;
 use wide::f32x4;
@@ -14,18 +13,30 @@ use wide::f32x4;
 /// Numbers in a vector.
 pub(super) const WIDTH: usize = 8;
 
+/// An instruction set that this machine has.
+pub(super) trait Simd: Copy {
+    /// Eight numbers in its registers.
+    type Vector: Vector;
+    /// The same number eight times.
+    fn splat(self, value: f32) -> Self::Vector;
+    /// From memory, at any address.
+    fn load(self, from: &[f32; WIDTH]) -> Self::Vector;
+    /// From numbers of 16 bits in memory, at any address.
+    fn load_half(self, from: &[f16; WIDTH]) -> Self::Vector;
+    /// The transpose of eight rows of four numbers: for every `k` the column of numbers `k`.
+    fn columns(self, rows: [&[f32; 4]; WIDTH]) -> [Self::Vector; 4];
+    /// Asks for the cache line that holds `values[at]`, if there is such a number, to be brought into the nearest cache.
+    fn prefetch<T>(self, values: &[T], at: usize);
+    /// Likewise into the second nearest.
+    fn prefetch_far<T>(self, values: &[T], at: usize);
+}
+
 /// Eight numbers; all operations number by number.
 pub(super) trait Vector: Copy {
-    /// The same number eight times.
-    fn splat(value: f32) -> Self;
-    /// From memory, at any address.
-    fn load(from: &[f32; WIDTH]) -> Self;
     /// To memory, at any address.
     fn store(self, to: &mut [f32; WIDTH]);
-    /// From numbers of 16 bits in memory, at any address.
-    fn load_half(from: &[f16; WIDTH]) -> Self;
     /// To numbers of 16 bits in memory, at any address: to the nearest, of two equally near ones to the even one. Returns
-    /// what [`Vector::load_half`] gives back.
+    /// what [`Simd::load_half`] gives back.
     fn store_half(self, to: &mut [f16; WIDTH]) -> Self;
     /// `self + other`.
     fn add(self, other: Self) -> Self;
@@ -39,50 +50,100 @@ pub(super) trait Vector: Copy {
     fn abs(self) -> Self;
     /// `a` where `self` is larger than `other`, else `b`.
     fn choose_if_above(self, other: Self, a: Self, b: Self) -> Self;
-    /// Column `k` of eight rows in memory, for every `k`.
-    fn columns(rows: [&[f32; 4]; WIDTH]) -> [Self; 4];
-    /// Asks for the line that holds `values[at]`, if there is such a number, to be brought into the nearest cache.
-    fn prefetch<T>(values: &[T], at: usize);
-    /// Likewise into the second nearest.
-    fn prefetch_far<T>(values: &[T], at: usize);
 }
 
-/// A vector on any machine.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Plain([f32; WIDTH]);
+/// Defines a function that calls the generic `$body` with the best token of this machine as its first argument.
+///
+/// `$body` has to be `#[inline(always)]`, since it is compiled for AVX2 by being inlined into a function that is.
+macro_rules! dispatch {
+    (
+        $(#[$attribute:meta])*
+        $vis:vis fn $name:ident $(<$generic:ident: $bound:path>)? ($($argument:ident: $type:ty),* $(,)?) $(-> $result:ty)?
+            = $body:ident
+    ) => {
+        $(#[$attribute])*
+        $vis fn $name $(<$generic: $bound>)? ($($argument: $type),*) $(-> $result)? {
+            #[cfg(target_arch = "x86_64")]
+            {
+                use $crate::inference::vector::Avx2;
 
-impl Plain {
+                #[target_feature(enable = "avx2,f16c")]
+                fn with_avx2 $(<$generic: $bound>)? (avx2: Avx2, $($argument: $type),*) $(-> $result)? {
+                    $body(avx2, $($argument),*)
+                }
+
+                if let Some(avx2) = Avx2::new() {
+                    // SAFETY: the token proves that the machine has AVX2 and F16C.
+                    #[allow(unsafe_code)]
+                    return unsafe { with_avx2(avx2, $($argument),*) };
+                }
+            }
+            $body($crate::inference::vector::Plain, $($argument),*)
+        }
+    };
+}
+pub(super) use dispatch;
+
+/// What any machine has.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Plain;
+
+/// Eight numbers on any machine.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct PlainVector([f32; WIDTH]);
+
+impl Simd for Plain {
+    type Vector = PlainVector;
+
+    #[inline(always)]
+    fn splat(self, value: f32) -> PlainVector {
+        PlainVector([value; WIDTH])
+    }
+
+    #[inline(always)]
+    fn load(self, from: &[f32; WIDTH]) -> PlainVector {
+        PlainVector(*from)
+    }
+
+    #[inline(always)]
+    fn load_half(self, from: &[f16; WIDTH]) -> PlainVector {
+        PlainVector(from.map(f16::to_f32))
+    }
+
+    #[inline(always)]
+    fn columns(self, rows: [&[f32; 4]; WIDTH]) -> [PlainVector; 4] {
+        let transposed = |first: usize| f32x4::transpose(std::array::from_fn(|k| f32x4::from(*rows[first + k])));
+        let (low, high) = (transposed(0), transposed(4));
+        std::array::from_fn(|x| {
+            let ([a, b, c, d], [e, f, g, h]) = (low[x].to_array(), high[x].to_array());
+            PlainVector([a, b, c, d, e, f, g, h])
+        })
+    }
+
+    #[inline(always)]
+    fn prefetch<T>(self, _: &[T], _: usize) {}
+
+    #[inline(always)]
+    fn prefetch_far<T>(self, _: &[T], _: usize) {}
+}
+
+impl PlainVector {
     #[inline(always)]
     fn zip(self, other: Self, f: impl Fn(f32, f32) -> f32) -> Self {
-        Plain(std::array::from_fn(|k| f(self.0[k], other.0[k])))
+        PlainVector(std::array::from_fn(|k| f(self.0[k], other.0[k])))
     }
 }
 
-impl Vector for Plain {
-    #[inline(always)]
-    fn splat(value: f32) -> Self {
-        Plain([value; WIDTH])
-    }
-
-    #[inline(always)]
-    fn load(from: &[f32; WIDTH]) -> Self {
-        Plain(*from)
-    }
-
+impl Vector for PlainVector {
     #[inline(always)]
     fn store(self, to: &mut [f32; WIDTH]) {
         *to = self.0;
     }
 
     #[inline(always)]
-    fn load_half(from: &[f16; WIDTH]) -> Self {
-        Plain(from.map(f16::to_f32))
-    }
-
-    #[inline(always)]
     fn store_half(self, to: &mut [f16; WIDTH]) -> Self {
         *to = self.0.map(f16::from_f32);
-        Self::load_half(to)
+        Plain.load_half(to)
     }
 
     #[inline(always)]
@@ -107,29 +168,13 @@ impl Vector for Plain {
 
     #[inline(always)]
     fn abs(self) -> Self {
-        Plain(self.0.map(f32::abs))
+        PlainVector(self.0.map(f32::abs))
     }
 
     #[inline(always)]
     fn choose_if_above(self, other: Self, a: Self, b: Self) -> Self {
-        Plain(std::array::from_fn(|k| if self.0[k] > other.0[k] { a.0[k] } else { b.0[k] }))
+        PlainVector(std::array::from_fn(|k| if self.0[k] > other.0[k] { a.0[k] } else { b.0[k] }))
     }
-
-    #[inline(always)]
-    fn columns(rows: [&[f32; 4]; WIDTH]) -> [Self; 4] {
-        let turned = |at: usize| f32x4::transpose(std::array::from_fn(|k| f32x4::from(*rows[at + k])));
-        let (low, high) = (turned(0), turned(4));
-        std::array::from_fn(|x| {
-            let ([a, b, c, d], [e, f, g, h]) = (low[x].to_array(), high[x].to_array());
-            Plain([a, b, c, d, e, f, g, h])
-        })
-    }
-
-    #[inline(always)]
-    fn prefetch<T>(_: &[T], _: usize) {}
-
-    #[inline(always)]
-    fn prefetch_far<T>(_: &[T], _: usize) {}
 }
 
 #[cfg(target_arch = "x86_64")]
@@ -137,114 +182,133 @@ pub(super) use avx2::Avx2;
 
 #[cfg(target_arch = "x86_64")]
 mod avx2 {
-    use super::{Vector, WIDTH};
+    use super::{Simd, Vector, WIDTH};
     use half::f16;
     use std::arch::x86_64::*;
 
-    /// A vector of a machine that has AVX2 and F16C, which came before it. To be used in functions that are compiled for
-    /// both and entered only where the machine has them: `#[multiversion]` sees to that, and `match_target!` names this
-    /// type nowhere else.
-    #[derive(Clone, Copy)]
-    pub(in super::super) struct Avx2(__m256);
+    /// A machine that has AVX2 and F16C, which came before it.
+    #[derive(Debug, Clone, Copy)]
+    pub(in super::super) struct Avx2(());
 
-    // SAFETY, of every call below: the machine has AVX2 and F16C, as is said of the type; loads and stores are of memory that is
-    // borrowed for that, at any alignment; a prefetch may be of any address.
-    impl Vector for Avx2 {
+    /// Eight numbers in a register of such a machine. Only [`Avx2`] makes the first one.
+    #[derive(Debug, Clone, Copy)]
+    pub(in super::super) struct Avx2Vector(__m256);
+
+    impl Avx2 {
+        /// The token, if this machine has both.
         #[inline(always)]
-        fn splat(value: f32) -> Self {
-            Avx2(unsafe { _mm256_set1_ps(value) })
+        pub(in super::super) fn new() -> Option<Self> {
+            let has_both = is_x86_feature_detected!("avx2") && is_x86_feature_detected!("f16c");
+            has_both.then_some(Avx2(()))
+        }
+    }
+
+    #[allow(unsafe_code, reason = "intrinsics are unsafe outside functions that are compiled for their instructions")]
+    impl Simd for Avx2 {
+        type Vector = Avx2Vector;
+
+        #[inline(always)]
+        fn splat(self, value: f32) -> Avx2Vector {
+            // SAFETY: `self` proves AVX2.
+            Avx2Vector(unsafe { _mm256_set1_ps(value) })
         }
 
         #[inline(always)]
-        fn load(from: &[f32; WIDTH]) -> Self {
-            Avx2(unsafe { _mm256_loadu_ps(from.as_ptr()) })
+        fn load(self, from: &[f32; WIDTH]) -> Avx2Vector {
+            // SAFETY: `self` proves AVX2; 32 bytes are borrowed, and no alignment is required.
+            Avx2Vector(unsafe { _mm256_loadu_ps(from.as_ptr()) })
         }
 
+        #[inline(always)]
+        fn load_half(self, from: &[f16; WIDTH]) -> Avx2Vector {
+            // SAFETY: `self` proves F16C; 16 bytes are borrowed, and no alignment is required.
+            Avx2Vector(unsafe { _mm256_cvtph_ps(_mm_loadu_si128(from.as_ptr().cast())) })
+        }
+
+        #[inline(always)]
+        fn columns(self, [a, b, c, d, e, f, g, h]: [&[f32; 4]; WIDTH]) -> [Avx2Vector; 4] {
+            // SAFETY: `self` proves AVX2; 16 bytes of each row are borrowed, and no alignment is required.
+            unsafe {
+                // Two rows in one register are two loads and no shuffle.
+                let two = |x: &[f32; 4], y: &[f32; 4]| _mm256_loadu2_m128(y.as_ptr(), x.as_ptr());
+                let (a, b, c, d) = (two(a, e), two(b, f), two(c, g), two(d, h));
+                // The transposes of four rows in both halves of a register.
+                let (p, q) = (_mm256_unpacklo_ps(a, b), _mm256_unpackhi_ps(a, b));
+                let (r, s) = (_mm256_unpacklo_ps(c, d), _mm256_unpackhi_ps(c, d));
+                [
+                    Avx2Vector(_mm256_shuffle_ps::<0x44>(p, r)),
+                    Avx2Vector(_mm256_shuffle_ps::<0xee>(p, r)),
+                    Avx2Vector(_mm256_shuffle_ps::<0x44>(q, s)),
+                    Avx2Vector(_mm256_shuffle_ps::<0xee>(q, s)),
+                ]
+            }
+        }
+
+        #[inline(always)]
+        fn prefetch<T>(self, values: &[T], at: usize) {
+            // SAFETY: a prefetch may be of any address; past the end nothing is read.
+            unsafe { _mm_prefetch::<_MM_HINT_T0>(values.as_ptr().wrapping_add(at).cast()) }
+        }
+
+        #[inline(always)]
+        fn prefetch_far<T>(self, values: &[T], at: usize) {
+            // SAFETY: a prefetch may be of any address; past the end nothing is read.
+            unsafe { _mm_prefetch::<_MM_HINT_T1>(values.as_ptr().wrapping_add(at).cast()) }
+        }
+    }
+
+    #[allow(unsafe_code, reason = "intrinsics are unsafe outside functions that are compiled for their instructions")]
+    impl Vector for Avx2Vector {
         #[inline(always)]
         fn store(self, to: &mut [f32; WIDTH]) {
+            // SAFETY: a vector proves AVX2; 32 bytes are borrowed, and no alignment is required.
             unsafe { _mm256_storeu_ps(to.as_mut_ptr(), self.0) }
         }
 
         #[inline(always)]
-        fn load_half(from: &[f16; WIDTH]) -> Self {
-            Avx2(unsafe { _mm256_cvtph_ps(_mm_loadu_si128(from.as_ptr().cast())) })
-        }
-
-        #[inline(always)]
         fn store_half(self, to: &mut [f16; WIDTH]) -> Self {
+            // SAFETY: a vector proves F16C; 16 bytes are borrowed, and no alignment is required.
             unsafe {
                 let halves = _mm256_cvtps_ph::<_MM_FROUND_TO_NEAREST_INT>(self.0);
                 _mm_storeu_si128(to.as_mut_ptr().cast(), halves);
-                Avx2(_mm256_cvtph_ps(halves))
+                Avx2Vector(_mm256_cvtph_ps(halves))
             }
         }
 
         #[inline(always)]
         fn add(self, other: Self) -> Self {
-            Avx2(unsafe { _mm256_add_ps(self.0, other.0) })
+            // SAFETY: a vector proves AVX2.
+            Avx2Vector(unsafe { _mm256_add_ps(self.0, other.0) })
         }
 
         #[inline(always)]
         fn sub(self, other: Self) -> Self {
-            Avx2(unsafe { _mm256_sub_ps(self.0, other.0) })
+            // SAFETY: a vector proves AVX2.
+            Avx2Vector(unsafe { _mm256_sub_ps(self.0, other.0) })
         }
 
         #[inline(always)]
         fn mul(self, other: Self) -> Self {
-            Avx2(unsafe { _mm256_mul_ps(self.0, other.0) })
+            // SAFETY: a vector proves AVX2.
+            Avx2Vector(unsafe { _mm256_mul_ps(self.0, other.0) })
         }
 
         #[inline(always)]
         fn max(self, other: Self) -> Self {
-            Avx2(unsafe { _mm256_max_ps(self.0, other.0) })
+            // SAFETY: a vector proves AVX2.
+            Avx2Vector(unsafe { _mm256_max_ps(self.0, other.0) })
         }
 
         #[inline(always)]
         fn abs(self) -> Self {
-            Avx2(unsafe { _mm256_andnot_ps(_mm256_set1_ps(-0.0), self.0) })
+            // SAFETY: a vector proves AVX2.
+            Avx2Vector(unsafe { _mm256_andnot_ps(_mm256_set1_ps(-0.0), self.0) })
         }
 
         #[inline(always)]
         fn choose_if_above(self, other: Self, a: Self, b: Self) -> Self {
-            Avx2(unsafe { _mm256_blendv_ps(b.0, a.0, _mm256_cmp_ps::<_CMP_GT_OQ>(self.0, other.0)) })
-        }
-
-        #[inline(always)]
-        fn columns([a, b, c, d, e, f, g, h]: [&[f32; 4]; WIDTH]) -> [Self; 4] {
-            unsafe {
-                // Two rows in one register are two loads and no shuffle.
-                let two = |x: &[f32; 4], y: &[f32; 4]| _mm256_loadu2_m128(y.as_ptr(), x.as_ptr());
-                quads([two(a, e), two(b, f), two(c, g), two(d, h)]).map(Avx2)
-            }
-        }
-
-        #[inline(always)]
-        fn prefetch_far<T>(values: &[T], at: usize) {
-            unsafe { _mm_prefetch::<_MM_HINT_T1>(values.as_ptr().wrapping_add(at).cast()) }
-        }
-
-        #[inline(always)]
-        fn prefetch<T>(values: &[T], at: usize) {
-            // Past the end it is an address like any other, which nothing is read from.
-            unsafe { _mm_prefetch::<_MM_HINT_T0>(values.as_ptr().wrapping_add(at).cast()) }
-        }
-    }
-
-    /// The turns of four rows in both halves of a register.
-    ///
-    /// # Safety
-    /// The machine has AVX2.
-    #[inline(always)]
-    unsafe fn quads([a, b, c, d]: [__m256; 4]) -> [__m256; 4] {
-        unsafe {
-            let (p, q) = (_mm256_unpacklo_ps(a, b), _mm256_unpackhi_ps(a, b));
-            let (r, s) = (_mm256_unpacklo_ps(c, d), _mm256_unpackhi_ps(c, d));
-            [
-                _mm256_shuffle_ps::<0x44>(p, r),
-                _mm256_shuffle_ps::<0xee>(p, r),
-                _mm256_shuffle_ps::<0x44>(q, s),
-                _mm256_shuffle_ps::<0xee>(q, s),
-            ]
+            // SAFETY: a vector proves AVX2.
+            Avx2Vector(unsafe { _mm256_blendv_ps(b.0, a.0, _mm256_cmp_ps::<_CMP_GT_OQ>(self.0, other.0)) })
         }
     }
 }
@@ -252,8 +316,6 @@ mod avx2 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use multiversion::multiversion;
-    use multiversion::target::match_target;
     use proptest::prelude::*;
 
     /// A half of each row.
@@ -263,19 +325,19 @@ mod tests {
 
     /// What every operation makes of two vectors, and of eight rows.
     #[inline(always)]
-    fn everything<V: Vector>(rows: &[[f32; WIDTH]; WIDTH]) -> Vec<[u32; WIDTH]> {
-        let loaded: [V; WIDTH] = std::array::from_fn(|k| V::load(&rows[k]));
+    fn everything<S: Simd>(simd: S, rows: &[[f32; WIDTH]; WIDTH]) -> Vec<[u32; WIDTH]> {
+        let loaded: [S::Vector; WIDTH] = std::array::from_fn(|k| simd.load(&rows[k]));
         let (a, b) = (loaded[0], loaded[1]);
-        V::prefetch(&rows[0], 3);
-        V::prefetch_far(&rows[0], 99);
-        let mut made = vec![V::splat(rows[0][0]), a.add(b), a.sub(b), a.mul(b), a.max(b), b.max(a), a.abs()];
+        simd.prefetch(&rows[0], 3);
+        simd.prefetch_far(&rows[0], 99);
+        let mut made = vec![simd.splat(rows[0][0]), a.add(b), a.sub(b), a.mul(b), a.max(b), b.max(a), a.abs()];
         made.push(a.choose_if_above(b, loaded[2], loaded[3]));
-        made.extend(V::columns(quads(rows, 0)).into_iter().chain(V::columns(quads(rows, 1))));
+        made.extend(simd.columns(quads(rows, 0)).into_iter().chain(simd.columns(quads(rows, 1))));
         made.extend(loaded.map(|row| row.store_half(&mut [f16::ZERO; WIDTH])));
         made.extend(
-            rows.map(|row| V::load_half(&row.map(|number| f16::from_bits((number.to_bits() >> 9) as u16 & 0xbfff)))),
+            rows.map(|row| simd.load_half(&row.map(|number| f16::from_bits((number.to_bits() >> 9) as u16 & 0xbfff)))),
         );
-        let bits = |vector: V| {
+        let bits = |vector: S::Vector| {
             let mut numbers = [0.0; WIDTH];
             vector.store(&mut numbers);
             numbers.map(f32::to_bits)
@@ -283,12 +345,8 @@ mod tests {
         made.into_iter().map(bits).collect()
     }
 
-    #[multiversion(targets("x86_64+avx2+f16c"))]
-    fn on_this_machine(rows: &[[f32; WIDTH]; WIDTH]) -> Vec<[u32; WIDTH]> {
-        match_target! {
-            "x86_64+avx2+f16c" => everything::<Avx2>(rows),
-            _ => everything::<Plain>(rows),
-        }
+    dispatch! {
+        fn on_this_machine(rows: &[[f32; WIDTH]; WIDTH]) -> Vec<[u32; WIDTH]> = everything
     }
 
     proptest! {
@@ -301,7 +359,7 @@ mod tests {
                 rows[1][4] = -0.0;
                 rows[0][4] = 0.0;
             }
-            prop_assert_eq!(on_this_machine(&rows), everything::<Plain>(&rows));
+            prop_assert_eq!(on_this_machine(&rows), everything(Plain, &rows));
         }
 
         #[test]
@@ -316,12 +374,12 @@ mod tests {
             let mut rows = [[0.0; WIDTH]; WIDTH];
             let numbers: Vec<f32> = entropy.iter().enumerate().map(number).collect();
             rows.as_flattened_mut().copy_from_slice(&numbers);
-            prop_assert_eq!(on_this_machine(&rows), everything::<Plain>(&rows));
+            prop_assert_eq!(on_this_machine(&rows), everything(Plain, &rows));
             for row in rows {
                 let mut halves = [f16::ZERO; WIDTH];
-                Plain(row).store_half(&mut halves);
+                PlainVector(row).store_half(&mut halves);
                 prop_assert_eq!(halves, row.map(f16::from_f32_const));
-                prop_assert_eq!(Plain::load_half(&halves), Plain(halves.map(f16::to_f32_const)));
+                prop_assert_eq!(Plain.load_half(&halves), PlainVector(halves.map(f16::to_f32_const)));
             }
         }
 
@@ -329,7 +387,7 @@ mod tests {
         fn columns_are_those_of_the_rows(entropy in prop::collection::vec(-2.0f32..2.0, 64), half in 0usize..2) {
             let mut rows = [[0.0; WIDTH]; WIDTH];
             rows.as_flattened_mut().copy_from_slice(&entropy);
-            for (x, column) in (4 * half..).zip(Plain::columns(quads(&rows, half))) {
+            for (x, column) in (4 * half..).zip(Plain.columns(quads(&rows, half))) {
                 prop_assert!((0..WIDTH).all(|k| column.0[k] == rows[k][x]));
             }
         }

@@ -1,25 +1,20 @@
 //! The loops over candidates: from incoming messages to cavity products, to updated messages, to new ones.
 //!
-//! Cavity products `h_{i→j}` are made in rows over the candidates of `i`, then turned so that eight neighbours `j`
+//! Cavity products `h_{i→j}` are made in rows over the candidates of `i`, then transposed so that eight neighbours `j`
 //! lie side by side; both stay in the fastest cache. Every step is the same on every instruction set and in the same
 //! order as in the dense engine.
 
-// The dispatch to instruction sets that `multiversion` generates needs unsafe calls; nothing here does itself.
-#![allow(unsafe_code)]
-
+use super::super::lanes::CHAIN_SCALE;
 use super::super::message_writer::{Finish, inverse_of};
+use super::super::pair_table::{pair_factor, truncated_pair_factor};
 use super::plan::{LANES, NearLists};
 use multiversion::multiversion;
 use wide::f32x4;
 
-/// Products of messages are carried times this in each of two chains, so that a dozen messages at the floor do not
-/// underflow 32 bits; a power of two, so that no rounding depends on it.
-const CHAIN_SCALE: f32 = (1u64 << 60) as f32;
-
 /// One number for each of eight neighbours.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[repr(align(32))]
-pub(super) struct Octet(pub [f32; LANES]);
+pub(super) struct EightLanes(pub [f32; LANES]);
 
 /// Work space of one thread; grows to what the largest variable needs.
 #[derive(Debug, Clone, Default)]
@@ -27,12 +22,12 @@ pub(super) struct Scratch {
     /// Products of the first messages, `[number of messages][candidate]`; the last row is the belief.
     forward: Vec<f32>,
     backward: Vec<f32>,
-    /// Cavity products, `[neighbour][candidate]`, whole octets of neighbours.
+    /// Cavity products, `[neighbour][candidate]`, whole groups of eight neighbours.
     rows: Vec<f32>,
-    /// Those of one octet, `[candidate][neighbour]`.
-    pub cavity: Vec<Octet>,
+    /// Those of one group, `[candidate][neighbour]`.
+    pub cavity: Vec<EightLanes>,
     /// Updated messages before scaling, `[label of the union][neighbour]`.
-    pub updated: Vec<Octet>,
+    pub updated: Vec<EightLanes>,
     /// One of them over the candidates of its neighbour.
     gathered: Vec<f32>,
 }
@@ -48,7 +43,7 @@ pub(super) struct Peak {
 impl Scratch {
     /// Makes the belief of a variable and its cavity products towards every neighbour. `phi` and `messages` are rows
     /// over its candidates, a multiple of [`LANES`] long; `phi` is 0 beyond them.
-    pub fn multiply(&mut self, phi: &[f32], messages: &[&[f32]]) {
+    pub(super) fn multiply(&mut self, phi: &[f32], messages: &[&[f32]]) {
         let stride = phi.len();
         let n_rows = messages.len().next_multiple_of(LANES);
         self.forward.resize((messages.len() + 1) * stride, 0.0);
@@ -58,31 +53,32 @@ impl Scratch {
     }
 
     /// Belief over the candidates of the variable last multiplied, in any scale; `phi` as there.
-    pub fn belief(&self, phi: &[f32]) -> &[f32] {
+    pub(super) fn belief(&self, phi: &[f32]) -> &[f32] {
         &self.forward[self.forward.len() - phi.len()..]
     }
 
     /// The peak of that belief.
-    pub fn peak(&self, phi: &[f32]) -> Peak {
+    pub(super) fn peak(&self, phi: &[f32]) -> Peak {
         peak(self.belief(phi))
     }
 
-    /// Turns the cavity products towards neighbours `first..first + 8`; returns the largest of each.
-    pub fn turn(&mut self, phi: &[f32], first: usize) -> Octet {
+    /// Transposes the cavity products towards neighbours `first..first + 8`; returns the largest of each.
+    pub(super) fn transpose(&mut self, phi: &[f32], first: usize) -> EightLanes {
         let stride = phi.len();
-        self.cavity.resize(stride, Octet([0.0; LANES]));
-        turn_rows(&self.rows[first * stride..(first + LANES) * stride], &mut self.cavity)
+        self.cavity.resize(stride, EightLanes([0.0; LANES]));
+        transpose_rows(&self.rows[first * stride..(first + LANES) * stride], &mut self.cavity)
     }
 
     /// Message `lane` of those last updated, over the candidates at `places`: scaled to maximum 1, floored and damped
     /// with `old` into `new`. Returns its largest change.
-    pub fn finish(&mut self, lane: usize, places: &[u16], finish: Finish, old: &[f32], new: &mut [f32]) -> f32 {
+    pub(super) fn finish(&mut self, lane: usize, places: &[u16], finish: Finish, old: &[f32], new: &mut [f32]) -> f32 {
         self.gathered.clear();
         self.gathered.resize(old.len(), 0.0);
         finish_message(&self.updated, lane, places, finish, &mut self.gathered, old, new)
     }
 }
 
+#[allow(unsafe_code, reason = "the dispatch to instruction sets that `multiversion` generates")]
 #[multiversion(targets("x86_64+avx512f+avx512vl+avx512bw+avx512dq", "x86_64+avx2"))]
 fn multiply_rows(phi: &[f32], messages: &[&[f32]], forward: &mut [f32], backward: &mut [f32], rows: &mut [f32]) {
     let stride = phi.len();
@@ -107,6 +103,7 @@ fn multiply_rows(phi: &[f32], messages: &[&[f32]], forward: &mut [f32], backward
     }
 }
 
+#[allow(unsafe_code, reason = "the dispatch to instruction sets that `multiversion` generates")]
 #[multiversion(targets("x86_64+avx512f+avx512vl+avx512bw+avx512dq", "x86_64+avx2"))]
 fn peak(belief: &[f32]) -> Peak {
     let (mut values, mut vectors, mut sums) = ([-1.0f32; LANES], [0u32; LANES], [0.0f32; LANES]);
@@ -127,13 +124,14 @@ fn peak(belief: &[f32]) -> Peak {
     best
 }
 
+#[allow(unsafe_code, reason = "the dispatch to instruction sets that `multiversion` generates")]
 #[multiversion(targets("x86_64+avx512f+avx512vl+avx512bw+avx512dq", "x86_64+avx2"))]
-fn turn_rows(rows: &[f32], turned: &mut [Octet]) -> Octet {
-    let stride = turned.len();
+fn transpose_rows(rows: &[f32], transposed: &mut [EightLanes]) -> EightLanes {
+    let stride = transposed.len();
     let row = |k: usize| rows[k * stride..(k + 1) * stride].as_chunks::<4>().0;
     for half in [0, 4] {
         let inputs = row(half).iter().zip(row(half + 1)).zip(row(half + 2)).zip(row(half + 3));
-        for ([p, q, r, s], (((a, b), c), d)) in turned.as_chunks_mut::<4>().0.iter_mut().zip(inputs) {
+        for ([p, q, r, s], (((a, b), c), d)) in transposed.as_chunks_mut::<4>().0.iter_mut().zip(inputs) {
             let [a, b, c, d] = f32x4::transpose([f32x4::from(*a), f32x4::from(*b), f32x4::from(*c), f32x4::from(*d)]);
             p.0[half..half + 4].copy_from_slice(&a.to_array());
             q.0[half..half + 4].copy_from_slice(&b.to_array());
@@ -142,17 +140,23 @@ fn turn_rows(rows: &[f32], turned: &mut [Octet]) -> Octet {
         }
     }
     let mut largest = [0.0f32; LANES];
-    for h in turned.iter() {
+    for h in transposed.iter() {
         for (top, &h) in largest.iter_mut().zip(&h.0) {
             *top = if h > *top { h } else { *top };
         }
     }
-    Octet(largest)
+    EightLanes(largest)
 }
 
 /// `max(floor, max_{x ∈ N_r(y) ∩ C_i} h(x))` for every `y` of the union: max-product without a distance term.
+#[allow(unsafe_code, reason = "the dispatch to instruction sets that `multiversion` generates")]
 #[multiversion(targets("x86_64+avx512f+avx512vl+avx512bw+avx512dq", "x86_64+avx2"))]
-pub(super) fn max_uniform(lists: &NearLists<'_>, cavity: &[Octet], floor: &Octet, updated: &mut [Octet]) {
+pub(super) fn max_uniform(
+    lists: &NearLists<'_>,
+    cavity: &[EightLanes],
+    floor: &EightLanes,
+    updated: &mut [EightLanes],
+) {
     let mut start = lists.start as usize;
     for (&end, updated) in lists.ends.iter().zip(updated) {
         let mut best = floor.0;
@@ -162,40 +166,41 @@ pub(super) fn max_uniform(lists: &NearLists<'_>, cavity: &[Octet], floor: &Octet
                 best[k] = if h[k] > best[k] { h[k] } else { best[k] };
             }
         }
-        *updated = Octet(best);
+        *updated = EightLanes(best);
         start = end as usize;
     }
 }
 
 /// Max-product with a distance term; `near` and `far` are the edge factors of each neighbour.
+#[allow(unsafe_code, reason = "the dispatch to instruction sets that `multiversion` generates")]
 #[multiversion(targets("x86_64+avx512f+avx512vl+avx512bw+avx512dq", "x86_64+avx2"))]
 pub(super) fn max_weighted(
     lists: &NearLists<'_>,
-    cavity: &[Octet],
-    (near, far): (&Octet, &Octet),
-    floor: &Octet,
-    updated: &mut [Octet],
+    cavity: &[EightLanes],
+    (near, far): (&EightLanes, &EightLanes),
+    floor: &EightLanes,
+    updated: &mut [EightLanes],
 ) {
     let mut start = lists.start as usize;
     for (&end, updated) in lists.ends.iter().zip(updated) {
         let mut best = floor.0;
         let list = start..end as usize;
-        for (&x, [rising, falling]) in lists.near[list.clone()].iter().zip(&lists.factors[list]) {
+        for (&x, &factors) in lists.near[list.clone()].iter().zip(&lists.factors[list]) {
             let h = &cavity[x as usize].0;
             for k in 0..LANES {
-                let (a, b) = (near.0[k] * rising, far.0[k] * falling);
-                let value = if a < b { a } else { b } * h[k];
+                let value = pair_factor((near.0[k], far.0[k]), factors) * h[k];
                 best[k] = if value > best[k] { value } else { best[k] };
             }
         }
-        *updated = Octet(best);
+        *updated = EightLanes(best);
         start = end as usize;
     }
 }
 
 /// Sum-product without a distance term: `ε Σ_x h(x) + (1 − ε) Σ_{x ∈ N_r(y) ∩ C_i} h(x)`.
+#[allow(unsafe_code, reason = "the dispatch to instruction sets that `multiversion` generates")]
 #[multiversion(targets("x86_64+avx512f+avx512vl+avx512bw+avx512dq", "x86_64+avx2"))]
-pub(super) fn sum_uniform(lists: &NearLists<'_>, cavity: &[Octet], epsilon: f32, updated: &mut [Octet]) {
+pub(super) fn sum_uniform(lists: &NearLists<'_>, cavity: &[EightLanes], epsilon: f32, updated: &mut [EightLanes]) {
     let rest = total(cavity, epsilon);
     let share = 1.0 - epsilon;
     let mut start = lists.start as usize;
@@ -210,42 +215,41 @@ pub(super) fn sum_uniform(lists: &NearLists<'_>, cavity: &[Octet], epsilon: f32,
         for k in 0..LANES {
             sum[k] = rest[k] + share * sum[k];
         }
-        *updated = Octet(sum);
+        *updated = EightLanes(sum);
         start = end as usize;
     }
 }
 
 /// Sum-product with a distance term, `ψ` not below `ε`.
+#[allow(unsafe_code, reason = "the dispatch to instruction sets that `multiversion` generates")]
 #[multiversion(targets("x86_64+avx512f+avx512vl+avx512bw+avx512dq", "x86_64+avx2"))]
 pub(super) fn sum_weighted(
     lists: &NearLists<'_>,
-    cavity: &[Octet],
-    (near, far): (&Octet, &Octet),
+    cavity: &[EightLanes],
+    (near, far): (&EightLanes, &EightLanes),
     epsilon: f32,
-    updated: &mut [Octet],
+    updated: &mut [EightLanes],
 ) {
     let rest = total(cavity, epsilon);
     let mut start = lists.start as usize;
     for (&end, updated) in lists.ends.iter().zip(updated) {
         let mut sum = rest;
         let list = start..end as usize;
-        for (&x, [rising, falling]) in lists.near[list.clone()].iter().zip(&lists.factors[list]) {
+        for (&x, &factors) in lists.near[list.clone()].iter().zip(&lists.factors[list]) {
             let h = &cavity[x as usize].0;
             for k in 0..LANES {
-                let (a, b) = (near.0[k] * rising, far.0[k] * falling);
-                let psi = if a < b { a } else { b };
-                let psi = if psi > epsilon { psi } else { epsilon };
+                let psi = truncated_pair_factor((near.0[k], far.0[k]), factors, epsilon);
                 sum[k] += (psi - epsilon) * h[k];
             }
         }
-        *updated = Octet(sum);
+        *updated = EightLanes(sum);
         start = end as usize;
     }
 }
 
 /// `ε Σ_x h(x)` of every neighbour.
 #[inline(always)]
-fn total(cavity: &[Octet], epsilon: f32) -> [f32; LANES] {
+fn total(cavity: &[EightLanes], epsilon: f32) -> [f32; LANES] {
     let mut total = [0.0f32; LANES];
     for h in cavity {
         for (total, &h) in total.iter_mut().zip(&h.0) {
@@ -255,9 +259,10 @@ fn total(cavity: &[Octet], epsilon: f32) -> [f32; LANES] {
     total.map(|total| total * epsilon)
 }
 
+#[allow(unsafe_code, reason = "the dispatch to instruction sets that `multiversion` generates")]
 #[multiversion(targets("x86_64+avx512f+avx512vl+avx512bw+avx512dq", "x86_64+avx2"))]
 fn finish_message(
-    updated: &[Octet],
+    updated: &[EightLanes],
     lane: usize,
     places: &[u16],
     finish: Finish,

@@ -26,7 +26,6 @@ mod kernel;
 mod model;
 mod plan;
 mod potentials;
-mod progress;
 mod propagation;
 mod revision;
 #[cfg(test)]
@@ -37,6 +36,6 @@ mod tests;
 
 pub use candidates::{CandidateError, Candidates};
 pub use model::ActiveModel;
-pub use potentials::{Evidence, FeaturePotentials, UnaryPotentials};
-pub use propagation::{ActiveOutcome, ActivePropagation, belief_propagation_active};
+pub use potentials::{Evidence, UnaryPotentials};
+pub use propagation::{ActiveOutcome, ActivePropagation};
 pub use sets::ActiveSets;

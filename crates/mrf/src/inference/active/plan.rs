@@ -27,7 +27,7 @@ pub(super) struct Layout {
 }
 
 impl Layout {
-    pub fn new(model: &ActiveModel<'_>) -> Self {
+    pub(super) fn new(model: &ActiveModel<'_>) -> Self {
         let stride = |variable: usize| model.candidates.labels(variable).len().next_multiple_of(LANES);
         let sums = |lengths: &mut dyn Iterator<Item = usize>| {
             let mut sums = vec![0];
@@ -46,17 +46,17 @@ impl Layout {
     }
 
     /// The row of `variable`.
-    pub fn row(&self, variable: usize) -> Range<usize> {
+    pub(super) fn row(&self, variable: usize) -> Range<usize> {
         self.rows[variable]..self.rows[variable + 1]
     }
 
     /// The message of `edge`.
-    pub fn message(&self, edge: usize) -> Range<usize> {
+    pub(super) fn message(&self, edge: usize) -> Range<usize> {
         self.messages[edge]..self.messages[edge + 1]
     }
 
     /// The messages that the variables of a group send.
-    pub fn sent_by(&self, model: &ActiveModel<'_>, variables: &Range<usize>) -> Range<usize> {
+    pub(super) fn sent_by(&self, model: &ActiveModel<'_>, variables: &Range<usize>) -> Range<usize> {
         let graph = model.variables;
         match variables.is_empty() {
             true => 0..0,
@@ -95,7 +95,7 @@ pub(super) struct NearLists<'p> {
 
 impl Group {
     /// The lists of every variable of the group, in order.
-    pub fn lists<'p>(&'p self, model: &'p ActiveModel<'_>) -> impl Iterator<Item = (usize, NearLists<'p>)> {
+    pub(super) fn lists<'p>(&'p self, model: &'p ActiveModel<'_>) -> impl Iterator<Item = (usize, NearLists<'p>)> {
         let (mut end, mut start, mut place) = (0, 0, 0);
         self.variables.clone().zip(&self.unions).map(move |(i, &size)| {
             let ends = &self.ends[end..end + size as usize];
@@ -111,7 +111,7 @@ impl Group {
     }
 
     /// Pairs of near labels that one iteration visits, each for all messages that it is part of.
-    pub fn pair_updates(&self, model: &ActiveModel<'_>) -> u64 {
+    pub(super) fn pair_updates(&self, model: &ActiveModel<'_>) -> u64 {
         let pairs = self.lists(model).map(|(i, lists)| {
             let pairs = lists.ends.last().map_or(0, |&end| end - lists.start);
             u64::from(pairs) * model.variables.row(i).len() as u64
@@ -120,7 +120,7 @@ impl Group {
     }
 
     /// Bytes of the lists.
-    pub fn bytes(&self) -> usize {
+    pub(super) fn bytes(&self) -> usize {
         4 * (self.unions.len() + self.ends.len()) + 2 * (self.near.len() + self.places.len()) + 8 * self.factors.len()
     }
 }

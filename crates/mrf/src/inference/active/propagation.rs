@@ -3,14 +3,13 @@
 use super::super::beliefs::{belief_row, belief_spread};
 use super::super::message_writer::Finish;
 use super::super::options::{BpOptions, Product};
-use super::super::outcome::{BpIteration, BpOutcome, BpStop};
+use super::super::outcome::{BpIteration, BpOutcome, BpStop, Decoded, Progress};
 use super::super::pair_table::{PairTable, edge_factors};
 use super::super::unary_factors::exponentiate;
-use super::kernel::{Octet, Scratch, max_uniform, max_weighted, sum_uniform, sum_weighted};
+use super::kernel::{EightLanes, Scratch, max_uniform, max_weighted, sum_uniform, sum_weighted};
 use super::model::ActiveModel;
 use super::plan::{Group, LANES, Layout, NearLists, groups};
 use super::potentials::{Evidence, UnaryPotentials};
-use super::progress::{Chosen, Progress};
 use super::sets::ActiveSets;
 use homolog_primitives::observe::{Cancelled, Observer, checkpoint};
 use nalgebra::Point3;
@@ -18,27 +17,6 @@ use rayon::prelude::*;
 
 /// Groups of variables between two looks at the observer.
 pub(super) const BATCH_GROUPS: usize = 32;
-
-/// Belief propagation over the candidates of `model` as they are, from flat messages, for at most `max_iterations`.
-///
-/// Reports as [`crate::inference::BeliefPropagation::run`] does, which it equals where all labels are candidates.
-///
-/// # Errors
-/// [`Cancelled`].
-///
-/// # Cost
-/// `O(|E→| K k)` an iteration for `K` candidates a variable, `k` of them near a label. Ten bytes for each of the `|E→| K`
-/// values of the messages (which are held twice, with a place in a list) and two for each pair of near labels, ten
-/// where the pairwise potential has a distance term.
-pub fn belief_propagation_active(
-    model: ActiveModel<'_>,
-    options: BpOptions,
-    max_iterations: u32,
-    observer: &dyn Observer,
-    on_iteration: impl FnMut(&BpIteration),
-) -> Result<BpOutcome, Cancelled> {
-    ActivePropagation::new(model, options).run(max_iterations, observer, on_iteration)
-}
 
 /// What a run over revised sets leaves.
 #[derive(Debug, Clone, PartialEq)]
@@ -54,6 +32,11 @@ pub struct ActiveOutcome {
 }
 
 /// Messages and candidate sets, kept from one run to the next.
+///
+/// # Cost
+/// `O(|E→| K k)` an iteration for `K` candidates a variable, `k` of them near a label. Memory: ten bytes for each of the
+/// `|E→| K` values of the messages (which are held twice, with a place in a list) and two for each pair of near labels, ten
+/// where the pairwise potential has a distance term.
 pub struct ActivePropagation<'a> {
     pub(super) model: ActiveModel<'a>,
     pub(super) options: BpOptions,
@@ -93,7 +76,7 @@ impl<'a> ActivePropagation<'a> {
             model,
         };
         this.set_bias(None);
-        this.forget();
+        this.reset();
         this
     }
 
@@ -103,7 +86,7 @@ impl<'a> ActivePropagation<'a> {
     }
 
     /// Makes all messages flat again, so that the next run starts cold.
-    pub fn forget(&mut self) {
+    pub fn reset(&mut self) {
         let n_values = self.layout.messages.last().copied().unwrap_or(0);
         // Beyond the candidates a message is at its floor from the first iteration on.
         self.messages.clear();
@@ -139,7 +122,8 @@ impl<'a> ActivePropagation<'a> {
     }
 
     /// Runs over the candidates as they are until no message changes by more than the tolerance, or for
-    /// `max_iterations`.
+    /// `max_iterations`. Reports as [`crate::inference::BeliefPropagation::run`] does, which it equals where all labels are
+    /// candidates.
     ///
     /// # Errors
     /// [`Cancelled`]; the messages are then those of the last iteration that was finished.
@@ -192,10 +176,10 @@ impl<'a> ActivePropagation<'a> {
                 settled &= !self.revise(sets, evidence, observer)?;
             }
             let last = pass == max_iterations || settled;
-            let (chosen, new_delta) = self.pass(!last, observer)?;
-            let labels_changed = progress.take(&self.model, &chosen);
+            let (decoded, new_delta) = self.pass(!last, observer)?;
+            let labels_changed = progress.decoded(&decoded, |labeling| self.model.energy(labeling));
             if pass > 0 {
-                on_iteration(&progress.iterate(delta, labels_changed));
+                on_iteration(&progress.iterated(delta, labels_changed));
             }
             if last {
                 break;
@@ -204,7 +188,7 @@ impl<'a> ActivePropagation<'a> {
             pair_updates += self.pair_updates();
             active += self.model.candidates.mean_size();
         }
-        let iterations = progress.iterations;
+        let iterations = progress.iterations();
         Ok(ActiveOutcome {
             propagation: progress.finish(if settled { BpStop::Converged } else { BpStop::MaxIterations }),
             mean_active: if iterations > 0 {
@@ -219,7 +203,7 @@ impl<'a> ActivePropagation<'a> {
 
     /// One pass over all variables: decodes the beliefs of the present messages and, with `update`, makes the next ones;
     /// returns the largest change of one.
-    fn pass(&mut self, update: bool, observer: &dyn Observer) -> Result<(Vec<Chosen>, f32), Cancelled> {
+    fn pass(&mut self, update: bool, observer: &dyn Observer) -> Result<(Vec<Decoded>, f32), Cancelled> {
         let mut spare = std::mem::take(&mut self.spare);
         let mut rest = spare.as_mut_slice();
         let mut outputs: Vec<&mut [f32]> = Vec::with_capacity(self.groups.len());
@@ -237,15 +221,15 @@ impl<'a> ActivePropagation<'a> {
             if finished.is_err() {
                 break;
             }
-            let results: Vec<(Vec<Chosen>, f32)> = groups
+            let results: Vec<(Vec<Decoded>, f32)> = groups
                 .par_iter()
                 .zip(outputs)
                 .map_init(Scratch::default, |scratch, (group, output)| {
                     self.pass_group(group, update.then_some(&mut **output), scratch)
                 })
                 .collect();
-            for (chosen, change) in results {
-                found.extend(chosen);
+            for (decoded, change) in results {
+                found.extend(decoded);
                 delta = delta.max(change);
             }
         }
@@ -257,8 +241,8 @@ impl<'a> ActivePropagation<'a> {
         Ok((found, delta))
     }
 
-    fn pass_group(&self, group: &Group, output: Option<&mut [f32]>, scratch: &mut Scratch) -> (Vec<Chosen>, f32) {
-        let mut chosen = Vec::with_capacity(group.variables.len());
+    fn pass_group(&self, group: &Group, output: Option<&mut [f32]>, scratch: &mut Scratch) -> (Vec<Decoded>, f32) {
+        let mut decoded = Vec::with_capacity(group.variables.len());
         let mut change = 0.0f32;
         let mut output = output;
         let finish = Finish { floor: self.options.floor, damping: self.options.damping };
@@ -268,7 +252,8 @@ impl<'a> ActivePropagation<'a> {
             scratch.multiply(phi, &self.incoming(i));
             let peak = scratch.peak(phi);
             let confidence = if peak.sum > 0.0 { f64::from(peak.value / peak.sum) } else { 0.0 };
-            chosen.push(Chosen { candidate: peak.candidate, confidence });
+            let label = self.model.candidates.labels(i)[peak.candidate as usize];
+            decoded.push(Decoded { variable: i as u32, label, confidence });
             let Some(output) = output.as_deref_mut() else { continue };
             let mut places = lists.places;
             let edges = self.model.variables.row(i);
@@ -284,7 +269,7 @@ impl<'a> ActivePropagation<'a> {
                 }
             }
         }
-        (chosen, change)
+        (decoded, change)
     }
 
     /// The messages to `variable`, in the order of its edges.
@@ -295,12 +280,18 @@ impl<'a> ActivePropagation<'a> {
 
     /// Messages of `variable`, which was multiplied last, to its neighbours from number `first` on, over the union of
     /// their candidates, unscaled, into `scratch.updated`. Returns the value that no message is below, for each.
-    pub(super) fn update(&self, variable: usize, first: usize, lists: &NearLists<'_>, scratch: &mut Scratch) -> Octet {
-        let largest = scratch.turn(&self.phi[self.layout.row(variable)], first);
-        scratch.updated.resize(lists.ends.len(), Octet([0.0; LANES]));
-        let epsilon = self.epsilon();
-        let floor = Octet(largest.0.map(|top| top * epsilon));
-        let (near, far) = self.edge_octets(variable, first);
+    pub(super) fn update(
+        &self,
+        variable: usize,
+        first: usize,
+        lists: &NearLists<'_>,
+        scratch: &mut Scratch,
+    ) -> EightLanes {
+        let largest = scratch.transpose(&self.phi[self.layout.row(variable)], first);
+        scratch.updated.resize(lists.ends.len(), EightLanes([0.0; LANES]));
+        let epsilon = self.model.pairwise.epsilon();
+        let floor = EightLanes(largest.0.map(|top| top * epsilon));
+        let (near, far) = self.edge_lanes(variable, first);
         let Scratch { cavity, updated, .. } = scratch;
         match (self.options.product, self.model.pairwise.beta == 0.0) {
             (Product::Max, true) => max_uniform(lists, cavity, &floor, updated),
@@ -311,14 +302,9 @@ impl<'a> ActivePropagation<'a> {
         floor
     }
 
-    /// `exp(−T)`; 0 for the hard constraint, a truncation of infinity.
-    pub(super) fn epsilon(&self) -> f32 {
-        (-self.model.pairwise.truncation).exp() as f32
-    }
-
     /// Near and far factors of the edges of `variable` from number `first` on; 0 where there is none.
-    fn edge_octets(&self, variable: usize, first: usize) -> (Octet, Octet) {
-        let (mut near, mut far) = (Octet([0.0; LANES]), Octet([0.0; LANES]));
+    fn edge_lanes(&self, variable: usize, first: usize) -> (EightLanes, EightLanes) {
+        let (mut near, mut far) = (EightLanes([0.0; LANES]), EightLanes([0.0; LANES]));
         let factors = &self.factors[self.model.variables.row(variable)][first..];
         for (lane, &(n, f)) in factors.iter().take(LANES).enumerate() {
             (near.0[lane], far.0[lane]) = (n, f);

@@ -1,12 +1,13 @@
 //! Candidate sets that follow the beliefs: labels leave, labels come in, messages are carried over.
 //!
 //! A label that comes in gets the messages that its neighbours would have sent it, had it been there when they sent
-//! last; what was known of the others stays, so that a revision does not start a run anew.
+//! last; what was known of the others stays, so that a run goes on after a revision instead of starting again.
 
 use super::super::message_writer::inverse_of;
 use super::super::options::Product;
+use super::super::pair_table::pair_factor;
 use super::candidates::{Candidates, MAX_CANDIDATES};
-use super::kernel::{Octet, Scratch};
+use super::kernel::{EightLanes, Scratch};
 use super::plan::{Group, LANES, Layout, groups};
 use super::potentials::Evidence;
 use super::propagation::{ActivePropagation, BATCH_GROUPS};
@@ -22,20 +23,20 @@ const ABSENT: u32 = u32::MAX;
 struct Ranking {
     /// Labels that stay, in any order.
     kept: Vec<u32>,
-    /// The best labels, whose neighbours are demanded of the variable's neighbours.
+    /// The best labels, whose neighbours are proposed to the variable's neighbours.
     best: Vec<u32>,
 }
 
 impl ActivePropagation<'_> {
-    /// Drops labels whose belief is far behind and takes in those that neighbours demand, as `sets` say; whether any
-    /// set changed.
+    /// Drops labels whose belief is far behind and takes in those that neighbours propose, as `sets` say. Returns
+    /// whether any set changed.
     ///
     /// # Errors
     /// [`Cancelled`]; nothing has changed then.
     ///
     /// # Cost
     /// `O(n K k̄)` for the lists of near labels, more than an iteration and less than ten.
-    pub fn revise(
+    pub(super) fn revise(
         &mut self,
         sets: &ActiveSets,
         evidence: Evidence<'_>,
@@ -51,8 +52,8 @@ impl ActivePropagation<'_> {
         self.adopt(rows, evidence, observer)
     }
 
-    /// Opens the sets anew from `evidence`: those of [`ActiveSets::propose`] and, so that nothing is forgotten, the
-    /// best labels of the present beliefs. For a feedback that has changed; messages are carried over.
+    /// Replaces the sets by those that [`ActiveSets::propose`] makes of `evidence`, with the best labels of the present beliefs
+    /// added. To be called when the feedback has changed; messages are carried over.
     ///
     /// # Errors
     /// [`Cancelled`]; nothing has changed then.
@@ -63,7 +64,7 @@ impl ActivePropagation<'_> {
         observer: &dyn Observer,
     ) -> Result<(), Cancelled> {
         let limit = self.largest_set(usize::MAX);
-        let initial = sets.initial.min(limit.saturating_sub(sets.demanded));
+        let initial = sets.initial.min(limit.saturating_sub(sets.best_of_neighbors));
         let (n, n_labels) = (self.model.n_variables(), self.model.labels.n_labels());
         let mut rows = ActiveSets { initial, ..*sets }.lowest(n, n_labels, evidence, observer)?;
         for (row, ranking) in rows.iter_mut().zip(self.rankings(sets)) {
@@ -93,14 +94,14 @@ impl ActivePropagation<'_> {
             let order = |a: &(f32, u32), b: &(f32, u32)| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1));
             keep_first(&mut found, sets.kept.max(1), order);
             let kept = found.iter().map(|(_, x)| *x).collect();
-            keep_first(&mut found, sets.demanded, order);
+            keep_first(&mut found, sets.best_of_neighbors, order);
             Ranking { kept, best: found.into_iter().map(|(_, x)| x).collect() }
         };
         (0..self.model.n_variables()).into_par_iter().map_init(Scratch::default, rank).collect()
     }
 
     /// The next candidates of `variable`, ascending: those that stay and, as far as there is room, those that most
-    /// neighbours demand. `votes` is scratch.
+    /// neighbours propose. `votes` is scratch.
     fn revised(&self, variable: usize, rankings: &[Ranking], largest: usize, votes: &mut Vec<u32>) -> Vec<u32> {
         let mut kept = rankings[variable].kept.clone();
         let order = kept.len().min(largest);
@@ -114,13 +115,13 @@ impl ActivePropagation<'_> {
             }
         }
         votes.sort_unstable();
-        let mut demanded: Vec<(usize, u32)> = votes
+        let mut proposed: Vec<(usize, u32)> = votes
             .chunk_by(|a, b| a == b)
             .map(|same| (same.len(), same[0]))
             .filter(|(_, x)| kept.binary_search(x).is_err())
             .collect();
-        keep_first(&mut demanded, largest - kept.len(), |a, b| b.0.cmp(&a.0).then(a.1.cmp(&b.1)));
-        kept.extend(demanded.into_iter().map(|(_, x)| x));
+        keep_first(&mut proposed, largest - kept.len(), |a, b| b.0.cmp(&a.0).then(a.1.cmp(&b.1)));
+        kept.extend(proposed.into_iter().map(|(_, x)| x));
         kept.sort_unstable();
         kept
     }
@@ -229,15 +230,14 @@ impl ActivePropagation<'_> {
     }
 
     /// What the message of `sender` would be at label `y`, which was no candidate. `number` has the sender's own.
-    fn value_of(&self, y: u32, sender: Sender, cavity: &[Octet], number: &[u32]) -> f32 {
-        let (near, far) = self.factors[sender.edge];
-        let epsilon = self.epsilon();
-        let terms =
-            self.table.factors(y as usize).filter(|(x, _)| number[*x] != ABSENT).map(|(x, [rising, falling])| {
-                let h = cavity[number[x] as usize].0[sender.lane];
-                let psi = if self.model.pairwise.beta == 0.0 { 1.0 } else { (near * rising).min(far * falling) };
-                (psi, h)
-            });
+    fn value_of(&self, y: u32, sender: Sender, cavity: &[EightLanes], number: &[u32]) -> f32 {
+        let edge_factors = self.factors[sender.edge];
+        let epsilon = self.model.pairwise.epsilon();
+        let terms = self.table.factors(y as usize).filter(|(x, _)| number[*x] != ABSENT).map(|(x, factors)| {
+            let h = cavity[number[x] as usize].0[sender.lane];
+            let psi = if self.model.pairwise.beta == 0.0 { 1.0 } else { pair_factor(edge_factors, factors) };
+            (psi, h)
+        });
         let value = match self.options.product {
             Product::Max => terms.map(|(psi, h)| psi * h).fold(sender.floor, f32::max),
             Product::Sum => {

@@ -1,4 +1,4 @@
-//! Revised sets: what a label that comes in is told, who brings it back, and that nothing depends on threads.
+//! Revised sets: the messages of a label that comes in, labels brought back by neighbours, and equal bits on any threads.
 
 use super::super::tests::{model_with_rings, path_with_chords};
 use super::super::{BeliefPropagation, Product};
@@ -90,7 +90,7 @@ fn strip(n: u32) -> MrfModel {
     model_with_rings(n as usize, &edges, n as usize, &entropy(997), 2, 0.4, 5.0)
 }
 
-const SETS: ActiveSets = ActiveSets { initial: 12, kept: 10, largest: 30, margin: 6.0, every: 4, demanded: 2 };
+const SETS: ActiveSets = ActiveSets { initial: 12, kept: 10, largest: 30, margin: 6.0, every: 4, best_of_neighbors: 2 };
 
 fn revising(model: &MrfModel, product: Product) -> (ActiveOutcome, Vec<Vec<f32>>) {
     let evidence = Evidence::plain(model);
@@ -119,7 +119,7 @@ fn one_thread_and_many_give_the_same_bits() {
 #[test]
 fn sets_that_are_revised_to_all_labels_end_at_the_dense_answer() {
     let model = strip(60);
-    let sets = ActiveSets { initial: 60, kept: 60, largest: 60, margin: f32::INFINITY, every: 3, demanded: 1 };
+    let sets = ActiveSets { initial: 60, kept: 60, largest: 60, margin: f32::INFINITY, every: 3, best_of_neighbors: 1 };
     let evidence = Evidence::plain(&model);
     let candidates = sets.propose(60, 60, evidence, &Silent).unwrap();
     let options = options(Product::Max, 0.5, 1e-5);
@@ -151,7 +151,7 @@ fn neighbours_bring_back_a_label_that_was_left_out() {
     });
     let active = ActiveModel::of(&model, Candidates::from_rows(rows)).unwrap();
     let mut active = ActivePropagation::new(active, options(Product::Max, 0.0, 1e-5));
-    let sets = ActiveSets { initial: 3, kept: 3, largest: 8, margin: 5.0, every: 3, demanded: 1 };
+    let sets = ActiveSets { initial: 3, kept: 3, largest: 8, margin: 5.0, every: 3, best_of_neighbors: 1 };
     let closed = active.run(10, &Silent, |_| ()).unwrap();
     assert_eq!(closed.labeling[10], 3);
     let open = active.run_revising(12, &sets, Evidence::plain(&model), &Silent, |_| ()).unwrap();

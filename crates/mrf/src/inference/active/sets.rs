@@ -15,7 +15,7 @@ pub struct ActiveSets {
     pub initial: usize,
     /// Labels that a revision keeps at most because of their belief. At least 1.
     pub kept: usize,
-    /// Labels of a variable at most after a revision, those that its neighbours demand included.
+    /// Labels of a variable at most after a revision, those that its neighbours propose included.
     pub largest: usize,
     /// A label is dropped whose unary potential, at the beginning, or whose belief, as an energy, later, is more than
     /// this above the variable's best. Feedback counts.
@@ -23,7 +23,7 @@ pub struct ActiveSets {
     /// Iterations from one revision to the next, at least 1.
     pub every: u32,
     /// Best labels of each neighbour whose `N_1` a variable takes in at a revision.
-    pub demanded: usize,
+    pub best_of_neighbors: usize,
 }
 
 impl ActiveSets {

@@ -5,7 +5,7 @@ use super::super::oracle::exhaustive_minimum;
 use super::super::tests::{model, model_with_rings, path_with_chords, tree};
 use super::super::{BeliefPropagation, BpOptions, Product};
 use super::*;
-use crate::{Feature, MrfModel, unary_potentials};
+use crate::{Feature, FeaturePotentials, MrfModel, unary_potentials};
 use homolog_primitives::observe::Silent;
 use proptest::prelude::*;
 
@@ -173,12 +173,12 @@ proptest! {
         let candidates = some_candidates(&model, &entropy);
         let lowest = exhaustive_minimum(&forbidding(&model, &candidates));
         let active = ActiveModel::of(&model, candidates).unwrap();
-        let found = belief_propagation_active(active, options(Product::Max, 0.0, 1e-9), 12, &Silent, |_| ()).unwrap();
+        let found = ActivePropagation::new(active, options(Product::Max, 0.0, 1e-9)).run(12, &Silent, |_| ()).unwrap();
         prop_assert!((found.energy.total() - lowest).abs() < 1e-4, "{} against {lowest}", found.energy.total());
     }
 
     #[test]
-    fn features_on_demand_are_those_of_the_table(
+    fn potentials_of_features_follow_their_formula(
         values in prop::collection::vec(-3.0f64..3.0, 30),
         order in prop_oneof![Just(1.0), Just(2.0)],
     ) {
@@ -190,13 +190,17 @@ proptest! {
         let features = [feature(0), feature(5)];
         let table = unary_potentials(&features, 1.3, 0.7, order);
         let potentials = FeaturePotentials::new(&features, 1.3, 0.7, order);
-        for (i, expected) in table.chunks(11).enumerate() {
-            let mut row = vec![9.0; 11];
-            potentials.row(i, &mut row);
-            prop_assert_eq!(&row, expected);
+        for (i, row) in table.chunks(11).enumerate() {
+            for (x, &theta) in row.iter().enumerate() {
+                let term = |f: &Feature| {
+                    f.weight * ((f.source[i] - f.target[x]).abs() / f.robust_scale()).min(0.7).powf(order)
+                };
+                let exact = 1.3 * features.iter().map(term).sum::<f64>() / 2.0;
+                prop_assert!((f64::from(theta) - exact).abs() < 1e-5 * (1.0 + exact), "{} against {}", theta, exact);
+            }
             let mut few = vec![9.0; 3];
             potentials.at(i, &[1, 4, 10], &mut few);
-            prop_assert_eq!(few, vec![expected[1], expected[4], expected[10]]);
+            prop_assert_eq!(few, vec![row[1], row[4], row[10]]);
         }
     }
 }
@@ -210,7 +214,7 @@ fn variables_of_high_degree_equal_the_dense_engine() {
     let options = options(Product::Max, 0.0, 1e-5);
     let dense = BeliefPropagation::new(&model, options).run(3, &Silent, |_| ()).unwrap();
     let all = ActiveModel::of(&model, Candidates::all(&model)).unwrap();
-    let active = belief_propagation_active(all, options, 3, &Silent, |_| ()).unwrap();
+    let active = ActivePropagation::new(all, options).run(3, &Silent, |_| ()).unwrap();
     assert_eq!((dense.labeling, dense.energy), (active.labeling, active.energy));
 }
 

@@ -68,12 +68,12 @@ impl<'a> SimulatedAnnealing<'a> {
     /// or write it anew; infinite values forbid a label. Takes a copy of the table of unary potentials.
     pub fn set_bias(&mut self, add: impl Fn(usize, &mut [f32]) + Sync) {
         self.energy.set_bias(add);
-        self.sweeps.forget();
+        self.sweeps.reset();
     }
 
     /// Anneals, from the initial to the final temperature in `run.sweeps` sweeps.
     ///
-    /// `on_sweep` hears of every finished sweep.
+    /// `on_sweep` is called after every sweep.
     ///
     /// # Errors
     /// [`Cancelled`] as soon as `observer` asks to stop.

@@ -16,7 +16,7 @@ pub(super) struct ColorClasses {
 impl ColorClasses {
     /// Greedy coloring in the order of the vertices: at most one color more than the largest degree.
     /// Cost `O(|E→|)`.
-    pub fn new(graph: &EdgeGraph) -> Self {
+    pub(super) fn new(graph: &EdgeGraph) -> Self {
         let n = graph.n_vertices();
         let mut colors: Vec<usize> = Vec::with_capacity(n);
         // `taken[c] == i` says that a neighbour of `i` has color `c`.
@@ -46,7 +46,7 @@ impl ColorClasses {
     }
 
     /// The ranges of `order` that hold one class each.
-    pub fn ranges(&self) -> impl Iterator<Item = std::ops::Range<usize>> + '_ {
+    pub(super) fn ranges(&self) -> impl Iterator<Item = std::ops::Range<usize>> + '_ {
         self.starts.windows(2).map(|w| w[0]..w[1])
     }
 }

@@ -24,21 +24,21 @@ pub(super) struct Draws(Xoshiro256PlusPlus);
 
 impl Draws {
     /// The stream of `variable` in `sweep`.
-    pub fn new(seed: u64, purpose: Purpose, sweep: u32, variable: u32) -> Self {
-        // Seeds and counters are scrambled by turns: neighbouring names must not give neighbouring states.
+    pub(super) fn new(seed: u64, purpose: Purpose, sweep: u32, variable: u32) -> Self {
+        // Seeds and counters are scrambled one after the other: neighbouring names must not give neighbouring states.
         let key = scramble(seed ^ purpose as u64);
         let key = scramble(key ^ (u64::from(sweep) << 32 | u64::from(variable)));
         Draws(Xoshiro256PlusPlus::seed_from_u64(key))
     }
 
     /// Uniform in `[0, 1)`, from the 53 high bits of one draw.
-    pub fn unit(&mut self) -> f64 {
+    pub(super) fn unit(&mut self) -> f64 {
         (self.0.next_u64() >> 11) as f64 / (1u64 << 53) as f64
     }
 
     /// Uniform in `0..n`, `n > 0`, as the high word of a product (Lemire, ACM Trans. Model. Comput. Simul. 29(1),
     /// 2019). Without his rejection step a value is preferred by at most `n / 2⁶⁴`.
-    pub fn below(&mut self, n: u64) -> u64 {
+    pub(super) fn below(&mut self, n: u64) -> u64 {
         ((u128::from(self.0.next_u64()) * u128::from(n)) >> 64) as u64
     }
 }

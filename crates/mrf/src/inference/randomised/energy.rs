@@ -17,16 +17,16 @@ pub(super) struct Terms {
 
 impl Terms {
     /// What is minimised: all parts together.
-    pub fn total(&self) -> f64 {
+    pub(super) fn total(&self) -> f64 {
         self.unary + self.bias + self.pairwise
     }
 
     /// What is reported: the energy of the model, without the bias.
-    pub fn energy(&self) -> Energy {
+    pub(super) fn energy(&self) -> Energy {
         Energy { unary: self.unary, pairwise: self.pairwise }
     }
 
-    pub fn minus(&self, other: &Terms) -> Terms {
+    pub(super) fn minus(&self, other: &Terms) -> Terms {
         Terms {
             unary: self.unary - other.unary,
             bias: self.bias - other.bias,
@@ -34,7 +34,7 @@ impl Terms {
         }
     }
 
-    pub fn plus(&self, other: &Terms) -> Terms {
+    pub(super) fn plus(&self, other: &Terms) -> Terms {
         Terms {
             unary: self.unary + other.unary,
             bias: self.bias + other.bias,
@@ -61,14 +61,14 @@ pub(super) struct SearchEnergy<'a> {
 
 impl<'a> SearchEnergy<'a> {
     /// The energy of `model` without a bias. Cost `O(n_variables · n_labels)`.
-    pub fn new(model: &'a MrfModel) -> Self {
+    pub(super) fn new(model: &'a MrfModel) -> Self {
         let mut this = SearchEnergy { model, pairwise: model.pairwise, biased: None, row_minima: Vec::new() };
         this.refresh();
         this
     }
 
     /// Sets the unary potentials to those of the model plus what `add(i, row)` adds to the row of variable `i`.
-    pub fn set_bias(&mut self, add: impl Fn(usize, &mut [f32]) + Sync) {
+    pub(super) fn set_bias(&mut self, add: impl Fn(usize, &mut [f32]) + Sync) {
         let model = self.model;
         let mut table = self.biased.take().unwrap_or_else(|| vec![0.0; model.unary.len()]);
         table.par_chunks_mut(model.n_labels().max(1)).enumerate().for_each(|(i, row)| {
@@ -98,33 +98,33 @@ impl<'a> SearchEnergy<'a> {
     }
 
     /// Unary potentials of variable `i`, bias included.
-    pub fn unary_row(&self, i: usize) -> &[f32] {
+    pub(super) fn unary_row(&self, i: usize) -> &[f32] {
         let n = self.model.n_labels();
         self.biased.as_ref().map_or_else(|| self.model.unary_row(i), |table| &table[i * n..(i + 1) * n])
     }
 
     /// Least of them.
-    pub fn row_minimum(&self, i: usize) -> f32 {
+    pub(super) fn row_minimum(&self, i: usize) -> f32 {
         self.row_minima[i]
     }
 
     /// `θ_ij(x, y)` for the directed edge with id `edge`, finite.
-    pub fn pair(&self, edge: usize, x: u32, y: u32) -> f64 {
+    pub(super) fn pair(&self, edge: usize, x: u32, y: u32) -> f64 {
         self.potential(edge, self.distance(x, y))
     }
 
     /// `d'(x, y)` if `y` is in `N_r(x)`. Cost `O(log k̄)`.
-    pub fn distance(&self, x: u32, y: u32) -> Option<f64> {
+    pub(super) fn distance(&self, x: u32, y: u32) -> Option<f64> {
         self.model.labels.distance_within(x as usize, y as usize).map(f64::from)
     }
 
     /// `θ_ij` of the directed edge with id `edge` for labels at `distance`.
-    pub fn potential(&self, edge: usize, distance: Option<f64>) -> f64 {
+    pub(super) fn potential(&self, edge: usize, distance: Option<f64>) -> f64 {
         self.pairwise.potential(self.model.lengths[edge].into(), distance)
     }
 
     /// The terms of label `x` at variable `i` alone.
-    pub fn unary(&self, i: usize, x: u32) -> Terms {
+    pub(super) fn unary(&self, i: usize, x: u32) -> Terms {
         let unary = f64::from(self.model.unary_row(i)[x as usize]);
         let bias = if self.biased.is_some() { f64::from(self.unary_row(i)[x as usize]) - unary } else { 0.0 };
         Terms { unary, bias, pairwise: 0.0 }
@@ -132,7 +132,7 @@ impl<'a> SearchEnergy<'a> {
 
     /// All terms that variable `i` takes part in if it had label `x`, the other labels as they are.
     /// Cost `O(degree · log k̄)`.
-    pub fn site(&self, i: usize, x: u32, labels: &[u32]) -> Terms {
+    pub(super) fn site(&self, i: usize, x: u32, labels: &[u32]) -> Terms {
         let mut terms = self.unary(i, x);
         for edge in self.model.variables.row(i) {
             terms.pairwise += self.pair(edge, x, labels[self.model.variables.head(edge)]);
@@ -141,7 +141,7 @@ impl<'a> SearchEnergy<'a> {
     }
 
     /// All terms of a labeling. Cost `O(|E→| log k̄)`.
-    pub fn all(&self, labels: &[u32]) -> Terms {
+    pub(super) fn all(&self, labels: &[u32]) -> Terms {
         let mut terms = Terms::default();
         for (i, &x) in labels.iter().enumerate() {
             terms = terms.plus(&self.unary(i, x));
@@ -156,7 +156,7 @@ impl<'a> SearchEnergy<'a> {
     }
 
     /// A label for every variable, uniform at random.
-    pub fn random_labels(&self, seed: u64, sweep: u32) -> Vec<u32> {
+    pub(super) fn random_labels(&self, seed: u64, sweep: u32) -> Vec<u32> {
         let mut draws = Draws::new(seed, Purpose::Start, sweep, 0);
         let n_labels = self.model.n_labels() as u64;
         (0..self.model.n_variables()).map(|_| draws.below(n_labels) as u32).collect()

@@ -38,7 +38,7 @@ pub(super) fn loosest_bound(n_labels: usize) -> f64 {
 
 impl GibbsScratch {
     /// Room for `n_labels` labels.
-    pub fn new(n_labels: usize) -> Self {
+    pub(super) fn new(n_labels: usize) -> Self {
         GibbsScratch {
             gain: vec![0.0; n_labels],
             touched: Vec::with_capacity(n_labels),
@@ -51,7 +51,7 @@ impl GibbsScratch {
 
     /// Draws a label for variable `i`. `bound` is at least the sum of the far part relative to the row's minimum, at
     /// this temperature, and becomes tighter.
-    pub fn draw(
+    pub(super) fn draw(
         &mut self,
         energy: &SearchEnergy<'_>,
         labels: &[u32],
@@ -80,7 +80,7 @@ impl GibbsScratch {
     }
 
     /// `p(x_i = labels[i] | neighbours)` at temperature 1. Cost `O(degree · k̄ + n_labels)`.
-    pub fn confidence(&mut self, energy: &SearchEnergy<'_>, labels: &[u32], i: usize) -> f64 {
+    pub(super) fn confidence(&mut self, energy: &SearchEnergy<'_>, labels: &[u32], i: usize) -> f64 {
         let lowest = self.gather(energy, labels, i);
         let near = self.near.fill_gain(&self.lowered, &self.raised, lowest, 1.0);
         let scale = f64::from(lowest).exp();

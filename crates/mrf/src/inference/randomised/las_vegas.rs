@@ -41,7 +41,7 @@ impl<'a> LasVegas<'a> {
     /// Descends and restarts until the target is reached or the sweeps are used up. Without a target it uses all of
     /// them and returns the best labeling. A sweep makes one random move at every variable and costs `O(|E→| log k̄)`.
     ///
-    /// `run.start` is where the first descent begins. `on_sweep` hears of every finished sweep.
+    /// `run.start` is where the first descent begins. `on_sweep` is called after every sweep.
     ///
     /// # Errors
     /// [`Cancelled`] as soon as `observer` asks to stop.

@@ -8,7 +8,7 @@ use super::energy::SearchEnergy;
 
 /// Lowest temperature: below it no energy difference that 32 bits can tell from rounding would be accepted, and
 /// divisions by it stay finite.
-pub const COLDEST: f64 = 1e-6;
+pub(super) const COLDEST: f64 = 1e-6;
 
 /// Random moves from which the initial temperature is estimated: the standard deviation is then known to a few percent.
 const TRIAL_MOVES: u32 = 1024;
@@ -39,14 +39,14 @@ pub(super) struct Temperatures {
 impl Temperatures {
     /// From `initial` to `last` in `sweeps` sweeps. A final temperature above the initial one counts as equal to it,
     /// and what is below [`COLDEST`] counts as that.
-    pub fn new(schedule: Cooling, initial: f64, last: f64, sweeps: u32) -> Self {
+    pub(super) fn new(schedule: Cooling, initial: f64, last: f64, sweeps: u32) -> Self {
         let initial = initial.max(COLDEST);
         let last = last.clamp(COLDEST, initial);
         Temperatures { schedule, initial, last, sweeps }
     }
 
     /// Temperature of sweep `k`, from 1; never more than that of the sweep before.
-    pub fn at(&self, k: u32) -> f64 {
+    pub(super) fn at(&self, k: u32) -> f64 {
         if k <= 1 {
             return self.initial;
         }

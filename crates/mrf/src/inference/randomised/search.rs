@@ -1,4 +1,4 @@
-//! What simulated annealing and Las Vegas have in common: what a run is asked for, what it tells, what it leaves.
+//! What simulated annealing and Las Vegas have in common: the parameters of a run, its reports and its result.
 
 use super::energy::SearchEnergy;
 use super::gibbs::GibbsScratch;
@@ -7,7 +7,7 @@ use crate::{Energy, Labeling, MrfModel};
 use homolog_primitives::observe::{Cancelled, Observer, checkpoint};
 use rayon::prelude::*;
 
-/// What one run is asked for.
+/// Parameters of one run.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SearchRun<'s> {
     /// Sweeps at most; a sweep visits every variable once.
@@ -49,15 +49,15 @@ pub struct SearchSweep {
     pub restarts: u32,
 }
 
-/// What a run leaves.
+/// The result of a run.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SearchOutcome {
     /// The labeling that reached the target, otherwise the best one after any single change of the run. Best by what
     /// was minimised: the energy with the bias.
     pub labeling: Labeling,
     /// For every variable `p(x_i | neighbours) ∝ exp(−E_i)`, the probability of its label if all others are right, at
-    /// temperature 1. It costs one pass over all unary potentials. It is no marginal: it knows nothing of what else
-    /// the neighbours could be, and is nearer to 1 than a marginal wherever neighbours agree.
+    /// temperature 1. It costs one pass over all unary potentials. It is no marginal: it takes the labels of the
+    /// neighbours for certain, and is nearer to 1 than a marginal wherever neighbours agree.
     pub confidence: Vec<f64>,
     /// Energy of the labeling by a full evaluation of the model, bias not included; infinite if `T = ∞` and an edge is
     /// broken.
@@ -92,7 +92,7 @@ pub(super) struct RunEnd {
 
 impl RunEnd {
     /// The outcome: labeling, its energy evaluated in full, and confidences.
-    pub fn outcome(
+    pub(super) fn outcome(
         self,
         energy: &SearchEnergy<'_>,
         state: &mut SearchState,

@@ -29,7 +29,7 @@ pub(super) struct SearchState {
 
 impl SearchState {
     /// From `labels`, which count as the best so far. `target` is the energy (of the model, without bias) to watch for.
-    pub fn new(energy: &SearchEnergy<'_>, labels: Vec<u32>, target: Option<f64>) -> Self {
+    pub(super) fn new(energy: &SearchEnergy<'_>, labels: Vec<u32>, target: Option<f64>) -> Self {
         let terms = energy.all(&labels);
         SearchState {
             best_labels: labels.clone(),
@@ -43,27 +43,27 @@ impl SearchState {
     }
 
     /// The present labels.
-    pub fn labels(&self) -> &[u32] {
+    pub(super) fn labels(&self) -> &[u32] {
         &self.labels
     }
 
     /// The present energy, as the sum of all changes.
-    pub fn terms(&self) -> &Terms {
+    pub(super) fn terms(&self) -> &Terms {
         &self.terms
     }
 
     /// Energy of the best labeling.
-    pub fn best_terms(&self) -> &Terms {
+    pub(super) fn best_terms(&self) -> &Terms {
         &self.best_terms
     }
 
     /// The best labeling, as of the last [`SearchState::settle`].
-    pub fn best_labels(&self) -> &[u32] {
+    pub(super) fn best_labels(&self) -> &[u32] {
         &self.best_labels
     }
 
     /// Makes one change.
-    pub fn apply(&mut self, change: &SiteMove) {
+    pub(super) fn apply(&mut self, change: &SiteMove) {
         let slot = &mut self.labels[change.variable as usize];
         if self.best_in_journal {
             self.journal.push((change.variable, *slot));
@@ -74,7 +74,7 @@ impl SearchState {
     }
 
     /// Goes on from other labels; the best stays.
-    pub fn restart(&mut self, energy: &SearchEnergy<'_>, labels: Vec<u32>) {
+    pub(super) fn restart(&mut self, energy: &SearchEnergy<'_>, labels: Vec<u32>) {
         self.settle();
         self.terms = energy.all(&labels);
         self.labels = labels;
@@ -90,7 +90,7 @@ impl SearchState {
     }
 
     /// Brings [`SearchState::best_labels`] up to date. Cost `O(n)`, no allocation.
-    pub fn settle(&mut self) {
+    pub(super) fn settle(&mut self) {
         if self.best_in_journal {
             self.best_labels.copy_from_slice(&self.labels);
             for &(variable, label) in self.journal.iter().rev() {
@@ -103,7 +103,7 @@ impl SearchState {
 
     /// Whether the present labeling reaches the target, judged by a full evaluation of the model's own energy. Costs
     /// nothing while the running energy says no.
-    pub fn reaches_target(&self, energy: &SearchEnergy<'_>) -> bool {
+    pub(super) fn reaches_target(&self, energy: &SearchEnergy<'_>) -> bool {
         let Some(target) = self.target else { return false };
         // The running energy carries the rounding of many sums; it only decides whether a look is worth it.
         let slack = 1e-9 * (1.0 + target.abs());

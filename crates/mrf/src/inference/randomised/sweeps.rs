@@ -65,7 +65,7 @@ struct Updates<'s> {
 
 impl Sweeps {
     /// Sweeps over `graph`. With `gibbs` also the scratch of that sampler, `O(n_labels)` for each of at most 16 parts.
-    pub fn new(graph: &EdgeGraph, n_labels: usize, gibbs: bool) -> Self {
+    pub(super) fn new(graph: &EdgeGraph, n_labels: usize, gibbs: bool) -> Self {
         let classes = ColorClasses::new(graph);
         let largest = classes.ranges().map(|range| range.len()).max().unwrap_or(0);
         let parts = if gibbs { largest.div_ceil(part_length(largest)) } else { 0 };
@@ -79,8 +79,8 @@ impl Sweeps {
         }
     }
 
-    /// Forgets what was learned of the unary potentials. To be called when they have changed.
-    pub fn forget(&mut self) {
+    /// Discards the bounds on sums of unary weights. To be called when the unary potentials have changed.
+    pub(super) fn reset(&mut self) {
         self.bounded_at = 0.0;
     }
 
@@ -88,7 +88,7 @@ impl Sweeps {
     ///
     /// # Errors
     /// [`Cancelled`].
-    pub fn sweep(
+    pub(super) fn sweep(
         &mut self,
         energy: &SearchEnergy<'_>,
         state: &mut SearchState,

@@ -3,9 +3,6 @@
 //! The exponential is that of [`homolog_primitives::exponential`], so that the loop vectorizes and every instruction set gives the
 //! same bits.
 
-// The dispatch to instruction sets that `multiversion` generates needs unsafe calls; nothing here does itself.
-#![allow(unsafe_code)]
-
 use homolog_primitives::exponential::exp_negative;
 use multiversion::multiversion;
 
@@ -15,6 +12,7 @@ const LANES: usize = 16;
 const BLOCK: usize = 64;
 
 /// `weights[k] = exp((shift − energies[k]) · inverse)`; every energy at least `shift`.
+#[allow(unsafe_code, reason = "the dispatch to instruction sets that `multiversion` generates")]
 #[multiversion(targets("x86_64+avx512f+avx512vl+avx512bw+avx512dq", "x86_64+avx2"))]
 fn boltzmann(energies: &[f32], shift: f32, inverse: f32, weights: &mut [f32]) {
     for (weight, &energy) in weights.iter_mut().zip(energies) {
@@ -23,6 +21,7 @@ fn boltzmann(energies: &[f32], shift: f32, inverse: f32, weights: &mut [f32]) {
 }
 
 /// `weights[k] = exp((shift − lowered[k]) · inverse) − exp((shift − raised[k]) · inverse)`, with `lowered ≤ raised`.
+#[allow(unsafe_code, reason = "the dispatch to instruction sets that `multiversion` generates")]
 #[multiversion(targets("x86_64+avx512f+avx512vl+avx512bw+avx512dq", "x86_64+avx2"))]
 fn boltzmann_gain(lowered: &[f32], raised: &[f32], shift: f32, inverse: f32, weights: &mut [f32]) {
     for ((weight, &low), &high) in weights.iter_mut().zip(lowered).zip(raised) {
@@ -33,6 +32,7 @@ fn boltzmann_gain(lowered: &[f32], raised: &[f32], shift: f32, inverse: f32, wei
 }
 
 /// Sums of blocks of [`BLOCK`] weights, in an order that no instruction set changes.
+#[allow(unsafe_code, reason = "the dispatch to instruction sets that `multiversion` generates")]
 #[multiversion(targets("x86_64+avx512f+avx512vl+avx512bw+avx512dq", "x86_64+avx2"))]
 fn block_sums(weights: &[f32], sums: &mut [f32]) {
     for (block, sum) in weights.chunks_exact(BLOCK).zip(sums) {
@@ -58,19 +58,19 @@ pub(super) struct WeightRow {
 
 impl WeightRow {
     /// Room for `n` weights.
-    pub fn new(n: usize) -> Self {
+    pub(super) fn new(n: usize) -> Self {
         let n = n.next_multiple_of(BLOCK);
         WeightRow { weights: vec![0.0; n], sums: vec![0.0; n / BLOCK], blocks: 0 }
     }
 
     /// Fills the row with `exp((shift − energy) · inverse)` and returns the sum. No energy is below `shift`.
-    pub fn fill(&mut self, energies: &[f32], shift: f32, inverse: f32) -> f64 {
+    pub(super) fn fill(&mut self, energies: &[f32], shift: f32, inverse: f32) -> f64 {
         boltzmann(energies, shift, inverse, &mut self.weights[..energies.len()]);
         self.finish(energies.len())
     }
 
     /// Fills the row with what the weight gains where an energy is `lowered` instead of `raised`; returns the sum.
-    pub fn fill_gain(&mut self, lowered: &[f32], raised: &[f32], shift: f32, inverse: f32) -> f64 {
+    pub(super) fn fill_gain(&mut self, lowered: &[f32], raised: &[f32], shift: f32, inverse: f32) -> f64 {
         boltzmann_gain(lowered, raised, shift, inverse, &mut self.weights[..lowered.len()]);
         self.finish(lowered.len())
     }
@@ -86,7 +86,7 @@ impl WeightRow {
 
     /// The index at which the running sum of the weights passes `at`, in `[0, sum)`; never one of weight 0 unless all
     /// are. Cost `O(n/64)`.
-    pub fn pick(&self, mut at: f64) -> usize {
+    pub(super) fn pick(&self, mut at: f64) -> usize {
         let mut last = 0;
         for (block, &sum) in self.sums[..self.blocks].iter().enumerate() {
             if sum <= 0.0 {
@@ -113,7 +113,7 @@ impl WeightRow {
     }
 
     /// The weight at `index`.
-    pub fn weight(&self, index: usize) -> f64 {
+    pub(super) fn weight(&self, index: usize) -> f64 {
         self.weights[index].into()
     }
 }

@@ -157,14 +157,14 @@ def write(model, n_files, n_given):
 use super::sections::N_FEATURES;
 
 /// Slope of the border along the short axis.
-pub const TILT: f64 = {TILT};
+pub(super) const TILT: f64 = {TILT};
 /// Where the border crosses the long axis, mm from the center of the volume towards the head, and its slope along the
 /// middle axis: means over the volumes.
-pub const MEAN_BORDER: [f64; 2] = [{center[0]:.5f}, {center[1]:.5f}];
+pub(super) const MEAN_BORDER: [f64; 2] = [{center[0]:.5f}, {center[1]:.5f}];
 /// For each feature of [`super::sections::Sections::profile`]: mean, inverse standard deviation, and by how much one
 /// standard deviation moves the two numbers of the border.
 #[rustfmt::skip]
-pub const FEATURES: [[f64; 4]; N_FEATURES] = ["""
+pub(super) const FEATURES: [[f64; 4]; N_FEATURES] = ["""
     )
     for row in zip(mean, inverse, weights[:, 0], weights[:, 1]):
         print("    [{:.4f}, {:.4f}, {:.5f}, {:.6f}],".format(*row))

@@ -1,9 +1,9 @@
-//! What an input was and what was done to it, and what an inspection tells.
+//! Reports on an input: its format, its topology, the repairs made, and whether it can be matched.
 
 use crate::parameters::Repair;
 use homolog_mesh::topology::TopologyReport;
 
-/// Formats that are read.
+/// Format of an input file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
@@ -31,7 +31,7 @@ impl InputFormat {
     }
 }
 
-/// What an input was, and what was done to it.
+/// An input: its format, its topology and the repairs made to it.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
@@ -40,54 +40,55 @@ pub struct InputReport {
     pub format: InputFormat,
     /// Topology of the surface before repairs.
     pub topology: TopologyReport,
-    /// Repairs that changed something, in order.
+    /// Repairs that changed the surface, in the order in which they were made.
     pub repairs: Vec<RepairNote>,
-    /// Whether all faces looked inwards (the volume before repairs is negative) and were turned.
+    /// Whether all faces were oriented inwards (the enclosed volume before repairs is negative) and were reversed.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "std::ops::Not::not"))]
     pub turned_outward: bool,
 }
 
-/// A repair that changed something.
+/// A repair that changed the surface.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct RepairNote {
     /// Which repair.
     pub repair: Repair,
-    /// What it changed, in one sentence with numbers.
+    /// One sentence that says what was changed, with numbers.
     pub detail: String,
 }
 
-/// What an input is, what would be made of it, and whether that can be matched.
+/// The report of an inspection: the contents of an input, the surface that would be made of it, and whether that surface
+/// can be matched.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct Inspection {
     /// The file's format.
     pub format: InputFormat,
-    /// What it holds.
+    /// Its contents.
     pub kind: InputKind,
-    /// The volume, if it holds one.
+    /// The label volume; absent for meshes.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub volume: Option<VolumeInspection>,
-    /// Topology of the surface before repairs; absent if there is no surface.
+    /// Topology of the surface before repairs; absent if no surface could be made.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub topology: Option<TopologyReport>,
     /// Topology after the repairs that the parameters allow.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub repaired_topology: Option<TopologyReport>,
-    /// Repairs that changed something, in order.
+    /// Repairs that changed the surface, in the order in which they were made.
     pub repairs: Vec<RepairNote>,
-    /// Whether all faces looked inwards and would be turned.
+    /// Whether all faces are oriented inwards and would be reversed.
     pub turned_outward: bool,
-    /// Whether a match would accept it.
+    /// Whether a match would accept the input.
     pub suitable: bool,
-    /// Why not.
+    /// Why a match would refuse it; absent if it would not.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub refusal: Option<Refusal>,
 }
 
-/// What a file holds.
+/// The contents of a file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
@@ -106,22 +107,22 @@ pub enum InputKind {
 pub struct VolumeInspection {
     /// Voxels along each axis.
     pub dims: [u32; 3],
-    /// Distance of neighbouring voxel centres along each axis.
+    /// Distance between the centres of neighbouring voxels along each axis, mm.
     pub spacing_mm: [f64; 3],
-    /// How many labels but 0 occur.
+    /// Number of different labels, without the background 0.
     pub n_labels: u32,
-    /// Labels but 0, ascending, the first thousand.
+    /// The labels without the background 0, ascending; at most the first thousand.
     pub labels: Vec<LabelCount>,
 }
 
-/// A label and how often it occurs.
+/// A label and its number of voxels.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct LabelCount {
     /// The label.
     pub label: u32,
-    /// Voxels that have it.
+    /// Number of voxels with this label.
     pub n_voxels: u64,
 }
 
@@ -130,8 +131,8 @@ pub struct LabelCount {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct Refusal {
-    /// Stable name, as [`IntakeError::code`].
+    /// Stable name of the reason.
     pub code: String,
-    /// What is wrong, where, and what to do.
+    /// What is wrong, where, and what can be done about it.
     pub detail: String,
 }

@@ -1,166 +1,170 @@
-//! The result document: what a match answers, in the form in which the service and the command line print it.
+//! The result document of a match, in the form in which the service and the command line print it.
 
 use super::parameters::{Anatomy, MatchParameters};
 use crate::input::InputReport;
 use std::fmt::Write;
 
-/// Everything a finished match says. Lengths mm, angles degrees where the name says so.
+/// The result of a match. Lengths are in mm; angles are in degrees where the name ends in `_deg`.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct ResultDocument {
     /// The rigid transform that moves the source onto the target.
     pub transform: TransformDocument,
-    /// What supports the transform.
+    /// The correspondences that support the transform.
     pub support: SupportDocument,
-    /// Symmetric distance of the registered surfaces, vertex to closest point on triangle.
+    /// Symmetric distance between the registered surfaces, from each vertex to the closest point of the other surface.
     pub surface_distance: SurfaceDistanceDocument,
-    /// Energies; absent where nothing was minimised.
+    /// Energies of the labeling; absent where no energy was minimised (`inference.algorithm` is `none`).
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub energy: Option<EnergyDocument>,
-    /// How far the labeling keeps neighbours together and covers the target.
+    /// How well the labeling keeps neighbours together, and how much of the target it covers.
     pub topology: ConsistencyDocument,
-    /// What each round did: inference, registration, feedback.
+    /// The rounds of inference, registration and feedback, in order; empty where no energy was minimised.
     #[cfg_attr(feature = "serde", serde(default))]
     pub rounds: Vec<RoundDocument>,
-    /// Poses that were compared, the closest first; empty where there was no choice.
+    /// Candidate poses that were compared, the best first; empty where there was only one.
     #[cfg_attr(feature = "serde", serde(default))]
     pub poses: Vec<PoseDocument>,
     /// Whether the answer can be relied on; absent where no displacement field was fitted.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub reliability: Option<ReliabilityDocument>,
-    /// What knowledge of the structure changed; absent where it had no say.
+    /// What the learned prior of `displacement.anatomy` changed; absent where it was not applied.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub anatomy: Option<AnatomyDocument>,
-    /// Whether a first-order ellipsoid has two half axes so alike that the rotation about the third is arbitrary.
+    /// Whether two semi-axes of a first-order ellipsoid are so nearly equal that the rotation about the third is arbitrary.
     #[cfg_attr(feature = "serde", serde(default))]
     pub ambiguous_axes: bool,
-    /// The dense correspondence, in columns, one entry for each source vertex that has one.
+    /// The dense correspondence in columns, one entry for each source vertex.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub correspondences: Option<Correspondences>,
     /// Why inference ended.
     pub stop_reason: StopReason,
-    /// Time of each phase, ms; `total` is all of it.
+    /// Time of each phase, ms; `total` is the time of the whole match.
     pub timings_ms: std::collections::BTreeMap<String, f64>,
-    /// What made this result, enough to make it again.
+    /// Version, parameters, seed and inputs: all that is needed to reproduce this result.
     pub provenance: Provenance,
 }
 
-/// The transform `p' = R p + t`, `target_from_source`.
+/// The rigid transform `p' = R p + t` from source to target coordinates.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct TransformDocument {
     /// 4×4, row-major: four rows of four numbers, `target_from_source`, mm.
     pub matrix: [[f64; 4]; 4],
-    /// The rotation as a unit quaternion, scalar first, scalar not negative. Of the proper part if a reflection was asked for and found.
+    /// The rotation as a unit quaternion, scalar part first and not negative. Of a transform that mirrors, the
+    /// rotation of its proper part.
     pub rotation_quaternion_wxyz: [f64; 4],
     /// Angle of that rotation.
     pub rotation_angle_deg: f64,
-    /// Translation `t`.
+    /// Translation `t`, mm.
     pub translation_mm: [f64; 3],
-    /// The similarity transform that fits the support best, if it was asked for.
+    /// The similarity transform that fits the support best; absent unless `registration.similarity` asked for it.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub similarity: Option<SimilarityDocument>,
 }
 
-/// A similarity transform `p' = s R p + t`, `target_from_source`.
+/// A similarity transform `p' = s R p + t` from source to target coordinates.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct SimilarityDocument {
     /// Scale `s`.
     pub scale: f64,
-    /// 4×4, row-major, the scale included, mm.
+    /// 4×4 matrix, row-major, including the scale, mm.
     pub matrix: [[f64; 4]; 4],
-    /// Root mean square residual over the support.
+    /// Root mean square residual over the support, mm.
     pub rms_mm: f64,
 }
 
-/// What one round did.
+/// One round: inference, then registration of its labeling.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct RoundDocument {
-    /// From 0.
+    /// Number of the round, from 0.
     pub round: u32,
-    /// What the energy heard from the registration before.
+    /// Feedback that the energy received from an earlier registration.
     pub feedback: Feedback,
-    /// Iterations of belief propagation or sweeps.
+    /// Iterations of belief propagation, or sweeps of a randomised minimiser.
     pub iterations: u32,
-    /// Why they ended.
+    /// Why inference ended in this round.
     pub stop_reason: StopReason,
-    /// How the labeling settled.
+    /// How the labelings of this round converged.
     pub convergence: ConvergenceDocument,
-    /// Energy of the labeling, without clamping terms.
+    /// Energy of the labeling, without the terms of the feedback.
     pub energy: f64,
-    /// Inliers of RANSAC.
+    /// Inliers of RANSAC. 0: no rigid transform is supported by three pairs of this labeling. No round follows then, and
+    /// the pose is that of an earlier round, of the landmarks or of a search of all orientations.
     pub support: u32,
-    /// Whether the answer is this round's.
+    /// Whether the match went on with the labeling and transform of this round. No round is chosen where none found a
+    /// transform.
     pub chosen: bool,
 }
 
-/// What the energy of a round heard.
+/// Feedback that the energy of a round received.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum Feedback {
-    /// Nothing.
+    /// No feedback.
     None,
-    /// Inliers were fixed to their labels.
+    /// The inliers of the round before were fixed to their labels.
     Hard,
-    /// The registration of the round before.
+    /// Distances and normals under the transform of the round before were added to the unary potentials.
     Soft,
-    /// A pose on the principal axes that rivals that registration.
-    RivalPose,
+    /// The same under a candidate pose on the principal axes that fits clearly better than that transform.
+    #[cfg_attr(feature = "serde", serde(rename = "rival_pose"))]
+    CandidatePose,
 }
 
-/// How the labeling of a round settled.
+/// How the labelings of a round converged.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct ConvergenceDocument {
-    /// In a word.
+    /// Whether they converged.
     pub status: ConvergenceStatus,
-    /// After how many iterations labelings repeat, if they oscillate.
+    /// Number of iterations after which labelings repeat; absent unless they oscillate.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub period: Option<u32>,
 }
 
-/// How a series of labelings settles.
+/// Convergence of a series of labelings.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum ConvergenceStatus {
-    /// Nothing changes any more.
+    /// The labeling no longer changes.
     Converged,
-    /// Changes still become smaller.
+    /// The labeling still changes, less and less.
     Slow,
-    /// The same labelings return again and again.
+    /// The same labelings recur periodically.
     Oscillating,
-    /// The minimiser draws at random; it ends with its budget.
+    /// The minimiser draws at random and does not converge in this sense.
     Sampled,
 }
 
-/// A pose that was compared with others.
+/// A candidate pose.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct PoseDocument {
-    /// Where it comes from.
+    /// Where the pose comes from.
     pub origin: PoseOrigin,
     /// 4×4, row-major, `target_from_source`, mm.
     pub matrix: [[f64; 4]; 4],
-    /// Angle of its rotation against the answered one.
+    /// Angle between its rotation and that of the answer.
     pub angle_deg: f64,
-    /// Root mean square distance of the moved source from the target, over a sample of the source.
+    /// Root mean square distance of the moved source from the target, over a sample of source vertices, mm.
     pub rms_mm: f64,
-    /// How badly it fits after a coarse bending, lower is better; absent where nothing is bent.
+    /// Misfit after a coarse deformation from this pose, lower is better; absent without a displacement field.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub misfit: Option<f64>,
-    /// Whether it mirrors.
+    /// Whether the pose mirrors the source.
     #[cfg_attr(feature = "serde", serde(default))]
     pub mirrored: bool,
 }
@@ -170,14 +174,14 @@ pub struct PoseDocument {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct ReliabilityDocument {
-    /// Whether nothing speaks against it. Where something does, every confidence is a tenth of what it would be.
+    /// Whether no reason was found to doubt the answer. If there is one, every confidence is multiplied by 0.1.
     pub reliable: bool,
-    /// What does.
+    /// The reasons to doubt it.
     pub reasons: Vec<UnreliableReason>,
-    /// How badly the surfaces fit after a coarse bending: the mean over both of `−ln` of how much of a matching surface
-    /// each point sees. Lower is better; about 1 for copies, 1.2 for two subjects.
+    /// Misfit of the answered pose after a coarse deformation: the mean over the points of both surfaces of `−ln` of the
+    /// likelihood of the other surface there. Lower is better; about 1 for copies, 1.2 for two subjects.
     pub misfit: f64,
-    /// The same for the best pose that is turned by 45 degrees or more against the answered one.
+    /// The same for the best pose that is rotated by at least 45 degrees against the answered one.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub runner_up_misfit: Option<f64>,
     /// The same for the best pose of the other handedness.
@@ -187,26 +191,27 @@ pub struct ReliabilityDocument {
     pub curvature_agreement: f64,
     /// Mean cosine between the normals of corresponding points.
     pub normal_agreement: f64,
-    /// Robust standard deviation of the distance between the surfaces after bending, along the normals.
+    /// Robust standard deviation of the distance between the deformed source and the target along the normals, mm.
     pub residual_mm: f64,
 }
 
-/// What knowledge of the structure changed in the correspondences of two subjects.
+/// What the learned prior of a structure changed in the correspondences of two subjects.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct AnatomyDocument {
-    /// The structure that both surfaces look like.
+    /// The structure that both surfaces resemble.
     pub structure: Anatomy,
-    /// How unlike those it was learned from the source is, in their standard deviations: 0.95 is usual.
+    /// Distance of the source's shape from the training set, in standard deviations of that set (median of the training
+    /// set: 0.95).
     pub source_distance: f64,
     /// The same for the target.
     pub target_distance: f64,
-    /// Root mean square of how far images slid along the target.
+    /// Root mean square distance by which images were moved along the target, mm.
     pub slide_mm: f64,
 }
 
-/// What speaks against an answer.
+/// A reason to doubt an answer.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
@@ -227,7 +232,7 @@ pub enum UnreliableReason {
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum PoseOrigin {
-    /// RANSAC over the labeling of lowest energy, refined.
+    /// RANSAC over the labeling of the chosen round, refined.
     Inference,
     /// Registration without an energy.
     Registration,
@@ -235,30 +240,30 @@ pub enum PoseOrigin {
     Landmarks,
     /// A search of all orientations.
     Search,
-    /// First-order ellipsoids laid on each other.
+    /// Alignment of the first-order ellipsoids.
     FirstOrderEllipsoid,
 }
 
-/// What supports the transform.
+/// The correspondences that support the transform.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct SupportDocument {
     /// Correspondences whose residual is within the tolerance.
     pub inliers: u32,
-    /// Their share of all correspondences.
+    /// Their share of all correspondences, from 0 to 1.
     pub ratio: f64,
-    /// Root mean square of their residuals.
+    /// Root mean square of their residuals, mm.
     pub rms_mm: f64,
-    /// The tolerance.
+    /// Largest residual of an inlier, mm.
     pub tolerance_mm: f64,
-    /// RANSAC trials in all rounds.
+    /// RANSAC trials in all rounds that found a transform.
     pub trials: u64,
-    /// Whether the last RANSAC reached its confidence before its budget of trials ended.
+    /// Whether RANSAC reached its confidence in the chosen round before its budget of trials ended.
     pub confidence_reached: bool,
 }
 
-/// Symmetric surface distance.
+/// Symmetric surface distance, mm.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
@@ -276,24 +281,24 @@ pub struct SurfaceDistanceDocument {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct EnergyDocument {
-    /// Variables of the energy: source vertices, or those of its coarse level.
+    /// Number of variables of the energy: vertices of the source, or of its coarse level.
     #[cfg_attr(feature = "serde", serde(default))]
     pub n_variables: u32,
-    /// Labels of each: target vertices, or those of its coarse level.
+    /// Number of labels of each variable: vertices of the target, or of its coarse level.
     #[cfg_attr(feature = "serde", serde(default))]
     pub n_labels: u32,
-    /// Of the labeling that each unary potential prefers alone.
+    /// Energy of the labeling that minimises every unary potential by itself.
     pub initial: f64,
-    /// Of the labeling that is answered.
+    /// Energy of the answered labeling.
     pub r#final: f64,
-    /// Its unary part.
+    /// Unary part of that energy.
     pub unary: f64,
-    /// Its pairwise part.
+    /// Pairwise part of that energy.
     pub pairwise: f64,
-    /// No labeling has an energy below this, if a bound was asked for.
+    /// No labeling has an energy below this; absent unless `inference.lower_bound_iterations` asked for a bound.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub lower_bound: Option<f64>,
-    /// Edges whose images are not neighbours, each counted with the truncation.
+    /// Number of source edges whose two labels are not within the neighbourhood radius; each costs the truncation.
     #[cfg_attr(feature = "serde", serde(default))]
     pub broken_edges: u32,
 }
@@ -303,17 +308,17 @@ pub struct EnergyDocument {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct ConsistencyDocument {
-    /// Share of source edges whose images lie within the neighbourhood radius on the target.
+    /// Share of source edges whose two images lie within the neighbourhood radius of each other on the target.
     pub consistency: f64,
-    /// Share of target vertices that are somebody's image.
+    /// Share of target vertices that correspond to at least one source vertex.
     pub coverage: f64,
-    /// Source triangles (quads count as two) whose image points inwards.
+    /// Source triangles (a quad counts as two) whose image is oriented inwards.
     #[cfg_attr(feature = "serde", serde(default))]
     pub flipped_triangles: u32,
     /// Source triangles whose image has two equal corners or no area.
     #[cfg_attr(feature = "serde", serde(default))]
     pub degenerate_triangles: u32,
-    /// Source triangles in all.
+    /// All source triangles.
     #[cfg_attr(feature = "serde", serde(default))]
     pub n_triangles: u32,
 }
@@ -323,27 +328,28 @@ pub struct ConsistencyDocument {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct Correspondences {
-    /// Source vertex, as uploaded, or of the surface made from the volume.
+    /// Index of the source vertex in the uploaded mesh, or in the surface made from the volume.
     pub source: Vec<u32>,
-    /// Its target vertex.
+    /// Index of its target vertex.
     pub target: Vec<u32>,
-    /// Belief in that target vertex, in `[0, 1]`.
+    /// Confidence in that target vertex, from 0 to 1.
     pub confidence: Vec<f64>,
-    /// Whether it supports the transform.
+    /// Whether the pair supports the transform.
     pub inlier: Vec<bool>,
-    /// Root mean square distance, on the target, of the belief from its mean, mm.
+    /// Expected distance of the true corresponding point from the answered one: the spread of the belief over target
+    /// vertices, or of the displacement field, mm.
     #[cfg_attr(feature = "serde", serde(default))]
     pub spread_mm: Vec<f64>,
-    /// Whether and why it is an outlier.
+    /// Whether and why the pair is an outlier.
     #[cfg_attr(feature = "serde", serde(default))]
     pub outlier: Vec<OutlierReason>,
-    /// The target triangle on which its image lies, by its vertices; of a quad, half of it.
+    /// Vertices of the target triangle on which the image lies; of a quad, one of its halves.
     #[cfg_attr(feature = "serde", serde(default))]
     pub triangle: Vec<[u32; 3]>,
-    /// Where on it: the weights of the three vertices, not negative and of sum 1.
+    /// Barycentric coordinates of the image on that triangle: weights of its three vertices, not negative, of sum 1.
     #[cfg_attr(feature = "serde", serde(default))]
     pub barycentric: Vec<[f64; 3]>,
-    /// The map the other way, if it was asked for: `source` counts vertices of the target, all else is on the source.
+    /// The map from target to source, with the two surfaces in exchanged roles; absent unless `both_directions` asked for it.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     #[cfg_attr(feature = "openapi", schema(no_recursion))]
     pub inverse: Option<Box<Correspondences>>,
@@ -355,16 +361,16 @@ pub struct Correspondences {
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum OutlierReason {
-    /// It is none.
+    /// Not an outlier.
     #[default]
     None,
-    /// After registration its two points are further apart than the tolerance.
+    /// After registration the two points are further apart than the tolerance.
     Residual,
-    /// Most of its neighbours have images that are no neighbours of its own.
+    /// The images of most of its neighbours are not near its own image.
     Neighborhood,
     /// Both.
     Both,
-    /// The target has nothing where the displacement takes it.
+    /// The displacement field moves the vertex to a place where the target has no surface.
     NoCounterpart,
 }
 
@@ -388,7 +394,7 @@ impl OutlierReason {
 }
 
 impl Correspondences {
-    /// The columns as CSV (RFC 4180): a header, then a line for each correspondence.
+    /// The columns as CSV (RFC 4180): a header, then one line for each correspondence.
     pub fn to_csv(&self) -> String {
         let mut text = String::with_capacity(120 * self.source.len() + 150);
         text.push_str("source,target,confidence,inlier,spread_mm,outlier,");
@@ -404,7 +410,7 @@ impl Correspondences {
         text
     }
 
-    /// These columns with those that earlier versions did not write filled in; none if lengths differ otherwise.
+    /// These columns, with those that earlier versions did not write filled in. `None` if the lengths of the others differ.
     pub fn completed(mut self) -> Option<Self> {
         let n = self.source.len();
         if self.spread_mm.is_empty() {
@@ -431,26 +437,26 @@ impl Correspondences {
 pub enum StopReason {
     /// Messages changed by no more than the tolerance in the last round.
     Converged,
-    /// The budget of iterations of the last round ended.
+    /// The last round used up its budget of iterations.
     MaxIterations,
-    /// The stated energy was reached: the answer is certified.
+    /// The target energy was reached, which certifies the answer.
     TargetReached,
-    /// Nothing was minimised.
+    /// No energy was minimised.
     RegistrationOnly,
 }
 
-/// What made a result.
+/// All that is needed to reproduce a result.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct Provenance {
     /// Version of homolog.
     pub version: String,
-    /// Commit it was built from, `unknown` outside a checkout.
+    /// Commit from which it was built; `unknown` if it was not built in a git checkout.
     pub commit: String,
-    /// Effective parameters.
+    /// The effective parameters.
     pub parameters: MatchParameters,
-    /// Seed of everything drawn at random.
+    /// Seed of all random draws.
     pub seed: u64,
     /// The source.
     pub source: InputProvenance,
@@ -458,16 +464,16 @@ pub struct Provenance {
     pub target: InputProvenance,
 }
 
-/// What one input was and what was made of it.
+/// One input and the surface made of it.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct InputProvenance {
-    /// Content hash of the bytes as uploaded, `blake3:` and 64 hexadecimal digits.
+    /// Hash of the uploaded bytes: `blake3:` and 64 hexadecimal digits.
     pub hash: String,
     /// Vertices of the surface that was matched.
     pub n_vertices: u32,
-    /// Its faces.
+    /// Faces of that surface.
     pub n_faces: u32,
     /// Format, topology and repairs.
     pub report: InputReport,

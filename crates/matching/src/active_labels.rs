@@ -1,20 +1,19 @@
-//! Belief propagation over active labels as a minimiser: each variable holds its best labels, and no other.
+//! Belief propagation over active labels as a minimiser: each variable keeps only its best labels.
 
-use super::minimiser::{Labeled, Minimiser, OnStep, labeled, trace_point};
+use super::minimiser::{InferenceRun, Labeled, Minimiser, OnStep, labeled, trace_point};
 use homolog_mrf::MrfModel;
 use homolog_mrf::inference::{ActiveModel, ActivePropagation, ActiveSets, BpOptions, Evidence, UnaryPotentials};
-use homolog_primitives::observe::{Cancelled, Observer};
-use nalgebra::Point3;
+use homolog_primitives::observe::Cancelled;
 use rayon::prelude::*;
 
-/// Labels of a variable once registration says where to look. On seven pairs of subjects 99.91 % of the labels and
-/// 99.98 % of the energy were those over all labels.
+/// Labels of a variable once a registration restricts them. On seven pairs of subjects 99.91 % of the labels and 99.98 % of
+/// the energy were those over all labels.
 const WITH_FEEDBACK: usize = 64;
-/// Without feedback any label can win: the share of them that a variable begins with, and how many at least.
+/// Without feedback any label may be the best: a variable begins with one in so many labels, and with so many at least.
 const SHARE: usize = 5;
 const AT_LEAST: usize = 256;
-/// Sets without feedback are revised every so many iterations; labels farther behind the best than this energy are
-/// dropped then, and those around the best two of each neighbour are taken in.
+/// Sets without feedback are revised every so many iterations: labels whose energy exceeds the best by more than the margin
+/// are dropped, and those around the best two of each neighbour are added.
 const EVERY: u32 = 20;
 const MARGIN: f32 = 20.0;
 const DEMANDED: usize = 2;
@@ -26,7 +25,7 @@ pub(super) struct ActiveLabels<'a> {
     /// What feedback adds, variable by variable, over all labels.
     bias: Option<Table>,
     propagation: Option<ActivePropagation<'a>>,
-    /// Whether the sets are those of the present feedback.
+    /// Whether the label sets were chosen under the present feedback.
     is_open: bool,
 }
 
@@ -48,7 +47,7 @@ impl UnaryPotentials for Table {
 }
 
 impl<'a> ActiveLabels<'a> {
-    pub fn new(model: &'a MrfModel, options: BpOptions) -> Self {
+    pub(crate) fn new(model: &'a MrfModel, options: BpOptions) -> Self {
         ActiveLabels { model, options, bias: None, propagation: None, is_open: false }
     }
 
@@ -60,7 +59,7 @@ impl<'a> ActiveLabels<'a> {
 }
 
 impl Minimiser for ActiveLabels<'_> {
-    fn forget(&mut self) {
+    fn reset(&mut self) {
         self.propagation = None;
     }
 
@@ -72,14 +71,8 @@ impl Minimiser for ActiveLabels<'_> {
         self.is_open = false;
     }
 
-    fn run(
-        &mut self,
-        round: u32,
-        budget: u32,
-        positions: &[Point3<f64>],
-        observer: &dyn Observer,
-        on_step: OnStep<'_>,
-    ) -> Result<Labeled, Cancelled> {
+    fn run(&mut self, run: &InferenceRun<'_>, on_step: OnStep<'_>) -> Result<Labeled, Cancelled> {
+        let &InferenceRun { round, budget, positions, observer } = run;
         let sets = self.sets();
         let bias = self.bias.as_ref().map(|table| table as &dyn UnaryPotentials);
         let evidence = Evidence { unary: self.model, bias };
@@ -100,11 +93,11 @@ impl Minimiser for ActiveLabels<'_> {
         };
         self.is_open = true;
         propagation.set_bias(bias);
-        let mut heard = |iteration: &_| on_step(trace_point(round, iteration));
+        let mut on_iteration = |iteration: &_| on_step(trace_point(round, iteration));
         let outcome = if bias.is_some() {
-            propagation.run(budget, observer, &mut heard)?
+            propagation.run(budget, observer, &mut on_iteration)?
         } else {
-            propagation.run_revising(budget, &sets, evidence, observer, &mut heard)?.propagation
+            propagation.run_revising(budget, &sets, evidence, observer, &mut on_iteration)?.propagation
         };
         let spread_mm = propagation.spreads(positions);
         self.propagation = Some(propagation);

@@ -1,16 +1,16 @@
-//! The lower bound on the energy, as the first step of a match that asks for one.
+//! The lower bound of the energy, computed before the rounds of a match that asks for one.
 
 use super::MatchError;
 use homolog_mrf::MrfModel;
 use homolog_mrf::inference::{DualBound, DualOptions};
 use homolog_primitives::observe::{Observer, Phase, TracePoint};
 
-/// The bound is met when the energy of a labeling is within this share of it.
+/// The dual method ends when the energy of a labeling is within this share of the bound.
 const GAP_TOLERANCE: f64 = 1e-9;
-/// Iterations that lift the bound by less than this share are not worth their time.
+/// The dual method ends when an iteration raises the bound by less than this share.
 const PROGRESS_TOLERANCE: f64 = 1e-6;
 
-/// A bound below the energy of every labeling, after at most `iterations`; none if that is 0.
+/// A lower bound of the energy of all labelings, after at most `iterations`; `None` if that is 0.
 pub(super) fn lower_bound(
     model: &MrfModel,
     iterations: u32,

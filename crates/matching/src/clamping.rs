@@ -30,15 +30,15 @@ pub(super) struct SoftClamp {
 
 impl SoftClamp {
     /// Feedback of `transform` for source and target vertices (mm) with their unit normals.
-    pub fn new(
+    pub(crate) fn new(
         weights: SoftWeights,
         transform: &RigidTransform,
         source: (&[Point3<f64>], &[Vector3<f64>]),
         target: (&[Point3<f64>], &[Vector3<f64>]),
     ) -> Self {
-        // A reflection turns surfaces inside out; normals follow the mirrored surface.
-        let turn = if transform.is_reflection() { -1.0 } else { 1.0 };
-        // About the first target vertex, so that 32 bits carry the differences of far-off coordinates.
+        // A reflection reverses the orientation of faces; normals follow the mirrored surface.
+        let outwards = if transform.is_reflection() { -1.0 } else { 1.0 };
+        // Relative to the first target vertex, so that 32 bits represent differences of large coordinates.
         let origin = target.0.first().map_or(Vector3::zeros(), |p| p.coords);
         let narrow = |v: Vector3<f64>| [v.x as f32, v.y as f32, v.z as f32];
         let axis = |values: &mut dyn Iterator<Item = Vector3<f64>>| {
@@ -51,7 +51,7 @@ impl SoftClamp {
                 .0
                 .iter()
                 .zip(source.1)
-                .map(|(p, n)| (narrow(transform.apply(p).coords - origin), narrow(transform.rotation * n * turn)))
+                .map(|(p, n)| (narrow(transform.apply(p).coords - origin), narrow(transform.rotation * n * outwards)))
                 .collect(),
             position: axis(&mut target.0.iter().map(|p| p.coords - origin)),
             normal: axis(&mut target.1.iter().copied()),
@@ -59,18 +59,18 @@ impl SoftClamp {
     }
 
     /// Adds the feedback of variable `i` to its row of unary potentials.
-    pub fn add(&self, i: usize, row: &mut [f32]) {
+    pub(crate) fn add(&self, i: usize, row: &mut [f32]) {
         let (p, n) = self.source[i];
         let scale = (self.weights.distance / (self.weights.sigma_mm * self.weights.sigma_mm)) as f32;
         let cap = (self.weights.distance * self.weights.cap) as f32;
-        let turn = self.weights.normal as f32;
+        let normal_weight = self.weights.normal as f32;
         let [px, py, pz] = &self.position;
         let [nx, ny, nz] = &self.normal;
         for (x, theta) in row.iter_mut().enumerate() {
             let (dx, dy, dz) = (px[x] - p[0], py[x] - p[1], pz[x] - p[2]);
             let distance = scale * (dx * dx + dy * dy + dz * dz);
             let agreement = nx[x] * n[0] + ny[x] * n[1] + nz[x] * n[2];
-            *theta += if distance < cap { distance } else { cap } + turn * (1.0 - agreement);
+            *theta += if distance < cap { distance } else { cap } + normal_weight * (1.0 - agreement);
         }
     }
 }

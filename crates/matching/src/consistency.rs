@@ -1,4 +1,4 @@
-//! How well a labeling keeps the topology of the surfaces: neighbours together, faces the right way round.
+//! How well a labeling preserves the topology of the surfaces: neighbours stay together, faces keep their orientation.
 
 use homolog_mesh::SurfaceMesh;
 use homolog_primitives::graph::{EdgeGraph, Reach};
@@ -13,13 +13,13 @@ pub const DEGENERATE_AREA_SHARE: f64 = 1e-6;
 pub struct TopologyConsistency {
     /// Share of source edges whose images lie within `r` edges on the target; 0 if there are no edges.
     pub consistency: f64,
-    /// Share of target vertices that are somebody's image.
+    /// Share of target vertices that are the image of a source vertex.
     pub coverage: f64,
     /// Source triangles, every quad cut along its first diagonal into two.
     pub n_triangles: usize,
-    /// Triangles whose image looks against the target surface.
+    /// Triangles whose image is oriented against the target surface.
     pub n_flipped: usize,
-    /// Triangles whose image has no area worth a direction. None of them counts as flipped.
+    /// Triangles whose image has too little area for an orientation. They do not count as flipped.
     pub n_degenerate: usize,
 }
 
@@ -52,8 +52,8 @@ pub enum LabelingError {
 /// The image of a source triangle is the triangle between the labels of its corners, in their order. It is
 /// *degenerate* if two of its labels coincide or its area is below [`DEGENERATE_AREA_SHARE`] of the mean area of the
 /// target's triangles; otherwise it is *flipped* if its normal has a negative product with the sum of the target's
-/// unit vertex normals at its corners. Faces of both surfaces look outwards; to judge a map onto a mirrored structure,
-/// mirror the source first ([`SurfaceMesh::moved`]), or every triangle is flipped.
+/// unit vertex normals at its corners. Faces of both surfaces are oriented outwards; to measure a map onto a mirrored
+/// structure, mirror the source first ([`SurfaceMesh::moved`]), or every triangle is flipped.
 ///
 /// # Errors
 /// [`LabelingError`].
@@ -70,8 +70,7 @@ pub fn topology_consistency(
     topology_consistency_within(source, &variables, target, labeling, &Reach { graph: &graph, rings })
 }
 
-/// [`topology_consistency`] with edges that are already there: `variables` are those of `source`, `labels` has those of
-/// `target`.
+/// [`topology_consistency`] with given edge graphs: `variables` is that of `source`, `labels` has that of `target`.
 ///
 /// # Errors
 /// [`LabelingError`].
@@ -137,7 +136,7 @@ enum Image {
     Degenerate,
 }
 
-/// The target, as images are judged by.
+/// The target, with what classifies image triangles.
 struct Images<'a> {
     target: &'a SurfaceMesh,
     normals: Vec<Vector3<f64>>,
@@ -198,7 +197,7 @@ mod tests {
                 let graph = mesh.edge_graph();
                 let mut n_kept = 0;
                 for i in 0..n {
-                    // Everybody within reach of the label, ring by ring.
+                    // All labels within reach, ring by ring.
                     let mut reached = BTreeSet::from([labeling[i]]);
                     for _ in 0..rings {
                         let around = reached.iter().flat_map(|&x| graph.neighbors(x as usize)).copied();
@@ -250,13 +249,13 @@ mod tests {
     }
 
     #[test]
-    fn two_neighbors_that_change_places_flip_or_flatten_what_lies_between_them() {
+    fn two_neighbors_that_change_places_flip_or_flatten_the_triangles_between_them() {
         let mesh = ellipsoid(Vector3::repeat(6.0), 3);
         let mut labeling: Vec<u32> = (0..mesh.n_vertices() as u32).collect();
         let [a, b] = mesh.edges()[500];
         labeling.swap(a as usize, b as usize);
         let found = topology_consistency(&mesh, &mesh, &labeling, 2).unwrap();
-        // The two triangles at their edge turn over; both vertices are still within two edges of all neighbours.
+        // The two triangles at their edge are flipped; both vertices are still within two edges of all neighbours.
         assert_eq!((found.consistency, found.coverage, found.n_degenerate), (1.0, 1.0, 0));
         assert!((2..=10).contains(&found.n_flipped), "{found:?}");
         // One label for both: the same two triangles lose their area.
@@ -266,7 +265,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_labeling_is_named() {
+    fn an_invalid_labeling_is_an_error_that_names_the_fault() {
         let mesh = ellipsoid(Vector3::repeat(6.0), 1);
         let short = LabelingError::LengthMismatch { found: 3, n_vertices: 42 };
         assert_eq!(topology_consistency(&mesh, &mesh, &[0; 3], 1).unwrap_err(), short);

@@ -1,6 +1,6 @@
 //! The map from the target back to the source.
 
-use super::report::Answer;
+use super::displaced::{Displaced, Images};
 use super::scene::Scene;
 use homolog_contract::result::{Correspondences, OutlierReason};
 use homolog_mesh::ClosestPointIndex;
@@ -11,10 +11,12 @@ use rayon::prelude::*;
 /// the moved source has coordinates that are not finite.
 ///
 /// Cost `O(n' log n)`.
-pub(super) fn inverse(scene: &Scene<'_>, answer: &Answer) -> Option<Correspondences> {
+pub(super) fn inverse(scene: &Scene<'_>, answer: &Displaced) -> Option<Correspondences> {
     let source = scene.source.mesh();
-    let moved =
-        answer.moved.clone().unwrap_or_else(|| source.vertices().iter().map(|p| answer.transform.apply(p)).collect());
+    let moved = match &answer.images {
+        Images::Smooth(smooth) => smooth.moved.clone(),
+        Images::OnVertices => source.vertices().iter().map(|p| answer.transform.apply(p)).collect(),
+    };
     let index = ClosestPointIndex::new(&source.with_vertices(moved).ok()?);
     let target = scene.target.mesh().vertices();
     let found: Vec<_> = target.par_iter().map(|q| index.closest(q)).collect();

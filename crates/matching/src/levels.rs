@@ -1,21 +1,21 @@
-//! The levels of a match: the surfaces as they came, those that a field is fitted on, those whose labels the energy has.
+//! The levels of a surface: all vertices, those that a displacement field is fitted on, and those of the energy.
 
 use super::side::Side;
 use homolog_mesh::SurfaceMesh;
 use std::sync::Arc;
 
-/// Above so many vertices a field is fitted on a level of [`MIDDLE_VERTICES`]. The field has about forty functions;
-/// more vertices than these tell it nothing that an anatomy of 1 mm voxels holds.
+/// Above this number of vertices a field is fitted on a level of [`MIDDLE_VERTICES`]. The field has about forty functions,
+/// which more vertices do not determine better for structures of 1 mm voxels.
 const MIDDLE_ABOVE: usize = 5000;
 const MIDDLE_VERTICES: usize = 3000;
 
-/// One surface on its levels: all that a match needs of it that does not depend on what it is matched with.
+/// One surface on its levels, with all that does not depend on what it is matched with. Can be kept for further matches.
 pub struct Levels {
-    /// As it came, in canonical numbering.
+    /// All vertices, in canonical numbering.
     pub(super) full: Arc<Side>,
-    /// What a displacement field is fitted on.
+    /// The level that a displacement field is fitted on.
     pub(super) middle: Arc<Side>,
-    /// What the energy is minimised on.
+    /// The level that the energy is minimised on.
     pub(super) energy: Arc<Side>,
     /// For every vertex of `full` the vertex of `energy` in whose cell it lies.
     pub(super) cells: Vec<u32>,
@@ -30,7 +30,7 @@ impl Levels {
         let full = Arc::new(Side::new(mesh));
         let n = full.mesh().n_vertices();
         let mut cells: Vec<u32> = (0..n as u32).collect();
-        // What asks for no coarse level gets none: the energy of all vertices stays that.
+        // Without a coarse level of the energy there is no middle one either: the energy is that of all vertices.
         let wanted = coarse_vertices.is_some() && n > MIDDLE_ABOVE;
         let middle = match wanted.then(|| Side::coarser(&full, MIDDLE_VERTICES, false)).flatten() {
             Some((side, of_full)) => {
@@ -54,7 +54,7 @@ impl Levels {
         Arc::ptr_eq(&self.full, &self.energy)
     }
 
-    /// Memory of the levels, bytes, with what matches will add to them: never less than what they take in the end.
+    /// Memory of the levels, bytes, with all parts that matches compute on first use: an upper bound.
     pub fn heap_bytes(&self) -> usize {
         let middle = if Arc::ptr_eq(&self.middle, &self.full) { 0 } else { self.middle.heap_bytes() };
         let energy = if Arc::ptr_eq(&self.energy, &self.middle) { 0 } else { self.energy.heap_bytes() };
@@ -70,7 +70,7 @@ mod tests {
     use nalgebra::Vector3;
 
     #[test]
-    fn no_tree_of_closest_points_is_larger_than_what_is_counted_for_it() {
+    fn the_counted_memory_bounds_that_of_every_tree_of_closest_points() {
         for (level, coarse) in [(3, None), (4, Some(300)), (5, Some(700))] {
             let mesh = ellipsoid(Vector3::new(18.0, 8.0, 6.0), level);
             let levels = Levels::new(&mesh, coarse);

@@ -1,17 +1,48 @@
-//! The pipeline: two surfaces in, a dense correspondence and a rigid transform out.
+//! Matches two surfaces: a dense correspondence and a rigid transform.
 //!
-//! Features in scale space make the energy; belief propagation finds a labeling; RANSAC finds the rigid transform
-//! that most of its pairs agree with; clamping feeds that back into the energy, round by round; ICP refines.
-//! This is where the MRF, which knows no mesh, and registration, which knows no energy, meet.
+//! A match runs in four stages, each of which hands an immutable value to the next:
+//!
+//! 1. **Coarse.** Curvature in scale space on both surfaces makes an energy (a Markov random field whose variables are
+//!    source vertices and whose labels are target vertices) on a coarse level of the surfaces.
+//! 2. **Posed.** A minimiser, by default belief propagation, finds a labeling; RANSAC finds the rigid transform that most
+//!    of its pairs agree with; clamping feeds that transform back into the energy, round by round; ICP refines it. Or
+//!    registration alone finds a pose, without an energy.
+//! 3. **Displaced.** A smooth displacement field moves the source, from the pose that fits best after the deformation,
+//!    and every source vertex gets an image on the target, between vertices. Without a field the images are vertices.
+//! 4. **Measured.** Support, distances, outliers, topology, and the map back to the source.
+//!
+//! The [`Method`]s are presets of [`MatchParameters`]: which minimiser runs, if any, and which stages do what.
+//!
+//! ```
+//! use homolog_matching::{Method, Silent, SurfaceMesh, match_surfaces, preset, shapes};
+//! # fn main() -> Result<(), Box<dyn std::error::Error>> {
+//! let source: SurfaceMesh = shapes::ellipsoid([16.0, 8.0, 6.0].into(), 2);
+//! let tapered = source.vertices().iter().map(|p| [p.x, p.y * (1.0 + 0.03 * p.x), p.z].into());
+//! let target = source.with_vertices(tapered.collect())?;
+//! let outcome = match_surfaces(&source, &target, &preset(Method::Balanced), &Silent)?;
+//! println!("distance {:.2} mm, {:?}", outcome.surface_distance.mean_mm, outcome.transform.matrix);
+//! for (source_vertex, target_vertex) in outcome.correspondences.source.iter().zip(&outcome.correspondences.target) {
+//!     println!("{source_vertex} corresponds to {target_vertex}");
+//! }
+//! # Ok(())
+//! # }
+//! ```
+//!
+//! Parameters are checked by [`MatchParameters::check`], not by [`match_surfaces`]. An [`Observer`] is told phases,
+//! progress and the energy trace, and may cancel. This crate reads no files and starts no threads of its own but those of
+//! the current rayon pool; without its feature `serde` it has no wire form either.
 
 mod active_labels;
-mod bending;
-#[cfg(test)]
-mod bending_tests;
 mod border;
 mod bound;
+mod candidate_poses;
 mod clamping;
+mod coarse;
 pub mod consistency;
+mod copies;
+mod displaced;
+#[cfg(test)]
+mod displaced_tests;
 mod displacement;
 mod inverse;
 mod levels;
@@ -19,53 +50,58 @@ mod light_smoothing;
 mod minimiser;
 pub mod outliers;
 mod pipeline;
-mod poses;
+mod posed;
 mod prepare;
 mod registration_only;
 mod reliability;
 mod report;
-mod rivals;
+mod robust;
 mod rounds;
 mod scene;
 mod side;
+#[cfg(test)]
+mod stages_tests;
 mod surface_index;
 #[cfg(test)]
 mod tests;
+mod vertex_map;
 
+pub use homolog_contract::parameters::{self, MatchParameters, Method, preset};
+pub use homolog_contract::result;
+pub use homolog_mesh::{FaceArity, MeshError, SurfaceMesh, shapes};
+pub use homolog_primitives::observe::{Cancelled, Observer, Phase, Silent, TracePoint};
 pub use levels::Levels;
 
-use homolog_contract::parameters::{Algorithm, MatchParameters};
+use homolog_contract::parameters::Algorithm;
 use homolog_contract::result::{
     AnatomyDocument, ConsistencyDocument, Correspondences, EnergyDocument, PoseDocument, ReliabilityDocument,
     RoundDocument, StopReason, SupportDocument, SurfaceDistanceDocument, TransformDocument,
 };
 use homolog_geometry::harmonics::HarmonicsError;
-use homolog_mesh::SurfaceMesh;
 use homolog_mrf::MrfModel;
-use homolog_primitives::observe::{Cancelled, Observer, Phase};
 
-/// What [`match_surfaces`] found; the caller adds timings and provenance to make a [`result::ResultDocument`].
+/// The result of [`match_surfaces`]. With timings and provenance it makes a [`result::ResultDocument`].
 #[derive(Debug, Clone, PartialEq)]
 pub struct MatchOutcome {
     /// The rigid transform.
     pub transform: TransformDocument,
-    /// Its support.
+    /// The correspondences that support it.
     pub support: SupportDocument,
-    /// Distance of the registered surfaces.
+    /// Distance between the registered surfaces.
     pub surface_distance: SurfaceDistanceDocument,
-    /// Energies, if any was minimised.
+    /// Energies of the answer; `None` where no energy was minimised.
     pub energy: Option<EnergyDocument>,
     /// Quality of the map.
     pub topology: ConsistencyDocument,
-    /// What each round did.
+    /// The rounds of inference and registration; empty where no energy was minimised.
     pub rounds: Vec<RoundDocument>,
-    /// Poses that were compared.
+    /// Candidate poses that were compared, the best first.
     pub poses: Vec<PoseDocument>,
-    /// Whether the answer can be relied on, where a displacement field was fitted.
+    /// Whether the answer can be relied on; `None` where no displacement field was fitted.
     pub reliability: Option<ReliabilityDocument>,
-    /// What knowledge of the structure changed.
+    /// What the learned prior of a structure changed; `None` where it was not applied.
     pub anatomy: Option<AnatomyDocument>,
-    /// Whether an ellipsoid has two half axes so alike that the rotation about the third is arbitrary.
+    /// Whether two semi-axes of a first-order ellipsoid are so nearly equal that the rotation about the third is arbitrary.
     pub ambiguous_axes: bool,
     /// The dense correspondence.
     pub correspondences: Correspondences,
@@ -73,13 +109,18 @@ pub struct MatchOutcome {
     pub stop_reason: StopReason,
 }
 
-/// Why a match has no result.
+/// Why a match has no result. A minimiser that does not converge is no error: the [`MatchOutcome`] says so.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum MatchError {
     /// The observer asked to stop.
     #[error(transparent)]
     Cancelled(#[from] Cancelled),
-    /// No transform had three inliers.
+    /// No rigid transform is supported by three labels of the first round, and nothing else can give a pose.
+    ///
+    /// A displacement field can start from the landmarks or from a search of all orientations, and registration alone always
+    /// has a pose. So this is the error of an energy that is minimised without a displacement field (the presets `thesis`,
+    /// `gibbs`, `metropolis` and `las_vegas`), and of a displacement field for which the search found no pose either, as on
+    /// surfaces without area.
     #[error("no rigid transform is supported by three correspondences within {tolerance_mm} mm")]
     NoRegistration {
         /// Tolerance of an inlier, mm.
@@ -90,7 +131,7 @@ pub enum MatchError {
     NoEllipsoid {
         /// `source` or `target`.
         surface: &'static str,
-        /// Why.
+        /// The fault of the parametrization.
         error: HarmonicsError,
     },
     /// The heat flow that smooths the surface could not be solved.
@@ -101,15 +142,15 @@ pub enum MatchError {
     },
 }
 
-/// Bytes of a match for each vertex of either surface, whatever is minimised: 568 MiB were measured at 2 × 155,000.
+/// Memory of a match for each vertex of either surface, bytes, without messages: 568 MiB were measured at 2 × 155,000.
 const BYTES_PER_VERTEX: u64 = 2048;
 
-/// Bytes that matching surfaces of these sizes takes at its peak, within a tenth where messages are most of it: the
-/// messages once, a quarter of them for those that are still read while they are made anew, in 32 or 16 bits, and two
-/// tables of unary potentials in 32, on the level on which the energy is minimised; and a share for each vertex. `source`
-/// is vertices and faces.
+/// Peak memory of matching surfaces of these sizes, bytes; accurate to a tenth where messages dominate. `source` is the
+/// number of vertices and faces.
 ///
-/// A closed surface of genus 0 has `V + F − 2` edges, whatever its faces.
+/// On the level on which the energy is minimised: the messages once and a quarter of them again (those that are read while
+/// they are replaced), in 32 or 16 bits, and two tables of unary potentials in 32; and a share for each vertex. A closed
+/// surface of genus 0 has `V + F − 2` edges, whatever its faces.
 pub fn match_memory_bytes(source: (usize, usize), target_vertices: usize, parameters: &MatchParameters) -> u64 {
     let (mut vertices, faces, mut labels) = (source.0 as u64, source.1 as u64, target_vertices as u64);
     let each = BYTES_PER_VERTEX * (vertices + labels);
@@ -140,10 +181,11 @@ pub fn energy_model(
     prepare::build_model(&side::Side::new(source), &side::Side::new(target), parameters)
 }
 
-/// Matches `source` to `target` and registers them. Correspondences count the vertices of these two meshes.
+/// Matches `source` to `target` and registers them. Correspondences use the vertex indices of these two meshes.
 ///
-/// The answer is the same to the bit for the same surfaces, parameters and seed, on any number of threads, and
-/// renumbering the vertices of an input permutes it.
+/// `source` is moved onto `target`; both are closed surfaces of genus 0, or open parts of them, mm. The answer is the same
+/// to the bit for the same surfaces, parameters and seed, on any number of threads, and renumbering the vertices of an input
+/// permutes it. Parameters are taken as they are: [`MatchParameters::check`] says which values are allowed.
 ///
 /// # Errors
 /// [`MatchError`].
@@ -164,8 +206,8 @@ pub fn match_surfaces(
     match_levels(&source, &target, parameters, observer)
 }
 
-/// [`match_surfaces`] from levels that were made before, with the `inference.coarse_vertices` of `parameters`; the same
-/// to the bit, whatever else these levels were matched with.
+/// [`match_surfaces`] from levels that were made before, with the `inference.coarse_vertices` of `parameters`. Gives the same
+/// bits, whatever else these levels were matched with.
 ///
 /// # Errors
 /// [`MatchError`].

@@ -1,4 +1,4 @@
-//! One step of heat flow without a factorization: for small scales, where a few steps of conjugate gradients do.
+//! One step of heat flow without a factorization, for small scales, where a few steps of conjugate gradients suffice.
 //!
 //! [`homolog_geometry::curvature::ScaleSpace`] factorizes its operator, which serves any scale. At 0.7 mm on edges of 0.9 mm the
 //! operator is nearly its diagonal: about ten steps solve it, at a small part of the cost.
@@ -9,9 +9,9 @@ use homolog_geometry::curvature::{cotangent_weights, vertex_areas};
 use homolog_mesh::SurfaceMesh;
 use nalgebra::{Point3, Vector3};
 
-/// Ends when the residual is this share of the first: far below the noise of any scan.
+/// Ends when the residual is this share of the first, far below the noise of any scan.
 const TOLERANCE: f64 = 1e-6;
-/// Steps at most; only surfaces with needle-like faces come near it, and they are nearly smoothed then.
+/// Most steps. Only surfaces with needle-like faces come near that number, and they are nearly smooth by then.
 const MAX_STEPS: usize = 100;
 
 /// `(A + tL)` in rows, `t = σ²/2`.
@@ -104,7 +104,7 @@ pub(super) fn lightly_smoothed(mesh: &SurfaceMesh, scale_mm: f64) -> SurfaceMesh
         now = next;
     }
     let smoothed = x.iter().map(|p| Point3::from(center.coords + p)).collect();
-    // Numbers that are not finite can only come of faces without any shape; those are not smoothed.
+    // Only degenerate faces give numbers that are not finite; such surfaces are not smoothed.
     mesh.with_vertices(smoothed).unwrap_or_else(|_| mesh.clone())
 }
 
@@ -115,7 +115,7 @@ mod tests {
     use homolog_geometry::curvature::ScaleSpace;
 
     #[test]
-    fn it_is_what_the_factorization_gives() {
+    fn it_agrees_with_the_factorization() {
         let rough = bean();
         let vertices = rough.vertices().iter().enumerate().map(|(i, p)| p + Vector3::x() * (0.2 * (i % 5) as f64));
         let rough = rough.with_vertices(vertices.collect()).unwrap();

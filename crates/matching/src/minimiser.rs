@@ -1,6 +1,7 @@
-//! One face for all minimisers of the energy, so that the rounds of a match do not know which one runs.
+//! One interface to all minimisers of the energy, so that the rounds of a match do not depend on which one runs.
 
 use super::active_labels::ActiveLabels;
+use super::vertex_map::VertexMap;
 use homolog_contract::parameters::{
     Algorithm, CoolingSchedule, InferenceParameters, MatchParameters, MessageSchedule, Update,
 };
@@ -15,48 +16,49 @@ use homolog_primitives::observe::{Cancelled, Observer, Phase, TracePoint};
 use nalgebra::Point3;
 use rayon::prelude::*;
 
-/// Smallest value of a message; far below `exp(−T)` at the default truncation, so that it only keeps products finite.
+/// Smallest value of a message. It is far below `exp(−T)` at the default truncation, so that it only keeps products finite.
 const MESSAGE_FLOOR: f32 = 1e-5;
 /// The dual method ends when the energy is within this share of the bound.
 const GAP_TOLERANCE: f64 = 1e-6;
-/// Iterations that lift the bound by less than this share are not worth their time.
+/// The dual method ends when an iteration raises the bound by less than this share.
 const PROGRESS_TOLERANCE: f64 = 1e-5;
-/// An annealer whose labels all stay for so many sweeps is frozen.
+/// An annealer is frozen when no label has changed for so many sweeps.
 const FROZEN_SWEEPS: u32 = 20;
 
-/// A labeling with what is known of it.
+/// A labeling, and how the minimiser came to it.
 pub(super) struct Labeled {
-    pub labeling: Labeling,
-    pub confidence: Vec<f64>,
-    /// Root mean square distance of each belief from its mean, mm; 0 for minimisers that have no beliefs.
-    pub spread_mm: Vec<f64>,
+    pub map: VertexMap,
     pub energy: Energy,
     pub iterations: u32,
     pub stop_reason: StopReason,
     pub convergence: ConvergenceDocument,
 }
 
-/// Hears of every point of the trace.
+/// Called with every point of the trace.
 pub(super) type OnStep<'f> = &'f mut dyn FnMut(TracePoint);
+
+/// One run of a minimiser.
+#[derive(Clone, Copy)]
+pub(super) struct InferenceRun<'r> {
+    /// Number of the round, for the points of the trace.
+    pub round: u32,
+    /// Most iterations or sweeps.
+    pub budget: u32,
+    /// Positions of the labels, mm.
+    pub positions: &'r [Point3<f64>],
+    pub observer: &'r dyn Observer,
+}
 
 /// A minimiser that is used again from round to round.
 pub(super) trait Minimiser {
-    /// The next run starts cold.
-    fn forget(&mut self);
+    /// Drops what earlier runs left: the next run starts cold.
+    fn reset(&mut self);
 
     /// Sets the unary potentials to the model's plus what `add(i, row)` adds to the row of variable `i`.
     fn set_bias(&mut self, add: &(dyn Fn(usize, &mut [f32]) + Sync));
 
-    /// Runs for at most `budget` iterations or sweeps. `positions` are those of the labels, mm. `round` is written into
-    /// the points of the trace.
-    fn run(
-        &mut self,
-        round: u32,
-        budget: u32,
-        positions: &[Point3<f64>],
-        observer: &dyn Observer,
-        on_step: OnStep<'_>,
-    ) -> Result<Labeled, Cancelled>;
+    /// Minimises the energy, and calls `on_step` with every point of the trace.
+    fn run(&mut self, run: &InferenceRun<'_>, on_step: OnStep<'_>) -> Result<Labeled, Cancelled>;
 }
 
 /// The minimiser that `parameters` name. `lower_bound` is a target for those that have one.
@@ -77,7 +79,7 @@ pub(super) fn minimiser<'a>(
     };
     match p.algorithm {
         Algorithm::SumProduct => propagation(Product::Sum),
-        // Registration alone has no rounds and asks for no minimiser.
+        // Registration alone has no rounds and needs no minimiser.
         Algorithm::MaxProduct | Algorithm::None => propagation(Product::Max),
         Algorithm::TreeReweighted => Box::new(Dual { model, biased: None }),
         Algorithm::Gibbs => search(Engine::Annealing(annealing(model, p, Sampler::Gibbs))),
@@ -131,7 +133,7 @@ struct Propagation<'a> {
 }
 
 impl Minimiser for Propagation<'_> {
-    fn forget(&mut self) {
+    fn reset(&mut self) {
         self.bp.reset();
     }
 
@@ -139,14 +141,8 @@ impl Minimiser for Propagation<'_> {
         self.bp.set_bias(add);
     }
 
-    fn run(
-        &mut self,
-        round: u32,
-        budget: u32,
-        positions: &[Point3<f64>],
-        observer: &dyn Observer,
-        on_step: OnStep<'_>,
-    ) -> Result<Labeled, Cancelled> {
+    fn run(&mut self, run: &InferenceRun<'_>, on_step: OnStep<'_>) -> Result<Labeled, Cancelled> {
+        let &InferenceRun { round, budget, positions, observer } = run;
         let outcome = self.bp.run(budget, observer, |iteration| on_step(trace_point(round, iteration)))?;
         let spread_mm = self.bp.spreads(positions);
         Ok(labeled(outcome, spread_mm))
@@ -165,7 +161,7 @@ pub(super) fn trace_point(round: u32, iteration: &BpIteration) -> TracePoint {
     }
 }
 
-/// The outcome of belief propagation as the rounds see it.
+/// The outcome of belief propagation in the form that all minimisers share.
 pub(super) fn labeled(outcome: BpOutcome, spread_mm: Vec<f64>) -> Labeled {
     let BpOutcome { labeling, confidence, energy, iterations, stop, convergence } = outcome;
     let (status, period) = match convergence.status {
@@ -174,9 +170,7 @@ pub(super) fn labeled(outcome: BpOutcome, spread_mm: Vec<f64>) -> Labeled {
         inference::ConvergenceStatus::Oscillating { period } => (ConvergenceStatus::Oscillating, Some(period)),
     };
     Labeled {
-        labeling,
-        confidence,
-        spread_mm,
+        map: VertexMap { labeling, confidence, spread_mm },
         energy,
         iterations,
         stop_reason: match stop {
@@ -194,7 +188,7 @@ struct Dual<'a> {
 }
 
 impl Minimiser for Dual<'_> {
-    fn forget(&mut self) {}
+    fn reset(&mut self) {}
 
     fn set_bias(&mut self, add: &(dyn Fn(usize, &mut [f32]) + Sync)) {
         let mut biased = self.model.clone();
@@ -203,14 +197,8 @@ impl Minimiser for Dual<'_> {
         self.biased = Some(biased);
     }
 
-    fn run(
-        &mut self,
-        round: u32,
-        budget: u32,
-        _positions: &[Point3<f64>],
-        observer: &dyn Observer,
-        on_step: OnStep<'_>,
-    ) -> Result<Labeled, Cancelled> {
+    fn run(&mut self, run: &InferenceRun<'_>, on_step: OnStep<'_>) -> Result<Labeled, Cancelled> {
+        let &InferenceRun { round, budget, observer, .. } = run;
         let minimised = self.biased.as_ref().unwrap_or(self.model);
         let mut last: Labeling = Vec::new();
         let options = DualOptions { gap_tolerance: GAP_TOLERANCE, progress_tolerance: PROGRESS_TOLERANCE };
@@ -229,11 +217,10 @@ impl Minimiser for Dual<'_> {
             last = labeling.to_vec();
         })?;
         let DualOutcome { labeling, iterations, stop, .. } = outcome;
+        let confidence = local_confidence(minimised, &labeling, observer)?;
         Ok(Labeled {
-            confidence: local_confidence(minimised, &labeling, observer)?,
-            spread_mm: vec![0.0; labeling.len()],
             energy: self.model.energy(&labeling),
-            labeling,
+            map: VertexMap { spread_mm: vec![0.0; labeling.len()], labeling, confidence },
             iterations,
             stop_reason: if stop == DualStop::MaxIterations {
                 StopReason::MaxIterations
@@ -266,7 +253,7 @@ struct Search<'a> {
 }
 
 impl Minimiser for Search<'_> {
-    fn forget(&mut self) {
+    fn reset(&mut self) {
         self.last = None;
     }
 
@@ -277,21 +264,15 @@ impl Minimiser for Search<'_> {
         }
     }
 
-    fn run(
-        &mut self,
-        round: u32,
-        budget: u32,
-        _positions: &[Point3<f64>],
-        observer: &dyn Observer,
-        on_step: OnStep<'_>,
-    ) -> Result<Labeled, Cancelled> {
-        let run = SearchRun {
+    fn run(&mut self, run: &InferenceRun<'_>, on_step: OnStep<'_>) -> Result<Labeled, Cancelled> {
+        let &InferenceRun { round, budget, observer, .. } = run;
+        let search = SearchRun {
             sweeps: budget,
             seed: self.seed.wrapping_add(u64::from(round)),
             start: self.last.as_deref(),
             target_energy: self.target_energy,
         };
-        let tell = |sweep: &SearchSweep| {
+        let on_sweep = |sweep: &SearchSweep| {
             on_step(TracePoint {
                 energy: Some(sweep.energy.total()),
                 energy_unary: Some(sweep.energy.unary),
@@ -302,15 +283,13 @@ impl Minimiser for Search<'_> {
             });
         };
         let outcome = match &mut self.engine {
-            Engine::Annealing(annealing) => annealing.run(&run, observer, tell),
-            Engine::LasVegas(las_vegas) => las_vegas.run(&run, observer, tell),
+            Engine::Annealing(annealing) => annealing.run(&search, observer, on_sweep),
+            Engine::LasVegas(las_vegas) => las_vegas.run(&search, observer, on_sweep),
         }?;
         let SearchOutcome { labeling, confidence, energy, sweeps, stop, .. } = outcome;
         self.last = Some(labeling.clone());
         Ok(Labeled {
-            spread_mm: vec![0.0; labeling.len()],
-            labeling,
-            confidence,
+            map: VertexMap { spread_mm: vec![0.0; labeling.len()], labeling, confidence },
             energy,
             iterations: sweeps,
             stop_reason: match stop {

@@ -1,4 +1,4 @@
-//! From two surfaces to the energy: features in scale space, and the MRF.
+//! The energy of two surfaces: features in scale space, and the MRF.
 
 use super::MatchError;
 use super::side::Side;
@@ -11,9 +11,9 @@ use homolog_mrf::{Feature, MrfModel, PairwisePotential, unary_potentials};
 use nalgebra::Point3;
 
 impl Side {
-    /// Every feature that `parameters` ask for at every scale, one list of values each, in order. `radius_mm` is that of
+    /// Every feature that `parameters` ask for at every scale, one list of values each, in order. `radius_mm` is for
     /// estimators whose radius is not stated.
-    pub fn features(&self, parameters: &MatchParameters, radius_mm: f64) -> Result<Vec<Vec<f64>>, MatchError> {
+    pub(crate) fn features(&self, parameters: &MatchParameters, radius_mm: f64) -> Result<Vec<Vec<f64>>, MatchError> {
         if let Some((finer, sites)) = self.measured_on() {
             let at_sites = |values: &Vec<f64>| sites.iter().map(|&k| values[k as usize]).collect();
             return Ok(finer.features(parameters, radius_mm)?.iter().map(at_sites).collect());
@@ -49,7 +49,7 @@ fn estimator(feature: &FeatureParameters, radius_mm: f64) -> Estimator {
     }
 }
 
-/// What a landmark adds to a unary potential at most, so that a wrong one can be outvoted.
+/// Most that a landmark adds to a unary potential, so that a wrong one can be outvoted.
 const LANDMARK_CAP: f64 = 10.0;
 
 /// Adds `min(‖p'_x − q‖² / 2σ², cap)` to the unary potentials of the variable nearest to each landmark, `σ` no smaller
@@ -69,13 +69,13 @@ fn add_landmarks(unary: &mut [f32], source: &Side, target: &Side, landmarks: &[L
     }
 }
 
-/// What a broken edge counts under the hard constraint `T → ∞`. `exp(−60)` is far below the floor of every message, so
-/// that messages are those of an infinite truncation, and energies stay numbers.
+/// Cost of a broken edge under the hard constraint `T → ∞`. `exp(−60)` is far below the floor of every message, so that
+/// messages are those of an infinite truncation while energies stay finite.
 const HARD_TRUNCATION: f64 = 60.0;
 
 /// The energy of matching `source` to `target`.
 pub(super) fn build_model(source: &Side, target: &Side, parameters: &MatchParameters) -> Result<MrfModel, MatchError> {
-    // One radius for both, or the coarser surface would look smoother.
+    // One radius for both, or the coarser surface would appear smoother.
     let radius_mm = source.feature_radius_mm().max(target.feature_radius_mm());
     let (source_values, target_values) =
         rayon::join(|| source.features(parameters, radius_mm), || target.features(parameters, radius_mm));

@@ -1,40 +1,28 @@
-//! Registration without an energy: a pose from the search of all orientations, from ellipsoids or from the centroids, and
-//! each vertex answered with the nearest.
+//! Registration without an energy: a pose from a search of all orientations, from ellipsoids or from the centroids.
 
 use super::MatchError;
-use super::poses::searched;
-use super::report::Answer;
+use super::candidate_poses::searched;
+use super::copies::align_shortly;
+use super::posed::Registered;
 use super::scene::Scene;
 use homolog_contract::parameters::{InitialPose, Refinement};
-use homolog_contract::result::{PoseDocument, PoseOrigin, StopReason};
+use homolog_contract::result::{PoseDocument, PoseOrigin};
 use homolog_geometry::harmonics::{
     EllipsoidOptions, EllipsoidRegistration, FirstOrderEllipsoid, HarmonicsError, ParametrizationOptions,
     first_order_ellipsoid, parametrize, register_by_ellipsoids,
 };
 use homolog_mesh::SurfaceMesh;
-use homolog_mrf::inference::belief_spread;
-use homolog_primitives::graph::LabelNeighborhoods;
 use homolog_primitives::observe::Phase;
 use homolog_registration::{IcpMetric, RigidTransform, SurfaceSide, TwoSidedOptions, align_both_ways};
 use nalgebra::{Matrix3, Point3, Vector3};
-use rayon::prelude::*;
 
-/// Vertices of each surface at most on which refinement begins.
-const REFINE_SAMPLE: usize = 400;
-/// Its steps there, and on all vertices.
-const SAMPLE_STEPS: u32 = 10;
+/// Steps of refinement on all vertices.
 const FULL_STEPS: u32 = 2;
-/// Refinement ends when a step turns by less, radians, and moves by less, mm.
+/// Refinement ends when a step rotates by less, radians, and moves by less, mm.
 const TOLERANCE: f64 = 1e-5;
-/// Robust standard deviation of the residuals along the normals, in mean target edge lengths, below which surfaces are
-/// copies of one shape: at most 0.14 for re-sampled copies, also noisy or cut ones; from 0.30 on for different subjects,
-/// from 0.54 for warps of 8 % of the diagonal.
-const COPY_EDGES: f64 = 0.2;
-/// A vertex may be answered with those within this many edges of the closest triangle.
-const RINGS: usize = 1;
 
-/// Registers as `registration.initial` asks. Costs no energy and no messages.
-pub(super) fn register(scene: &Scene<'_>) -> Result<Answer, MatchError> {
+/// Registers as `registration.initial` says, without an energy and without messages.
+pub(super) fn register(scene: &Scene<'_>) -> Result<Registered, MatchError> {
     let (source, target) = (scene.source.mesh().vertices(), scene.target.mesh().vertices());
     let mut ambiguous_axes = false;
     let (start, poses) = match scene.parameters.registration.initial {
@@ -63,25 +51,7 @@ pub(super) fn register(scene: &Scene<'_>) -> Result<Answer, MatchError> {
         misfit: None,
         mirrored: pose.is_reflection(),
     });
-    let (labeling, confidence, spread_mm) = nearest(scene, &transform);
-    Ok(Answer {
-        labeling,
-        confidence,
-        spread_mm,
-        points: None,
-        moved: None,
-        no_counterpart: Vec::new(),
-        reliability: None,
-        anatomy: None,
-        transform,
-        confidence_reached: true,
-        trials: 0,
-        stop_reason: StopReason::RegistrationOnly,
-        rounds: Vec::new(),
-        poses: poses.collect(),
-        ambiguous_axes,
-        lower_bound: None,
-    })
+    Ok(Registered { transform, poses: poses.collect(), ambiguous_axes })
 }
 
 fn centroid_on_centroid(source: &[Point3<f64>], target: &[Point3<f64>]) -> RigidTransform {
@@ -90,7 +60,7 @@ fn centroid_on_centroid(source: &[Point3<f64>], target: &[Point3<f64>]) -> Rigid
     RigidTransform { rotation: Matrix3::identity(), translation: center(target) - center(source) }
 }
 
-/// The first-order ellipsoids laid on each other, the closest of the four poses chosen.
+/// Aligns the first-order ellipsoids; the closest of the four poses is chosen.
 fn ellipsoids(scene: &Scene<'_>) -> Result<EllipsoidRegistration, MatchError> {
     let of = |mesh: &SurfaceMesh, surface: &'static str| -> Result<FirstOrderEllipsoid, MatchError> {
         let found = parametrize(mesh, &ParametrizationOptions::default(), scene.observer)
@@ -106,9 +76,8 @@ fn ellipsoids(scene: &Scene<'_>) -> Result<EllipsoidRegistration, MatchError> {
     Ok(register_by_ellipsoids(&source?, &target?, points, scene.closest, &options, scene.observer)?)
 }
 
-/// The poses that the search of all orientations found, the best first, with their distances; and the best.
-///
-/// With reflections allowed the best of either handedness are among them: whichever leads fits better.
+/// The best pose of the search of all orientations; and all that it found, the best first, with their distances. With
+/// reflections allowed the best of either handedness are among them.
 fn of_search(scene: &Scene<'_>) -> (RigidTransform, Vec<(PoseOrigin, RigidTransform, f64)>) {
     let (source, target) = (scene.source.mesh(), scene.target.mesh());
     let found = searched(scene.source, scene.target, scene.parameters.registration.allow_reflection);
@@ -120,10 +89,11 @@ fn of_search(scene: &Scene<'_>) -> (RigidTransform, Vec<(PoseOrigin, RigidTransf
     (best.unwrap_or_else(|| centroid_on_centroid(source.vertices(), target.vertices())), poses)
 }
 
-/// `start` refined both ways on lightly smoothed surfaces where they are copies of one shape.
+/// `start` refined in both directions on lightly smoothed surfaces where these are copies of one shape.
 ///
-/// Where shapes differ, the search's pose stays: it is the orientation of pairs on a surface that could bend, and closest
-/// points would turn it towards the least distance: of 20 real 8 % warps 4 were beyond 10 degrees after that, 1 before.
+/// Where shapes differ, the pose of the search stays: it is the orientation of pairs on a surface that may deform, and
+/// closest points would rotate it towards the least distance. Of 20 real warps of 8 %, 4 were off by more than 10 degrees
+/// after such a refinement, 1 before.
 fn refined(scene: &Scene<'_>, start: &RigidTransform) -> Result<RigidTransform, MatchError> {
     let metric = match scene.parameters.registration.refine {
         Refinement::None => return Ok(*start),
@@ -137,62 +107,19 @@ fn refined(scene: &Scene<'_>, start: &RigidTransform) -> Result<RigidTransform, 
         areas: &side.areas,
         closest: &side.closest,
     });
-    // Whether these are copies a few steps against planes tell, whatever is asked for after them.
-    let first = TwoSidedOptions {
-        metric: IcpMetric::PointToPlane,
-        max_sample: REFINE_SAMPLE,
-        sample_steps: SAMPLE_STEPS,
-        full_steps: 0,
-        tolerance: TOLERANCE,
-    };
-    let close = align_both_ways(&of_source, &of_target, start, &first, scene.observer)?;
-    if close.residual_mm > COPY_EDGES * scene.edge_mm {
+    let first = align_shortly(&of_source, &of_target, start, (scene.edge_mm, TOLERANCE), scene.observer)?;
+    if !first.copies {
         return Ok(*start);
     }
-    let last = TwoSidedOptions { metric, sample_steps: 0, full_steps: FULL_STEPS, ..first };
-    let found = align_both_ways(&of_source, &of_target, &close.target_from_source, &last, scene.observer)?;
+    let options = TwoSidedOptions {
+        metric,
+        max_sample: usize::MAX,
+        sample_steps: 0,
+        full_steps: FULL_STEPS,
+        tolerance: TOLERANCE,
+    };
+    let found = align_both_ways(&of_source, &of_target, &first.target_from_source, &options, scene.observer)?;
     Ok(found.target_from_source)
-}
-
-/// Answers every vertex of the source with the nearest of the target after the transform of `answer`.
-pub(super) fn answer_all(scene: &Scene<'_>, answer: &mut Answer) {
-    (answer.labeling, answer.confidence, answer.spread_mm) = nearest(scene, &answer.transform);
-}
-
-/// For every source vertex the nearest vertex of the target after the transform, how much nearer it is than those
-/// around it, and how far these spread: `p(x) ∝ exp(−d²/2σ²)`, `σ` the root mean square distance of the surfaces.
-fn nearest(scene: &Scene<'_>, transform: &RigidTransform) -> (Vec<u32>, Vec<f64>, Vec<f64>) {
-    let target = scene.target.mesh().vertices();
-    let around = LabelNeighborhoods::new(&scene.target.mesh().edge_graph(), RINGS, |_, _| 0.0);
-    let moved: Vec<_> = scene.source.mesh().vertices().iter().map(|p| transform.apply(p)).collect();
-    let closest: Vec<_> = moved.par_iter().map(|p| scene.closest.index.closest(p)).collect();
-    let squares: f64 = moved.iter().zip(&closest).map(|(p, found)| (found.point - p).norm_squared()).sum();
-    // Two copies lie on each other; half an edge is as well as a vertex can be told from the next.
-    let sigma = (squares / moved.len() as f64).sqrt().max(0.5 * scene.edge_mm);
-    let rows: Vec<(u32, f64, f64)> = moved
-        .par_iter()
-        .zip(&closest)
-        .map(|(p, found)| {
-            let mut candidates: Vec<u32> =
-                found.triangle.iter().flat_map(|&x| around.members(x as usize)).copied().collect();
-            candidates.sort_unstable();
-            candidates.dedup();
-            let squared = |x: u32| (target[x as usize] - p).norm_squared();
-            let best = candidates
-                .iter()
-                .copied()
-                .fold(found.triangle[0], |best, x| if squared(x) < squared(best) { x } else { best });
-            let weights: Vec<f32> = candidates
-                .iter()
-                .map(|&x| ((squared(best) - squared(x)) / (2.0 * sigma * sigma)).exp() as f32)
-                .collect();
-            let positions: Vec<_> = candidates.iter().map(|&x| target[x as usize]).collect();
-            let sum: f32 = weights.iter().sum();
-            (best, f64::from(1.0 / sum), belief_spread(&weights, &positions))
-        })
-        .collect();
-    let labeling = rows.iter().map(|r| r.0).collect();
-    (labeling, rows.iter().map(|r| r.1).collect(), rows.iter().map(|r| r.2).collect())
 }
 
 #[cfg(test)]
@@ -228,7 +155,7 @@ mod tests {
     }
 
     #[test]
-    fn noise_of_two_percent_on_every_vertex_is_borne() {
+    fn the_pose_is_found_under_noise_of_two_percent_on_every_vertex() {
         let target = bean().transformed(&motion());
         let (low, high) = target.bounding_box();
         let mut random = Xoshiro256PlusPlus::seed_from_u64(5);

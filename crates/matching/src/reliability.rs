@@ -7,27 +7,27 @@ use homolog_mesh::{ClosestPoint, SurfaceMesh};
 use homolog_registration::weighted_moments;
 
 /// Correlation of curvatures below which surfaces may show different structures. Two hippocampi have 0.65 and more, an
-/// ellipsoid and a hippocampus 0.33 to 0.61, copies of which one has noise of 2 % of its diagonal 0.48 to 0.6.
+/// ellipsoid and a hippocampus 0.33 to 0.61, and copies of which one has noise of 2 % of its diagonal 0.48 to 0.6.
 const MIN_CURVATURE_AGREEMENT: f64 = 0.62;
-/// Mean cosine between normals below which they may.
+/// Mean cosine between normals below which surfaces may show different structures.
 const MIN_NORMAL_AGREEMENT: f64 = 0.8;
-/// They do unless the pose fits better than any other by this much, as one structure does through noise: there it was
-/// 0.08 and more, with the ellipsoid 0.03 at most.
+/// They do, unless the misfit of the pose is lower than that of any other by this much: with noise on one structure the
+/// difference was at least 0.08, with the ellipsoid at most 0.03.
 const CLEAR: f64 = 0.06;
-/// One closed surface is longer than another of its kind by this factor at most, in the standard deviation along its
-/// first principal axis: of all 8,385 pairs of 130 hippocampi the most unlike have 1.46 (one in a hundred 1.27), warps
-/// of 8 % at most 1.20; of 16,770 pairs of a hippocampus and the anterior part of another 99 % have 1.56 and more.
+/// Largest ratio of the lengths of two closed surfaces of one structure, as standard deviations along the first principal
+/// axis: among all 8,385 pairs of 130 hippocampi the maximum is 1.46 (99th percentile 1.27), for warps of 8 % it is 1.20;
+/// of 16,770 pairs of a hippocampus and the anterior part of another 99 % have 1.56 and more.
 const MAX_LENGTH_RATIO: f64 = 1.5;
-/// A pose that fits no worse than by this much is another answer.
+/// A pose whose misfit is higher by less than this is an alternative answer.
 const AMBIGUITY: f64 = 0.01;
-/// What an unreliable answer's confidences are multiplied by.
+/// Factor on the confidences of an unreliable answer.
 pub(super) const UNRELIABLE_CONFIDENCE: f64 = 0.1;
 
-/// Mean target edges beyond which an image has left the target, and at a boundary, where the surface ends, so soon.
+/// Distance from the target, in mean target edges, beyond which an image has no counterpart; and the same at a boundary.
 const AWAY_EDGES: f64 = 4.0;
 const AWAY_EDGES_AT_BOUNDARY: f64 = 1.0;
 
-/// For every image whether the target, of mean edge length `edge_mm`, has nothing there.
+/// For every image whether the target, of mean edge length `edge_mm`, has no surface there.
 pub(super) fn without_counterpart(target: &SurfaceMesh, edge_mm: f64, images: &[Image]) -> Vec<bool> {
     let on_boundary = target.boundary_vertices();
     let at_end = |at: &ClosestPoint| {
@@ -43,7 +43,7 @@ pub(super) fn without_counterpart(target: &SurfaceMesh, edge_mm: f64, images: &[
     images.iter().map(away).collect()
 }
 
-/// How much longer the longer of two closed surfaces is; 1 where one is open, for a part of it may be missing.
+/// Ratio of the lengths of two closed surfaces, at least 1; 1 where one is open, because a part of it may be missing.
 fn length_ratio(source: &SurfaceMesh, target: &SurfaceMesh) -> f64 {
     if source.boundary_vertices().is_some() || target.boundary_vertices().is_some() {
         return 1.0;
@@ -60,15 +60,15 @@ fn length_mm(mesh: &SurfaceMesh) -> f64 {
     moments.map_or(0.0, |(_, scatter)| (scatter / total).symmetric_eigenvalues().max().sqrt())
 }
 
-/// What `found`, an answer for `source` on `target`, says of its own reliability.
+/// Reliability of `found`, an answer for `source` on `target`.
 pub(super) fn reliability(
     found: &DisplacementAnswer,
     source: &SurfaceMesh,
     target: &SurfaceMesh,
 ) -> ReliabilityDocument {
-    let best = found.judged[0];
+    let best = found.compared[0];
     let of = |mirrored: bool| {
-        let others = found.judged[1..].iter().filter(|j| j.mirrored == mirrored).map(|j| j.misfit);
+        let others = found.compared[1..].iter().filter(|j| j.mirrored == mirrored).map(|j| j.misfit);
         others.fold(None, |least: Option<f64>, m| Some(least.map_or(m, |l| l.min(m))))
     };
     let (runner_up, mirrored) = (of(best.mirrored), of(!best.mirrored));
@@ -114,7 +114,7 @@ mod tests {
     }
 
     #[test]
-    fn of_an_open_surface_no_length_is_asked() {
+    fn the_lengths_of_open_surfaces_are_not_compared() {
         let whole = ellipsoid(Vector3::new(12.0, 5.0, 4.0), 3);
         let kept = whole.triangles().into_iter().skip(40).flatten().collect();
         let open = SurfaceMesh::new(whole.vertices().to_vec(), FaceArity::Triangle, kept).unwrap();

@@ -1,74 +1,71 @@
-//! From an answer to the outcome of a match: what is measured on it, in the numbering of the inputs.
+//! The fourth stage: what is measured on the images of the source vertices, in the numbering of the inputs.
 
 use super::MatchOutcome;
+use super::coarse::{Coarse, EnergyProblem};
 use super::consistency::topology_consistency_within;
+use super::displaced::{Displaced, Images, labeling_of_energy};
 use super::inverse::inverse;
 use super::outliers::{self, identify_outliers};
+use super::posed::{InferredPose, Posed};
 use super::scene::Scene;
 use super::side::Side;
 use homolog_contract::parameters::OrientationSolver as Solver;
 use homolog_contract::result::{
-    AnatomyDocument, ConsistencyDocument, Correspondences, EnergyDocument, OutlierReason, PoseDocument,
-    ReliabilityDocument, RoundDocument, SimilarityDocument, StopReason, SupportDocument, SurfaceDistanceDocument,
-    TransformDocument,
+    ConsistencyDocument, Correspondences, EnergyDocument, OutlierReason, SimilarityDocument, StopReason,
+    SupportDocument, SurfaceDistanceDocument, TransformDocument,
 };
 use homolog_mesh::{ClosestPoint, SurfaceDistances, SurfaceMesh};
-use homolog_mrf::MrfModel;
 use homolog_primitives::graph::{EdgeGraph, Reach};
 use homolog_registration::{OrientationSolver, ProcrustesOptions, RigidTransform, procrustes};
 use nalgebra::Point3;
 use rayon::prelude::*;
+use std::borrow::Cow;
 
-/// What inference and registration found, in canonical numbering.
-pub(super) struct Answer {
-    pub labeling: Vec<u32>,
-    pub confidence: Vec<f64>,
-    pub spread_mm: Vec<f64>,
-    /// Where on the target the images lie, if not on its vertices.
-    pub points: Option<Vec<ClosestPoint>>,
-    /// Where the displacement moves the source, mm, if there is one.
-    pub moved: Option<Vec<Point3<f64>>>,
-    /// Source vertices that the displacement takes to where the target has nothing; empty where none was fitted.
-    pub no_counterpart: Vec<bool>,
-    /// Whether it can be relied on, where a displacement says so.
-    pub reliability: Option<ReliabilityDocument>,
-    /// What is known of the structure had to say.
-    pub anatomy: Option<AnatomyDocument>,
-    pub transform: RigidTransform,
-    pub confidence_reached: bool,
-    pub trials: u64,
-    pub stop_reason: StopReason,
-    pub rounds: Vec<RoundDocument>,
-    pub poses: Vec<PoseDocument>,
-    pub ambiguous_axes: bool,
-    pub lower_bound: Option<f64>,
-}
-
-/// The outcome of `answer`.
-pub(super) fn outcome(scene: &Scene<'_>, energy: Option<EnergyDocument>, answer: Answer) -> MatchOutcome {
+/// The outcome of a match: what the stages before found and what is measured on it, in the numbering of the inputs.
+pub(crate) fn measured(coarse: &Coarse<'_>, posed: &Posed<'_>, answer: &Displaced) -> MatchOutcome {
+    let scene = &coarse.full;
+    let energy = energy_of(coarse, posed, answer);
     let (surface_distance, of_pairs) = rayon::join(
         || surface_distance(scene.source, scene.target, &answer.transform),
-        || OfPairs::new(scene, &answer),
+        || OfPairs::new(scene, posed, answer),
     );
     let OfPairs { similarity, support, topology, mut correspondences } = of_pairs;
-    correspondences.inverse = scene.parameters.both_directions.then(|| inverse(scene, &answer)).flatten().map(Box::new);
+    correspondences.inverse = scene.parameters.both_directions.then(|| inverse(scene, answer)).flatten().map(Box::new);
+    let (reliability, anatomy) = match &answer.images {
+        Images::OnVertices => (None, None),
+        Images::Smooth(smooth) => (Some(smooth.reliability.clone()), smooth.anatomy.clone()),
+    };
+    let (rounds, ambiguous_axes, stop_reason) = match posed {
+        Posed::Inference { inferred, .. } => (inferred.rounds.clone(), false, inferred.stop_reason),
+        Posed::Registration(registered) => (Vec::new(), registered.ambiguous_axes, StopReason::RegistrationOnly),
+    };
     MatchOutcome {
         transform: TransformDocument { similarity, ..transform_document(&answer.transform) },
         support,
         surface_distance,
         energy,
         topology,
-        rounds: answer.rounds,
-        poses: answer.poses,
-        reliability: answer.reliability,
-        anatomy: answer.anatomy,
-        ambiguous_axes: answer.ambiguous_axes,
+        rounds,
+        poses: answer.poses.clone(),
+        reliability,
+        anatomy,
+        ambiguous_axes,
         correspondences,
-        stop_reason: answer.stop_reason,
+        stop_reason,
     }
 }
 
-/// What is measured on the pairs of vertices and images.
+/// Energies of the answer where an energy was minimised: of the images as labels, or of the labeling that the rounds found
+/// where the source is moved rigidly.
+fn energy_of(coarse: &Coarse<'_>, posed: &Posed<'_>, answer: &Displaced) -> Option<EnergyDocument> {
+    let Posed::Inference { problem, inferred } = posed else { return None };
+    Some(match &answer.images {
+        Images::OnVertices => energy(problem, &inferred.map.labeling),
+        Images::Smooth(_) => energy(problem, &labeling_of_energy(coarse.source, coarse.target, &answer.labeling)),
+    })
+}
+
+/// Measurements on the pairs of vertices and images.
 struct OfPairs {
     similarity: Option<SimilarityDocument>,
     support: SupportDocument,
@@ -78,7 +75,7 @@ struct OfPairs {
 }
 
 impl OfPairs {
-    fn new(scene: &Scene<'_>, answer: &Answer) -> Self {
+    fn new(scene: &Scene<'_>, posed: &Posed<'_>, answer: &Displaced) -> Self {
         let n = answer.labeling.len();
         let source = scene.source.mesh();
         let images = scene.images(&answer.labeling);
@@ -91,13 +88,17 @@ impl OfPairs {
         let (variables, graph) = rayon::join(|| source.edge_graph(), || scene.target.mesh().edge_graph());
         let labels = Reach { graph: &graph, rings };
         let mut outlier = outlier_reasons(scene, &variables, &labels, &answer.labeling, &residuals);
-        for (reason, alone) in outlier.iter_mut().zip(&answer.no_counterpart) {
-            if *alone {
-                *reason = OutlierReason::NoCounterpart;
+        let points = match &answer.images {
+            Images::OnVertices => Cow::Owned(on_vertices(scene.target.mesh(), &answer.labeling)),
+            Images::Smooth(smooth) => {
+                for (reason, alone) in outlier.iter_mut().zip(&smooth.no_counterpart) {
+                    if *alone {
+                        *reason = OutlierReason::NoCounterpart;
+                    }
+                }
+                Cow::Borrowed(smooth.points.as_slice())
             }
-        }
-        let on_vertices = answer.points.is_none().then(|| on_vertices(scene.target.mesh(), &answer.labeling));
-        let points = answer.points.as_ref().or(on_vertices.as_ref()).map_or(&[][..], Vec::as_slice);
+        };
         let as_uploaded = |x: u32| scene.target.surface.original[x as usize];
         // Back to the numbering of the inputs, in its order.
         let mut rows: Vec<(u32, usize)> = scene.source.surface.original.iter().copied().zip(0..n).collect();
@@ -113,6 +114,13 @@ impl OfPairs {
             barycentric: rows.iter().map(|&(_, i)| points[i].barycentric).collect(),
             inverse: None,
         };
+        let (trials, confidence_reached) = match posed {
+            Posed::Inference { inferred, .. } => match inferred.pose {
+                InferredPose::Supported { trials, confidence_reached, .. } => (trials, confidence_reached),
+                InferredPose::Unsupported => (0, false),
+            },
+            Posed::Registration(_) => (0, true),
+        };
         OfPairs {
             similarity: similarity(scene, &images, &supporting),
             support: SupportDocument {
@@ -120,8 +128,8 @@ impl OfPairs {
                 ratio: supporting.len() as f64 / n as f64,
                 rms_mm: if supporting.is_empty() { 0.0 } else { (squares / supporting.len() as f64).sqrt() },
                 tolerance_mm: scene.tolerance_mm,
-                trials: answer.trials,
-                confidence_reached: answer.confidence_reached,
+                trials,
+                confidence_reached,
             },
             topology: topology(scene, &answer.transform, &variables, &labels, &answer.labeling),
             correspondences,
@@ -129,7 +137,7 @@ impl OfPairs {
     }
 }
 
-/// Labels as points: each the corner of a triangle around it.
+/// Labels as points on the target: each is a corner of one of its triangles.
 fn on_vertices(target: &SurfaceMesh, labeling: &[u32]) -> Vec<ClosestPoint> {
     let mut around: Vec<Option<[u32; 3]>> = vec![None; target.n_vertices()];
     for triangle in target.triangles() {
@@ -148,7 +156,8 @@ fn on_vertices(target: &SurfaceMesh, labeling: &[u32]) -> Vec<ClosestPoint> {
 }
 
 /// Energies of `labeling`.
-pub(super) fn energy(model: &MrfModel, labeling: &[u32], lower_bound: Option<f64>) -> EnergyDocument {
+fn energy(problem: &EnergyProblem<'_>, labeling: &[u32]) -> EnergyDocument {
+    let EnergyProblem { model, lower_bound, .. } = problem;
     let found = model.energy(labeling);
     EnergyDocument {
         n_variables: model.variables.n_vertices() as u32,
@@ -157,12 +166,13 @@ pub(super) fn energy(model: &MrfModel, labeling: &[u32], lower_bound: Option<f64
         r#final: found.total(),
         unary: found.unary,
         pairwise: found.pairwise,
-        lower_bound,
+        lower_bound: *lower_bound,
         broken_edges: model.broken_edges(labeling) as u32,
     }
 }
 
-/// Quality of the map. A mirrored answer is judged as a map of the mirrored source, which looks outwards again.
+/// Quality of the map. A mirroring transform is measured as a map of the mirrored source, whose faces are
+/// oriented outwards again.
 fn topology(
     scene: &Scene<'_>,
     transform: &RigidTransform,
@@ -206,7 +216,7 @@ fn outlier_reasons(
     found.into_iter().map(reason).collect()
 }
 
-/// The similarity over the support, where it is asked for and three pairs determine it.
+/// The similarity over the support, where the parameters ask for it and three pairs determine it.
 fn similarity(scene: &Scene<'_>, images: &[Point3<f64>], supporting: &[usize]) -> Option<SimilarityDocument> {
     let p = &scene.parameters.registration;
     if !p.similarity {
@@ -221,7 +231,7 @@ fn similarity(scene: &Scene<'_>, images: &[Point3<f64>], supporting: &[usize]) -
     Some(SimilarityDocument { scale: fitted.scale, matrix: fitted.matrix(), rms_mm: found.rms_mm })
 }
 
-/// The solver that the parameters name.
+/// The solver that the parameters name, as registration calls it.
 pub(super) fn solver(named: Solver) -> OrientationSolver {
     match named {
         Solver::Svd => OrientationSolver::Svd,
@@ -231,7 +241,7 @@ pub(super) fn solver(named: Solver) -> OrientationSolver {
 }
 
 /// The transform in all its forms.
-pub(super) fn transform_document(transform: &RigidTransform) -> TransformDocument {
+fn transform_document(transform: &RigidTransform) -> TransformDocument {
     let q = transform.quaternion();
     TransformDocument {
         matrix: transform.matrix(),
@@ -252,7 +262,7 @@ fn surface_distance(source: &Side, target: &Side, transform: &RigidTransform) ->
     };
     let (mut all, returned) = rayon::join(|| distances(source, target, transform), || distances(target, source, &back));
     all.extend(returned);
-    // No two that are equal differ, so that nothing depends on how this sorts.
+    // Equal distances are indistinguishable, so the result does not depend on the order of an unstable sort.
     all.par_sort_unstable_by(f64::total_cmp);
     let at = |share: f64| all[((all.len() - 1) as f64 * share).round() as usize];
     SurfaceDistanceDocument { mean_mm: all.iter().sum::<f64>() / all.len() as f64, p95_mm: at(0.95), max_mm: at(1.0) }

@@ -1,14 +1,14 @@
 //! The rounds of a match: inference, registration, feedback, until the support stops growing.
 
 use super::MatchError;
+use super::candidate_poses::closer_pose;
 use super::clamping::{SoftClamp, SoftWeights, clamp_hard};
-use super::minimiser::{Labeled, Minimiser, minimiser};
-use super::report::{Answer, solver};
-use super::rivals::rival_pose;
-use super::scene::Scene;
+use super::coarse::EnergyProblem;
+use super::minimiser::{InferenceRun, Labeled, Minimiser, minimiser};
+use super::posed::{Inferred, InferredPose};
+use super::report::solver;
 use homolog_contract::parameters::{ClampingMode, DisplacementMode, MatchParameters, MinimalEstimator};
 use homolog_contract::result::{Feedback, RoundDocument};
-use homolog_mrf::MrfModel;
 use homolog_primitives::observe::{Phase, TracePoint};
 use homolog_registration::{self, RansacMethods, RansacOptions, RansacReport, RigidTransform, ransac_with};
 
@@ -16,21 +16,21 @@ use homolog_registration::{self, RansacMethods, RansacOptions, RansacReport, Rig
 /// gave the best agreement of anterior and posterior labels between subjects of five settings tried.
 const SOFT_SIGMA_EDGES: f64 = 2.0;
 
-/// Iterations of a round that starts warm.
+/// Iterations of a round that starts from the messages or labels of the round before.
 fn later_iterations(first: u32) -> u32 {
     first.div_ceil(4).max(2)
 }
 
 /// The share of a match that is done when its rounds are.
-pub(super) fn progress_after_rounds(parameters: &MatchParameters) -> f64 {
+fn progress_after_rounds(parameters: &MatchParameters) -> f64 {
     match parameters.displacement.mode {
         DisplacementMode::None => PROGRESS_AT_END,
         DisplacementMode::Smooth => 0.4,
     }
 }
 
-/// The share of a match that is done when only the report is to be made.
-pub(super) const PROGRESS_AT_END: f64 = 0.95;
+/// The share of a match that is done when only the report remains.
+pub(crate) const PROGRESS_AT_END: f64 = 0.95;
 
 /// Counts rounds and iterations, and how much of the planned work they are.
 struct Schedule {
@@ -52,56 +52,93 @@ impl Schedule {
         self.rounds - 1
     }
 
-    /// One more iteration is done; the share of the whole work.
+    /// Counts one more iteration; returns the share of the whole work that is done.
     fn progress(&mut self) -> f64 {
         self.iterations += 1;
         0.05 + (self.until - 0.05) * (f64::from(self.iterations) / f64::from(self.planned)).min(1.0)
     }
 }
 
-/// A labeling with the registration it supports.
-struct Round {
+/// What one round came to.
+enum Round {
+    Supported(SupportedRound),
+    /// No rigid transform has three inliers in its labeling.
+    Unsupported(Labeled),
+}
+
+/// A labeling with the registration that it supports.
+struct SupportedRound {
     number: u32,
     labeled: Labeled,
     registration: RansacReport,
+    /// The transform of `registration`, refined.
     transform: RigidTransform,
 }
 
-/// What one match's rounds share.
-pub(super) struct Matcher<'a> {
-    pub scene: &'a Scene<'a>,
-    pub model: &'a MrfModel,
-    /// No labeling has an energy below this.
-    pub lower_bound: Option<f64>,
+impl Round {
+    fn supported(self) -> Option<SupportedRound> {
+        match self {
+            Round::Supported(round) => Some(round),
+            Round::Unsupported(_) => None,
+        }
+    }
 }
 
-impl Matcher<'_> {
-    /// All rounds; the answer is that of the largest support.
-    pub fn rounds(&self) -> Result<Answer, MatchError> {
-        let p = self.scene.parameters;
+/// What the rounds of one match share, and what runs them.
+pub(crate) struct Rounds<'a> {
+    pub problem: &'a EnergyProblem<'a>,
+}
+
+/// What runs from round to round.
+struct Course<'m> {
+    minimiser: Box<dyn Minimiser + 'm>,
+    schedule: Schedule,
+    documents: Vec<RoundDocument>,
+}
+
+impl Rounds<'_> {
+    /// Runs all rounds; the answer is that of the largest support. Feedback needs a transform: the first round without
+    /// one is the last, and it is chosen only if it is the only one.
+    pub(crate) fn run(&self) -> Result<Inferred, MatchError> {
+        let p = self.problem.scene.parameters;
         let mode = p.clamping.mode;
         let n_rounds = if mode == ClampingMode::None { 0 } else { p.clamping.max_rounds };
-        let mut schedule = Schedule::new(p.inference.max_iterations, n_rounds, progress_after_rounds(p));
-        let mut minimiser = minimiser(self.model, p, self.lower_bound);
-        let mut log = Vec::new();
-        let mut best =
-            self.round(&mut *minimiser, &mut schedule, p.inference.max_iterations, Feedback::None, &mut log)?;
+        let mut course = Course {
+            minimiser: minimiser(&self.problem.model, p, self.problem.lower_bound),
+            schedule: Schedule::new(p.inference.max_iterations, n_rounds, progress_after_rounds(p)),
+            documents: Vec::new(),
+        };
+        let mut best = match self.round(&mut course, p.inference.max_iterations, Feedback::None)? {
+            Round::Supported(round) => round,
+            Round::Unsupported(labeled) => {
+                return Ok(Inferred {
+                    map: labeled.map,
+                    stop_reason: labeled.stop_reason,
+                    rounds: course.documents,
+                    pose: InferredPose::Unsupported,
+                });
+            }
+        };
         let mut trials = best.registration.trials;
         // Later rounds start from where the round before ended and need fewer iterations.
         let later = later_iterations(p.inference.max_iterations);
         for round in 1..=n_rounds {
-            let feedback = self.set_bias(&mut *minimiser, &best);
-            let mut next = self.round(&mut *minimiser, &mut schedule, later, feedback, &mut log)?;
-            trials += next.registration.trials;
+            let feedback = self.set_bias(&mut *course.minimiser, &best);
+            let mut next = self.round(&mut course, later, feedback)?.supported();
+            trials += next.as_ref().map_or(0, |next| next.registration.trials);
             let first_feedback = round == 1 && mode == ClampingMode::Soft;
-            if first_feedback && let Some(pose) = self.rival(&next.transform)? {
-                let challenger = self.round_from(&mut *minimiser, &mut schedule, &pose, &mut log)?;
-                trials += challenger.registration.trials;
-                if challenger.labeled.energy.total() < next.labeled.energy.total() {
-                    next = challenger;
+            if first_feedback && let Some(pose) = self.candidate(&next.as_ref().unwrap_or(&best).transform)? {
+                let contender = self.round_from(&mut course, &pose)?.supported();
+                trials += contender.as_ref().map_or(0, |contender| contender.registration.trials);
+                let energy = |round: &Option<SupportedRound>| {
+                    round.as_ref().map_or(f64::INFINITY, |round| round.labeled.energy.total())
+                };
+                if energy(&contender) < energy(&next) {
+                    next = contender;
                 }
             }
-            // The first soft feedback is always taken: it is what the rivals were judged by.
+            let Some(next) = next else { break };
+            // The first soft feedback is always taken: candidate poses were compared with it.
             let (support, before) = (next.registration.support, best.registration.support);
             let lower = next.labeled.energy.total() < best.labeled.energy.total();
             if first_feedback || support > before || support == before && lower {
@@ -111,55 +148,43 @@ impl Matcher<'_> {
                 break;
             }
         }
-        for round in &mut log {
-            round.chosen = round.round == best.number;
+        for document in &mut course.documents {
+            document.chosen = document.round == best.number;
         }
-        Ok(Answer {
-            labeling: best.labeled.labeling,
-            confidence: best.labeled.confidence,
-            spread_mm: best.labeled.spread_mm,
-            points: None,
-            moved: None,
-            no_counterpart: Vec::new(),
-            reliability: None,
-            anatomy: None,
-            transform: best.transform,
-            confidence_reached: best.registration.confidence_reached,
-            trials,
+        Ok(Inferred {
+            map: best.labeled.map,
             stop_reason: best.labeled.stop_reason,
-            rounds: log,
-            poses: Vec::new(),
-            ambiguous_axes: false,
-            lower_bound: self.lower_bound,
+            rounds: course.documents,
+            pose: InferredPose::Supported {
+                transform: best.transform,
+                trials,
+                confidence_reached: best.registration.confidence_reached,
+            },
         })
     }
 
-    fn rival(&self, present: &RigidTransform) -> Result<Option<RigidTransform>, MatchError> {
-        let (source, target) = (self.scene.source.mesh().vertices(), self.scene.target.mesh().vertices());
-        Ok(rival_pose(source, target, self.scene.closest, present, self.scene.observer)?)
+    /// A pose on the principal axes that fits clearly better than `present`.
+    fn candidate(&self, present: &RigidTransform) -> Result<Option<RigidTransform>, MatchError> {
+        let scene = &self.problem.scene;
+        let (source, target) = (scene.source.mesh().vertices(), scene.target.mesh().vertices());
+        Ok(closer_pose(source, target, scene.closest, present, scene.observer)?)
     }
 
     /// A whole round from a cold start with the feedback of `pose`.
-    fn round_from(
-        &self,
-        minimiser: &mut dyn Minimiser,
-        schedule: &mut Schedule,
-        pose: &RigidTransform,
-        log: &mut Vec<RoundDocument>,
-    ) -> Result<Round, MatchError> {
-        minimiser.forget();
-        self.set_soft_bias(minimiser, pose);
-        self.round(minimiser, schedule, self.scene.parameters.inference.max_iterations, Feedback::RivalPose, log)
+    fn round_from(&self, course: &mut Course<'_>, pose: &RigidTransform) -> Result<Round, MatchError> {
+        course.minimiser.reset();
+        self.set_soft_bias(&mut *course.minimiser, pose);
+        self.round(course, self.problem.scene.parameters.inference.max_iterations, Feedback::CandidatePose)
     }
 
-    fn set_bias(&self, minimiser: &mut dyn Minimiser, last: &Round) -> Feedback {
-        match self.scene.parameters.clamping.mode {
+    fn set_bias(&self, minimiser: &mut dyn Minimiser, last: &SupportedRound) -> Feedback {
+        match self.problem.scene.parameters.clamping.mode {
             ClampingMode::None => Feedback::None,
             ClampingMode::Hard => {
-                let truncation = self.model.pairwise.truncation;
+                let truncation = self.problem.model.pairwise.truncation;
                 minimiser.set_bias(&|i, row| {
                     if last.registration.inlier_mask[i] {
-                        clamp_hard(last.labeled.labeling[i], truncation, row);
+                        clamp_hard(last.labeled.map.labeling[i], truncation, row);
                     }
                 });
                 Feedback::Hard
@@ -172,8 +197,9 @@ impl Matcher<'_> {
     }
 
     fn set_soft_bias(&self, minimiser: &mut dyn Minimiser, transform: &RigidTransform) {
-        let (source, target) = (self.scene.source, self.scene.target);
-        let sigma_mm = SOFT_SIGMA_EDGES * self.scene.edge_mm;
+        let scene = &self.problem.scene;
+        let (source, target) = (scene.source, scene.target);
+        let sigma_mm = SOFT_SIGMA_EDGES * scene.edge_mm;
         let clamp = SoftClamp::new(
             SoftWeights { distance: 2.0, sigma_mm, cap: 10.0, normal: 3.0 },
             transform,
@@ -184,26 +210,21 @@ impl Matcher<'_> {
     }
 
     /// Inference, then RANSAC over its pairs, then refinement.
-    fn round(
-        &self,
-        minimiser: &mut dyn Minimiser,
-        schedule: &mut Schedule,
-        budget: u32,
-        feedback: Feedback,
-        log: &mut Vec<RoundDocument>,
-    ) -> Result<Round, MatchError> {
-        let (p, observer) = (self.scene.parameters, self.scene.observer);
+    fn round(&self, course: &mut Course<'_>, budget: u32, feedback: Feedback) -> Result<Round, MatchError> {
+        let EnergyProblem { scene, lower_bound, .. } = self.problem;
+        let (p, observer) = (scene.parameters, scene.observer);
+        let Course { minimiser, schedule, documents } = course;
         let number = schedule.next_round();
         observer.phase(Phase::Inference);
-        let positions = self.scene.target.mesh().vertices();
-        let labeled = minimiser.run(number, budget, positions, observer, &mut |point| {
-            observer.trace(&TracePoint { lower_bound: point.lower_bound.or(self.lower_bound), ..point });
+        let run = InferenceRun { round: number, budget, positions: scene.target.mesh().vertices(), observer };
+        let labeled = minimiser.run(&run, &mut |point| {
+            observer.trace(&TracePoint { lower_bound: point.lower_bound.or(*lower_bound), ..point });
             observer.progress(schedule.progress());
         })?;
         observer.phase(Phase::Registration);
-        let images = self.scene.images(&labeled.labeling);
+        let images = scene.images(&labeled.map.labeling);
         let options = RansacOptions {
-            tolerance_mm: self.scene.tolerance_mm,
+            tolerance_mm: scene.tolerance_mm,
             confidence: p.registration.confidence,
             max_trials: p.registration.max_trials.into(),
             allow_reflection: p.registration.allow_reflection,
@@ -216,27 +237,28 @@ impl Matcher<'_> {
             },
             solver: solver(p.registration.solver),
         };
-        let registration = ransac_with(self.scene.source.mesh().vertices(), &images, &options, methods, observer)?
-            .ok_or(MatchError::NoRegistration { tolerance_mm: self.scene.tolerance_mm })?;
+        let registration = ransac_with(scene.source.mesh().vertices(), &images, &options, methods, observer)?;
+        let support = registration.as_ref().map_or(0, |found| found.support as u32);
         observer.trace(&TracePoint {
             energy: Some(labeled.energy.total()),
             energy_unary: Some(labeled.energy.unary),
             energy_pairwise: Some(labeled.energy.pairwise),
-            lower_bound: self.lower_bound,
-            support: Some(registration.support as u32),
+            lower_bound: *lower_bound,
+            support: Some(support),
             ..TracePoint::new(number, Phase::Registration, 1)
         });
-        log.push(RoundDocument {
+        documents.push(RoundDocument {
             round: number,
             feedback,
             iterations: labeled.iterations,
             stop_reason: labeled.stop_reason,
             convergence: labeled.convergence.clone(),
             energy: labeled.energy.total(),
-            support: registration.support as u32,
+            support,
             chosen: false,
         });
-        let transform = self.scene.refine(&registration.target_from_source)?;
-        Ok(Round { number, labeled, registration, transform })
+        let Some(registration) = registration else { return Ok(Round::Unsupported(labeled)) };
+        let transform = scene.refine(&registration.target_from_source)?;
+        Ok(Round::Supported(SupportedRound { number, labeled, registration, transform }))
     }
 }

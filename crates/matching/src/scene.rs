@@ -1,4 +1,4 @@
-//! What every step of a match looks at: both surfaces, the parameters, and who watches.
+//! What every step of a match reads: both surfaces on one level, the parameters, and the observer.
 
 use super::MatchError;
 use super::side::Side;
@@ -10,16 +10,23 @@ use nalgebra::Point3;
 
 /// Inlier tolerance in mean target edge lengths where the request states none.
 const TOLERANCE_EDGES: f64 = 3.0;
-/// Share of the source vertices that ICP keeps: the rest may have no counterpart.
+/// Share of the source vertices that ICP keeps; the others may have no counterpart.
 const ICP_KEEP: f64 = 0.9;
 const ICP_ITERATIONS: u32 = 100;
-/// Steps at most where a displacement field follows: it wants a pose, not the last digit.
+/// Most steps where a displacement field follows, which needs a pose but not its last digit.
 const ICP_ITERATIONS_OF_A_START: u32 = 15;
 const ICP_TOLERANCE: f64 = 1e-6;
-/// Source vertices at most over which the distance of a pose is measured.
+/// Most source vertices over which poses are compared.
 const SAMPLE: usize = 500;
 
-/// Two surfaces that are being matched.
+/// At most 500 of `points`, which are in canonical numbering. That follows a curve through space, so that every k-th point is
+/// an even sample.
+pub(super) fn even_sample(points: &[Point3<f64>]) -> impl Iterator<Item = &Point3<f64>> {
+    points.iter().step_by(points.len().div_ceil(SAMPLE).max(1))
+}
+
+/// Two surfaces that are being matched, on one level.
+#[derive(Clone, Copy)]
 pub(super) struct Scene<'a> {
     pub source: &'a Side,
     pub target: &'a Side,
@@ -34,7 +41,7 @@ pub(super) struct Scene<'a> {
 }
 
 impl<'a> Scene<'a> {
-    pub fn new(
+    pub(crate) fn new(
         source: &'a Side,
         target: &'a Side,
         parameters: &'a MatchParameters,
@@ -53,21 +60,20 @@ impl<'a> Scene<'a> {
     }
 
     /// The target points of a labeling.
-    pub fn images(&self, labeling: &[u32]) -> Vec<Point3<f64>> {
+    pub(crate) fn images(&self, labeling: &[u32]) -> Vec<Point3<f64>> {
         labeling.iter().map(|&x| self.target.mesh().vertices()[x as usize]).collect()
     }
 
     /// Root mean square distance of the source, moved by `pose`, from the target, over a sample of its vertices, mm.
-    pub fn sample_rms_mm(&self, pose: &RigidTransform) -> f64 {
+    pub(crate) fn sample_rms_mm(&self, pose: &RigidTransform) -> f64 {
         let source = self.source.mesh().vertices();
-        // Canonical numbering follows a curve through space, so every k-th vertex is an even sample.
-        let moved: Vec<_> = source.iter().step_by(source.len().div_ceil(SAMPLE)).map(|p| pose.apply(p)).collect();
+        let moved: Vec<_> = even_sample(source).map(|p| pose.apply(p)).collect();
         let squares: f64 = moved.iter().map(|p| (self.closest.index.closest(p).point - p).norm_squared()).sum();
         (squares / moved.len() as f64).sqrt()
     }
 
     /// `start` improved by closest points, as the parameters ask.
-    pub fn refine(&self, start: &RigidTransform) -> Result<RigidTransform, MatchError> {
+    pub(crate) fn refine(&self, start: &RigidTransform) -> Result<RigidTransform, MatchError> {
         let metric = match self.parameters.registration.refine {
             Refinement::None => return Ok(*start),
             Refinement::PointToPoint => IcpMetric::PointToPoint,

@@ -1,4 +1,4 @@
-//! One surface of a match at one level, with all that is known of it whatever it is matched with.
+//! One surface of a match at one level, with all that does not depend on what it is matched with.
 
 use super::light_smoothing::lightly_smoothed;
 use super::surface_index::SurfaceIndex;
@@ -9,24 +9,24 @@ use nalgebra::Vector3;
 use std::mem::size_of;
 use std::sync::{Arc, OnceLock};
 
-/// Scale of the positions that poses are refined on, mm: takes off the steps that voxels leave.
-const POSITION_SCALE_MM: f64 = 0.7;
+/// Scale of the positions that poses and displacement fields are fitted to, mm: it removes the steps of voxels.
+pub(super) const POSITION_SCALE_MM: f64 = 0.7;
 
-/// One surface at one level. Immutable: what is made only when a match first asks for it depends on nothing else, and is
-/// made on one thread, so that a thread that has to wait for it waits for a computation and never for itself.
+/// One surface at one level. Immutable: the parts that are computed on first use depend on nothing else. They are computed
+/// on one thread, so that a thread that waits for them never waits for work that it has queued itself.
 pub(super) struct Side {
     /// In canonical numbering.
     pub surface: CanonicalMesh,
     /// Unit normals of its vertices.
     pub normals: Vec<Vector3<f64>>,
-    /// Where features are measured instead, and which vertex of that surface each vertex is: on the triangles of a
-    /// coarse level curvature would be that of the triangles.
+    /// The finer surface on which features are measured instead, and the vertex of it that each vertex is: curvature of a
+    /// coarse level would be that of its triangles.
     measured_on: Option<(Arc<Side>, Vec<u32>)>,
     closest: OnceLock<SurfaceIndex>,
     light: OnceLock<LightSide>,
 }
 
-/// A surface without the steps that voxels leave.
+/// A surface smoothed at [`POSITION_SCALE_MM`].
 pub(super) struct LightSide {
     pub mesh: SurfaceMesh,
     /// Areas of its vertices, mm².
@@ -36,15 +36,15 @@ pub(super) struct LightSide {
 }
 
 impl Side {
-    pub fn new(mesh: &SurfaceMesh) -> Self {
+    pub(crate) fn new(mesh: &SurfaceMesh) -> Self {
         let surface = canonicalize(mesh);
         let normals = surface.mesh.vertex_normals();
         Side { surface, normals, measured_on: None, closest: OnceLock::new(), light: OnceLock::new() }
     }
 
     /// A coarser level of `finer` of about `n_sites` vertices, and for every vertex of `finer` the one it belongs to.
-    /// `None` where `finer` is as coarse already. Features are those of `finer`, if `inherits`.
-    pub fn coarser(finer: &Arc<Side>, n_sites: usize, inherits: bool) -> Option<(Side, Vec<u32>)> {
+    /// `None` where `finer` is that coarse already. If `inherits`, features are measured on `finer`.
+    pub(crate) fn coarser(finer: &Arc<Side>, n_sites: usize, inherits: bool) -> Option<(Side, Vec<u32>)> {
         let CoarseSurface { mesh, sites, cells } = coarsen(finer.mesh(), n_sites)?;
         let original = sites.iter().map(|&k| finer.surface.original[k as usize]).collect();
         let normals = mesh.vertex_normals();
@@ -53,35 +53,36 @@ impl Side {
         Some((Side { surface, normals, measured_on, closest: OnceLock::new(), light: OnceLock::new() }, cells))
     }
 
-    pub fn mesh(&self) -> &SurfaceMesh {
+    pub(crate) fn mesh(&self) -> &SurfaceMesh {
         &self.surface.mesh
     }
 
     /// The finer surface on which features are measured, and which of its vertices each vertex is, if it is not this one.
-    pub fn measured_on(&self) -> Option<(&Side, &[u32])> {
+    pub(crate) fn measured_on(&self) -> Option<(&Side, &[u32])> {
         self.measured_on.as_ref().map(|(finer, sites)| (finer.as_ref(), sites.as_slice()))
     }
 
     /// Radius of estimators whose radius is not stated.
-    pub fn feature_radius_mm(&self) -> f64 {
+    pub(crate) fn feature_radius_mm(&self) -> f64 {
         self.measured_on().map_or_else(|| default_radius_mm(self.mesh()), |(finer, _)| finer.feature_radius_mm())
     }
 
     /// Closest points of the surface.
-    pub fn closest(&self) -> &SurfaceIndex {
+    pub(crate) fn closest(&self) -> &SurfaceIndex {
         self.closest.get_or_init(|| SurfaceIndex::with_normals(self.mesh(), self.normals.clone()))
     }
 
-    /// The surface lightly smoothed.
-    pub fn light(&self) -> &LightSide {
+    /// The lightly smoothed surface.
+    pub(crate) fn light(&self) -> &LightSide {
         self.light.get_or_init(|| {
             let mesh = lightly_smoothed(self.mesh(), POSITION_SCALE_MM);
             LightSide { closest: SurfaceIndex::new(&mesh), areas: vertex_areas(&mesh), mesh }
         })
     }
 
-    /// Memory of this level with all that may be made of it, bytes; a finer one on which it is measured is not counted.
-    pub fn heap_bytes(&self) -> usize {
+    /// Memory of this level with all parts that are computed on first use, bytes. A finer surface on which features are
+    /// measured is not counted.
+    pub(crate) fn heap_bytes(&self) -> usize {
         let (n, mesh) = (self.mesh().n_vertices(), self.mesh().heap_bytes());
         let own = mesh + n * (size_of::<u32>() + size_of::<Vector3<f64>>());
         let sites = self.measured_on().map_or(0, |(_, sites)| size_of_val(sites));

@@ -1,31 +1,31 @@
-//! A surface as ICP sees it.
+//! Closest points of a surface, with normals, for registration.
 
 use homolog_mesh::{ClosestPointIndex, SurfaceMesh};
 use homolog_registration::ClosestSurfacePoint;
 use nalgebra::{Point3, Vector3};
 
-/// A surface as ICP sees it: closest points, with the normals of the vertices blended over the triangle.
+/// Closest points of a surface, with the normals of the vertices interpolated over the triangle.
 pub(super) struct SurfaceIndex {
     pub index: ClosestPointIndex,
     normals: Vec<Vector3<f64>>,
 }
 
 impl SurfaceIndex {
-    pub fn new(surface: &SurfaceMesh) -> Self {
+    pub(crate) fn new(surface: &SurfaceMesh) -> Self {
         SurfaceIndex::with_normals(surface, surface.vertex_normals())
     }
 
-    /// The same with other unit normals of the vertices, such as those of a smoother surface.
-    pub fn with_normals(surface: &SurfaceMesh, normals: Vec<Vector3<f64>>) -> Self {
+    /// As [`SurfaceIndex::new`], with other unit normals of the vertices, such as those of a smoother surface.
+    pub(crate) fn with_normals(surface: &SurfaceMesh, normals: Vec<Vector3<f64>>) -> Self {
         SurfaceIndex { index: ClosestPointIndex::new(surface), normals }
     }
 
     /// Memory that an index over `surface` takes at most, bytes.
-    pub fn heap_bytes_over(surface: &SurfaceMesh) -> usize {
+    pub(crate) fn heap_bytes_over(surface: &SurfaceMesh) -> usize {
         ClosestPointIndex::heap_bytes_over(surface) + surface.n_vertices() * size_of::<Vector3<f64>>()
     }
 
-    /// Memory that this one takes, bytes.
+    /// Memory of this index, bytes.
     #[cfg(test)]
     pub fn heap_bytes(&self) -> usize {
         self.index.heap_bytes() + size_of_val(self.normals.as_slice())

@@ -8,7 +8,7 @@ use homolog_primitives::observe::Silent;
 use nalgebra::{Isometry3, Vector3};
 use serde_json::json;
 
-/// A lopsided bean of 642 vertices: no two places on it look alike.
+/// A lopsided bean of 642 vertices: no two of its regions look alike.
 pub(super) fn bean() -> SurfaceMesh {
     bean_of(3)
 }
@@ -196,7 +196,7 @@ fn progress_and_trace_only_go_forward() {
 }
 
 #[test]
-fn the_memory_of_a_match_is_foretold() {
+fn the_memory_of_a_match_is_predicted() {
     // A triangle mesh of 2,310 vertices against 2,626: a peak of 242 MiB was measured for the whole process, of which 17
     // are there without any messages.
     let mib = |n: usize, labels: usize, request: serde_json::Value| {
@@ -230,7 +230,7 @@ fn every_method_registers_a_copy() {
         let moved: f64 =
             source.vertices().iter().map(|p| (found.transform_point(p) - truth * p).norm()).fold(0.0, f64::max);
         match method {
-            // Its four poses are half turns of each other, and the closest need not be the right one.
+            // Its four poses differ by rotations of 180 degrees, and the closest need not be the right one.
             Method::Foe => assert_eq!(outcome.poses.len(), 4),
             _ => assert!(moved < 0.5, "{}: {moved} mm", method.name()),
         }
@@ -242,13 +242,17 @@ fn every_method_registers_a_copy() {
     }
 }
 
+/// Another shape with the same faces.
+fn squeezed(mesh: &SurfaceMesh) -> SurfaceMesh {
+    let point = |p: &nalgebra::Point3<f64>| nalgebra::Point3::new(p.x, 0.9 * p.y + 0.3 * (0.5 * p.x).sin(), 1.1 * p.z);
+    mesh.with_vertices(mesh.vertices().iter().map(point).collect()).unwrap()
+}
+
 #[test]
 fn no_energy_is_below_the_bound() {
     // Not copies, whose energy and bound are both 0.
     let source = bean();
-    let squeezed =
-        |p: &nalgebra::Point3<f64>| nalgebra::Point3::new(p.x, 0.9 * p.y + 0.3 * (0.5 * p.x).sin(), 1.1 * p.z);
-    let target = source.with_vertices(source.vertices().iter().map(squeezed).collect()).unwrap();
+    let target = squeezed(&source);
     for method in ["balanced", "gibbs", "las_vegas"] {
         let request = json!({"method": method, "inference": {"lower_bound_iterations": 10, "max_iterations": 20}});
         let energy = run(&source, &target.transformed(&motion()), &parameters(request)).energy.unwrap();
@@ -258,11 +262,9 @@ fn no_energy_is_below_the_bound() {
 }
 
 #[test]
-fn the_dual_method_ends_nearer_to_its_bound_than_belief_propagation() {
+fn the_dual_method_ends_closer_to_its_bound_than_belief_propagation() {
     let source = bean();
-    let squeezed =
-        |p: &nalgebra::Point3<f64>| nalgebra::Point3::new(p.x, 0.9 * p.y + 0.3 * (0.5 * p.x).sin(), 1.1 * p.z);
-    let target = source.with_vertices(source.vertices().iter().map(squeezed).collect()).unwrap();
+    let target = squeezed(&source);
     let energy = |algorithm| {
         let request = json!({"inference": {"algorithm": algorithm, "lower_bound_iterations": 40, "coarse_vertices": null},
                              "clamping": {"mode": "none", "max_rounds": 0}, "displacement": {"mode": "none"}});

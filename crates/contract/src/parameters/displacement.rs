@@ -1,45 +1,49 @@
 //! Parameters of the smooth displacement field.
 
-/// The smooth displacement field after the rigid rounds.
+/// The smooth displacement field that is fitted after the rigid transform.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 #[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
 pub struct DisplacementParameters {
-    /// Whether there is one.
+    /// Whether a displacement field is fitted.
     pub mode: DisplacementMode,
-    /// What is known of the structure beside its surface.
-    #[cfg_attr(feature = "serde", serde(default = "unknown"))]
+    /// Learned prior of the structure that is applied.
+    #[cfg_attr(feature = "serde", serde(default = "without_prior"))]
     pub anatomy: Anatomy,
 }
 
-/// Jobs that were stored before this was a parameter knew nothing.
-fn unknown() -> Anatomy {
+/// Jobs that were stored before this parameter existed used no prior.
+#[cfg(feature = "serde")]
+fn without_prior() -> Anatomy {
     Anatomy::Any
 }
 
-/// What is known of a structure, so that what a surface alone leaves open is answered from it.
+/// Learned prior of a structure, for what the shape of a surface alone leaves undetermined.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum Anatomy {
-    /// Nothing.
+    /// No prior: any structure.
     Any,
-    /// Where hippocampi part into anterior and posterior, learned from labelled ones. Pairs of two subjects slide along the
-    /// long axis by at most 3 mm, so that these borders meet; surfaces that look otherwise are left alone.
+    /// The border between the anterior and the posterior part of the hippocampus, learned from labelled volumes. In matches
+    /// between two subjects, images are moved along the long axis by at most 3 mm so that these borders agree. Surfaces that
+    /// do not resemble a hippocampus are not affected.
     Hippocampus,
 }
 
-/// Whether the source bends before its vertices are answered.
+/// Whether the source is deformed before corresponding points are determined.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum DisplacementMode {
-    /// It stays rigid: the labeling is the minimiser's.
+    /// No deformation: correspondences are the labels of the minimiser, or the nearest vertices where there is none or it
+    /// worked on a coarse level. A match fails if no rigid transform is supported by three of the labels.
     None,
-    /// A smooth field moves it, from the pose found and from those on the principal axes, whichever fits best after the
-    /// bending; each vertex is answered with the nearest target vertex then.
+    /// A smooth field deforms the source, starting from the rigid transform, from the landmarks and from a search of all
+    /// orientations, whichever fits best after the deformation. Each vertex then corresponds to the closest point of the
+    /// target.
     Smooth,
 }

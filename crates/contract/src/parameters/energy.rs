@@ -6,15 +6,15 @@
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 #[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
 pub struct FeatureParameters {
-    /// What is measured.
+    /// The measured quantity.
     pub kind: FeatureKind,
-    /// How it is measured.
+    /// The estimator of that quantity.
     #[cfg_attr(feature = "serde", serde(default = "angle_defect"))]
     pub estimator: CurvatureEstimator,
-    /// Radius of the neighbourhood that `covariance` and `quadric` look at, mm; `null`: three mean edge lengths.
+    /// Radius of the neighbourhood that the estimators `covariance` and `quadric` use, mm; `null`: three mean edge lengths.
     #[cfg_attr(feature = "serde", serde(default))]
     pub radius_mm: Option<f64>,
-    /// Scales `σ` of the heat flow before it is measured, mm.
+    /// Scales `σ` of the heat flow that smooths the surface before the feature is measured, mm.
     #[cfg_attr(feature = "serde", serde(default = "default_scales"))]
     pub scales_mm: Vec<f64>,
     /// Weight `w_f` in the unary potential.
@@ -22,6 +22,7 @@ pub struct FeatureParameters {
     pub weight: f64,
 }
 
+#[cfg(feature = "serde")]
 fn angle_defect() -> CurvatureEstimator {
     CurvatureEstimator::AngleDefect
 }
@@ -30,11 +31,12 @@ pub(super) fn default_scales() -> Vec<f64> {
     vec![1.4, 2.8, 4.5]
 }
 
+#[cfg(feature = "serde")]
 fn one() -> f64 {
     1.0
 }
 
-/// What a feature measures.
+/// Quantity that a feature measures.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
@@ -46,7 +48,7 @@ pub enum FeatureKind {
     MeanCurvature,
 }
 
-/// How curvature is estimated.
+/// Estimator of curvature.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
@@ -70,17 +72,17 @@ pub struct EnergyParameters {
     pub alpha: f64,
     /// Weight `β` of the difference of distances in the pairwise potentials.
     pub beta: f64,
-    /// How `d'`, the distance of two labels, is measured.
+    /// How the distance `d'` of two labels is measured.
     pub pairwise_distance: PairwiseDistance,
-    /// Truncation `T` of a pairwise potential, met where the neighbourhood is broken; `null`: `T → ∞`, the hard
-    /// neighbourhood constraint of the thesis. A broken edge then counts as 60 in every energy that is reported.
+    /// Truncation `T` of a pairwise potential: the cost of an edge whose two labels are not within the neighbourhood radius.
+    /// `null`: `T → ∞`, a hard neighbourhood constraint; such an edge then counts as 60 in every reported energy.
     pub truncation: Option<f64>,
     /// Neighbourhood radius `r` in edges.
     #[cfg_attr(feature = "openapi", schema(minimum = 1, maximum = 4))]
     pub neighborhood_rings: u32,
     /// Order `p` of the Minkowski distance of features.
     pub minkowski_p: f64,
-    /// Largest difference of one feature that counts, `τ`, in robust standard deviations.
+    /// Cap `τ` on the difference of one feature, in robust standard deviations.
     pub feature_cap: f64,
 }
 

@@ -6,120 +6,122 @@
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 #[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
 pub struct InferenceParameters {
-    /// Who minimises.
+    /// The algorithm.
     pub algorithm: Algorithm,
-    /// Over which label pairs belief propagation updates a message.
+    /// Label pairs that belief propagation considers when it updates a message.
     pub update: Update,
-    /// In which order belief propagation updates messages.
+    /// Order in which belief propagation updates messages.
     pub schedule: MessageSchedule,
-    /// Bits in which belief propagation stores a number of a message, 32 or 16; it computes in 32. With 16, half precision,
-    /// messages take half the memory; beliefs are off by a thousandth or so, and labels of nearly equal belief may be
-    /// exchanged. For flooding over all labels.
+    /// Bits with which belief propagation stores each number of a message, 32 or 16; it computes with 32. With 16 (half
+    /// precision) messages take half the memory; beliefs are off by about a thousandth, and labels of nearly equal belief
+    /// may be exchanged. 16 needs the `flooding` schedule and the `sparse` or `full` update.
     #[cfg_attr(feature = "serde", serde(default = "default_message_bits"))]
     #[cfg_attr(feature = "openapi", schema(minimum = 16, maximum = 32, multiple_of = 16))]
     pub message_bits: u32,
-    /// The energy of larger surfaces is that of coarse levels of about so many vertices, and every vertex is answered
-    /// after registration; `null`: every vertex is a variable, every target vertex a label.
+    /// Vertices of the coarse levels on which the energy of larger surfaces is minimised; corresponding points of all
+    /// vertices are determined after registration. `null`: every source vertex is a variable, every target vertex a label.
     #[cfg_attr(feature = "openapi", schema(minimum = 100, maximum = 20000))]
     pub coarse_vertices: Option<u32>,
-    /// Iterations of belief propagation, or sweeps of a randomised minimiser, in the first round at most.
+    /// Most iterations of belief propagation, or sweeps of a randomised minimiser, in the first round. Later rounds have a
+    /// quarter of that.
     #[cfg_attr(feature = "openapi", schema(minimum = 1, maximum = 100000))]
     pub max_iterations: u32,
-    /// Share of the old message that is kept in every update.
+    /// Share of the old message that is kept in every update of belief propagation.
     pub damping: f64,
     /// A round of belief propagation ends when no message changes by more than this.
     pub tolerance: f64,
-    /// How the annealers cool.
+    /// Cooling of simulated annealing (`gibbs` and `metropolis`).
     pub annealing: AnnealingParameters,
-    /// Energy at which `las_vegas` and the annealers stop, the answer being certified; `null`: the lower bound where
-    /// one was computed, else none.
+    /// Energy at which `las_vegas`, `gibbs` and `metropolis` stop with a certified answer; `null`: the lower bound if one was
+    /// computed, otherwise none.
     pub target_energy: Option<f64>,
-    /// Sweeps without gain after which `las_vegas` starts anew from a random labeling.
+    /// Sweeps without a lower energy after which `las_vegas` restarts from a random labeling.
     #[cfg_attr(feature = "openapi", schema(minimum = 1, maximum = 10000))]
     pub restart_after: u32,
-    /// Iterations of the dual method that bounds the energy from below; 0: no bound.
+    /// Iterations of the dual method that computes a lower bound of the energy; 0: no bound is computed.
     #[cfg_attr(feature = "openapi", schema(minimum = 0, maximum = 10000))]
     pub lower_bound_iterations: u32,
 }
 
+#[cfg(feature = "serde")]
 fn default_message_bits() -> u32 {
     32
 }
 
-/// Who minimises the energy.
+/// Algorithm that minimises the energy.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum Algorithm {
-    /// Max-product belief propagation: heads for the labeling of lowest energy.
+    /// Max-product belief propagation: approximates the labeling of lowest energy.
     MaxProduct,
-    /// Sum-product belief propagation: heads for the marginals.
+    /// Sum-product belief propagation: approximates the marginals, and takes the most probable label of each vertex.
     SumProduct,
-    /// Tree-reweighted message passing (TRW-S): raises the lower bound, and decodes a labeling on the way.
+    /// Tree-reweighted message passing (TRW-S): raises a lower bound of the energy and decodes a labeling from it.
     TreeReweighted,
-    /// Simulated annealing, every label drawn from its conditional distribution.
+    /// Simulated annealing with the Gibbs sampler: every label is drawn from its conditional distribution.
     Gibbs,
-    /// Simulated annealing, labels proposed and accepted or not.
+    /// Simulated annealing with the Metropolis sampler: a label is proposed, then accepted or rejected.
     Metropolis,
-    /// Random moves, taken only when they lower the energy, with restarts.
+    /// Random moves that are accepted only when they lower the energy, with restarts.
     LasVegas,
-    /// Nobody: registration alone, from `registration.initial`.
+    /// No energy is minimised: registration alone, from `registration.initial`.
     None,
 }
 
-/// Over which label pairs a message is updated.
+/// Label pairs that the update of a message considers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum Update {
-    /// Pairs within the neighbourhood; all others share the truncation.
+    /// Pairs within the neighbourhood radius; all others share the truncation. Gives the same messages as `full`.
     Sparse,
-    /// Pairs within the neighbourhood, of the labels that can still win: each variable holds its best labels, and those
-    /// that its neighbours demand. Nearly the same answer in less time and memory.
+    /// Pairs within the neighbourhood radius, restricted to the labels of lowest unary potential of each variable and those
+    /// near the best labels of its neighbours. Nearly the same answer in less time and memory.
     Active,
-    /// All pairs: the same messages in more time, for small surfaces and for comparison.
+    /// All pairs: the same messages as `sparse` in more time, for small surfaces and for comparison.
     Full,
 }
 
-/// In which order belief propagation updates messages.
+/// Order in which belief propagation updates messages.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum MessageSchedule {
-    /// All at once, from those of the iteration before.
+    /// All messages at once, from those of the previous iteration.
     Flooding,
-    /// The one that would change most first.
+    /// The message that would change most comes first.
     Residual,
 }
 
-/// How the temperature of an annealer falls.
+/// Temperatures of simulated annealing.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 #[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
 pub struct AnnealingParameters {
-    /// By which law.
+    /// The law by which the temperature falls.
     pub schedule: CoolingSchedule,
-    /// First temperature, in units of energy; `null`: twice the spread of the energy.
+    /// Initial temperature, in units of energy; `null`: twice the spread of the energy.
     pub initial_temperature: Option<f64>,
-    /// Last temperature; `null`: a two-hundredth of the first. For the logarithmic schedule only a floor.
+    /// Final temperature; `null`: a two-hundredth of the initial one. For the `logarithmic` schedule it is a lower limit.
     pub final_temperature: Option<f64>,
 }
 
-/// The law by which a temperature falls.
+/// Law by which the temperature falls.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum CoolingSchedule {
-    /// By the same factor every sweep.
+    /// By the same factor in every sweep.
     Geometric,
-    /// With the logarithm of the sweep (Geman, Geman 1984).
+    /// With the logarithm of the number of the sweep (Geman, Geman 1984).
     Logarithmic,
-    /// By the same amount every sweep.
+    /// By the same amount in every sweep.
     Linear,
 }
 
@@ -131,7 +133,7 @@ pub enum CoolingSchedule {
 pub struct ClampingParameters {
     /// How the feedback enters the unary potentials.
     pub mode: ClampingMode,
-    /// Rounds of feedback at most.
+    /// Most rounds of feedback.
     pub max_rounds: u32,
 }
 
@@ -143,8 +145,8 @@ pub struct ClampingParameters {
 pub enum ClampingMode {
     /// No feedback.
     None,
-    /// Inlier variables are fixed to their label.
+    /// Inlier variables are fixed to their labels.
     Hard,
-    /// Distance and normal disagreement after registration are added to every unary potential.
+    /// The distance and the disagreement of normals after registration are added to every unary potential.
     Soft,
 }

@@ -1,25 +1,25 @@
-//! How surfaces are made of the inputs.
+//! Parameters of the inputs.
 
-/// How a file becomes a surface.
+/// How a surface is made from an input file.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 #[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
 pub struct InputParameters {
-    /// Labels of a volume that make the structure; `null`: every label but 0. Meshes ignore it.
+    /// Labels of a volume that belong to the structure; `null`: every label except 0. Ignored for meshes.
     pub labels: Option<Vec<u32>>,
-    /// Which surface is made of a label volume.
+    /// Kind of surface that is made from a label volume.
     pub surface: SurfaceKind,
-    /// Standard deviation of the Gaussian filter before the smooth surface is cut out, mm.
+    /// Standard deviation of the Gaussian filter that is applied before the smooth surface is extracted, mm.
     #[cfg_attr(feature = "openapi", schema(minimum = 0, maximum = 10))]
     pub smoothing_mm: f64,
-    /// Repairs allowed; `null`: `largest_component` and `fill` for label volumes, none for meshes.
+    /// Repairs that are allowed; `null`: `largest_component` and `fill` for label volumes, none for meshes.
     pub repair: Option<Vec<Repair>>,
-    /// Whether a mesh may have a boundary: a piece of a structure, or one that is cut open. Tunnels then are no fault.
+    /// Whether a mesh may have a boundary, as a part of a structure has. Tunnels are accepted then, too.
     pub allow_boundary: bool,
 }
 
-/// Which surface is made of a label volume.
+/// Kind of surface that is made from a label volume.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
@@ -37,10 +37,10 @@ pub enum SurfaceKind {
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum Repair {
-    /// Vertices at the same place become one. Meshes only.
+    /// Vertices with equal coordinates are merged. Meshes only.
     Weld,
-    /// Only the largest connected piece is kept.
+    /// Only the largest connected component is kept.
     LargestComponent,
-    /// Tunnels and cavities are closed by the smallest change. Label volumes only.
+    /// Tunnels and cavities are closed by the smallest change of voxels. Label volumes only.
     Fill,
 }

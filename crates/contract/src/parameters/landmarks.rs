@@ -10,12 +10,14 @@ pub struct Landmark {
     pub source_mm: [f64; 3],
     /// Point of the target, mm.
     pub target_mm: [f64; 3],
-    /// How exactly the two are known: standard deviation along each axis, mm. Small is hard, large is soft.
+    /// Uncertainty of the pair: standard deviation along each axis, mm. The smaller it is, the more closely the answer
+    /// follows the landmark.
     #[cfg_attr(feature = "serde", serde(default = "default_sigma_mm"))]
     #[cfg_attr(feature = "openapi", schema(minimum = 0.01, maximum = 100))]
     pub sigma_mm: f64,
 }
 
+#[cfg(feature = "serde")]
 fn default_sigma_mm() -> f64 {
     0.5
 }

@@ -1,4 +1,4 @@
-//! The parameters of a match: named presets, what overrides them, and every check with the place of the fault.
+//! The parameters of a match: named presets, requests that override them, and checks that name the place of each fault.
 //!
 //! A request states a part; [`resolve()`] lays it over the preset that `method` names and returns the whole, the
 //! *effective* parameters, which are stored with the job and returned with its result.
@@ -23,6 +23,7 @@ pub use inference::{
 pub use input::{InputParameters, Repair, SurfaceKind};
 pub use landmarks::Landmark;
 pub use presets::{Method, preset};
+pub use ranges::{BOUNDS, Bounds, LENGTHS, Lengths};
 pub use registration::{InitialPose, MinimalEstimator, OrientationSolver, Refinement, RegistrationParameters};
 #[cfg(feature = "serde")]
 pub use resolve::resolve;
@@ -33,32 +34,33 @@ pub use resolve::resolve;
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 #[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
 pub struct MatchParameters {
-    /// The preset that the other values started from.
+    /// The preset that supplies every value a request does not state.
     pub method: Method,
-    /// How surfaces are made of the two inputs.
+    /// How surfaces are made from the two inputs.
     pub input: InputParameters,
     /// Vertex features of the unary potential.
     pub features: Vec<FeatureParameters>,
-    /// The energy.
+    /// The energy that is minimised.
     pub energy: EnergyParameters,
-    /// Who minimises it.
+    /// The algorithm that minimises the energy, and its settings.
     pub inference: InferenceParameters,
     /// Feedback from registration to the energy.
     pub clamping: ClampingParameters,
-    /// The rigid transform.
+    /// How the rigid transform is estimated.
     pub registration: RegistrationParameters,
-    /// The smooth displacement field after it.
+    /// The smooth displacement field that is fitted after the rigid transform.
     pub displacement: DisplacementParameters,
-    /// Points that are known to correspond: they enter the unary potentials, the poses and the displacement field.
+    /// Pairs of points that are known to correspond. They enter the unary potentials, the candidate poses and the
+    /// displacement field.
     #[cfg_attr(feature = "openapi", schema(max_items = 1000))]
     pub landmarks: Vec<Landmark>,
-    /// Whether the map from target to source is answered too.
+    /// Whether the result also contains the map from target to source.
     pub both_directions: bool,
-    /// Seed of everything that is drawn at random.
+    /// Seed of all random draws.
     pub seed: u64,
 }
 
-/// A fault in the parameters: where, which kind, what to do.
+/// A fault in the parameters: its place, its kind, and what is allowed.
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]

@@ -1,4 +1,4 @@
-//! The named presets: each a whole set of parameters that a request may change.
+//! The named presets: each is a complete set of parameters, parts of which a request may override.
 
 use super::energy::default_scales;
 use super::{
@@ -14,25 +14,26 @@ use super::{
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum Method {
-    /// Coarse levels, Gaussian and mean curvature, soft clamping, a smooth displacement field: the default.
+    /// The default: belief propagation on coarse levels, Gaussian and mean curvature, soft clamping, a smooth displacement
+    /// field.
     Balanced,
-    /// All vertices, Gaussian curvature only, hard clamping, no refinement.
+    /// Belief propagation over all vertices, Gaussian curvature only, hard clamping, no refinement.
     Thesis,
     /// As balanced, on coarser levels, with fewer iterations and one round.
     Fast,
     /// As balanced, on finer levels, with more scales, iterations and rounds.
     Accurate,
-    /// Registration only, all orientations searched.
+    /// Registration alone, after a search of all orientations.
     Rigid,
     /// Simulated annealing with the Gibbs sampler.
     Gibbs,
     /// Simulated annealing with the Metropolis sampler.
     Metropolis,
-    /// Random descent with restarts.
+    /// Random moves that lower the energy, with restarts.
     LasVegas,
-    /// First-order ellipsoids.
+    /// Registration alone, by first-order ellipsoids.
     Foe,
-    /// Iterative closest points from the centroids.
+    /// Registration alone, by iterative closest points from aligned centroids.
     Icp,
 }
 
@@ -80,19 +81,19 @@ impl Method {
             Method::Fast => "As balanced, on coarser levels, with a third of the iterations and one round of feedback.",
             Method::Accurate => "As balanced, on finer levels, with more scales, iterations and rounds.",
             Method::Rigid => {
-                "Registration only: all orientations searched, the best pose refined by closest points both ways; each \
-                 vertex is answered with the nearest."
+                "Registration alone: a search of all orientations, its best pose refined by closest points in both \
+                 directions; each vertex corresponds to the nearest."
             }
             Method::Gibbs => "Simulated annealing with the Gibbs sampler in place of belief propagation.",
             Method::Metropolis => "Simulated annealing with the Metropolis sampler in place of belief propagation.",
             Method::LasVegas => {
-                "Random moves that lower the energy, with restarts, until a stated energy is reached and certified."
+                "Random moves that lower the energy, with restarts, until a target energy is reached and certified."
             }
             Method::Foe => {
-                "Baseline: first-order ellipsoids laid on each other, their four-fold ambiguity reported, no refinement."
+                "Baseline: alignment of first-order ellipsoids, with their four-fold ambiguity reported, no refinement."
             }
             Method::Icp => {
-                "Baseline: iterative closest points from the centroids, for surfaces that are nearly aligned."
+                "Baseline: iterative closest points from aligned centroids, for surfaces that are nearly aligned."
             }
         }
     }
@@ -101,7 +102,7 @@ impl Method {
 /// The effective parameters of a preset.
 pub fn preset(method: Method) -> MatchParameters {
     let balanced = MatchParameters { method, ..balanced() };
-    // Methods that are there to be studied minimise the energy of all vertices and answer with its labels.
+    // Methods for the study of minimisers minimise the energy of all vertices and answer with its labels.
     let direct = MatchParameters {
         inference: InferenceParameters { coarse_vertices: None, ..balanced.inference.clone() },
         displacement: DisplacementParameters { mode: DisplacementMode::None, ..balanced.displacement.clone() },
@@ -111,7 +112,7 @@ pub fn preset(method: Method) -> MatchParameters {
         inference: InferenceParameters { algorithm, max_iterations: sweeps, ..direct.inference.clone() },
         ..direct.clone()
     };
-    // Nobody minimises an energy, so that nothing can be fed back to it.
+    // No energy is minimised, so that there is nothing to feed back to.
     let registration_only = |initial, refine| MatchParameters {
         inference: InferenceParameters { algorithm: Algorithm::None, ..direct.inference.clone() },
         clamping: ClampingParameters { mode: ClampingMode::None, max_rounds: 0 },

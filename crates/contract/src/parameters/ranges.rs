@@ -1,122 +1,441 @@
-//! The ranges of all parameters, and what excludes what.
+//! Which values parameters may take: one table of bounds for numbers and one for lengths of lists, and the rules between
+//! parameters. The check of a request and the tests of the extremes read these tables, and so can descriptions
+//! of the parameters.
 
-use super::resolve::fault;
 use super::{Algorithm, ClampingMode, InitialPose, MatchParameters, MessageSchedule, ParameterError, Update};
 
-/// Every value outside its range.
-pub(super) fn out_of_range(p: &MatchParameters) -> Vec<ParameterError> {
-    let mut faults = Vec::new();
-    let mut check = |ok: bool, pointer: &str, detail: &str| {
-        if !ok {
-            faults.push(fault(pointer, "out_of_range", detail.to_owned()));
+/// Where a value stands inside the lists that its name passes through, and the value; `None` stands for `null`.
+type Visit<'v> = &'v mut dyn FnMut(&[usize], Option<f64>);
+
+/// The allowed values of one numeric parameter.
+#[derive(Clone, Copy)]
+pub struct Bounds {
+    /// Dotted name in a request, such as `energy.alpha`. `[]` stands for every element of a list.
+    pub name: &'static str,
+    /// Lowest value; not itself allowed if `exclusive_minimum`.
+    pub minimum: f64,
+    /// Highest value; not itself allowed if `exclusive_maximum`.
+    pub maximum: f64,
+    /// Whether a value has to be more than `minimum`.
+    pub exclusive_minimum: bool,
+    /// Whether a value has to be less than `maximum`.
+    pub exclusive_maximum: bool,
+    /// Unit of the value: `mm`, or empty for a number without one.
+    pub unit: &'static str,
+    /// Whether `null` is allowed, too.
+    pub nullable: bool,
+    /// `Some(1)` for whole numbers, `Some(k)` for whole multiples of `k`, `None` for any number.
+    pub multiple_of: Option<u32>,
+    values: fn(&MatchParameters, Visit<'_>),
+}
+
+impl Bounds {
+    const fn number(name: &'static str, minimum: f64, maximum: f64, values: fn(&MatchParameters, Visit<'_>)) -> Self {
+        Bounds {
+            name,
+            minimum,
+            maximum,
+            exclusive_minimum: false,
+            exclusive_maximum: false,
+            unit: "",
+            nullable: false,
+            multiple_of: None,
+            values,
         }
-    };
-    check(p.input.labels.as_ref().is_none_or(|l| !l.is_empty()), "/input/labels", "name at least one label, or null");
-    check(
-        p.input.labels.as_ref().is_none_or(|l| !l.contains(&0)),
-        "/input/labels",
-        "label 0 is the background; name labels from 1 on",
-    );
-    check((0.0..=10.0).contains(&p.input.smoothing_mm), "/input/smoothing_mm", "must be from 0 to 10 mm");
-    check((1..=8).contains(&p.features.len()), "/features", "state from 1 to 8 features");
-    for (k, f) in p.features.iter().enumerate() {
-        let at = format!("/features/{k}");
-        check((1..=8).contains(&f.scales_mm.len()), &format!("{at}/scales_mm"), "state from 1 to 8 scales");
-        for (s, scale) in f.scales_mm.iter().enumerate() {
-            check((0.0..=100.0).contains(scale), &format!("{at}/scales_mm/{s}"), "must be from 0 to 100 mm");
+    }
+
+    const fn whole(name: &'static str, minimum: u32, maximum: u32, values: fn(&MatchParameters, Visit<'_>)) -> Self {
+        Bounds { multiple_of: Some(1), ..Bounds::number(name, minimum as f64, maximum as f64, values) }
+    }
+
+    const fn above_minimum(self) -> Self {
+        Bounds { exclusive_minimum: true, ..self }
+    }
+
+    const fn below_maximum(self) -> Self {
+        Bounds { exclusive_maximum: true, ..self }
+    }
+
+    const fn mm(self) -> Self {
+        Bounds { unit: "mm", ..self }
+    }
+
+    const fn or_null(self) -> Self {
+        Bounds { nullable: true, ..self }
+    }
+
+    /// Whether `value` is allowed.
+    pub fn allows(&self, value: f64) -> bool {
+        let above = if self.exclusive_minimum { value > self.minimum } else { value >= self.minimum };
+        let below = if self.exclusive_maximum { value < self.maximum } else { value <= self.maximum };
+        above && below && self.multiple_of.is_none_or(|k| value % f64::from(k) == 0.0)
+    }
+
+    /// The lowest number that is allowed.
+    pub fn lowest(&self) -> f64 {
+        if self.exclusive_minimum { self.minimum.next_up() } else { self.minimum }
+    }
+
+    /// The highest number that is allowed.
+    pub fn highest(&self) -> f64 {
+        if self.exclusive_maximum { self.maximum.next_down() } else { self.maximum }
+    }
+
+    /// What is allowed, as the end of a sentence: "must be from 0 to 10 mm, or null".
+    fn demand(&self) -> String {
+        let Bounds { minimum, maximum, unit, .. } = *self;
+        let unit = if unit.is_empty() { String::new() } else { format!(" {unit}") };
+        let or_null = if self.nullable { ", or null" } else { "" };
+        let demand = match (self.multiple_of, self.exclusive_minimum, self.exclusive_maximum) {
+            (Some(step), ..) if step > 1 => format!("must be {minimum} or {maximum}"),
+            _ if maximum == f64::MAX => "must be a finite number".to_owned(),
+            (_, true, true) => format!("must be more than {minimum}, below {maximum}{unit}"),
+            (_, true, false) => format!("must be more than {minimum}, at most {maximum}{unit}"),
+            (_, false, true) => format!("must be from {minimum} to below {maximum}{unit}"),
+            (_, false, false) => format!("must be from {minimum} to {maximum}{unit}"),
+        };
+        demand + or_null
+    }
+}
+
+/// The allowed lengths of one list.
+#[derive(Clone, Copy)]
+pub struct Lengths {
+    /// Dotted name in a request, such as `landmarks`. `[]` stands for every element of a list.
+    pub name: &'static str,
+    /// Fewest elements.
+    pub minimum: usize,
+    /// Most elements.
+    pub maximum: usize,
+    lengths: fn(&MatchParameters, Visit<'_>),
+}
+
+/// The bounds of every numeric parameter but `seed` and the labels of a volume, which may be any whole numbers of their
+/// types (64 and 32 bits, not negative).
+pub const BOUNDS: &[Bounds] = &[
+    Bounds::number("input.smoothing_mm", 0.0, 10.0, |p, visit| visit(&[], Some(p.input.smoothing_mm))).mm(),
+    Bounds::number("features[].scales_mm[]", 0.0, 100.0, |p, visit| {
+        for (k, feature) in p.features.iter().enumerate() {
+            feature.scales_mm.iter().enumerate().for_each(|(s, scale)| visit(&[k, s], Some(*scale)));
         }
+    })
+    .mm(),
+    Bounds::number("features[].radius_mm", 0.0, 100.0, |p, visit| {
+        p.features.iter().enumerate().for_each(|(k, feature)| visit(&[k], feature.radius_mm));
+    })
+    .above_minimum()
+    .mm()
+    .or_null(),
+    Bounds::number("features[].weight", 0.0, 100.0, |p, visit| {
+        p.features.iter().enumerate().for_each(|(k, feature)| visit(&[k], Some(feature.weight)));
+    })
+    .above_minimum(),
+    Bounds::number("energy.alpha", 0.0, 1000.0, |p, visit| visit(&[], Some(p.energy.alpha))),
+    Bounds::number("energy.beta", 0.0, 1000.0, |p, visit| visit(&[], Some(p.energy.beta))),
+    Bounds::number("energy.truncation", 0.0, 60.0, |p, visit| visit(&[], p.energy.truncation))
+        .above_minimum()
+        .or_null(),
+    Bounds::whole("energy.neighborhood_rings", 1, 4, |p, visit| {
+        visit(&[], Some(p.energy.neighborhood_rings.into()));
+    }),
+    Bounds::number("energy.minkowski_p", 0.1, 10.0, |p, visit| visit(&[], Some(p.energy.minkowski_p))),
+    Bounds::number("energy.feature_cap", 0.0, 100.0, |p, visit| visit(&[], Some(p.energy.feature_cap))).above_minimum(),
+    Bounds {
+        multiple_of: Some(16),
+        ..Bounds::whole("inference.message_bits", 16, 32, |p, visit| visit(&[], Some(p.inference.message_bits.into())))
+    },
+    Bounds::whole("inference.coarse_vertices", 100, 20_000, |p, visit| {
+        visit(&[], p.inference.coarse_vertices.map(f64::from));
+    })
+    .or_null(),
+    Bounds::whole("inference.max_iterations", 1, 100_000, |p, visit| {
+        visit(&[], Some(p.inference.max_iterations.into()));
+    }),
+    Bounds::number("inference.damping", 0.0, 1.0, |p, visit| visit(&[], Some(p.inference.damping))).below_maximum(),
+    Bounds::number("inference.tolerance", 0.0, 1.0, |p, visit| visit(&[], Some(p.inference.tolerance))),
+    Bounds::number("inference.annealing.initial_temperature", 0.0, 1e6, |p, visit| {
+        visit(&[], p.inference.annealing.initial_temperature);
+    })
+    .above_minimum()
+    .or_null(),
+    Bounds::number("inference.annealing.final_temperature", 0.0, 1e6, |p, visit| {
+        visit(&[], p.inference.annealing.final_temperature);
+    })
+    .above_minimum()
+    .or_null(),
+    Bounds::number("inference.target_energy", f64::MIN, f64::MAX, |p, visit| visit(&[], p.inference.target_energy))
+        .or_null(),
+    Bounds::whole("inference.restart_after", 1, 10_000, |p, visit| {
+        visit(&[], Some(p.inference.restart_after.into()));
+    }),
+    Bounds::whole("inference.lower_bound_iterations", 0, 10_000, |p, visit| {
+        visit(&[], Some(p.inference.lower_bound_iterations.into()));
+    }),
+    Bounds::whole("clamping.max_rounds", 0, 20, |p, visit| visit(&[], Some(p.clamping.max_rounds.into()))),
+    Bounds::number("registration.tolerance_mm", 0.0, 1000.0, |p, visit| visit(&[], p.registration.tolerance_mm))
+        .above_minimum()
+        .mm()
+        .or_null(),
+    Bounds::number("registration.confidence", 0.0, 1.0, |p, visit| visit(&[], Some(p.registration.confidence)))
+        .below_maximum(),
+    Bounds::whole("registration.max_trials", 1, 10_000_000, |p, visit| {
+        visit(&[], Some(p.registration.max_trials.into()));
+    }),
+    Bounds::number("landmarks[].source_mm[]", -1e6, 1e6, |p, visit| {
+        for (k, landmark) in p.landmarks.iter().enumerate() {
+            landmark.source_mm.iter().enumerate().for_each(|(axis, x)| visit(&[k, axis], Some(*x)));
+        }
+    })
+    .mm(),
+    Bounds::number("landmarks[].target_mm[]", -1e6, 1e6, |p, visit| {
+        for (k, landmark) in p.landmarks.iter().enumerate() {
+            landmark.target_mm.iter().enumerate().for_each(|(axis, x)| visit(&[k, axis], Some(*x)));
+        }
+    })
+    .mm(),
+    Bounds::number("landmarks[].sigma_mm", 0.01, 100.0, |p, visit| {
+        p.landmarks.iter().enumerate().for_each(|(k, landmark)| visit(&[k], Some(landmark.sigma_mm)));
+    })
+    .mm(),
+];
+
+/// The bounds of the lengths of lists.
+pub const LENGTHS: &[Lengths] = &[
+    Lengths { name: "features", minimum: 1, maximum: 8, lengths: |p, visit| visit(&[], Some(p.features.len() as f64)) },
+    Lengths {
+        name: "features[].scales_mm",
+        minimum: 1,
+        maximum: 8,
+        lengths: |p, visit| {
+            p.features.iter().enumerate().for_each(|(k, feature)| visit(&[k], Some(feature.scales_mm.len() as f64)));
+        },
+    },
+    Lengths {
+        name: "landmarks",
+        minimum: 0,
+        maximum: 1000,
+        lengths: |p, visit| visit(&[], Some(p.landmarks.len() as f64)),
+    },
+];
+
+/// The JSON pointer of the value with this dotted `name` at `indices` of the lists it passes through.
+fn pointer(name: &str, indices: &[usize]) -> String {
+    let mut pointer = String::from("/");
+    let mut indices = indices.iter();
+    for (k, part) in name.split("[]").enumerate() {
+        if k > 0
+            && let Some(index) = indices.next()
+        {
+            pointer.push_str(&format!("/{index}"));
+        }
+        // After a list the separator of the name is that of the pointer already.
+        pointer.push_str(&part.replace('.', "/"));
+    }
+    pointer
+}
+
+/// A fault at `pointer`.
+pub(super) fn fault(pointer: &str, code: &str, detail: String) -> ParameterError {
+    ParameterError { pointer: pointer.to_owned(), code: code.to_owned(), detail }
+}
+
+impl MatchParameters {
+    /// Checks every value against [`BOUNDS`] and [`LENGTHS`], and the values that exclude each other.
+    ///
+    /// # Errors
+    /// Every fault, each with its JSON pointer: first values and lengths out of their bounds, then values that exclude each
+    /// other.
+    pub fn check(&self) -> Result<(), Vec<ParameterError>> {
+        let mut faults = Vec::new();
+        for bounds in BOUNDS {
+            (bounds.values)(self, &mut |indices, value| {
+                let allowed = value.map_or(bounds.nullable, |value| bounds.allows(value));
+                if !allowed {
+                    faults.push(fault(&pointer(bounds.name, indices), "out_of_range", bounds.demand()));
+                }
+            });
+        }
+        for list in LENGTHS {
+            let Lengths { name, minimum, maximum, .. } = *list;
+            (list.lengths)(self, &mut |indices, length| {
+                if !length.is_some_and(|n| (minimum as f64..=maximum as f64).contains(&n)) {
+                    let detail = format!("must have from {minimum} to {maximum} elements");
+                    faults.push(fault(&pointer(name, indices), "out_of_range", detail));
+                }
+            });
+        }
+        self.check_rules(&mut |holds, pointer, detail| {
+            if !holds {
+                faults.push(fault(pointer, "out_of_range", detail.to_owned()));
+            }
+        });
+        if faults.is_empty() { Ok(()) } else { Err(faults) }
+    }
+
+    /// What no bound of a single value says.
+    fn check_rules(&self, check: &mut dyn FnMut(bool, &str, &str)) {
+        let labels = self.input.labels.as_deref();
+        check(labels.is_none_or(|l| !l.is_empty()), "/input/labels", "name at least one label, or null");
         check(
-            f.radius_mm.is_none_or(|r| r > 0.0 && r <= 100.0),
-            &format!("{at}/radius_mm"),
-            "must be more than 0, at most 100 mm, or null",
+            labels.is_none_or(|l| !l.contains(&0)),
+            "/input/labels",
+            "label 0 is the background; name labels from 1 on",
         );
-        check(f.weight > 0.0 && f.weight <= 100.0, &format!("{at}/weight"), "must be more than 0, at most 100");
-    }
-    let e = &p.energy;
-    check((0.0..=1000.0).contains(&e.alpha), "/energy/alpha", "must be from 0 to 1000");
-    check((0.0..=1000.0).contains(&e.beta), "/energy/beta", "must be from 0 to 1000");
-    check(
-        e.truncation.is_none_or(|t| t > 0.0 && t <= 60.0),
-        "/energy/truncation",
-        "must be more than 0, at most 60, or null for the hard constraint",
-    );
-    check((1..=4).contains(&e.neighborhood_rings), "/energy/neighborhood_rings", "must be from 1 to 4");
-    check((0.1..=10.0).contains(&e.minkowski_p), "/energy/minkowski_p", "must be from 0.1 to 10");
-    check(e.feature_cap > 0.0 && e.feature_cap <= 100.0, "/energy/feature_cap", "must be more than 0, at most 100");
-    let i = &p.inference;
-    check(
-        i.coarse_vertices.is_none_or(|n| (100..=20_000).contains(&n)),
-        "/inference/coarse_vertices",
-        "must be from 100 to 20000, or null",
-    );
-    check((1..=100_000).contains(&i.max_iterations), "/inference/max_iterations", "must be from 1 to 100000");
-    check((0.0..1.0).contains(&i.damping), "/inference/damping", "must be from 0 to below 1");
-    check((0.0..=1.0).contains(&i.tolerance), "/inference/tolerance", "must be from 0 to 1");
-    let a = &i.annealing;
-    for (name, value) in [("initial", a.initial_temperature), ("final", a.final_temperature)] {
+        let i = &self.inference;
+        if let (Some(first), Some(last)) = (i.annealing.initial_temperature, i.annealing.final_temperature) {
+            check(
+                last <= first,
+                "/inference/annealing/final_temperature",
+                "must not be above inference.annealing.initial_temperature",
+            );
+        }
+        let alone = i.algorithm == Algorithm::None;
         check(
-            value.is_none_or(|t| t > 0.0 && t <= 1e6),
-            &format!("/inference/annealing/{name}_temperature"),
-            "must be more than 0, at most 1000000, or null",
+            !alone || self.registration.initial != InitialPose::Ransac,
+            "/registration/initial",
+            "must not be ransac where inference.algorithm is none: there is no correspondence to draw from",
+        );
+        check(
+            alone || self.registration.initial == InitialPose::Ransac,
+            "/registration/initial",
+            "must be ransac unless inference.algorithm is none",
+        );
+        check(
+            !alone || self.clamping.mode == ClampingMode::None,
+            "/clamping/mode",
+            "must be none where inference.algorithm is none: there is no energy to feed back to",
+        );
+        check(
+            !alone || i.lower_bound_iterations == 0,
+            "/inference/lower_bound_iterations",
+            "must be 0 where inference.algorithm is none: there is no energy to bound",
+        );
+        check(
+            i.update == Update::Sparse || i.schedule == MessageSchedule::Flooding,
+            "/inference/schedule",
+            "must be flooding unless inference.update is sparse",
+        );
+        let passes_messages = matches!(i.algorithm, Algorithm::MaxProduct | Algorithm::SumProduct);
+        check(
+            i.message_bits != 16
+                || (passes_messages && i.update != Update::Active && i.schedule == MessageSchedule::Flooding),
+            "/inference/message_bits",
+            "must be 32 unless inference.algorithm is max_product or sum_product, inference.update sparse or full, and \
+             inference.schedule flooding",
         );
     }
-    if let (Some(first), Some(last)) = (a.initial_temperature, a.final_temperature) {
-        check(last <= first, "/inference/annealing/final_temperature", "must not be above the initial temperature");
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::parameters::{Landmark, Method, preset};
+
+    #[test]
+    fn every_preset_is_allowed() {
+        for method in Method::ALL {
+            assert_eq!(preset(method).check(), Ok(()), "{}", method.name());
+        }
     }
-    check(i.target_energy.is_none_or(f64::is_finite), "/inference/target_energy", "must be a finite number or null");
-    check((1..=10_000).contains(&i.restart_after), "/inference/restart_after", "must be from 1 to 10000");
-    check(i.lower_bound_iterations <= 10_000, "/inference/lower_bound_iterations", "must be at most 10000");
-    let alone = i.algorithm == Algorithm::None;
-    check(
-        !alone || p.registration.initial != InitialPose::Ransac,
-        "/registration/initial",
-        "must not be ransac where inference.algorithm is none: there is no correspondence to draw from",
-    );
-    check(
-        alone || p.registration.initial == InitialPose::Ransac,
-        "/registration/initial",
-        "must be ransac unless inference.algorithm is none",
-    );
-    check(
-        !alone || p.clamping.mode == ClampingMode::None,
-        "/clamping/mode",
-        "must be none where inference.algorithm is none: there is no energy to feed back to",
-    );
-    check(
-        !alone || i.lower_bound_iterations == 0,
-        "/inference/lower_bound_iterations",
-        "must be 0 where inference.algorithm is none: there is no energy to bound",
-    );
-    check(
-        i.update == Update::Sparse || i.schedule == MessageSchedule::Flooding,
-        "/inference/schedule",
-        "must be flooding unless inference.update is sparse",
-    );
-    check(matches!(i.message_bits, 16 | 32), "/inference/message_bits", "must be 16 or 32");
-    let passes_messages = matches!(i.algorithm, Algorithm::MaxProduct | Algorithm::SumProduct);
-    check(
-        i.message_bits != 16
-            || (passes_messages && i.update != Update::Active && i.schedule == MessageSchedule::Flooding),
-        "/inference/message_bits",
-        "must be 32 unless inference.algorithm is max_product or sum_product, inference.update sparse or full, and \
-         inference.schedule flooding",
-    );
-    check(p.clamping.max_rounds <= 20, "/clamping/max_rounds", "must be at most 20");
-    let r = &p.registration;
-    check(
-        r.tolerance_mm.is_none_or(|t| t > 0.0 && t <= 1000.0),
-        "/registration/tolerance_mm",
-        "must be more than 0, at most 1000 mm, or null",
-    );
-    check((0.0..1.0).contains(&r.confidence), "/registration/confidence", "must be from 0 to below 1");
-    check((1..=10_000_000).contains(&r.max_trials), "/registration/max_trials", "must be from 1 to 10 million");
-    check(p.landmarks.len() <= 1000, "/landmarks", "state at most 1000 landmarks");
-    for (k, landmark) in p.landmarks.iter().enumerate() {
-        let within = |point: &[f64; 3]| point.iter().all(|x| x.abs() <= 1e6);
-        check(within(&landmark.source_mm), &format!("/landmarks/{k}/source_mm"), "must be within 1000000 mm of 0");
-        check(within(&landmark.target_mm), &format!("/landmarks/{k}/target_mm"), "must be within 1000000 mm of 0");
-        let sigma = (0.01..=100.0).contains(&landmark.sigma_mm);
-        check(sigma, &format!("/landmarks/{k}/sigma_mm"), "must be from 0.01 to 100 mm");
+
+    #[test]
+    fn extremes_are_allowed_and_nothing_beyond_them() {
+        for bounds in BOUNDS {
+            let (lowest, highest) = (bounds.lowest(), bounds.highest());
+            assert!(bounds.allows(lowest) && bounds.allows(highest), "{}", bounds.name);
+            assert!(!bounds.allows(lowest.next_down()) && !bounds.allows(highest.next_up()), "{}", bounds.name);
+            assert!(!bounds.allows(f64::NAN), "{}", bounds.name);
+        }
     }
-    faults
+
+    #[test]
+    fn faults_name_the_place_and_what_is_allowed() {
+        let mut p = preset(Method::Balanced);
+        p.features[1].scales_mm[2] = -1.0;
+        p.features[0].radius_mm = Some(0.0);
+        p.energy.truncation = Some(61.0);
+        p.inference.damping = 1.0;
+        p.inference.message_bits = 8;
+        p.inference.coarse_vertices = Some(99);
+        p.inference.target_energy = Some(f64::INFINITY);
+        p.landmarks = vec![Landmark { source_mm: [0.0, 2e6, 0.0], target_mm: [0.0; 3], sigma_mm: f64::NAN }];
+        p.features[1].scales_mm.resize(9, 1.0);
+        let found: Vec<_> = p.check().unwrap_err().into_iter().map(|f| (f.pointer, f.detail)).collect();
+        let expected = [
+            ("/features/1/scales_mm/2", "must be from 0 to 100 mm"),
+            ("/features/0/radius_mm", "must be more than 0, at most 100 mm, or null"),
+            ("/energy/truncation", "must be more than 0, at most 60, or null"),
+            ("/inference/message_bits", "must be 16 or 32"),
+            ("/inference/coarse_vertices", "must be from 100 to 20000, or null"),
+            ("/inference/damping", "must be from 0 to below 1"),
+            ("/inference/target_energy", "must be a finite number, or null"),
+            ("/landmarks/0/source_mm/1", "must be from -1000000 to 1000000 mm"),
+            ("/landmarks/0/sigma_mm", "must be from 0.01 to 100 mm"),
+            ("/features/1/scales_mm", "must have from 1 to 8 elements"),
+        ];
+        assert_eq!(found, expected.map(|(pointer, detail)| (pointer.to_owned(), detail.to_owned())));
+    }
+
+    /// Every number in the parameters has a row in the table, under the name it has in a request.
+    #[cfg(feature = "serde")]
+    #[test]
+    fn no_number_is_without_bounds() {
+        use serde_json::Value;
+        fn collect(value: &Value, name: &str, found: &mut std::collections::BTreeSet<String>) {
+            match value {
+                Value::Object(fields) => {
+                    for (key, value) in fields {
+                        collect(value, &if name.is_empty() { key.clone() } else { format!("{name}.{key}") }, found);
+                    }
+                }
+                Value::Array(items) => items.iter().for_each(|item| collect(item, &format!("{name}[]"), found)),
+                Value::Number(_) => {
+                    found.insert(name.to_owned());
+                }
+                _ => {}
+            }
+        }
+        let mut p = preset(Method::Balanced);
+        p.features[0].radius_mm = Some(1.0);
+        p.inference.target_energy = Some(1.0);
+        p.inference.annealing.initial_temperature = Some(1.0);
+        p.inference.annealing.final_temperature = Some(1.0);
+        p.registration.tolerance_mm = Some(1.0);
+        p.landmarks = vec![Landmark { source_mm: [0.0; 3], target_mm: [0.0; 3], sigma_mm: 1.0 }];
+        let mut found = std::collections::BTreeSet::new();
+        collect(&serde_json::to_value(&p).unwrap(), "", &mut found);
+        found.remove("seed");
+        let named = BOUNDS.iter().map(|b| b.name.to_owned()).collect();
+        assert_eq!(found, named);
+    }
+
+    /// Bounds that the generated schema states are those of the table.
+    #[cfg(feature = "openapi")]
+    #[test]
+    fn the_schema_states_no_other_bounds() {
+        use utoipa::PartialSchema;
+        let stated = [
+            ("input", serde_json::to_value(crate::parameters::InputParameters::schema()).unwrap()),
+            ("inference", serde_json::to_value(crate::parameters::InferenceParameters::schema()).unwrap()),
+            ("energy", serde_json::to_value(crate::parameters::EnergyParameters::schema()).unwrap()),
+            ("landmarks[]", serde_json::to_value(Landmark::schema()).unwrap()),
+        ];
+        let mut n_stated = 0;
+        for (group, schema) in stated {
+            for (key, property) in schema["properties"].as_object().unwrap() {
+                let name = format!("{group}.{key}");
+                let Some(bounds) = BOUNDS.iter().find(|b| b.name == name) else { continue };
+                for (word, value) in [("minimum", bounds.minimum), ("maximum", bounds.maximum)] {
+                    if let Some(found) = property.get(word).and_then(|v| v.as_f64())
+                        // A count that cannot be negative says so by itself.
+                        && (word, found) != ("minimum", 0.0)
+                    {
+                        assert_eq!(found, value, "{name} {word}");
+                        n_stated += 1;
+                    }
+                }
+            }
+        }
+        assert!(n_stated >= 10, "{n_stated}");
+    }
 }

@@ -1,32 +1,32 @@
 //! Parameters of the rigid transform.
 
-/// The rigid transform.
+/// How the rigid transform is estimated.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 #[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
 pub struct RegistrationParameters {
-    /// Where the transform comes from before it is refined.
+    /// The initial pose, before refinement.
     pub initial: InitialPose,
-    /// How three pairs give a transform.
+    /// Minimal estimator of RANSAC: a transform from three pairs.
     pub estimator: MinimalEstimator,
-    /// How the pairs that agree give a transform.
+    /// Least-squares solver of RANSAC: a transform from all inliers.
     pub solver: OrientationSolver,
-    /// Largest residual of an inlier, mm; `null`: chosen from the mean edge length of the target.
+    /// Largest residual of an inlier, mm; `null`: three mean edge lengths of the target.
     pub tolerance_mm: Option<f64>,
-    /// Wanted probability that one trial drew only inliers.
+    /// Desired probability that at least one RANSAC trial drew only inliers.
     pub confidence: f64,
-    /// Trials at most.
+    /// Most RANSAC trials.
     pub max_trials: u32,
-    /// Whether a reflection may be answered.
+    /// Whether the transform may mirror the source.
     pub allow_reflection: bool,
-    /// Whether the similarity transform, with scale, that fits the support best is reported beside the rigid one.
+    /// Whether the similarity transform (with scale) that fits the support best is reported in addition to the rigid one.
     pub similarity: bool,
-    /// Iterative closest points after the initial pose.
+    /// Refinement of the initial pose by iterative closest points.
     pub refine: Refinement,
 }
 
-/// Where the transform comes from before it is refined.
+/// Initial pose, before refinement.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
@@ -34,15 +34,15 @@ pub struct RegistrationParameters {
 pub enum InitialPose {
     /// RANSAC over the correspondence. Needs a minimiser.
     Ransac,
-    /// A search of all orientations by soft assignment of patches.
+    /// Search of all orientations by soft assignment of patches.
     Search,
-    /// The first-order ellipsoids laid on each other (Brechbühler, Gerig, Kübler 1995); of four poses the closest.
+    /// Alignment of the first-order ellipsoids (Brechbühler, Gerig, Kübler 1995); the closest of the four possible poses.
     FirstOrderEllipsoid,
-    /// Centroid on centroid, not turned: for surfaces that are nearly aligned.
+    /// Alignment of the centroids without rotation, for surfaces that are nearly aligned.
     Centroids,
 }
 
-/// How three pairs give a transform.
+/// Minimal estimator of RANSAC: a transform from three pairs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
@@ -50,11 +50,11 @@ pub enum InitialPose {
 pub enum MinimalEstimator {
     /// An orthonormal frame on each triple.
     Frame,
-    /// The axis is what the rotation leaves fixed, then the angle.
+    /// The rotation axis from the displacements of the three pairs, then the angle.
     RotationAxis,
 }
 
-/// How pairs that agree give a transform.
+/// Least-squares solver of absolute orientation.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
@@ -68,13 +68,13 @@ pub enum OrientationSolver {
     OrthonormalMatrix,
 }
 
-/// Iterative closest points after the initial pose.
+/// Refinement by iterative closest points.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum Refinement {
-    /// None.
+    /// No refinement.
     None,
     /// Distance of points (Besl, McKay 1992).
     PointToPoint,

@@ -1,6 +1,6 @@
 //! From a request to effective parameters, with the place of every fault.
 
-use super::ranges::out_of_range;
+use super::ranges::fault;
 use super::{MatchParameters, Method, ParameterError, preset};
 use serde_json::Value;
 
@@ -26,12 +26,7 @@ pub fn resolve(request: &Value) -> Result<MatchParameters, Vec<ParameterError>> 
         let pointer = format!("/{}", e.path().to_string().replace(['.', '['], "/").replace(']', ""));
         vec![fault(&pointer, "wrong_type", e.inner().to_string())]
     })?;
-    let faults = out_of_range(&parameters);
-    if faults.is_empty() { Ok(parameters) } else { Err(faults) }
-}
-
-pub(super) fn fault(pointer: &str, code: &str, detail: String) -> ParameterError {
-    ParameterError { pointer: pointer.to_owned(), code: code.to_owned(), detail }
+    parameters.check().map(|()| parameters)
 }
 
 /// Lays `request` over `base`: objects key by key, anything else replaces. Unknown keys are faults.

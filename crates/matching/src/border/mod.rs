@@ -1,15 +1,16 @@
-//! Where a hippocampus parts into anterior and posterior, seen from its form, and a map that respects it.
+//! The border between the anterior and the posterior part of a hippocampus, predicted from its shape, and a map that
+//! respects it.
 //!
-//! Along a hippocampus a smooth field finds little to hold on to: at the border that raters draw behind the uncus, the
-//! maps between 669 pairs of the given subjects were off by 1.7 mm (root mean square), as much with rigid registration.
-//! Raters see the uncus end; so do the moments of the sections across the long axis. A linear model of them, learned from
-//! labelled volumes, tells a subject's border that it was not trained on to 1.1 mm, where the mean border of all subjects
-//! is off by 1.7 mm. What the borders of source and target, so predicted, disagree with a map by is an estimate of the
-//! map's error there; a share of it is taken off by sliding the images along the target.
+//! Along a hippocampus the shape determines a smooth field poorly: at the border that raters draw behind the uncus, the maps
+//! between 669 pairs of subjects were off by 1.7 mm (root mean square), no less than with rigid registration. Raters go by
+//! the end of the uncus, which the moments of the sections across the long axis show, too. A linear model of these moments,
+//! learned from labelled volumes, predicts the border of a subject outside the training set to 1.1 mm, where the mean
+//! border of all subjects is off by 1.7 mm. The disagreement of a map with the predicted borders of source and target
+//! estimates its error there; a share of it is corrected by sliding the images along the target.
 //!
-//! Only pairs whose sections look like those the model has seen are touched, and no image slides by more than
-//! [`MAX_SLIDE_MM`]. What slides depends on the form: a thicker subject's head is taken to reach further back. Studies in
-//! which thickness is what is measured can do without (`displacement.anatomy: any`).
+//! Only pairs whose sections resemble the training set are affected, and no image slides by more than [`MAX_SLIDE_MM`]. The
+//! slide depends on shape: the head of a thicker subject is taken to reach further back. Studies that measure thickness can
+//! turn the prior off (`displacement.anatomy: any`).
 
 mod sections;
 #[cfg(test)]
@@ -24,26 +25,26 @@ use rayon::prelude::*;
 use sections::{ORIENTATIONS, Sections, Signs};
 use weights::{FEATURES, MEAN_BORDER, TILT};
 
-/// Root mean square of a profile's features, in standard deviations of the training, above which it is of something else.
-/// Among the hippocampi trained on the median is 0.95 and the largest 1.97.
-pub const MAX_DISTANCE: f64 = 2.2;
-/// Least cosine between an axis of the source, turned onto the target, and the same axis of the target.
+/// Root mean square of a profile's features, in standard deviations of the training set, above which the surface is not
+/// taken for a hippocampus. In the training set the median is 0.95 and the largest value 1.97.
+pub(crate) const MAX_DISTANCE: f64 = 2.2;
+/// Least cosine between an axis of the source, rotated onto the target, and the same axis of the target.
 const MIN_COSINE: f64 = 0.5;
-/// Share of the disagreement that is the map's error: of offsets and of slopes, by regression over 435 pairs of maps.
+/// Share of the disagreement that is corrected, of offsets and of slopes; by regression over 435 pairs of maps.
 const SHARES: [f64; 2] = [0.6, 0.9];
-/// Width of the weights around the source's border with which it is followed into the target, mm.
+/// Width of the weights around the source's border with which it is mapped to the target, mm.
 const FOLLOW_MM: f64 = 3.0;
-/// No image slides by more.
-pub const MAX_SLIDE_MM: f64 = 3.0;
+/// Most that an image slides, mm.
+pub(crate) const MAX_SLIDE_MM: f64 = 3.0;
 /// The slide fades away from this place, mm from the center towards the head, with this standard deviation.
 const SLIDE_AT_MM: f64 = 2.0;
 const SLIDE_WIDTH_MM: f64 = 10.0;
 
-/// What the model sees in the sections of one surface whose axes point as `signs` say.
+/// The model's prediction for one surface whose axes point as `signs` say.
 #[derive(Clone, Copy)]
 struct Reading {
     signs: Signs,
-    /// How unlike the training it is, in its standard deviations.
+    /// Distance from the training set, in its standard deviations.
     distance: f64,
     /// The border is where `s = p₀ + p₁ m + t h`.
     border: [f64; 2],
@@ -62,7 +63,7 @@ impl Reading {
     }
 }
 
-/// One surface with its axes named.
+/// One surface with the directions of its axes determined.
 struct Body {
     sections: Sections,
     reading: Reading,
@@ -73,17 +74,17 @@ impl Body {
         self.sections.coordinates(self.reading.signs, point)
     }
 
-    /// How far `point` lies before the border, towards the head, mm along the long axis.
+    /// Distance of `point` before the border, towards the head, mm along the long axis.
     fn before_border(&self, point: &Point3<f64>) -> f64 {
         let [s, m, h] = self.coordinates(point);
         s - self.reading.border[0] - self.reading.border[1] * m - TILT * h
     }
 }
 
-/// By how much the images of a map slide along the long axis of the target.
-pub struct Slide {
+/// The slide of the images of a map along the long axis of the target.
+pub(crate) struct Slide {
     target: Body,
-    /// How unlike the training source and target are, in its standard deviations.
+    /// Distances of source and target from the training set, in its standard deviations.
     pub distances: [f64; 2],
     /// The slide at `m = 0` before it fades, mm towards the head, and what a millimetre of `m` adds.
     pub offset_mm: f64,
@@ -91,18 +92,19 @@ pub struct Slide {
 }
 
 impl Slide {
-    /// What takes the border of `source`, by `images` of its vertices (mm), nearer to that of `target`; `turn` is the
-    /// linear part of the rigid transform between them. `None` unless both look like hippocampi that lie the same way.
+    /// The slide that takes the border of `source`, mapped by `images` of its vertices (mm), nearer to that of `target`;
+    /// `rotation` is the linear part of the rigid transform between them. `None` unless both resemble hippocampi whose axes
+    /// correspond.
     ///
     /// Cost `O(n + n')`.
-    pub fn new(
+    pub(crate) fn new(
         source: &SurfaceMesh,
         target: &SurfaceMesh,
         images: &[Point3<f64>],
-        turn: &Matrix3<f64>,
+        rotation: &Matrix3<f64>,
     ) -> Option<Slide> {
         let (a, b) = rayon::join(|| Sections::new(source), || Sections::new(target));
-        let (source_body, target_body) = named(a?, b?, turn)?;
+        let (source_body, target_body) = oriented(a?, b?, rotation)?;
         let distances = [source_body.reading.distance, target_body.reading.distance];
         if distances.iter().any(|d| *d > MAX_DISTANCE) {
             return None;
@@ -112,9 +114,9 @@ impl Slide {
         Some(Slide { target: target_body, distances, offset_mm, slope })
     }
 
-    /// `images`, mm, each slid along the surface whose closest points are `closest`. How far one lies beside the surface
-    /// stays. Cost `O(n log n')`.
-    pub fn moved(&self, closest: &ClosestPointIndex, images: &[Point3<f64>]) -> Vec<Point3<f64>> {
+    /// `images`, mm, each slid along the surface whose closest points are `closest`. Their distances from the surface stay.
+    /// Cost `O(n log n')`.
+    pub(crate) fn moved(&self, closest: &ClosestPointIndex, images: &[Point3<f64>]) -> Vec<Point3<f64>> {
         let axis: Vector3<f64> = self.target.sections.axes.column(0) * self.target.reading.signs[0];
         images
             .par_iter()
@@ -125,13 +127,13 @@ impl Slide {
             .collect()
     }
 
-    /// Root mean square over `images` of how far they slide, mm.
-    pub fn rms_mm(&self, images: &[Point3<f64>]) -> f64 {
+    /// Root mean square slide of `images`, mm.
+    pub(crate) fn rms_mm(&self, images: &[Point3<f64>]) -> f64 {
         let squares: f64 = images.iter().map(|p| self.by_mm(p).powi(2)).sum();
         (squares / images.len().max(1) as f64).sqrt()
     }
 
-    /// How far a point of the target slides, mm towards the head.
+    /// Slide of a point of the target, mm towards the head.
     fn by_mm(&self, image: &Point3<f64>) -> f64 {
         let [s, m, _] = self.target.coordinates(image);
         let away = (s - SLIDE_AT_MM) / SLIDE_WIDTH_MM;
@@ -139,10 +141,10 @@ impl Slide {
     }
 }
 
-/// Both surfaces with the axes named so that both together are most like the training, where those of the target point
-/// as `turn` takes those of the source. `None` where the axes do not correspond.
-fn named(source: Sections, target: Sections, turn: &Matrix3<f64>) -> Option<(Body, Body)> {
-    let cosines = [0, 1, 2].map(|k| (turn * source.axes.column(k)).normalize().dot(&target.axes.column(k)));
+/// Both surfaces with the directions of their axes such that both together are closest to the training set, where those of
+/// the target follow those of the source under `rotation`. `None` where the axes do not correspond.
+fn oriented(source: Sections, target: Sections, rotation: &Matrix3<f64>) -> Option<(Body, Body)> {
+    let cosines = [0, 1, 2].map(|k| (rotation * source.axes.column(k)).normalize().dot(&target.axes.column(k)));
     if !cosines.iter().all(|c| c.abs() >= MIN_COSINE) {
         return None;
     }
@@ -150,14 +152,14 @@ fn named(source: Sections, target: Sections, turn: &Matrix3<f64>) -> Option<(Bod
         let of_target = std::array::from_fn(|k| signs[k] * cosines[k].signum());
         (Reading::new(&source, signs), Reading::new(&target, of_target))
     });
-    let unlikeness = |(a, b): &(Reading, Reading)| a.distance.powi(2) + b.distance.powi(2);
-    let (a, b) = readings.into_iter().min_by(|a, b| unlikeness(a).total_cmp(&unlikeness(b)))?;
+    let distance = |(a, b): &(Reading, Reading)| a.distance.powi(2) + b.distance.powi(2);
+    let (a, b) = readings.into_iter().min_by(|a, b| distance(a).total_cmp(&distance(b)))?;
     Some((Body { sections: source, reading: a }, Body { sections: target, reading: b }))
 }
 
-/// Offset and slope of the plane in the target around which the border of the source lands: weighted least squares of
-/// `s' = c₀ + c₁ m' + c₂ h' + c₃ r` over the images, `r` how far before the source's border a vertex lies. `None` for
-/// images in one plane.
+/// Offset and slope of the plane in the target to which the border of the source is mapped: weighted least squares of
+/// `s' = c₀ + c₁ m' + c₂ h' + c₃ r` over the images, with `r` the distance of a vertex before the source's border. `None`
+/// for images in one plane.
 fn carried_border(
     source: &SurfaceMesh,
     source_body: &Body,

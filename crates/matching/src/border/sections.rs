@@ -1,8 +1,8 @@
-//! What the sections of a closed surface across its long axis are like.
+//! Moments of the sections of a closed surface across its long axis.
 //!
 //! The frame is that of the principal axes of the volume inside: `s` along the longest, `m` along the middle, `h` along
-//! the shortest, mm from its center. Sections are slabs of Gaussian profile around the planes `s − t h = u`, since that is
-//! how a border in the image lies in a hippocampus; of each the area and the moments across are features.
+//! the shortest, mm from its center. Sections are slabs of Gaussian profile around the planes `s − t h = u`, because the
+//! border that raters draw lies in such a plane; the area and the moments of each are features.
 
 use super::weights::TILT;
 use homolog_mesh::SurfaceMesh;
@@ -10,7 +10,7 @@ use homolog_registration::{principal_directions, weighted_moments};
 use nalgebra::{Matrix3, Point3, Vector3};
 use std::f64::consts::TAU;
 
-/// Places of the sections, mm along the axis, and the standard deviation of each.
+/// Positions of the sections, mm along the axis, and the standard deviation of each.
 const FIRST_MM: f64 = -18.0;
 const STEP_MM: f64 = 1.5;
 const N_SECTIONS: usize = 25;
@@ -18,7 +18,7 @@ const WIDTH_MM: f64 = 1.2;
 /// Numbers of each section: area, two means, three second and two third moments.
 const N_MOMENTS: usize = 8;
 /// Numbers of a profile.
-pub const N_FEATURES: usize = N_SECTIONS * N_MOMENTS;
+pub(super) const N_FEATURES: usize = N_SECTIONS * N_MOMENTS;
 
 /// Layers of points from the center outwards.
 const LAYERS: usize = 12;
@@ -34,10 +34,10 @@ const LEAST_VARIANCE: f64 = 0.3;
 const LEAST_SKEWED: f64 = 1.0;
 
 /// Which way each principal axis points: three signs.
-pub type Signs = [f64; 3];
+pub(super) type Signs = [f64; 3];
 
 /// All eight.
-pub const ORIENTATIONS: [Signs; 8] = {
+pub(super) const ORIENTATIONS: [Signs; 8] = {
     const P: f64 = 1.0;
     const N: f64 = -1.0;
     [[P, P, P], [P, P, N], [P, N, P], [P, N, N], [N, P, P], [N, P, N], [N, N, P], [N, N, N]]
@@ -47,29 +47,29 @@ pub const ORIENTATIONS: [Signs; 8] = {
 type Bins = Vec<[f64; N_MOMENTS]>;
 
 /// The sections of one surface.
-pub struct Sections {
+pub(super) struct Sections {
     center: Point3<f64>,
     /// Principal axes as columns, longest first.
     pub axes: Matrix3<f64>,
-    /// Of the planes that lean one way and the other.
+    /// For planes of tilt `−t` and `t`.
     leaning: [Bins; 2],
 }
 
 impl Sections {
-    /// Of a closed `mesh`, mm. `None` where it holds no volume.
+    /// The sections of a closed `mesh`, mm. `None` where it encloses no volume.
     ///
     /// Cost `O(n)`, about a microsecond a triangle.
-    pub fn new(mesh: &SurfaceMesh) -> Option<Sections> {
+    pub(super) fn new(mesh: &SurfaceMesh) -> Option<Sections> {
         let (points, volumes) = interior_points(mesh);
         let total: f64 = volumes.iter().sum();
         let (center, scatter) = weighted_moments(&points, &volumes, total)?;
         let covariance = scatter / total;
-        // `None` too where a volume of next to nothing divides.
+        // Also `None` where the volume is too small to divide by.
         if !covariance.iter().all(|c| c.is_finite()) || covariance.trace() <= 0.0 {
             return None;
         }
         let axes = principal_directions(&covariance);
-        // A surface whose faces look inwards holds the same volume with the other sign.
+        // The volume of a surface whose faces are oriented inwards is negative.
         let volumes: Vec<f64> = volumes.iter().map(|w| w * total.signum()).collect();
         let mut found = Sections { center: center.into(), axes, leaning: [Vec::new(), Vec::new()] };
         found.leaning = [-TILT, TILT].map(|lean| found.bins(&points, &volumes, lean));
@@ -77,7 +77,7 @@ impl Sections {
     }
 
     /// `s, m, h` of `point`, mm, where the axes point as `signs` say.
-    pub fn coordinates(&self, signs: Signs, point: &Point3<f64>) -> [f64; 3] {
+    pub(super) fn coordinates(&self, signs: Signs, point: &Point3<f64>) -> [f64; 3] {
         let along = self.axes.tr_mul(&(point - self.center));
         std::array::from_fn(|k| signs[k] * along[k])
     }
@@ -85,7 +85,7 @@ impl Sections {
     /// The features of all sections from the tail on, where the axes point as `signs` say: the logarithm of each area
     /// (mm²), the means of `m` and `h` (mm), the logarithms of their variances (mm²), their covariance (mm²), and the
     /// skewness of either; of one kind all sections, then those of the next.
-    pub fn profile(&self, signs: Signs) -> Vec<f64> {
+    pub(super) fn profile(&self, signs: Signs) -> Vec<f64> {
         let bins = &self.leaning[usize::from(signs[0] * signs[2] < 0.0)];
         let mut features = vec![0.0; N_FEATURES];
         for section in 0..N_SECTIONS {

@@ -30,20 +30,21 @@ fn the_sections_of_an_ellipsoid_are_ellipses() {
 }
 
 /// A bean: an ellipsoid that is bent towards its second axis and thicker at one end.
-fn bean(turn: &Matrix3<f64>) -> SurfaceMesh {
+fn bean(rotation: &Matrix3<f64>) -> SurfaceMesh {
     let round = ellipsoid(Vector3::new(20.0, 8.0, 6.0), 4);
     let points = round.vertices().iter().map(|p| {
         let thick = 1.0 + 0.012 * p.x;
-        Point3::from(turn * Vector3::new(p.x, p.y * thick - 0.012 * p.x * p.x, p.z * thick + 0.02 * p.y * p.z))
+        Point3::from(rotation * Vector3::new(p.x, p.y * thick - 0.012 * p.x * p.x, p.z * thick + 0.02 * p.y * p.z))
     });
     round.with_vertices(points.collect()).unwrap()
 }
 
 #[test]
 fn a_profile_does_not_depend_on_the_pose() {
-    let turn = nalgebra::Rotation3::from_euler_angles(0.4, -1.1, 2.0).into_inner();
-    let (still, turned) = (Sections::new(&bean(&Matrix3::identity())).unwrap(), Sections::new(&bean(&turn)).unwrap());
-    let (a, b) = named(still, turned, &turn).unwrap();
+    let rotation = nalgebra::Rotation3::from_euler_angles(0.4, -1.1, 2.0).into_inner();
+    let (still, rotated) =
+        (Sections::new(&bean(&Matrix3::identity())).unwrap(), Sections::new(&bean(&rotation)).unwrap());
+    let (a, b) = oriented(still, rotated, &rotation).unwrap();
     let apart = a
         .sections
         .profile(a.reading.signs)
@@ -55,7 +56,7 @@ fn a_profile_does_not_depend_on_the_pose() {
 }
 
 #[test]
-fn turning_the_axes_by_hand_gives_the_profile_of_the_turned_surface() {
+fn reversed_axes_give_the_profile_of_the_reflected_surface() {
     let mesh = bean(&Matrix3::identity());
     let sections = Sections::new(&mesh).unwrap();
     for signs in ORIENTATIONS {
@@ -76,14 +77,14 @@ fn turning_the_axes_by_hand_gives_the_profile_of_the_turned_surface() {
 /// A slide between a bean and itself as though it were in the training.
 fn slide(mesh: &SurfaceMesh, images: &[Point3<f64>]) -> Slide {
     let [a, b] = [0, 1].map(|_| Sections::new(mesh).unwrap());
-    let (source, target) = named(a, b, &Matrix3::identity()).unwrap();
+    let (source, target) = oriented(a, b, &Matrix3::identity()).unwrap();
     let carried = carried_border(mesh, &source, &target, images).unwrap();
     let [offset_mm, slope] = [0, 1].map(|k| target.reading.border[k] - carried[k]);
     Slide { distances: [source.reading.distance, target.reading.distance], target, offset_mm, slope }
 }
 
 #[test]
-fn a_map_that_carries_the_border_where_it_belongs_stays() {
+fn a_map_that_takes_border_to_border_stays() {
     let mesh = bean(&Matrix3::identity());
     let still = slide(&mesh, mesh.vertices());
     assert!(still.offset_mm.abs() < 1e-9 && still.slope.abs() < 1e-9, "{} {}", still.offset_mm, still.slope);
@@ -92,7 +93,7 @@ fn a_map_that_carries_the_border_where_it_belongs_stays() {
 }
 
 #[test]
-fn a_map_that_is_off_along_the_axis_is_led_back() {
+fn a_map_that_is_off_along_the_axis_is_corrected() {
     let mesh = bean(&Matrix3::identity());
     let body = slide(&mesh, mesh.vertices()).target;
     let axis = body.sections.axes.column(0) * body.reading.signs[0];
@@ -115,7 +116,7 @@ fn a_map_that_is_off_along_the_axis_is_led_back() {
 }
 
 #[test]
-fn what_is_no_hippocampus_is_left_alone() {
+fn surfaces_that_are_not_hippocampi_are_not_affected() {
     for axes in [Vector3::new(20.0, 8.0, 6.0), Vector3::new(9.0, 8.5, 8.0), Vector3::new(40.0, 16.0, 12.0)] {
         let mesh = ellipsoid(axes, 4);
         assert!(Slide::new(&mesh, &mesh, mesh.vertices(), &Matrix3::identity()).is_none(), "{axes}");

@@ -6,14 +6,14 @@
 use super::sections::N_FEATURES;
 
 /// Slope of the border along the short axis.
-pub const TILT: f64 = 0.44;
+pub(super) const TILT: f64 = 0.44;
 /// Where the border crosses the long axis, mm from the center of the volume towards the head, and its slope along the
 /// middle axis: means over the volumes.
-pub const MEAN_BORDER: [f64; 2] = [1.20445, -0.03399];
+pub(super) const MEAN_BORDER: [f64; 2] = [1.20445, -0.03399];
 /// For each feature of [`super::sections::Sections::profile`]: mean, inverse standard deviation, and by how much one
 /// standard deviation moves the two numbers of the border.
 #[rustfmt::skip]
-pub const FEATURES: [[f64; 4]; N_FEATURES] = [
+pub(super) const FEATURES: [[f64; 4]; N_FEATURES] = [
     [4.1704, 4.9145, 0.02491, 0.002288],
     [4.1581, 5.7991, 0.02334, 0.001907],
     [4.1277, 6.3520, -0.00462, 0.004799],

@@ -6,14 +6,14 @@
 use super::sections::N_FEATURES;
 
 /// Slope of the border along the short axis.
-pub const TILT: f64 = 0.44;
+pub(super) const TILT: f64 = 0.44;
 /// Where the border crosses the long axis, mm from the center of the volume towards the head, and its slope along the
 /// middle axis: means over the volumes.
-pub const MEAN_BORDER: [f64; 2] = [1.16183, -0.03321];
+pub(super) const MEAN_BORDER: [f64; 2] = [1.16183, -0.03321];
 /// For each feature of [`super::sections::Sections::profile`]: mean, inverse standard deviation, and by how much one
 /// standard deviation moves the two numbers of the border.
 #[rustfmt::skip]
-pub const FEATURES: [[f64; 4]; N_FEATURES] = [
+pub(super) const FEATURES: [[f64; 4]; N_FEATURES] = [
     [4.1587, 4.6934, 0.02375, 0.000857],
     [4.1504, 5.7158, 0.02306, 0.000582],
     [4.1171, 6.2907, -0.00434, 0.003478],

@@ -1,13 +1,13 @@
-//! How alike two surfaces are once one is bent onto the other.
+//! How well two surfaces agree once one is deformed onto the other.
 
 use super::stages::Displacement;
 use super::surface::{N_FEATURES, SmoothSurface};
 use nalgebra::Point3;
 use rayon::prelude::*;
 
-/// Likeness of corresponding points. Copies of one anatomy reach 0.95 and more in both.
+/// Agreement of corresponding points. Copies of one anatomy reach 0.95 and more in both.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Agreement {
+pub(crate) struct Agreement {
     /// Correlation of the mean curvatures at the largest scale, in `[−1, 1]`.
     pub curvature: f64,
     /// Mean cosine between the normals.
@@ -18,7 +18,7 @@ impl Displacement<'_> {
     /// The agreement of the source, whose vertices are moved to `moved`, with the closest points of the target.
     ///
     /// Cost `O(n log n')`; sums in order of the vertices.
-    pub fn agreement(&self, moved: &[Point3<f64>]) -> Agreement {
+    pub(super) fn agreement(&self, moved: &[Point3<f64>]) -> Agreement {
         let found: Vec<_> = moved.par_iter().map(|p| self.closest.index.closest(p)).collect();
         // Of the features at the largest scale the first is mean curvature.
         let feature = |side: &SmoothSurface, i: usize| side.features[(i + 1) * N_FEATURES - 2];
@@ -32,13 +32,13 @@ impl Displacement<'_> {
             Err(_) => self.source.normals.clone(),
         };
         let cosines = found.iter().zip(&normals).map(|(at, n)| at.blend(|k| self.target.normals[k].dot(n)));
-        // The faces of a mirrored surface look inwards, all of them.
+        // All faces of a mirrored surface are oriented inwards.
         let mean = cosines.sum::<f64>() / found.len() as f64;
         Agreement { curvature: correlation(&pairs), normals: mean.abs() }
     }
 }
 
-/// Pearson's; 0 where one side does not vary.
+/// Pearson's correlation; 0 where one side does not vary.
 fn correlation(pairs: &[(f64, f64)]) -> f64 {
     let n = pairs.len() as f64;
     let (a, b) = pairs.iter().fold((0.0, 0.0), |(a, b), p| (a + p.0 / n, b + p.1 / n));

@@ -1,4 +1,4 @@
-//! Sub-vertex images of source vertices, with a probability that says how near the truth they are.
+//! Images of source vertices between target vertices, with a probability that they are close to the truth.
 
 use homolog_mesh::{ClosestPoint, ClosestPointIndex, SurfaceMesh};
 use homolog_registration::deformation::NeighborGrid;
@@ -6,8 +6,8 @@ use nalgebra::{Matrix3, Point3};
 use rayon::prelude::*;
 use std::f64::consts::TAU;
 
-/// Squared error of an image that no field explains, mm²: surfaces of 1 mm voxels are sampled no better. With
-/// [`FIELD_SHARE`] from the errors on 4 % and 8 % warps and copies, tenth by tenth of the predicted variance.
+/// Squared error of an image that no field explains, mm²: the sampling of surfaces of 1 mm voxels. With [`FIELD_SHARE`]
+/// fitted to the errors on 4 % and 8 % warps and copies, by deciles of the predicted variance.
 const SAMPLING_VARIANCE: f64 = 0.03;
 /// Squared error over the trace of the field's posterior covariance.
 const FIELD_SHARE: f64 = 0.25;
@@ -15,10 +15,10 @@ const FIELD_SHARE: f64 = 0.25;
 const RADII: usize = 16;
 const ANGLES: usize = 24;
 
-/// Where a source vertex goes on the target.
+/// The image of a source vertex on the target.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Image {
-    /// Where the field moves the vertex, mm; beside the target by what the two surfaces differ along the normal.
+pub(crate) struct Image {
+    /// The moved vertex, mm; off the target by the distance of the two surfaces along the normal.
     pub moved: Point3<f64>,
     /// The closest point of the target: triangle, barycentric coordinates and position, mm.
     pub closest: ClosestPoint,
@@ -26,7 +26,7 @@ pub struct Image {
     pub label: u32,
     /// Probability that `label` is within a mean target edge length of the true image.
     pub confidence: f64,
-    /// Root mean square error of `moved` that is expected, mm.
+    /// Expected root mean square error of `moved`, mm.
     pub spread_mm: f64,
 }
 

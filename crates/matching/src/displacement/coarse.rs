@@ -1,4 +1,4 @@
-//! The first stage: which pose, and the field from it.
+//! The first stage of a displacement: the choice of the pose, and the field from it.
 
 use super::stages::{Displacement, State, between, displaced, likeness, precision_of_features, pulls_to_means, share};
 use super::surface::{N_FEATURES, Thinned};
@@ -10,43 +10,43 @@ use homolog_registration::deformation::{Samples, assign, fit};
 use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
 
-/// Vertices and steps of the first glance at every pose.
-const GLANCE_SAMPLES: usize = 250;
-const GLANCE_STEPS: u32 = 6;
-/// Of poses of one handedness that are nearer to each other than this, radians, the better one is followed: the stages
-/// to come would bring them together.
+/// Vertices and steps of the first screening of all poses.
+const SCREENING_SAMPLES: usize = 250;
+const SCREENING_STEPS: u32 = 6;
+/// Of poses of one handedness that are closer to each other than this, radians, only the better one is followed: later
+/// stages would lead both to the same pose.
 const SAME_POSE: f64 = std::f64::consts::FRAC_PI_4;
-/// Poses of one handedness that are followed after the first glance.
+/// Poses of one handedness that are followed after the screening.
 const FOLLOWED: usize = 2;
 
 /// A rigid pose to start from.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct StartPose {
+pub(crate) struct StartPose {
     /// `target_from_source`.
     pub pose: RigidTransform,
-    /// How much worse than the best it is by what is known before; counts as misfit.
+    /// How much worse than the best it is known to be beforehand; added to its misfit.
     pub excess: f64,
 }
 
-/// What the first stage says of one pose.
+/// The first stage's verdict on one pose.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct JudgedPose {
-    /// Which of the poses.
+pub(crate) struct ComparedPose {
+    /// Index of the pose.
     pub pose: usize,
     /// Whether it mirrors.
     pub mirrored: bool,
-    /// Mean of `−ln` of how much of a matching surface each point sees, lower is better, after the bending.
+    /// Misfit after the deformation: mean of `−ln` of the likelihood of the other surface at each point. Lower is better.
     pub misfit: f64,
 }
 
 impl Displacement<'_> {
-    /// The poses that were followed, the best that may be answered first, and the field of that one.
-    pub fn coarse(
+    /// The poses that were followed, the best one that may be kept first, and the field of that one.
+    pub(super) fn coarse(
         &self,
         poses: &[StartPose],
         may_answer: impl Fn(&RigidTransform) -> bool,
-    ) -> Result<Option<(Vec<JudgedPose>, State)>, MatchError> {
-        let Some(followed) = self.glance(poses)? else { return Ok(None) };
+    ) -> Result<Option<(Vec<ComparedPose>, State)>, MatchError> {
+        let Some(followed) = self.screened(poses)? else { return Ok(None) };
         let n = self.options.n_samples[0];
         let (source, target) = (self.source.thinned(n), self.target.thinned(n));
         let values = self.guides.below(&self.basis.values(&source.points));
@@ -59,60 +59,60 @@ impl Displacement<'_> {
             })
             .collect::<Result<_, MatchError>>()?;
         let mut best: Option<State> = None;
-        let mut judged: Vec<JudgedPose> = Vec::new();
+        let mut compared: Vec<ComparedPose> = Vec::new();
         for (&pose, found) in followed.iter().zip(found) {
             let Some((misfit, state)) = found else { return Ok(None) };
             let misfit = misfit + poses[pose].excess;
             if may_answer(&poses[pose].pose)
-                && judged.iter().all(|j| misfit < j.misfit || !may_answer(&poses[j.pose].pose))
+                && compared.iter().all(|j| misfit < j.misfit || !may_answer(&poses[j.pose].pose))
             {
                 best = Some(state);
             }
-            judged.push(JudgedPose { pose, mirrored: poses[pose].pose.is_reflection(), misfit });
+            compared.push(ComparedPose { pose, mirrored: poses[pose].pose.is_reflection(), misfit });
         }
-        judged.sort_by(|a, b| {
-            let rank = |j: &JudgedPose| !may_answer(&poses[j.pose].pose);
+        compared.sort_by(|a, b| {
+            let rank = |j: &ComparedPose| !may_answer(&poses[j.pose].pose);
             rank(a).cmp(&rank(b)).then(a.misfit.total_cmp(&b.misfit)).then(a.pose.cmp(&b.pose))
         });
-        Ok(best.map(|state| (judged, state)))
+        Ok(best.map(|state| (compared, state)))
     }
 
     /// The field from one pose alone.
-    pub fn coarse_alone(&self, pose: &RigidTransform) -> Option<State> {
+    pub(super) fn coarse_alone(&self, pose: &RigidTransform) -> Option<State> {
         let n = self.options.n_samples[0];
         let (source, target) = (self.source.thinned(n), self.target.thinned(n));
         let values = self.guides.below(&self.basis.values(&source.points));
         self.coarse_from(pose, &source, &target, &values, self.options.steps[0]).map(|(_, state)| state)
     }
 
-    /// The poses worth following, after a few steps on few vertices from each: the best of each handedness.
-    fn glance(&self, poses: &[StartPose]) -> Result<Option<Vec<usize>>, MatchError> {
-        let (source, target) = (self.source.thinned(GLANCE_SAMPLES), self.target.thinned(GLANCE_SAMPLES));
+    /// The poses to follow, after a few steps on few vertices from each: the best of each handedness.
+    fn screened(&self, poses: &[StartPose]) -> Result<Option<Vec<usize>>, MatchError> {
+        let (source, target) = (self.source.thinned(SCREENING_SAMPLES), self.target.thinned(SCREENING_SAMPLES));
         let values = self.guides.below(&self.basis.values(&source.points));
-        let seen: Vec<Option<(f64, usize)>> = poses
+        let screened: Vec<Option<(f64, usize)>> = poses
             .par_iter()
             .enumerate()
             .map(|(k, pose)| {
                 checkpoint(self.observer)?;
-                let found = self.coarse_from(&pose.pose, &source, &target, &values, GLANCE_STEPS);
+                let found = self.coarse_from(&pose.pose, &source, &target, &values, SCREENING_STEPS);
                 Ok(found.map(|(misfit, _)| (misfit + pose.excess, k)))
             })
             .collect::<Result<_, MatchError>>()?;
-        let Some(mut seen) = seen.into_iter().collect::<Option<Vec<_>>>() else { return Ok(None) };
-        seen.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+        let Some(mut screened) = screened.into_iter().collect::<Option<Vec<_>>>() else { return Ok(None) };
+        screened.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
         let mut followed: Vec<usize> = Vec::new();
-        for (_, k) in seen {
+        for (_, k) in screened {
             let alike = |&&other: &&usize| poses[other].pose.is_reflection() == poses[k].pose.is_reflection();
             let near = |&&other: &&usize| poses[other].pose.angle_to(&poses[k].pose) < SAME_POSE;
-            let kin: Vec<&usize> = followed.iter().filter(alike).collect();
-            if kin.len() < FOLLOWED && !kin.iter().any(near) {
+            let same_handedness: Vec<&usize> = followed.iter().filter(alike).collect();
+            if same_handedness.len() < FOLLOWED && !same_handedness.iter().any(near) {
                 followed.push(k);
             }
         }
         Ok(Some(followed))
     }
 
-    /// The field from one pose after so many steps, with its misfit.
+    /// The misfit and the field of one pose after `steps`.
     fn coarse_from(
         &self,
         pose: &RigidTransform,
@@ -144,7 +144,7 @@ impl Displacement<'_> {
             precision = precision_of_features(&found.feature_variance);
             field = Some(fitted);
         }
-        // All poses by one yardstick: a wrong pose that has learned to distrust features must not gain by it.
+        // The same precisions for all poses: a wrong pose that has come to distrust features must not gain by that.
         let misfit = assigned(&moved, last_sigma, vec![4.0 / N_FEATURES as f64; N_FEATURES]).misfit
             + field.as_ref().map_or(0.0, |field| self.guides.misfit(pose, field));
         field.map(|field| (misfit, State { field, feature_precision: precision }))

@@ -1,8 +1,8 @@
 //! The stages after the pose is chosen: middle, fine and settling.
 
 use super::stages::{Displacement, State, between, displaced, likeness, precision_of_features, pulls_to_means, share};
-use super::surface::median;
 use crate::MatchError;
+use crate::robust::{STD_OF_MAD, median};
 use faer::Mat;
 use homolog_primitives::observe::checkpoint;
 use homolog_registration::RigidTransform;
@@ -12,22 +12,26 @@ use rayon::prelude::*;
 
 /// Standard deviation of a point along the normal of the other surface in the fine stage, mm.
 const ALONG_MM: f64 = 0.3;
-/// Share of the assignment's weight that is left across the normal in the fine stage; 0.03 to 0.3 did alike.
+/// Share of the assignment's weight that is kept across the normal in the fine stage; 0.03 to 0.3 gave the same accuracy.
 const ACROSS_SHARE: f64 = 0.1;
 /// Residual along the normals, mm, below which two surfaces of 1 mm voxels are copies of one anatomy.
 const NOISE_MM: f64 = 0.12;
-/// Each square millimetre tells `(NOISE_MM / residual)` to this power of what it tells between copies: two for the
-/// variance, the rest because larger residuals are correlated over larger areas.
+/// Observations are weighted by `(NOISE_MM / residual)` to this power: two for the variance, the rest because larger
+/// residuals are correlated over larger areas.
 const NOISE_POWER: f64 = 6.0;
 
 impl Displacement<'_> {
     /// The field after all stages; the field and the residual along the normals (robust standard deviation, mm).
-    pub fn refined(&self, pose: &RigidTransform, start: State) -> Result<Option<(FittedField, f64)>, MatchError> {
+    pub(super) fn refined(
+        &self,
+        pose: &RigidTransform,
+        start: State,
+    ) -> Result<Option<(FittedField, f64)>, MatchError> {
         let State { mut field, mut feature_precision } = start;
         let all_values = self.basis.values(self.source.mesh.vertices());
         let all_base: Vec<Point3<f64>> = self.source.mesh.vertices().iter().map(|p| pose.apply(p)).collect();
-        // The faces of a mirrored surface look inwards.
-        let turn = if pose.is_reflection() { -1.0 } else { 1.0 };
+        // The faces of a mirrored surface are oriented inwards.
+        let outwards = if pose.is_reflection() { -1.0 } else { 1.0 };
         let mut residual_mm = 0.0;
         let guided = self.guides.pulls(pose);
         for (stage, &steps) in self.options.steps.iter().enumerate().skip(1) {
@@ -40,18 +44,18 @@ impl Displacement<'_> {
             let base: Vec<Point3<f64>> = thinned.vertices.iter().map(|&i| all_base[i]).collect();
             // Settling stays where the fine stage ended.
             let (from, to) = (stage.min(3), (stage + 1).min(3));
-            let told = if stage == 3 { (NOISE_MM / residual_mm).powf(NOISE_POWER).min(1.0) } else { 1.0 };
+            let weight = if stage == 3 { (NOISE_MM / residual_mm).powf(NOISE_POWER).min(1.0) } else { 1.0 };
             for step in 0..steps {
                 checkpoint(self.observer)?;
                 let at = share(step, steps);
                 let sigma_mm = self.diagonal_mm * between(self.options.sigma[from], self.options.sigma[to], at);
-                let density = told * between(self.options.density[from], self.options.density[to], at);
-                // Normals are those of the whole bent surface.
+                let density = weight * between(self.options.density[from], self.options.density[to], at);
+                // Normals are those of the whole deformed surface.
                 let Ok(mesh) = self.source.mesh.with_vertices(displaced(&all_base, &field, &all_values)) else {
                     return Ok(None);
                 };
                 let normals = mesh.vertex_normals();
-                let normals: Vec<Vector3<f64>> = thinned.vertices.iter().map(|&i| normals[i] * turn).collect();
+                let normals: Vec<Vector3<f64>> = thinned.vertices.iter().map(|&i| normals[i] * outwards).collect();
                 let points: Vec<Point3<f64>> = thinned.vertices.iter().map(|&i| mesh.vertices()[i]).collect();
                 let samples = Samples { points: &points, normals: &normals, ..thinned.samples() };
                 let found = assign(&samples, &target, &likeness(sigma_mm, feature_precision));
@@ -95,7 +99,7 @@ impl Displacement<'_> {
                 let to_mean = found.targets[i] - p;
                 let height = normal.dot(&to_surface);
                 let displacement = (p - base[i]) + to_mean + normal * (height - normal.dot(&to_mean));
-                // A point far off, or on the other side, has no counterpart there (Cauchy's weight).
+                // A point that is far away or on the opposite side has no counterpart there (Cauchy's weight).
                 let trust =
                     normal.dot(&moved.normals[i]).max(0.0) / (1.0 + (to_surface.norm() / (3.0 * ALONG_MM)).powi(2));
                 let area = moved.areas[i];
@@ -104,6 +108,6 @@ impl Displacement<'_> {
             })
             .collect();
         let mut heights: Vec<f64> = pairs.iter().map(|p| p.1).collect();
-        (pairs.into_iter().map(|p| p.0).collect(), 1.4826 * median(&mut heights))
+        (pairs.into_iter().map(|p| p.0).collect(), STD_OF_MAD * median(&mut heights))
     }
 }

@@ -1,4 +1,4 @@
-//! Landmarks as a displacement field hears them.
+//! Landmarks as observations of a displacement field.
 
 use faer::Mat;
 use homolog_contract::parameters::Landmark;
@@ -6,22 +6,22 @@ use homolog_registration::deformation::{FieldBasis, FittedField, Pull};
 use homolog_registration::{RigidTransform, absolute_orientation};
 use nalgebra::{Point3, Vector3};
 
-/// What one landmark adds to the misfit of a pose at most, so that a wrong one does not decide alone.
+/// Most that one landmark adds to the misfit of a pose, so that a wrong one does not decide alone.
 const CAP: f64 = 10.0;
-/// Poses are judged before the field is fine: landmarks count as no more exact than this, mm.
+/// Poses are compared before the field is fine: landmarks count as no more precise than this, mm.
 const COARSE_MM: f64 = 2.0;
 
-/// Points with where they should go.
+/// Source points and the target points they should be moved to.
 pub(super) struct Guides {
     source: Vec<Point3<f64>>,
     target: Vec<Point3<f64>>,
     sigma_mm: Vec<f64>,
-    /// Functions of the field at the points, a row each.
+    /// Functions of the field at the source points, one row each.
     values: Mat<f64>,
 }
 
 impl Guides {
-    pub fn new(landmarks: &[Landmark], basis: &FieldBasis) -> Self {
+    pub(super) fn new(landmarks: &[Landmark], basis: &FieldBasis) -> Self {
         let source: Vec<Point3<f64>> = landmarks.iter().map(|l| Point3::from(l.source_mm)).collect();
         Guides {
             values: basis.values(&source),
@@ -32,7 +32,7 @@ impl Guides {
     }
 
     /// The same points for a field that moves the target to the source; `basis` is that field's.
-    pub fn swapped(&self, basis: &FieldBasis) -> Self {
+    pub(super) fn swapped(&self, basis: &FieldBasis) -> Self {
         Guides {
             values: basis.values(&self.target),
             source: self.target.clone(),
@@ -41,8 +41,8 @@ impl Guides {
         }
     }
 
-    /// `values` with the rows of the guides below.
-    pub fn below(&self, values: &Mat<f64>) -> Mat<f64> {
+    /// `values` with the rows of the guides appended.
+    pub(super) fn below(&self, values: &Mat<f64>) -> Mat<f64> {
         let n = values.nrows();
         Mat::from_fn(n + self.source.len(), values.ncols(), |i, k| {
             if i < n { values[(i, k)] } else { self.values[(i - n, k)] }
@@ -50,7 +50,7 @@ impl Guides {
     }
 
     /// The pull of each guide on a source that `pose` has moved.
-    pub fn pulls(&self, pose: &RigidTransform) -> Vec<Pull> {
+    pub(super) fn pulls(&self, pose: &RigidTransform) -> Vec<Pull> {
         let pull = |((p, q), sigma): ((&Point3<f64>, &Point3<f64>), &f64)| {
             let precision = 1.0 / (sigma * sigma);
             Pull { displacement: q - pose.apply(p), normal: Vector3::x(), along: precision, across: precision }
@@ -58,8 +58,8 @@ impl Guides {
         self.source.iter().zip(&self.target).zip(&self.sigma_mm).map(pull).collect()
     }
 
-    /// How badly `pose` and `field` together miss the guides: half the mean squared distance in standard deviations.
-    pub fn misfit(&self, pose: &RigidTransform, field: &FittedField) -> f64 {
+    /// Misfit of the guides under `pose` and `field`: half the mean squared distance in standard deviations.
+    pub(super) fn misfit(&self, pose: &RigidTransform, field: &FittedField) -> f64 {
         if self.source.is_empty() {
             return 0.0;
         }

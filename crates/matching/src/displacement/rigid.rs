@@ -1,20 +1,21 @@
-//! The rigid transform that a displacement amounts to.
+//! The rigid part of a displacement.
 //!
 //! Where surfaces differ in shape, it is the absolute orientation of all correspondences. Where they are copies, the
-//! field's freedom is only noise: then points against tangent planes, both ways and on surfaces without the voxels'
-//! steps, are finer. On re-sampled copies the median rotation error was 0.27° by the former and 0.13° by the latter;
-//! leaving out the farthest tenth of the pairs, as ICP does, gave 0.24°.
+//! freedom of the field only adds noise: aligning points with tangent planes, in both directions and on surfaces without
+//! the steps of voxels, is then more accurate. On re-sampled copies the median rotation error was 0.27° by the former and
+//! 0.13° by the latter; leaving out the farthest tenth of the pairs, as ICP does, gave 0.24°.
 //!
-//! Where a surface is open, a part may be missing, and the pairs of what has no counterpart turn their orientation: on
-//! copies without a fifth of their area at one end the field's bending hid that they are copies, and the orientation of
-//! its pairs was off by 4° to 16° for synthetic shapes and by 1° to 7° for real ones. So open surfaces are laid on each other
-//! first, and are copies if what is left along the normals is as small as sampling.
+//! Where a surface is open, a part may be missing, and pairs without a true counterpart rotate the orientation: on copies
+//! without a fifth of their area at one end the field hid that they are copies, and the orientation of its pairs was off
+//! by 4° to 16° for synthetic shapes and by 1° to 7° for real ones. So open surfaces are aligned first, and are copies if
+//! the residual along the normals is as small as that of sampling.
 //!
 //! Source: Chen, Medioni 1992 (point-to-plane); Rusinkiewicz, "A symmetric objective function for ICP", 2019 (both
-//! surfaces take part; here each in turn is the one with planes); Tukey's biweight for what has no counterpart.
+//! surfaces take part; here each in turn has the planes); Tukey's biweight for points without counterpart.
 
 use super::stages::Displacement;
 use crate::MatchError;
+use crate::copies::align_shortly;
 use crate::surface_index::SurfaceIndex;
 use homolog_geometry::curvature::vertex_areas;
 use homolog_mesh::SurfaceMesh;
@@ -26,21 +27,16 @@ use nalgebra::Point3;
 /// Root mean square displacement in mean target edge lengths, after the rigid transform, below which surfaces are
 /// copies. Re-sampled copies are at about 0.2, 4 % warps above 1.
 const COPY_EDGES: f64 = 0.5;
-/// Of open surfaces: the robust standard deviation of the residuals along the normals, in the same edges, below which
-/// they are. It was 0.11 to 0.15 for forty copies with an end cut.
-const OPEN_COPY_EDGES: f64 = 0.2;
-/// Points of each surface and steps that find it.
-const FIRST_SAMPLE: usize = 400;
-const FIRST_STEPS: u32 = 10;
+/// Most steps of the alignment of copies.
 const MAX_STEPS: u32 = 30;
-/// Ends when a step turns by less, radians, and moves by less, mm.
+/// The alignment ends when a step rotates by less, radians, and moves by less, mm.
 const TOLERANCE: f64 = 1e-7;
 
-/// A rigid transform, and what surfaces it is between.
+/// The rigid part of a displacement.
 pub(super) struct RigidPart {
     /// `target_from_source`.
     pub transform: RigidTransform,
-    /// Whether they are copies of one shape.
+    /// Whether the surfaces are copies of one shape.
     pub copies: bool,
 }
 
@@ -50,7 +46,7 @@ impl Displacement<'_> {
     ///
     /// # Errors
     /// [`MatchError::Cancelled`].
-    pub fn rigid_part(
+    pub(super) fn rigid_part(
         &self,
         source: &SurfaceMesh,
         images: &[Point3<f64>],
@@ -80,14 +76,12 @@ impl Displacement<'_> {
         };
         let mut start = fitted;
         if !copies {
-            let first =
-                TwoSidedOptions { max_sample: FIRST_SAMPLE, sample_steps: FIRST_STEPS, full_steps: 0, ..options };
-            let found = align_both_ways(&of_source, &of_target, &fitted, &first, self.observer)?;
-            copies = found.residual_mm < OPEN_COPY_EDGES * edge_mm;
+            let first = align_shortly(&of_source, &of_target, &fitted, (edge_mm, TOLERANCE), self.observer)?;
+            copies = first.copies;
             if !copies {
                 return Ok(Some(RigidPart { transform: fitted, copies }));
             }
-            start = found.target_from_source;
+            start = first.target_from_source;
         }
         let found = align_both_ways(&of_source, &of_target, &start, &options, self.observer)?;
         Ok(Some(RigidPart { transform: found.target_from_source, copies }))

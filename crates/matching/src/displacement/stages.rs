@@ -11,9 +11,9 @@ use nalgebra::{Point3, Vector3};
 
 /// `ν` in the assignment's `ν (1 − ⟨n, n'⟩)`.
 const NORMAL_WEIGHT: f64 = 2.0;
-/// Share of a surface without counterpart.
+/// Assumed share of a surface without counterpart.
 const OUTLIER: f64 = 0.1;
-/// Curvatures of one place at several scales say nearly the same: together they count as half an observation.
+/// Curvatures at several scales are highly correlated: together they count as half an observation.
 const FEATURE_SHARE: f64 = 0.5;
 /// Feature variances are taken to be at least this, in squared robust standard deviations.
 const MIN_FEATURE_VARIANCE: f64 = 0.02;
@@ -26,7 +26,7 @@ pub(super) fn share(step: u32, steps: u32) -> f64 {
     f64::from(step) / f64::from(steps.saturating_sub(1).max(1))
 }
 
-/// A field with what the assignment has learned.
+/// A field, and the precisions of the features that were estimated with it.
 pub(super) struct State {
     pub field: FittedField,
     pub feature_precision: Vec<f64>,
@@ -55,7 +55,7 @@ pub(super) fn pulls_to_means(found: &Assignment, base: &[Point3<f64>], areas: &[
         .collect()
 }
 
-/// What all stages share.
+/// What all stages of a displacement share.
 pub(super) struct Displacement<'a> {
     pub source: SmoothSurface,
     pub target: SmoothSurface,

@@ -1,6 +1,8 @@
-//! A surface as displacement sees it: slightly smoothed, with curvature features as numbers of comparable size.
+//! A surface prepared for displacement: slightly smoothed, with curvature features on a common scale.
 
 use crate::MatchError;
+use crate::robust::{STD_OF_MAD, median};
+use crate::side::POSITION_SCALE_MM;
 use homolog_geometry::curvature::{Curvatures, Estimator, ScaleSpace, curvatures, vertex_areas};
 use homolog_mesh::SurfaceMesh;
 use homolog_registration::deformation::Samples;
@@ -12,13 +14,11 @@ use rayon::prelude::*;
 const FEATURE_SCALES_MM: [f64; 3] = [1.0, 2.0, 3.5];
 /// Gaussian and mean curvature at each scale.
 pub(super) const N_FEATURES: usize = 2 * FEATURE_SCALES_MM.len();
-/// Features count up to this many robust standard deviations from the median.
+/// Features are clamped to this many robust standard deviations from the median.
 const FEATURE_CAP: f64 = 3.0;
-/// Scale of the positions that fields and rigid transforms are fitted to, mm: takes off the steps that voxels leave.
-const POSITION_SCALE_MM: f64 = 0.7;
 
-/// How far light smoothing moves the vertices of a surface that voxels of 1 mm left, mm. One that it moves farther is
-/// noisy, and all scales grow with that.
+/// Distance by which light smoothing moves the vertices of a surface made from voxels of 1 mm, mm. A surface that it moves
+/// farther is noisy, and all scales are enlarged by that factor.
 const GRAIN_MM: f64 = 0.09;
 const MAX_COARSENING: f64 = 4.0;
 
@@ -35,9 +35,9 @@ pub(super) struct SmoothSurface {
     pub features: Vec<f64>,
 }
 
-/// Every `k`-th vertex of a surface, with the area of all.
+/// Every `k`-th vertex of a surface, with areas that sum to that of the surface.
 pub(super) struct Thinned {
-    /// Which.
+    /// Their indices.
     pub vertices: Vec<usize>,
     pub points: Vec<Point3<f64>>,
     pub normals: Vec<Vector3<f64>>,
@@ -63,8 +63,8 @@ pub(super) fn prepare(
         let mut all: Vec<f64> = of_a.iter().chain(of_b).copied().collect();
         let center = median(&mut all);
         all.iter_mut().for_each(|x| *x = (*x - center).abs());
-        // A sphere has the same curvature everywhere: then the feature says nothing, and nothing is divided by 0.
-        let scale = (1.4826 * median(&mut all)).max(f64::MIN_POSITIVE.sqrt());
+        // A sphere has the same curvature everywhere; the floor avoids a division by 0.
+        let scale = (STD_OF_MAD * median(&mut all)).max(f64::MIN_POSITIVE.sqrt());
         for (values, side) in [(of_a, &mut a), (of_b, &mut b)] {
             for (i, x) in values.iter().enumerate() {
                 side.features[i * N_FEATURES + feature] = ((x - center) / scale).clamp(-FEATURE_CAP, FEATURE_CAP);
@@ -72,12 +72,6 @@ pub(super) fn prepare(
         }
     }
     Ok((a, b))
-}
-
-/// The middle of `values` in ascending order, the upper one of two; orders them partly.
-pub(super) fn median(values: &mut [f64]) -> f64 {
-    let middle = values.len() / 2;
-    *values.select_nth_unstable_by(middle, f64::total_cmp).1
 }
 
 /// A surface with its scale space.
@@ -130,12 +124,12 @@ fn at(space: &ScaleSpace<'_>, scale_mm: f64) -> Result<SurfaceMesh, MatchError> 
 }
 
 impl SmoothSurface {
-    pub fn samples(&self) -> Samples<'_> {
+    pub(super) fn samples(&self) -> Samples<'_> {
         Samples { points: self.mesh.vertices(), normals: &self.normals, areas: &self.areas, features: &self.features }
     }
 
     /// At most `n` vertices. Canonical numbering follows a curve through space, so every `k`-th is an even sample.
-    pub fn thinned(&self, n: usize) -> Thinned {
+    pub(super) fn thinned(&self, n: usize) -> Thinned {
         let step = self.mesh.n_vertices().div_ceil(n);
         let picked = || (0..self.mesh.n_vertices()).step_by(step);
         Thinned {
@@ -149,7 +143,7 @@ impl SmoothSurface {
 }
 
 impl Thinned {
-    pub fn samples(&self) -> Samples<'_> {
+    pub(super) fn samples(&self) -> Samples<'_> {
         Samples { points: &self.points, normals: &self.normals, areas: &self.areas, features: &self.features }
     }
 }

@@ -1,4 +1,4 @@
-//! Laws of displacement on a bent bean.
+//! Laws of displacement on a bean-shaped surface.
 
 use super::{DisplacementAnswer, DisplacementOptions, StartPose, Surfaces};
 use crate::MatchError;
@@ -44,7 +44,7 @@ pub(crate) fn lopsided_bean() -> SurfaceMesh {
     mesh.with_vertices(bent).unwrap()
 }
 
-fn turned() -> RigidTransform {
+fn motion() -> RigidTransform {
     let rotation = *Rotation3::new(Vector3::new(1.9, -0.7, 2.2)).matrix();
     RigidTransform { rotation, translation: Vector3::new(12.0, -30.0, 7.0) }
 }
@@ -59,7 +59,7 @@ fn warped(p: &Point3<f64>) -> Point3<f64> {
 /// Source, target, and for every canonical source vertex its true image.
 fn pair(warp: fn(&Point3<f64>) -> Point3<f64>) -> (CanonicalMesh, CanonicalMesh, Vec<Point3<f64>>) {
     let source = lopsided_bean();
-    let images: Vec<Point3<f64>> = source.vertices().iter().map(|p| turned().apply(&warp(p))).collect();
+    let images: Vec<Point3<f64>> = source.vertices().iter().map(|p| motion().apply(&warp(p))).collect();
     let target = canonicalize(&source.with_vertices(images.clone()).unwrap());
     let source = canonicalize(&source);
     let images = source.original.iter().map(|&k| images[k as usize]).collect();
@@ -81,7 +81,7 @@ fn a_warped_copy_is_followed_where_no_rigid_transform_can() {
         assert!((0.0..=1.0).contains(&image.confidence));
         assert!((image.closest.point - image.moved).norm() <= (image.moved - q).norm() + 1e-9);
     }
-    assert_eq!(found.judged.len(), 2, "{:?}", found.judged);
+    assert_eq!(found.compared.len(), 2, "{:?}", found.compared);
 }
 
 #[test]
@@ -90,7 +90,7 @@ fn a_moved_copy_gives_its_motion() {
     let poses = principal_axis_poses(source.mesh.vertices(), target.mesh.vertices()).unwrap();
     let found =
         displace(&source.mesh, &target.mesh, &poses, &DisplacementOptions::default(), &Silent).unwrap().unwrap();
-    let error = found.transform.angle_to(&turned()).to_degrees();
+    let error = found.transform.angle_to(&motion()).to_degrees();
     assert!(error < 1e-3, "{error} degrees");
     assert!(found.residual_mm < 0.05, "{}", found.residual_mm);
 }
@@ -102,9 +102,9 @@ fn a_mirrored_copy_is_followed_from_a_mirroring_pose() {
         translation: Vector3::zeros(),
     };
     let source = lopsided_bean();
-    let target = source.moved(&turned().after(&mirror).matrix()).unwrap();
+    let target = source.moved(&motion().after(&mirror).matrix()).unwrap();
     let (source, target) = (canonicalize(&source), canonicalize(&target));
-    let pose = turned().after(&mirror);
+    let pose = motion().after(&mirror);
     let found =
         displace(&source.mesh, &target.mesh, &[pose], &DisplacementOptions::default(), &Silent).unwrap().unwrap();
     assert!(found.transform.is_reflection());

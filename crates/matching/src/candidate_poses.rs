@@ -1,34 +1,47 @@
-//! Poses that rival the one in hand: elongated structures look alike from head and from tail, and belief propagation
-//! can settle on the wrong one.
+//! Poses that may fit better than the one at hand: from a search of all orientations, and from the principal axes.
 
+use super::scene::even_sample;
+use super::side::Side;
+use homolog_geometry::curvature::vertex_areas;
 use homolog_primitives::observe::{Cancelled, Observer};
 use homolog_registration::{
-    ClosestSurfacePoint, IcpMetric, IcpOptions, RigidTransform, principal_axis_poses, refine_icp,
+    ClosestSurfacePoint, IcpMetric, IcpOptions, OrientedPoints, PoseSearchOptions, RigidTransform, ScoredPose,
+    pose_search, principal_axis_poses, refine_icp,
 };
 use nalgebra::Point3;
 use rayon::prelude::*;
 
-/// Source vertices at most on which rival poses are compared.
-const SAMPLE: usize = 500;
 /// ICP steps of that comparison: enough to tell head from tail, not to finish.
 const ITERATIONS: u32 = 30;
 /// Share of the sample that ICP keeps.
 const KEEP: f64 = 0.9;
-/// A rival is heard if the closest points are at most this share as far away as with the pose in hand; on six real
-/// pairs the half-turned poses were 1.27 to 3.7 times as far, the right one 0.98 to 1.10 times.
+/// A candidate is taken up if its closest points are at most this share as far away as those of the present pose. On six
+/// real pairs poses rotated by 180 degrees were 1.27 to 3.7 times as far away, the right one 0.98 to 1.10 times.
 const RATIO: f64 = 0.93;
-/// A pose within this angle, radians, of the one in hand is no rival.
+/// A candidate within this angle, radians, of the present pose is the same pose.
 const ANGLE: f64 = 0.5;
 
+/// Poses that lay `source` on `target`, the best first; with `allow_reflection` of either handedness.
+pub(super) fn searched(source: &Side, target: &Side, allow_reflection: bool) -> Vec<ScoredPose> {
+    let (source_areas, target_areas) = (vertex_areas(source.mesh()), vertex_areas(target.mesh()));
+    pose_search(
+        &OrientedPoints { points: source.mesh().vertices(), normals: &source.normals, areas: &source_areas },
+        &OrientedPoints { points: target.mesh().vertices(), normals: &target.normals, areas: &target_areas },
+        &PoseSearchOptions { allow_reflection, ..PoseSearchOptions::default() },
+    )
+}
+
 /// The best pose on the principal axes, if it brings `source` clearly closer to the surface `closest` than `present`
-/// does and is not the same pose. `source` and `target` are vertices, mm; none for a `present` that mirrors.
+/// does and is not the same pose. `source` and `target` are vertices, mm. `None` for a `present` that mirrors.
+///
+/// Elongated structures look alike from head and from tail, and belief propagation can settle on the wrong one.
 ///
 /// # Errors
 /// [`Cancelled`].
 ///
 /// # Cost
 /// At most five short ICP runs of 500 points, whatever the size of the surfaces.
-pub(super) fn rival_pose(
+pub(super) fn closer_pose(
     source: &[Point3<f64>],
     target: &[Point3<f64>],
     closest: &dyn ClosestSurfacePoint,
@@ -39,8 +52,7 @@ pub(super) fn rival_pose(
         return Ok(None);
     }
     let Some(poses) = principal_axis_poses(source, target) else { return Ok(None) };
-    // Canonical numbering follows a curve through space, so every k-th vertex is an even sample.
-    let sample: Vec<Point3<f64>> = source.iter().step_by(source.len().div_ceil(SAMPLE)).copied().collect();
+    let sample: Vec<Point3<f64>> = even_sample(source).copied().collect();
     let options =
         IcpOptions { metric: IcpMetric::PointToPoint, keep: KEEP, max_iterations: ITERATIONS, tolerance: 1e-3 };
     let refine = |start: &RigidTransform| refine_icp(&sample, closest, start, &options, observer);
@@ -65,7 +77,7 @@ mod tests {
     use nalgebra::Vector3;
 
     #[test]
-    fn a_half_turned_pose_has_a_rival_and_the_right_one_has_none() {
+    fn a_pose_rotated_by_180_degrees_has_a_better_candidate_and_the_right_one_has_none() {
         let source = bean();
         let target = source.transformed(&motion());
         let truth = RigidTransform {
@@ -73,15 +85,15 @@ mod tests {
             translation: motion().translation.vector,
         };
         let closest = SurfaceIndex::new(&target);
-        let rival = |present: &RigidTransform| {
-            rival_pose(source.vertices(), target.vertices(), &closest, present, &Silent).unwrap()
+        let candidate = |present: &RigidTransform| {
+            closer_pose(source.vertices(), target.vertices(), &closest, present, &Silent).unwrap()
         };
-        assert_eq!(rival(&truth), None);
+        assert_eq!(candidate(&truth), None);
         let center = source.centroid().coords;
         for axis in [Vector3::y(), Vector3::z()] {
-            let turn = *nalgebra::Rotation3::new(axis * std::f64::consts::PI).matrix();
-            let half_turned = RigidTransform { rotation: turn, translation: center - turn * center };
-            let found = rival(&truth.after(&half_turned)).unwrap();
+            let half_turn = *nalgebra::Rotation3::new(axis * std::f64::consts::PI).matrix();
+            let half_turned = RigidTransform { rotation: half_turn, translation: center - half_turn * center };
+            let found = candidate(&truth.after(&half_turned)).unwrap();
             assert!(found.angle_to(&truth).to_degrees() < 2.0, "{} degrees", found.angle_to(&truth).to_degrees());
         }
     }

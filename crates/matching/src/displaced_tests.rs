@@ -1,4 +1,4 @@
-//! What a match answers beyond labels: points between vertices, both directions, its own reliability.
+//! What a displacement field adds to a match: images between vertices, the map back, reliability.
 
 use super::displacement::tests::lopsided_bean;
 use super::tests::{bean, motion};
@@ -26,7 +26,7 @@ fn bent(p: &Point3<f64>) -> Point3<f64> {
 }
 
 #[test]
-fn images_lie_between_vertices_and_the_way_back_leads_home() {
+fn images_lie_between_vertices_and_the_map_back_inverts_the_map() {
     let source = bean();
     let images: Vec<_> = source.vertices().iter().map(|p| motion() * bent(p)).collect();
     let target = source.with_vertices(images.clone()).unwrap();
@@ -54,7 +54,7 @@ fn images_lie_between_vertices_and_the_way_back_leads_home() {
 }
 
 #[test]
-fn a_mirrored_target_is_answered_and_said_to_be_unreliable() {
+fn a_match_with_a_mirrored_target_is_reported_as_unreliable() {
     let source = lopsided_bean();
     let mirror = Matrix4::new_nonuniform_scaling(&Vector3::new(-1.0, 1.0, 1.0));
     let mirrored = source.moved(&std::array::from_fn(|r| std::array::from_fn(|c| mirror[(r, c)]))).unwrap();
@@ -96,8 +96,8 @@ fn vertices_beyond_the_end_of_an_open_target_have_no_counterpart() {
 }
 
 #[test]
-fn landmarks_decide_what_the_shape_leaves_open() {
-    // An ellipsoid fits as well when it is turned by half about its long axis.
+fn landmarks_decide_between_poses_that_fit_equally_well() {
+    // An ellipsoid fits equally well when it is rotated by 180 degrees about its long axis.
     let source = homolog_mesh::shapes::ellipsoid(Vector3::new(16.0, 8.0, 6.0), 3);
     let target = source.transformed(&motion());
     let landmark = |p: [f64; 3]| json!({"source_mm": p, "target_mm": (motion() * Point3::from(p)).coords.as_slice()});

@@ -1,0 +1,249 @@
+//! The third stage: an image on the target for every source vertex, through a smooth displacement field or rigidly.
+
+use super::MatchError;
+use super::candidate_poses::searched;
+use super::coarse::Coarse;
+use super::displacement::{
+    ComparedPose, DisplacementAnswer, DisplacementOptions, StartPose, Surfaces, displace, landmark_pose,
+};
+use super::levels::Levels;
+use super::posed::{InferredPose, Posed};
+use super::reliability::{UNRELIABLE_CONFIDENCE, reliability, without_counterpart};
+use super::rounds::PROGRESS_AT_END;
+use super::scene::Scene;
+use super::vertex_map::VertexMap;
+use homolog_contract::parameters::{Anatomy, DisplacementMode};
+use homolog_contract::result::{AnatomyDocument, PoseDocument, PoseOrigin, ReliabilityDocument};
+use homolog_mesh::ClosestPoint;
+use homolog_mrf::Labeling;
+use homolog_primitives::observe::{Phase, TracePoint};
+use homolog_registration::{RigidTransform, SAME_POSE_ANGLE, ScoredPose};
+use nalgebra::Point3;
+
+/// What the third stage hands over: every vertex of the source as it came, in canonical numbering.
+pub(crate) struct Displaced {
+    /// The rigid transform.
+    pub transform: RigidTransform,
+    /// The target vertex of each source vertex.
+    pub labeling: Labeling,
+    /// Its probability.
+    pub confidence: Vec<f64>,
+    /// Expected distance of the true image, mm.
+    pub spread_mm: Vec<f64>,
+    /// Poses that were compared.
+    pub poses: Vec<PoseDocument>,
+    pub images: Images,
+}
+
+/// Where the images of the source vertices lie.
+pub(crate) enum Images {
+    /// On the vertices of the target that `labeling` names; the source is moved by the transform alone.
+    OnVertices,
+    /// Where a smooth displacement field moves the source.
+    Smooth(SmoothImages),
+}
+
+/// Images by a smooth displacement field.
+pub(crate) struct SmoothImages {
+    /// The point of the target closest to each moved source vertex.
+    pub points: Vec<ClosestPoint>,
+    /// Each moved source vertex, mm.
+    pub moved: Vec<Point3<f64>>,
+    /// Whether the target has nothing where a source vertex is moved to.
+    pub no_counterpart: Vec<bool>,
+    /// Whether the images can be relied on.
+    pub reliability: ReliabilityDocument,
+    /// What knowledge of the structure changed; `None` where it was not applied.
+    pub anatomy: Option<AnatomyDocument>,
+}
+
+/// An image for every source vertex of `coarse`, from the pose of `posed`.
+///
+/// With a displacement field the poses compared are that of `posed`, that of the landmarks and those of a search of all
+/// orientations, mirrored ones too; the one that fits best after the deformation is kept. Where no field can be fitted,
+/// the images are those of the rigid pose, and where `posed` has none, of the first of the other poses.
+///
+/// # Errors
+/// [`MatchError::NoRegistration`] where `posed` has no pose and no other is at hand: without a displacement field, or
+/// where neither landmarks nor the search give one. [`MatchError::ScaleSpace`]; [`MatchError::Cancelled`].
+pub(crate) fn displaced(coarse: &Coarse<'_>, posed: &Posed<'_>) -> Result<Displaced, MatchError> {
+    let starts = match coarse.full.parameters.displacement.mode {
+        DisplacementMode::None => Starts::of(posed),
+        DisplacementMode::Smooth => {
+            coarse.full.observer.phase(Phase::Displacement);
+            let starts = Starts::with_search(coarse, posed);
+            if let Some(found) = by_field(coarse, posed, &starts)? {
+                return Ok(found);
+            }
+            starts
+        }
+    };
+    rigid(coarse, posed, &starts)
+}
+
+/// Rigid poses to start from, the most trusted first.
+struct Starts {
+    poses: Vec<(PoseOrigin, RigidTransform)>,
+    /// All that the search found, the best first.
+    of_search: Vec<ScoredPose>,
+}
+
+impl Starts {
+    /// The pose of `posed` alone.
+    fn of(posed: &Posed<'_>) -> Starts {
+        let origin = match posed {
+            Posed::Inference { .. } => PoseOrigin::Inference,
+            Posed::Registration(_) => PoseOrigin::Registration,
+        };
+        Starts { poses: posed.transform().map(|pose| (origin, pose)).into_iter().collect(), of_search: Vec::new() }
+    }
+
+    /// The pose of `posed`, that of the landmarks, and those of a search of all orientations.
+    fn with_search(coarse: &Coarse<'_>, posed: &Posed<'_>) -> Starts {
+        let parameters = coarse.full.parameters;
+        let Starts { mut poses, .. } = Starts::of(posed);
+        let of_landmarks = landmark_pose(&parameters.landmarks, parameters.registration.allow_reflection);
+        poses.extend(of_landmarks.map(|pose| (PoseOrigin::Landmarks, pose)));
+        // Of either handedness, so that a mirrored image is noticed.
+        let of_search = searched(&coarse.source.middle, &coarse.target.middle, true);
+        poses.extend(of_search.iter().map(|p| (PoseOrigin::Search, p.target_from_source)));
+        Starts { poses, of_search }
+    }
+
+    /// How much worse than the best the search found `pose`: as much as the nearest pose it returned, within 30 degrees;
+    /// a pose that it did not return is as bad as its last.
+    fn excess(&self, pose: &RigidTransform) -> f64 {
+        let alike = self.of_search.iter().filter(|p| {
+            let found = &p.target_from_source;
+            found.is_reflection() == pose.is_reflection() && found.angle_to(pose) < SAME_POSE_ANGLE
+        });
+        let least = alike.map(|p| p.excess).fold(f64::INFINITY, f64::min);
+        least.min(self.of_search.last().map_or(0.0, |p| p.excess))
+    }
+}
+
+/// The images of a rigid pose.
+fn rigid(coarse: &Coarse<'_>, posed: &Posed<'_>, starts: &Starts) -> Result<Displaced, MatchError> {
+    let scene = &coarse.full;
+    let may_answer = |pose: &&(PoseOrigin, RigidTransform)| {
+        scene.parameters.registration.allow_reflection || !pose.1.is_reflection()
+    };
+    let found = posed.transform().or_else(|| starts.poses.iter().find(may_answer).map(|(_, pose)| *pose));
+    let transform = found.ok_or(MatchError::NoRegistration { tolerance_mm: scene.tolerance_mm })?;
+    let (map, poses) = match posed {
+        // The labels of an energy of all vertices are the answer.
+        Posed::Inference { inferred, .. }
+            if coarse.is_direct() && matches!(inferred.pose, InferredPose::Supported { .. }) =>
+        {
+            (inferred.map.clone(), Vec::new())
+        }
+        Posed::Inference { .. } => (VertexMap::nearest(scene, &transform), Vec::new()),
+        Posed::Registration(registered) => (VertexMap::nearest(scene, &transform), registered.poses.clone()),
+    };
+    let VertexMap { labeling, confidence, spread_mm } = map;
+    Ok(Displaced { transform, labeling, confidence, spread_mm, poses, images: Images::OnVertices })
+}
+
+/// The images of a smooth displacement field, from whichever start fits best after the deformation. `None` where no field
+/// can be fitted.
+fn by_field(coarse: &Coarse<'_>, posed: &Posed<'_>, starts: &Starts) -> Result<Option<Displaced>, MatchError> {
+    let (scene, source, target) = (&coarse.full, coarse.source, coarse.target);
+    let observer = scene.observer;
+    let surfaces = Surfaces {
+        source: source.middle.mesh(),
+        target: target.middle.mesh(),
+        full_source: source.full.mesh(),
+        full_target: target.full.mesh(),
+        full_closest: &scene.closest.index,
+        landmarks: &scene.parameters.landmarks,
+    };
+    let poses: Vec<StartPose> =
+        starts.poses.iter().map(|(_, pose)| StartPose { pose: *pose, excess: starts.excess(pose) }).collect();
+    let options = DisplacementOptions { anatomy: scene.parameters.displacement.anatomy, ..Default::default() };
+    let allow_reflection = scene.parameters.registration.allow_reflection;
+    let Some(found) = displace(&surfaces, &poses, allow_reflection, &options, observer)? else { return Ok(None) };
+    let displaced = answered(scene, starts, &found, reliability(&found, source.full.mesh(), target.full.mesh()));
+    observer.progress(PROGRESS_AT_END);
+    if let Posed::Inference { problem, inferred } = posed {
+        let energy = problem.model.energy(&labeling_of_energy(source, target, &displaced.labeling));
+        let round = inferred.rounds.last().map_or(0, |r| r.round);
+        observer.trace(&TracePoint {
+            energy: Some(energy.total()),
+            energy_unary: Some(energy.unary),
+            energy_pairwise: Some(energy.pairwise),
+            lower_bound: problem.lower_bound,
+            ..TracePoint::new(round, Phase::Displacement, 1)
+        });
+    }
+    Ok(Some(displaced))
+}
+
+/// The answer of a displacement field, its confidences lowered where `reliability` speaks against it.
+fn answered(
+    scene: &Scene<'_>,
+    starts: &Starts,
+    found: &DisplacementAnswer,
+    reliability: ReliabilityDocument,
+) -> Displaced {
+    let trust = if reliability.reliable { 1.0 } else { UNRELIABLE_CONFIDENCE };
+    let no_counterpart = without_counterpart(scene.target.mesh(), scene.edge_mm, &found.images);
+    let confidence = found
+        .images
+        .iter()
+        .zip(&no_counterpart)
+        .map(|(image, &alone)| if alone { 0.0 } else { trust * image.confidence })
+        .collect();
+    Displaced {
+        transform: found.transform,
+        labeling: found.images.iter().map(|image| image.label).collect(),
+        confidence,
+        spread_mm: found.images.iter().map(|image| image.spread_mm).collect(),
+        poses: found
+            .compared
+            .iter()
+            .map(|compared| document(scene, &starts.poses, compared, &found.transform))
+            .collect(),
+        images: Images::Smooth(SmoothImages {
+            points: found.images.iter().map(|image| image.closest).collect(),
+            moved: found.images.iter().map(|image| image.moved).collect(),
+            no_counterpart,
+            reliability,
+            anatomy: found.slide.map(|slide| AnatomyDocument {
+                structure: Anatomy::Hippocampus,
+                source_distance: slide.distances[0],
+                target_distance: slide.distances[1],
+                slide_mm: slide.rms_mm,
+            }),
+        }),
+    }
+}
+
+/// `labels` of all source vertices as a labeling of the level on which the energy is.
+pub(crate) fn labeling_of_energy(source: &Levels, target: &Levels, labels: &[u32]) -> Labeling {
+    let mut labeling = vec![0; source.energy.mesh().n_vertices()];
+    // Of the vertices of a cell one is its site, and the image of that one counts.
+    for (i, &k) in source.cells.iter().enumerate() {
+        if source.full.surface.original[i] == source.energy.surface.original[k as usize] {
+            labeling[k as usize] = target.cells[labels[i] as usize];
+        }
+    }
+    labeling
+}
+
+/// A compared pose as the result states it.
+fn document(
+    scene: &Scene<'_>,
+    poses: &[(PoseOrigin, RigidTransform)],
+    compared: &ComparedPose,
+    answered: &RigidTransform,
+) -> PoseDocument {
+    let (origin, pose) = poses[compared.pose];
+    PoseDocument {
+        origin,
+        matrix: pose.matrix(),
+        angle_deg: pose.angle_to(answered).to_degrees(),
+        rms_mm: scene.sample_rms_mm(&pose),
+        misfit: Some(compared.misfit),
+        mirrored: compared.mirrored,
+    }
+}

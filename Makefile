@@ -36,7 +36,7 @@ OURS_ONLY ?=
 ACCURACY ?= $(lastword $(sort $(wildcard docs/accuracy/*)))
 
 help:
-	@sed -n 's/^# //p' Makefile
+	@sed -n '/^#/!q; s/^# //p' Makefile
 
 build:
 	@scripts/setup build

@@ -180,7 +180,7 @@ impl Table<'_> {
 /// What is allowed for the parameter at `path`, as the program says when it refuses a value.
 fn ranges(path: &[&str], schema: &Value, is_enumeration: bool) -> Vec<String> {
     let is = |kind: &str| schema["type"] == kind || list(&schema["type"]).any(|t| t == kind);
-    let probes = if is_enumeration {
+    let probes: Vec<Value> = if is_enumeration {
         list(&schema["enum"]).map(Value::from).collect()
     } else if is("integer") {
         vec![json!(u32::MAX), json!(0)]
@@ -341,7 +341,9 @@ mod tests {
         }
         let document: Value = serde_json::from_str(&openapi_json().unwrap()).unwrap();
         let meanings = meanings();
-        for name in ["Algorithm", "Anatomy", "ClampingMode", "CurvatureEstimator", "FeatureKind", "InitialPose", "Repair"] {
+        for name in
+            ["Algorithm", "Anatomy", "ClampingMode", "CurvatureEstimator", "FeatureKind", "InitialPose", "Repair"]
+        {
             let values: Vec<&str> = list(&document["components"]["schemas"][name]["enum"]).collect();
             assert!(!values.is_empty(), "{name} is no enumeration of the document");
             for value in values {

@@ -62,7 +62,7 @@ fn links_between_documents_lead_somewhere() {
         let text = fs::read_to_string(&path).unwrap();
         for link in links(&text).into_iter().filter(|link| !link.contains("://")) {
             n_links += 1;
-            let (file, anchor) = link.split_once('#').unwrap_or((&link, ""));
+            let (file, anchor) = link.split_once('#').unwrap_or((link.as_str(), ""));
             let target = if file.is_empty() { path.clone() } else { path.parent().unwrap().join(file) };
             let is_there = target.exists()
                 && (anchor.is_empty() || anchors(&fs::read_to_string(&target).unwrap()).iter().any(|a| a == anchor));
@@ -80,6 +80,32 @@ fn the_readers_of_links_and_anchors_find_them() {
     let text = "# A title: *with* `code`/marks\n```sh\n# no [heading](here)\n```\nSee ![x](a.png), [y](b.md#a-b) and <http://c>.";
     assert_eq!(links(text), ["a.png", "b.md#a-b"]);
     assert_eq!(anchors(text), ["a-title-with-codemarks"]);
+}
+
+#[test]
+fn the_log_lines_of_the_runbook_exist() {
+    let runbook = fs::read_to_string(root().join("docs/runbook.md")).unwrap();
+    let table = runbook.lines().skip_while(|line| !line.starts_with("| log line ")).skip(2);
+    let messages: Vec<&str> = table
+        .take_while(|row| row.starts_with('|'))
+        .flat_map(|row| row.split('|').nth(1).unwrap().split('`').skip(1).step_by(2))
+        .collect();
+    assert!(messages.len() > 4, "{messages:?}");
+    let sources = sources_under(&root().join("src"));
+    for message in messages {
+        assert!(sources.contains(&format!("\"{message}\"")), "nothing logs \"{message}\"");
+    }
+}
+
+/// All Rust files below a folder, one after another.
+fn sources_under(folder: &Path) -> String {
+    let paths = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
+    let text = |path: PathBuf| match path.extension() {
+        Some(extension) if extension == "rs" => fs::read_to_string(&path).unwrap(),
+        _ if path.is_dir() => sources_under(&path),
+        _ => String::new(),
+    };
+    paths.map(text).collect()
 }
 
 fn root() -> &'static Path {

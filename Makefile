@@ -1,22 +1,24 @@
 # make demo    build, start the service, match a pair over HTTP, show the result
-#              SOURCE=a.nii.gz TARGET=b.nii.gz: your own pair; KEEP=1: leave the service running
-# make test    every test; those of faults in a short form
-# make faults  the service while things break, in full length, half an hour; TEST=a06: one of its points
-# make check   format, lints, documentation, unused dependencies
-# make contract  a running service held against its OpenAPI document by schemathesis
+#              SOURCE=a.nii.gz TARGET=b.nii.gz: use your own pair; KEEP=1: leave the service running
+# make test    all tests; fault injection in a short form
+# make faults  fault injection in full length, half an hour: processes killed, databases stopped, disks filled;
+#              TEST=a06: only the test of that name
+# make check   formatting, lints, documentation, unused dependencies
+# make contract  test a running service against its OpenAPI document with schemathesis
 # make build   target/release/homolog
-# make api     writes the generated files under api/ anew
-# make experiment  measure every method and write a report, with the newest accuracy table; DATA=dir: real label volumes
-#              below dir/hippocampus
-# make accuracy  the accuracy table beside the peers; DATA=dir: label volumes below dir/hippocampus; EVAL=dir: the folder
-#              of real_cases.py; CASES=10: pairs a set; OURS_ONLY=1: without peers
+# make api     regenerate api/ and docs/parameters.md
+# make picture redraw docs/match.png
+# make experiment  measure every method and write a report that includes the newest accuracy table; DATA=dir: real label
+#              volumes in dir/hippocampus
+# make accuracy  measure accuracy beside other programs; DATA=dir: label volumes in dir/hippocampus; EVAL=dir: the folder
+#              of real_cases.py; CASES=10: pairs a set; OURS_ONLY=1: without the other programs
 # make bench   benchmarks of a match
-# make bench-service  benchmarks of the service; PART=poll: one of its parts
+# make bench-service  benchmarks of the service; PART=poll: one part of them
 
 SHELL := /usr/bin/env bash
 .SHELLFLAGS := -eu -o pipefail -c
 .DEFAULT_GOAL := help
-.PHONY: help demo test faults check contract build api experiment accuracy bench bench-service
+.PHONY: help demo test faults check contract build api picture experiment accuracy bench bench-service
 
 CARGO ?= cargo
 SOURCE ?=
@@ -30,11 +32,11 @@ DEMO_OUT ?= target/demo
 EVAL ?= eval
 CASES ?=
 OURS_ONLY ?=
-# The newest table.
+# The newest accuracy table.
 ACCURACY ?= $(lastword $(sort $(wildcard docs/accuracy/*)))
 
 help:
-	@sed -n 's/^# //p' Makefile
+	@sed -n '/^#/!q; s/^# //p' Makefile
 
 build:
 	@scripts/setup build
@@ -44,7 +46,7 @@ demo: build
 	target/release/homolog demo --out "$(DEMO_OUT)" $(if $(filter-out 0,$(KEEP)),--keep) \
 	  $(if $(SOURCE),"$(SOURCE)") $(if $(TARGET),"$(TARGET)")
 
-# nextest runs no doc tests; cargo runs everything, only slower.
+# nextest does not run doc tests. Without nextest, cargo runs everything, more slowly.
 test:
 	@scripts/setup test
 	@if $(CARGO) nextest --version >/dev/null 2>&1; then \
@@ -78,13 +80,21 @@ api:
 	mkdir -p api
 	$(CARGO) run --quiet --locked -- openapi > api/openapi.json.tmp
 	$(CARGO) run --quiet --locked -- problems > api/problems.md.tmp
+	$(CARGO) run --quiet --locked -- parameters > docs/parameters.md.tmp
 	mv api/openapi.json.tmp api/openapi.json
 	mv api/problems.md.tmp api/problems.md
+	mv docs/parameters.md.tmp docs/parameters.md
+
+picture: build
+	[ -x target/picture-env/bin/python ] || python3 -m venv target/picture-env
+	target/picture-env/bin/python -m pip --disable-pip-version-check --quiet install numpy==2.4.6 matplotlib==3.11.2
+	target/picture-env/bin/python scripts/picture target/release/homolog docs/match.png
 
 experiment: build
 	target/release/homolog experiment --data "$(DATA)" --out target/experiment $(if $(ACCURACY),--accuracy "$(ACCURACY)")
 
-# The program that is measured has learned nothing from the subjects of the pairs. The last build puts the other one back.
+# The measured program (feature `left-out`) has a prior that was not trained on the subjects of the pairs. The last build
+# restores the regular program.
 accuracy: build
 	$(CARGO) build --release --locked --features left-out
 	mkdir -p target/left-out && cp target/release/homolog target/left-out/homolog
@@ -101,7 +111,8 @@ bench:
 	  { echo "# Benchmarks, $$(date -u +%Y-%m-%d); command: make bench"; echo; cat target/bench.md; } > "$$record"; \
 	  echo "record: $$record"
 
-# The peer is built apart, since nothing of it is a dependency; where it cannot be, its row says so.
+# The program that is compared is a package of its own, since nothing of it is a dependency of homolog. If it cannot be
+# built, its row says so.
 bench-service:
 	@scripts/setup test
 	mkdir -p benches/records

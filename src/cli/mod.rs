@@ -11,6 +11,7 @@ mod inspect;
 mod interrupt;
 mod match_pair;
 mod output;
+mod parameter_table;
 mod parameters;
 mod phantom;
 mod progress;
@@ -51,6 +52,9 @@ enum Command {
     /// Print the table of problems that the service answers
     #[command(hide = true)]
     Problems,
+    /// Print the table of parameters of a match
+    #[command(hide = true)]
+    Parameters,
 }
 
 /// Version and commit.
@@ -76,6 +80,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Command::Purge(args) => admin::purge(&args),
         Command::Openapi => serve::print_openapi(),
         Command::Problems => serve::print_problems(),
+        Command::Parameters => parameter_table::print_parameters(),
         Command::Match(args) => match_pair::run(&args),
         Command::Inspect(args) => inspect::run(&args),
         Command::Phantom(args) => phantom::run(&args),

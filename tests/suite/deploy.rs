@@ -1,4 +1,4 @@
-//! The files of `deploy/`, the Dockerfile and the runbook name only what there is: settings, commands and flags as the
+//! The files of `deploy/`, the Dockerfile, README and `docs/` name only what there is: settings, commands and flags as the
 //! program itself lists them, its port, its paths and its metrics.
 
 use crate::cli::homolog;
@@ -46,9 +46,12 @@ fn files_under(folder: &Path, into: &mut Vec<PathBuf>) {
     }
 }
 
-/// Everything under `deploy/`, the Dockerfile and the runbook.
+/// Everything under `deploy/`, the Dockerfile, README and the documents of `docs/`.
 fn files() -> Vec<TextFile> {
-    let mut paths = vec![root().join("Dockerfile"), root().join("docs/runbook.md")];
+    let mut paths: Vec<PathBuf> =
+        fs::read_dir(root().join("docs")).unwrap().map(|entry| entry.unwrap().path()).collect();
+    paths.retain(|path| path.extension().is_some_and(|e| e == "md"));
+    paths.extend([root().join("Dockerfile"), root().join("README.md")]);
     files_under(&root().join("deploy"), &mut paths);
     paths.sort();
     assert!(paths.len() > 10, "few files: {paths:?}");

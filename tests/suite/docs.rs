@@ -1,6 +1,10 @@
-//! The page at `/docs` and everything it loads come from the service itself.
+//! The page at `/docs` is served with everything it loads, and the documents of the repository fit the program and each
+//! other.
 
+use super::cli::homolog;
 use super::jobs_support::{TestService, problem};
+use std::fs;
+use std::path::{Path, PathBuf};
 
 /// Values of `src` and `href` in a page.
 fn references(page: &str) -> Vec<String> {
@@ -40,4 +44,106 @@ async fn the_page_and_its_files_come_from_the_service() {
     problem(service.get("/docs/../Cargo.toml").await, 404, "route-not-found").await;
     problem(service.get("/docs/%2e%2e/Cargo.toml").await, 404, "route-not-found").await;
     service.end().await;
+}
+
+#[test]
+fn the_table_of_parameters_is_up_to_date() {
+    let done = homolog().arg("parameters").output().unwrap();
+    assert!(done.status.success(), "{}", String::from_utf8_lossy(&done.stderr));
+    let committed = fs::read(root().join("docs/parameters.md")).unwrap();
+    assert!(committed == done.stdout, "docs/parameters.md is not what the program prints; run `make api`");
+}
+
+#[test]
+fn links_between_documents_lead_somewhere() {
+    let mut n_links = 0;
+    let mut broken = Vec::new();
+    for path in documents() {
+        let text = fs::read_to_string(&path).unwrap();
+        for link in links(&text).into_iter().filter(|link| !link.contains("://")) {
+            n_links += 1;
+            let (file, anchor) = link.split_once('#').unwrap_or((link.as_str(), ""));
+            let target = if file.is_empty() { path.clone() } else { path.parent().unwrap().join(file) };
+            let is_there = target.exists()
+                && (anchor.is_empty() || anchors(&fs::read_to_string(&target).unwrap()).iter().any(|a| a == anchor));
+            if !is_there {
+                broken.push(format!("{}: {link}", path.display()));
+            }
+        }
+    }
+    assert!(n_links > 40, "only {n_links} links were found");
+    assert!(broken.is_empty(), "broken links:\n{}", broken.join("\n"));
+}
+
+#[test]
+fn the_readers_of_links_and_anchors_find_them() {
+    let text = "# A title: *with* `code`/marks\n```sh\n# no [heading](here)\n```\nSee ![x](a.png), [y](b.md#a-b) and <http://c>.";
+    assert_eq!(links(text), ["a.png", "b.md#a-b"]);
+    assert_eq!(anchors(text), ["a-title-with-codemarks"]);
+}
+
+#[test]
+fn the_log_lines_of_the_runbook_exist() {
+    let runbook = fs::read_to_string(root().join("docs/runbook.md")).unwrap();
+    let table = runbook.lines().skip_while(|line| !line.starts_with("| log line ")).skip(2);
+    let messages: Vec<&str> = table
+        .take_while(|row| row.starts_with('|'))
+        .flat_map(|row| row.split('|').nth(1).unwrap().split('`').skip(1).step_by(2))
+        .collect();
+    assert!(messages.len() > 4, "{messages:?}");
+    let sources = sources_under(&root().join("src"));
+    for message in messages {
+        assert!(sources.contains(&format!("\"{message}\"")), "nothing logs \"{message}\"");
+    }
+}
+
+/// All Rust files below a folder, one after another.
+fn sources_under(folder: &Path) -> String {
+    let paths = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
+    let text = |path: PathBuf| match path.extension() {
+        Some(extension) if extension == "rs" => fs::read_to_string(&path).unwrap(),
+        _ if path.is_dir() => sources_under(&path),
+        _ => String::new(),
+    };
+    paths.map(text).collect()
+}
+
+fn root() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+}
+
+/// The Markdown files for readers. Records of measurements stay as they were written.
+fn documents() -> Vec<PathBuf> {
+    let folders = ["", "docs", "docs/experiments", "deploy", "benches/accuracy", "benches/peers/pgmax"];
+    let entries = folders.iter().flat_map(|folder| fs::read_dir(root().join(folder)).unwrap());
+    let mut paths: Vec<PathBuf> = entries.map(|entry| entry.unwrap().path()).collect();
+    paths.retain(|path| path.extension().is_some_and(|e| e == "md"));
+    paths.sort();
+    paths
+}
+
+/// The lines of a document outside its blocks of code.
+fn prose(text: &str) -> impl Iterator<Item = &str> {
+    let mut in_code = false;
+    text.lines().filter(move |line| {
+        let is_fence = line.trim_start().starts_with("```");
+        in_code ^= is_fence;
+        !in_code && !is_fence
+    })
+}
+
+/// Targets of `[text](target)`.
+fn links(text: &str) -> Vec<String> {
+    let after = prose(text).flat_map(|line| line.split("](").skip(1));
+    after.filter_map(|rest| rest.split_once(')')).map(|(target, _)| target.to_owned()).collect()
+}
+
+/// The anchors that GitHub gives to headings.
+fn anchors(text: &str) -> Vec<String> {
+    let headings = prose(text).filter(|line| line.starts_with('#')).map(|line| line.trim_start_matches('#').trim());
+    let slug = |heading: &str| {
+        let kept = heading.to_lowercase().replace(' ', "-");
+        kept.chars().filter(|c| c.is_alphanumeric() || ['-', '_'].contains(c)).collect()
+    };
+    headings.map(slug).collect()
 }

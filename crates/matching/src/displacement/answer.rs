@@ -1,7 +1,7 @@
 //! Sub-vertex images of source vertices, with a probability that says how near the truth they are.
 
 use homolog_mesh::{ClosestPoint, ClosestPointIndex, SurfaceMesh};
-use homolog_registration::deformation::NeighborGrid;
+use homolog_primitives::points::NeighborGrid;
 use nalgebra::{Matrix3, Point3};
 use rayon::prelude::*;
 use std::f64::consts::TAU;

@@ -3,7 +3,7 @@
 use crate::MatchError;
 use homolog_geometry::curvature::{Curvatures, Estimator, ScaleSpace, curvatures, vertex_areas};
 use homolog_mesh::SurfaceMesh;
-use homolog_registration::deformation::Samples;
+use homolog_registration::alignment::OrientedPoints;
 use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
 
@@ -130,8 +130,13 @@ fn at(space: &ScaleSpace<'_>, scale_mm: f64) -> Result<SurfaceMesh, MatchError> 
 }
 
 impl SmoothSurface {
-    pub fn samples(&self) -> Samples<'_> {
-        Samples { points: self.mesh.vertices(), normals: &self.normals, areas: &self.areas, features: &self.features }
+    pub fn samples(&self) -> OrientedPoints<'_> {
+        OrientedPoints {
+            points: self.mesh.vertices(),
+            normals: &self.normals,
+            areas: &self.areas,
+            features: &self.features,
+        }
     }
 
     /// At most `n` vertices. Canonical numbering follows a curve through space, so every `k`-th is an even sample.
@@ -149,7 +154,7 @@ impl SmoothSurface {
 }
 
 impl Thinned {
-    pub fn samples(&self) -> Samples<'_> {
-        Samples { points: &self.points, normals: &self.normals, areas: &self.areas, features: &self.features }
+    pub fn samples(&self) -> OrientedPoints<'_> {
+        OrientedPoints { points: &self.points, normals: &self.normals, areas: &self.areas, features: &self.features }
     }
 }

@@ -3,7 +3,7 @@
 use crate::real_data::{real, real_files};
 use homolog_contract::parameters::{InputParameters, Method, Repair, SurfaceKind, preset};
 use homolog_formats::{FormatError, write_nifti, write_nifti_gz, write_ply, write_stl, write_vtk};
-use homolog_mesh::repair::turned;
+use homolog_mesh::repair::reversed;
 use homolog_mesh::topology::analyze;
 use homolog_mesh::volume::LabelVolume;
 use homolog_mesh::{FaceArity, SurfaceMesh};
@@ -160,7 +160,7 @@ fn a_good_mesh_passes_untouched_and_an_inside_out_one_is_turned() {
     let prepared = prepare(&write_vtk(&whole), &defaults()).unwrap();
     assert_eq!((&prepared.mesh, prepared.uploaded), (&whole, None));
     assert!(prepared.report.repairs.is_empty() && !prepared.report.turned_outward);
-    let outward = prepare(&write_vtk(&turned(&whole)), &defaults()).unwrap();
+    let outward = prepare(&write_vtk(&reversed(&whole)), &defaults()).unwrap();
     assert_eq!(outward.mesh, whole);
     assert!(outward.report.turned_outward && outward.report.topology.volume_mm3.unwrap() < 0.0);
 }

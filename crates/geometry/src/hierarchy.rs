@@ -1,38 +1,38 @@
 //! Coarse levels of a surface: fewer vertices, each standing for a cell of the finer surface.
 //!
-//! Sites are spread evenly over the surface ([`farthest_points`]); every vertex belongs to the site that is nearest
-//! along edges; wherever three cells meet in a face there is a coarse triangle. On a surface that the sites cover
-//! closely this is the intrinsic Delaunay triangulation's discrete kin: closed where the surface is closed, with edges
-//! of nearly one length, which is what an energy on edges wants. Decimation by quadrics would spend its vertices where
-//! the surface bends and leave long triangles where it does not.
+//! Sites cover the surface evenly ([`farthest_points`]); every vertex belongs to the cell of the site that is nearest
+//! along edges; wherever three cells meet in a face there is a coarse triangle. With enough sites this is a discrete
+//! version of the intrinsic Delaunay triangulation: closed where the surface is closed, with edges of nearly equal
+//! length, as an energy on edges needs. Decimation by quadrics would place its vertices where the surface bends and
+//! leave long triangles elsewhere.
 //!
 //! Sources: Peyré, Cohen, "Geodesic remeshing using front propagation", IJCV 69(1), 2006; Dijkstra 1959.
 
 use homolog_mesh::{FaceArity, SurfaceMesh};
 use homolog_primitives::graph::EdgeGraph;
-use homolog_registration::deformation::farthest_points;
+use homolog_primitives::points::farthest_points;
 use nalgebra::Point3;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
-/// Sites are chosen among at most this many vertices for each of them, which bounds the time on the finest surfaces.
+/// Candidate vertices per site, which bounds the time on the finest surfaces.
 const CANDIDATES_PER_SITE: usize = 16;
-/// A site in whose cell no three cells meet is given up; the cells then are made anew, at most so often.
+/// A site whose cell has no corner is dropped and the cells are recomputed, at most this many times.
 const ROUNDS: usize = 8;
 
-/// A coarse level and the maps between it and the finer one.
+/// A coarse level, with the maps to and from the finer surface.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CoarseSurface {
     /// Triangles over the sites.
     pub mesh: SurfaceMesh,
-    /// For every coarse vertex the finer one it is; ascending.
+    /// For every coarse vertex its index on the finer surface; ascending.
     pub sites: Vec<u32>,
-    /// For every finer vertex the coarse one whose cell it is in.
+    /// For every finer vertex the coarse vertex whose cell it belongs to.
     pub cells: Vec<u32>,
 }
 
-/// `mesh` on about `n_sites` of its vertices. `None` if it has no more than these, or where the cells make no surface.
-/// `mesh` in canonical numbering (see [`homolog_mesh::canonicalize`]).
+/// A coarse version of `mesh` with about `n_sites` of its vertices. `None` if it has no more vertices than that, or if
+/// the cells form no surface. `mesh` must be in canonical numbering (see [`homolog_mesh::canonicalize`]).
 ///
 /// # Cost
 /// `O(n log n + n_sites²)`.
@@ -49,7 +49,7 @@ pub fn coarsen(mesh: &SurfaceMesh, n_sites: usize) -> Option<CoarseSurface> {
     sites.sort_unstable();
     for _ in 0..ROUNDS {
         let cells = cells(mesh, &graph, &sites)?;
-        let triangles = meetings(mesh, &cells);
+        let triangles = coarse_triangles(mesh, &cells);
         let mut used = vec![false; sites.len()];
         triangles.iter().flatten().for_each(|&k| used[k as usize] = true);
         if used.iter().all(|&u| u) {
@@ -62,15 +62,15 @@ pub fn coarsen(mesh: &SurfaceMesh, n_sites: usize) -> Option<CoarseSurface> {
     None
 }
 
-/// For every vertex the index of the nearest site along edges, of equally near ones the lowest. `None` if a vertex is
-/// connected to no site.
+/// For every vertex the index of the site nearest along edges, the lowest of equally near ones. `None` if a vertex is
+/// not connected to any site.
 fn cells(mesh: &SurfaceMesh, graph: &EdgeGraph, sites: &[u32]) -> Option<Vec<u32>> {
     let v = mesh.vertices();
     let mut cell = vec![u32::MAX; v.len()];
-    // Lengths are not negative, so their bits are in the order of their values.
+    // Non-negative lengths compare like their bits.
     let mut front: BinaryHeap<Reverse<(u64, u32, u32)>> =
         sites.iter().enumerate().map(|(k, &s)| Reverse((0, k as u32, s))).collect();
-    // The shortest way known to each vertex, and the site it comes from: what is no better never enters the queue.
+    // The shortest known path to each vertex and its site, so that only improvements enter the queue.
     let mut nearest = vec![(u64::MAX, u32::MAX); v.len()];
     let mut reached = 0;
     while let Some(Reverse((length, k, i))) = front.pop() {
@@ -93,9 +93,9 @@ fn cells(mesh: &SurfaceMesh, graph: &EdgeGraph, sites: &[u32]) -> Option<Vec<u32
     (reached == v.len()).then_some(cell)
 }
 
-/// The triples of cells that meet in a face, turned as the face is, each once, ascending. Two triangles that are each
-/// other's back, a fold without inside, are left out.
-fn meetings(mesh: &SurfaceMesh, cells: &[u32]) -> Vec<[u32; 3]> {
+/// The triples of cells that meet in a face, oriented like the face, each once, ascending. Pairs of triangles with the
+/// same corners and opposite orientation, folds without an inside, are left out.
+fn coarse_triangles(mesh: &SurfaceMesh, cells: &[u32]) -> Vec<[u32; 3]> {
     let mut found: Vec<[u32; 3]> = mesh
         .triangles()
         .iter()
@@ -146,7 +146,7 @@ mod tests {
     }
 
     #[test]
-    fn maps_lead_there_and_back() {
+    fn sites_and_cells_are_inverse_maps() {
         let fine = canonicalize(&ellipsoid(Vector3::new(9.0, 6.0, 4.0), 4)).mesh;
         let coarse = coarsen(&fine, 300).unwrap();
         for (k, &site) in coarse.sites.iter().enumerate() {
@@ -170,7 +170,7 @@ mod tests {
         }
     }
 
-    /// Bellman and Ford: every edge is tried until nothing becomes shorter.
+    /// Bellman-Ford: every edge is relaxed until nothing becomes shorter.
     fn cells_by_relaxation(mesh: &SurfaceMesh, graph: &EdgeGraph, sites: &[u32]) -> Vec<u32> {
         let v = mesh.vertices();
         let mut best = vec![(f64::INFINITY, u32::MAX); v.len()];
@@ -192,7 +192,7 @@ mod tests {
     }
 
     #[test]
-    fn a_surface_that_is_small_already_has_no_coarser_one() {
+    fn a_surface_with_fewer_vertices_than_sites_has_no_coarse_level() {
         let fine = canonicalize(&ellipsoid(Vector3::new(9.0, 6.0, 4.0), 2)).mesh;
         assert_eq!(coarsen(&fine, fine.n_vertices()), None);
         assert_eq!(coarsen(&fine, 3), None);

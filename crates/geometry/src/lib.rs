@@ -1,4 +1,4 @@
-//! What is measured on one surface: curvature in scale space ([`curvature`]), distances along it ([`geodesic`]), coarse
+//! Measurements on one surface: curvature in scale space ([`curvature`]), geodesic distances ([`geodesic`]), coarse
 //! levels ([`hierarchy`]) and the first-order ellipsoid ([`harmonics`]).
 //!
 //! This crate knows no energy, no second surface, no file and no runtime.
@@ -7,3 +7,4 @@ pub mod curvature;
 pub mod geodesic;
 pub mod harmonics;
 pub mod hierarchy;
+mod sparse;

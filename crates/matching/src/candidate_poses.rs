@@ -4,9 +4,10 @@ use super::scene::even_sample;
 use super::side::Side;
 use homolog_geometry::curvature::vertex_areas;
 use homolog_primitives::observe::{Cancelled, Observer};
+use homolog_registration::alignment::OrientedPoints;
 use homolog_registration::{
-    ClosestSurfacePoint, IcpMetric, IcpOptions, OrientedPoints, PoseSearchOptions, RigidTransform, ScoredPose,
-    pose_search, principal_axis_poses, refine_icp,
+    ClosestSurfacePoint, IcpMetric, IcpOptions, PoseSearchOptions, RigidTransform, ScoredPose, pose_search,
+    principal_axis_poses, refine_icp,
 };
 use nalgebra::Point3;
 use rayon::prelude::*;
@@ -21,12 +22,17 @@ const RATIO: f64 = 0.93;
 /// A candidate within this angle, radians, of the present pose is the same pose.
 const ANGLE: f64 = 0.5;
 
+/// The vertices of `side`; pose search computes features of its own.
+fn oriented<'a>(side: &'a Side, areas: &'a [f64]) -> OrientedPoints<'a> {
+    OrientedPoints { points: side.mesh().vertices(), normals: &side.normals, areas, features: &[] }
+}
+
 /// Poses that lay `source` on `target`, the best first; with `allow_reflection` of either handedness.
 pub(super) fn searched(source: &Side, target: &Side, allow_reflection: bool) -> Vec<ScoredPose> {
     let (source_areas, target_areas) = (vertex_areas(source.mesh()), vertex_areas(target.mesh()));
     pose_search(
-        &OrientedPoints { points: source.mesh().vertices(), normals: &source.normals, areas: &source_areas },
-        &OrientedPoints { points: target.mesh().vertices(), normals: &target.normals, areas: &target_areas },
+        &oriented(source, &source_areas),
+        &oriented(target, &target_areas),
         &PoseSearchOptions { allow_reflection, ..PoseSearchOptions::default() },
     )
 }

@@ -1,15 +1,16 @@
-//! Where an open surface ends.
+//! The boundary of an open surface.
 
 use super::SurfaceMesh;
 
 impl SurfaceMesh {
-    /// For every vertex whether an edge at it has only one face; `None` for a surface that ends nowhere.
+    /// For every vertex whether it lies on the boundary, an edge with only one face; `None` for a surface without
+    /// boundary.
     ///
     /// Cost `O(faces)` for closed surfaces, `O(faces log faces)` for open ones.
     pub fn boundary_vertices(&self) -> Option<Vec<bool>> {
         let directed = || self.faces().flat_map(|f| (0..f.len()).map(move |k| (f[k], f[(k + 1) % f.len()])));
-        // On a closed oriented surface every edge is run through once each way, so that these sums are equal; on any
-        // other they differ but for one chance in 2^64.
+        // On a closed oriented surface every edge is traversed once in each direction, so these sums are equal;
+        // otherwise they differ except with a chance of one in 2^64.
         let difference = directed().fold(0u64, |sum, (a, b)| sum.wrapping_add(mixed(a, b)).wrapping_sub(mixed(b, a)));
         if difference == 0 {
             return None;
@@ -25,7 +26,7 @@ impl SurfaceMesh {
     }
 }
 
-/// A number that tells directed edges apart (the finalizer of SplitMix64).
+/// A hash of a directed edge (the finalizer of SplitMix64).
 fn mixed(a: u32, b: u32) -> u64 {
     let mut x = (u64::from(a) << 32 | u64::from(b)).wrapping_add(0x9e37_79b9_7f4a_7c15);
     x = (x ^ x >> 30).wrapping_mul(0xbf58_476d_1ce4_e5b9);

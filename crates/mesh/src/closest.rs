@@ -7,11 +7,11 @@ use parry3d_f64::query::PointQueryWithLocation;
 use parry3d_f64::shape::TriMesh;
 use std::ops::{Add, Mul};
 
-/// Memory of the tree for each triangle at most, bytes: its box, the boxes above it, and where they are. A test holds it
-/// against what trees say of themselves.
+/// Upper bound of the memory of the tree per triangle, bytes: its box, the boxes above it, and their places. A test
+/// compares it with the actual memory.
 const TREE_BYTES_PER_TRIANGLE: usize = 192;
 
-/// Answers closest-point queries against the triangles of one surface (quads cut along a diagonal).
+/// Closest-point queries against the triangles of one surface (quads are split along a diagonal).
 pub struct ClosestPointIndex {
     tree: TriMesh,
     triangles: Vec<[u32; 3]>,
@@ -29,13 +29,13 @@ pub struct ClosestPoint {
 }
 
 impl ClosestPoint {
-    /// `value` of the three corners, blended over the triangle.
+    /// `value` at the three corners, interpolated with the barycentric coordinates.
     pub fn blend<T: Mul<f64, Output = T> + Add<Output = T>>(&self, value: impl Fn(usize) -> T) -> T {
         let [a, b, c] = std::array::from_fn(|k| value(self.triangle[k] as usize) * self.barycentric[k]);
         a + b + c
     }
 
-    /// The corner of the triangle with the largest barycentric coordinate; the lowest index where two are equal.
+    /// The corner of the triangle with the largest barycentric coordinate, the lowest index of equal ones.
     pub fn nearest_corner(&self) -> u32 {
         let mut best = 0;
         for k in 1..3 {
@@ -54,15 +54,15 @@ impl ClosestPointIndex {
     pub fn new(mesh: &SurfaceMesh) -> Self {
         let vertices = mesh.vertices().iter().map(|p| Vector::new(p.x, p.y, p.z)).collect();
         let triangles = mesh.triangles();
-        // The tree refuses only an empty list of triangles, and a `SurfaceMesh` has at least one face.
+        // The tree rejects only an empty list of triangles, and a `SurfaceMesh` has at least one face.
         let tree = TriMesh::new(vertices, triangles.clone()).unwrap_or_else(|_| unreachable!("a mesh without faces"));
         ClosestPointIndex { tree, triangles }
     }
 
-    /// Memory that an index over `mesh` takes at most, bytes.
+    /// Upper bound of the memory of an index over `mesh`, bytes.
     pub fn heap_bytes_over(mesh: &SurfaceMesh) -> usize {
         let n_triangles = mesh.n_faces() * (mesh.arity().n_corners() - 2);
-        // The tree has the triangles once more, and the vertices.
+        // The tree has a second copy of the triangles, and the vertices.
         let each = TREE_BYTES_PER_TRIANGLE + 2 * size_of::<[u32; 3]>();
         n_triangles * each + size_of_val(mesh.vertices())
     }

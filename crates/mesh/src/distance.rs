@@ -1,19 +1,16 @@
-//! How far points lie from a surface, for a great many points.
+//! Distances of many points from a surface.
 //!
-//! [`super::ClosestPointIndex`] also says where the closest point is, and grows a tree for that. Where only the distance
-//! counts, as between two surfaces laid on each other, three things make it faster:
+//! [`super::ClosestPointIndex`] also finds the closest point, with a tree that has to be built. Where only the distance
+//! is needed, as between two registered surfaces, three things make it faster:
 //!
-//! - the tree is that of the numbering: faces in canonical order follow a curve through space, so eight of them in a row
-//!   lie together, and so do eight such rows; nothing is sorted;
-//! - every patch lies in a box, and in a slab: a disc of some thickness along its mean normal. Far from a fine surface the
-//!   boxes of many patches are closer than the surface is, but few of the slabs;
-//! - queries are answered in a row, and the triangle of the answer before bounds each before its search begins.
+//! - the tree follows the numbering: faces in canonical order follow a curve through space, so eight consecutive faces
+//!   are close together, and so are eight such groups; nothing is sorted;
+//! - every group has a bounding box and a bounding slab, a disc of some thickness along its mean normal. Far from a
+//!   fine surface the boxes of many groups are closer than the surface, but few of the slabs;
+//! - queries are answered in sequence, and the triangle found for one bounds the next before its search begins.
 //!
-//! Boxes and slabs only pass patches over that are farther by more than rounding; the distance itself is computed by the
-//! same routine as in [`super::ClosestPointIndex`], so that both give the same bits.
-
-// The dispatch to instruction sets that `multiversion` generates needs unsafe calls; nothing here does itself.
-#![allow(unsafe_code)]
+//! Boxes and slabs only exclude groups that are farther by more than rounding; the distance itself is computed by the
+//! same routine as in [`super::ClosestPointIndex`], so both give the same bits.
 
 use super::SurfaceMesh;
 use multiversion::multiversion;
@@ -25,38 +22,38 @@ use rayon::prelude::*;
 
 /// Children of a node: a whole number of vector registers of any instruction set.
 const FAN: usize = 8;
-/// Queries answered in a row. Fixed, so that the work does not depend on the threads.
+/// Consecutive queries per task. Fixed, so that the work does not depend on the number of threads.
 const ROW: usize = 256;
-/// Levels with slabs: they pay where patches are flat, for single triangles and for eight. Above, they ruled out nearly
-/// nothing.
+/// Levels with slabs: they pay for flat groups, single triangles and eight of them. On higher levels they excluded
+/// nearly nothing.
 const SLAB_LEVELS: usize = 2;
-/// What a bound may be wrong by, in the size of the numbers it is computed from: some fifty times the rounding of 32 bits.
+/// Error of a bound, relative to the numbers it is computed from: about fifty times the rounding of 32 bits.
 const BOUND_RTOL: f64 = 4e-6;
-/// A place beyond all queries, for children that a node has not: its squared distance is infinite in 32 bits.
+/// Coordinate of missing children of a node: its squared distance from any query is infinite in 32 bits.
 const NOWHERE: f32 = f32::MAX;
 
 type Lanes = [f32; FAN];
 
-/// The distances of points from one surface. Fast where faces that are close in space are close in the list, as in
-/// canonical numbering; right in any case.
+/// The distances of points from one surface. Fast if faces that are close in space have close indices, as in canonical
+/// numbering; correct for any order.
 pub struct SurfaceDistances<'a> {
     vertices: &'a [Point3<f64>],
     triangles: Vec<[u32; 3]>,
     /// From the bounds of single triangles upwards; the last level has one node.
     levels: Vec<Vec<Node>>,
-    /// What bounds are relative to, so that 32 bits tell places on it well apart.
+    /// Origin of the bounds, so that 32 bits resolve positions on the surface.
     center: Point3<f64>,
     /// Largest coordinate relative to `center`, mm.
     extent: f64,
 }
 
-/// Bounds of the children of a node, each a run of triangles. Lengths in mm.
+/// Bounds of the children of a node, each a group of consecutive triangles. Lengths in mm.
 struct Node {
     low: [Lanes; 3],
     high: [Lanes; 3],
-    /// The middle of the slab.
+    /// Center of the slab.
     middle: [Lanes; 3],
-    /// Unit normal of the slab, or zero: then it is a ball.
+    /// Unit normal of the slab, or zero, which makes it a ball.
     normal: [Lanes; 3],
     radius: Lanes,
     half_thickness: Lanes,
@@ -79,7 +76,7 @@ impl Node {
     fn set_patch(&mut self, k: usize, corners: &[[Vector3<f64>; 3]]) {
         let points = || corners.iter().flatten();
         self.set_box(k, box_around(points()));
-        // Twice the vector area. Any direction makes a slab that holds the corners; only how thin it is depends on it.
+        // Twice the vector area. The slab contains the corners for any direction; this one makes it thin.
         let area: Vector3<f64> = corners.iter().map(|[a, b, c]| (b - a).cross(&(c - a))).sum();
         let normal = area.try_normalize(f64::MIN_POSITIVE).unwrap_or_default();
         let mean = points().sum::<Vector3<f64>>() / (3 * corners.len()) as f64;
@@ -103,8 +100,8 @@ impl Node {
         [low[0], high[1]]
     }
 
-    /// For every child a number that its squared distance from `p` is no less than, but for rounding.
-    // One index over all columns, so that the loops become vectors.
+    /// For every child a lower bound of its squared distance from `p`, up to rounding.
+    // Indexed loops over all columns, which the compiler vectorizes.
     #[allow(clippy::needless_range_loop)]
     #[inline(always)]
     fn squared_bounds(&self, p: &[f32; 3], with_slabs: bool) -> Lanes {
@@ -128,7 +125,7 @@ impl Node {
         let mut across = [0.0; FAN];
         for axis in 0..3 {
             for k in 0..FAN {
-                // Not by the difference of squares, which would lose half of the digits.
+                // The difference of squares would lose half of the digits.
                 let part = p[axis] - self.middle[axis][k] - height[k] * self.normal[axis][k];
                 across[k] += part * part;
             }
@@ -142,7 +139,7 @@ impl Node {
     }
 }
 
-/// The larger of two numbers; the one instruction that every set has for it, unlike [`f32::max`].
+/// The larger of two numbers; one instruction on every set, unlike [`f32::max`].
 #[inline(always)]
 fn larger(a: f32, b: f32) -> f32 {
     if a > b { a } else { b }
@@ -159,9 +156,9 @@ struct Search {
     at: Point3<f64>,
     best: f64,
     triangle: usize,
-    /// A bound above this tells that something is farther than `best`.
+    /// A group with a bound above this is farther than `best`.
     limit_squared: f32,
-    /// By how much bounds may be wrong, mm.
+    /// Error of the bounds, mm.
     slack: f64,
 }
 
@@ -175,10 +172,10 @@ impl Search {
     }
 }
 
-/// A node to be looked at, and the bound it was found with.
+/// The bound, level and index of a node to be searched.
 type Open = (f32, usize, usize);
 
-/// The distance of `at`, and a triangle that is as close; `first` is tried first. `open` is scratch memory.
+/// The distance of `at`, and a triangle at this distance; `first` is tried first. `open` is scratch memory.
 #[inline(always)]
 fn search(surface: &SurfaceDistances<'_>, at: &Point3<f64>, first: usize, open: &mut Vec<Open>) -> (f64, usize) {
     let place = at - surface.center;
@@ -210,7 +207,8 @@ fn search(surface: &SurfaceDistances<'_>, at: &Point3<f64>, first: usize, open: 
     (search.best, search.triangle)
 }
 
-/// The distances of points in a row.
+/// The distances of consecutive points.
+#[allow(unsafe_code)] // the dispatch that `multiversion` generates; the body is safe code
 #[multiversion(targets("x86_64+avx2"))]
 fn search_row(surface: &SurfaceDistances<'_>, points: &[Point3<f64>]) -> Vec<f64> {
     let (mut last, mut open) = (0, Vec::new());
@@ -224,7 +222,7 @@ fn search_row(surface: &SurfaceDistances<'_>, points: &[Point3<f64>]) -> Vec<f64
 }
 
 impl<'a> SurfaceDistances<'a> {
-    /// Prepares `mesh`, of which quads are cut along a diagonal. `O(n)`, on all threads.
+    /// Prepares `mesh`, whose quads are split along a diagonal. `O(n)`, on all threads.
     pub fn new(mesh: &'a SurfaceMesh) -> Self {
         let (vertices, triangles) = (mesh.vertices(), mesh.triangles());
         let (low, high) = mesh.bounding_box();
@@ -262,8 +260,8 @@ impl<'a> SurfaceDistances<'a> {
         SurfaceDistances { vertices, triangles, levels, center, extent: (high - center).amax() }
     }
 
-    /// The distance of each of `points` from the surface, mm. `O(n log n')`, on all threads; fast where points that are
-    /// close in space are close in the list. Coordinates have to be finite.
+    /// The distance of each of `points` from the surface, mm. `O(n log n')`, on all threads; fast if points that are
+    /// close in space have close indices. Coordinates must be finite.
     pub fn of(&self, points: &[Point3<f64>]) -> Vec<f64> {
         points.par_chunks(ROW).flat_map_iter(|row| search_row(self, row)).collect()
     }
@@ -285,7 +283,7 @@ mod tests {
     use rand_core::{Rng, SeedableRng};
     use rand_xoshiro::Xoshiro256PlusPlus;
 
-    /// Triangle by triangle.
+    /// By the distance from every triangle.
     fn plain(surface: &SurfaceDistances<'_>, p: &Point3<f64>) -> f64 {
         (0..surface.triangles.len()).map(|t| surface.distance_from_triangle(p, t)).fold(f64::INFINITY, f64::min)
     }
@@ -293,9 +291,9 @@ mod tests {
     fn shapes() -> Vec<SurfaceMesh> {
         let torus = |arity| torus(10.0, 4.0, 24, 11, arity);
         let round = ellipsoid(Vector3::new(9.0, 6.0, 5.0), 3);
-        // Faces that lie flat in their boxes, as those of voxels do, and some without area.
+        // Axis-aligned faces like those of voxels, and some without area.
         let snapped = round.vertices().iter().map(|p| p.map(f64::round)).collect();
-        // Needles: all but flattened along an axis that no face is parallel to.
+        // Needles: nearly flattened along an axis that no face is parallel to.
         let axis = Vector3::new(1.0, 2.0, 3.0).normalize();
         let flat = round.vertices().iter().map(|p| p - axis * (axis.dot(&p.coords) * (1.0 - 1e-7))).collect();
         let mut shapes = vec![round.with_vertices(snapped).unwrap(), round.with_vertices(flat).unwrap(), round];

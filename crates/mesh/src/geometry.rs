@@ -4,8 +4,8 @@ use super::{FaceArity, SurfaceMesh};
 use nalgebra::{Point3, Vector3};
 
 impl SurfaceMesh {
-    /// Vector area of every face (normal times area, mm²). A quad's is that of its two triangles together,
-    /// which does not depend on the diagonal.
+    /// Vector area of every face (normal times area, mm²). That of a quad is the sum over its two triangles, which does
+    /// not depend on the diagonal.
     pub fn face_vector_areas(&self) -> Vec<Vector3<f64>> {
         let v = self.vertices();
         let at = |k: u32| v[k as usize];
@@ -22,9 +22,10 @@ impl SurfaceMesh {
         self.face_vector_areas().iter().map(|a| a.norm()).sum()
     }
 
-    /// Enclosed volume, mm³, by the divergence theorem; positive if the faces look outwards. Meaningful for closed surfaces.
+    /// Enclosed volume, mm³, by the divergence theorem; positive if the faces face outwards. Only
+    /// meaningful for closed surfaces.
     pub fn signed_volume(&self) -> f64 {
-        // Taken about the centroid, so that a surface far from the origin loses no digits.
+        // Relative to the centroid, so that a surface far from the origin keeps its precision.
         let c = self.centroid();
         let v = self.vertices();
         self.triangles()

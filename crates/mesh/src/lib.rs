@@ -1,9 +1,9 @@
-//! Surface meshes in millimetres: vertices, triangle or quad faces, and what is measured on them.
+//! Surface meshes in millimetres: vertices, triangle or quad faces, and measurements on them.
 //!
-//! [`SurfaceMesh`] is the one form in which a surface travels through the program. It is valid by
-//! construction (finite coordinates, indices in range, no face that uses a vertex twice); whether it is
-//! closed, manifold and of genus 0 is a question for [`topology`], and what can be mended is mended by
-//! [`repair`].
+//! [`SurfaceMesh`] is the representation of a surface in all of homolog. It is valid by construction (finite
+//! coordinates, indices in range, no face that uses a vertex twice). Whether it is closed, manifold and of genus 0 is
+//! checked by [`topology`]; [`repair`] fixes what can be fixed without moving a vertex. [`volume`] makes surfaces from
+//! label volumes, [`shapes`] from formulas.
 
 mod boundary;
 mod canonical;
@@ -31,7 +31,7 @@ pub struct SurfaceMesh {
     indices: Vec<u32>,
 }
 
-/// How many corners every face of a mesh has.
+/// Number of corners of every face of a mesh.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum FaceArity {
     /// Triangles.
@@ -50,11 +50,11 @@ impl FaceArity {
     }
 }
 
-/// Why vertices and faces do not make a mesh.
+/// Why vertices and faces do not form a mesh.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum MeshError {
     /// No vertices or no faces.
-    #[error("the mesh has {n_vertices} vertices and {n_faces} faces; both must be more than none")]
+    #[error("the mesh has {n_vertices} vertices and {n_faces} faces; both must be positive")]
     Empty {
         /// Vertices found.
         n_vertices: usize,
@@ -96,7 +96,7 @@ pub enum MeshError {
 }
 
 impl SurfaceMesh {
-    /// A mesh from vertices (mm) and a flat list of face corners, `arity` indices a face.
+    /// A mesh from vertices (mm) and a flat list of face corners, `arity` indices per face.
     ///
     /// # Errors
     /// [`MeshError`]: empty, a coordinate that is not finite, an index out of range, a face that uses a vertex twice.
@@ -147,7 +147,7 @@ impl SurfaceMesh {
         self.arity
     }
 
-    /// All face corners in one list, [`FaceArity::n_corners`] a face.
+    /// All face corners in one list, [`FaceArity::n_corners`] per face.
     pub fn indices(&self) -> &[u32] {
         &self.indices
     }
@@ -162,7 +162,7 @@ impl SurfaceMesh {
         size_of_val(self.vertices.as_slice()) + size_of_val(self.indices.as_slice())
     }
 
-    /// The same faces over other positions, one for each vertex.
+    /// The same faces with other vertex positions, one for each vertex.
     ///
     /// # Errors
     /// [`MeshError::NonFinite`]; [`MeshError::IndexOutOfRange`] if there are fewer positions than vertices.
@@ -176,7 +176,8 @@ impl SurfaceMesh {
         SurfaceMesh { vertices, arity: self.arity, indices: self.indices.clone() }
     }
 
-    /// The mesh moved by a 4×4 matrix, row by row, whose last row is `0 0 0 1`. Faces still look outwards where it mirrors.
+    /// The mesh moved by a 4×4 matrix, row by row, whose last row is `0 0 0 1`. A reflection
+    /// also reverses the faces, so that they keep facing outwards.
     ///
     /// # Errors
     /// [`MeshError::NonFinite`].
@@ -191,7 +192,7 @@ impl SurfaceMesh {
         SurfaceMesh::new(vertices, self.arity, indices)
     }
 
-    /// The faces as triangles: as they are, or every quad cut along its first diagonal.
+    /// The faces as triangles; every quad is split along its first diagonal.
     pub fn triangles(&self) -> Vec<[u32; 3]> {
         match self.arity {
             FaceArity::Triangle => self.faces().map(|f| [f[0], f[1], f[2]]).collect(),
@@ -208,7 +209,7 @@ impl SurfaceMesh {
     /// each vertex.
     pub fn edges(&self) -> Vec<[u32; 2]> {
         let sides = || self.faces().flat_map(|f| (0..f.len()).map(move |k| (f[k], f[(k + 1) % f.len()])));
-        // Those of one lower vertex together; only these few are sorted.
+        // Grouped by their lower vertex, so that only a few need sorting at a time.
         let mut ends = vec![0u32; self.n_vertices() + 1];
         for (a, b) in sides() {
             ends[a.min(b) as usize + 1] += 1;
@@ -217,7 +218,7 @@ impl SurfaceMesh {
             ends[low + 1] += ends[low];
         }
         let mut highs = vec![0u32; self.indices.len()];
-        // While it is filled, the row of `low` ends at `ends[low]`; in the end that is where the next begins.
+        // While the rows are filled, that of `low` ends at `ends[low]`; in the end the next row begins there.
         for (a, b) in sides() {
             let end = &mut ends[a.min(b) as usize];
             highs[*end as usize] = a.max(b);
@@ -259,7 +260,7 @@ mod tests {
     }
 
     #[test]
-    fn a_reflection_turns_the_faces() {
+    fn a_reflection_reverses_the_faces() {
         let ball = shapes::ellipsoid(Vector3::new(3.0, 2.0, 1.0), 2);
         let mirror = [[-1.0, 0.0, 0.0, 5.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 0.0, 1.0]];
         let image = ball.moved(&mirror).unwrap();
@@ -268,7 +269,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_mesh_is_named() {
+    fn invalid_meshes_are_rejected_with_their_fault() {
         let p = |x: f64| Point3::new(x, 0.0, 1.0);
         let new = |vertices, indices| SurfaceMesh::new(vertices, FaceArity::Triangle, indices).unwrap_err();
         assert_eq!(new(vec![], vec![]), MeshError::Empty { n_vertices: 0, n_faces: 0 });

@@ -1,31 +1,31 @@
-//! Repairs of a mesh that move no vertex: welding, the largest piece, turning inside out, dropping unused vertices.
+//! Repairs of a mesh that move no vertex: welding, the largest piece, reversing all faces, dropping unused vertices.
 //!
-//! Vertices keep their order; every repair says which vertex of its input each kept vertex was, so that answers can
-//! be given in the numbering of the file. (Filling tunnels is done on voxels, not here.)
+//! Vertices keep their order; every repair returns the input index of each kept vertex, so that results can be given in
+//! the numbering of the file. (Tunnels are filled on voxels, not here.)
 
 use super::topology::vertex_components;
 use super::{FaceArity, MeshError, SurfaceMesh};
 use nalgebra::Point3;
 use std::collections::{HashMap, HashSet};
 
-/// A repaired mesh with the way back.
+/// A repaired mesh with the map to its input.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RepairedMesh {
     /// The mesh.
     pub mesh: SurfaceMesh,
-    /// For every vertex of it the vertex of the input (the first of those that became one).
+    /// For every vertex its index in the input (the first of merged ones).
     pub original: Vec<u32>,
 }
 
-/// Vertices closer than this share of the bounding box's diagonal are one: far below any mesh's resolution, above
-/// the rounding of single-precision files whose coordinates are of the size of the diagonal.
+/// Vertices closer than this share of the diagonal of the bounding box are merged: far below the resolution of any
+/// mesh, above the rounding of single-precision files whose coordinates are of the size of the diagonal.
 pub const WELD_RTOL: f64 = 1e-7;
 
-/// Joins vertices at the same place (to [`WELD_RTOL`] of the diagonal); drops faces that thereby lose a corner, faces
-/// that occur twice with the same orientation, and unused vertices.
+/// Merges vertices at the same position (to [`WELD_RTOL`] of the diagonal); drops faces that thereby lose a corner,
+/// repeated faces of the same orientation, and unused vertices.
 ///
-/// Quads that become triangles turn the whole mesh into triangles. Each vertex goes to the lowest vertex it is close
-/// to that was itself kept.
+/// If a quad becomes a triangle, the whole mesh is returned as triangles. Each vertex is merged into the kept vertex of
+/// lowest index that is close to it.
 ///
 /// # Errors
 /// [`MeshError::Empty`] if no face is left.
@@ -62,11 +62,11 @@ pub fn weld(mesh: &SurfaceMesh) -> Result<RepairedMesh, MeshError> {
     Ok(compacted(mesh.vertices(), arity, indices))
 }
 
-/// For every vertex the lowest kept vertex within the tolerance; kept vertices name themselves.
+/// For every vertex the lowest kept vertex within the tolerance; a kept vertex maps to itself.
 fn nearest_kept(mesh: &SurfaceMesh) -> Vec<u32> {
     let (low, high) = mesh.bounding_box();
     let tolerance = (high - low).norm() * WELD_RTOL;
-    // Cells much larger than the tolerance: only the few vertices near a wall look into a second cell.
+    // Cells much larger than the tolerance: only the few vertices near a cell boundary search a second cell.
     let width = (tolerance * 64.0).max(f64::MIN_POSITIVE);
     let v = mesh.vertices();
     let cell = |p: &Point3<f64>, off: [f64; 3]| -> [i64; 3] {
@@ -118,15 +118,15 @@ pub fn drop_unused(mesh: &SurfaceMesh) -> RepairedMesh {
     compacted(&mesh.vertices, mesh.arity, mesh.indices.clone())
 }
 
-/// `mesh` with every face turned: inside becomes outside. Cost `O(n)`.
-pub fn turned(mesh: &SurfaceMesh) -> SurfaceMesh {
+/// `mesh` with every face reversed, so that inside becomes outside. Cost `O(n)`.
+pub fn reversed(mesh: &SurfaceMesh) -> SurfaceMesh {
     let mut mesh = mesh.clone();
     // The first corner stays first, so a quad keeps its first diagonal.
     mesh.indices.chunks_exact_mut(mesh.arity.n_corners()).for_each(|f| f[1..].reverse());
     mesh
 }
 
-/// The faces `indices` over those of `vertices` that they use, in the old order.
+/// The faces `indices` with only the vertices that they use, in the old order.
 fn compacted(vertices: &[Point3<f64>], arity: FaceArity, mut indices: Vec<u32>) -> RepairedMesh {
     let mut number = vec![u32::MAX; vertices.len()];
     indices.iter().for_each(|&v| number[v as usize] = 0);
@@ -155,7 +155,7 @@ mod tests {
     }
 
     #[test]
-    fn weld_closes_a_split_cube_and_names_the_first_originals() {
+    fn weld_closes_a_split_cube_and_returns_the_first_of_merged_vertices() {
         let split = split_cube();
         let welded = weld(&split).unwrap();
         assert_eq!(welded.mesh.n_vertices(), 12);
@@ -179,7 +179,7 @@ mod tests {
     }
 
     #[test]
-    fn weld_drops_slivers_and_doubles() {
+    fn weld_drops_collapsed_and_repeated_faces() {
         let v = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 1e-9, 0.0]].map(Point3::from).to_vec();
         let mesh = SurfaceMesh::new(v, FaceArity::Triangle, vec![0, 1, 2, 1, 3, 2, 3, 2, 0]).unwrap();
         let welded = weld(&mesh).unwrap();
@@ -188,9 +188,9 @@ mod tests {
     }
 
     #[test]
-    fn turning_twice_is_nothing() {
+    fn reversing_twice_is_the_identity() {
         let mesh = largest_component(&weld(&split_cube()).unwrap().mesh).mesh;
-        assert_eq!(turned(&mesh).signed_volume(), -mesh.signed_volume());
-        assert_eq!(turned(&turned(&mesh)), mesh);
+        assert_eq!(reversed(&mesh).signed_volume(), -mesh.signed_volume());
+        assert_eq!(reversed(&reversed(&mesh)), mesh);
     }
 }

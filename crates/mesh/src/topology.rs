@@ -1,13 +1,12 @@
-//! What kind of surface a mesh is: closed, manifold, oriented, of which genus; and where it is not.
+//! Topology of a mesh: whether it is closed, manifold and oriented, its genus, and where it is at fault.
 //!
-//! [`topology_report`] counts; [`analyze`] also names the first [`SurfaceFault`] with its place, for refusals that
-//! can be acted on. Both work on triangles and quads alike. Edges are grouped by sorting half-edges, fans around a
-//! vertex by joining the face corners that share an edge there: no pointer structure, no hashing, the same order
-//! of faults on every run.
+//! [`topology_report`] counts; [`analyze`] also returns the first [`SurfaceFault`] with its position, for errors that
+//! can be acted on. Both work on triangles and quads. Edges are grouped by sorting half-edges, fans around a vertex by
+//! joining the face corners that share an edge: no pointers, no hashing, the same order of faults in every run.
 
 use super::SurfaceMesh;
 
-/// What kind of surface a mesh is.
+/// Counts of the elements and faults of a mesh, with its genus, area and volume.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
@@ -38,7 +37,7 @@ pub struct TopologyReport {
     pub volume_mm3: Option<f64>,
 }
 
-/// The first thing, in the order of the variants, that keeps a mesh from being a closed outward surface of genus 0.
+/// The first reason, in the order of the variants, why a mesh is not a closed surface of genus 0 with outward faces.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum SurfaceFault {
     /// More than two faces meet at an edge.
@@ -49,11 +48,11 @@ pub enum SurfaceFault {
     NonManifoldEdge {
         /// How many such edges.
         n_edges: u32,
-        /// The first, by its vertices.
+        /// Vertices of the first such edge.
         edge: [u32; 2],
         /// Faces at it.
         n_faces: u32,
-        /// Its middle, mm.
+        /// Midpoint of that edge, mm.
         place_mm: [f64; 3],
     },
     /// The surface has a boundary.
@@ -64,9 +63,9 @@ pub enum SurfaceFault {
     Boundary {
         /// How many boundary edges.
         n_edges: u32,
-        /// The first, by its vertices.
+        /// Vertices of the first such edge.
         edge: [u32; 2],
-        /// Its middle, mm.
+        /// Midpoint of that edge, mm.
         place_mm: [f64; 3],
     },
     /// Parts of the surface touch at one vertex only.
@@ -82,7 +81,7 @@ pub enum SurfaceFault {
         vertex: u32,
         /// Fans of faces around it.
         n_fans: u32,
-        /// Where it is, mm.
+        /// Its position, mm.
         place_mm: [f64; 3],
     },
     /// Two neighbouring faces disagree in orientation.
@@ -93,9 +92,9 @@ pub enum SurfaceFault {
     Misoriented {
         /// How many such edges.
         n_edges: u32,
-        /// The first, by its vertices.
+        /// Vertices of the first such edge.
         edge: [u32; 2],
-        /// Its middle, mm.
+        /// Midpoint of that edge, mm.
         place_mm: [f64; 3],
     },
     /// More than one connected piece.
@@ -111,7 +110,7 @@ pub enum SurfaceFault {
         largest: u32,
         /// Vertices of all.
         n_vertices: u32,
-        /// A vertex of another piece, mm.
+        /// Position of a vertex of another piece, mm.
         place_mm: [f64; 3],
     },
     /// Tunnels through the surface.
@@ -120,16 +119,16 @@ pub enum SurfaceFault {
         /// The genus.
         genus: u32,
     },
-    /// No inside: flat, or inside and outside cancel.
+    /// No enclosed volume: flat, or parts of opposite orientation cancel.
     #[error("the surface encloses no volume ({volume_mm3} mm³)")]
     NoVolume {
-        /// What it encloses, mm³.
+        /// Enclosed volume, mm³.
         volume_mm3: f64,
     },
-    /// All faces look inwards.
+    /// All faces face inwards.
     #[error("all faces look inwards (volume {volume_mm3} mm³)")]
     InsideOut {
-        /// What it encloses, mm³, negative.
+        /// Enclosed volume, mm³, negative.
         volume_mm3: f64,
     },
 }
@@ -162,11 +161,11 @@ impl SurfaceFault {
 pub struct Analysis {
     /// The counts.
     pub report: TopologyReport,
-    /// What keeps the mesh from being a closed outward surface of genus 0.
+    /// Why the mesh is not a closed surface of genus 0 with outward faces, if it is not.
     pub fault: Option<SurfaceFault>,
 }
 
-/// Volumes below this share of `area^1.5` count as none. A sphere has 0.094; a needle of aspect 1 : 10⁴ has 1e-3.
+/// Volumes below this share of `area^1.5` count as 0. A sphere has 0.094; a needle of aspect 1 : 10⁴ has 1e-3.
 const FLAT_RTOL: f64 = 1e-9;
 
 /// Counts of vertices, edges, faces, components and faults of `mesh`, its genus, area (mm²) and volume (mm³).
@@ -176,18 +175,18 @@ pub fn topology_report(mesh: &SurfaceMesh) -> TopologyReport {
     analyze(mesh).report
 }
 
-/// [`topology_report`] and, where `mesh` is not a closed outward surface of genus 0, the first fault with its place.
+/// [`topology_report`] and, if `mesh` is not a closed surface of genus 0 with outward faces, the first fault.
 ///
 /// Cost `O(faces log faces)`.
 pub fn analyze(mesh: &SurfaceMesh) -> Analysis {
     analyze_with(mesh, false)
 }
 
-/// As [`analyze`]; with `may_end`, a boundary is no fault, and an open surface needs no genus. It looks outwards if it
-/// does so as seen from its centroid.
+/// As [`analyze`]; with `allow_boundary`, a boundary is no fault and an open surface needs no genus. Its faces count as
+/// outward if the signed volume relative to the centroid is not negative.
 ///
 /// Cost `O(faces log faces)`.
-pub fn analyze_with(mesh: &SurfaceMesh, may_end: bool) -> Analysis {
+pub fn analyze_with(mesh: &SurfaceMesh, allow_boundary: bool) -> Analysis {
     let edges = EdgeUses::new(mesh);
     let mut fans = DisjointSets::new(mesh.indices().len());
     let mut faults = EdgeFaults::default();
@@ -223,7 +222,7 @@ pub fn analyze_with(mesh: &SurfaceMesh, may_end: bool) -> Analysis {
         area_mm2: mesh.area(),
         volume_mm3: closed.then(|| mesh.signed_volume()),
     };
-    let fault = first_fault(mesh, &report, &faults, &torn, &n_fans, &components, may_end);
+    let fault = first_fault(mesh, &report, &faults, &torn, &n_fans, &components, allow_boundary);
     Analysis { report, fault }
 }
 
@@ -234,7 +233,7 @@ fn first_fault(
     torn: &[u32],
     n_fans: &[u32],
     components: &Components,
-    may_end: bool,
+    allow_boundary: bool,
 ) -> Option<SurfaceFault> {
     let v = mesh.vertices();
     let middle = |e: [u32; 2]| -> [f64; 3] { nalgebra::center(&v[e[0] as usize], &v[e[1] as usize]).into() };
@@ -242,7 +241,7 @@ fn first_fault(
         let (n_edges, n_faces) = (faults.many.n, faults.many.n_faces);
         return Some(SurfaceFault::NonManifoldEdge { n_edges, edge, n_faces, place_mm: middle(edge) });
     }
-    if let Some(edge) = faults.boundary.first.filter(|_| !may_end) {
+    if let Some(edge) = faults.boundary.first.filter(|_| !allow_boundary) {
         return Some(SurfaceFault::Boundary { n_edges: faults.boundary.n, edge, place_mm: middle(edge) });
     }
     if let Some(&vertex) = torn.first() {
@@ -267,7 +266,7 @@ fn first_fault(
         return Some(SurfaceFault::Genus { genus });
     }
     let Some(volume_mm3) = report.volume_mm3 else {
-        // Open: faces of a nearly flat piece look neither way, and it may stay as it is.
+        // An open surface may be nearly flat.
         let volume_mm3 = mesh.signed_volume();
         return (volume_mm3 < 0.0).then_some(SurfaceFault::InsideOut { volume_mm3 });
     };
@@ -375,7 +374,7 @@ pub(super) struct Components {
 
 impl Components {
     /// The piece with the most vertices, the first of equals.
-    pub fn largest(&self) -> u32 {
+    pub(crate) fn largest(&self) -> u32 {
         let mut best = 0;
         for (k, &size) in self.sizes.iter().enumerate() {
             if size > self.sizes[best] {

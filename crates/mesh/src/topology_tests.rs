@@ -55,7 +55,7 @@ fn a_torus_of_quads_has_genus_one() {
 }
 
 #[test]
-fn a_missing_face_is_named_with_its_edge() {
+fn a_missing_face_is_reported_with_its_edge() {
     let (v, f) = tetrahedron(0.0);
     let a = analyze(&mesh(v, f[..9].to_vec()));
     assert_eq!(a.report.n_boundary_edges, 3);
@@ -65,7 +65,7 @@ fn a_missing_face_is_named_with_its_edge() {
 }
 
 #[test]
-fn a_surface_that_may_end_needs_only_one_oriented_piece() {
+fn with_a_boundary_allowed_a_surface_needs_only_one_oriented_piece() {
     let (v, f) = tetrahedron(0.0);
     let open = f[..9].to_vec();
     let judged = |indices: Vec<u32>| analyze_with(&mesh(v.clone(), indices), true).fault;
@@ -98,7 +98,7 @@ fn two_tetrahedra_at_a_vertex_an_edge_or_apart() {
 }
 
 #[test]
-fn orientation_faults_are_told_apart() {
+fn orientation_faults_are_distinguished() {
     let (v, mut f) = tetrahedron(0.0);
     f.chunks_exact_mut(3).for_each(|t| t.swap(0, 1));
     let inside_out = analyze(&mesh(v.clone(), f.clone()));

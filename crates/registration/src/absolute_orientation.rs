@@ -1,6 +1,6 @@
 //! Absolute orientation: the rigid transform that fits weighted point pairs best.
 //!
-//! Everything that the solvers share is here: the means and the covariance of the pairs ([`Moments`]), the faults, and
+//! This file holds what all solvers share, the means and the covariance of the pairs ([`Moments`]) and the errors, and
 //! the solver by singular value decomposition. The others are in `orientation_solvers`.
 //!
 //! Source: Arun, Huang, Blostein 1987 (singular value decomposition); Umeyama, IEEE PAMI 13(4), 1991 (the sign that
@@ -9,15 +9,15 @@
 use super::RigidTransform;
 use nalgebra::{Matrix3, Point3, Vector3};
 
-/// Pairs whose second singular value is below this share of the first lie on a line: the rotation about it is free.
-/// Far above rounding (1e-16), far below any anatomical surface (about 1e-2).
+/// Pairs whose second singular value is below this share of the first count as collinear: the rotation about their line
+/// is undetermined. Far above rounding (1e-16), far below any anatomical surface (about 1e-2).
 pub(super) const COLLINEAR_RTOL: f64 = 1e-9;
 
-/// Why no transform fits.
+/// Why no transform can be fitted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 pub enum OrientationError {
     /// The point lists differ in length.
-    #[error("{n_source} source points, {n_target} target points, {n_weights} weights: they must be as many")]
+    #[error("{n_source} source points, {n_target} target points, {n_weights} weights: the numbers must be equal")]
     LengthMismatch {
         /// Source points.
         n_source: usize,
@@ -35,8 +35,8 @@ pub enum OrientationError {
     /// A coordinate or weight is not finite, a weight is negative, or all are 0.
     #[error("a coordinate or weight is not finite, or the weights are negative or sum to 0")]
     NonFinite,
-    /// The points lie on a line or at one place.
-    #[error("the points lie on a line: the rotation about it is not determined")]
+    /// The points lie on a line or coincide.
+    #[error("the points lie on a line: the rotation about it is undetermined")]
     Degenerate,
 }
 
@@ -74,8 +74,8 @@ pub(super) struct Moments {
 }
 
 impl Moments {
-    /// Checks lengths, number and values, then sums in the order of the pairs.
-    pub fn of(
+    /// Checks the lengths, the number of pairs and the values, then sums in the order of the pairs.
+    pub(crate) fn of(
         source: &[Point3<f64>],
         target: &[Point3<f64>],
         weights: Option<&[f64]>,
@@ -112,15 +112,15 @@ impl Moments {
             covariance += weight(i) * d * s.transpose();
             source_spread += weight(i) * s.norm_squared();
         }
-        // Finite coordinates can have squares that are not; no decomposition ends on those.
+        // Squares of finite coordinates can overflow, and no decomposition terminates on infinities.
         if !(covariance.iter().all(|c| c.is_finite()) && source_spread.is_finite()) {
             return Err(OrientationError::NonFinite);
         }
         Ok(Moments { source_mean, target_mean, covariance, source_spread, total_weight })
     }
 
-    /// The transform with this `R` that takes the source's mean to the target's.
-    pub fn transform(&self, rotation: Matrix3<f64>) -> RigidTransform {
+    /// The transform with this `R` that maps the mean of the source to that of the target.
+    pub(crate) fn transform(&self, rotation: Matrix3<f64>) -> RigidTransform {
         RigidTransform { rotation, translation: self.target_mean - rotation * self.source_mean }
     }
 }
@@ -199,7 +199,7 @@ mod tests {
     }
 
     #[test]
-    fn a_mirrored_cloud_is_mirrored_only_on_request() {
+    fn a_reflection_is_fitted_only_if_allowed() {
         let points = cloud(5, 20);
         let mirrored: Vec<_> = points.iter().map(|p| Point3::new(-p.x, p.y, p.z)).collect();
         assert!(absolute_orientation(&points, &mirrored, None, true).unwrap().is_reflection());
@@ -207,7 +207,7 @@ mod tests {
     }
 
     #[test]
-    fn faults_are_named() {
+    fn invalid_pairs_are_rejected_with_their_fault() {
         let line: Vec<_> = (0..5).map(|k| Point3::new(f64::from(k), 2.0 * f64::from(k), 0.0)).collect();
         assert_eq!(absolute_orientation(&line, &line, None, false), Err(OrientationError::Degenerate));
         assert_eq!(

@@ -1,61 +1,64 @@
 //! Trimmed iterative closest points.
 //!
 //! Source: Besl, McKay 1992 (point-to-point); Chen, Medioni 1992 (point-to-plane, linearized for small rotations);
-//! Chetverikov et al. 2002 (trimming: only the closest share of the points counts).
+//! Chetverikov et al. 2002 (trimming: only the closest share of the points is used).
 
 use super::{RigidTransform, absolute_orientation};
 use homolog_primitives::observe::{Cancelled, Observer, checkpoint};
 use nalgebra::{Matrix6, Point3, Rotation3, Vector3, Vector6};
 use rayon::prelude::*;
 
-/// Answers which point of a surface is closest, with its unit normal.
+/// Finds the closest point of a surface.
 pub trait ClosestSurfacePoint: Sync {
     /// The closest point, mm, and the unit normal of the surface there.
     fn closest(&self, query: &Point3<f64>) -> (Point3<f64>, Vector3<f64>);
 }
 
-/// What is minimised between a point and its closest point.
+/// The distance that ICP minimizes between a point and its closest point.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum IcpMetric {
     /// Their distance.
     PointToPoint,
-    /// The distance from the tangent plane.
+    /// Their distance along the normal of the target.
     PointToPlane,
 }
 
 /// How refinement runs.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct IcpOptions {
-    /// What is minimised.
+    /// The distance to minimize.
     pub metric: IcpMetric,
-    /// Share of the points, the closest ones, that counts, in `(0, 1]`.
+    /// Share of the points, those closest to the target, that is used, in `(0, 1]`.
     pub keep: f64,
-    /// Iterations at most.
+    /// Largest number of iterations.
     pub max_iterations: u32,
-    /// Ends when a step turns by less than this, radians, and moves the centroid by less than this share of the extent.
+    /// Iteration ends when a step rotates by less than this, radians, and moves the centroid by less than this share of
+    /// the extent.
     pub tolerance: f64,
 }
 
-/// What refinement did.
+/// The result of [`refine_icp`].
 #[derive(Debug, Clone, PartialEq)]
 pub struct IcpReport {
     /// The refined transform.
     pub target_from_source: RigidTransform,
     /// Iterations made.
     pub iterations: u32,
-    /// Root mean square distance of the points that counted in the last iteration, mm.
+    /// Root mean square distance of the points used in the last iteration, before its step, mm.
     pub rms_mm: f64,
     /// Whether the last step was below the tolerance.
     pub converged: bool,
 }
 
-/// Improves `start` by closest points of `target`. A reflection in `start` stays.
+/// Refines `start`, the transform of `source` (mm) to the surface `target`, by trimmed ICP. A reflection in `start` is
+/// kept.
 ///
 /// # Errors
 /// [`Cancelled`].
 ///
 /// # Cost
-/// `O(iterations · n log n)`, closest points on all cores, sums in order of the points: same bits on any threads.
+/// `O(iterations · n log n)`, with closest points on all threads and sums in the order of the points, so any number of
+/// threads gives the same bits.
 pub fn refine_icp(
     source: &[Point3<f64>],
     target: &dyn ClosestSurfacePoint,
@@ -90,25 +93,7 @@ pub fn refine_icp(
     Ok(report)
 }
 
-/// Root mean square distance, mm, of the `keep` share of `source`, moved by `transform`, that is closest to `target`.
-pub(super) fn trimmed_rms(
-    source: &[Point3<f64>],
-    target: &dyn ClosestSurfacePoint,
-    transform: &RigidTransform,
-    keep: f64,
-) -> f64 {
-    let squared: Vec<f64> = source
-        .par_iter()
-        .map(|p| {
-            let moved = transform.apply(p);
-            (target.closest(&moved).0 - moved).norm_squared()
-        })
-        .collect();
-    let kept = closest_share(&squared, keep);
-    (kept.iter().map(|&i| squared[i]).sum::<f64>() / kept.len() as f64).sqrt()
-}
-
-/// Length of the diagonal of the box around the points, mm.
+/// Diagonal of the bounding box, mm.
 fn extent(points: &[Point3<f64>]) -> f64 {
     let (low, high) = points
         .iter()
@@ -118,7 +103,7 @@ fn extent(points: &[Point3<f64>]) -> f64 {
     (high - low).norm()
 }
 
-/// Indices, ascending, of the `keep` share of smallest values; at least three.
+/// Indices, ascending, of the `keep` share with the smallest values; at least three.
 fn closest_share(values: &[f64], keep: f64) -> Vec<usize> {
     let mut order: Vec<usize> = (0..values.len()).collect();
     let n = ((values.len() as f64 * keep).ceil() as usize).clamp(3.min(values.len()), values.len());

@@ -1,16 +1,19 @@
-//! The rigid transform between two surfaces, from point pairs and from points alone.
+//! Registration of point sets: rigid transforms and smooth displacement fields, from point pairs or from points alone.
 //!
-//! [`mod@absolute_orientation`] fits a transform to pairs; [`mod@ransac`] finds the pairs that agree with one transform among
-//! many that do not, from minimal samples of three; [`refine_icp`] improves a transform by closest points. Two baselines
-//! stand alone: [`procrustes()`] on given pairs, with scale on request, and [`register_by_icp`] from several starts. Nothing
-//! here knows a mesh: points, pairs, and a [`ClosestSurfacePoint`] given by the caller.
+//! - From pairs: [`absolute_orientation()`] fits a rigid transform, [`procrustes()`] a similarity; [`ransac()`] finds
+//!   the largest set of pairs that agree on one rigid transform, from minimal samples of three.
+//! - From a rough pose: [`refine_icp`] refines it by closest points of the target, [`align_both_ways`] by closest
+//!   points of both surfaces.
+//! - From no pose: [`principal_axis_poses`] gives four candidates, [`pose_search()`] searches all rotations.
+//! - Non-rigid: [`alignment`] assigns points softly to each other, [`deformation`] fits a smooth displacement field.
 //!
-//! Transforms are `target_from_source`: `p' = R p + t`, mm.
+//! Nothing here knows a mesh: the input is points, normals, areas, pairs, and a [`ClosestSurfacePoint`] from the
+//! caller. Transforms are `target_from_source`: `p' = R p + t`, mm.
 
 mod absolute_orientation;
+pub mod alignment;
 pub mod deformation;
 mod icp;
-mod icp_registration;
 mod orientation_solvers;
 mod pose_search;
 mod principal_axes;
@@ -24,21 +27,19 @@ mod two_sided;
 
 pub use absolute_orientation::{OrientationError, absolute_orientation};
 pub use icp::{ClosestSurfacePoint, IcpMetric, IcpOptions, IcpReport, refine_icp};
-pub use icp_registration::{IcpCandidate, IcpRegistration, IcpStart, IcpStarts, RegisterByIcpOptions, register_by_icp};
 pub use orientation_solvers::{OrientationSolver, solve_orientation};
-pub use pose_search::{OrientedPoints, PoseSearchOptions, SAME_POSE_ANGLE, ScoredPose, pose_search};
+pub use pose_search::{PoseSearchOptions, SAME_POSE_ANGLE, ScoredPose, pose_search};
 pub use principal_axes::{principal_axis_poses, principal_directions, weighted_moments};
 pub use procrustes::{ProcrustesOptions, ProcrustesReport, procrustes};
 pub use ransac::{RansacMethods, RansacOptions, RansacReport, ransac, ransac_with};
-pub use rotation_axis::rotation_axis_estimate;
 pub use similarity::SimilarityTransform;
-pub use three_point::{MinimalEstimator, TripleError, frame_estimate};
+pub use three_point::{MinimalEstimator, TripleError};
 pub use transform::RigidTransform;
 pub use two_sided::{SurfaceSide, TwoSidedOptions, TwoSidedReport, align_both_ways};
 
 #[cfg(test)]
 mod testing {
-    //! Random points and poses for the tests of this module.
+    //! Random points and poses for the tests.
 
     use super::RigidTransform;
     use nalgebra::{Point3, Rotation3, Vector3};
@@ -46,19 +47,25 @@ mod testing {
     use rand_xoshiro::Xoshiro256PlusPlus;
 
     /// Uniform numbers in `[0, 1)`.
-    pub fn numbers(seed: u64) -> impl FnMut() -> f64 {
+    pub(crate) fn numbers(seed: u64) -> impl FnMut() -> f64 {
         let mut rng = Xoshiro256PlusPlus::seed_from_u64(seed);
         move || (rng.next_u64() >> 11) as f64 / (1u64 << 53) as f64
     }
 
     /// Points in a box of 40 × 20 × 10 mm.
-    pub fn cloud(seed: u64, n: usize) -> Vec<Point3<f64>> {
+    pub(crate) fn cloud(seed: u64, n: usize) -> Vec<Point3<f64>> {
         let mut number = numbers(seed);
         (0..n).map(|_| Point3::new(40.0 * number(), 20.0 * number(), 10.0 * number())).collect()
     }
 
-    /// Any rotation, a translation of up to 50 mm an axis.
-    pub fn pose(seed: u64) -> RigidTransform {
+    /// Random unit vectors.
+    pub(crate) fn directions(seed: u64, n: usize) -> Vec<Vector3<f64>> {
+        let mut number = numbers(seed);
+        (0..n).map(|_| Vector3::new(number() - 0.5, number() - 0.5, number() - 0.5).normalize()).collect()
+    }
+
+    /// A random rotation, and a translation of up to 50 mm along each axis.
+    pub(crate) fn pose(seed: u64) -> RigidTransform {
         let mut number = numbers(seed);
         let axis = Vector3::new(number() - 0.5, number() - 0.5, number() - 0.5);
         let angle = std::f64::consts::PI * number();

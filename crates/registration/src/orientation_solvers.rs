@@ -1,7 +1,7 @@
-//! Three closed-form solvers of absolute orientation, behind one entry.
+//! Three closed-form solvers of absolute orientation behind one function.
 //!
-//! All three see the same covariance and name the same faults; on well-posed pairs they agree to rounding. They differ
-//! in what they decompose: the covariance itself, a symmetric 4×4 matrix, or a symmetric 3×3 matrix.
+//! All three start from the same covariance and return the same errors; on well-posed pairs they agree to rounding.
+//! They differ in the matrix they decompose: the covariance itself, a symmetric 4×4 matrix, or a symmetric 3×3 matrix.
 //!
 //! Source: Arun, Huang, Blostein 1987 (SVD); Horn, J. Opt. Soc. Am. A 4(4), 1987 (unit quaternion); Horn, Hilden,
 //! Negahdaripour, J. Opt. Soc. Am. A 5(7), 1988 (orthonormal matrices).
@@ -10,7 +10,7 @@ use super::RigidTransform;
 use super::absolute_orientation::{COLLINEAR_RTOL, Moments, OrientationError, svd_rotation};
 use nalgebra::{Matrix3, Matrix4, Point3, Quaternion, SymmetricEigen, UnitQuaternion, Vector3};
 
-/// How the rotation is found from the covariance of the pairs.
+/// How the rotation is computed from the covariance of the pairs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum OrientationSolver {
     /// Singular value decomposition of the covariance.
@@ -50,7 +50,7 @@ impl OrientationSolver {
 /// for [`OrientationSolver::Svd`] the same bits.
 ///
 /// # Errors
-/// [`OrientationError`], the same one whichever the solver.
+/// [`OrientationError`], the same for every solver.
 ///
 /// # Cost
 /// `O(n)`, no allocation.
@@ -65,10 +65,10 @@ pub fn solve_orientation(
     Ok(moments.transform(solver.rotation(&moments.covariance, allow_reflection)?))
 }
 
-/// Whether the answer is to mirror; `Degenerate` where no rotation is determined.
+/// Whether the best orthogonal matrix is a reflection; `Degenerate` if the rotation is undetermined.
 ///
-/// By the singular values of the covariance, so that every solver names the same faults: as eigenvalues of `MᵀM` they
-/// would be squared, and the threshold would drown in rounding.
+/// Decided by the singular values of the covariance, so that every solver returns the same errors: as eigenvalues of
+/// `MᵀM` they would be squared, and the threshold would be below rounding.
 fn mirrors(covariance: &Matrix3<f64>, allow_reflection: bool) -> Result<bool, OrientationError> {
     let mut values: [f64; 3] = covariance.singular_values().into();
     values.sort_by(|a, b| b.total_cmp(a));

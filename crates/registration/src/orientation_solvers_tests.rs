@@ -93,7 +93,7 @@ proptest! {
 }
 
 #[test]
-fn every_fault_has_one_name_for_all() {
+fn every_solver_returns_the_same_errors() {
     let good = cloud(2, 6);
     let line: Vec<_> =
         (0..6).map(|k| Point3::new(0.3 * f64::from(k), 0.7 * f64::from(k), 0.1 * f64::from(k))).collect();

@@ -1,12 +1,12 @@
-//! Poses that lay the principal axes of two point sets on each other: the cheap guesses at an unknown orientation.
+//! Candidate poses that align the principal axes of two point sets.
 
 use super::RigidTransform;
 use nalgebra::{Matrix3, Point3, Vector3};
 
 /// The four proper rotations that align the principal axes of `source` with those of `target`, centroid on centroid.
 ///
-/// Axes have no sign, so there are four, half turns apart about the axes; which is right the axes cannot tell.
-/// `None` for fewer than three points. Cost `O(n)`.
+/// Axes have no sign, so there are four candidates, which differ by rotations of 180° about the axes. `None` for fewer
+/// than three points. Cost `O(n)`.
 pub fn principal_axis_poses(source: &[Point3<f64>], target: &[Point3<f64>]) -> Option<[RigidTransform; 4]> {
     if source.len().min(target.len()) < 3 {
         return None;
@@ -20,9 +20,9 @@ pub fn principal_axis_poses(source: &[Point3<f64>], target: &[Point3<f64>]) -> O
     }))
 }
 
-/// Centroid (mm) of points that stand for `weights`, areas or volumes, which are `total` together, and the sum of
-/// `weight · d dᵀ` over their offsets `d` from it. `None` where numbers are not finite: the eigenvalues of those would be
-/// sought forever. Cost `O(n)`.
+/// Weighted centroid, mm, of `points`, and the sum of `weight · d dᵀ` over their offsets `d` from it. `weights` are
+/// areas or volumes with the sum `total`. `None` if the result is not finite, on which an eigendecomposition would not
+/// terminate. Cost `O(n)`.
 pub fn weighted_moments(points: &[Point3<f64>], weights: &[f64], total: f64) -> Option<(Vector3<f64>, Matrix3<f64>)> {
     let weighted = || points.iter().zip(weights);
     let center = weighted().fold(Vector3::zeros(), |s, (p, &w)| s + p.coords * w) / total;
@@ -33,7 +33,7 @@ pub fn weighted_moments(points: &[Point3<f64>], weights: &[f64], total: f64) -> 
     scatter.iter().all(|c| c.is_finite()).then_some((center, scatter))
 }
 
-/// The eigenvectors of a symmetric, finite matrix as columns, that of the largest eigenvalue first. Signs are arbitrary.
+/// The eigenvectors of a symmetric, finite matrix as columns, by descending eigenvalue. Signs are arbitrary.
 pub fn principal_directions(matrix: &Matrix3<f64>) -> Matrix3<f64> {
     let eigen = matrix.symmetric_eigen();
     let mut order = [0, 1, 2];

@@ -1,10 +1,10 @@
-//! RANSAC: the rigid transform that most of many point pairs agree with, most of which may be wrong.
+//! RANSAC: the rigid transform with the largest support among point pairs, most of which may be wrong.
 //!
 //! Source: Fischler, Bolles 1981; adaptive number of trials `ln(1−c)/ln(1−w³)`; local optimization on each new best
 //! as in Chum, Matas, Kittler 2003 (LO-RANSAC).
 //!
-//! Trial `k` draws from a generator of its own, seeded by `(seed, k)`, and trials are judged in batches of fixed size,
-//! so the answer does not depend on the number of threads.
+//! Trial `k` draws from its own generator, seeded by `(seed, k)`, and trials are evaluated in batches of fixed size, so
+//! the result does not depend on the number of threads.
 
 use super::{MinimalEstimator, OrientationSolver, RigidTransform, solve_orientation};
 use homolog_primitives::observe::{Cancelled, Observer, checkpoint};
@@ -13,9 +13,9 @@ use rand_core::{Rng, SeedableRng};
 use rand_xoshiro::Xoshiro256PlusPlus;
 use rayon::prelude::*;
 
-/// Trials judged between two looks at the stopping rule.
+/// Trials between two evaluations of the stopping rule.
 const BATCH: u64 = 512;
-/// Least squares over the support is repeated at most this often on a new best; it gains nothing after a few.
+/// Largest number of least-squares fits over the support of a new best hypothesis; more than a few gain nothing.
 const LOCAL_STEPS: usize = 10;
 
 /// How RANSAC runs.
@@ -23,52 +23,52 @@ const LOCAL_STEPS: usize = 10;
 pub struct RansacOptions {
     /// Largest residual of an inlier, mm.
     pub tolerance_mm: f64,
-    /// Wanted probability that one trial drew only inliers, in `[0, 1)`.
+    /// Required probability that at least one trial drew only inliers, in `[0, 1)`.
     pub confidence: f64,
-    /// Trials at most.
+    /// Largest number of trials.
     pub max_trials: u64,
-    /// Whether mirrored hypotheses are tried too.
+    /// Whether reflections are tried too.
     pub allow_reflection: bool,
     /// Seed of the draws.
     pub seed: u64,
 }
 
-/// What a hypothesis is made from, and what fits its support.
+/// How hypotheses are estimated, and how they are fitted to their support.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct RansacMethods {
-    /// From three pairs to a hypothesis.
+    /// Estimates a hypothesis from three pairs.
     pub estimator: MinimalEstimator,
-    /// From the support of a new best to its least-squares transform, the last of which is the answer.
+    /// Fits the transform to the support of a new best hypothesis, and at last the result.
     pub solver: OrientationSolver,
 }
 
-/// What RANSAC found.
+/// The result of [`ransac()`].
 #[derive(Debug, Clone, PartialEq)]
 pub struct RansacReport {
     /// The transform, least squares over its support.
     pub target_from_source: RigidTransform,
     /// Which pairs are inliers of it.
     pub inlier_mask: Vec<bool>,
-    /// How many.
+    /// Number of inliers.
     pub support: usize,
     /// Root mean square residual of the support, mm.
     pub rms_mm: f64,
-    /// Trials made.
+    /// Number of trials.
     pub trials: u64,
-    /// Whether the wanted confidence was reached before the trials ran out.
+    /// Whether the required confidence was reached within the largest number of trials.
     pub confidence_reached: bool,
 }
 
 /// Finds the transform with the largest support among the pairs `source[i] ↔ target[i]`, mm.
 ///
-/// `None` if no trial had a support of three. [`ransac_with`] the default methods: frames, and singular value
+/// `None` if no trial had a support of three. This is [`ransac_with`] the default methods: frames and singular value
 /// decomposition.
 ///
 /// # Errors
 /// [`Cancelled`].
 ///
 /// # Cost
-/// `O(trials · n)`, on all cores; allocates `O(n)`.
+/// `O(trials · n)`, on all threads; allocates `O(n)`.
 pub fn ransac(
     source: &[Point3<f64>],
     target: &[Point3<f64>],
@@ -78,8 +78,8 @@ pub fn ransac(
     ransac_with(source, target, options, RansacMethods::default(), observer)
 }
 
-/// [`ransac()`] with a choice of the minimal estimator and of the solver of the local optimization. The draws, and so the
-/// triples, are the same whatever the methods.
+/// [`ransac()`] with a choice of the minimal estimator and of the solver of the local optimization. The draws, and so
+/// the triples, do not depend on the methods.
 ///
 /// # Errors
 /// [`Cancelled`].
@@ -107,8 +107,8 @@ pub fn ransac_with(
         trials = batch.end;
         let found = batch
             .into_par_iter()
-            .filter_map(|trial| pairs.judge(trial))
-            // Largest support, then the earliest trial: the same whatever the order of evaluation.
+            .filter_map(|trial| pairs.evaluate(trial))
+            // Largest support, then the earliest trial, which does not depend on the order of evaluation.
             .max_by(|a, b| a.0.cmp(&b.0).then(b.1.cmp(&a.1)));
         let Some((support, _, hypothesis)) = found else { continue };
         if best.as_ref().is_none_or(|(most, _)| support > *most) {
@@ -135,15 +135,15 @@ pub fn ransac_with(
     }))
 }
 
-/// Trials after which one has drawn only inliers with probability `confidence`, if their share is `ratio`.
+/// Number of trials of which one draws only inliers with probability `confidence`, if their share is `ratio`.
 fn needed_trials(ratio: f64, confidence: f64) -> u64 {
     let all_inliers = ratio.powi(3);
     if all_inliers >= 1.0 {
         return 1;
     }
-    // `ln_1p` keeps its digits where the share is tiny; a share of 0 gives infinity.
+    // `ln_1p` stays accurate for a tiny share; a share of 0 gives infinity.
     let needed = (1.0 - confidence).ln() / (-all_inliers).ln_1p();
-    // A vanishing share needs more trials than can be counted; the cast saturates.
+    // The cast saturates if more trials are needed than can be counted.
     needed.abs().ceil().max(1.0) as u64
 }
 
@@ -155,8 +155,8 @@ struct Pairs<'a> {
 }
 
 impl Pairs<'_> {
-    /// Draws a triple, rejects it where it cannot be right, and counts the support of its transform.
-    fn judge(&self, trial: u64) -> Option<(usize, u64, RigidTransform)> {
+    /// Draws a triple, rejects it if its edge lengths disagree, and counts the support of its transform.
+    fn evaluate(&self, trial: u64) -> Option<(usize, u64, RigidTransform)> {
         let mut rng = Xoshiro256PlusPlus::seed_from_u64(self.options.seed ^ trial.wrapping_mul(0x9e37_79b9_7f4a_7c15));
         let n = self.source.len() as u64;
         let mut draw = || ((u128::from(rng.next_u64()) * u128::from(n)) >> 64) as usize;
@@ -283,7 +283,7 @@ mod tests {
     }
 
     #[test]
-    fn a_mirrored_copy_is_found_on_request() {
+    fn a_mirrored_copy_is_found_if_reflections_are_allowed() {
         let source = cloud(4, 50);
         let target: Vec<_> = source.iter().map(|p| Point3::new(-p.x, p.y, p.z)).collect();
         let report = ransac(&source, &target, &RansacOptions { allow_reflection: true, ..options(1) }, &Silent)

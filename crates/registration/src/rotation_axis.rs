@@ -1,30 +1,30 @@
-//! A rigid transform from three point pairs by way of the rotation's axis.
+//! A rigid transform from three point pairs by the axis of its rotation.
 //!
-//! A rotation `R` takes a centred point `a` to `R a`; its displacement `(R − I) a` is perpendicular to the axis, because
-//! the axis stays where it is. Two displacements that are not parallel therefore give the axis, and what the points do
-//! in the plane across it gives the angle.
+//! A rotation `R` maps a centred point `a` to `R a`; its displacement `(R − I) a` is perpendicular to the axis, which
+//! `R` leaves fixed. Two displacements that are not parallel therefore determine the axis, and the motion of the points
+//! in the plane perpendicular to it determines the angle.
 //!
-//! Displacements of a triangle are parallel where its plane holds the axis, and zero where nothing turns. The normal of
-//! the triangle is turned by the same `R`, and its displacement is perpendicular to the axis too: it stands in for a
-//! parallel one, for every angle up to the half turn. Where it is zero as well, the motion is a translation.
+//! The displacements of a triangle are parallel if its plane contains the axis, and zero without a rotation. The normal
+//! of the triangle is rotated by the same `R`, and its displacement is perpendicular to the axis too: it replaces a
+//! parallel one, for every angle up to 180°. If it is zero as well, the motion is a translation.
 //!
-//! Source: the thesis, section 3.4.2 ("critical points", those a motion leaves fixed); the reading in terms of
-//! displacements, and the normal that joins them, are ours.
+//! Source: the thesis, section 3.4.2 ("critical points", those a motion leaves fixed); the formulation by
+//! displacements and the use of the normal are ours.
 
 use super::three_point::triangle_normal;
 use super::{RigidTransform, TripleError};
 use nalgebra::{Matrix3, Point3, Rotation3, Unit, Vector3};
 
-/// Displacements below this share of the size of the triangle are rounding: there is no rotation to speak of.
+/// Displacements below this share of the size of the triangle are rounding: the rotation is the identity.
 const STILL_RTOL: f64 = 1e-13;
 
-/// The transform whose axis is perpendicular to the displacements of the centred triples, whose angle is the least
-/// squares one about that axis, and which takes centroid to centroid; exact where the two triangles are congruent. With
+/// The transform whose axis is perpendicular to the displacements of the centred triples, whose angle is the
+/// least-squares angle about that axis, and which maps centroid to centroid; exact for congruent triangles. With
 /// `mirrored`, the rotation is followed by the reflection in the plane of the target triple, so `det R = −1`.
 ///
 /// # Errors
 /// [`TripleError::Collinear`].
-pub fn rotation_axis_estimate(
+pub(super) fn rotation_axis_estimate(
     source: &[Point3<f64>; 3],
     target: &[Point3<f64>; 3],
     mirrored: bool,
@@ -35,8 +35,8 @@ pub fn rotation_axis_estimate(
     let (target_mean, to) = centred(target);
     // In mm like the others, so that the displacement of the normal weighs as much as that of a corner.
     let size = from.iter().map(Vector3::norm_squared).sum::<f64>().sqrt();
-    let turned_normal = (target_normal - source_normal) * size;
-    let displacements = [to[0] - from[0], to[1] - from[1], to[2] - from[2], turned_normal];
+    let normal_displacement = (target_normal - source_normal) * size;
+    let displacements = [to[0] - from[0], to[1] - from[1], to[2] - from[2], normal_displacement];
     let mut rotation = match widest_cross_product(&displacements, STILL_RTOL * size) {
         None => Matrix3::identity(),
         Some(axis) => *Rotation3::from_axis_angle(&axis, angle_about(&axis, &from, &to)).matrix(),
@@ -66,7 +66,7 @@ fn widest_cross_product(displacements: &[Vector3<f64>; 4], still: f64) -> Option
     Unit::try_new(longest, 0.0)
 }
 
-/// The angle that turns `from` onto `to` about `axis` in the least-squares sense, radians.
+/// The angle about `axis` that rotates `from` to `to` with the least squared error, radians.
 fn angle_about(axis: &Unit<Vector3<f64>>, from: &[Vector3<f64>; 3], to: &[Vector3<f64>; 3]) -> f64 {
     let across = |v: &Vector3<f64>| v - axis.into_inner() * axis.dot(v);
     let (mut sine, mut cosine) = (0.0, 0.0);
@@ -159,7 +159,7 @@ mod tests {
     }
 
     #[test]
-    fn thin_triangles_are_refused_on_either_side() {
+    fn thin_triangles_are_rejected_on_either_side() {
         let line = [0.0, 1.0, 2.0].map(|k| Point3::new(k, k, k));
         let wide = [Point3::origin(), Point3::new(3.0, 0.0, 0.0), Point3::new(0.0, 2.0, 0.0)];
         for estimator in BOTH {

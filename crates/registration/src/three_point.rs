@@ -1,27 +1,27 @@
 //! Rigid transforms from three point pairs, the minimal sample of RANSAC.
 //!
-//! Two ways to the same transform on congruent triangles ([`MinimalEstimator`]); on triangles that differ a little they
-//! spread the difference otherwise. Both refuse thin triangles before they estimate anything.
+//! Both estimators ([`MinimalEstimator`]) give the same transform on congruent triangles; on triangles that differ
+//! slightly they distribute the difference differently. Both reject thin triangles before they estimate anything.
 
 use super::RigidTransform;
 use super::rotation_axis::rotation_axis_estimate;
 use nalgebra::{Matrix3, Point3, Vector3};
 
-/// How three pairs give a rigid transform.
+/// How a rigid transform is estimated from three pairs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum MinimalEstimator {
-    /// An orthonormal frame on each triple: [`frame_estimate`].
+    /// An orthonormal frame on each triple (thesis, section 3.4.1).
     #[default]
     Frame,
-    /// The axis that the rotation leaves fixed, then the angle about it: [`rotation_axis_estimate`].
+    /// The axis that the rotation leaves fixed, then the angle about it (thesis, section 3.4.2).
     RotationAxis,
 }
 
 impl MinimalEstimator {
-    /// `target_from_source` of three pairs, mm, centroid on centroid; `det R = −1` if `mirrored`.
+    /// `target_from_source` of three pairs, mm, which maps centroid to centroid; `det R = −1` if `mirrored`.
     ///
     /// # Errors
-    /// [`TripleError::Collinear`] if either triple is thin, alike for both estimators.
+    /// [`TripleError::Collinear`] if either triple is thin, the same for both estimators.
     pub fn estimate(
         self,
         source: &[Point3<f64>; 3],
@@ -35,7 +35,7 @@ impl MinimalEstimator {
     }
 }
 
-/// Why a triple gives no transform.
+/// Why three pairs determine no transform.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 pub enum TripleError {
     /// The three points of one side lie nearly on a line.
@@ -43,10 +43,10 @@ pub enum TripleError {
     Collinear,
 }
 
-/// Triangles whose height is below this share of their longest edge are too thin to carry an orientation.
+/// Triangles whose height is below this share of their longest edge are too thin to determine an orientation.
 const MIN_HEIGHT_RATIO: f64 = 0.05;
 
-/// The normal of a triple, its length twice the area, mm².
+/// Normal of a triple, with a length of twice the area, mm².
 pub(super) fn triangle_normal(p: &[Point3<f64>; 3]) -> Result<Vector3<f64>, TripleError> {
     let (a, b) = (p[1] - p[0], p[2] - p[0]);
     let longest = a.norm_squared().max(b.norm_squared()).max((p[2] - p[1]).norm_squared());
@@ -65,16 +65,16 @@ fn frame(p: &[Point3<f64>; 3]) -> Result<Matrix3<f64>, TripleError> {
     Ok(Matrix3::from_columns(&[x, z.cross(&x), z]))
 }
 
-/// The transform that carries the frame of the source triple to that of the target triple and its centroid to the
-/// centroid there; exact where the two triangles are congruent. With `mirrored`, the third axis is turned round
-/// (a triangle is congruent to its mirror image), so `det R = −1`.
+/// The transform that maps the frame of the source triple to that of the target triple and centroid to centroid; exact
+/// for congruent triangles. With `mirrored` the third axis is negated (a triangle is congruent to its mirror image), so
+/// `det R = −1`.
 ///
 /// # Errors
 /// [`TripleError::Collinear`].
 ///
 /// # Source
 /// The thesis, section 3.4.1 (coordinate systems on both triples).
-pub fn frame_estimate(
+fn frame_estimate(
     source: &[Point3<f64>; 3],
     target: &[Point3<f64>; 3],
     mirrored: bool,
@@ -97,7 +97,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn a_moved_triple_gives_its_motion(seed in any::<u64>(), mirrored in any::<bool>()) {
+        fn the_motion_of_a_triple_is_recovered(seed in any::<u64>(), mirrored in any::<bool>()) {
             let points = cloud(seed, 3);
             let mut truth = pose(seed ^ 1);
             if mirrored {
@@ -116,7 +116,7 @@ mod tests {
     }
 
     #[test]
-    fn three_points_on_a_line_give_nothing() {
+    fn three_points_on_a_line_are_rejected() {
         let line = [0.0, 1.0, 2.0].map(|k| Point3::new(k, k, k));
         assert_eq!(frame_estimate(&line, &line, false), Err(TripleError::Collinear));
     }

@@ -2,7 +2,7 @@
 
 use nalgebra::{Matrix3, Point3, Rotation3, UnitQuaternion, Vector3};
 
-/// `p' = R p + t`, mm, with `R` orthogonal: `det R = +1`, or `−1` where a reflection was asked for.
+/// `p' = R p + t`, mm, with `R` orthogonal: `det R = +1`, or `−1` if a reflection was allowed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RigidTransform {
     /// `R`.
@@ -12,7 +12,7 @@ pub struct RigidTransform {
 }
 
 impl RigidTransform {
-    /// The transform that moves nothing.
+    /// The identity.
     pub fn identity() -> Self {
         RigidTransform { rotation: Matrix3::identity(), translation: Vector3::zeros() }
     }
@@ -22,7 +22,7 @@ impl RigidTransform {
         Point3::from(self.rotation * p.coords + self.translation)
     }
 
-    /// `self` after `first`.
+    /// The composition that applies `first`, then `self`.
     pub fn after(&self, first: &RigidTransform) -> RigidTransform {
         RigidTransform {
             rotation: self.rotation * first.rotation,
@@ -36,19 +36,19 @@ impl RigidTransform {
         RigidTransform { rotation, translation: -(rotation * self.translation) }
     }
 
-    /// Whether `R` mirrors.
+    /// Whether `det R < 0`.
     pub fn is_reflection(&self) -> bool {
         self.rotation.determinant() < 0.0
     }
 
-    /// The rotation as a unit quaternion with scalar part not negative; of `−R` where `R` mirrors.
+    /// The rotation as a unit quaternion with non-negative scalar part; that of `−R` for a reflection.
     pub fn quaternion(&self) -> UnitQuaternion<f64> {
         let proper = if self.is_reflection() { -self.rotation } else { self.rotation };
         let q = UnitQuaternion::from_rotation_matrix(&Rotation3::from_matrix_unchecked(proper));
         if q.w < 0.0 { UnitQuaternion::new_unchecked(-q.into_inner()) } else { q }
     }
 
-    /// Angle of that rotation, radians, in `[0, π]`.
+    /// Angle of the rotation of [`Self::quaternion`], radians, in `[0, π]`.
     pub fn angle_rad(&self) -> f64 {
         let q = self.quaternion();
         2.0 * q.vector().norm().atan2(q.w)

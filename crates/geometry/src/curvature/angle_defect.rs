@@ -51,7 +51,8 @@ pub fn vertex_areas(mesh: &SurfaceMesh) -> Vec<f64> {
     areas
 }
 
-/// Gaussian curvature `K_i = (2π − Σ φ) / A_i` of every vertex, 1/mm²; at a boundary the mean of the neighbours inside.
+/// Gaussian curvature `K_i = (2π − Σ φ) / A_i` of every vertex, 1/mm²; at a boundary vertex the mean of its interior
+/// neighbors.
 ///
 /// Zero where the area of a vertex vanishes. Cost `O(faces)`.
 pub fn gaussian_curvature(mesh: &SurfaceMesh) -> Vec<f64> {
@@ -76,7 +77,7 @@ fn gaussian_with(mesh: &SurfaceMesh, areas: &[f64]) -> Vec<f64> {
         }
     }
     let found = defect.iter().zip(areas).map(|(d, &area)| if area > 0.0 { d / area } else { 0.0 });
-    inside(mesh, found.collect())
+    extended_to_boundary(mesh, found.collect())
 }
 
 /// Mean curvature `H_i` of every vertex, 1/mm, positive where the surface is convex (`1/r` on a sphere).
@@ -94,7 +95,7 @@ fn mean_with(mesh: &SurfaceMesh, areas: &[f64]) -> Vec<f64> {
         .zip(&normals)
         .zip(areas)
         .map(|((l, n), &area)| if area > 0.0 { l.dot(n) / (2.0 * area) } else { 0.0 });
-    inside(mesh, found.collect())
+    extended_to_boundary(mesh, found.collect())
 }
 
 /// [`gaussian_curvature`] and [`mean_curvature`], over the areas that both need.
@@ -102,9 +103,9 @@ pub(super) fn both_curvatures(mesh: &SurfaceMesh, areas: &[f64]) -> Curvatures {
     Curvatures { gaussian: gaussian_with(mesh, areas), mean: mean_with(mesh, areas) }
 }
 
-/// `values` with those at a boundary, where neither formula holds, replaced by the mean over the neighbours inside; 0
-/// where there are none.
-fn inside(mesh: &SurfaceMesh, mut values: Vec<f64>) -> Vec<f64> {
+/// `values` with those at boundary vertices, where neither formula holds, replaced by the mean over their interior
+/// neighbors, or 0 without any.
+fn extended_to_boundary(mesh: &SurfaceMesh, mut values: Vec<f64>) -> Vec<f64> {
     let Some(on_boundary) = mesh.boundary_vertices() else { return values };
     let graph = mesh.edge_graph();
     for i in (0..values.len()).filter(|&i| on_boundary[i]) {

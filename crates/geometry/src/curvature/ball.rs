@@ -1,43 +1,43 @@
-//! The part of a surface around a vertex that lies in a ball and can be seen as a graph over the tangent plane.
+//! The part of a surface that lies in a ball around a vertex and is a graph over the tangent plane.
 
 use homolog_mesh::SurfaceMesh;
 use homolog_primitives::graph::EdgeGraph;
 use nalgebra::{Matrix2x3, Vector2, Vector3};
 
-/// A surface with what every ball on it needs.
+/// A surface, prepared for balls around its vertices.
 pub(super) struct Patches<'a> {
     pub mesh: &'a SurfaceMesh,
     graph: EdgeGraph,
     pub normals: Vec<Vector3<f64>>,
-    /// What each vertex counts for: its area, so that a finely sampled side of the ball does not outweigh the other.
+    /// Weight of each vertex: its area, so that a finely sampled side of the ball does not outweigh the other.
     pub areas: Vec<f64>,
     radius_mm: f64,
 }
 
-/// Scratch memory of [`Patches::collect`], one entry a vertex.
+/// Scratch memory of [`Patches::collect`], one entry per vertex.
 pub(super) struct Visited {
     by: Vec<u32>,
-    /// The vertices found, in the order in which they were.
+    /// The vertices found, in the order of the search.
     pub members: Vec<u32>,
 }
 
 impl Visited {
-    pub fn new(n_vertices: usize) -> Self {
+    pub(super) fn new(n_vertices: usize) -> Self {
         Visited { by: vec![u32::MAX; n_vertices], members: Vec::new() }
     }
 }
 
 impl<'a> Patches<'a> {
-    pub fn new(mesh: &'a SurfaceMesh, areas: Vec<f64>, radius_mm: f64) -> Self {
-        // Between faces without area a vertex may have no number for its own; it then counts for nothing.
+    pub(super) fn new(mesh: &'a SurfaceMesh, areas: Vec<f64>, radius_mm: f64) -> Self {
+        // The area of a vertex between degenerate faces may be NaN, which becomes 0.
         let areas = areas.into_iter().map(|area| area.max(0.0)).collect();
         Patches { mesh, graph: mesh.edge_graph(), normals: mesh.vertex_normals(), areas, radius_mm }
     }
 
-    /// Puts into `visited.members` `center` and whoever paths along edges lead to from it without leaving the ball
-    /// about it. Paths also end where the surface has turned by a right angle: beyond, it would lie over itself in the
-    /// tangent plane. So the opposite sheet of a thin part is not taken for the vicinity.
-    pub fn collect(&self, center: usize, visited: &mut Visited) {
+    /// Collects in `visited.members` the vertices that are connected to `center` by edges within the ball around it.
+    /// Paths end where the normal differs by 90° or more, beyond which the surface would overlap itself in the tangent
+    /// plane; so the opposite side of a thin part is not included.
+    pub(super) fn collect(&self, center: usize, visited: &mut Visited) {
         let p = self.mesh.vertices();
         visited.members.clear();
         visited.members.push(center as u32);
@@ -59,15 +59,15 @@ impl<'a> Patches<'a> {
     }
 
     /// Two orthonormal directions of the tangent plane of `vertex`, in rows.
-    pub fn tangent_plane(&self, vertex: usize) -> Matrix2x3<f64> {
+    pub(super) fn tangent_plane(&self, vertex: usize) -> Matrix2x3<f64> {
         let n = self.normals[vertex];
-        // The axis that the normal is farthest from, so that the product is well away from zero.
+        // The axis farthest from the normal, so that the cross product is well away from zero.
         let u = n.cross(&Vector3::ith(n.iamin(), 1.0)).normalize();
         Matrix2x3::from_rows(&[u.transpose(), n.cross(&u).transpose()])
     }
 
-    /// Where `vertex` lies in the tangent plane of `center`, mm, and how high above it.
-    pub fn in_frame(&self, plane: &Matrix2x3<f64>, center: usize, vertex: usize) -> (Vector2<f64>, f64) {
+    /// Position of `vertex` in the tangent plane of `center`, and its height above it, mm.
+    pub(super) fn in_frame(&self, plane: &Matrix2x3<f64>, center: usize, vertex: usize) -> (Vector2<f64>, f64) {
         let offset = self.mesh.vertices()[vertex] - self.mesh.vertices()[center];
         (plane * offset, self.normals[center].dot(&offset))
     }

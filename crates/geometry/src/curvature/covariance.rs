@@ -18,7 +18,7 @@
 use super::ball::Patches;
 use nalgebra::{Matrix2, SymmetricEigen, Vector2};
 
-/// Smallest share of the spread of positions across to that along, both squared, at which `S` has a meaning across.
+/// Smallest ratio of the two variances of the positions at which `S` is determined in both directions.
 const COLLINEAR_RTOL: f64 = 1e-6;
 
 /// Gaussian and mean curvature at `center`, or `None` if `members` lie on a line or have no area.

@@ -9,11 +9,11 @@ use rayon::prelude::*;
 /// How curvature is measured.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum Estimator {
-    /// Corner angles and cotangents over the faces around a vertex (`angle_defect.rs`): no radius, the theorem of
-    /// Gauss and Bonnet to rounding, and the noise of single faces.
+    /// Corner angles and cotangents over the faces around a vertex (`angle_defect.rs`): no radius, satisfies the
+    /// Gauss-Bonnet theorem to rounding, sensitive to noise of single faces.
     #[default]
     AngleDefect,
-    /// How normals turn with positions in a ball (`covariance.rs`).
+    /// The covariance of normals and positions in a ball (`covariance.rs`).
     Covariance {
         /// Radius of the ball, mm; see [`default_radius_mm`].
         radius_mm: f64,
@@ -41,7 +41,7 @@ const DEFAULT_RADIUS_EDGES: f64 = 2.5;
 /// Gaussian and mean curvature at a vertex from the members of its ball, if they determine them.
 type CurvatureOf = fn(&Patches, usize, &[u32]) -> Option<(f64, f64)>;
 
-/// Vertices a task takes at a time, with one scratch memory.
+/// Vertices per task, which share scratch memory.
 const CHUNK: usize = 256;
 
 /// The radius of the ball that fits the resolution of `mesh`: 2.5 mean edge lengths, mm. To compare two surfaces, use
@@ -52,13 +52,13 @@ pub fn default_radius_mm(mesh: &SurfaceMesh) -> f64 {
 
 /// Gaussian and mean curvature of every vertex of `mesh`, as `estimator` measures them.
 ///
-/// A vertex whose ball does not hold enough of the surface (fewer than 6 vertices for a paraboloid, all on a line for
-/// the covariance) gets the values of [`Estimator::AngleDefect`], which need no ball. That includes every vertex if the
-/// radius is zero, negative or no number.
+/// A vertex whose ball does not contain enough of the surface (fewer than 6 vertices for a paraboloid, collinear points
+/// for the covariance) gets the values of [`Estimator::AngleDefect`], as does every vertex if the radius is not
+/// positive.
 ///
 /// # Cost
-/// `O(faces)`, with a ball `O(n k)` for `k` vertices a ball, on all cores; every vertex is computed alone, so the bits
-/// do not depend on the number of threads.
+/// `O(faces)`, or `O(n k)` with `k` vertices per ball, on all threads; every vertex is computed independently, so any
+/// number of threads gives the same bits.
 pub fn curvatures(mesh: &SurfaceMesh, estimator: Estimator) -> Curvatures {
     let areas = vertex_areas(mesh);
     let around = both_curvatures(mesh, &areas);

@@ -102,7 +102,7 @@ fn on_a_torus_every_estimator_finds_both_signs_and_converges() {
 }
 
 #[test]
-fn on_a_smoothed_ball_of_voxels_balls_see_the_sphere_where_faces_see_the_stairs() {
+fn estimators_with_a_ball_are_accurate_on_smoothed_voxels_where_angle_defect_is_not() {
     let voxels = voxel_ball(10.0);
     let smooth = ScaleSpace::new(&voxels).smoothed(3.0).unwrap();
     let center = smooth.centroid();
@@ -124,7 +124,7 @@ fn on_a_smoothed_ball_of_voxels_balls_see_the_sphere_where_faces_see_the_stairs(
 }
 
 #[test]
-fn the_opposite_sheet_of_a_thin_plate_is_not_mixed_in() {
+fn the_opposite_side_of_a_thin_plate_is_not_included() {
     let axes = Vector3::new(10.0, 10.0, 0.4);
     let plate = ellipsoid(axes, 4);
     for estimator in all(2.0) {
@@ -138,7 +138,7 @@ fn the_opposite_sheet_of_a_thin_plate_is_not_mixed_in() {
 }
 
 #[test]
-fn a_ball_that_holds_too_little_falls_back_on_the_faces_around() {
+fn a_ball_with_too_few_vertices_falls_back_on_the_angle_defect() {
     let mesh = torus(10.0, 4.0, 30, 14, FaceArity::Quad);
     let around = curvatures(&mesh, Estimator::AngleDefect);
     assert_eq!(around, Curvatures { gaussian: gaussian_curvature(&mesh), mean: mean_curvature(&mesh) });
@@ -166,7 +166,7 @@ fn faces_without_area_leave_finite_curvatures() {
 }
 
 #[test]
-fn the_number_of_threads_changes_no_bit() {
+fn any_number_of_threads_gives_the_same_bits() {
     let mesh = ellipsoid(Vector3::new(9.0, 6.0, 5.0), 3);
     for estimator in with_balls(&mesh) {
         let with = |n_threads| {

@@ -6,19 +6,22 @@
 use homolog_mesh::{FaceArity, SurfaceMesh};
 use nalgebra::Vector3;
 
-/// One weight `w_ij = w_ji` of the Laplacian; pairs may recur and then add up.
+/// A contribution to the weight `w_ij = w_ji` of the Laplacian; contributions to the same pair add up.
 pub struct Weight {
+    /// One vertex.
     pub i: usize,
+    /// The other vertex.
     pub j: usize,
+    /// The contribution, without unit.
     pub weight: f64,
 }
 
 /// The four triangles that the two diagonals of a quad make.
-pub fn both_triangulations(quad: &[u32]) -> [[u32; 3]; 4] {
+pub(super) fn both_triangulations(quad: &[u32]) -> [[u32; 3]; 4] {
     [[quad[0], quad[1], quad[2]], [quad[0], quad[2], quad[3]], [quad[1], quad[2], quad[3]], [quad[1], quad[3], quad[0]]]
 }
 
-/// Every cotangent weight: half the cotangent of each angle, for the edge opposite to it.
+/// All contributions to the cotangent weights: half the cotangent of each angle, for the edge opposite to it.
 pub fn cotangent_weights(mesh: &SurfaceMesh) -> Vec<Weight> {
     let mut weights = Vec::with_capacity(mesh.indices().len());
     let mut add = |corners: [u32; 3], share: f64| {
@@ -27,7 +30,7 @@ pub fn cotangent_weights(mesh: &SurfaceMesh) -> Vec<Weight> {
             let v = mesh.vertices();
             let (a, b) = (v[i] - v[at], v[j] - v[at]);
             let twice_area = a.cross(&b).norm();
-            // A face without area has no defined angles; it conducts nothing.
+            // A face without area has no defined angles and contributes nothing.
             if twice_area > 0.0 {
                 weights.push(Weight { i, j, weight: share * a.dot(&b) / (2.0 * twice_area) });
             }
@@ -42,7 +45,7 @@ pub fn cotangent_weights(mesh: &SurfaceMesh) -> Vec<Weight> {
     weights
 }
 
-/// `(L p)_i = Σ_j w_ij (p_i − p_j)` for every vertex, mm; it points outwards where the surface is convex.
+/// `(L p)_i = Σ_j w_ij (p_i − p_j)` for every vertex, mm; points outwards where the surface is convex.
 pub(super) fn laplacian_of_positions(mesh: &SurfaceMesh) -> Vec<Vector3<f64>> {
     let mut laplacian = vec![Vector3::zeros(); mesh.n_vertices()];
     for Weight { i, j, weight } in cotangent_weights(mesh) {

@@ -3,7 +3,7 @@
 //! A scale `σ` (mm) means: positions are smoothed by heat flow of time `σ²/2` ([`ScaleSpace`]), then curvature is
 //! measured on the smoothed surface ([`gaussian_curvature`], [`mean_curvature`]). Triangles use corner angles and
 //! mixed Voronoi areas; quads use corner angles and a quarter of each face's area, so that in both cases
-//! `Σ K_i A_i = 2πχ` to rounding. [`curvatures`] offers two further estimators ([`Estimator`]), which look at a ball of
+//! `Σ K_i A_i = 2πχ` to rounding. [`curvatures`] offers two further estimators ([`Estimator`]), which use a ball of
 //! given radius instead of the faces around a vertex.
 
 mod angle_defect;
@@ -16,15 +16,14 @@ mod laplacian;
 mod quadric;
 mod scale_space;
 
-pub use laplacian::{Weight, both_triangulations, cotangent_weights};
-
 pub use angle_defect::{gaussian_curvature, mean_curvature, vertex_areas};
 pub use estimator::{Curvatures, Estimator, curvatures, default_radius_mm};
+pub use laplacian::{Weight, cotangent_weights};
 pub use scale_space::{ScaleSpace, ScaleSpaceError};
 
 #[cfg(test)]
 mod tests {
-    //! Curvature against what is known of spheres, ellipsoids and tori, and the theorem of Gauss and Bonnet.
+    //! Curvature against closed forms for spheres, ellipsoids and tori, and the Gauss-Bonnet theorem.
 
     use super::*;
     use homolog_mesh::shapes::{ellipsoid, torus};
@@ -73,7 +72,7 @@ mod tests {
     }
 
     #[test]
-    fn one_operator_serves_every_scale_as_well_as_an_operator_of_its_own() {
+    fn one_operator_gives_every_scale_the_same_bits_as_a_new_one() {
         for mesh in [ellipsoid(Vector3::new(9.0, 6.0, 4.0), 3), torus(10.0, 4.0, 30, 14, FaceArity::Quad)] {
             let space = ScaleSpace::new(&mesh);
             for scale_mm in [2.0, 0.7, 4.5] {
@@ -112,7 +111,7 @@ mod tests {
     }
 
     #[test]
-    fn a_torus_is_curved_both_ways() {
+    fn a_torus_has_positive_and_negative_curvature() {
         let (radius, tube) = (10.0, 4.0);
         for arity in [FaceArity::Quad, FaceArity::Triangle] {
             let mesh = torus(radius, tube, 120, 60, arity);

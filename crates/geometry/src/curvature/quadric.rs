@@ -9,7 +9,7 @@
 //! minimises `Σ A (z − z_i)²` over the points of the ball, `A` the area of a vertex. The slopes `d`, `e` take up an
 //! error of the normal, the offset `f` one of the position. Its curvature over the vertex follows exactly from the two
 //! fundamental forms of a graph (Gauss; do Carmo, "Differential geometry of curves and surfaces", 1976, 3-3), the mean
-//! one with its sign turned, since the normal looks outwards:
+//! one negated, since the normal points outwards:
 //!
 //! ```text
 //! W² = 1 + d² + e²,   K = (4 a c − b²) / W⁴,   H = −(a (1 + e²) − b d e + c (1 + d²)) / W³
@@ -18,8 +18,8 @@
 use super::ball::Patches;
 use nalgebra::{Cholesky, Matrix6, Vector6};
 
-/// Smallest pivot of the normal equations, relative to the largest, of a paraboloid that the points determine. In
-/// units of the ball a regular vicinity has about 1e-2, and what rounding leaves of zero is below 1e-15.
+/// Smallest pivot of the normal equations, relative to the largest, at which the points determine a paraboloid. In
+/// units of the ball a regular neighborhood has about 1e-2, and zero becomes less than 1e-15 by rounding.
 const PIVOT_RTOL: f64 = 1e-10;
 
 /// Gaussian and mean curvature at `center`, or `None` if `members` do not determine a paraboloid.
@@ -42,7 +42,7 @@ pub(super) fn curvature_of(patches: &Patches, center: usize, members: &[u32]) ->
     }
     let factor = Cholesky::new(normal_matrix)?;
     let pivots = factor.l_dirty().diagonal().map(|d| d * d);
-    // Written so that pivots that are no numbers fail as well.
+    // Written so that NaN pivots fail as well.
     let determined = pivots.min() > PIVOT_RTOL * pivots.max();
     if !determined {
         return None;

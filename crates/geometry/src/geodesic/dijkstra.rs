@@ -1,13 +1,14 @@
-//! Shortest paths over weighted graphs, from many sources one after the other with the same scratch memory.
+//! Shortest paths on weighted graphs from many sources, with scratch memory that is reused.
 //!
-//! Source: Dijkstra, "A note on two problems in connexion with graphs", 1959, ended as soon as enough is known.
+//! Source: Dijkstra, "A note on two problems in connexion with graphs", 1959, stopped as soon as all targets are
+//! reached.
 
 use homolog_primitives::graph::EdgeGraph;
 use nalgebra::Point3;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
-/// An edge graph whose edges have the length they have in space.
+/// An edge graph with the lengths of its edges.
 pub(super) struct WeightedGraph {
     graph: EdgeGraph,
     lengths: Vec<f64>,
@@ -15,7 +16,7 @@ pub(super) struct WeightedGraph {
 
 impl WeightedGraph {
     /// `graph` over `vertices`, mm.
-    pub fn new(graph: EdgeGraph, vertices: &[Point3<f64>]) -> Self {
+    pub(super) fn new(graph: EdgeGraph, vertices: &[Point3<f64>]) -> Self {
         let mut lengths = Vec::with_capacity(graph.n_directed_edges());
         for (i, p) in vertices.iter().enumerate() {
             lengths.extend(graph.neighbors(i).iter().map(|&j| (vertices[j as usize] - p).norm()));
@@ -24,24 +25,24 @@ impl WeightedGraph {
     }
 
     /// Appends the neighbours of `vertex`, with the lengths of the edges to them.
-    pub fn append_neighbors(&self, vertex: u32, next: &mut Vec<(u32, f64)>) {
+    pub(super) fn append_neighbors(&self, vertex: u32, next: &mut Vec<(u32, f64)>) {
         let lengths = &self.lengths[self.graph.row(vertex as usize)];
         next.extend(self.graph.neighbors(vertex as usize).iter().copied().zip(lengths.iter().copied()));
     }
 }
 
-/// Scratch memory of a search, as large as the graph; clean between searches.
+/// Scratch memory of a search, as large as the graph; reset between searches.
 pub(super) struct Dijkstra {
     distance: Vec<f64>,
     settled: Vec<bool>,
     reached: Vec<u32>,
-    // Distances are not negative, so their bits order as they do.
+    // Non-negative distances compare like their bits.
     queue: BinaryHeap<Reverse<(u64, u32)>>,
     next: Vec<(u32, f64)>,
 }
 
 impl Dijkstra {
-    pub fn new(n_vertices: usize) -> Self {
+    pub(super) fn new(n_vertices: usize) -> Self {
         Dijkstra {
             distance: vec![f64::INFINITY; n_vertices],
             settled: vec![false; n_vertices],
@@ -51,9 +52,10 @@ impl Dijkstra {
         }
     }
 
-    /// Calls `settled(vertex, distance)` in ascending order of distance from `source`, until it answers `false` or
-    /// nothing is left. `neighbors(vertex, distance, next)` appends whom a vertex leads to, and how far they are.
-    pub fn visit(
+    /// Calls `settled(vertex, distance)` in ascending order of distance from `source`, until it returns `false` or no
+    /// vertex is left. `neighbors(vertex, distance, next)` appends the neighbors of a vertex and their distances from
+    /// it.
+    pub(super) fn visit(
         &mut self,
         source: u32,
         mut neighbors: impl FnMut(u32, f64, &mut Vec<(u32, f64)>),
@@ -84,7 +86,7 @@ impl Dijkstra {
     }
 
     /// Distances from `source` to `targets` (ascending); infinite where no path leads.
-    pub fn distances_to(
+    pub(super) fn distances_to(
         &mut self,
         source: u32,
         targets: &[u32],

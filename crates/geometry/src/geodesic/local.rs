@@ -1,8 +1,8 @@
-//! Exact geodesic distances of a polyhedron between vertices that are close.
+//! Exact geodesic distances on a polyhedron between nearby vertices.
 //!
 //! A shortest path bends only at vertices (Mitchell, Mount, Papadimitriou, "The discrete geodesic problem", 1987), so
-//! it is a chain of straight lines between vertices, each itself a shortest path. The straight lines of every vertex
-//! are found once ([`StraightLines`]); what joins them is a search for shortest paths over the graph that they make.
+//! it is a chain of straight lines between vertices, each itself a shortest path. The straight lines from every vertex
+//! are computed once ([`StraightLines`]); geodesics are shortest paths on the graph of these lines.
 
 use super::dijkstra::Dijkstra;
 use super::for_every_source;
@@ -11,7 +11,7 @@ use super::straight::StraightLines;
 use homolog_mesh::{FaceArity, SurfaceMesh};
 use homolog_primitives::graph::LabelNeighborhoods;
 
-/// How much farther than a bound lines are followed, as a share, so that rounding cuts off none that is needed.
+/// Lines are followed this share beyond a bound, so that rounding excludes none that is needed.
 const MARGIN: f64 = 1e-9;
 
 /// For every label the geodesic distances to the members of its row, mm. `bounds` has for each an upper bound, as the
@@ -39,7 +39,7 @@ pub(super) fn geodesic_distances(
         |(search, straight), x| {
             search.distances_to(x as u32, labels.members(x), |v, distance, next| {
                 let left = reach[x] - distance;
-                // A vertex between shorter edges than those of x has looked less far than x may need.
+                // The bound of a vertex with shorter edges than x may be smaller than x needs.
                 if left > reach[v as usize] {
                     next.append(&mut straight.from(&polyhedron, v, left));
                 } else {

@@ -1,19 +1,15 @@
-//! Distances along a surface: between labels that are close, for the pairwise potential, and from one vertex to all.
+//! Distances along a surface between nearby vertices, the labels of the pairwise potential.
 //!
-//! [`label_neighborhoods`] fills `N_r` with one of three distances `d'` ([`LabelDistance`]); they order as
-//! Euclidean ≤ geodesic ≤ graph and agree on every edge. Between close labels the geodesic is the exact one of the
-//! polyhedron, found by unfolding faces (`straight.rs`) and joining straight pieces (`local.rs`); over a whole
-//! surface [`HeatGeodesics`] approximates it by two linear systems.
+//! [`label_neighborhoods`] fills `N_r` with one of three distances `d'` ([`LabelDistance`]), for which Euclidean ≤
+//! geodesic ≤ graph, with equality on every edge. The geodesic distance is exact on the polyhedron, found by unfolding
+//! faces (`straight.rs`) and joining straight pieces (`local.rs`).
 
 mod dijkstra;
-mod heat;
 mod local;
 mod polyhedron;
 mod straight;
 #[cfg(test)]
 mod tests;
-
-pub use heat::{GeodesicError, HeatGeodesics, geodesic_distances_from};
 
 use dijkstra::{Dijkstra, WeightedGraph};
 use homolog_mesh::SurfaceMesh;
@@ -34,7 +30,7 @@ pub enum LabelDistance {
     Geodesic,
 }
 
-/// Sources a task takes from the list at a time. Scratch memory is made once a task, so tasks are not too small.
+/// Sources per task. Scratch memory is allocated once per task, so tasks must not be too small.
 const CHUNK: usize = 64;
 
 /// `N_rings` over the vertices of `mesh` with `d'` in mm, as [`LabelDistance`] says; exactly symmetric, 0 for a label
@@ -42,7 +38,7 @@ const CHUNK: usize = 64;
 ///
 /// # Cost
 /// With `k̄` labels a neighbourhood: `O(n k̄)` Euclidean, `O(n k̄ log k̄)` graph, about `O(n k̄^1.5)` geodesic, on all
-/// cores. Every label is computed alone, so the bits do not depend on the number of threads.
+/// threads. Every label is computed independently, so any number of threads gives the same bits.
 pub fn label_neighborhoods(mesh: &SurfaceMesh, rings: usize, distance: LabelDistance) -> LabelNeighborhoods {
     let graph = mesh.edge_graph();
     let p = mesh.vertices();
@@ -56,7 +52,7 @@ pub fn label_neighborhoods(mesh: &SurfaceMesh, rings: usize, distance: LabelDist
         }
     };
     let one_way = |x: usize, y: usize| {
-        // Whoever is in the row of x has x in its own, since edges go both ways.
+        // Neighborhoods are symmetric, so y is always in the row of x.
         let at = euclidean.members(x).binary_search(&(y as u32)).unwrap_or_default();
         rows[x][at]
     };
@@ -86,7 +82,7 @@ fn graph_distances(edges: &WeightedGraph, labels: &LabelNeighborhoods) -> Vec<Ve
     )
 }
 
-/// `result(scratch, source)` for every source, in order, on all cores; scratch memory is shared only within a chunk.
+/// `result(scratch, source)` for every source, in order, on all threads; scratch memory is shared only within a chunk.
 fn for_every_source<S, T: Send>(
     n_sources: usize,
     scratch: impl Fn() -> S + Sync,

@@ -1,11 +1,11 @@
-//! A surface as flat triangles that know their neighbours, for walking over it in a straight line.
+//! A surface as flat triangles with their adjacency, for following straight lines over it.
 
 use super::dijkstra::WeightedGraph;
 use homolog_mesh::{FaceArity, SurfaceMesh};
 use homolog_primitives::graph::EdgeGraph;
 use nalgebra::Point3;
 
-/// No triangle on the other side, or none that a line can be continued in.
+/// No triangle on the other side, or none in which a line can be continued.
 pub(super) const NOWHERE: u32 = u32::MAX;
 
 /// Triangles with neighbours. A side is one edge of one triangle; triangle `t` has sides `3t`, `3t + 1`, `3t + 2`.
@@ -34,7 +34,7 @@ pub(super) struct Side {
 
 impl Polyhedron {
     /// Cost `O(faces log faces)`.
-    pub fn new(mesh: &SurfaceMesh) -> Self {
+    pub(super) fn new(mesh: &SurfaceMesh) -> Self {
         let mut vertices = mesh.vertices().to_vec();
         let mut triangles: Vec<[u32; 3]> = Vec::with_capacity(4 * mesh.n_faces());
         for f in mesh.faces() {
@@ -63,14 +63,14 @@ impl Polyhedron {
         Polyhedron { vertices, sides, edges, fan_offsets, fans }
     }
 
-    /// The sides that `vertex` looks at: one for each of its triangles.
-    pub fn fan(&self, vertex: u32) -> &[u32] {
+    /// The sides opposite to `vertex`, one for each of its triangles.
+    pub(super) fn fan(&self, vertex: u32) -> &[u32] {
         let v = vertex as usize;
         &self.fans[self.fan_offsets[v] as usize..self.fan_offsets[v + 1] as usize]
     }
 
-    /// The other two sides of the triangle of `side`: the one that holds its corner `corner`, then the other.
-    pub fn sides_beyond(&self, side: u32, corner: u32) -> [u32; 2] {
+    /// The other two sides of the triangle of `side`: first the one that contains its corner `corner`.
+    pub(super) fn sides_beyond(&self, side: u32, corner: u32) -> [u32; 2] {
         let first = side - side % 3;
         let (next, last) = (first + (side + 1) % 3, first + (side + 2) % 3);
         if self.sides[side as usize].to == corner { [next, last] } else { [last, next] }
@@ -88,8 +88,8 @@ fn sides_of(corners: [u32; 3], vertices: &[Point3<f64>]) -> [Side; 3] {
     })
 }
 
-/// Joins the sides of every edge that has exactly two, and returns the edges, ascending. A line ends where there is
-/// one side or more than two, and at edges without a length, which have no frame.
+/// Joins the sides of every edge that has exactly two, and returns the edges, ascending. A line ends at an edge
+/// with one side or more than two, and at edges of length 0, which have no frame.
 fn join(sides: &mut [Side]) -> Vec<[u32; 2]> {
     let mut by_edge: Vec<([u32; 2], u32)> =
         sides.iter().enumerate().map(|(k, s)| ([s.from.min(s.to), s.from.max(s.to)], k as u32)).collect();

@@ -1,27 +1,27 @@
-//! Straight lines over a polyhedron: which vertices a vertex sees, and how far they are.
+//! Straight lines over a polyhedron: the vertices visible from a vertex, and their distances.
 //!
-//! The triangles around a vertex are laid flat with the vertex at the origin. Through the far side of each goes a
-//! cone of lines into the next triangle, which is laid flat beside it; where its apex falls into the cone, the apex
-//! is seen, and parts the cone in two. Sources: Chen, Han, "Shortest paths on a polyhedron", 1990, for the unfolding;
-//! Xin, Wang, "Improving Chen and Han's algorithm on the discrete geodesic problem", 2009, for leaving out cones in
-//! which every point is reached sooner by way of an end of the edge.
+//! The triangles around a vertex are unfolded into the plane with the vertex at the origin. A cone of lines passes
+//! through the far side of each into the next triangle, which is unfolded beside it; if the apex lies in the cone, it
+//! is visible and splits the cone in two. Sources: Chen, Han, "Shortest paths on a polyhedron", 1990, for the
+//! unfolding; Xin, Wang, "Improving Chen and Han's algorithm on the discrete geodesic problem", 2009, for discarding
+//! cones in which a path through an end of the edge is shorter to every point.
 
 use super::dijkstra::Dijkstra;
 use super::polyhedron::{NOWHERE, Polyhedron};
 use nalgebra::Vector2;
 
-/// By this share of its length a path has to be longer than another one to be left out: far above rounding, so that
-/// two paths of equal length never exclude each other.
+/// A path is discarded only if it is longer than another by more than this share: far above rounding, so that two paths
+/// of equal length never exclude each other.
 const SLACK: f64 = 1e-9;
 
-/// Cones that one vertex may send out: a hundred times what four rings of a regular mesh take. Lines wind about the
-/// tip of a needle of nearly no angle almost without end; there, distances stay upper bounds.
+/// Largest number of cones per vertex: a hundred times what four rings of a regular mesh need. Lines wind almost
+/// endlessly around the tip of a needle; there, distances remain upper bounds.
 const MAX_CONES: usize = 1 << 16;
 
 /// Scratch memory of [`StraightLines::from`].
 pub(super) struct StraightLines {
     search: Dijkstra,
-    /// Length of the shortest path known to every vertex, straight or not.
+    /// Length of the shortest known path to every vertex, straight or not.
     upper: Vec<f64>,
     /// Length of the shortest straight line to every vertex.
     straight: Vec<f64>,
@@ -36,7 +36,7 @@ struct Cone {
     side: u32,
     /// The end of that side that is on the right as seen from the origin.
     right_vertex: u32,
-    /// Where the ends of the side lie.
+    /// Positions of the ends of the side.
     right: Vector2<f64>,
     left: Vector2<f64>,
     /// Directions between which the lines lie.
@@ -45,7 +45,7 @@ struct Cone {
 }
 
 impl StraightLines {
-    pub fn new(polyhedron: &Polyhedron) -> Self {
+    pub(super) fn new(polyhedron: &Polyhedron) -> Self {
         let n = polyhedron.vertices.len();
         StraightLines {
             search: Dijkstra::new(n),
@@ -57,9 +57,9 @@ impl StraightLines {
         }
     }
 
-    /// The straight lines from `vertex` no longer than `bound` mm that may be shortest paths: where they end, and
-    /// their lengths. Every straight shortest path within the bound is among them.
-    pub fn from(&mut self, polyhedron: &Polyhedron, vertex: u32, bound: f64) -> Vec<(u32, f64)> {
+    /// The end vertices and lengths of the straight lines from `vertex` no longer than `bound` mm that may be shortest
+    /// paths. Every straight shortest path within the bound is among them.
+    pub(super) fn from(&mut self, polyhedron: &Polyhedron, vertex: u32, bound: f64) -> Vec<(u32, f64)> {
         let (upper, near) = (&mut self.upper, &mut self.near);
         self.search.visit(
             vertex,
@@ -97,7 +97,7 @@ impl StraightLines {
         row
     }
 
-    /// Lays the triangles of `vertex` flat, each for itself, and sends a cone through each of their far sides.
+    /// Unfolds each triangle of `vertex` and starts a cone through its far side.
     fn open_fan(&mut self, polyhedron: &Polyhedron, vertex: u32, bound: f64) {
         let at = polyhedron.vertices[vertex as usize];
         for &far in polyhedron.fan(vertex) {
@@ -123,7 +123,7 @@ impl StraightLines {
         let enters_at_from = side.from == cone.right_vertex;
         let left_vertex = if enters_at_from { side.to } else { side.from };
         let base = cone.left - cone.right;
-        // Where the outermost lines cut the side.
+        // Intersections of the outermost lines with the side.
         let cut = |ray: &Vector2<f64>, otherwise: f64| {
             let t = cone.right.perp(ray) / ray.perp(&base);
             cone.right + base * if t.is_finite() { t.clamp(0.0, 1.0) } else { otherwise }
@@ -138,7 +138,7 @@ impl StraightLines {
             return;
         }
         let along = if enters_at_from { side.along } else { 1.0 - side.along };
-        // Away from the origin, which sees the right end on the right.
+        // On the side away from the origin.
         let apex = cone.right + base * along + Vector2::new(base.y, -base.x) * side.height;
         let [beyond_right, beyond_left] = polyhedron.sides_beyond(cone.side, cone.right_vertex);
         let left_of_right_ray = cone.right_ray.perp(&apex) > 0.0;

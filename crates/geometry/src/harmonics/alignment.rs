@@ -1,7 +1,7 @@
-//! Registration by first-order ellipsoids: centre on centre, axes on axes.
+//! Registration by first-order ellipsoids, which aligns their centers and axes.
 //!
-//! Axes have no direction, so four proper rotations align them, half turns apart. The ellipsoids cannot tell which is
-//! right; the surfaces themselves can, by how close they come.
+//! Axes have no sign, so four proper rotations align them, which differ by rotations of 180°. The ellipsoids do not
+//! determine which is right; the distances of the surfaces do.
 
 use super::FirstOrderEllipsoid;
 use homolog_primitives::observe::{Cancelled, Observer, checkpoint};
@@ -12,11 +12,11 @@ use rayon::prelude::*;
 /// How ellipsoids are aligned.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct EllipsoidOptions {
-    /// Two half axes of one ellipsoid within this ratio leave the rotation about the third undetermined.
+    /// Two half axes of one ellipsoid within this ratio make the rotation about the third ambiguous.
     pub ambiguous_ratio: f64,
     /// Whether the pose with the smallest residual is chosen; otherwise the one with the smallest rotation.
     pub resolve: bool,
-    /// Source points at most on which residuals are measured, evenly by index.
+    /// Largest number of source points on which residuals are measured, evenly by index.
     pub max_sample: usize,
 }
 
@@ -37,24 +37,24 @@ pub struct EllipsoidPose {
     pub rms_mm: f64,
 }
 
-/// The four alignments, and which to take.
+/// The four alignments, and the chosen one.
 #[derive(Debug, Clone, PartialEq)]
 pub struct EllipsoidRegistration {
     /// All four, the smallest rotation first.
     pub poses: [EllipsoidPose; 4],
-    /// Index of the pose to take: 0, or that of the smallest residual where it was to be resolved.
+    /// Index of the chosen pose: 0, or that of the smallest residual with [`EllipsoidOptions::resolve`].
     pub chosen: usize,
     /// First over second and second over third half axis of the source's ellipsoid.
     pub source_axis_ratios: [f64; 2],
-    /// The same of the target's.
+    /// The same ratios of the target's ellipsoid.
     pub target_axis_ratios: [f64; 2],
-    /// Whether one of those four ratios is below the stated one: then there are more than four poses, and these four
-    /// are arbitrary ones of them.
+    /// Whether one of those four ratios is below [`EllipsoidOptions::ambiguous_ratio`]: then more than these four poses
+    /// align the ellipsoids.
     pub ambiguous_axes: bool,
 }
 
 impl EllipsoidRegistration {
-    /// The pose to take.
+    /// The chosen pose.
     pub fn pose(&self) -> &EllipsoidPose {
         &self.poses[self.chosen]
     }
@@ -68,7 +68,7 @@ impl EllipsoidRegistration {
 /// [`Cancelled`].
 ///
 /// # Cost
-/// Four closest-point queries a sampled point, on all cores; the same bits on any number of threads.
+/// Four closest-point queries per sampled point, on all threads; any number of threads gives the same bits.
 pub fn register_by_ellipsoids(
     source: &FirstOrderEllipsoid,
     target: &FirstOrderEllipsoid,

@@ -1,4 +1,4 @@
-//! The ellipsoid that spherical harmonics of degree 0 and 1 make of a surface.
+//! The first-order ellipsoid: the spherical harmonics of degree 0 and 1 of a surface.
 
 use super::sphere::{spherical_area, vertex_shares};
 use super::{HarmonicsError, Parametrization};
@@ -6,7 +6,7 @@ use homolog_mesh::SurfaceMesh;
 use nalgebra::{Matrix3, Matrix4, Matrix4x3, Point3, Vector3, Vector4};
 use std::f64::consts::PI;
 
-/// Ellipsoids with a half axis below this share of the longest are flat: their axes are not three.
+/// Ellipsoids with a half axis below this share of the longest count as flat.
 const FLAT_RTOL: f64 = 1e-6;
 
 /// `p(n) = center + A n` for unit vectors `n` of the parameter sphere, with the singular value decomposition of `A`.
@@ -14,21 +14,20 @@ const FLAT_RTOL: f64 = 1e-6;
 pub struct FirstOrderEllipsoid {
     /// The coefficient of degree 0 as a point, mm: the mean of the surface over the sphere.
     pub center: Point3<f64>,
-    /// Least-squares coefficients, mm, of the real spherical harmonics `Y₀⁰, Y₁⁻¹, Y₁⁰, Y₁¹` (orthonormal on the sphere),
-    /// a row each, for x, y and z.
+    /// Least-squares coefficients, mm, of the real spherical harmonics `Y₀⁰, Y₁⁻¹, Y₁⁰, Y₁¹` (orthonormal on the
+    /// sphere), a row each, for x, y and z.
     pub coefficients_mm: [[f64; 3]; 4],
     /// Singular values of `A`, mm, longest first.
     pub half_axes_mm: [f64; 3],
-    /// Directions of the half axes in space, as columns in their order; `det = +1`. Each may be turned round with
-    /// another: the ellipsoid does not tell.
+    /// Directions of the half axes in space, as columns in their order; `det = +1`. The signs of any two are arbitrary.
     pub axes: Matrix3<f64>,
-    /// The unit vectors of the parameter sphere that go to them, as columns: `A = axes · diag(half axes) · this ᵀ`.
+    /// The unit vectors of the parameter sphere that map to them, as columns: `A = axes · diag(half axes) · thisᵀ`.
     pub parameter_axes: Matrix3<f64>,
 }
 
 impl FirstOrderEllipsoid {
-    /// First over second half axis and second over third, each `≥ 1`; where one is near 1 the rotation about the
-    /// remaining axis is not determined.
+    /// First over second half axis and second over third, each `≥ 1`; if one is near 1, the rotation about the
+    /// remaining axis is ambiguous.
     pub fn axis_ratios(&self) -> [f64; 2] {
         let [a, b, c] = self.half_axes_mm;
         [a / b, b / c]
@@ -40,11 +39,10 @@ impl FirstOrderEllipsoid {
     }
 }
 
-/// Fits `Y₀⁰, Y₁⁻¹, Y₁⁰, Y₁¹` to the vertices of `mesh` at their places on the sphere.
+/// Fits `Y₀⁰, Y₁⁻¹, Y₁⁰, Y₁¹` to the vertices of `mesh` at their positions on the sphere.
 ///
-/// Vertices are weighted by their areas on the sphere, not on the surface: so the sums stand for integrals over the
-/// sphere, over which the harmonics are orthonormal, and the coefficients do not depend on where the mesh is fine. As
-/// the map nearly preserves areas, the difference is small.
+/// Vertices are weighted by their areas on the sphere, so that the sums approximate integrals over the sphere, where
+/// the harmonics are orthonormal, and the coefficients do not depend on the density of the mesh.
 ///
 /// # Errors
 /// [`HarmonicsError::Flat`].
@@ -59,7 +57,7 @@ pub fn first_order_ellipsoid(
     let triangles: Vec<[usize; 3]> = mesh.triangles().iter().map(|t| t.map(|k| k as usize)).collect();
     let areas: Vec<f64> = triangles.iter().map(|t| spherical_area(t.map(|k| directions[k]))).collect();
     let weights = vertex_shares(&triangles, &areas, mesh.n_vertices());
-    // About the centroid, so that a surface far from the origin loses no digits.
+    // About the centroid, so that a surface far from the origin keeps its precision.
     let origin = mesh.centroid();
     let (mut normal_matrix, mut right_side) = (Matrix4::<f64>::zeros(), Matrix4x3::<f64>::zeros());
     for ((p, n), &w) in mesh.vertices().iter().zip(directions).zip(&weights) {
@@ -67,7 +65,7 @@ pub fn first_order_ellipsoid(
         normal_matrix += w * basis * basis.transpose();
         right_side += w * basis * (p - origin).transpose();
     }
-    // Directions all over the sphere make the matrix nearly the identity; without a factor nothing could be fitted.
+    // Directions that cover the sphere make the matrix nearly the identity.
     let Some(factor) = normal_matrix.cholesky() else {
         return Err(HarmonicsError::Flat { half_axes_mm: [0.0; 3] });
     };

@@ -1,31 +1,28 @@
-//! The start of the parametrization: latitude and longitude by heat conduction.
+//! The initial map of the parametrization: latitude and longitude by heat conduction.
 //!
-//! One end of the surface is held hot, the other cold; the temperature in between gives a latitude. Heat then flows
-//! around, driven by a jump of a full turn across a date line from pole to pole, and gives a longitude. Both are linear
-//! systems with one equation a vertex (Brechbühler, Gerig, Kübler 1995).
+//! One pole of the surface is held hot, the other cold; the temperature in between gives a latitude. A second
+//! conduction problem, with a jump of 2π across a date line from pole to pole, gives a longitude. Both are linear
+//! systems with one equation per vertex (Brechbühler, Gerig, Kübler 1995).
 //!
-//! Two choices differ from theirs. The poles are the extremes along the longest principal axis rather than along z, so
-//! that a moved copy has the same poles. And the temperature orders the vertices but is far from even (it changes fast
-//! near the poles), so each level is put at the latitude that cuts off the same share of the sphere as the level cuts
-//! off the surface.
+//! Two choices differ from theirs. The poles are the extremes along the longest principal axis instead of z, so that a
+//! moved copy has the same poles. And since the temperature changes fast near the poles, each isotherm is mapped to the
+//! latitude that encloses the same share of the sphere as the isotherm encloses of the surface.
 
 use super::HarmonicsError;
 use super::sphere::TargetAreas;
 use super::weights::WeightedEdges;
-use faer::linalg::solvers::Solve;
-use faer::sparse::{SparseColMat, Triplet};
-use faer::{Mat, Side};
+use crate::sparse::{CholeskyPattern, Place};
 use homolog_mesh::SurfaceMesh;
 use nalgebra::{Matrix3, Vector3};
 use std::f64::consts::{PI, TAU};
 
-/// Two vertices that lie farthest apart along the longest principal axis of the surface.
+/// The two extreme vertices along the longest principal axis of the surface.
 struct Poles {
     north: usize,
     south: usize,
 }
 
-/// Unit vectors for all vertices, one to one but for a few folded triangles.
+/// A unit vector for every vertex; a few triangles may be folded.
 ///
 /// # Errors
 /// [`HarmonicsError::TooCoarse`], [`HarmonicsError::NotPositiveDefinite`].
@@ -77,19 +74,20 @@ fn find_poles(mesh: &SurfaceMesh, vertex_areas: &[f64]) -> Poles {
     Poles { north, south }
 }
 
-/// Solves `Σ_j w_ij (x_i − x_j) = b_i` for the vertices that are not `held`, with `held` ones at their values.
+/// Solves `Σ_j w_ij (x_i − x_j) = b_i` for the vertices that are not `held`; those are at their given values.
 fn conduct(edges: &WeightedEdges, held: &[Option<f64>], mut b: Vec<f64>) -> Result<Vec<f64>, HarmonicsError> {
     let mut unknown = vec![usize::MAX; held.len()];
     let free: Vec<usize> = (0..held.len()).filter(|&k| held[k].is_none()).collect();
     for (row, &k) in free.iter().enumerate() {
         unknown[k] = row;
     }
-    let mut entries = Vec::with_capacity(edges.graph.n_directed_edges() / 2 + free.len());
+    let capacity = edges.graph.n_directed_edges() / 2 + free.len();
+    let (mut places, mut values) = (Vec::with_capacity(capacity), Vec::with_capacity(capacity));
     for (row, &k) in free.iter().enumerate() {
         let mut diagonal = 0.0;
         for (j, w) in edges.neighbors(k) {
             match held[j] {
-                // A value that is not a number marks a vertex that takes no part.
+                // NaN marks a vertex that is left out of the system.
                 Some(value) if value.is_nan() => {}
                 Some(value) => {
                     diagonal += w;
@@ -98,18 +96,20 @@ fn conduct(edges: &WeightedEdges, held: &[Option<f64>], mut b: Vec<f64>) -> Resu
                 None => {
                     diagonal += w;
                     if unknown[j] < row {
-                        entries.push(Triplet::new(row, unknown[j], -w));
+                        places.push(Place::new(row, unknown[j]));
+                        values.push(-w);
                     }
                 }
             }
         }
-        entries.push(Triplet::new(row, row, diagonal));
+        places.push(Place::new(row, row));
+        values.push(diagonal);
     }
     let n = free.len();
     let failed = HarmonicsError::NotPositiveDefinite;
-    let Ok(matrix) = SparseColMat::<usize, f64>::try_new_from_triplets(n, n, &entries) else { return Err(failed) };
-    let Ok(factor) = matrix.sp_cholesky(Side::Lower) else { return Err(failed) };
-    let solved = factor.solve(&Mat::from_fn(n, 1, |row, _| b[free[row]]));
+    let factor =
+        CholeskyPattern::new(n, &places).and_then(|pattern| pattern.factorize(&values)).ok_or(failed.clone())?;
+    let solved = factor.solve(n, 1, &|row, _| b[free[row]]);
     let x: Vec<f64> = (0..held.len()).map(|k| held[k].unwrap_or_else(|| solved[(unknown[k], 0)])).collect();
     if free.iter().any(|&k| !x[k].is_finite()) { Err(failed) } else { Ok(x) }
 }
@@ -122,7 +122,7 @@ fn temperatures(edges: &WeightedEdges, poles: &Poles) -> Result<Vec<f64>, Harmon
     conduct(edges, &held, vec![0.0; held.len()])
 }
 
-/// The longitude of every vertex but the poles, radians, any multiple of a turn added.
+/// The longitude of every vertex but the poles, radians, up to multiples of 2π.
 fn longitudes(edges: &WeightedEdges, poles: &Poles, temperature: &[f64]) -> Result<Vec<f64>, HarmonicsError> {
     let line = date_line(edges, poles, temperature);
     let [_, first, .., _] = line[..] else {
@@ -131,10 +131,10 @@ fn longitudes(edges: &WeightedEdges, poles: &Poles, temperature: &[f64]) -> Resu
     let mut b = vec![0.0; edges.n_vertices()];
     for at in line.windows(3) {
         let [before, here, after] = [at[0], at[1], at[2]];
-        // Looking south from outside, west is to the right: from the pole counter-clockwise to the way on.
+        // Facing south on the outside, west is to the right: counter-clockwise from the previous vertex to the next.
         for west in edges.between(here as u32, before as u32, after as u32) {
             let west = west as usize;
-            // Across the date line a neighbour to the west is a turn ahead.
+            // Across the date line a neighbor to the west is 2π ahead.
             if let Some((_, w)) = edges.neighbors(here).find(|&(j, _)| j == west) {
                 b[here] -= w * TAU;
                 b[west] += w * TAU;
@@ -142,15 +142,15 @@ fn longitudes(edges: &WeightedEdges, poles: &Poles, temperature: &[f64]) -> Resu
         }
     }
     let mut held = vec![None; edges.n_vertices()];
-    // The poles have no longitude; and one vertex fixes where the others are counted from.
+    // The poles have no longitude, and one vertex fixes the zero.
     held[poles.north] = Some(f64::NAN);
     held[poles.south] = Some(f64::NAN);
     held[first] = Some(0.0);
     conduct(edges, &held, b)
 }
 
-/// The way from the north to the south pole by the warmest neighbour. Temperatures have no maximum in between, so it
-/// arrives; and it has no short cuts, because the way would have taken them.
+/// The path from the north to the south pole by the warmest neighbor. The temperature has no maximum in between, so the
+/// path arrives, and no two of its vertices are neighbors unless consecutive.
 fn date_line(edges: &WeightedEdges, poles: &Poles, temperature: &[f64]) -> Vec<usize> {
     let mut line = vec![poles.north];
     let mut here = poles.north;
@@ -158,7 +158,7 @@ fn date_line(edges: &WeightedEdges, poles: &Poles, temperature: &[f64]) -> Vec<u
         let warmest =
             edges.neighbors(here).map(|(j, _)| j).reduce(|a, b| if temperature[b] > temperature[a] { b } else { a });
         match warmest {
-            // Rounding could make a plateau; the line ends there, and the caller finds the map folded.
+            // Rounding could create a plateau, where the path ends and the map gets folds.
             Some(next) if temperature[next] > temperature[here] => here = next,
             _ => break,
         }
@@ -167,10 +167,10 @@ fn date_line(edges: &WeightedEdges, poles: &Poles, temperature: &[f64]) -> Vec<u
     line
 }
 
-/// `cos` of the latitude's angle from the north pole, for every vertex: the share of the surface that is colder, turned
-/// into the height that cuts off the same share of the unit sphere.
+/// For every vertex the height `z` on the unit sphere above which the share of the sphere equals the share of the
+/// surface that is colder than the vertex.
 ///
-/// The area of a triangle is taken to be spread evenly over the temperatures of its corners.
+/// The area of a triangle is assumed to be uniform over the range of the temperatures of its corners.
 fn equal_area_heights(temperature: &[f64], areas: &TargetAreas) -> Vec<f64> {
     let n = temperature.len();
     let mut order: Vec<usize> = (0..n).collect();
@@ -179,7 +179,7 @@ fn equal_area_heights(temperature: &[f64], areas: &TargetAreas) -> Vec<f64> {
     for (r, &k) in order.iter().enumerate() {
         rank[k] = r;
     }
-    // Change of the density (area a degree) at each rank, and area that lies at one temperature only.
+    // Change of the density (area per temperature) at each rank, and area at a single temperature.
     let (mut bends, mut jumps) = (vec![0.0; n], vec![0.0; n]);
     for (t, area) in areas.triangles.iter().zip(&areas.areas) {
         let (mut low, mut high) = (t[0], t[0]);

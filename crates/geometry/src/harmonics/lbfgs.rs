@@ -1,18 +1,18 @@
 //! Limited-memory BFGS with a preconditioner and a backtracking line search.
 //!
-//! Source: Nocedal, Wright, *Numerical Optimization*, 2006, algorithms 7.4 and 3.1; the preconditioner is the first
-//! guess at the inverse Hessian, scaled as in their equation 7.20.
+//! Source: Nocedal, Wright, *Numerical Optimization*, 2006, algorithms 7.4 and 3.1; the preconditioner is the
+//! initial inverse Hessian, scaled as in their equation 7.20.
 
 use homolog_primitives::observe::{Cancelled, Observer, checkpoint};
 use std::collections::VecDeque;
 
-/// Pairs of steps and gradient changes that are remembered.
+/// Number of stored pairs of steps and gradient changes.
 const MEMORY: usize = 10;
-/// A step is taken if the value falls by at least this share of what the slope promises.
+/// A step is accepted if the value falls by at least this share of the linear prediction (Armijo condition).
 const SUFFICIENT: f64 = 1e-4;
-/// Halvings of a step at most.
+/// Largest number of halvings of a step.
 const HALVINGS: usize = 40;
-/// Steps over which the fall of the value is judged.
+/// Number of steps over which the decrease of the value is measured.
 const WINDOW: usize = 10;
 
 /// A function to minimize.
@@ -23,7 +23,7 @@ pub(super) trait Objective {
     fn precondition(&self, v: &[f64]) -> Vec<f64>;
 }
 
-/// Where the minimization ended.
+/// The result of a minimization.
 pub(super) struct Minimum {
     pub x: Vec<f64>,
     pub iterations: u32,
@@ -58,7 +58,7 @@ pub(super) fn minimize(
         let direction = descent_direction(objective, &gradient, &memory, scale);
         let Some(step) = line_search(objective, &x, value, &gradient, &direction) else {
             if memory.is_empty() {
-                // Not even the preconditioned gradient goes down: this is a minimum, to rounding.
+                // Not even the preconditioned gradient is a descent direction: a minimum to rounding.
                 return Ok(Minimum { x, iterations, converged: true });
             }
             memory.clear();
@@ -67,7 +67,7 @@ pub(super) fn minimize(
         let moved = difference(&step.x, &x);
         let change = difference(&step.gradient, &gradient);
         let product = dot(&moved, &change);
-        // A pair without positive curvature would make the next direction no descent.
+        // A pair without positive curvature could make the next direction ascend.
         if product > 1e-12 * dot(&moved, &moved).sqrt() * dot(&change, &change).sqrt() {
             scale = product / dot(&change, &objective.precondition(&change));
             memory.push_back(Pair { step: moved, change, inverse_product: 1.0 / product });
@@ -88,7 +88,7 @@ pub(super) fn minimize(
     Ok(Minimum { x, iterations, converged: false })
 }
 
-/// The negative gradient times the inverse Hessian that the remembered pairs imply (two-loop recursion).
+/// The negative gradient times the inverse Hessian implied by the stored pairs (two-loop recursion).
 fn descent_direction(objective: &dyn Objective, gradient: &[f64], memory: &VecDeque<Pair>, scale: f64) -> Vec<f64> {
     let mut q = gradient.to_vec();
     let mut shares = Vec::with_capacity(memory.len());
@@ -113,7 +113,7 @@ struct Evaluated {
     gradient: Vec<f64>,
 }
 
-/// Halves the step until the value falls enough; `None` if it never does.
+/// Halves the step until the value falls sufficiently; `None` if it never does.
 fn line_search(
     objective: &dyn Objective,
     x: &[f64],
@@ -176,7 +176,7 @@ mod tests {
     }
 
     #[test]
-    fn the_end_of_a_curved_valley_is_reached() {
+    fn the_minimum_of_a_curved_valley_is_reached() {
         let found = minimize(&Valley, vec![-1.2, 1.0], 500, 1e-14, &Silent).unwrap();
         assert!(found.converged && (found.x[0] - 1.0).abs() < 1e-6 && (found.x[1] - 1.0).abs() < 1e-6, "{:?}", found.x);
         let short = minimize(&Valley, vec![-1.2, 1.0], 3, 1e-14, &Silent).unwrap();

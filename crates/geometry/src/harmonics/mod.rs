@@ -1,14 +1,14 @@
 //! First-order spherical harmonics of closed surfaces, and the registration by their ellipsoids.
 //!
-//! A surface of genus 0 is mapped one to one onto the unit sphere ([`parametrize`]); the spherical harmonics of degree 0
-//! and 1 that fit its points best over that sphere make an ellipsoid, the *first-order ellipsoid*
-//! ([`first_order_ellipsoid`]); two surfaces are registered by laying the axes of one ellipsoid on those of the other
-//! ([`register_by_ellipsoids`]). It is the classic baseline of shape analysis: global, without any choice of start, and
-//! blind to which end of an axis is which.
+//! A surface of genus 0 is mapped one to one onto the unit sphere ([`parametrize`]); the spherical harmonics of degree
+//! 0 and 1 that fit its points best over that sphere make an ellipsoid, the *first-order ellipsoid*
+//! ([`first_order_ellipsoid`]); two surfaces are registered by aligning the axes of their ellipsoids
+//! ([`register_by_ellipsoids`]). This is the classic baseline of shape analysis: global, without an initial pose, and
+//! ambiguous in the sign of the axes.
 //!
 //! Source: Brechbühler, Gerig, Kübler, "Parametrization of closed surfaces for 3-D shape description", Computer Vision
-//! and Image Understanding 61(2), 1995. The start by heat conduction is theirs; the optimization after it has their
-//! aims (equal areas, least distortion, no fold) by other means, see `relaxation`.
+//! and Image Understanding 61(2), 1995. The initial map by heat conduction is theirs; the optimization has the same
+//! aims (equal areas, least distortion, no fold) but another method, see `relaxation`.
 
 mod alignment;
 mod first_order;
@@ -27,29 +27,29 @@ use homolog_mesh::topology::{SurfaceFault, analyze};
 use homolog_primitives::observe::{Cancelled, Observer};
 use nalgebra::Vector3;
 
-/// Why a surface has no parametrization, or two have no registration by it.
+/// Why a surface has no parametrization or no first-order ellipsoid.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum HarmonicsError {
     /// The surface is not a closed outward surface of genus 0.
     #[error(transparent)]
     Surface(#[from] SurfaceFault),
-    /// A vertex belongs to no face, so that nothing says where on the sphere it goes.
+    /// A vertex belongs to no face, so its position on the sphere is undetermined.
     #[error("vertex {vertex} belongs to no face")]
     UnusedVertex {
         /// The first such vertex.
         vertex: u32,
     },
-    /// The two ends of the surface are neighbours: there is nothing between them to give a latitude to.
-    #[error("{n_vertices} vertices are too few to tell two ends of the surface apart")]
+    /// The two poles of the surface are neighbors.
+    #[error("{n_vertices} vertices are too few to separate the two ends of the surface")]
     TooCoarse {
         /// Vertices there are.
         n_vertices: usize,
     },
-    /// A linear system of the heat conduction has no unique solution.
-    #[error("heat conduction over the surface is not determined: parts of it hang together at two vertices only")]
+    /// The linear system of the heat conduction has no unique solution.
+    #[error("heat conduction over the surface has no unique solution: parts of it are connected at two vertices only")]
     NotPositiveDefinite,
-    /// The start could not be freed of folds.
-    #[error("{n_triangles} triangles stay folded on the sphere")]
+    /// The folds of the initial map could not be removed.
+    #[error("{n_triangles} triangles remain folded on the sphere")]
     Folded {
         /// Triangles of negative area on the sphere.
         n_triangles: usize,
@@ -68,12 +68,12 @@ pub enum HarmonicsError {
 /// How a surface is mapped onto the sphere.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ParametrizationOptions {
-    /// Steps of the optimization at most.
+    /// Largest number of optimization steps.
     pub max_iterations: u32,
-    /// It ends when the energy falls by less than this share over ten steps.
+    /// The optimization ends when the energy falls by less than this share over ten steps.
     pub tolerance: f64,
-    /// Weight of the stretching energy against the area energy; small and positive. At 0 any area-preserving map would
-    /// be as good as any other.
+    /// Weight of the stretching energy against the area energy; small and positive. At 0 all area-preserving maps
+    /// would be equally good.
     pub stretching: f64,
 }
 
@@ -86,32 +86,30 @@ impl Default for ParametrizationOptions {
 /// A one-to-one map of a surface onto the unit sphere.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Parametrization {
-    /// Where every vertex lies on the unit sphere. All triangles (quads cut along their first diagonal) keep their
+    /// Position of every vertex on the unit sphere. All triangles (quads cut along their first diagonal) keep their
     /// orientation there and cover the sphere once.
     pub directions: Vec<Vector3<f64>>,
     /// Area-weighted root mean square of `area on the sphere / area on the surface − 1`, both scaled to sum 1; 0 is an
     /// area-preserving map.
     pub area_distortion: f64,
-    /// Triangles that the start had folded.
+    /// Number of triangles that the initial map had folded.
     pub n_unfolded: usize,
-    /// Steps of the optimization.
+    /// Number of optimization steps.
     pub iterations: u32,
-    /// Whether it ended by its tolerance.
+    /// Whether the optimization ended by its tolerance.
     pub converged: bool,
 }
 
-/// Maps `mesh` onto the unit sphere, with areas as equal and stretching as small as `options` weigh them.
+/// Maps `mesh` onto the unit sphere with equal areas and little stretching, weighted by `options`.
 ///
-/// The map depends on the surface only, not on where it lies: a moved copy gets the same map up to a rotation of the
-/// sphere and rounding.
+/// The map does not depend on the pose: a moved copy has the same map up to a rotation of the sphere and rounding.
 ///
 /// # Errors
 /// [`HarmonicsError`]: a surface that is not closed, not of genus 0 or degenerate; [`HarmonicsError::Folded`];
 /// [`HarmonicsError::Cancelled`].
 ///
 /// # Cost
-/// Three sparse Cholesky factorizations and up to `max_iterations` steps of `O(n log n)`; one thread, the same bits
-/// everywhere.
+/// Three sparse Cholesky factorizations and up to `max_iterations` steps of `O(n log n)`, on one thread.
 pub fn parametrize(
     mesh: &SurfaceMesh,
     options: &ParametrizationOptions,

@@ -1,30 +1,26 @@
-//! Evens out a map onto the sphere: equal areas first, then as little stretching as they leave.
+//! Optimizes a map onto the sphere: equal areas first, then little stretching.
 //!
 //! The energy of a map that takes vertex `i` to the unit vector `nᵢ` is
 //!
 //! `E = Σ_f 2 A_f² / det_f + μ/2 Σ_ij w_ij ‖nᵢ − nⱼ‖²`
 //!
-//! with the wanted area `A_f` of triangle `f`, the determinant `det_f` of its corners (twice its area on the sphere,
-//! nearly) and the weights of the edges. As the areas on the sphere sum to `4π` whatever the map, the first sum is
-//! smallest where they are the wanted ones; and it grows beyond all bounds as a triangle collapses, so that a descent
-//! from a map without folds keeps it without folds. The second sum chooses among the area-preserving maps, of which
-//! there are many, the one that stretches least.
+//! with the target area `A_f` of triangle `f`, the determinant `det_f` of its corners (nearly twice its area on the
+//! sphere) and the weights `w_ij` of the edges. As the areas on the sphere always sum to `4π`, the first sum is
+//! smallest when they equal the target areas; it diverges as a triangle collapses, so a descent from a map without
+//! folds creates none. The second sum selects the one that stretches least among the many area-preserving maps.
 //!
-//! Area term and stretching are both of the kind of a Laplacian, so the Laplacian of the surface is the preconditioner:
-//! it makes the number of steps nearly independent of the number of vertices.
+//! The Hessians of both terms resemble a Laplacian, so the Laplacian of the surface is the preconditioner. With it the
+//! number of steps hardly depends on the number of vertices.
 //!
-//! Source: the aims of Brechbühler, Gerig, Kübler 1995 (areas as constraints, stretching as objective), brought into
-//! one energy with a barrier; the barrier is that of symmetric distortion energies (Smith, Schaefer, ACM Trans. Graph.
-//! 34(4), 2015).
+//! Source: the objective and constraints of Brechbühler, Gerig, Kübler 1995 (stretching, areas) combined in one energy
+//! with a barrier; the barrier is that of symmetric distortion energies (Smith, Schaefer, ACM Trans. Graph. 34(4),
+//! 2015).
 
 use super::lbfgs::{self, Objective};
 use super::sphere::{TargetAreas, determinant};
 use super::weights::WeightedEdges;
 use super::{HarmonicsError, ParametrizationOptions};
-use faer::linalg::solvers::Solve;
-use faer::sparse::linalg::solvers::Llt;
-use faer::sparse::{SparseColMat, Triplet};
-use faer::{Mat, Side};
+use crate::sparse::{Cholesky, CholeskyPattern, Place};
 use homolog_primitives::observe::Observer;
 use nalgebra::Vector3;
 
@@ -35,7 +31,7 @@ pub(super) struct Relaxed {
     pub converged: bool,
 }
 
-/// Lowers the energy of the map `directions`, which must have no folds, and will have none.
+/// Minimizes the energy of the map `directions`, which must have no folds and keeps none.
 ///
 /// # Errors
 /// [`HarmonicsError::NotPositiveDefinite`]; [`HarmonicsError::Cancelled`].
@@ -53,34 +49,36 @@ pub(super) fn relax(
     Ok(Relaxed { directions, iterations: minimum.iterations, converged: minimum.converged })
 }
 
-/// `2 L + M`: twice the Laplacian, as the area term weighs it, and the masses that make it definite.
-fn preconditioner(edges: &WeightedEdges, areas: &TargetAreas) -> Result<Llt<usize, f64>, HarmonicsError> {
+/// `2 L + M`: twice the Laplacian, as in the Hessian of the area term, and the masses that make it definite.
+fn preconditioner(edges: &WeightedEdges, areas: &TargetAreas) -> Result<Cholesky, HarmonicsError> {
     let n = edges.n_vertices();
     let masses = areas.of_vertices();
-    let mut entries = Vec::with_capacity(edges.graph.n_directed_edges() / 2 + n);
+    let capacity = edges.graph.n_directed_edges() / 2 + n;
+    let (mut places, mut values) = (Vec::with_capacity(capacity), Vec::with_capacity(capacity));
     for (i, mass) in masses.iter().enumerate() {
         let mut diagonal = *mass;
         for (j, w) in edges.neighbors(i) {
             diagonal += 2.0 * w;
             if j < i {
-                entries.push(Triplet::new(i, j, -2.0 * w));
+                places.push(Place::new(i, j));
+                values.push(-2.0 * w);
             }
         }
-        entries.push(Triplet::new(i, i, diagonal));
+        places.push(Place::new(i, i));
+        values.push(diagonal);
     }
-    SparseColMat::<usize, f64>::try_new_from_triplets(n, n, &entries)
-        .ok()
-        .and_then(|matrix| matrix.sp_cholesky(Side::Lower).ok())
+    CholeskyPattern::new(n, &places)
+        .and_then(|pattern| pattern.factorize(&values))
         .ok_or(HarmonicsError::NotPositiveDefinite)
 }
 
-/// The energy as a function of any vectors, of which only the directions count. So no step needs to keep to the sphere,
-/// and gradients of different steps can be compared.
+/// The energy as a function of arbitrary vectors, of which only the directions matter. So steps need not stay on the
+/// sphere, and gradients at different points can be compared.
 struct MapEnergy<'a> {
     edges: &'a WeightedEdges,
     areas: &'a TargetAreas,
     stretching: f64,
-    factor: Llt<usize, f64>,
+    factor: Cholesky,
 }
 
 fn points(x: &[f64]) -> impl Iterator<Item = Vector3<f64>> {
@@ -108,7 +106,7 @@ impl Objective for MapEnergy<'_> {
         for (i, p) in directions.iter().enumerate() {
             for (j, w) in self.edges.neighbors(i) {
                 let apart = p - directions[j];
-                // Every edge comes twice, once from each end.
+                // Every edge occurs twice, once from each end.
                 value += self.stretching * w * apart.norm_squared() / 4.0;
                 slopes[i] += self.stretching * w * apart;
             }
@@ -124,7 +122,7 @@ impl Objective for MapEnergy<'_> {
 
     fn precondition(&self, v: &[f64]) -> Vec<f64> {
         let n = v.len() / 3;
-        let solved = self.factor.solve(&Mat::from_fn(n, 3, |i, k| v[3 * i + k]));
+        let solved = self.factor.solve(n, 3, &|i, k| v[3 * i + k]);
         (0..3 * n).map(|at| solved[(at / 3, at % 3)]).collect()
     }
 }

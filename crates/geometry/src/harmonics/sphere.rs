@@ -1,13 +1,13 @@
-//! Areas of triangles on the unit sphere, and those they should have.
+//! Areas of triangles on the unit sphere, and their target areas.
 
 use homolog_mesh::SurfaceMesh;
 use nalgebra::Vector3;
 use std::f64::consts::PI;
 
-/// No triangle is to be smaller than this share of the mean, so that degenerate ones, too, keep a place on the sphere.
+/// Smallest target area as a share of the mean, so that degenerate triangles have a positive area on the sphere.
 const SMALLEST_SHARE: f64 = 1e-2;
 
-/// The triangles of a surface and the area, on the unit sphere, that each is to have; they sum to `4π`.
+/// The triangles of a surface and their target areas on the unit sphere, which sum to `4π`.
 pub(super) struct TargetAreas {
     pub triangles: Vec<[usize; 3]>,
     pub areas: Vec<f64>,
@@ -15,7 +15,7 @@ pub(super) struct TargetAreas {
 }
 
 impl TargetAreas {
-    pub fn new(mesh: &SurfaceMesh) -> Self {
+    pub(super) fn new(mesh: &SurfaceMesh) -> Self {
         let triangles: Vec<[usize; 3]> = mesh.triangles().iter().map(|t| t.map(|k| k as usize)).collect();
         let v = mesh.vertices();
         let mut areas: Vec<f64> =
@@ -31,20 +31,20 @@ impl TargetAreas {
         TargetAreas { triangles, areas, n_vertices: mesh.n_vertices() }
     }
 
-    /// A third of the areas of its triangles for every vertex.
-    pub fn of_vertices(&self) -> Vec<f64> {
+    /// For every vertex a third of the target areas of its triangles.
+    pub(super) fn of_vertices(&self) -> Vec<f64> {
         vertex_shares(&self.triangles, &self.areas, self.n_vertices)
     }
 
     /// Triangles whose determinant is at most twice `share` of their area: folded for `0`, crushed for a little more.
-    pub fn smaller_than(&self, share: f64, directions: &[Vector3<f64>]) -> Vec<usize> {
+    pub(super) fn smaller_than(&self, share: f64, directions: &[Vector3<f64>]) -> Vec<usize> {
         (0..self.triangles.len())
             .filter(|&f| determinant(self.triangles[f].map(|k| directions[k])) <= 2.0 * share * self.areas[f])
             .collect()
     }
 
-    /// Area-weighted root mean square of `area on the sphere / wanted area − 1`.
-    pub fn distortion(&self, directions: &[Vector3<f64>]) -> f64 {
+    /// Area-weighted root mean square of `area on the sphere / target area − 1`.
+    pub(super) fn distortion(&self, directions: &[Vector3<f64>]) -> f64 {
         let squares: f64 = self
             .triangles
             .iter()
@@ -58,7 +58,7 @@ impl TargetAreas {
     }
 }
 
-/// `values` of triangles shared out to their corners, a third each.
+/// `values` of triangles distributed to their corners, a third each.
 pub(super) fn vertex_shares(triangles: &[[usize; 3]], values: &[f64], n_vertices: usize) -> Vec<f64> {
     let mut shares = vec![0.0; n_vertices];
     for (t, value) in triangles.iter().zip(values) {
@@ -69,8 +69,8 @@ pub(super) fn vertex_shares(triangles: &[[usize; 3]], values: &[f64], n_vertices
     shares
 }
 
-/// `a · (b × c)` of three unit vectors: positive where they run counter-clockwise seen from outside the sphere, and
-/// nearly twice the area of their triangle where that is small.
+/// `a · (b × c)` of three unit vectors: positive if they are counter-clockwise seen from outside the sphere, and nearly
+/// twice the area of a small triangle.
 pub(super) fn determinant([a, b, c]: [Vector3<f64>; 3]) -> f64 {
     a.dot(&b.cross(&c))
 }
@@ -94,8 +94,8 @@ mod tests {
     }
 
     #[test]
-    fn small_areas_are_those_of_girards_excess_and_half_the_determinant() {
-        // The slow way: angles between the great circles that bound the triangle.
+    fn areas_equal_the_spherical_excess_and_approach_half_the_determinant() {
+        // By definition, from the angles between the great circles that bound the triangle.
         let girard = |[a, b, c]: [Vector3<f64>; 3]| {
             let corner = |p: Vector3<f64>, q: Vector3<f64>, r: Vector3<f64>| p.cross(&q).angle(&p.cross(&r));
             corner(a, b, c) + corner(b, c, a) + corner(c, a, b) - PI

@@ -66,7 +66,7 @@ fn voxel_phantom(seed: u64) -> SurfaceMesh {
 }
 
 #[test]
-fn maps_are_one_to_one_and_even() {
+fn maps_are_one_to_one_and_nearly_area_preserving() {
     let mut shapes = vec![
         ("sphere".to_owned(), ellipsoid(Vector3::new(5.0, 5.0, 5.0), 3), 0.02),
         ("ellipsoid".to_owned(), ellipsoid(Vector3::new(20.0, 9.0, 6.0), 4), 0.1),
@@ -123,7 +123,7 @@ fn the_axes_of_an_ellipsoid_are_found() {
 }
 
 #[test]
-fn a_moved_copy_is_found_up_to_half_turns() {
+fn a_moved_copy_is_found_up_to_rotations_by_180_degrees() {
     let mut widest: f64 = 0.0;
     let shapes = [
         ellipsoid(Vector3::new(20.0, 9.0, 5.0), 3),
@@ -154,7 +154,7 @@ fn shuffled(mesh: &SurfaceMesh, seed: u64) -> SurfaceMesh {
 }
 
 #[test]
-fn numbering_the_vertices_otherwise_changes_nothing() {
+fn renumbering_the_vertices_does_not_change_the_result() {
     let mesh = Phantom::new(7).surface(1.2).unwrap().mesh;
     let motion = random_pose(3);
     let found = register(&mesh, &shuffled(&mesh.transformed(&motion), 5));
@@ -164,7 +164,7 @@ fn numbering_the_vertices_otherwise_changes_nothing() {
 }
 
 #[test]
-fn another_mesh_of_the_same_subject_and_a_deformed_one_are_found_nearly() {
+fn another_mesh_of_the_same_subject_and_a_deformed_one_are_found_approximately() {
     for seed in 0..4 {
         let recipe = PairRecipe {
             subject: seed,
@@ -198,7 +198,7 @@ fn another_mesh_of_the_same_subject_and_a_deformed_one_are_found_nearly() {
 }
 
 #[test]
-fn residuals_choose_among_half_turns_only_on_request() {
+fn residuals_choose_among_the_four_poses_only_with_resolve() {
     let mesh = Phantom::new(5).surface(1.2).unwrap().mesh;
     let motion = random_pose(31);
     let target = mesh.transformed(&motion);
@@ -227,7 +227,7 @@ fn near_spheres_and_cubes_are_reported_as_ambiguous() {
 }
 
 #[test]
-fn the_same_map_comes_out_on_any_number_of_threads() {
+fn any_number_of_threads_gives_the_same_map() {
     let mesh = Phantom::new(1).surface(1.5).unwrap().mesh;
     let with = |threads| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
@@ -237,7 +237,7 @@ fn the_same_map_comes_out_on_any_number_of_threads() {
 }
 
 #[test]
-fn what_cannot_be_mapped_is_named() {
+fn surfaces_that_cannot_be_mapped_are_rejected_with_their_fault() {
     let fails = |mesh: &SurfaceMesh| parametrize(mesh, &ParametrizationOptions::default(), &Silent).unwrap_err();
     let ring = torus(9.0, 3.0, 24, 12, FaceArity::Quad);
     assert_eq!(fails(&ring), HarmonicsError::Surface(SurfaceFault::Genus { genus: 1 }));

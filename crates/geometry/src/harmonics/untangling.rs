@@ -1,7 +1,7 @@
-//! Takes the folds out of the start: around them, vertices move to the mean of their neighbours.
+//! Removes the folds of the initial map: vertices near them move to the weighted mean of their neighbors.
 //!
-//! The mean with positive weights, with the surroundings held, is Tutte's drawing of the patch on the sphere, which has
-//! no folds where the patch is convex. Patches grow for as long as folds stay.
+//! With positive weights and a fixed boundary this is Tutte's embedding of the patch on the sphere, which has no folds
+//! if the patch is convex. Patches grow as long as folds remain.
 
 use super::HarmonicsError;
 use super::sphere::TargetAreas;
@@ -9,22 +9,22 @@ use super::weights::WeightedEdges;
 use homolog_primitives::observe::{Observer, checkpoint};
 use nalgebra::Vector3;
 
-/// Triangles smaller than this share of their wanted area count as folded in the first rounds: they would slow the
-/// optimization. Later ones mend true folds only, because large patches would shrink.
+/// Triangles smaller than this share of their target area count as folded in the first rounds, because they would slow
+/// the optimization. Later rounds treat true folds only, because large patches would shrink.
 const CRUSHED: f64 = 1e-3;
 const CRUSHED_ROUNDS: usize = 6;
-/// Rounds at most, sweeps a round, and rounds after which patches grow by a ring.
+/// Largest number of rounds, sweeps per round, and rounds after which patches grow by a ring.
 const ROUNDS: usize = 60;
 const SWEEPS: usize = 20;
 const ROUNDS_A_RING: usize = 3;
 
-/// Moves vertices of `directions` until no triangle is folded or crushed; returns how many were folded at first.
+/// Moves vertices of `directions` until no triangle is folded or crushed; returns how many were folded initially.
 ///
 /// # Errors
 /// [`HarmonicsError::Folded`]; [`HarmonicsError::Cancelled`].
 ///
 /// # Cost
-/// `O(n)` a round, of which a start by heat conduction rarely needs more than a few.
+/// `O(n)` per round; an initial map by heat conduction rarely needs more than a few rounds.
 pub(super) fn untangle(
     directions: &mut [Vector3<f64>],
     edges: &WeightedEdges,

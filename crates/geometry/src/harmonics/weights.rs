@@ -1,4 +1,4 @@
-//! The edges of a surface with their conductances, and the order of the neighbours around a vertex.
+//! The edges of a surface with their conductances, and the cyclic order of the neighbors of a vertex.
 
 use super::HarmonicsError;
 use homolog_mesh::{FaceArity, SurfaceMesh};
@@ -6,13 +6,13 @@ use homolog_primitives::graph::EdgeGraph;
 use nalgebra::Point3;
 use std::collections::BTreeMap;
 
-/// No edge conducts less than this share of the mean: heat conduction has no hot spots inside only where all weights
-/// are positive, and cotangents of wide angles are not.
+/// Smallest conductance as a share of the mean: the maximum principle needs positive weights, and cotangents of obtuse
+/// angles are negative.
 const FLOOR: f64 = 0.05;
-/// And none more than this multiple, so that needle triangles do not tie their vertices together.
+/// Largest conductance as a multiple of the mean, so that needle triangles do not merge their vertices.
 const CEILING: f64 = 20.0;
 
-/// An edge graph with one weight a directed edge, the same both ways.
+/// An edge graph with one weight per directed edge, symmetric.
 pub(super) struct WeightedEdges {
     pub graph: EdgeGraph,
     /// By directed edge.
@@ -22,10 +22,10 @@ pub(super) struct WeightedEdges {
 }
 
 impl WeightedEdges {
-    /// Cotangent weights (Pinkall, Polthier 1993), between a floor and a ceiling. On quads they are the mean over both
-    /// triangulations without the diagonals, which on a grid of squares is the same weight for every edge, as in
-    /// Brechbühler et al.
-    pub fn new(mesh: &SurfaceMesh) -> Result<Self, HarmonicsError> {
+    /// Cotangent weights (Pinkall, Polthier 1993), clamped between the two limits. On quads they are the mean over both
+    /// triangulations without the diagonals, which gives every edge of a square grid the same weight, as in Brechbühler
+    /// et al.
+    pub(super) fn new(mesh: &SurfaceMesh) -> Result<Self, HarmonicsError> {
         let graph = mesh.edge_graph();
         if let Some(vertex) = (0..graph.n_vertices()).find(|&v| graph.neighbors(v).is_empty()) {
             return Err(HarmonicsError::UnusedVertex { vertex: vertex as u32 });
@@ -60,17 +60,17 @@ impl WeightedEdges {
     }
 
     /// Number of vertices.
-    pub fn n_vertices(&self) -> usize {
+    pub(super) fn n_vertices(&self) -> usize {
         self.graph.n_vertices()
     }
 
     /// The neighbours of `vertex` with their weights.
-    pub fn neighbors(&self, vertex: usize) -> impl Iterator<Item = (usize, f64)> {
+    pub(super) fn neighbors(&self, vertex: usize) -> impl Iterator<Item = (usize, f64)> {
         self.graph.row(vertex).map(|e| (self.graph.head(e), self.weights[e]))
     }
 
     /// The neighbours of `at` strictly between `from` and `to`, counter-clockwise seen from outside.
-    pub fn between(&self, at: u32, from: u32, to: u32) -> Vec<u32> {
+    pub(super) fn between(&self, at: u32, from: u32, to: u32) -> Vec<u32> {
         let mut found = Vec::new();
         let mut neighbor = from;
         // A closed manifold gives every vertex one cycle of neighbours; the bound ends the walk on anything else.

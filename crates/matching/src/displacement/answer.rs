@@ -1,7 +1,7 @@
 //! Images of source vertices between target vertices, with a probability that they are close to the truth.
 
 use homolog_mesh::{ClosestPoint, ClosestPointIndex, SurfaceMesh};
-use homolog_registration::deformation::NeighborGrid;
+use homolog_primitives::points::NeighborGrid;
 use nalgebra::{Matrix3, Point3};
 use rayon::prelude::*;
 use std::f64::consts::TAU;

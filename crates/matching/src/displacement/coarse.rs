@@ -1,12 +1,13 @@
 //! The first stage of a displacement: the choice of the pose, and the field from it.
 
-use super::stages::{Displacement, State, between, displaced, likeness, precision_of_features, pulls_to_means, share};
+use super::stages::{Displacement, State, displaced, kernel, observed_means, precision_of_features};
 use super::surface::{N_FEATURES, Thinned};
 use crate::MatchError;
 use faer::Mat;
 use homolog_primitives::observe::checkpoint;
 use homolog_registration::RigidTransform;
-use homolog_registration::deformation::{Samples, assign, fit};
+use homolog_registration::alignment::{OrientedPoints, annealed, assign, progress_to_end};
+use homolog_registration::deformation::fit_field;
 use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
 
@@ -122,24 +123,24 @@ impl Displacement<'_> {
         steps: u32,
     ) -> Option<(f64, State)> {
         let base: Vec<Point3<f64>> = source.points.iter().map(|p| pose.apply(p)).collect();
-        let guided = self.guides.pulls(pose);
+        let guided = self.guides.observations(pose);
         let normals: Vec<Vector3<f64>> = source.normals.iter().map(|n| pose.rotation * n).collect();
         let mut moved = base.clone();
         let assigned = |moved: &[Point3<f64>], sigma: f64, precision: Vec<f64>| {
-            let samples = Samples { points: moved, normals: &normals, ..source.samples() };
-            assign(&samples, &target.samples(), &likeness(sigma * self.diagonal_mm, precision))
+            let samples = OrientedPoints { points: moved, normals: &normals, ..source.samples() };
+            assign(&samples, &target.samples(), &kernel(sigma * self.diagonal_mm, precision))
         };
         let [sigma, last_sigma, ..] = self.options.sigma;
         let [density, last_density, ..] = self.options.density;
         let mut precision = precision_of_features(&[1.0; N_FEATURES]);
         let mut field = None;
         for step in 0..steps.max(1) {
-            let at = share(step, steps);
-            let sigma = between(sigma, last_sigma, at);
+            let at = progress_to_end(step, steps);
+            let sigma = annealed(sigma, last_sigma, at);
             let found = assigned(&moved, sigma, precision);
-            let weight = between(density, last_density, at) / (sigma * self.diagonal_mm).powi(2);
-            let pulls = [pulls_to_means(&found, &base, &source.areas, weight), guided.clone()].concat();
-            let fitted = fit(values.as_ref(), &pulls)?;
+            let weight = annealed(density, last_density, at) / (sigma * self.diagonal_mm).powi(2);
+            let observed = [observed_means(&found, &base, &source.areas, weight), guided.clone()].concat();
+            let fitted = fit_field(values.as_ref(), &observed)?;
             moved = displaced(&base, &fitted, values);
             precision = precision_of_features(&found.feature_variance);
             field = Some(fitted);

@@ -1,12 +1,13 @@
 //! The stages after the pose is chosen: middle, fine and settling.
 
-use super::stages::{Displacement, State, between, displaced, likeness, precision_of_features, pulls_to_means, share};
+use super::stages::{Displacement, State, displaced, kernel, observed_means, precision_of_features};
 use crate::MatchError;
 use crate::robust::{STD_OF_MAD, median};
 use faer::Mat;
 use homolog_primitives::observe::checkpoint;
 use homolog_registration::RigidTransform;
-use homolog_registration::deformation::{Assignment, FittedField, Pull, Samples, assign, fit};
+use homolog_registration::alignment::{Assignment, OrientedPoints, annealed, assign, progress_to_end};
+use homolog_registration::deformation::{FittedField, Observation, fit_field};
 use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
 
@@ -33,7 +34,7 @@ impl Displacement<'_> {
         // The faces of a mirrored surface are oriented inwards.
         let outwards = if pose.is_reflection() { -1.0 } else { 1.0 };
         let mut residual_mm = 0.0;
-        let guided = self.guides.pulls(pose);
+        let guided = self.guides.observations(pose);
         for (stage, &steps) in self.options.steps.iter().enumerate().skip(1) {
             let thinned = self.source.thinned(self.options.n_samples[stage]);
             let thinned_target = self.target.thinned(self.options.n_samples[stage]);
@@ -47,9 +48,9 @@ impl Displacement<'_> {
             let weight = if stage == 3 { (NOISE_MM / residual_mm).powf(NOISE_POWER).min(1.0) } else { 1.0 };
             for step in 0..steps {
                 checkpoint(self.observer)?;
-                let at = share(step, steps);
-                let sigma_mm = self.diagonal_mm * between(self.options.sigma[from], self.options.sigma[to], at);
-                let density = weight * between(self.options.density[from], self.options.density[to], at);
+                let at = progress_to_end(step, steps);
+                let sigma_mm = self.diagonal_mm * annealed(self.options.sigma[from], self.options.sigma[to], at);
+                let density = weight * annealed(self.options.density[from], self.options.density[to], at);
                 // Normals are those of the whole deformed surface.
                 let Ok(mesh) = self.source.mesh.with_vertices(displaced(&all_base, &field, &all_values)) else {
                     return Ok(None);
@@ -57,21 +58,21 @@ impl Displacement<'_> {
                 let normals = mesh.vertex_normals();
                 let normals: Vec<Vector3<f64>> = thinned.vertices.iter().map(|&i| normals[i] * outwards).collect();
                 let points: Vec<Point3<f64>> = thinned.vertices.iter().map(|&i| mesh.vertices()[i]).collect();
-                let samples = Samples { points: &points, normals: &normals, ..thinned.samples() };
-                let found = assign(&samples, &target, &likeness(sigma_mm, feature_precision));
+                let samples = OrientedPoints { points: &points, normals: &normals, ..thinned.samples() };
+                let found = assign(&samples, &target, &kernel(sigma_mm, feature_precision));
                 let across = density / (sigma_mm * sigma_mm);
-                let pulls = if stage == 1 {
-                    pulls_to_means(&found, &base, &thinned.areas, across)
+                let observed = if stage == 1 {
+                    observed_means(&found, &base, &thinned.areas, across)
                 } else {
                     let along = density / (ALONG_MM * ALONG_MM);
-                    let (pulls, residual) = self.sliding(&found, &samples, &base, along, across);
+                    let (observed, residual) = self.sliding(&found, &samples, &base, along, across);
                     if stage == 2 {
                         residual_mm = residual;
                     }
-                    pulls
+                    observed
                 };
-                let pulls = [pulls, guided.clone()].concat();
-                let Some(fitted) = fit(values.as_ref(), &pulls) else { return Ok(None) };
+                let observed = [observed, guided.clone()].concat();
+                let Some(fitted) = fit_field(values.as_ref(), &observed) else { return Ok(None) };
                 field = fitted;
                 feature_precision = precision_of_features(&found.feature_variance);
             }
@@ -79,16 +80,17 @@ impl Displacement<'_> {
         Ok(Some((field, residual_mm)))
     }
 
-    /// Pulls towards the surface along its normals, and weakly towards the assigned means across them.
+    /// Observations of the closest point of the surface along its normals, and weakly of the assigned means across
+    /// them.
     fn sliding(
         &self,
         found: &Assignment,
-        moved: &Samples<'_>,
+        moved: &OrientedPoints<'_>,
         base: &[Point3<f64>],
         along: f64,
         across: f64,
-    ) -> (Vec<Pull>, f64) {
-        let pairs: Vec<(Pull, f64)> = (0..base.len())
+    ) -> (Vec<Observation>, f64) {
+        let pairs: Vec<(Observation, f64)> = (0..base.len())
             .into_par_iter()
             .map(|i| {
                 let p = moved.points[i];
@@ -104,7 +106,7 @@ impl Displacement<'_> {
                     normal.dot(&moved.normals[i]).max(0.0) / (1.0 + (to_surface.norm() / (3.0 * ALONG_MM)).powi(2));
                 let area = moved.areas[i];
                 let across = ACROSS_SHARE * across * area * found.mass[i];
-                (Pull { displacement, normal, along: along * area * trust, across }, height.abs())
+                (Observation { displacement, normal, along: along * area * trust, across }, height.abs())
             })
             .collect();
         let mut heights: Vec<f64> = pairs.iter().map(|p| p.1).collect();

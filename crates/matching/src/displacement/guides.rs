@@ -2,9 +2,9 @@
 
 use faer::Mat;
 use homolog_contract::parameters::Landmark;
-use homolog_registration::deformation::{FieldBasis, FittedField, Pull};
+use homolog_registration::deformation::{FieldBasis, FittedField, Observation};
 use homolog_registration::{RigidTransform, absolute_orientation};
-use nalgebra::{Point3, Vector3};
+use nalgebra::Point3;
 
 /// Most that one landmark adds to the misfit of a pose, so that a wrong one does not decide alone.
 const CAP: f64 = 10.0;
@@ -49,13 +49,12 @@ impl Guides {
         })
     }
 
-    /// The pull of each guide on a source that `pose` has moved.
-    pub(super) fn pulls(&self, pose: &RigidTransform) -> Vec<Pull> {
-        let pull = |((p, q), sigma): ((&Point3<f64>, &Point3<f64>), &f64)| {
-            let precision = 1.0 / (sigma * sigma);
-            Pull { displacement: q - pose.apply(p), normal: Vector3::x(), along: precision, across: precision }
+    /// The displacement that each landmark observes after `pose`.
+    pub(super) fn observations(&self, pose: &RigidTransform) -> Vec<Observation> {
+        let observation = |((p, q), sigma): ((&Point3<f64>, &Point3<f64>), &f64)| {
+            Observation::isotropic(q - pose.apply(p), 1.0 / (sigma * sigma))
         };
-        self.source.iter().zip(&self.target).zip(&self.sigma_mm).map(pull).collect()
+        self.source.iter().zip(&self.target).zip(&self.sigma_mm).map(observation).collect()
     }
 
     /// Misfit of the guides under `pose` and `field`: half the mean squared distance in standard deviations.

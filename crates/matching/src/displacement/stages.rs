@@ -6,25 +6,16 @@ use super::surface::{N_FEATURES, SmoothSurface};
 use crate::surface_index::SurfaceIndex;
 use faer::Mat;
 use homolog_primitives::observe::Observer;
-use homolog_registration::deformation::{Assignment, FieldBasis, FittedField, Likeness, Pull};
-use nalgebra::{Point3, Vector3};
+use homolog_registration::alignment::{Assignment, AssignmentKernel, OUTLIER_SHARE};
+use homolog_registration::deformation::{FieldBasis, FittedField, Observation};
+use nalgebra::Point3;
 
 /// `ν` in the assignment's `ν (1 − ⟨n, n'⟩)`.
 const NORMAL_WEIGHT: f64 = 2.0;
-/// Assumed share of a surface without counterpart.
-const OUTLIER: f64 = 0.1;
 /// Curvatures at several scales are highly correlated: together they count as half an observation.
 const FEATURE_SHARE: f64 = 0.5;
 /// Feature variances are taken to be at least this, in squared robust standard deviations.
 const MIN_FEATURE_VARIANCE: f64 = 0.02;
-/// Geometric interpolation.
-pub(super) fn between(from: f64, to: f64, share: f64) -> f64 {
-    from * (to / from).powf(share)
-}
-
-pub(super) fn share(step: u32, steps: u32) -> f64 {
-    f64::from(step) / f64::from(steps.saturating_sub(1).max(1))
-}
 
 /// A field, and the precisions of the features that were estimated with it.
 pub(super) struct State {
@@ -32,8 +23,8 @@ pub(super) struct State {
     pub feature_precision: Vec<f64>,
 }
 
-pub(super) fn likeness(sigma_mm: f64, feature_precision: Vec<f64>) -> Likeness {
-    Likeness { sigma_mm, normal_weight: NORMAL_WEIGHT, feature_precision, outlier: OUTLIER }
+pub(super) fn kernel(sigma_mm: f64, feature_precision: Vec<f64>) -> AssignmentKernel {
+    AssignmentKernel { sigma_mm, normal_weight: NORMAL_WEIGHT, feature_precision, outlier_share: OUTLIER_SHARE }
 }
 
 pub(super) fn precision_of_features(variance: &[f64]) -> Vec<f64> {
@@ -44,14 +35,15 @@ pub(super) fn displaced(base: &[Point3<f64>], field: &FittedField, values: &Mat<
     base.iter().zip(field.displacements(values.as_ref())).map(|(p, u)| p + u).collect()
 }
 
-/// Pulls towards the assigned means, the same in every direction.
-pub(super) fn pulls_to_means(found: &Assignment, base: &[Point3<f64>], areas: &[f64], precision: f64) -> Vec<Pull> {
+/// Isotropic observations of the displacements to the assigned means.
+pub(super) fn observed_means(
+    found: &Assignment,
+    base: &[Point3<f64>],
+    areas: &[f64],
+    precision: f64,
+) -> Vec<Observation> {
     (0..base.len())
-        .map(|i| {
-            let weight = precision * found.mass[i] * areas[i];
-            let displacement = found.targets[i] - base[i];
-            Pull { displacement, normal: Vector3::x(), along: weight, across: weight }
-        })
+        .map(|i| Observation::isotropic(found.targets[i] - base[i], precision * found.mass[i] * areas[i]))
         .collect()
 }
 

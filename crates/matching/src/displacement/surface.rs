@@ -5,7 +5,7 @@ use crate::robust::{STD_OF_MAD, median};
 use crate::side::POSITION_SCALE_MM;
 use homolog_geometry::curvature::{Curvatures, Estimator, ScaleSpace, curvatures, vertex_areas};
 use homolog_mesh::SurfaceMesh;
-use homolog_registration::deformation::Samples;
+use homolog_registration::alignment::OrientedPoints;
 use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
 
@@ -124,8 +124,13 @@ fn at(space: &ScaleSpace<'_>, scale_mm: f64) -> Result<SurfaceMesh, MatchError> 
 }
 
 impl SmoothSurface {
-    pub(super) fn samples(&self) -> Samples<'_> {
-        Samples { points: self.mesh.vertices(), normals: &self.normals, areas: &self.areas, features: &self.features }
+    pub(super) fn samples(&self) -> OrientedPoints<'_> {
+        OrientedPoints {
+            points: self.mesh.vertices(),
+            normals: &self.normals,
+            areas: &self.areas,
+            features: &self.features,
+        }
     }
 
     /// At most `n` vertices. Canonical numbering follows a curve through space, so every `k`-th is an even sample.
@@ -143,7 +148,7 @@ impl SmoothSurface {
 }
 
 impl Thinned {
-    pub(super) fn samples(&self) -> Samples<'_> {
-        Samples { points: &self.points, normals: &self.normals, areas: &self.areas, features: &self.features }
+    pub(super) fn samples(&self) -> OrientedPoints<'_> {
+        OrientedPoints { points: &self.points, normals: &self.normals, areas: &self.areas, features: &self.features }
     }
 }

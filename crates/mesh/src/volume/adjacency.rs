@@ -14,7 +14,7 @@ type Neighborhood = u32;
 const CENTER: Neighborhood = 1 << 13;
 const ALL: Neighborhood = (1 << 27) - 1;
 
-/// What the local tests need: adjacencies within a 3×3×3 block, and which 2×2×2 blocks are well-composed.
+/// Tables for the local tests: adjacencies within a 3×3×3 block, and which 2×2×2 blocks are well-composed.
 pub(super) struct LocalTopology {
     six: [Neighborhood; 27],
     all: [Neighborhood; 27],
@@ -56,7 +56,7 @@ const WELL_COMPOSED: [bool; 256] = {
 };
 
 impl LocalTopology {
-    pub fn new() -> Self {
+    pub(super) fn new() -> Self {
         let place = |k: usize| [k % 3, k / 3 % 3, k / 9].map(|c| c as i32);
         let apart = |a: usize, b: usize| -> (i32, i32) {
             let (a, b) = (place(a), place(b));
@@ -83,7 +83,7 @@ impl LocalTopology {
     }
 
     /// Whether the middle voxel can change sides without changing the topology of foreground or background.
-    pub fn is_simple(&self, block: Neighborhood) -> bool {
+    pub(super) fn is_simple(&self, block: Neighborhood) -> bool {
         let foreground = block & self.near;
         let seeds = foreground & self.faces;
         let background = !block & ALL & !CENTER;
@@ -94,7 +94,7 @@ impl LocalTopology {
     }
 
     /// Whether the eight 2×2×2 blocks around the middle are all well-composed.
-    pub fn is_well_composed(&self, block: Neighborhood) -> bool {
+    pub(super) fn is_well_composed(&self, block: Neighborhood) -> bool {
         self.octants.iter().all(|octant| {
             let bits = octant.iter().enumerate().fold(0, |b, (k, &at)| b | (block >> at & 1) << k);
             WELL_COMPOSED[bits as usize]
@@ -102,12 +102,12 @@ impl LocalTopology {
     }
 }
 
-/// The middle voxel on the other side.
+/// The block with its middle voxel flipped.
 pub(super) fn flipped(block: Neighborhood) -> Neighborhood {
     block ^ CENTER
 }
 
-/// Everything in `within` that is connected to `seed`.
+/// The part of `within` that is connected to `seed`.
 fn spread(seed: Neighborhood, within: Neighborhood, adjacent: &[Neighborhood; 27]) -> Neighborhood {
     let (mut reached, mut front) = (seed, seed);
     while front != 0 {
@@ -143,7 +143,7 @@ pub fn is_well_composed(mask: &VoxelMask) -> bool {
     blocks(mask).all(|at| WELL_COMPOSED[block_bits(mask.voxels(), at, sy, sz)])
 }
 
-/// The first voxels of all 2×2×2 blocks.
+/// The lowest voxels of all 2×2×2 blocks.
 fn blocks(mask: &VoxelMask) -> impl Iterator<Item = usize> + '_ {
     let [nx, ny, nz] = mask.dims();
     (0..nz - 1).flat_map(move |z| (0..ny - 1).flat_map(move |y| (0..nx - 1).map(move |x| mask.index([x, y, z]))))

@@ -1,8 +1,8 @@
-//! Label volumes and the surfaces made of them.
+//! Label volumes and their surfaces.
 //!
-//! A [`LabelVolume`] holds one label a voxel and the affine that takes voxel indices to world millimetres. The
-//! chosen labels make a [`VoxelMask`] ([`LabelVolume::mask`]), which [`repair`] mends and from which
-//! [`voxel_surface()`] or [`smooth_surface()`] make a closed surface.
+//! A [`LabelVolume`] holds one label per voxel and the affine that maps voxel indices to world millimetres. The
+//! selected labels form a [`VoxelMask`] ([`LabelVolume::mask`]), which [`repair`] can give the topology of a ball and
+//! from which [`voxel_surface()`] or [`smooth_surface()`] extract a closed surface.
 
 mod adjacency;
 mod distance;
@@ -18,7 +18,7 @@ pub use voxel_surface::voxel_surface;
 use nalgebra::{Matrix4, Point3, Vector3, Vector4};
 use std::collections::BTreeMap;
 
-/// Voxels with a label each and a place in the world.
+/// Voxels with a label each, and their positions in world millimetres.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LabelVolume {
     dims: [usize; 3],
@@ -26,7 +26,7 @@ pub struct LabelVolume {
     affine: Matrix4<f64>,
 }
 
-/// Why labels and an affine do not make a volume.
+/// Why labels and an affine do not form a volume.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum VolumeError {
     /// The number of labels is not the product of the dimensions, or that is zero.
@@ -40,7 +40,7 @@ pub enum VolumeError {
         /// Labels given.
         n_labels: usize,
     },
-    /// The affine cannot place voxels.
+    /// The affine is not a valid map from voxels to world coordinates.
     #[error("the voxel-to-world affine is {fault}; store a valid one in the file")]
     Affine {
         /// `not finite`, `singular`, or of which size.
@@ -56,7 +56,7 @@ impl LabelVolume {
     /// [`VolumeError`].
     pub fn new(dims: [usize; 3], labels: Vec<u32>, affine: Matrix4<f64>) -> Result<Self, VolumeError> {
         let n = dims.iter().try_fold(1usize, |n, &d| n.checked_mul(d));
-        // No file format that is read or written has room for longer axes.
+        // No supported file format can store longer axes.
         let fits = dims.iter().all(|&d| d <= i16::MAX as usize);
         if n != Some(labels.len()) || labels.is_empty() || !fits {
             return Err(VolumeError::WrongSize { dims, n_labels: labels.len() });
@@ -88,15 +88,15 @@ impl LabelVolume {
     /// Every label but 0 that occurs, ascending, with its number of voxels. Cost `O(voxels)`.
     pub fn label_counts(&self) -> BTreeMap<u32, u64> {
         let mut counts = BTreeMap::new();
-        // Labels come in runs, so the map is asked once a run.
+        // Labels occur in runs, so the map is accessed once per run.
         for run in self.labels.chunk_by(|a, b| a == b).filter(|run| run[0] != 0) {
             *counts.entry(run[0]).or_default() += run.len() as u64;
         }
         counts
     }
 
-    /// The voxels whose label is in `labels` (`None`: every label but 0), cut to their box with one empty voxel
-    /// around. `None` if there are none. Cost `O(voxels)`.
+    /// The voxels whose label is in `labels` (`None`: every label but 0), cropped to their bounding box with a border
+    /// of one empty voxel. `None` if there are none. Cost `O(voxels)`.
     pub fn mask(&self, labels: Option<&[u32]>) -> Option<VoxelMask> {
         let wanted = |label: u32| match labels {
             None => label != 0,
@@ -144,9 +144,8 @@ fn spacing_mm(affine: &Matrix4<f64>) -> [f64; 3] {
     [0, 1, 2].map(|k| affine.fixed_view::<3, 1>(0, k).norm())
 }
 
-/// Refuses an affine that is not finite or that flattens space.
-/// Voxel sizes that anatomy is imaged with, with room to spare. A size beyond is a damaged header or a wrong unit, and
-/// a filter in millimetres would span more voxels than can be counted.
+/// Plausible voxel sizes of anatomical images. A size outside is a damaged header or a wrong unit, and a filter in
+/// millimetres would span too many voxels.
 const SPACING_MM: std::ops::RangeInclusive<f64> = 1e-4..=1e5;
 
 fn check_affine(affine: &Matrix4<f64>) -> Result<(), VolumeError> {
@@ -156,7 +155,7 @@ fn check_affine(affine: &Matrix4<f64>) -> Result<(), VolumeError> {
     let columns: [Vector3<f64>; 3] = [0, 1, 2].map(|k| affine.fixed_view::<3, 1>(0, k).into_owned());
     let determinant = columns[0].cross(&columns[1]).dot(&columns[2]);
     let product: f64 = columns.iter().map(|c| c.norm()).product();
-    // Sheared axes are fine; axes that nearly lie in a plane are a damaged header.
+    // Sheared axes are valid; axes that are nearly coplanar are a damaged header.
     if product.is_nan() || product <= 0.0 || !product.is_finite() || determinant.abs() <= 1e-6 * product {
         return Err(VolumeError::Affine { fault: "singular" });
     }
@@ -166,7 +165,7 @@ fn check_affine(affine: &Matrix4<f64>) -> Result<(), VolumeError> {
     Ok(())
 }
 
-/// A set of voxels in a box whose outermost layer is empty, with its place in the world.
+/// A set of voxels in a box whose outermost layer is empty, with the affine of the box.
 #[derive(Debug, Clone, PartialEq)]
 pub struct VoxelMask {
     dims: [usize; 3],
@@ -204,7 +203,7 @@ impl VoxelMask {
     pub fn n_boundary_faces(&self) -> usize {
         let steps = self.strides();
         let v = &self.voxels;
-        // The last voxels of the box are empty, so a pair that wraps around the box's edge counts nothing.
+        // The outermost voxels are empty, so a pair that wraps around the edge of the box does not count.
         steps.iter().map(|&s| v.iter().zip(&v[s..]).filter(|(a, b)| a != b).count()).sum()
     }
 
@@ -213,7 +212,7 @@ impl VoxelMask {
         (z * self.dims[1] + y) * self.dims[0] + x
     }
 
-    /// Place of a voxel along each axis.
+    /// Index of a voxel along each axis.
     fn place(&self, index: usize) -> [usize; 3] {
         let [nx, ny, _] = self.dims;
         [index % nx, index / nx % ny, index / (nx * ny)]
@@ -231,17 +230,17 @@ impl VoxelMask {
         (0..3).all(|k| place[k].checked_add_signed(step[k].into()).is_some_and(|c| c < self.dims[k]))
     }
 
-    /// World place of a voxel coordinate, mm.
+    /// World position of a voxel coordinate, mm.
     fn world(&self, voxel: [f64; 3]) -> Point3<f64> {
         Point3::from((self.affine * Vector4::new(voxel[0], voxel[1], voxel[2], 1.0)).xyz())
     }
 
-    /// Whether the affine mirrors, so that faces must be turned to look outwards.
+    /// Whether the affine contains a reflection, so that faces must be reversed to face outwards.
     fn mirrors(&self) -> bool {
         self.affine.fixed_view::<3, 3>(0, 0).determinant() < 0.0
     }
 
-    /// Steps in [`VoxelMask::voxels`] along each axis.
+    /// Strides of [`VoxelMask::voxels`] along each axis.
     fn strides(&self) -> [usize; 3] {
         [1, self.dims[0], self.dims[0] * self.dims[1]]
     }

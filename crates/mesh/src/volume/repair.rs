@@ -1,11 +1,10 @@
 //! Repairs of a voxel set: the largest piece, and closing tunnels and cavities by a small change.
 //!
-//! [`fill`] never measures topology while it works: it starts from a set that has the right topology (a full box, or
-//! one voxel) and changes it towards the given set one simple point at a time, so that the topology stays right
-//! whatever happens. From the box, voxels far from the given set go first; what cannot go are thin membranes
-//! across tunnels and around cavities. From the voxel that lies deepest, deep voxels come first; what
-//! cannot come are thin cuts through handles. Mixtures, in which small membranes are kept and the rest is cut, are tried
-//! too, and the set that differs least is taken.
+//! [`fill`] starts from a set with the topology of a ball (a full box, or one voxel) and changes it towards the given
+//! set one simple point at a time, which preserves the topology. From the box, voxels far from the given set are
+//! removed first; thin membranes across tunnels and around cavities remain. From the deepest voxel, deep voxels are
+//! added first; thin cuts through handles remain. Mixtures, in which small membranes are kept and the rest is cut, are
+//! tried too, and the set that differs least is returned.
 
 use super::VoxelMask;
 use super::adjacency::{BettiNumbers, LocalTopology, components, flipped, is_well_composed, neighborhood};
@@ -13,37 +12,37 @@ use super::distance::squared_distance;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
-/// Whether voxels that touch along an edge or at a corner only may stay.
+/// How to treat voxels that touch along an edge or at a corner only.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Contacts {
-    /// They may: enough where the set is filtered before a surface is made.
+    /// Keep them: sufficient if the set is filtered before a surface is extracted.
     Allow,
-    /// They are parted or joined: the boundary of the set is then a 2-manifold.
+    /// Separate or connect them, so that the boundary of the set is a 2-manifold.
     Resolve,
 }
 
-/// A filled set and what it took.
+/// A filled set and the changes made.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FillOutcome {
     /// The set: one piece, no tunnel, no cavity.
     pub mask: VoxelMask,
-    /// What it took.
+    /// The changes.
     pub change: FillChange,
 }
 
-/// What it took to fill a set.
+/// The changes made to fill a set.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct FillChange {
     /// Pieces, tunnels and cavities before.
     pub before: BettiNumbers,
-    /// Voxels that came in.
+    /// Voxels added.
     pub n_added: usize,
-    /// Voxels that went.
+    /// Voxels removed.
     pub n_removed: usize,
 }
 
 impl FillChange {
-    /// Voxels that changed sides.
+    /// Voxels added or removed.
     pub fn n_changed(self) -> usize {
         self.n_added + self.n_removed
     }
@@ -67,7 +66,7 @@ pub fn largest_component(mask: &VoxelMask) -> (VoxelMask, usize, usize) {
 /// `mask` with its tunnels and cavities closed by a small change: one piece with the topology of a ball, 6-connected
 /// foreground and 26-connected background. `mask` should be one piece: others are joined or lost.
 ///
-/// Not the smallest change there is (that is NP-hard) but the smallest of a few good ones.
+/// The smallest change is NP-hard to find; this returns the smallest of a few candidates.
 ///
 /// # Cost
 /// `O(voxels log voxels)`, at most ten times over.
@@ -81,7 +80,7 @@ pub fn fill(mask: &VoxelMask, contacts: Contacts) -> FillOutcome {
     let mut best = membranes.clone();
     let mut best_change = filler.change(&best);
     for goal in filler.mixtures(&membranes) {
-        // What a mixture adds it will not take back.
+        // A mixture removes nothing that it has added.
         if filler.change(&goal) >= best_change {
             break;
         }
@@ -97,7 +96,7 @@ pub fn fill(mask: &VoxelMask, contacts: Contacts) -> FillOutcome {
     FillOutcome { mask: mask.with_voxels(best), change }
 }
 
-/// Mixtures tried at most, by size of the membranes that are kept.
+/// Largest number of mixtures tried, by size of the membranes that are kept.
 const MAX_MIXTURES: usize = 8;
 
 struct Filler<'a> {
@@ -121,7 +120,7 @@ impl<'a> Filler<'a> {
         (0..self.mask.voxels.len()).map(|k| self.mask.is_inner(k)).collect()
     }
 
-    /// Only the voxel of the mask that lies deepest, the first of equals.
+    /// Only the deepest voxel of the mask, the first of equally deep ones.
     fn deepest(&self) -> Vec<bool> {
         let inside = (0..self.distance.len()).filter(|&k| self.mask.voxels[k]);
         let seed = inside.max_by_key(|&k| (self.distance[k], Reverse(k)));
@@ -136,7 +135,7 @@ impl<'a> Filler<'a> {
     fn mixtures(&self, membranes: &[bool]) -> Vec<Vec<bool>> {
         let added: Vec<bool> = membranes.iter().zip(&self.mask.voxels).map(|(&m, &v)| m && !v).collect();
         let kept = added.iter().map(|a| !a).collect();
-        // As background of its complement, so that pieces which touch at a corner are one.
+        // As background of its complement, so that pieces that touch at a corner are connected.
         let (number, sizes) = components(&self.mask.with_voxels(kept), false);
         let mut thresholds: Vec<usize> = sizes.clone();
         thresholds.push(0);
@@ -174,7 +173,7 @@ impl<'a> Filler<'a> {
                 continue;
             }
             set[k] = !set[k];
-            // What was stuck around the changed voxel may now move.
+            // Voxels around the changed one may have become simple.
             for plane in [k - strides[2], k, k + strides[2]] {
                 for row in [plane - strides[1], plane, plane + strides[1]] {
                     for next in row - 1..=row + 1 {

@@ -43,7 +43,7 @@ fn a_cavity_is_filled() {
 }
 
 #[test]
-fn contacts_are_resolved_only_on_request() {
+fn contacts_are_resolved_only_with_resolve() {
     let edge = set([3, 2, 2], |[x, y, z]| z == 0 || (x, y) == (0, 0) || (x, y) == (1, 1));
     assert!(!is_well_composed(&edge));
     assert_eq!(fill(&edge, Contacts::Allow).change.n_changed(), 0);
@@ -52,7 +52,7 @@ fn contacts_are_resolved_only_on_request() {
 }
 
 #[test]
-fn the_largest_component_wins() {
+fn the_largest_component_is_kept() {
     let two = set([6, 1, 1], |p| p[0] != 2);
     let (mask, n, removed) = largest_component(&two);
     assert_eq!((mask.n_voxels(), n, removed), (3, 2, 2));

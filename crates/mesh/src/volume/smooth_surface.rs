@@ -1,8 +1,8 @@
 //! A smooth surface of a voxel set: the 0.5 iso-surface of the Gaussian-filtered mask.
 //!
-//! The filtered field is cut by marching cubes (`cubes`), whose surface is a closed 2-manifold by construction but
-//! has the topology of the field: the filter may open a tunnel or part a thin bridge. [`smooth_surface`] says what
-//! came out; with `repair` it moves single lattice values across 0.5 until the surface is one sphere.
+//! The filtered field is cut by marching cubes (`cubes`), whose surface is a closed 2-manifold by construction but has
+//! the topology of the field: the filter may open a tunnel or break a thin bridge. With `repair`, [`smooth_surface`]
+//! moves single lattice values across 0.5 until the surface is a topological sphere, and reports how many.
 
 mod cubes;
 
@@ -14,25 +14,26 @@ use crate::{MeshError, SurfaceMesh};
 /// Samples of the Gaussian beyond this many standard deviations are left out; they weigh 6e-5 together.
 const TRUNCATION_SIGMAS: f64 = 4.0;
 
-/// The level of the surface: where a flat boundary between voxels stays where it is.
+/// The level of the surface, at which a flat boundary between voxels keeps its position.
 const LEVEL: f64 = 0.5;
 
-/// Value, from the level, of lattice points that repair moves across it: far enough from it that the vertices around
-/// them part, near enough that the surface hardly moves.
+/// Distance from the level of lattice values that repair moves across it: far enough to separate the vertices around
+/// them, near enough that the surface hardly moves.
 const REPAIRED_OFFSET: f64 = 0.02;
 
-/// A smooth surface and what it took to keep it one sphere.
+/// A smooth surface and the changes made to its field.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SmoothSurface {
-    /// The surface, triangles, mm, looking outwards.
+    /// The surface: triangles, mm, facing outwards.
     pub mesh: SurfaceMesh,
-    /// Lattice values outside the largest piece that were put below the level.
+    /// Lattice values outside the largest piece that were moved below the level.
     pub n_dropped: usize,
-    /// Lattice values that were put across the level to close tunnels and cavities and to part what touched, if any were.
+    /// Lattice values that were moved across the level to close tunnels and cavities and to separate parts that
+    /// touched, if any.
     pub fill: Option<FillChange>,
 }
 
-/// What may be done to the filtered field.
+/// How the filtered field may be changed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct FieldRepair {
     /// Keep only the largest piece.
@@ -43,7 +44,7 @@ pub struct FieldRepair {
 
 /// The 0.5 iso-surface of `mask` filtered by a Gaussian of standard deviation `smoothing_mm`, in world mm.
 ///
-/// Changes the field only where the surface would not be one sphere, and only as `repair` allows.
+/// Changes the field only if the surface would not be a topological sphere, and only as `repair` allows.
 ///
 /// # Errors
 /// [`MeshError::Empty`] if nothing of the set is left at the level.
@@ -64,7 +65,7 @@ pub fn smooth_surface(mask: &VoxelMask, smoothing_mm: f64, repair: FieldRepair) 
     if repair.largest_component {
         (repaired, _, n_dropped) = largest_component(&repaired);
     }
-    // Cutting a handle or parting islands is meaningful only within one piece.
+    // Cutting handles is meaningful only within one piece.
     if repair.fill && super::BettiNumbers::of(&repaired).n_pieces == 1 {
         let filled = fill(&repaired, Contacts::Resolve);
         (repaired, change) = (filled.mask, Some(filled.change));

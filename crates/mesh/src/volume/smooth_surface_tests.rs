@@ -78,7 +78,7 @@ fn no_triangle_is_a_sliver() {
 
 /// All 256 patterns of one cube, and every pair of neighbouring cubes of random sets, close to 2-manifolds.
 #[test]
-fn every_sign_pattern_closes() {
+fn every_sign_pattern_gives_closed_loops() {
     for pattern in 1..256usize {
         let mask = mask_of([2; 3], Matrix4::identity(), |p| {
             pattern >> (p.x as usize + 2 * p.y as usize + 4 * p.z as usize) & 1 == 1

@@ -1,12 +1,12 @@
-//! The field that agrees best with what was seen and with the prior.
+//! The posterior of a displacement field given observations.
 
 use faer::linalg::solvers::Solve;
 use faer::{Mat, MatRef, Side};
 use nalgebra::{Matrix3, Vector3};
 
-/// What was seen at one point: where it should go, and how surely along a normal and across it.
+/// An observed displacement at one point, with Gaussian noise that differs along a normal and across it.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Pull {
+pub struct Observation {
     /// Displacement, mm.
     pub displacement: Vector3<f64>,
     /// Unit normal.
@@ -17,18 +17,23 @@ pub struct Pull {
     pub across: f64,
 }
 
-impl Pull {
+impl Observation {
+    /// An observation with the same precision, 1/mm², in every direction.
+    pub fn isotropic(displacement: Vector3<f64>, precision: f64) -> Self {
+        Observation { displacement, normal: Vector3::x(), along: precision, across: precision }
+    }
+
     fn precision(&self) -> Matrix3<f64> {
         Matrix3::identity() * self.across + self.normal * self.normal.transpose() * (self.along - self.across)
     }
 }
 
-/// Coefficients of a field, with their uncertainty.
+/// The posterior of a field: mean and covariance of its coefficients.
 #[derive(Debug, Clone)]
 pub struct FittedField {
     /// `M × 3`.
     pub coefficients: Mat<f64>,
-    /// Covariance of the coefficients, `3M × 3M`, axis by axis; or `M × M`, the same for each axis.
+    /// Covariance of the coefficients: `3M × 3M`, axis by axis, or `M × M` if it is the same for each axis.
     covariance: Mat<f64>,
 }
 
@@ -40,17 +45,17 @@ fn weighted_gram(values: MatRef<'_, f64>, weight: impl Fn(usize) -> f64) -> Mat<
 }
 
 /// The posterior of the field. `values`: every function at every point, `n × M` (see [`super::FieldBasis::values`]);
-/// `pulls`: one for each point. `None` where the system cannot be solved (numbers that are not finite).
+/// `observations`: one for each point. `None` if the system cannot be solved because a number is not finite.
 ///
 /// # Cost
-/// `O(n M²)`; where along and across agree everywhere, a ninth of the solve.
-pub fn fit(values: MatRef<'_, f64>, pulls: &[Pull]) -> Option<FittedField> {
+/// `O(n M² + M³)`; isotropic observations share one `M × M` system between the axes instead of a `3M × 3M` one.
+pub fn fit_field(values: MatRef<'_, f64>, observations: &[Observation]) -> Option<FittedField> {
     let (n, m) = (values.nrows(), values.ncols());
-    let precision: Vec<Matrix3<f64>> = pulls.iter().map(Pull::precision).collect();
-    let aimed: Vec<Vector3<f64>> = pulls.iter().zip(&precision).map(|(p, w)| w * p.displacement).collect();
-    let right_side = values.transpose() * Mat::from_fn(n, 3, |i, a| aimed[i][a]);
-    if pulls.iter().all(|p| p.along == p.across) {
-        let mut system = weighted_gram(values, |i| pulls[i].across);
+    let precision: Vec<Matrix3<f64>> = observations.iter().map(Observation::precision).collect();
+    let weighted: Vec<Vector3<f64>> = observations.iter().zip(&precision).map(|(p, w)| w * p.displacement).collect();
+    let right_side = values.transpose() * Mat::from_fn(n, 3, |i, a| weighted[i][a]);
+    if observations.iter().all(|p| p.along == p.across) {
+        let mut system = weighted_gram(values, |i| observations[i].across);
         for k in 0..m {
             system[(k, k)] += 1.0;
         }
@@ -77,13 +82,13 @@ pub fn fit(values: MatRef<'_, f64>, pulls: &[Pull]) -> Option<FittedField> {
 }
 
 impl FittedField {
-    /// Displacement at every point of `values`, mm.
+    /// Posterior mean of the displacement at every point of `values`, mm.
     pub fn displacements(&self, values: MatRef<'_, f64>) -> Vec<Vector3<f64>> {
         let u = values * &self.coefficients;
         (0..u.nrows()).map(|i| Vector3::new(u[(i, 0)], u[(i, 1)], u[(i, 2)])).collect()
     }
 
-    /// Covariance of the displacement at every point of `values`, mm². Cost `O(n M²)`.
+    /// Posterior covariance of the displacement at every point of `values`, mm². Cost `O(n M²)`.
     pub fn covariances(&self, values: MatRef<'_, f64>) -> Vec<Matrix3<f64>> {
         let (n, m) = (values.nrows(), values.ncols());
         let mut found = vec![Matrix3::zeros(); n];
@@ -110,7 +115,7 @@ impl FittedField {
         found
     }
 
-    /// `‖c‖²`: what the field costs under the prior, twice the negative logarithm of its density.
+    /// `‖c‖²`: twice the negative logarithm of the field's density under the prior, up to a constant.
     pub fn cost(&self) -> f64 {
         self.coefficients.squared_norm_l2()
     }

@@ -1,31 +1,29 @@
-//! Smooth displacement fields between two sets of points.
+//! Smooth displacement fields between two sets of points: a Gaussian process prior and its posterior.
 //!
 //! A field `u(p)` is a Gaussian process: a translation, a linear part and smooth parts of stated widths, each with a
-//! variance, independent for each axis ([`SmoothPrior`]). Over `m` inducing points spread evenly ([`farthest_points`])
-//! it becomes `u(p) = Σ_k φ_k(p) c_k` with independent standard normal coefficients ([`FieldBasis`], the Nyström
-//! approximation); wide kernels have few functions that matter, so `M` is tens, not thousands. What is seen at a point
-//! is a displacement with one precision along a normal and another across it ([`Pull`]); [`fit()`] gives the posterior
+//! variance, independent for each axis ([`SmoothPrior`]). Both bases below are finite: `u(p) = Σ_k φ_k(p) c_k` with
+//! independent standard normal coefficients.
 //!
-//! `(I + Φᵀ W Φ) c = Φᵀ W d`, `Cov c = (I + Φᵀ W Φ)⁻¹`
+//! - [`FieldBasis`]: the Nyström approximation over `m` inducing points that cover the surface evenly
+//!   ([`homolog_primitives::points::farthest_points`]); wide kernels have few functions that matter, so `M` is tens,
+//!   not thousands. Observations are displacements, each with one precision along a normal and another across it
+//!   ([`Observation`]); [`fit_field`] gives the posterior `(I + Φᵀ W Φ) c = Φᵀ W d`, `Cov c = (I + Φᵀ W Φ)⁻¹`, and with
+//!   it the uncertainty of the field at every point. Used by displacement.
+//! - `taylor`: one kernel by the first terms of its Taylor series, twenty functions without an eigendecomposition, with
+//!   isotropic observations and no covariance. Used by [`crate::pose_search()`], which fits a field to every candidate
+//!   pose.
 //!
-//! and with it how sure the field is at every point. [`assign`] says what is seen where correspondences are unknown.
-//!
-//! Nothing here knows a mesh or an energy: points, normals, areas, features.
+//! Where correspondences are unknown, [`crate::alignment::assign`] provides the observations. Nothing here knows a mesh
+//! or an energy.
 //!
 //! Sources: Rasmussen, Williams, "Gaussian Processes for Machine Learning", 2006 (weight-space view, Nyström);
 //! Myronenko, Song, IEEE PAMI 32(12), 2010, and Hirose, IEEE PAMI 43(7), 2021 (such a prior in point-set registration).
 
-mod affinity;
-mod assignment;
-mod basis;
-mod farthest;
 mod fit;
-mod neighbors;
+mod nystrom;
+pub(crate) mod taylor;
 #[cfg(test)]
 mod tests;
 
-pub use assignment::{Assignment, Likeness, Samples, assign};
-pub use basis::{FieldBasis, GaussianKernel, SmoothPrior};
-pub use farthest::farthest_points;
-pub use fit::{FittedField, Pull, fit};
-pub use neighbors::NeighborGrid;
+pub use fit::{FittedField, Observation, fit_field};
+pub use nystrom::{FieldBasis, GaussianKernel, SmoothPrior};

@@ -1,14 +1,14 @@
-//! How the surroundings of a patch are formed: numbers that no motion changes, by which places on a tube differ.
+//! Shape descriptors of the surroundings of a patch that no rigid motion changes.
 //!
-//! Over the ball of radius `r` around a patch, with weights `a_j (1 − d²/r²)²`: the mean offset along the normal (minus on
-//! a ridge, plus in a hollow), the mean offset across it (large at an end, a rim or an edge) and the share of the whole
-//! surface that lies within (large where a structure is thin). As sums over many patches they hold under noise that
-//! makes the curvature of a mesh meaningless, and they say how a surface is turned about its long axis where distance
-//! alone does not: of 20 synthetic shapes warped by 8 % of their diagonal 14 came within 10 degrees of the orientation of
-//! their true pairs without features, all 20 with them.
+//! Over the ball of radius `r` around a patch, with weights `a_j (1 − d²/r²)²`: the mean offset along the normal
+//! (negative on a ridge, positive in a hollow), the mean offset across it (large at an end, a rim or an edge) and the
+//! share of the whole surface within the ball (large where a structure is thin). As sums over many patches they are
+//! stable under noise that makes the curvature of a mesh meaningless. They determine the rotation about the long axis
+//! of a structure where distances do not: of 20 synthetic shapes warped by 8 % of their diagonal, 14 ended within 10°
+//! of the orientation of their true pairs without features and all 20 with them.
 //!
 //! Source: integral invariants, Pottmann, Wallner, Huang, Yang, "Integral invariants for robust geometry processing",
-//! 2009; here of the surface's patches instead of the volume.
+//! 2009; here of the patches of the surface instead of the volume.
 
 use super::patches::{N_FEATURES, Patch, Patches};
 use nalgebra::Vector3;
@@ -16,7 +16,7 @@ use nalgebra::Vector3;
 /// Radii of the two balls in diagonals: wider than two patches, smaller than the structure.
 const RADII: [f64; 2] = [0.1, 0.17];
 
-/// Gives all patches of both surfaces their features, of mean 0 and standard deviation 1 over both together.
+/// Sets the features of all patches of both surfaces, scaled to mean 0 and standard deviation 1 over both together.
 /// Cost `O(patches²)`.
 pub(super) fn describe(source: &mut Patches, target: &mut Patches, diagonal_mm: f64) {
     for side in [&mut *source, &mut *target] {
@@ -30,7 +30,7 @@ pub(super) fn describe(source: &mut Patches, target: &mut Patches, diagonal_mm: 
         let all: Vec<f64> = source.fine.iter().chain(&target.fine).map(|p| p.features[k]).collect();
         let mean = all.iter().sum::<f64>() / all.len() as f64;
         let variance = all.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / all.len() as f64;
-        // On a sphere a feature is the same everywhere, up to rounding, and must stay without meaning.
+        // On a sphere a feature is constant up to rounding, which must not be scaled up.
         let scale = variance.sqrt().max(1e-6);
         for side in [&mut *source, &mut *target] {
             for patch in side.coarse.iter_mut().chain(&mut side.fine) {

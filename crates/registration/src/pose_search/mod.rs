@@ -1,22 +1,24 @@
-//! The pose of one surface on another from any orientation: a lattice of rotations, judged and refined by soft assignment.
+//! The pose of one surface on another from any initial orientation: sampled rotations, ranked and refined by soft
+//! assignment.
 //!
-//! Closest points and principal axes find a pose where surfaces are whole and alike. Noise bends normals and curvature,
-//! a missing end moves the centroid and the axes, a different shape has axes of its own. What is left then is to try
-//! every rotation, cheaply:
+//! Closest points and principal axes find a pose where both surfaces are complete and similar. Noise distorts normals
+//! and curvature, a missing end shifts the centroid and the axes, a different shape has different axes. What remains is
+//! to try every rotation, cheaply:
 //!
 //! 1. Both surfaces become patches ([`patches`]), few and many, in the frames of their centroids and principal axes.
-//! 2. **Screening**: rotations on a spiral, and the four of the principal axes, are judged on the few patches by the
-//!    misfit of a wide soft assignment ([`affinity`]); the best that are not close to each other stay.
-//! 3. **Annealing**: each is moved by rigid steps of coherent point drift while the assignment narrows; those that end
-//!    in one pose are counted once.
-//! 4. **Settling**: the few best again on the many patches, narrower.
-//! 5. **Bending**: each may take up what differs in shape by a smooth field ([`bending`]), and is judged after that.
+//! 2. **Screening**: rotations on a spiral, and the four of the principal axes, are ranked on the few patches by the
+//!    misfit of a wide soft assignment ([`crate::alignment`]); the best that are not close to each other remain.
+//! 3. **Annealing**: each is refined by rigid steps of coherent point drift while the kernel width shrinks; candidates
+//!    that end in the same pose are merged.
+//! 4. **Settling**: the few best are refined on the many patches with narrower kernels.
+//! 5. **Bending**: a smooth field ([`crate::deformation`]) takes up the difference in shape of each pose before its
+//!    final misfit is measured. Where shapes differ, the rigid transform of least distance is not the anatomical one: a
+//!    bent end rotates the whole about its long axis. With the field, the assigned pairs are better, and the pose is
+//!    their absolute orientation.
 //!
 //! Sources: Myronenko, Song, "Point set registration: coherent point drift", IEEE PAMI 32(12), 2010 (rigid steps);
 //! Alexa 2022 (the spiral, see [`rotations`]).
 
-mod affinity;
-mod bending;
 mod features;
 mod patches;
 mod rotations;
@@ -24,42 +26,33 @@ mod rotations;
 mod tests;
 
 use super::{RigidTransform, absolute_orientation};
-use affinity::{Columns, Workspace};
-use bending::Bending;
+use crate::alignment::compact::{CompactAssignment, CompactTarget};
+use crate::alignment::{OrientedPoint, OrientedPoints, annealed, progress_short_of_end};
+use crate::deformation::GaussianKernel;
+use crate::deformation::taylor::TaylorBasis;
 use features::describe;
 use nalgebra::{Matrix3, Point3, Vector3};
 use patches::{Patch, Patches, mirrored};
 use rayon::prelude::*;
 use rotations::spread_rotations;
 
-/// Points of a surface with what is known at each; slices of equal length.
-#[derive(Debug, Clone, Copy)]
-pub struct OrientedPoints<'a> {
-    /// Positions, mm.
-    pub points: &'a [Point3<f64>],
-    /// Unit normals, all outwards or all inwards.
-    pub normals: &'a [Vector3<f64>],
-    /// Area that each stands for, mm².
-    pub areas: &'a [f64],
-}
-
-/// How far a pose search looks.
+/// How a pose search runs.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PoseSearchOptions {
-    /// Whether poses that mirror are tried as well.
+    /// Whether poses with a reflection are tried as well.
     pub allow_reflection: bool,
-    /// Rotations of the lattice.
+    /// Rotations on the spiral.
     pub n_rotations: usize,
     /// Patches of each surface in screening and annealing.
     pub n_coarse: usize,
-    /// Patches in settling and bending.
+    /// Patches of each surface in settling and bending.
     pub n_fine: usize,
     /// Poses of either handedness that are annealed.
     pub n_annealed: usize,
-    /// Poses of either handedness that are settled and returned at most.
+    /// Largest number of poses of either handedness that are settled and returned.
     pub n_settled: usize,
-    /// `σ` of the assignment in diagonals of the larger surface: when screening, and at the end of annealing and settling.
-    /// Bending goes from the second to the third again.
+    /// Kernel width `σ` in diagonals of the larger surface: for screening, and at the end of annealing and of settling.
+    /// Bending anneals from the second to the third value again.
     pub sigma: [f64; 3],
     /// Steps of annealing, settling and bending.
     pub steps: [u32; 3],
@@ -80,26 +73,25 @@ impl Default for PoseSearchOptions {
     }
 }
 
-/// A pose and how well the surfaces lie on each other there.
+/// A pose and how well the surfaces agree in it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ScoredPose {
     /// The pose.
     pub target_from_source: RigidTransform,
-    /// Mean over both surfaces of `−ln` of how much of a matching surface each patch sees, and what the bending costs
-    /// that this takes; lower is better.
+    /// Misfit (see [`crate::alignment`]) after bending, plus the cost of the bending under its prior; lower is better.
     pub misfit: f64,
-    /// How much worse than the best that is; 0 for the best.
+    /// Misfit minus that of the best pose.
     pub excess: f64,
 }
 
-/// Poses within this angle, radians, are one; 30 degrees.
+/// Poses within this angle, radians, count as the same; 30°.
 pub const SAME_POSE_ANGLE: f64 = 0.52;
-/// Width and standard deviation of the bending field in diagonals: bends of a third of a structure, by a tenth.
+/// Width and standard deviation of the bending field in diagonals: bends over a third of a structure, by a tenth.
 const WIDTH: f64 = 0.3;
 const AMPLITUDE: f64 = 0.1;
-/// Independent observations a square millimetre: patches next to each other err alike.
-const DENSITY: f64 = 0.05;
-/// Rotations of the lattice that are annealed are at least this far apart, radians; 20 degrees.
+/// Independent observations per square millimetre: the errors of neighboring patches are correlated.
+const OBSERVATIONS_PER_MM2: f64 = 0.05;
+/// Smallest angle between rotations that are annealed, radians; 20°.
 const APART: f64 = 0.35;
 
 /// A pose in the frames of the patches.
@@ -117,10 +109,11 @@ impl Candidate {
     }
 }
 
-/// Poses that lay `source` on `target`, best first, no two within 30 degrees unless one of them mirrors.
+/// Poses that align `source` with `target`, best first, no two of equal handedness within 30°.
 ///
-/// Empty where a surface has fewer than three points, no area, or numbers that are not finite. A pure function of its
-/// inputs: poses are followed on all threads, each alone. Moving an input moves the answer with it.
+/// Empty if a surface has fewer than three points, no area, or a number that is not finite. Features of the inputs are
+/// not used. Moving an input rigidly moves the result with it. Candidates are refined independently on all threads, so
+/// any number of threads gives the same bits.
 ///
 /// # Cost
 /// `O((rotations + annealed · steps) · coarse² + settled · steps · fine² + fine · points)`; twice with reflections.
@@ -129,15 +122,15 @@ pub fn pose_search(
     target: &OrientedPoints<'_>,
     options: &PoseSearchOptions,
 ) -> Vec<ScoredPose> {
-    let cut = |surface| Patches::new(surface, options.n_coarse, options.n_fine);
-    let (Some(mut of_source), Some(mut of_target)) = rayon::join(|| cut(source), || cut(target)) else {
+    let patches = |surface| Patches::new(surface, options.n_coarse, options.n_fine);
+    let (Some(mut of_source), Some(mut of_target)) = rayon::join(|| patches(source), || patches(target)) else {
         return Vec::new();
     };
     let diagonal_mm = of_source.diagonal_mm.max(of_target.diagonal_mm);
     describe(&mut of_source, &mut of_target, diagonal_mm);
     let search = Search {
-        coarse: Level::new(&of_source.coarse, of_target.coarse.clone()),
-        fine: Level::new(&of_source.fine, of_target.fine.clone()),
+        coarse: Level::new(&of_source.coarse, &of_target.coarse),
+        fine: Level::new(&of_source.fine, &of_target.fine),
         diagonal_mm,
         options,
     };
@@ -155,22 +148,27 @@ pub fn pose_search(
         .collect()
 }
 
-/// Both surfaces at one number of patches.
+/// Both surfaces at one resolution.
 struct Level {
     source: Vec<Patch>,
     /// The mirror image of the source.
     mirrored: Vec<Patch>,
-    target: Columns,
+    target: CompactTarget,
 }
 
 impl Level {
-    fn new(source: &[Patch], target: Vec<Patch>) -> Self {
-        Level { source: source.to_vec(), mirrored: mirrored(source), target: Columns::new(target) }
+    fn new(source: &[Patch], target: &[Patch]) -> Self {
+        let target: Vec<OrientedPoint<'_>> = points_of(target).collect();
+        Level { source: source.to_vec(), mirrored: mirrored(source), target: CompactTarget::new(&target) }
     }
 
     fn source(&self, mirrors: bool) -> &[Patch] {
         if mirrors { &self.mirrored } else { &self.source }
     }
+}
+
+fn points_of(patches: &[Patch]) -> impl Iterator<Item = OrientedPoint<'_>> + Clone {
+    patches.iter().map(Patch::as_point)
 }
 
 struct Search<'a> {
@@ -185,37 +183,44 @@ impl Search<'_> {
         let [wide, middle, narrow] = self.options.sigma.map(|s| s * self.diagonal_mm);
         let [annealing, settling, bending] = self.options.steps;
         let n = self.options.n_settled;
-        let annealed = of_each(&self.screened(wide), |workspace, c| {
-            improved(c, &self.coarse, (wide, middle), annealing, workspace)
+        let moved = for_each_candidate(&self.screened(wide), |assignment, c| {
+            refined(c, &self.coarse, (wide, middle), annealing, assignment)
         });
-        let settled = of_each(&best_apart(annealed, SAME_POSE_ANGLE, n), |workspace, c| {
-            improved(c, &self.fine, (middle, narrow), settling, workspace)
+        let settled = for_each_candidate(&best_apart(moved, SAME_POSE_ANGLE, n), |assignment, c| {
+            refined(c, &self.fine, (middle, narrow), settling, assignment)
         });
-        let bent = of_each(&best_apart(settled, SAME_POSE_ANGLE, n), |workspace, c| {
-            self.bent(c, (middle, narrow), bending, workspace)
+        let bent = for_each_candidate(&best_apart(settled, SAME_POSE_ANGLE, n), |assignment, c| {
+            self.bent(c, (middle, narrow), bending, assignment)
         });
         best_apart(bent, SAME_POSE_ANGLE, n)
     }
 
-    /// `start` with a field that takes up what differs in shape, its misfit that of the bent surface together with what
-    /// the bending costs.
-    fn bent(&self, start: &Candidate, sigma_mm: (f64, f64), steps: u32, workspace: &mut Workspace) -> Candidate {
+    /// `start` refined with a field that takes up the difference in shape. Its misfit is that of the bent surface plus
+    /// the cost of the bending.
+    fn bent(
+        &self,
+        start: &Candidate,
+        sigma_mm: (f64, f64),
+        steps: u32,
+        assignment: &mut CompactAssignment,
+    ) -> Candidate {
         let (source, target) = (self.fine.source(start.mirrors), &self.fine.target);
-        let bending = Bending::new(source, WIDTH * self.diagonal_mm, AMPLITUDE * self.diagonal_mm);
         let from: Vec<Point3<f64>> = source.iter().map(|p| Point3::from(p.center)).collect();
+        let kernel = GaussianKernel { width_mm: WIDTH * self.diagonal_mm, amplitude_mm: AMPLITUDE * self.diagonal_mm };
+        let basis = TaylorBasis::new(&from, kernel);
         let (mut found, mut cost) = (*start, 0.0);
         let mut base = start.moved(source);
         let mut bent = base.clone();
         for step in 0..steps {
-            let sigma = between(sigma_mm, step, steps);
-            workspace.misfit(&bent, target, sigma);
-            let (to, weights) = workspace.pulls(source, target, sigma);
-            let precision: Vec<f64> = weights.iter().map(|w| w * DENSITY / (sigma * sigma)).collect();
-            let Some(fitted) = bending.fit(&base, to, &precision) else { break };
+            let sigma = annealed(sigma_mm.0, sigma_mm.1, progress_short_of_end(step, steps));
+            assignment.misfit(points_of(&bent), target, sigma);
+            let (to, weights) = assignment.means(points_of(source), target, sigma);
+            let precision: Vec<f64> = weights.iter().map(|w| w * OBSERVATIONS_PER_MM2 / (sigma * sigma)).collect();
+            let Some(fitted) = basis.fit(|i| to[i].coords - base[i].center, &precision) else { break };
             cost = fitted.cost;
             let to: Vec<Point3<f64>> =
                 base.iter().zip(&fitted.displacements).map(|(p, u)| Point3::from(p.center + u)).collect();
-            // What of the field is a motion goes into the pose, where it costs nothing.
+            // The rigid part of the field moves into the pose, where it has no cost.
             let Ok(pose) = absolute_orientation(&from, &to, Some(weights), false) else { break };
             (found.rotation, found.shift) = (pose.rotation, pose.translation);
             base = found.moved(source);
@@ -224,83 +229,79 @@ impl Search<'_> {
                 patch.center = at.coords;
             }
         }
-        // Both terms are per observation: the misfit is a mean, the cost that of all together.
+        // Per observation, like the misfit, which is a mean; the cost is that of all observations together.
         let area: f64 = source.iter().map(|p| p.area).sum();
-        found.misfit = workspace.misfit(&bent, target, sigma_mm.1) + cost / (DENSITY * area);
+        found.misfit = assignment.misfit(points_of(&bent), target, sigma_mm.1) + cost / (OBSERVATIONS_PER_MM2 * area);
         found
     }
 
-    /// The best rotations about the centroids.
+    /// The best rotations with centroid on centroid.
     fn screened(&self, sigma_mm: f64) -> Vec<Candidate> {
         let mut rotations =
             [[1.0, 1.0], [1.0, -1.0], [-1.0, 1.0], [-1.0, -1.0]].map(|[a, b]| diagonal(a, b, a * b)).to_vec();
         rotations.extend(spread_rotations(self.options.n_rotations));
-        let hands: &[bool] = if self.options.allow_reflection { &[false, true] } else { &[false] };
-        let of_hand = |&mirrors| {
+        let handedness: &[bool] = if self.options.allow_reflection { &[false, true] } else { &[false] };
+        let all_rotations = |&mirrors| {
             let centered = move |&rotation| Candidate { mirrors, rotation, shift: Vector3::zeros(), misfit: 0.0 };
             rotations.iter().map(centered)
         };
-        let tried: Vec<Candidate> = hands.iter().flat_map(of_hand).collect();
-        let found = of_each(&tried, |workspace, c| {
+        let tried: Vec<Candidate> = handedness.iter().flat_map(all_rotations).collect();
+        let found = for_each_candidate(&tried, |assignment, c| {
             let moved = c.moved(self.coarse.source(c.mirrors));
-            Candidate { misfit: workspace.misfit(&moved, &self.coarse.target, sigma_mm), ..*c }
+            Candidate { misfit: assignment.misfit(points_of(&moved), &self.coarse.target, sigma_mm), ..*c }
         });
         best_apart(found, APART, self.options.n_annealed)
     }
 }
 
-/// What `follow` makes of each candidate, in their order, on all threads. A workspace is reused, and holds nothing that
-/// the next candidate could see.
-fn of_each(
+/// `refine` of each candidate, in their order, on all threads. The scratch memory is reused between candidates and does
+/// not affect the result.
+fn for_each_candidate(
     candidates: &[Candidate],
-    follow: impl Fn(&mut Workspace, &Candidate) -> Candidate + Sync + Send,
+    refine: impl Fn(&mut CompactAssignment, &Candidate) -> Candidate + Sync + Send,
 ) -> Vec<Candidate> {
-    candidates.par_iter().map_init(Workspace::default, follow).collect()
-}
-
-/// Geometric interpolation; the end is not reached.
-fn between((from, to): (f64, f64), step: u32, steps: u32) -> f64 {
-    from * (to / from).powf(f64::from(step) / f64::from(steps))
+    candidates.par_iter().map_init(CompactAssignment::default, refine).collect()
 }
 
 fn diagonal(x: f64, y: f64, z: f64) -> Matrix3<f64> {
     Matrix3::from_diagonal(&Vector3::new(x, y, z))
 }
 
-/// `start` after rigid steps with `σ` falling from the first to the second of `sigma_mm`, its misfit at the second.
-fn improved(
+/// `start` after rigid steps while `σ` is annealed from the first to the second of `sigma_mm`, with its misfit at the
+/// second.
+fn refined(
     start: &Candidate,
     level: &Level,
     sigma_mm: (f64, f64),
     steps: u32,
-    workspace: &mut Workspace,
+    assignment: &mut CompactAssignment,
 ) -> Candidate {
     let source = level.source(start.mirrors);
     let from: Vec<Point3<f64>> = source.iter().map(|p| Point3::from(p.center)).collect();
     let mut found = *start;
     for step in 0..steps {
-        let sigma = between(sigma_mm, step, steps);
-        workspace.misfit(&found.moved(source), &level.target, sigma);
-        let (to, weights) = workspace.pulls(source, &level.target, sigma);
-        // Surfaces out of reach of each other stay where they are; their misfit says so.
+        let sigma = annealed(sigma_mm.0, sigma_mm.1, progress_short_of_end(step, steps));
+        assignment.misfit(points_of(&found.moved(source)), &level.target, sigma);
+        let (to, weights) = assignment.means(points_of(source), &level.target, sigma);
+        // Surfaces out of reach of each other keep this pose, whose misfit is large.
         let Ok(fitted) = absolute_orientation(&from, to, Some(weights), false) else { break };
         (found.rotation, found.shift) = (fitted.rotation, fitted.translation);
     }
-    found.misfit = workspace.misfit(&found.moved(source), &level.target, sigma_mm.1);
+    found.misfit = assignment.misfit(points_of(&found.moved(source)), &level.target, sigma_mm.1);
     found
 }
 
-/// The `n` best of `candidates` of either handedness, best first, none within `angle` (radians) of a better one. Those
-/// of equal misfit in the order given; those without a number left out.
+/// The `n` best of `candidates` of either handedness, best first, none within `angle`, radians, of a better one.
+/// Candidates of equal misfit stay in the given order; those whose misfit is not finite are left out.
 fn best_apart(mut candidates: Vec<Candidate>, angle: f64, n: usize) -> Vec<Candidate> {
     candidates.retain(|c| c.misfit.is_finite());
     candidates.sort_by(|a, b| a.misfit.total_cmp(&b.misfit));
-    // Of rotations at an angle φ the trace of `RᵀR'` is `1 + 2 cos φ`.
+    // Rotations at an angle φ to each other have tr(RᵀR') = 1 + 2 cos φ.
     let near = 1.0 + 2.0 * angle.cos();
     let mut kept: Vec<Candidate> = Vec::new();
     for c in candidates {
-        let mut alike = kept.iter().filter(|k| k.mirrors == c.mirrors);
-        if alike.clone().count() < n && alike.all(|k| k.rotation.dot(&c.rotation) < near) {
+        let mut same_handedness = kept.iter().filter(|k| k.mirrors == c.mirrors);
+        if same_handedness.clone().count() < n && same_handedness.all(|k| k.rotation.dot(&c.rotation) < near) {
             kept.push(c);
         }
     }

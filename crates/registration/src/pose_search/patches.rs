@@ -1,16 +1,15 @@
-//! A surface as a few patches: where each lies on average, where it looks, how much area it has.
+//! A surface as a small number of patches, each with a mean position, a mean normal and an area.
 //!
-//! The mean over a patch takes off noise of single vertices by the square root of their number. So does the sum of the
-//! vector areas, which for faces that share edges depends on the rim of the patch alone: where noise turns single
-//! normals at random, the patch still looks outwards. How many vertices a patch has does not matter.
-//!
-//! Source of the seeds: farthest-point sampling, Gonzalez, "Clustering to minimize the maximum intercluster distance", 1985.
+//! The mean over a patch reduces the noise of single vertices by the square root of their number. The sum of the vector
+//! areas of faces that share edges depends only on the rim of the patch, so noise that tilts single normals at random
+//! leaves the normal of the patch nearly unchanged. The number of vertices of a patch does not matter.
 
-use super::OrientedPoints;
+use crate::alignment::{OrientedPoint, OrientedPoints};
 use crate::weighted_moments;
-use nalgebra::{Matrix3, Vector3};
+use homolog_primitives::points::FarthestPoints;
+use nalgebra::{Matrix3, Point3, Vector3};
 
-/// Numbers that say how the surroundings of a patch are formed.
+/// Features of a patch, see [`super::features`].
 pub(super) const N_FEATURES: usize = 4;
 
 /// One piece of a surface.
@@ -22,58 +21,64 @@ pub(super) struct Patch {
     pub normal: Vector3<f64>,
     /// Area.
     pub area: f64,
-    /// How its surroundings are formed, see [`super::features`].
+    /// Shape descriptors of its surroundings, see [`super::features`].
     pub features: [f64; N_FEATURES],
 }
 
 impl Patch {
     /// The patch moved by `p' = R p + t`.
-    pub fn moved(&self, rotation: &Matrix3<f64>, shift: &Vector3<f64>) -> Patch {
+    pub(super) fn moved(&self, rotation: &Matrix3<f64>, shift: &Vector3<f64>) -> Patch {
         Patch { center: rotation * self.center + shift, normal: rotation * self.normal, ..*self }
+    }
+
+    pub(super) fn as_point(&self) -> OrientedPoint<'_> {
+        OrientedPoint { position: self.center, normal: self.normal, area: self.area, features: &self.features }
     }
 }
 
-/// A surface cut in few and in many patches, about its centroid and in the frame of its principal axes, mm.
+/// A surface at two resolutions, about its centroid and in the frame of its principal axes, mm.
 pub(super) struct Patches {
     pub coarse: Vec<Patch>,
     pub fine: Vec<Patch>,
-    /// Where the frame of the patches begins on the surface, mm.
+    /// Origin of the frame in the coordinates of the surface, mm.
     pub center: Vector3<f64>,
-    /// Its axes, as columns.
+    /// Axes of the frame, as columns.
     pub axes: Matrix3<f64>,
     /// Diagonal of the box around the patches along the axes, mm.
     pub diagonal_mm: f64,
 }
 
 impl Patches {
-    /// `None` without three points, without area, or where numbers are not finite. Cost `O(fine · points)`.
-    pub fn new(surface: &OrientedPoints<'_>, n_coarse: usize, n_fine: usize) -> Option<Self> {
+    /// `None` if there are fewer than three points, no area, or a number is not finite. Cost `O(fine · points)`.
+    pub(super) fn new(surface: &OrientedPoints<'_>, n_coarse: usize, n_fine: usize) -> Option<Self> {
         let total: f64 = surface.areas.iter().sum();
         if surface.points.len() < 3 || !(total > 0.0 && total.is_finite()) {
             return None;
         }
         let (center, axes) = frame(surface, total)?;
-        let local: Vec<Vector3<f64>> = surface.points.iter().map(|p| axes.transpose() * (p.coords - center)).collect();
+        let local = |p: &Point3<f64>| Point3::from(axes.transpose() * (p.coords - center));
+        let points: Vec<Point3<f64>> = surface.points.iter().map(local).collect();
         let normals: Vec<Vector3<f64>> = surface.normals.iter().map(|n| axes.transpose() * n).collect();
-        let mut owners = Owners::new(&local);
-        owners.extend(n_coarse);
-        let coarse = owners.patches(&normals, surface.areas);
-        owners.extend(n_fine);
-        let fine = owners.patches(&normals, surface.areas);
+        // The first samples of many are few samples spread evenly.
+        let mut sampling = FarthestPoints::new(&points, Point3::origin());
+        let [coarse, fine] = [n_coarse.max(1), n_fine].map(|n| {
+            sampling.extend_to(n);
+            cut(&points, &sampling, &normals, surface.areas)
+        });
         let start = (Vector3::repeat(f64::INFINITY), Vector3::repeat(f64::NEG_INFINITY));
         let (low, high) = fine.iter().fold(start, |(low, high), p| (low.inf(&p.center), high.sup(&p.center)));
         Some(Patches { coarse, fine, center, axes, diagonal_mm: (high - low).norm() })
     }
 }
 
-/// The mirror image, the first axis turned round.
+/// The mirror image, with the first coordinate negated.
 pub(super) fn mirrored(patches: &[Patch]) -> Vec<Patch> {
-    let turned = |v: &Vector3<f64>| Vector3::new(-v.x, v.y, v.z);
-    patches.iter().map(|p| Patch { center: turned(&p.center), normal: turned(&p.normal), ..*p }).collect()
+    let reflected = |v: &Vector3<f64>| Vector3::new(-v.x, v.y, v.z);
+    patches.iter().map(|p| Patch { center: reflected(&p.center), normal: reflected(&p.normal), ..*p }).collect()
 }
 
-/// Centroid of the surface, and its principal axes as columns of a rotation, longest first. The first two point where
-/// the surface reaches farther, so that the frame goes with the surface wherever it is moved. `None` where numbers are not
+/// Centroid of the surface, and its principal axes as columns of a rotation, longest first. The first two have the sign
+/// that makes the skewness along them positive, so that the frame moves with the surface. `None` if a number is not
 /// finite.
 fn frame(surface: &OrientedPoints<'_>, total: f64) -> Option<(Vector3<f64>, Matrix3<f64>)> {
     let weighted = || surface.points.iter().zip(surface.areas);
@@ -89,77 +94,20 @@ fn frame(surface: &OrientedPoints<'_>, total: f64) -> Option<(Vector3<f64>, Matr
     Some((center, Matrix3::from_columns(&[first, second, first.cross(&second)])))
 }
 
-/// Seeds spread evenly over points, and for every point the nearest seed.
-///
-/// Each seed is the point farthest from those before it, so that the first of many seeds are few seeds spread evenly.
-struct Owners<'a> {
-    points: &'a [Vector3<f64>],
-    /// Squared distance of every point from the nearest seed, mm².
-    squared: Vec<f64>,
-    nearest: Vec<u32>,
-    n_seeds: usize,
-}
-
-impl<'a> Owners<'a> {
-    /// The first seed is the point farthest from the origin.
-    fn new(points: &'a [Vector3<f64>]) -> Self {
-        let squared: Vec<f64> = points.iter().map(Vector3::norm_squared).collect();
-        let mut owners = Owners { points, squared, nearest: vec![0; points.len()], n_seeds: 0 };
-        let first = owners.farthest();
-        owners.squared.fill(f64::INFINITY);
-        owners.add(first);
-        owners
+/// One patch per sample: the points nearest to it. Patches without area are left out.
+fn cut(points: &[Point3<f64>], sampling: &FarthestPoints<'_>, normals: &[Vector3<f64>], areas: &[f64]) -> Vec<Patch> {
+    let none = Patch { center: Vector3::zeros(), normal: Vector3::zeros(), area: 0.0, features: [0.0; N_FEATURES] };
+    let mut patches = vec![none; sampling.samples().len()];
+    for (((p, n), &area), k) in points.iter().zip(normals).zip(areas).zip(sampling.nearest_samples()) {
+        let patch = &mut patches[k];
+        patch.center += p.coords * area;
+        patch.normal += n * area;
+        patch.area += area;
     }
-
-    /// The lowest index of those farthest from all seeds.
-    fn farthest(&self) -> usize {
-        let mut found = 0;
-        for (i, &d) in self.squared.iter().enumerate() {
-            if d > self.squared[found] {
-                found = i;
-            }
-        }
-        found
+    patches.retain(|p| p.area > 0.0);
+    for patch in &mut patches {
+        patch.center /= patch.area;
+        patch.normal /= patch.area;
     }
-
-    fn add(&mut self, seed: usize) {
-        let at = self.points[seed];
-        for ((p, squared), nearest) in self.points.iter().zip(&mut self.squared).zip(&mut self.nearest) {
-            let d = (p - at).norm_squared();
-            if d < *squared {
-                *squared = d;
-                *nearest = self.n_seeds as u32;
-            }
-        }
-        self.n_seeds += 1;
-    }
-
-    /// Adds seeds until there are `n`, or every point is one.
-    fn extend(&mut self, n: usize) {
-        while self.n_seeds < n {
-            let next = self.farthest();
-            if self.squared[next] <= 0.0 {
-                return;
-            }
-            self.add(next);
-        }
-    }
-
-    /// One patch a seed, those without area left out.
-    fn patches(&self, normals: &[Vector3<f64>], areas: &[f64]) -> Vec<Patch> {
-        let none = Patch { center: Vector3::zeros(), normal: Vector3::zeros(), area: 0.0, features: [0.0; N_FEATURES] };
-        let mut patches = vec![none; self.n_seeds];
-        for (((p, n), &area), &k) in self.points.iter().zip(normals).zip(areas).zip(&self.nearest) {
-            let patch = &mut patches[k as usize];
-            patch.center += p * area;
-            patch.normal += n * area;
-            patch.area += area;
-        }
-        patches.retain(|p| p.area > 0.0);
-        for patch in &mut patches {
-            patch.center /= patch.area;
-            patch.normal /= patch.area;
-        }
-        patches
-    }
+    patches
 }

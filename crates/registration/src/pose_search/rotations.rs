@@ -1,14 +1,14 @@
-//! Rotations spread evenly over all rotations.
+//! A low-discrepancy sample of all rotations.
 //!
 //! Source: Alexa, "Super-Fibonacci spirals: fast, low-discrepancy sampling of SO(3)", CVPR 2022.
 
 use nalgebra::{Matrix3, Quaternion, UnitQuaternion};
 use std::f64::consts::{SQRT_2, TAU};
 
-/// The root of `ψ⁴ = ψ + 4` above 1, the second of the two irrational turns of the spiral.
+/// The root of `ψ⁴ = ψ + 4` above 1, the second of the two irrational frequencies of the spiral.
 const PSI: f64 = 1.533_751_168_755_204_3;
 
-/// `n` rotations on a spiral through the unit quaternions, the same ones always. Cost `O(n)`.
+/// `n` rotations on a spiral through the unit quaternions; deterministic. Cost `O(n)`.
 pub(super) fn spread_rotations(n: usize) -> Vec<Matrix3<f64>> {
     let along = |k: usize| {
         let s = k as f64 + 0.5;
@@ -28,7 +28,7 @@ mod tests {
     use nalgebra::Vector3;
 
     #[test]
-    fn every_rotation_has_one_of_the_spiral_near_by() {
+    fn every_rotation_is_within_32_degrees_of_one_of_600_on_the_spiral() {
         let spread = spread_rotations(600);
         let nearest = |seed: u64| {
             let angle = |r: &Matrix3<f64>| {

@@ -1,10 +1,10 @@
-//! Laws of the pose search, and what it must bear, on beans known by a formula.
+//! Invariances of the pose search and its robustness to noise, missing parts and warps, on beans given by a formula.
 
 use super::*;
 use crate::testing::{numbers, pose};
 use std::f64::consts::{PI, TAU};
 
-/// A surface known by its points.
+/// A surface given by points.
 #[derive(Clone)]
 struct Cloud {
     points: Vec<Point3<f64>>,
@@ -14,7 +14,7 @@ struct Cloud {
 
 impl Cloud {
     fn oriented(&self) -> OrientedPoints<'_> {
-        OrientedPoints { points: &self.points, normals: &self.normals, areas: &self.areas }
+        OrientedPoints { points: &self.points, normals: &self.normals, areas: &self.areas, features: &[] }
     }
 
     fn moved(&self, by: &RigidTransform) -> Cloud {
@@ -34,7 +34,7 @@ impl Cloud {
 
 const LENGTH_MM: f64 = 45.0;
 
-/// A bent, tapered tube with a flat side and two bumps that depend on `seed`, and then what `warp` makes of it.
+/// A bent, tapered tube with a flat side and three bumps that depend on `seed`, mapped by `warp`.
 fn bean_with(seed: u64, n: usize, warp: impl Fn(Point3<f64>) -> Point3<f64>) -> Cloud {
     let mut number = numbers(seed);
     let bumps: Vec<[f64; 3]> = (0..3).map(|_| [0.2 + 0.6 * number(), TAU * number(), 0.15 + 0.2 * number()]).collect();
@@ -42,8 +42,8 @@ fn bean_with(seed: u64, n: usize, warp: impl Fn(Point3<f64>) -> Point3<f64>) -> 
         let taper = (1.0 - (2.0 * s - 1.0).powi(4)).max(0.0).sqrt() * (1.3 - 0.7 * s);
         let raised: f64 = bumps
             .iter()
-            .map(|[at, turn, height]| {
-                let off = (phi - turn + PI).rem_euclid(TAU) - PI;
+            .map(|[at, angle, height]| {
+                let off = (phi - angle + PI).rem_euclid(TAU) - PI;
                 height * (-0.5 * (((s - at) / 0.12).powi(2) + (off / 0.6).powi(2))).exp()
             })
             .sum();
@@ -99,7 +99,7 @@ fn a_moved_copy_is_found_from_any_of_fifty_poses() {
 }
 
 #[test]
-fn poses_come_best_first_and_apart() {
+fn poses_are_sorted_by_misfit_and_at_least_30_degrees_apart() {
     let found = search(&bean(2, 900), &bean(3, 900).moved(&pose(7)));
     assert!(found.len() > 1 && found[0].excess == 0.0);
     assert!(found.is_sorted_by(|a, b| a.misfit <= b.misfit));
@@ -113,14 +113,14 @@ fn poses_come_best_first_and_apart() {
 }
 
 #[test]
-fn the_same_bits_on_any_number_of_threads() {
+fn any_number_of_threads_gives_the_same_bits() {
     let (source, target) = (bean(4, 800), bean(4, 900).moved(&pose(3)));
     let on = |n| rayon::ThreadPoolBuilder::new().num_threads(n).build().unwrap().install(|| search(&source, &target));
     assert_eq!(on(1), on(3));
 }
 
 #[test]
-fn a_mirror_image_is_found_where_mirrors_are_allowed() {
+fn a_mirror_image_is_found_if_reflections_are_allowed() {
     let source = bean(5, 900);
     let mirror = RigidTransform {
         rotation: Matrix3::from_diagonal(&Vector3::new(-1.0, 1.0, 1.0)),
@@ -162,7 +162,7 @@ fn bumps(points: &[Point3<f64>], share: f64, seed: u64) -> impl Fn(Point3<f64>) 
 }
 
 #[test]
-fn noise_missing_ends_and_half_the_points_are_borne() {
+fn noise_a_missing_end_and_half_the_points_leave_the_pose_within_10_degrees() {
     for seed in 20..25 {
         let (source, truth) = (bean(seed, 2000), pose(seed));
         let near = |kind: &str, target: Cloud, limit: f64| {
@@ -175,7 +175,7 @@ fn noise_missing_ends_and_half_the_points_are_borne() {
         let size = 0.02 * diagonal_mm(&source.points);
         for (p, n) in noisy.points.iter_mut().zip(&mut noisy.normals) {
             *p += random() * size;
-            // Noise of about an edge length turns the normals of a mesh by this much.
+            // Noise of about an edge length tilts the normals of a mesh by this much.
             *n = (*n + random() * 0.7).normalize();
         }
         near("noise", noisy.moved(&truth), 5.0);
@@ -186,7 +186,7 @@ fn noise_missing_ends_and_half_the_points_are_borne() {
 }
 
 #[test]
-fn nine_of_ten_warps_of_eight_percent_are_borne() {
+fn nine_of_ten_warps_of_eight_percent_leave_the_pose_within_10_degrees() {
     let offs: Vec<f64> = (20..30)
         .map(|seed| {
             let (source, truth) = (bean(seed, 1500), pose(seed));
@@ -199,7 +199,7 @@ fn nine_of_ten_warps_of_eight_percent_are_borne() {
 }
 
 #[test]
-fn what_has_no_area_or_too_few_points_has_no_pose() {
+fn surfaces_without_area_or_with_two_points_or_nan_have_no_pose() {
     let whole = bean(1, 300);
     let two = whole.only(|p| p.x > whole.points[297].x);
     assert!(search(&two, &whole).is_empty() && search(&whole, &two).is_empty());
@@ -213,40 +213,41 @@ fn what_has_no_area_or_too_few_points_has_no_pose() {
 }
 
 #[test]
-fn the_fast_assignment_equals_its_formula() {
-    let cut = |seed, motion: u64| Patches::new(&bean(seed, 600).moved(&pose(motion)).oriented(), 40, 90).unwrap();
-    let (mut a, mut b) = (cut(6, 0), cut(7, 1));
+fn the_compact_assignment_equals_its_formula() {
+    let patches = |seed, motion: u64| Patches::new(&bean(seed, 600).moved(&pose(motion)).oriented(), 40, 90).unwrap();
+    let (mut a, mut b) = (patches(6, 0), patches(7, 1));
     let diagonal_mm = a.diagonal_mm;
     describe(&mut a, &mut b, diagonal_mm);
-    let turn = pose(30).rotation;
-    let source: Vec<Patch> = a.fine.iter().map(|p| p.moved(&turn, &Vector3::new(1.0, 2.0, -1.0))).collect();
+    let rotation = pose(30).rotation;
+    let source: Vec<Patch> = a.fine.iter().map(|p| p.moved(&rotation, &Vector3::new(1.0, 2.0, -1.0))).collect();
     let sigma = 4.0;
     let affinity = |p: &Patch, q: &Patch| {
         let near = (1.0 - (p.center - q.center).norm_squared() / (8.0 * sigma * sigma)).max(0.0).powi(4);
         let unlike: f64 = p.features.iter().zip(&q.features).map(|(f, g)| (f - g).powi(2)).sum();
         near * p.normal.dot(&q.normal).max(0.0) / (1.0 + 0.25 * unlike).powi(2)
     };
-    let whole = TAU * sigma * sigma;
-    let seen = |of: &Patch, by: &[Patch]| by.iter().map(|q| q.area * affinity(of, q)).sum::<f64>();
-    let told = |of: &[Patch], by: &[Patch]| {
-        let sum: f64 = of.iter().map(|p| -p.area * (seen(p, by) / whole + 0.1).ln()).sum();
-        sum / of.iter().map(|p| p.area).sum::<f64>()
+    let flat = TAU * sigma * sigma;
+    let density = |at: &Patch, of: &[Patch]| of.iter().map(|q| q.area * affinity(at, q)).sum::<f64>();
+    let misfit = |at: &[Patch], of: &[Patch]| {
+        let sum: f64 = at.iter().map(|p| -p.area * (density(p, of) / flat + 0.1).ln()).sum();
+        sum / at.iter().map(|p| p.area).sum::<f64>()
     };
-    let expected = 0.5 * (told(&source, &b.fine) + told(&b.fine, &source));
-    let (mut workspace, target) = (Workspace::default(), Columns::new(b.fine.clone()));
-    let found = workspace.misfit(&source, &target, sigma);
+    let expected = 0.5 * (misfit(&source, &b.fine) + misfit(&b.fine, &source));
+    let target = CompactTarget::new(&points_of(&b.fine).collect::<Vec<_>>());
+    let mut assignment = CompactAssignment::default();
+    let found = assignment.misfit(points_of(&source), &target, sigma);
     assert!((found - expected).abs() < 1e-4, "{found} {expected}");
-    let (targets, weights) = workspace.pulls(&source, &target, sigma);
+    let (targets, weights) = assignment.means(points_of(&source), &target, sigma);
     for (p, (at, weight)) in source.iter().zip(targets.iter().zip(weights)) {
-        let pull = |q: &Patch| {
-            let background = 0.1 * whole;
-            let share = 1.0 / (background + seen(p, &b.fine)) + 1.0 / (background + seen(q, &source));
+        let responsibility = |q: &Patch| {
+            let background = 0.1 * flat;
+            let share = 1.0 / (background + density(p, &b.fine)) + 1.0 / (background + density(q, &source));
             0.5 * p.area * q.area * affinity(p, q) * share
         };
-        let mass: f64 = b.fine.iter().map(pull).sum();
+        let mass: f64 = b.fine.iter().map(responsibility).sum();
         assert!((mass - weight).abs() < 1e-4 * p.area);
         if mass > 0.01 * p.area {
-            let mean = b.fine.iter().map(|q| q.center * pull(q)).sum::<Vector3<f64>>() / mass;
+            let mean = b.fine.iter().map(|q| q.center * responsibility(q)).sum::<Vector3<f64>>() / mass;
             assert!((mean - at.coords).norm() < 1e-2, "{mean} {at}");
         }
     }
@@ -255,12 +256,12 @@ fn the_fast_assignment_equals_its_formula() {
 #[test]
 fn patches_keep_area_and_centroid() {
     let surface = bean(8, 700);
-    let cut = Patches::new(&surface.oriented(), 50, 120).unwrap();
+    let found = Patches::new(&surface.oriented(), 50, 120).unwrap();
     let total: f64 = surface.areas.iter().sum();
-    for patches in [&cut.coarse, &cut.fine] {
+    for patches in [&found.coarse, &found.fine] {
         assert!((patches.iter().map(|p| p.area).sum::<f64>() - total).abs() < 1e-9 * total);
         let mean = patches.iter().map(|p| p.center * p.area).sum::<Vector3<f64>>() / total;
         assert!(mean.norm() < 1e-9);
     }
-    assert_eq!((cut.coarse.len(), cut.fine.len()), (50, 120));
+    assert_eq!((found.coarse.len(), found.fine.len()), (50, 120));
 }

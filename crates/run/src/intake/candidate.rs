@@ -39,7 +39,7 @@ impl Candidate {
             FileContent::Mesh(file) => from_mesh(file, parameters)?,
         };
         if let Some(SurfaceFault::InsideOut { .. }) = candidate.fault {
-            candidate.mesh = repair::turned(&candidate.mesh);
+            candidate.mesh = repair::reversed(&candidate.mesh);
             candidate.turned_outward = true;
             candidate.fault = None;
             candidate.repaired.volume_mm3 = candidate.repaired.volume_mm3.map(|v| -v);

@@ -1,4 +1,4 @@
-//! Marching cubes without a case table from a paper: contours are traced, so the surface is closed and 2-manifold.
+//! Marching cubes with traced contours instead of a published case table, so that the surface is closed and 2-manifold.
 //!
 //! Every lattice edge that crosses the level carries one vertex. On each face of a cube the crossings are joined so
 //! that corners above the level are kept apart where the face is ambiguous; the rule looks at the face alone, so the
@@ -12,8 +12,8 @@ use super::super::VoxelMask;
 use crate::{FaceArity, MeshError, SurfaceMesh};
 use nalgebra::{Point3, Vector3};
 
-/// Vertices keep this share of an edge from its ends, so that no triangle shrinks to nothing where the field meets
-/// the level at a lattice point.
+/// Vertices keep this share of an edge from its ends, so that no triangle degenerates where the field equals the level
+/// at a lattice point.
 const MARGIN: f64 = 0.05;
 
 /// The corners of each face, counter-clockwise seen from outside the cube.
@@ -97,7 +97,7 @@ fn trace_loops(pattern: usize) -> Vec<Vec<usize>> {
 }
 
 /// The surface where `field` (on the lattice of `mask`, below `level` on its border) crosses `level`, in world mm,
-/// looking to where the field is below.
+/// facing the side where the field is below.
 ///
 /// # Errors
 /// [`MeshError::Empty`] if the field crosses the level nowhere.

@@ -1,23 +1,23 @@
-//! Functions that smooth displacement fields are made of.
+//! Basis functions of a smooth displacement field by the Nyström approximation.
 
-use super::farthest::farthest_points;
 use faer::{Mat, Side};
+use homolog_primitives::points::farthest_points;
 use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
 
-/// Directions of the kernel whose variance is below this share of the largest are left out: rounding (1e-16) grows by
-/// its inverse root, and no field that surfaces can tell lives there.
+/// Eigenvectors of the covariance whose variance is below this share of the largest are left out: they amplify rounding
+/// (1e-16) by the inverse square root of it, and contribute nothing that surfaces could determine.
 const RANK_TOLERANCE: f64 = 1e-7;
 
-/// What is believed about a displacement field before anything is seen: `u(p) = a + B (p − c) + v(p)`, each part
-/// normal with mean 0 and independent for each axis.
+/// The prior of a displacement field: `u(p) = a + B (p − c) + v(p)`, each part normal with mean 0 and independent for
+/// each axis.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SmoothPrior {
     /// Standard deviation of the translation `a`, mm.
     pub translation_mm: f64,
     /// Standard deviation of each entry of `B`.
     pub linear: f64,
-    /// `v` is a sum of Gaussian processes, one for each kernel.
+    /// Kernels of the independent Gaussian processes whose sum is `v`.
     pub kernels: Vec<GaussianKernel>,
 }
 
@@ -46,13 +46,13 @@ pub struct FieldBasis {
     prior: SmoothPrior,
     center: Point3<f64>,
     inducing: Vec<Point3<f64>>,
-    /// `m × r`: from covariances with the inducing points to basis functions.
+    /// `m × r`: maps covariances with the inducing points to basis functions.
     whitening: Mat<f64>,
 }
 
 impl FieldBasis {
-    /// The basis for fields over `points`, with up to `n_inducing` of them as inducing points. `None` without points or
-    /// where the covariance has no eigendecomposition (numbers that are not finite).
+    /// The basis for fields over `points`, mm, with up to `n_inducing` of them as inducing points. `None` without
+    /// points or if the covariance has no eigendecomposition because a number is not finite.
     ///
     /// # Cost
     /// `O(n_inducing · points + n_inducing³)`.
@@ -77,7 +77,7 @@ impl FieldBasis {
         4 + self.whitening.ncols()
     }
 
-    /// Every function at every point, `n × M`. Cost `O(n · m · M)`.
+    /// The value of every function at every point, `n × M`. Cost `O(n · m · M)`.
     pub fn values(&self, points: &[Point3<f64>]) -> Mat<f64> {
         let m = self.inducing.len();
         let rows: Vec<Vec<f64>> = points

@@ -1,23 +1,23 @@
-//! All points within a radius, by a grid of cubes.
+//! All points within a radius of a query, found with a uniform grid of cubes.
 
 use nalgebra::{Point3, Vector3};
 
-/// Most cubes along an axis; wide sets get larger cubes, which costs time and changes no answer.
+/// Largest number of cubes along an axis. Wide sets get larger cubes, which costs time but changes no result.
 const MAX_CUBES: usize = 96;
 
-/// Points sorted into cubes.
+/// Points sorted into the cubes of a uniform grid.
 pub struct NeighborGrid<'a> {
     points: &'a [Point3<f64>],
     low: Point3<f64>,
     cube_mm: f64,
     counts: [usize; 3],
-    /// Where each cube's points begin in `members`.
+    /// Start of each cube's points in `members`.
     starts: Vec<u32>,
     members: Vec<u32>,
 }
 
 impl<'a> NeighborGrid<'a> {
-    /// A grid for queries within `radius_mm`. Cost `O(points + cubes)`.
+    /// Sorts `points`, mm, into cubes of a size suited to queries of radius `radius_mm`. Cost `O(points + cubes)`.
     pub fn new(points: &'a [Point3<f64>], radius_mm: f64) -> Self {
         let start = (Point3::from([f64::INFINITY; 3]), Point3::from([f64::NEG_INFINITY; 3]));
         let (low, high) = points.iter().fold(start, |(low, high), p| (low.inf(p), high.sup(p)));
@@ -48,14 +48,14 @@ impl<'a> NeighborGrid<'a> {
         (at(2) * self.counts[1] + at(1)) * self.counts[0] + at(0)
     }
 
-    /// Calls `visit` with the index and the squared distance (mm²) of every point within `radius_mm` of `query`, in an
-    /// order that depends on the points alone.
+    /// Calls `visit` with the index and the squared distance, mm², of every point within `radius_mm` of `query`. The
+    /// order depends on the points alone.
     pub fn within(&self, query: &Point3<f64>, radius_mm: f64, mut visit: impl FnMut(u32, f64)) {
         let limit = radius_mm * radius_mm;
         let range = |k: usize| {
             let from = ((query[k] - radius_mm - self.low[k]) / self.cube_mm).floor().max(0.0) as usize;
             let to = ((query[k] + radius_mm - self.low[k]) / self.cube_mm).floor();
-            // `from` may lie beyond the last cube and `to` before the first: then the range is empty.
+            // The range is empty where `from` lies beyond the last cube or `to` before the first.
             let end = if to < 0.0 { 0 } else { (to as usize + 1).min(self.counts[k]) };
             from..end
         };
@@ -66,7 +66,7 @@ impl<'a> NeighborGrid<'a> {
                 if x.is_empty() {
                     continue;
                 }
-                // Cubes that follow each other along x are stored one after the other.
+                // Consecutive cubes along x are stored consecutively.
                 let (first, last) = (self.starts[row + x.start] as usize, self.starts[row + x.end] as usize);
                 for &i in &self.members[first..last] {
                     let squared = (self.points[i as usize] - query).norm_squared();

@@ -1,0 +1,10 @@
+//! Sets of points in space: an even sample of them ([`FarthestPoints`], [`farthest_points`]) and all neighbors within a
+//! radius ([`NeighborGrid`]). Lengths in mm.
+
+mod farthest;
+mod neighbors;
+#[cfg(test)]
+mod tests;
+
+pub use farthest::{FarthestPoints, farthest_points};
+pub use neighbors::NeighborGrid;

@@ -1,0 +1,156 @@
+//! Soft assignment with a kernel of compact support, between all pairs of two small sets of patches; see [`super`].
+//!
+//! `g_ij = (1 − ‖p_i − q_j‖² / 8σ²)⁴₊ · ⟨n_i, n_j⟩₊ / (1 + ¼ π ‖f_i − f_j‖²)²`. Both surfaces play the parts of points
+//! and of mixture components, so that swapping them gives the inverse transform.
+
+use super::{LANES, LanePoint, Lanes, OUTLIER_SHARE, OrientedPoint, PackedPoints};
+use super::{flat_density, mean_misfit, normal_agreements, squared_distances};
+use multiversion::multiversion;
+use nalgebra::{Point3, Vector3};
+
+/// A quarter of the precision `π` of features whose variance over the surface is 1. Of 40 warps of 8 % of the diagonal,
+/// real and synthetic, 38 ended within 10° with a precision of 1 and 34 with 0.3; pairs of real subjects, whose
+/// features differ, had a median error of 3.5° and 2.8° (measured with three features, before the fourth was added).
+const QUARTER_PRECISION: f32 = 0.25;
+
+/// A target, packed for repeated assignments.
+pub(crate) struct CompactTarget {
+    packed: PackedPoints,
+    areas: Vec<f64>,
+}
+
+impl CompactTarget {
+    /// `points`: at least one, all with the same number of features, positions about the origin.
+    pub(crate) fn new(points: &[OrientedPoint<'_>]) -> Self {
+        let n_features = points.first().map_or(0, |p| p.features.len());
+        CompactTarget {
+            packed: PackedPoints::new(points.len(), n_features, Vector3::zeros(), |j| points[j]),
+            areas: points.iter().map(|p| p.area).collect(),
+        }
+    }
+}
+
+/// Assignment to a [`CompactTarget`]: scratch memory that is reused from step to step.
+#[derive(Default)]
+pub(crate) struct CompactAssignment {
+    /// `g_ij`, a row per source point.
+    affinity: Vec<Lanes>,
+    /// `G_i = Σ_j a_j g_ij`.
+    source_density: Vec<f32>,
+    /// `G_j = Σ_i a_i g_ij`.
+    target_density: Vec<Lanes>,
+    targets: Vec<Point3<f64>>,
+    weights: Vec<f64>,
+    /// Of the source point at hand.
+    features: Vec<f32>,
+}
+
+impl CompactAssignment {
+    /// Computes the affinities of `source`, where it has been moved to, with `target` and returns the misfit.
+    ///
+    /// `sigma_mm`: the kernel width `σ`. Cost `O(n n')`.
+    pub(crate) fn misfit<'p>(
+        &mut self,
+        source: impl Iterator<Item = OrientedPoint<'p>> + Clone,
+        target: &CompactTarget,
+        sigma_mm: f64,
+    ) -> f64 {
+        let n_blocks = target.packed.blocks.len();
+        self.source_density.clear();
+        self.target_density.clear();
+        self.target_density.resize(n_blocks, [0.0; LANES]);
+        let steepness = (1.0 / (8.0 * sigma_mm * sigma_mm)) as f32;
+        self.affinity.resize(source.clone().count() * n_blocks, [0.0; LANES]);
+        for (point, row) in source.clone().zip(self.affinity.chunks_exact_mut(n_blocks.max(1))) {
+            let point = LanePoint::new(&point, &target.packed, &mut self.features);
+            self.source_density.push(affinity_row(&point, &target.packed, steepness, row, &mut self.target_density));
+        }
+        let flat = flat_density(sigma_mm);
+        let relative = |&density: &f32| f64::from(density) / flat + OUTLIER_SHARE;
+        let of_source = mean_misfit(self.source_density.iter().map(relative), source.map(|p| p.area));
+        let of_target =
+            mean_misfit(self.target_density.as_flattened().iter().map(relative), target.areas.iter().copied());
+        0.5 * (of_source + of_target)
+    }
+
+    /// After [`Self::misfit`] with the same arguments: the mean of the target points assigned to each source point, mm,
+    /// and its mass times the point's area, mm².
+    pub(crate) fn means<'p>(
+        &mut self,
+        source: impl Iterator<Item = OrientedPoint<'p>>,
+        target: &CompactTarget,
+        sigma_mm: f64,
+    ) -> (&[Point3<f64>], &[f64]) {
+        let background = (OUTLIER_SHARE * flat_density(sigma_mm)) as f32;
+        for lanes in &mut self.target_density {
+            for density in lanes {
+                *density = 1.0 / (*density + background);
+            }
+        }
+        self.targets.clear();
+        self.weights.clear();
+        let rows = self.affinity.chunks_exact(target.packed.blocks.len().max(1)).zip(&self.source_density);
+        for ((row, &density), point) in rows.zip(source) {
+            let inverse = 1.0 / (density + background);
+            let [mass, x, y, z] = weighted_sums(row, &target.packed, &self.target_density, inverse).map(f64::from);
+            self.weights.push(mass * point.area);
+            let mean = if mass > 0.0 { Vector3::new(x, y, z) / mass } else { Vector3::zeros() };
+            self.targets.push(Point3::from(mean));
+        }
+        (&self.targets, &self.weights)
+    }
+}
+
+/// Writes `g_ij` for one `i` to `row`, adds `a_i g_ij` to `target_density`, returns `Σ_j a_j g_ij`.
+#[allow(unsafe_code)] // the dispatch that `multiversion` generates; the body is safe code
+#[multiversion(targets("x86_64+avx512f+avx512vl+avx512bw+avx512dq", "x86_64+avx2"))]
+fn affinity_row(
+    point: &LanePoint<'_>,
+    target: &PackedPoints,
+    steepness: f32,
+    row: &mut [Lanes],
+    target_density: &mut [Lanes],
+) -> f32 {
+    let mut sums = [0.0f32; LANES];
+    for (b, ((block, row), density)) in target.blocks.iter().zip(row).zip(target_density).enumerate() {
+        let squared = squared_distances(block, &point.position);
+        let agreement = normal_agreements(block, &point.normal);
+        let mut unlike = [0.0f32; LANES];
+        for (others, own) in target.features(b).iter().zip(point.features) {
+            for k in 0..LANES {
+                let difference = others[k] - own;
+                unlike[k] += difference * difference;
+            }
+        }
+        let mut g = [0.0f32; LANES];
+        for k in 0..LANES {
+            let near = (1.0 - steepness * squared[k]).max(0.0);
+            let alike = 1.0 / (1.0 + QUARTER_PRECISION * unlike[k]);
+            g[k] = (near * near) * (near * near) * agreement[k].max(0.0) * (alike * alike);
+        }
+        *row = g;
+        for k in 0..LANES {
+            sums[k] += block.area[k] * g[k];
+            density[k] += point.area * g[k];
+        }
+    }
+    sums.iter().sum()
+}
+
+/// `Σ_j w_ij` and `Σ_j w_ij q_j` for one `i`, with the inverses of `b + G_j` for all `j` and of `b + G_i`.
+#[allow(unsafe_code)] // the dispatch that `multiversion` generates; the body is safe code
+#[multiversion(targets("x86_64+avx512f+avx512vl+avx512bw+avx512dq", "x86_64+avx2"))]
+fn weighted_sums(row: &[Lanes], target: &PackedPoints, inverse_densities: &[Lanes], own_inverse: f32) -> [f32; 4] {
+    let mut sums = [[0.0f32; LANES]; 4];
+    for ((block, row), inverse) in target.blocks.iter().zip(row).zip(inverse_densities) {
+        let [x, y, z] = &block.position;
+        for k in 0..LANES {
+            let weight = 0.5 * block.area[k] * row[k] * (inverse[k] + own_inverse);
+            sums[0][k] += weight;
+            sums[1][k] += weight * x[k];
+            sums[2][k] += weight * y[k];
+            sums[3][k] += weight * z[k];
+        }
+    }
+    sums.map(|lanes| lanes.iter().sum())
+}

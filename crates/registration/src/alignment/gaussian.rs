@@ -1,0 +1,286 @@
+//! Soft assignment with a Gaussian kernel, between points within reach of each other; see [`super`].
+//!
+//! `g_ij = exp(−‖p_i − q_j‖² / 2σ² − ν (1 − ⟨n_i, n_j⟩) − ½ Σ_f π_f (f_i − f_j)²)`, 0 beyond `3σ` or where normals
+//! oppose. Every target point is assigned to the source points or to the background: `w_ij = a_j g_ij / (b + Σ_i a_i
+//! g_ij)`.
+//!
+//! Consecutive target points form a block with a bounding box; a source point visits only the blocks whose box is
+//! within its reach.
+
+use super::{Block, LANES, LanePoint, Lanes, OrientedPoints, PackedPoints};
+use super::{flat_density, mean_misfit, normal_agreements, squared_distances};
+use homolog_primitives::exponential::exp_negative;
+use multiversion::multiversion;
+use nalgebra::{Point3, Vector3};
+use rayon::prelude::*;
+
+/// The kernel is cut off at this many standard deviations; the rest weighs about 1 %.
+const REACH: f64 = 3.0;
+
+/// How affinity falls off with distance, angle of normals and difference of features.
+#[derive(Debug, Clone, PartialEq)]
+pub struct AssignmentKernel {
+    /// Width `σ`, mm.
+    pub sigma_mm: f64,
+    /// Weight `ν` of the normals.
+    pub normal_weight: f64,
+    /// Precision `π_f` of each feature.
+    pub feature_precision: Vec<f64>,
+    /// Outlier share `ω`, see [`super::OUTLIER_SHARE`].
+    pub outlier_share: f64,
+}
+
+/// What every source point is assigned to.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Assignment {
+    /// Mean of the assigned target points, weighted by responsibility, mm; the source point itself where the mass is 0.
+    pub targets: Vec<Point3<f64>>,
+    /// Sum of the responsibilities: assigned target area over the area of the source point.
+    pub mass: Vec<f64>,
+    /// Mean squared difference of each feature between assigned points.
+    pub feature_variance: Vec<f64>,
+    /// Mean over both surfaces of `−ln` of the density relative to a flat match; lower is better.
+    pub misfit: f64,
+}
+
+/// Assigns `target` to `source`, which has been moved close to it. Affinities are 32-bit numbers with relative errors
+/// of about 1e-6. Sums are taken in the order of the points, so any number of threads gives the same bits.
+///
+/// # Cost
+/// `O(pairs within reach)` in time and memory when target points that are close in space have close indices, as in
+/// canonical numbering; `O(pairs)` in time at most.
+pub fn assign(source: &OrientedPoints<'_>, target: &OrientedPoints<'_>, kernel: &AssignmentKernel) -> Assignment {
+    let n = source.points.len();
+    let affinities = Affinities::new(target, kernel);
+    let rows: Vec<_> = (0..n).into_par_iter().map(|i| affinities.row(source, i)).collect();
+    let flat = flat_density(kernel.sigma_mm);
+    let background = kernel.outlier_share * flat;
+    let target_densities = affinities.target_densities(&rows, source.areas, background);
+    let shares = affinities.area_over_density(&target_densities);
+    let means: Vec<Means> = (0..n).into_par_iter().map(|i| affinities.means(source, i, &rows[i], &shares)).collect();
+    let mut feature_variance = vec![0.0; kernel.feature_precision.len()];
+    let mut total = 0.0;
+    for (found, area) in means.iter().zip(source.areas) {
+        total += found.mass * area;
+        for (sum, variance) in feature_variance.iter_mut().zip(&found.feature_variance) {
+            *sum += variance * area;
+        }
+    }
+    for variance in &mut feature_variance {
+        *variance /= total.max(f64::MIN_POSITIVE);
+    }
+    let of_source = rows.iter().map(|row| (background + row.density) / flat);
+    let of_target = target_densities.as_flattened()[..target.points.len()].iter().map(|&s| f64::from(s) / flat);
+    Assignment {
+        targets: source.points.iter().zip(&means).map(|(p, found)| p + found.offset).collect(),
+        mass: means.iter().map(|found| found.mass).collect(),
+        feature_variance,
+        misfit: 0.5
+            * (mean_misfit(of_source, source.areas.iter().copied())
+                + mean_misfit(of_target, target.areas.iter().copied())),
+    }
+}
+
+/// Corners of the bounding boxes of the blocks, coordinate by coordinate.
+struct Boxes {
+    low: [Vec<f32>; 3],
+    high: [Vec<f32>; 3],
+}
+
+/// The target in blocks, and the kernel.
+struct Affinities {
+    target: PackedPoints,
+    boxes: Boxes,
+    /// `1/2σ²`.
+    inverse_width: f32,
+    /// Squared reach, mm².
+    reach_squared: f32,
+    /// `ν`.
+    normal_weight: f32,
+    /// `π_f/2` of each feature.
+    half_precision: Vec<f32>,
+}
+
+/// The affinities of one source point.
+struct Row {
+    /// Blocks within reach.
+    blocks: Vec<u32>,
+    affinity: Vec<Lanes>,
+    /// `Σ_j a_j g_ij`.
+    density: f64,
+}
+
+/// What one source point is assigned to.
+struct Means {
+    mass: f64,
+    /// From the source point to the mean of its target points, mm.
+    offset: Vector3<f64>,
+    /// Variance of each feature, times the mass.
+    feature_variance: Vec<f64>,
+}
+
+impl Affinities {
+    fn new(target: &OrientedPoints<'_>, kernel: &AssignmentKernel) -> Self {
+        let n_features = kernel.feature_precision.len();
+        let origin = target.points.first().map_or(Vector3::zeros(), |p| p.coords);
+        let packed = PackedPoints::new(target.points.len(), n_features, origin, |j| target.point(j, n_features));
+        let corner = |fold: fn(f32, f32) -> f32, start: f32| {
+            let of_block = |block: &Block, axis: usize| block.coordinates(axis).fold(start, fold);
+            std::array::from_fn(|axis| packed.blocks.iter().map(|block| of_block(block, axis)).collect())
+        };
+        let reach_mm = REACH * kernel.sigma_mm;
+        Affinities {
+            boxes: Boxes { low: corner(f32::min, f32::INFINITY), high: corner(f32::max, f32::NEG_INFINITY) },
+            target: packed,
+            inverse_width: (0.5 / (kernel.sigma_mm * kernel.sigma_mm)) as f32,
+            reach_squared: (reach_mm * reach_mm) as f32,
+            normal_weight: kernel.normal_weight as f32,
+            half_precision: kernel.feature_precision.iter().map(|p| (0.5 * p) as f32).collect(),
+        }
+    }
+
+    fn lane_point<'f>(&self, source: &OrientedPoints<'_>, i: usize, features: &'f mut Vec<f32>) -> LanePoint<'f> {
+        LanePoint::new(&source.point(i, self.target.n_features), &self.target, features)
+    }
+
+    /// The affinities of source point `i` with all points within reach.
+    fn row(&self, source: &OrientedPoints<'_>, i: usize) -> Row {
+        let mut features = Vec::new();
+        let point = self.lane_point(source, i, &mut features);
+        let mut squared = vec![0.0; self.target.blocks.len()];
+        distances_from_boxes(&self.boxes, &point.position, &mut squared);
+        let within = squared.iter().enumerate().filter(|(_, d)| **d <= self.reach_squared);
+        let blocks: Vec<u32> = within.map(|(b, _)| b as u32).collect();
+        let mut affinity = vec![[0.0; LANES]; blocks.len()];
+        let density = block_affinities(self, &point, &blocks, &mut affinity);
+        Row { blocks, affinity, density }
+    }
+
+    /// `b + Σ_i a_i g_ij` of every target point.
+    fn target_densities(&self, rows: &[Row], areas: &[f64], background: f64) -> Vec<Lanes> {
+        let mut densities = vec![[background as f32; LANES]; self.target.blocks.len()];
+        for (row, &area) in rows.iter().zip(areas) {
+            add_scaled(&row.blocks, &row.affinity, area as f32, &mut densities);
+        }
+        densities
+    }
+
+    /// The area of every target point over its density.
+    fn area_over_density(&self, densities: &[Lanes]) -> Vec<Lanes> {
+        let share = |(block, density): (&Block, &Lanes)| std::array::from_fn(|k| block.area[k] / density[k]);
+        self.target.blocks.iter().zip(densities).map(share).collect()
+    }
+
+    /// Mass and means of source point `i`.
+    fn means(&self, source: &OrientedPoints<'_>, i: usize, row: &Row, shares: &[Lanes]) -> Means {
+        let mut features = Vec::new();
+        let point = self.lane_point(source, i, &mut features);
+        let mut sums = vec![[0.0; LANES]; 4 + self.target.n_features];
+        weighted_sums(self, &point, row, shares, &mut vec![[0.0; LANES]; row.blocks.len()], &mut sums);
+        let total = |lanes: &Lanes| f64::from(lanes.iter().sum::<f32>());
+        let mass = total(&sums[0]);
+        let offset = Vector3::new(total(&sums[1]), total(&sums[2]), total(&sums[3]));
+        Means {
+            mass,
+            offset: if mass > 0.0 { offset / mass } else { Vector3::zeros() },
+            feature_variance: sums[4..].iter().map(total).collect(),
+        }
+    }
+}
+
+/// Squared distance of `at` from every bounding box.
+#[allow(unsafe_code)] // the dispatch that `multiversion` generates; the body is safe code
+#[multiversion(targets("x86_64+avx512f+avx512vl+avx512bw+avx512dq", "x86_64+avx2"))]
+fn distances_from_boxes(boxes: &Boxes, at: &[f32; 3], squared: &mut [f32]) {
+    squared.fill(0.0);
+    for (k, &at) in at.iter().enumerate() {
+        for ((sum, low), high) in squared.iter_mut().zip(&boxes.low[k]).zip(&boxes.high[k]) {
+            let (below, above) = (low - at, at - high);
+            let outside = if below > above { below } else { above };
+            let outside = if outside > 0.0 { outside } else { 0.0 };
+            *sum += outside * outside;
+        }
+    }
+}
+
+/// Writes the affinities of `point` with the points of `blocks`; returns their sum, each times its area.
+#[allow(unsafe_code)] // the dispatch that `multiversion` generates; the body is safe code
+#[multiversion(targets("x86_64+avx512f+avx512vl+avx512bw+avx512dq", "x86_64+avx2"))]
+fn block_affinities(all: &Affinities, point: &LanePoint<'_>, blocks: &[u32], affinity: &mut [Lanes]) -> f64 {
+    let mut density = [0.0f32; LANES];
+    for (&b, affinity) in blocks.iter().zip(affinity) {
+        let block = &all.target.blocks[b as usize];
+        let mut unlike = [0.0f32; LANES];
+        let features = all.target.features(b as usize);
+        for ((others, own), precision) in features.iter().zip(point.features).zip(&all.half_precision) {
+            for k in 0..LANES {
+                let difference = others[k] - own;
+                unlike[k] += precision * difference * difference;
+            }
+        }
+        let squared = squared_distances(block, &point.position);
+        let agreement = normal_agreements(block, &point.normal);
+        for k in 0..LANES {
+            let energy = all.inverse_width * squared[k] + all.normal_weight * (1.0 - agreement[k]) + unlike[k];
+            // Rounding can make the energy of coincident points negative.
+            let weight = exp_negative(if energy > 0.0 { -energy } else { 0.0 });
+            let counts = (squared[k] <= all.reach_squared) & (agreement[k] > 0.0);
+            affinity[k] = if counts { weight } else { 0.0 };
+            density[k] += block.area[k] * affinity[k];
+        }
+    }
+    f64::from(density.iter().sum::<f32>())
+}
+
+/// Adds the affinities, times `area`, to the sums of their points.
+#[allow(unsafe_code)] // the dispatch that `multiversion` generates; the body is safe code
+#[multiversion(targets("x86_64+avx512f+avx512vl+avx512bw+avx512dq", "x86_64+avx2"))]
+fn add_scaled(blocks: &[u32], affinity: &[Lanes], area: f32, sums: &mut [Lanes]) {
+    for (&b, affinity) in blocks.iter().zip(affinity) {
+        let sum = &mut sums[b as usize];
+        for k in 0..LANES {
+            sum[k] += area * affinity[k];
+        }
+    }
+}
+
+/// Sums over the points of `row`, each weighted by its affinity times its share: of 1, of the offset from `point` along
+/// each axis, and of the squared difference of each feature. `weights` is scratch memory, one entry per block of the
+/// row.
+#[allow(unsafe_code)] // the dispatch that `multiversion` generates; the body is safe code
+#[multiversion(targets("x86_64+avx512f+avx512vl+avx512bw+avx512dq", "x86_64+avx2"))]
+fn weighted_sums(
+    all: &Affinities,
+    point: &LanePoint<'_>,
+    row: &Row,
+    shares: &[Lanes],
+    weights: &mut [Lanes],
+    sums: &mut [Lanes],
+) {
+    let mut moments = [[0.0f32; LANES]; 4];
+    for ((&b, affinity), weight) in row.blocks.iter().zip(&row.affinity).zip(weights.iter_mut()) {
+        let (block, share) = (&all.target.blocks[b as usize], &shares[b as usize]);
+        for k in 0..LANES {
+            weight[k] = affinity[k] * share[k];
+            moments[0][k] += weight[k];
+        }
+        for a in 0..3 {
+            for k in 0..LANES {
+                moments[a + 1][k] += weight[k] * (block.position[a][k] - point.position[a]);
+            }
+        }
+    }
+    sums[..4].copy_from_slice(&moments);
+    // One feature after the other, so that its sum stays in registers.
+    for (f, &own) in point.features.iter().enumerate() {
+        let mut sum = [0.0f32; LANES];
+        for (&b, weight) in row.blocks.iter().zip(weights.iter()) {
+            let others = &all.target.features(b as usize)[f];
+            for k in 0..LANES {
+                let difference = others[k] - own;
+                sum[k] += weight[k] * difference * difference;
+            }
+        }
+        sums[4 + f] = sum;
+    }
+}

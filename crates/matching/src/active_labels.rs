@@ -54,7 +54,14 @@ impl<'a> ActiveLabels<'a> {
     fn sets(&self) -> ActiveSets {
         let n = self.model.n_labels();
         let initial = if self.bias.is_some() { WITH_FEEDBACK } else { (n / SHARE).max(AT_LEAST) };
-        ActiveSets { initial, kept: initial, largest: initial, margin: MARGIN, every: EVERY, best_of_neighbors: DEMANDED }
+        ActiveSets {
+            initial,
+            kept: initial,
+            largest: initial,
+            margin: MARGIN,
+            every: EVERY,
+            best_of_neighbors: DEMANDED,
+        }
     }
 }
 

@@ -67,33 +67,28 @@ pub(super) struct CavityTotals {
 
 dispatch! {
     /// Writes the cavity products of all lanes of a block to `cavity`, label by label, and returns their totals, sums only
-    /// if `with_sums`.
+    /// if `scratch` says so with its second part.
     ///
-    /// `phi` has the row of every variable of the block, `messages` the incoming rows of all of them, one variable after
-    /// the other, `labels` the labels of a row, negated, and −∞ beyond; all rows are as long as `cavity`, a multiple of
-    /// [`WIDTH`], and beyond the labels `phi` is 0.
+    /// `rows` has the labels of a row, negated, and −∞ beyond, and the unary factors of every variable of the block;
+    /// `messages` has the incoming rows of all of them, one variable after the other. All rows are as long as `cavity`, a
+    /// multiple of [`WIDTH`], and beyond the labels the factors are 0.
     /// Lanes that the block leaves empty hold numbers without a meaning.
     pub(super) fn cavity_products<M: MessageValue>(
-        labels: &[f32],
-        phi: &[&[f32]],
+        rows: (&[f32], &[&[f32]]),
         messages: &[&[M]],
         variables: &[BlockVariable],
-        chains: &mut Chains,
-        with_sums: bool,
+        scratch: (&mut Chains, bool),
         cavity: &mut [Lanes],
     ) -> CavityTotals = products
 }
 
 #[inline(always)]
-#[allow(clippy::too_many_arguments, reason = "dispatched functions take arguments by name only")]
 fn products<S: Simd, M: MessageValue>(
     simd: S,
-    labels: &[f32],
-    phi: &[&[f32]],
+    (labels, phi): (&[f32], &[&[f32]]),
     messages: &[&[M]],
     variables: &[BlockVariable],
-    chains: &mut Chains,
-    with_sums: bool,
+    (chains, with_sums): (&mut Chains, bool),
     cavity: &mut [Lanes],
 ) -> CavityTotals {
     chains.beliefs.clear();
@@ -344,12 +339,10 @@ mod tests {
             let labels: Vec<f32> = (0..n).rev().map(|x| -(x as f32)).chain([f32::NEG_INFINITY]).collect();
             let phi: Vec<Vec<f32>> = phi.into_iter().map(|row| [&row[..n], &[0.0]].concat()).collect();
             let CavityTotals { largest, sum } = cavity_products(
-                &labels,
-                &phi.iter().map(Vec::as_slice).collect::<Vec<_>>(),
+                (&labels, &phi.iter().map(Vec::as_slice).collect::<Vec<_>>()),
                 &messages.iter().flatten().map(Vec::as_slice).collect::<Vec<_>>(),
                 &variables,
-                &mut chains,
-                true,
+                (&mut chains, true),
                 &mut cavity,
             );
             let found: Vec<BeliefPeak> = chains.peaks().collect();

@@ -41,12 +41,10 @@ impl Kernel<'_> {
         let phi: Vec<&[f32]> = variables.iter().map(|of| self.phi_row(of.variable)).collect();
         let messages: Vec<&[M]> = variables.iter().flat_map(|of| &of.incoming).map(|&row| message(row)).collect();
         cavity_products(
-            &self.order.negated()[..self.stride],
-            &phi,
+            (&self.order.negated()[..self.stride], &phi),
             &messages,
             variables,
-            &mut scratch.chains,
-            self.options.product == Product::Sum,
+            (&mut scratch.chains, self.options.product == Product::Sum),
             &mut scratch.cavity[..self.stride],
         )
     }

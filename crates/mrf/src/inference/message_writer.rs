@@ -182,15 +182,13 @@ mod tests {
         for row in updated {
             (0..BLOCK_LANES).for_each(|k| top[k] = row[k].max(top[k]));
         }
-        let write_plain = |updated: &[Lanes], start, top: &Lanes, finish, rows: &mut BlockRows<'_, M>| {
-            write(Plain, updated, start, top, finish, rows)
-        };
-        let writers: [&dyn Fn(&[Lanes], usize, &Lanes, Finish, &mut BlockRows<'_, M>) -> f32; 2] =
-            [&write_chunk::<M>, &write_plain];
-        writers.map(|write| {
+        [true, false].map(|dispatched| {
             let mut new = vec![M::ZERO; old.len()];
-            let change =
-                write(updated, 0, &top, finish, &mut BlockRows { old: &old, new: &mut new, stride: updated.len() });
+            let mut rows = BlockRows { old: &old, new: &mut new, stride: updated.len() };
+            let change = match dispatched {
+                true => write_chunk(updated, 0, &top, finish, &mut rows),
+                false => write(Plain, updated, 0, &top, finish, &mut rows),
+            };
             (M::widen(&new).iter().map(|value| value.to_bits()).collect(), change.to_bits())
         })
     }

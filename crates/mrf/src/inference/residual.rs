@@ -31,7 +31,7 @@ const BATCH_SHARE: f32 = 0.5;
 /// Neighbours of members that are passed over before a batch is closed.
 const PASSED_OVER: usize = 64;
 
-/// The queue and the work places of the residual schedule. Message `i → j` lies in the row of its directed edge.
+/// The queue and the workspaces of the residual schedule. Message `i → j` lies in the row of its directed edge.
 pub(super) struct Residual {
     /// The outgoing edges of every variable, at most [`BLOCK_LANES`] a piece; `lane` is set when a piece joins a block.
     pieces: Vec<Vec<BlockVariable>>,
@@ -45,11 +45,11 @@ pub(super) struct Residual {
     /// The batch in which a variable was last a member or the neighbour of one.
     taken: Vec<u64>,
     batch: u64,
-    places: Vec<Place>,
+    workspaces: Vec<Workspace>,
 }
 
-/// Where one block is computed.
-struct Place {
+/// Scratch and output of one block.
+struct Workspace {
     scratch: Scratch,
     /// New messages, lane by lane.
     output: Vec<f32>,
@@ -94,7 +94,7 @@ impl Residual {
             queue: BinaryHeap::new(),
             taken: vec![0; n],
             batch: 0,
-            places: Vec::new(),
+            workspaces: Vec::new(),
         }
     }
 
@@ -182,9 +182,9 @@ impl Residual {
             }
             let changes = self.compute(kernel, messages, &blocks);
             let n = kernel.model.n_labels();
-            for ((block, place), changes) in blocks.iter().zip(&self.places).zip(&changes) {
+            for ((block, workspace), changes) in blocks.iter().zip(&self.workspaces).zip(&changes) {
                 for (lane, edge) in block_edges(graph, block).enumerate() {
-                    let new = &place.output[lane * kernel.stride..][..n];
+                    let new = &workspace.output[lane * kernel.stride..][..n];
                     messages[edge * kernel.stride..][..n].copy_from_slice(new);
                     round.delta = round.delta.max(changes[lane].delta);
                 }
@@ -249,35 +249,35 @@ impl Residual {
         true
     }
 
-    /// The new messages of all blocks, into their places, and how each lane changed.
+    /// The new messages of all blocks, into their workspaces, and how each lane changed.
     fn compute(
         &mut self,
         kernel: Kernel<'_>,
         messages: &[f32],
         blocks: &[Vec<BlockVariable>],
     ) -> Vec<Vec<MessageChange>> {
-        while self.places.len() < blocks.len() {
+        while self.workspaces.len() < blocks.len() {
             let output = vec![0.0; BLOCK_LANES * kernel.stride];
-            self.places.push(Place { scratch: Scratch::new(kernel.stride), output });
+            self.workspaces.push(Workspace { scratch: Scratch::new(kernel.stride), output });
         }
         let factors = &self.factors;
-        self.places
+        self.workspaces
             .par_iter_mut()
             .zip(blocks)
-            .map(|(place, block)| {
+            .map(|(workspace, block)| {
                 let row = |edge: u32| &messages[edge as usize * kernel.stride..][..kernel.stride];
-                let totals = kernel.cavity(row, block, &mut place.scratch);
+                let totals = kernel.cavity(row, block, &mut workspace.scratch);
                 let graph = &kernel.model.variables;
                 let (near, far) = lane_factors(block_edges(graph, block).map(|edge| factors[edge]));
-                let top = kernel.update((&near, &far), &totals, &mut place.scratch);
+                let top = kernel.update((&near, &far), &totals, &mut workspace.scratch);
                 let finish = Finish { floor: kernel.options.floor, damping: kernel.options.damping };
                 let n = kernel.model.n_labels();
                 block_edges(graph, block)
                     .enumerate()
                     .map(|(lane, edge)| {
                         let old = &messages[edge * kernel.stride..][..n];
-                        let new = &mut place.output[lane * kernel.stride..][..n];
-                        settle_lane(&place.scratch.updated, lane, top[lane], old, new, finish)
+                        let new = &mut workspace.output[lane * kernel.stride..][..n];
+                        settle_lane(&workspace.scratch.updated, lane, top[lane], old, new, finish)
                     })
                     .collect()
             })

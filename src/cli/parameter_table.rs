@@ -188,6 +188,8 @@ fn ranges(path: &[&str], schema: &Value, is_enumeration: bool) -> Vec<String> {
         vec![json!(f64::MAX), json!(f64::MIN)]
     } else if is("array") {
         vec![json!([]), json!([f64::MAX]), json!([0]), json!([f64::MAX, 0.0, 0.0])]
+    } else if is("boolean") {
+        return vec!["`true`, `false`".to_owned()];
     } else {
         Vec::new()
     };
@@ -196,15 +198,18 @@ fn ranges(path: &[&str], schema: &Value, is_enumeration: bool) -> Vec<String> {
     for probe in probes {
         for fault in resolve(&request(path, probe)).err().unwrap_or_default() {
             let is_here = fault.pointer.strip_prefix(&pointer).is_some_and(|rest| rest.len() <= 2);
-            let text = fault.detail.strip_prefix("must be ").unwrap_or(&fault.detail).to_owned();
+            let text = ["must be ", "state "].iter().find_map(|verb| fault.detail.strip_prefix(verb));
+            let text = text.unwrap_or(&fault.detail).to_owned();
             if fault.code == "out_of_range" && is_here && !found.contains(&text) {
                 found.push(text);
             }
         }
     }
     if found.is_empty() {
-        let bounds = [("minimum", "at least"), ("maximum", "at most"), ("maxItems", "at most this many entries:")];
-        found.extend(bounds.iter().filter_map(|(key, text)| schema.get(key).map(|bound| format!("{text} {bound}"))));
+        let bounds = [("minimum", "at least", ""), ("maximum", "at most", ""), ("maxItems", "at most", " entries")];
+        let stated =
+            bounds.iter().filter_map(|(key, limit, what)| Some(format!("{limit} {}{what}", schema.get(*key)?)));
+        found.extend(stated);
     }
     found
 }

@@ -278,10 +278,11 @@ fn spans(prose: &str) -> impl Iterator<Item = String> {
     prose.split('`').skip(1).step_by(2).map(str::to_owned)
 }
 
-/// All of `src/`.
+/// The sources of the program and of the workspace's members.
 fn sources() -> String {
     let mut paths = Vec::new();
     files_under(&root().join("src"), &mut paths);
+    files_under(&root().join("crates"), &mut paths);
     let is_rust = |path: &&PathBuf| path.extension().is_some_and(|e| e == "rs");
     paths.iter().filter(is_rust).map(|path| fs::read_to_string(path).unwrap()).collect()
 }

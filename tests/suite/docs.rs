@@ -91,7 +91,7 @@ fn the_log_lines_of_the_runbook_exist() {
         .flat_map(|row| row.split('|').nth(1).unwrap().split('`').skip(1).step_by(2))
         .collect();
     assert!(messages.len() > 4, "{messages:?}");
-    let sources = sources_under(&root().join("src"));
+    let sources = sources_under(&root().join("src")) + &sources_under(&root().join("crates"));
     for message in messages {
         assert!(sources.contains(&format!("\"{message}\"")), "nothing logs \"{message}\"");
     }

@@ -318,12 +318,15 @@ pub struct ConsistencyDocument {
     pub n_triangles: u32,
 }
 
-/// The dense correspondence in columns of equal length.
+/// The dense correspondence in columns of equal length, rows in ascending order of `source`.
+///
+/// Vertex indices count, from 0, the vertices of the uploaded mesh or, for a label volume, of the surface made from it. A
+/// vertex that no face uses or that a repair dropped occurs in no column; of vertices welded into one, only the first does.
 #[derive(Debug, Clone, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct Correspondences {
-    /// Source vertex, as uploaded, or of the surface made from the volume.
+    /// Source vertex.
     pub source: Vec<u32>,
     /// Its target vertex.
     pub target: Vec<u32>,
@@ -343,7 +346,8 @@ pub struct Correspondences {
     /// Where on it: the weights of the three vertices, not negative and of sum 1.
     #[cfg_attr(feature = "serde", serde(default))]
     pub barycentric: Vec<[f64; 3]>,
-    /// The map the other way, if it was asked for: `source` counts vertices of the target, all else is on the source.
+    /// The map from the target to the source, if requested: `source` has vertices of the target, `target` and `triangle`
+    /// have vertices of the source.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     #[cfg_attr(feature = "openapi", schema(no_recursion))]
     pub inverse: Option<Box<Correspondences>>,

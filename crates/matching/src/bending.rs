@@ -72,7 +72,7 @@ pub(super) fn bend(
     let mut labeling = vec![0; model.variables.n_vertices()];
     // Of the vertices of a cell its site is one, and it is the one whose image counts.
     for (i, &k) in source.cells.iter().enumerate() {
-        if source.full.surface.original[i] == source.energy.surface.original[k as usize] {
+        if source.full.surface.numbering.original(i as u32) == source.energy.surface.numbering.original(k) {
             labeling[k as usize] = target.cells[answer.labeling[i] as usize];
         }
     }

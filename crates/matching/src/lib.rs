@@ -165,7 +165,8 @@ pub fn match_surfaces(
 }
 
 /// [`match_surfaces`] from levels that were made before, with the `inference.coarse_vertices` of `parameters`; the same
-/// to the bit, whatever else these levels were matched with.
+/// to the bit, whatever else these levels were matched with. Every vertex index of the outcome is an original of the
+/// numbering that the levels were made with ([`Levels::numbered`]).
 ///
 /// # Errors
 /// [`MatchError`].

@@ -98,10 +98,9 @@ impl OfPairs {
         }
         let on_vertices = answer.points.is_none().then(|| on_vertices(scene.target.mesh(), &answer.labeling));
         let points = answer.points.as_ref().or(on_vertices.as_ref()).map_or(&[][..], Vec::as_slice);
-        let as_uploaded = |x: u32| scene.target.surface.original[x as usize];
         // Back to the numbering of the inputs, in its order.
-        let mut rows: Vec<(u32, usize)> = scene.source.surface.original.iter().copied().zip(0..n).collect();
-        rows.sort_unstable();
+        let rows = scene.source.surface.numbering.by_original();
+        let as_uploaded = |x: u32| scene.target.surface.numbering.original(x);
         let correspondences = Correspondences {
             source: rows.iter().map(|&(original, _)| original).collect(),
             target: rows.iter().map(|&(_, i)| as_uploaded(answer.labeling[i])).collect(),

@@ -5,7 +5,7 @@
 //! vertex by joining the face corners that share an edge there: no pointer structure, no hashing, the same order
 //! of faults on every run.
 
-use super::SurfaceMesh;
+use super::{Numbering, SurfaceMesh};
 
 /// What kind of surface a mesh is.
 #[derive(Debug, Clone, PartialEq)]
@@ -143,9 +143,9 @@ fn tunnels(n: u32) -> &'static str {
 }
 
 impl SurfaceFault {
-    /// The same fault with vertices named as `original[vertex]`.
-    pub fn renumbered(mut self, original: &[u32]) -> Self {
-        let name = |v: &mut u32| *v = original.get(*v as usize).copied().unwrap_or(*v);
+    /// The same fault, of a mesh with this `numbering`, in terms of the vertices of the original mesh.
+    pub fn renumbered(mut self, numbering: &Numbering) -> Self {
+        let name = |v: &mut u32| *v = numbering.original(*v);
         match &mut self {
             SurfaceFault::NonManifoldEdge { edge, .. }
             | SurfaceFault::Boundary { edge, .. }

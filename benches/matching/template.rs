@@ -5,14 +5,14 @@ use crate::cut_in_four;
 use homolog_contract::parameters::{MatchParameters, resolve};
 use homolog_formats::nifti::write_nifti_gz;
 use homolog_formats::ply::write_ply;
-use homolog_laboratory::phantom::{PairRecipe, PhantomPair};
+use homolog_laboratory::phantom::PhantomPair;
 use homolog_primitives::observe::Silent;
 use homolog_run::intake::IntakeLimits;
 use homolog_run::{InputFile, SurfaceCache, run_match_with};
 use serde_json::json;
 use std::time::Instant;
 
-/// The files of the subject with this seed and of the template.
+/// The files of the subject of this number and of the template.
 type Inputs = fn(u64) -> [Vec<u8>; 2];
 
 /// Of few vertices and of many.
@@ -20,29 +20,15 @@ const N_SUBJECTS: [u64; 2] = [10, 4];
 /// Bytes that are kept, as the service does unless told otherwise.
 const KEPT_BYTES: u64 = 256 << 20;
 
-/// Another source for each seed, and a target that is the same for all.
-fn subject(seed: u64) -> PhantomPair {
-    let recipe = PairRecipe {
-        subject: seed + 1,
-        target_subject: 0,
-        deform_share: 0.0,
-        deform_seed: 0,
-        pose_seed: Some(3),
-        permute_seed: Some(4),
-    };
-    PhantomPair::new(recipe).unwrap()
+/// The subject of this number and the template as PLY, every triangle cut in four so many times.
+fn surfaces(number: u64, n_cuts: u32) -> [Vec<u8>; 2] {
+    let meshes = PhantomPair::against_template(number).unwrap().meshes(0.8).unwrap();
+    meshes.map(|mesh| write_ply(&(0..n_cuts).fold(mesh, |mesh, _| cut_in_four(&mesh))))
 }
 
-/// Source and target as PLY, every triangle cut in four so many times.
-fn surfaces(seed: u64, n_cuts: u32) -> [Vec<u8>; 2] {
-    let pair = subject(seed);
-    let [source, target] = [pair.source_surface(0.8).unwrap().mesh, pair.target_surface(0.8).unwrap().0.mesh];
-    [source, target].map(|mesh| write_ply(&(0..n_cuts).fold(mesh, |mesh, _| cut_in_four(&mesh))))
-}
-
-/// Source and target as label volumes with voxels of this size.
-fn volumes(seed: u64, voxel_mm: f64) -> [Vec<u8>; 2] {
-    let pair = subject(seed);
+/// The same as label volumes with voxels of this size.
+fn volumes(number: u64, voxel_mm: f64) -> [Vec<u8>; 2] {
+    let pair = PhantomPair::against_template(number).unwrap();
     let volumes = [pair.source_volume(voxel_mm).unwrap(), pair.target_volume(voxel_mm).unwrap()];
     volumes.map(|volume| write_nifti_gz(&volume.into_label_volume().unwrap()))
 }
@@ -58,10 +44,10 @@ pub fn template() {
     println!("| inputs | vertices | method | anew s | kept s | kept / anew | least | median | most | kept MiB |");
     println!("|---|---|---|---|---|---|---|---|---|---|");
     let sets: [(&str, u64, Inputs); 4] = [
-        ("meshes", N_SUBJECTS[0], |seed| surfaces(seed, 0)),
-        ("label volumes, 1 mm", N_SUBJECTS[0], |seed| volumes(seed, 1.0)),
-        ("label volumes, 0.5 mm", N_SUBJECTS[0], |seed| volumes(seed, 0.5)),
-        ("meshes", N_SUBJECTS[1], |seed| surfaces(seed, 2)),
+        ("meshes", N_SUBJECTS[0], |number| surfaces(number, 0)),
+        ("label volumes, 1 mm", N_SUBJECTS[0], |number| volumes(number, 1.0)),
+        ("label volumes, 0.5 mm", N_SUBJECTS[0], |number| volumes(number, 0.5)),
+        ("meshes", N_SUBJECTS[1], |number| surfaces(number, 2)),
     ];
     // Made one after another: those of large surfaces take memory.
     for (inputs, n_subjects, of) in sets {

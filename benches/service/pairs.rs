@@ -2,8 +2,7 @@
 
 use crate::http::Client;
 use homolog_formats::ply::write_ply;
-use homolog_laboratory::phantom::{PairRecipe, PhantomPair};
-use homolog_mesh::SurfaceMesh;
+use homolog_laboratory::phantom::PhantomPair;
 use jiff::Timestamp;
 use serde_json::{Value, json};
 use std::time::Duration;
@@ -31,20 +30,11 @@ pub fn pair(n_vertices: usize) -> [Vec<u8>; 2] {
     subject(1, n_vertices)
 }
 
-/// Another source for each seed, and a target that is the same for all.
-pub fn subject(seed: u64, n_vertices: usize) -> [Vec<u8>; 2] {
-    let pair = PhantomPair::new(PairRecipe {
-        subject: seed + 1,
-        target_subject: 0,
-        deform_share: 0.0,
-        deform_seed: 0,
-        pose_seed: Some(3),
-        permute_seed: Some(4),
-    });
-    let (pair, edge_mm) = (pair.unwrap(), (VERTICES_MM2 / n_vertices as f64).sqrt());
-    let surfaces: [SurfaceMesh; 2] =
-        [pair.source_surface(edge_mm).unwrap().mesh, pair.target_surface(edge_mm).unwrap().0.mesh];
-    surfaces.map(|mesh| write_ply(&mesh))
+/// The subject of this number and the template, which is the same for all, as PLY.
+pub fn subject(number: u64, n_vertices: usize) -> [Vec<u8>; 2] {
+    let edge_mm = (VERTICES_MM2 / n_vertices as f64).sqrt();
+    let meshes = PhantomPair::against_template(number).unwrap().meshes(edge_mm).unwrap();
+    meshes.map(|mesh| write_ply(&mesh))
 }
 
 /// When a job was accepted, began and ended, and how large it was.

@@ -1,4 +1,4 @@
-//! The engine of this service: what it checks and computes is a match of two surfaces.
+//! The engine of this service: checks the two inputs of a match and computes it.
 //!
 //! The only place where jobs meet [`homolog_run`], [`homolog_run::intake`] and [`homolog_matching`].
 
@@ -18,7 +18,7 @@ use homolog_run::{InputFile, RunError, RunOutput, SurfaceCache, check_size, run_
 use serde_json::{Value, json};
 use utoipa::{PartialSchema, ToSchema};
 
-/// Matches surfaces.
+/// An [`Engine`] that matches surfaces.
 #[derive(Debug)]
 pub struct MatchEngine {
     limits: IntakeLimits,
@@ -26,7 +26,7 @@ pub struct MatchEngine {
 }
 
 impl MatchEngine {
-    /// An engine with these bounds on what is read, that keeps prepared surfaces of `prepared_bytes` for further matches.
+    /// An engine that reads inputs within `limits` and keeps up to `prepared_bytes` of prepared surfaces for further matches.
     pub fn new(limits: IntakeLimits, prepared_bytes: u64) -> Self {
         MatchEngine { limits, surfaces: SurfaceCache::new(prepared_bytes) }
     }
@@ -95,7 +95,7 @@ impl Engine for MatchEngine {
     }
 
     fn demand(&self, parameters: &Value, source: SurfaceSize, target: SurfaceSize) -> Demand {
-        // Parameters that this version does not take make the job fail as soon as it begins.
+        // A job whose parameters this version does not accept fails as soon as it starts.
         let nothing = Demand { cores: 1, memory_bytes: 0 };
         effective(parameters).map_or(nothing, |parameters| prediction::predict(&parameters, source, target))
     }
@@ -115,11 +115,11 @@ impl Engine for MatchEngine {
     }
 }
 
-/// The blobs of a result. Correspondences are apart from the rest, so that each is read only when asked for.
+/// The blobs of a result. Correspondences have a blob of their own, so that they are read only when requested.
 fn products(output: RunOutput) -> Result<Vec<Product>, Failure> {
     let aligned = output
         .aligned()
-        .map_err(|_| Failure::new("internal-error", "the moved surface has coordinates that are not finite"))?;
+        .map_err(|_| Failure::new("internal-error", "the aligned surface has coordinates that are not finite"))?;
     let RunOutput { mut document, source, target } = output;
     let correspondences = document.correspondences.take().unwrap_or_default();
     let written = |e: serde_json::Error| Failure::new("internal-error", format!("the result cannot be written: {e}"));
@@ -132,15 +132,15 @@ fn products(output: RunOutput) -> Result<Vec<Product>, Failure> {
     ])
 }
 
-/// Stored effective parameters resolve to themselves, unless another version stored them.
+/// Parameters as stored with a job. They resolve to themselves, unless another version of this program stored them.
 fn effective(stored: &Value) -> Result<MatchParameters, Failure> {
     resolve(stored).map_err(|faults| {
         let first = faults.first().map(|f| format!("{}: {}", f.pointer, f.detail)).unwrap_or_default();
-        Failure::new("invalid-parameters", format!("this version does not take the stored parameters: {first}"))
+        Failure::new("invalid-parameters", format!("this version does not accept the stored parameters: {first}"))
     })
 }
 
-/// A name that says nothing but the format.
+/// A file name that shows the format and nothing else.
 fn file_name(hint: &str) -> String {
     format!("input{hint}")
 }
@@ -172,7 +172,7 @@ fn unwritable(error: &serde_json::Error) -> ParameterFault {
     ParameterFault { pointer: String::new(), code: "out_of_range".to_owned(), detail: error.to_string() }
 }
 
-/// The parameters as JSON Schema that stands by itself: every value may be left out, its preset's is taken.
+/// The JSON Schema of the parameters, self-contained. Every value may be omitted; the preset's value is then used.
 fn parameters_schema() -> Value {
     let mut named = Vec::new();
     MatchParameters::schemas(&mut named);
@@ -185,25 +185,25 @@ fn parameters_schema() -> Value {
         root.insert("$schema".to_owned(), json!("https://json-schema.org/draft/2020-12/schema"));
         root.insert("$defs".to_owned(), Value::Object(definitions));
     }
-    standing_alone(&mut schema);
+    make_self_contained(&mut schema);
     schema
 }
 
-/// Points references at `$defs` and frees objects of required keys, except where a list's entry needs them.
-fn standing_alone(schema: &mut Value) {
+/// Redirects references to `$defs` and removes lists of required keys, except from entries of `features`.
+fn make_self_contained(schema: &mut Value) {
     match schema {
         Value::Object(map) => {
             if let Some(Value::String(reference)) = map.get_mut("$ref") {
                 *reference = reference.replace("#/components/schemas/", "#/$defs/");
             }
-            // An entry of `features` replaces the preset's list, so it has to be whole.
+            // A request's `features` replace the preset's list, so each entry must be complete.
             let is_entry = map.get("properties").is_some_and(|p| p.get("kind").is_some());
             if !is_entry {
                 map.remove("required");
             }
-            map.values_mut().for_each(standing_alone);
+            map.values_mut().for_each(make_self_contained);
         }
-        Value::Array(items) => items.iter_mut().for_each(standing_alone),
+        Value::Array(items) => items.iter_mut().for_each(make_self_contained),
         _ => {}
     }
 }

@@ -1,4 +1,5 @@
-//! Stored parts of a result in other file formats.
+//! Conversion of stored parts of a result to other file formats. Vertex indices are copied as stored: they count the
+//! vertices of the uploads (see [`homolog_run`]), which the stored surfaces have.
 
 use crate::jobs::{PartFormat, PresentError, ResultPart};
 use homolog_contract::result::{Correspondences, TransformDocument};
@@ -12,11 +13,11 @@ use homolog_formats::{PairColumns, ReadLimits, VertexArray, VertexValues, write_
 use homolog_mesh::SurfaceMesh;
 use serde::Deserialize;
 
-/// What stands in `target` where a source vertex has no correspondence. Its confidence and its mark as inlier are 0.
+/// Value of `target` for a source vertex without a correspondence; its other values are 0.
 pub const NO_TARGET: i32 = -1;
 
-/// A part in a format, from its stored blobs: the correspondences' JSON and the source surface, the result document, or
-/// the surface's PLY.
+/// A part of a result in `format`, made from the stored blobs of the part: the correspondences (JSON), with the source
+/// surface (PLY) for surface formats; the result document (JSON); or a surface (PLY).
 ///
 /// # Errors
 /// [`PresentError`].
@@ -53,13 +54,13 @@ fn surface_file(mesh: &SurfaceMesh, arrays: &[VertexArray], format: PartFormat) 
         PartFormat::Ply => Some(write_ply_with(mesh, arrays)),
         PartFormat::Vtk => Some(write_vtk_with(mesh, arrays)),
         PartFormat::Gifti => Some(write_gifti(mesh, arrays)),
-        // STL has no place for arrays.
+        // STL cannot hold arrays.
         PartFormat::Stl if arrays.is_empty() => Some(write_stl(mesh)),
         _ => None,
     }
 }
 
-/// The columns spread over the vertices of the source surface.
+/// The columns as arrays over all vertices of the source surface.
 fn vertex_arrays(pairs: &Correspondences, n_vertices: usize) -> Vec<VertexArray> {
     let mut target = vec![NO_TARGET; n_vertices];
     let mut confidence = vec![0.0; n_vertices];
@@ -86,7 +87,7 @@ fn vertex_arrays(pairs: &Correspondences, n_vertices: usize) -> Vec<VertexArray>
 }
 
 fn transform(result: &[u8], format: PartFormat) -> Result<Option<Vec<u8>>, PresentError> {
-    /// The one member of the result document that is needed here.
+    /// The only member of the result document that is needed here.
     #[derive(Deserialize)]
     struct Stored {
         transform: TransformDocument,
@@ -111,7 +112,7 @@ fn correspondences(stored: &[u8]) -> Result<Correspondences, PresentError> {
     pairs.completed().ok_or(PresentError::Unreadable { what: "columns of unequal length", source: None })
 }
 
-/// A surface that this program wrote. The limits for uploads are no matter here: they may have been lowered since.
+/// A surface that this program wrote. The limits for uploads do not apply: they may have been lowered since.
 fn surface_mesh(stored: &[u8]) -> Result<SurfaceMesh, PresentError> {
     let limits = ReadLimits { max_vertices: usize::MAX, ..ReadLimits::default() };
     read_ply(stored, &limits).map(|file| file.mesh).map_err(|error| unreadable("a stored surface", error))
@@ -146,11 +147,11 @@ mod tests {
             ("spread_mm", VertexValues::Real(vec![0.0, 3.0, 0.0, 0.5, 0.0])),
             ("outlier", VertexValues::Byte(vec![0, 3, 0, 0, 0])),
         ];
-        assert_eq!(values, expected, "a vertex that the surface does not have is left out");
+        assert_eq!(values, expected, "a row of a vertex that the surface does not have is skipped");
     }
 
     #[test]
-    fn what_a_part_is_not_made_as_is_refused() {
+    fn a_format_that_a_part_does_not_have_is_refused() {
         let columns = br#"{"source": [], "target": [], "confidence": [], "inlier": []}"#.as_slice();
         for (part, format) in [(ResultPart::Correspondences, PartFormat::Lta), (ResultPart::Aligned, PartFormat::Stl)] {
             let error = present(part, format, &[columns]).unwrap_err();

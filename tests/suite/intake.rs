@@ -6,7 +6,7 @@ use homolog_formats::{FormatError, write_nifti, write_nifti_gz, write_ply, write
 use homolog_mesh::repair::reversed;
 use homolog_mesh::topology::analyze;
 use homolog_mesh::volume::LabelVolume;
-use homolog_mesh::{FaceArity, SurfaceMesh};
+use homolog_mesh::{FaceArity, Numbering, SurfaceMesh};
 use homolog_run::intake::{
     InputFormat, InputKind, IntakeError, IntakeLimits, PreparedSurface, inspect, prepare_surface,
 };
@@ -98,7 +98,7 @@ fn a_ring_is_filled_by_default_and_refused_without() {
         let error = prepare(&bytes, &InputParameters { repair: Some(vec![]), ..parameters }).unwrap_err();
         assert_eq!((error.code(), error.topology().unwrap().genus), ("unsuitable-surface", Some(1)));
         let text = error.to_string();
-        assert!(text.contains("1 tunnel (genus 1)") && text.ends_with("\"repair\": [\"fill\"]"), "{text}");
+        assert!(text.contains("1 tunnel (genus 1)") && text.ends_with("set input.repair to [\"fill\"]"), "{text}");
     }
 }
 
@@ -111,7 +111,7 @@ fn islands_are_dropped_by_default_and_refused_without() {
     assert_eq!(prepared.report.repairs[0].repair, Repair::LargestComponent);
     assert_eq!(prepared.mesh, ball_mesh());
     let error = prepare(&bytes, &with_repair(&[Repair::Fill])).unwrap_err().to_string();
-    assert!(error.contains("2 separate pieces") && error.contains("[\"largest_component\"]"), "{error}");
+    assert!(error.contains("2 separate pieces") && error.ends_with("[\"largest_component\"]"), "{error}");
 }
 
 #[test]
@@ -125,12 +125,24 @@ fn labels_are_chosen_or_named() {
     assert!((half / both.signed_volume() - 0.5).abs() < 0.05);
     let error = choose(&[1, 2]).unwrap_err();
     assert_eq!(error.code(), "empty-structure");
-    assert_eq!(error.to_string(), "no voxel has any of the labels [1, 2]; the volume holds [7, 9]");
+    assert_eq!(
+        error.to_string(),
+        "no voxel has any of the labels [1, 2]; \
+         the volume has the labels [7, 9]: set input.labels to those of the structure"
+    );
     let empty = prepare(&write_nifti(&volume(|_| 0)), &defaults()).unwrap_err();
-    assert_eq!(empty.to_string(), "no voxel has a label other than 0; the volume is empty");
+    assert_eq!(
+        empty.to_string(),
+        "no voxel has a label other than 0; all voxels are 0: send a volume in which the structure is labeled"
+    );
     let speck = write_nifti(&volume(|p| u32::from(p.iter().all(|c| c.abs() < 1.0 && *c > 0.0))));
     let vanished = prepare(&speck, &InputParameters { smoothing_mm: 3.0, ..defaults() }).unwrap_err();
     assert_eq!(vanished.code(), "empty-structure");
+    assert_eq!(
+        vanished.to_string(),
+        "smoothing by 3 mm leaves nothing of a structure of 1 voxel; \
+         lower input.smoothing_mm, or set input.surface to \"voxel\""
+    );
 }
 
 #[test]
@@ -144,12 +156,13 @@ fn a_split_mesh_needs_weld_and_answers_in_its_own_numbering() {
     let bytes = write_ply(&split);
     let error = prepare(&bytes, &defaults()).unwrap_err();
     assert!(error.to_string().contains("joins vertices 1 and 2 near"), "{error}");
-    assert!(error.to_string().ends_with("\"repair\": [\"weld\"]"), "{error}");
+    assert!(error.to_string().ends_with("set input.repair to [\"weld\"]"), "{error}");
     let prepared = prepare(&bytes, &with_repair(&[Repair::Weld])).unwrap();
     assert_eq!(prepared.mesh.n_vertices(), whole.n_vertices());
-    for (v, &uploaded) in prepared.uploaded.unwrap().vertex.iter().enumerate() {
+    for (v, &uploaded) in prepared.numbering.originals().iter().enumerate() {
         assert_eq!(prepared.mesh.vertices()[v], split.vertices()[uploaded as usize]);
     }
+    assert_eq!(prepared.uploaded().vertices(), split.vertices());
     assert_eq!(prepared.report.repairs.len(), 1);
     assert!(prepare(&write_stl(&whole), &defaults()).is_ok(), "STL is welded on reading");
 }
@@ -158,7 +171,8 @@ fn a_split_mesh_needs_weld_and_answers_in_its_own_numbering() {
 fn a_good_mesh_passes_untouched_and_an_inside_out_one_is_turned() {
     let whole = ball_mesh();
     let prepared = prepare(&write_vtk(&whole), &defaults()).unwrap();
-    assert_eq!((&prepared.mesh, prepared.uploaded), (&whole, None));
+    assert_eq!((&prepared.mesh, prepared.uploaded()), (&whole, &whole));
+    assert_eq!(prepared.numbering, Numbering::identity(whole.n_vertices()));
     assert!(prepared.report.repairs.is_empty() && !prepared.report.turned_outward);
     let outward = prepare(&write_vtk(&reversed(&whole)), &defaults()).unwrap();
     assert_eq!(outward.mesh, whole);
@@ -186,7 +200,11 @@ fn faces_that_name_a_vertex_twice_need_weld() {
         3 0 2 1\n3 0 1 3\n3 1 1 2\n3 0 3 2\n3 1 2 3\n";
     let error = prepare(ply.as_bytes(), &defaults()).unwrap_err();
     assert_eq!(error.code(), "unsuitable-surface");
-    assert!(error.to_string().contains("the first is face 2 with vertex 1"), "{error}");
+    assert_eq!(
+        error.to_string(),
+        "1 face uses a vertex twice; the first is face 2 with vertex 1 (both counted from 0); \
+         to drop such faces, set input.repair to [\"weld\"]"
+    );
     let prepared = prepare(ply.as_bytes(), &with_repair(&[Repair::Weld])).unwrap();
     assert_eq!(prepared.mesh.n_faces(), 4);
     assert_eq!(prepared.report.repairs[0].detail, "0 of 4 vertices joined to another; 1 face dropped");
@@ -227,15 +245,15 @@ fn real_structures_say_which_repair_they_need() {
     let Some(path) = real("structures/Model_17_left_hippocampus.vtk") else { return };
     let bytes = std::fs::read(path).unwrap();
     let error = prepare(&bytes, &defaults()).unwrap_err().to_string();
-    assert!(error.contains("\"repair\": [\"weld\""), "{error}");
+    assert!(error.contains("set input.repair to [\"weld\""), "{error}");
     let prepared = prepare(&bytes, &with_repair(&[Repair::Weld, Repair::LargestComponent])).unwrap();
-    let uploaded = prepared.uploaded.unwrap();
-    assert_eq!(uploaded.vertex.len(), prepared.mesh.n_vertices());
+    assert_eq!(prepared.numbering.n_vertices(), prepared.mesh.n_vertices());
     // The surface that goes with the answer has the file's numbering.
-    for (k, p) in prepared.mesh.vertices().iter().enumerate() {
-        assert_eq!(&uploaded.surface.vertices()[uploaded.vertex[k] as usize], p);
+    let uploaded = prepared.uploaded();
+    for (p, &k) in prepared.mesh.vertices().iter().zip(prepared.numbering.originals()) {
+        assert_eq!(&uploaded.vertices()[k as usize], p);
     }
-    assert_eq!(uploaded.surface.n_faces(), prepared.mesh.n_faces());
+    assert_eq!(uploaded.n_faces(), prepared.mesh.n_faces());
 }
 
 /// Once, a spacing of 1e-30 mm made the smoothing filter as wide as numbers go, and reading never ended.

@@ -323,12 +323,15 @@ pub struct ConsistencyDocument {
     pub n_triangles: u32,
 }
 
-/// The dense correspondence in columns of equal length.
+/// The dense correspondence in columns of equal length, rows in ascending order of `source`.
+///
+/// Vertex indices count, from 0, the vertices of the uploaded mesh or, for a label volume, of the surface made from it. A
+/// vertex that no face uses or that a repair dropped occurs in no column; of vertices welded into one, only the first does.
 #[derive(Debug, Clone, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct Correspondences {
-    /// Index of the source vertex in the uploaded mesh, or in the surface made from the volume.
+    /// Source vertex.
     pub source: Vec<u32>,
     /// Index of its target vertex.
     pub target: Vec<u32>,
@@ -349,7 +352,8 @@ pub struct Correspondences {
     /// Barycentric coordinates of the image on that triangle: weights of its three vertices, not negative, of sum 1.
     #[cfg_attr(feature = "serde", serde(default))]
     pub barycentric: Vec<[f64; 3]>,
-    /// The map from target to source, with the two surfaces in exchanged roles; absent unless `both_directions` asked for it.
+    /// The map from the target to the source, if requested: `source` has vertices of the target, `target` and `triangle`
+    /// have vertices of the source.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     #[cfg_attr(feature = "openapi", schema(no_recursion))]
     pub inverse: Option<Box<Correspondences>>,

@@ -223,7 +223,7 @@ pub(crate) fn labeling_of_energy(source: &Levels, target: &Levels, labels: &[u32
     let mut labeling = vec![0; source.energy.mesh().n_vertices()];
     // Of the vertices of a cell one is its site, and the image of that one counts.
     for (i, &k) in source.cells.iter().enumerate() {
-        if source.full.surface.original[i] == source.energy.surface.original[k as usize] {
+        if source.full.surface.numbering.original(i as u32) == source.energy.surface.numbering.original(k) {
             labeling[k as usize] = target.cells[labels[i] as usize];
         }
     }

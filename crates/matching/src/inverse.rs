@@ -20,21 +20,20 @@ pub(super) fn inverse(scene: &Scene<'_>, answer: &Displaced) -> Option<Correspon
     let index = ClosestPointIndex::new(&source.with_vertices(moved).ok()?);
     let target = scene.target.mesh().vertices();
     let found: Vec<_> = target.par_iter().map(|q| index.closest(q)).collect();
-    let mut rows: Vec<(u32, usize)> = scene.target.surface.original.iter().copied().zip(0..target.len()).collect();
-    rows.sort_unstable();
-    let original = &scene.source.surface.original;
+    let rows = scene.target.surface.numbering.by_original();
+    let original = |k: u32| scene.source.surface.numbering.original(k);
     let blended = |values: &[f64], i: usize| -> f64 { found[i].blend(|k| values[k]) };
-    let vertex = |i: usize| found[i].nearest_corner() as usize;
-    let residual = |i: usize| (answer.transform.apply(&source.vertices()[vertex(i)]) - target[i]).norm();
+    let vertex = |i: usize| found[i].nearest_corner();
+    let residual = |i: usize| (answer.transform.apply(&source.vertices()[vertex(i) as usize]) - target[i]).norm();
     let inlier: Vec<bool> = rows.iter().map(|&(_, i)| residual(i) <= scene.tolerance_mm).collect();
     Some(Correspondences {
         source: rows.iter().map(|r| r.0).collect(),
-        target: rows.iter().map(|&(_, i)| original[vertex(i)]).collect(),
+        target: rows.iter().map(|&(_, i)| original(vertex(i))).collect(),
         confidence: rows.iter().map(|&(_, i)| blended(&answer.confidence, i)).collect(),
         spread_mm: rows.iter().map(|&(_, i)| blended(&answer.spread_mm, i)).collect(),
         outlier: inlier.iter().map(|&i| if i { OutlierReason::None } else { OutlierReason::Residual }).collect(),
         inlier,
-        triangle: rows.iter().map(|&(_, i)| found[i].triangle.map(|k| original[k as usize])).collect(),
+        triangle: rows.iter().map(|&(_, i)| found[i].triangle.map(original)).collect(),
         barycentric: rows.iter().map(|&(_, i)| found[i].barycentric).collect(),
         inverse: None,
     })

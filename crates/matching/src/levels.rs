@@ -1,7 +1,7 @@
 //! The levels of a surface: all vertices, those that a displacement field is fitted on, and those of the energy.
 
 use super::side::Side;
-use homolog_mesh::SurfaceMesh;
+use homolog_mesh::{Numbering, SurfaceMesh};
 use std::sync::Arc;
 
 /// Above this number of vertices a field is fitted on a level of [`MIDDLE_VERTICES`]. The field has about forty functions,
@@ -25,9 +25,17 @@ impl Levels {
     /// The levels of `mesh` for a match whose parameters have this `inference.coarse_vertices`.
     ///
     /// # Cost
-    /// `O(n log n)`, and `O(n · 3000)` above 5,000 vertices, on one thread.
+    /// As [`Levels::numbered`].
     pub fn new(mesh: &SurfaceMesh, coarse_vertices: Option<u32>) -> Self {
-        let full = Arc::new(Side::new(mesh));
+        Levels::numbered(mesh, &Numbering::identity(mesh.n_vertices()), coarse_vertices)
+    }
+
+    /// The same; answers name a vertex of `mesh` by its original in `numbering`.
+    ///
+    /// # Cost
+    /// `O(n log n)`, and `O(n · 3000)` above 5,000 vertices, on one thread.
+    pub fn numbered(mesh: &SurfaceMesh, numbering: &Numbering, coarse_vertices: Option<u32>) -> Self {
+        let full = Arc::new(Side::numbered(mesh, numbering));
         let n = full.mesh().n_vertices();
         let mut cells: Vec<u32> = (0..n as u32).collect();
         // Without a coarse level of the energy there is no middle one either: the energy is that of all vertices.

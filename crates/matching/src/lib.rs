@@ -207,7 +207,8 @@ pub fn match_surfaces(
 }
 
 /// [`match_surfaces`] from levels that were made before, with the `inference.coarse_vertices` of `parameters`. Gives the same
-/// bits, whatever else these levels were matched with.
+/// bits, whatever else these levels were matched with. Every vertex index of the outcome is an original of the numbering
+/// that the levels were made with ([`Levels::numbered`]).
 ///
 /// # Errors
 /// [`MatchError`].

@@ -99,10 +99,9 @@ impl OfPairs {
                 Cow::Borrowed(smooth.points.as_slice())
             }
         };
-        let as_uploaded = |x: u32| scene.target.surface.original[x as usize];
         // Back to the numbering of the inputs, in its order.
-        let mut rows: Vec<(u32, usize)> = scene.source.surface.original.iter().copied().zip(0..n).collect();
-        rows.sort_unstable();
+        let rows = scene.source.surface.numbering.by_original();
+        let as_uploaded = |x: u32| scene.target.surface.numbering.original(x);
         let correspondences = Correspondences {
             source: rows.iter().map(|&(original, _)| original).collect(),
             target: rows.iter().map(|&(_, i)| as_uploaded(answer.labeling[i])).collect(),

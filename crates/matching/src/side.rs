@@ -4,7 +4,7 @@ use super::light_smoothing::lightly_smoothed;
 use super::surface_index::SurfaceIndex;
 use homolog_geometry::curvature::{default_radius_mm, vertex_areas};
 use homolog_geometry::hierarchy::{CoarseSurface, coarsen};
-use homolog_mesh::{CanonicalMesh, SurfaceMesh, canonicalize};
+use homolog_mesh::{CanonicalMesh, Numbering, SurfaceMesh, canonicalize};
 use nalgebra::Vector3;
 use std::mem::size_of;
 use std::sync::{Arc, OnceLock};
@@ -15,7 +15,7 @@ pub(super) const POSITION_SCALE_MM: f64 = 0.7;
 /// One surface at one level. Immutable: the parts that are computed on first use depend on nothing else. They are computed
 /// on one thread, so that a thread that waits for them never waits for work that it has queued itself.
 pub(super) struct Side {
-    /// In canonical numbering.
+    /// In canonical numbering, with the way back to the numbering in which the match is answered.
     pub surface: CanonicalMesh,
     /// Unit normals of its vertices.
     pub normals: Vec<Vector3<f64>>,
@@ -37,7 +37,13 @@ pub(super) struct LightSide {
 
 impl Side {
     pub(crate) fn new(mesh: &SurfaceMesh) -> Self {
-        let surface = canonicalize(mesh);
+        Side::numbered(mesh, &Numbering::identity(mesh.n_vertices()))
+    }
+
+    /// The side of `mesh`, whose vertices answers name by their originals in `numbering`.
+    pub(crate) fn numbered(mesh: &SurfaceMesh, numbering: &Numbering) -> Self {
+        let CanonicalMesh { mesh, numbering: canonical } = canonicalize(mesh);
+        let surface = CanonicalMesh { mesh, numbering: canonical.over(numbering) };
         let normals = surface.mesh.vertex_normals();
         Side { surface, normals, measured_on: None, closest: OnceLock::new(), light: OnceLock::new() }
     }
@@ -46,10 +52,10 @@ impl Side {
     /// `None` where `finer` is that coarse already. If `inherits`, features are measured on `finer`.
     pub(crate) fn coarser(finer: &Arc<Side>, n_sites: usize, inherits: bool) -> Option<(Side, Vec<u32>)> {
         let CoarseSurface { mesh, sites, cells } = coarsen(finer.mesh(), n_sites)?;
-        let original = sites.iter().map(|&k| finer.surface.original[k as usize]).collect();
+        let numbering = finer.surface.numbering.select(&sites);
         let normals = mesh.vertex_normals();
         let measured_on = inherits.then(|| (Arc::clone(finer), sites));
-        let surface = CanonicalMesh { mesh, original };
+        let surface = CanonicalMesh { mesh, numbering };
         Some((Side { surface, normals, measured_on, closest: OnceLock::new(), light: OnceLock::new() }, cells))
     }
 

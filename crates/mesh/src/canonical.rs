@@ -1,22 +1,22 @@
-//! A numbering of vertices and faces that depends on where they are, not on how they came.
+//! A numbering of vertices and faces that depends on their positions alone, not on their order in the input.
 //!
 //! Everything after this step sees the same bytes however the uploaded vertices were numbered, so renumbering
 //! an input permutes the answer exactly, rounding included. The order is along a Morton (Z-order) curve: close
 //! vertices get close numbers, which keeps neighbouring labels near each other in memory.
 
-use super::{FaceArity, SurfaceMesh};
+use super::{FaceArity, Numbering, SurfaceMesh};
 use std::cmp::Ordering;
 
-/// A mesh in canonical numbering, with the way back.
+/// A mesh in canonical numbering.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CanonicalMesh {
     /// The renumbered mesh.
     pub mesh: SurfaceMesh,
-    /// For every canonical vertex the vertex of the original mesh.
-    pub original: Vec<u32>,
+    /// Which vertex of the input each of its vertices is.
+    pub numbering: Numbering,
 }
 
-/// `mesh` renumbered by position. Vertices at exactly the same place keep their original order.
+/// `mesh` renumbered by position. Vertices at exactly the same position keep the order of the input.
 ///
 /// Cost `O(n log n)`.
 pub fn canonicalize(mesh: &SurfaceMesh) -> CanonicalMesh {
@@ -34,7 +34,7 @@ pub fn canonicalize(mesh: &SurfaceMesh) -> CanonicalMesh {
         v[a].x.total_cmp(&v[b].x).then(v[a].y.total_cmp(&v[b].y)).then(v[a].z.total_cmp(&v[b].z))
     };
     let mut order: Vec<(u64, u32)> = keys.into_iter().zip(0..).collect();
-    // No two are equal, so that nothing depends on how this sorts.
+    // No two keys are equal, so the result does not depend on the sorting algorithm.
     order.sort_unstable_by(|&(key_a, a), &(key_b, b)| {
         key_a.cmp(&key_b).then_with(|| by_position(a as usize, b as usize)).then(a.cmp(&b))
     });
@@ -49,19 +49,20 @@ pub fn canonicalize(mesh: &SurfaceMesh) -> CanonicalMesh {
     };
     let vertices = original.iter().map(|&k| v[k as usize]).collect();
     let mesh = SurfaceMesh { vertices, arity: mesh.arity, indices };
-    CanonicalMesh { mesh, original }
+    CanonicalMesh { mesh, numbering: Numbering::new(original) }
 }
 
-/// Faces of `N` corners in the numbering `canonical`, each turned so that its lowest corner is first, ascending.
+/// Faces of `N` corners with each vertex `v` replaced by `canonical[v]`, in ascending order; each begins with its lowest
+/// corner.
 fn sorted_faces<const N: usize>(indices: &[u32], canonical: &[u32]) -> Vec<u32> {
     let (faces, _) = indices.as_chunks::<N>();
-    let turned = |face: &[u32; N]| {
+    let renumbered = |face: &[u32; N]| {
         let mut face = face.map(|k| canonical[k as usize]);
         let first = (0..N).min_by_key(|&k| face[k]).unwrap_or(0);
         face.rotate_left(first);
         face
     };
-    let mut faces: Vec<[u32; N]> = faces.iter().map(turned).collect();
+    let mut faces: Vec<[u32; N]> = faces.iter().map(renumbered).collect();
     faces.sort_unstable();
     faces.concat()
 }
@@ -82,15 +83,15 @@ mod tests {
     use crate::shapes::{ellipsoid, torus};
     use nalgebra::Vector3;
 
-    /// Faces as lists, sorted as such.
+    /// The same as `sorted_faces`, on faces of any number of corners.
     fn sorted_lists(mesh: &SurfaceMesh, canonical: &[u32]) -> Vec<u32> {
-        let turned = |f: &[u32]| {
+        let renumbered = |f: &[u32]| {
             let mut face: Vec<u32> = f.iter().map(|&k| canonical[k as usize]).collect();
             let first = (0..face.len()).min_by_key(|&k| face[k]).unwrap();
             face.rotate_left(first);
             face
         };
-        let mut faces: Vec<Vec<u32>> = mesh.faces().map(turned).collect();
+        let mut faces: Vec<Vec<u32>> = mesh.faces().map(renumbered).collect();
         faces.sort();
         faces.concat()
     }
@@ -100,9 +101,9 @@ mod tests {
         let torus = |arity| torus(10.0, 4.0, 16, 9, arity);
         let shapes = [ellipsoid(Vector3::new(9.0, 6.0, 5.0), 3), torus(FaceArity::Triangle), torus(FaceArity::Quad)];
         for mesh in shapes {
-            let CanonicalMesh { mesh: renumbered, original } = canonicalize(&mesh);
-            let mut number = vec![u32::MAX; original.len()];
-            for (new, &old) in original.iter().enumerate() {
+            let CanonicalMesh { mesh: renumbered, numbering } = canonicalize(&mesh);
+            let mut number = vec![u32::MAX; numbering.n_vertices()];
+            for (new, &old) in numbering.originals().iter().enumerate() {
                 assert_eq!(renumbered.vertices()[new], mesh.vertices()[old as usize]);
                 number[old as usize] = new as u32;
             }

@@ -10,6 +10,7 @@ mod canonical;
 mod closest;
 mod distance;
 mod geometry;
+mod numbering;
 pub mod shapes;
 
 pub mod repair;
@@ -19,6 +20,7 @@ pub mod volume;
 pub use canonical::{CanonicalMesh, canonicalize};
 pub use closest::{ClosestPoint, ClosestPointIndex};
 pub use distance::SurfaceDistances;
+pub use numbering::Numbering;
 
 use homolog_primitives::graph::EdgeGraph;
 use nalgebra::{Matrix3, Point3, Vector3};

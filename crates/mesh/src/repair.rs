@@ -4,7 +4,7 @@
 //! the numbering of the file. (Tunnels are filled on voxels, not here.)
 
 use super::topology::vertex_components;
-use super::{FaceArity, MeshError, SurfaceMesh};
+use super::{FaceArity, MeshError, Numbering, SurfaceMesh};
 use nalgebra::Point3;
 use std::collections::{HashMap, HashSet};
 
@@ -13,8 +13,8 @@ use std::collections::{HashMap, HashSet};
 pub struct RepairedMesh {
     /// The mesh.
     pub mesh: SurfaceMesh,
-    /// For every vertex its index in the input (the first of merged ones).
-    pub original: Vec<u32>,
+    /// Which vertex of the input each of its vertices is; of merged vertices, the first.
+    pub numbering: Numbering,
 }
 
 /// Vertices closer than this share of the diagonal of the bounding box are merged: far below the resolution of any
@@ -136,7 +136,7 @@ fn compacted(vertices: &[Point3<f64>], arity: FaceArity, mut indices: Vec<u32>) 
     }
     indices.iter_mut().for_each(|v| *v = number[*v as usize]);
     let vertices = original.iter().map(|&v| vertices[v as usize]).collect();
-    RepairedMesh { mesh: SurfaceMesh { vertices, arity, indices }, original }
+    RepairedMesh { mesh: SurfaceMesh { vertices, arity, indices }, numbering: Numbering::new(original) }
 }
 
 #[cfg(test)]
@@ -162,8 +162,7 @@ mod tests {
         let one = largest_component(&welded.mesh);
         let report = topology_report(&one.mesh);
         assert_eq!((report.genus, report.volume_mm3), (Some(0), Some(1.0)));
-        for (new, &old) in one.original.iter().enumerate() {
-            let uploaded = welded.original[old as usize];
+        for (new, &uploaded) in one.numbering.over(&welded.numbering).originals().iter().enumerate() {
             assert_eq!(split.vertices()[uploaded as usize], one.mesh.vertices()[new]);
             let first = split.vertices().iter().position(|p| *p == one.mesh.vertices()[new]);
             assert_eq!(first, Some(uploaded as usize));
@@ -175,7 +174,7 @@ mod tests {
         let once = weld(&split_cube()).unwrap();
         let twice = weld(&once.mesh).unwrap();
         assert_eq!(twice.mesh, once.mesh);
-        assert_eq!(twice.original, (0..once.mesh.n_vertices() as u32).collect::<Vec<_>>());
+        assert_eq!(twice.numbering, Numbering::identity(once.mesh.n_vertices()));
     }
 
     #[test]
@@ -184,7 +183,7 @@ mod tests {
         let mesh = SurfaceMesh::new(v, FaceArity::Triangle, vec![0, 1, 2, 1, 3, 2, 3, 2, 0]).unwrap();
         let welded = weld(&mesh).unwrap();
         assert_eq!(welded.mesh.indices(), [0, 1, 2]);
-        assert_eq!(welded.original, [0, 1, 2]);
+        assert_eq!(welded.numbering.originals(), [0, 1, 2]);
     }
 
     #[test]

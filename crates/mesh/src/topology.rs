@@ -4,7 +4,7 @@
 //! can be acted on. Both work on triangles and quads. Edges are grouped by sorting half-edges, fans around a vertex by
 //! joining the face corners that share an edge: no pointers, no hashing, the same order of faults in every run.
 
-use super::SurfaceMesh;
+use super::{Numbering, SurfaceMesh};
 
 /// Counts of the elements and faults of a mesh, with its genus, area and volume.
 #[derive(Debug, Clone, PartialEq)]
@@ -142,9 +142,9 @@ fn tunnels(n: u32) -> &'static str {
 }
 
 impl SurfaceFault {
-    /// The same fault with vertices named as `original[vertex]`.
-    pub fn renumbered(mut self, original: &[u32]) -> Self {
-        let name = |v: &mut u32| *v = original.get(*v as usize).copied().unwrap_or(*v);
+    /// The same fault, of a mesh with this `numbering`, in terms of the vertices of the original mesh.
+    pub fn renumbered(mut self, numbering: &Numbering) -> Self {
+        let name = |v: &mut u32| *v = numbering.original(*v);
         match &mut self {
             SurfaceFault::NonManifoldEdge { edge, .. }
             | SurfaceFault::Boundary { edge, .. }

@@ -1,16 +1,25 @@
 //! One match from uploaded bytes to the result document: what a worker and the command line both do.
 //!
-//! The numerics know no clock; this is where their phases are timed and their outcome gets its provenance. What is made
-//! of one input alone may be kept for further matches ([`SurfaceCache`]).
+//! The numerical crates read no clock; their phases are timed here, and their outcome gets its provenance here. Surfaces
+//! prepared for one match may be kept for further matches ([`SurfaceCache`]).
+//!
+//! **What vertex indices count.** Every vertex index of a result counts the vertices of the uploaded mesh or, for a label
+//! volume, of the surface made from it; [`RunOutput`] has both surfaces. Vertices of an upload that no face uses, that a
+//! repair drops, or that are merged into another have no row and occur in no column
+//! ([`homolog_mesh::Numbering`]).
 
 pub mod intake;
+#[cfg(test)]
+mod numbering_tests;
 mod surfaces;
 #[cfg(test)]
 mod surfaces_tests;
 
-pub use surfaces::{ReadySurface, SurfaceCache};
+pub use surfaces::SurfaceCache;
 
-use crate::intake::{IntakeError, IntakeLimits, PreparedSurface};
+use surfaces::ReadySurface;
+
+use crate::intake::{IntakeError, IntakeLimits};
 use homolog_contract::parameters::MatchParameters;
 use homolog_contract::result::{InputProvenance, Provenance, ResultDocument};
 pub use homolog_matching::match_memory_bytes;
@@ -30,7 +39,7 @@ pub struct InputFile<'a> {
     pub name: Option<&'a str>,
 }
 
-/// Which of the two inputs.
+/// One of the two inputs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Side {
     /// The surface that moves.
@@ -49,12 +58,13 @@ impl Side {
     }
 }
 
-/// What a finished run leaves.
+/// What a finished run yields.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RunOutput {
     /// The result document, correspondences included.
     pub document: ResultDocument,
-    /// The source surface whose vertices the correspondences count.
+    /// The source surface whose vertices the correspondences count: all vertices of the uploaded mesh, with the faces that
+    /// were matched; or the surface made from the uploaded volume.
     pub source: SurfaceMesh,
     /// The target surface, likewise.
     pub target: SurfaceMesh,
@@ -64,7 +74,7 @@ impl RunOutput {
     /// The source surface moved onto the target by the transform of the result.
     ///
     /// # Errors
-    /// [`MeshError::NonFinite`] if the transform moves a vertex beyond the numbers there are.
+    /// [`MeshError::NonFinite`] if a coordinate overflows.
     pub fn aligned(&self) -> Result<SurfaceMesh, MeshError> {
         self.source.moved(&self.document.transform.matrix)
     }
@@ -76,32 +86,32 @@ pub enum RunError {
     /// An input was refused.
     #[error("{}: {error}", side.name())]
     Input {
-        /// Which.
+        /// Which input.
         side: Side,
-        /// Why.
+        /// Why it was refused.
         error: IntakeError,
     },
-    /// Both surfaces are fine, but matching them takes more memory than is allowed.
+    /// Both surfaces are suitable, but matching them would take more memory than is allowed.
     #[error(
-        "matching {source_vertices} to {target_vertices} vertices takes {needed} bytes of memory, but {limit} are \
+        "matching {source_vertices} to {target_vertices} vertices would take {needed} bytes of memory, but {limit} are \
          allowed; send coarser surfaces, or set inference.coarse_vertices"
     )]
     TooLarge {
-        /// Source vertices.
+        /// Vertices of the source.
         source_vertices: usize,
-        /// Target vertices.
+        /// Vertices of the target.
         target_vertices: usize,
-        /// Memory it would take.
+        /// Memory that the match would take, bytes.
         needed: u64,
-        /// Memory allowed.
+        /// Memory that is allowed, bytes.
         limit: u64,
     },
-    /// The match found nothing.
+    /// The match failed or was cancelled.
     #[error(transparent)]
     Match(#[from] MatchError),
 }
 
-/// Refuses a pair whose match would take more memory than `limits` allow. `source` is vertices and faces.
+/// Refuses a pair whose match would take more memory than `limits` allow. `source` is its number of vertices and of faces.
 ///
 /// # Errors
 /// [`RunError::TooLarge`].
@@ -119,7 +129,7 @@ pub fn check_size(
 }
 
 /// Content address of a file: `blake3:` and 64 hexadecimal digits.
-pub fn content_hash(bytes: &[u8]) -> String {
+fn content_hash(bytes: &[u8]) -> String {
     format!("blake3:{}", blake3::hash(bytes).to_hex())
 }
 
@@ -137,7 +147,8 @@ pub fn run_match(
     run_match_with(&SurfaceCache::none(), source, target, parameters, limits, observer)
 }
 
-/// [`run_match`] with surfaces from `surfaces` where they were prepared before; but for the timings the same bytes.
+/// [`run_match`] with surfaces that were prepared for earlier matches taken from `surfaces`. The result is the same to the
+/// bit, except for the timings.
 ///
 /// # Errors
 /// [`RunError`].
@@ -151,9 +162,7 @@ pub fn run_match_with(
 ) -> Result<RunOutput, RunError> {
     let timed = PhaseTimer::new(observer);
     let [source, target] = surfaces.ready([source, target], parameters, limits, &timed)?;
-    let mut outcome = match_levels(&source.levels, &target.levels, parameters, &timed)?;
-    count_uploaded_vertices(&mut outcome.correspondences.source, &source.prepared);
-    count_uploaded_vertices(&mut outcome.correspondences.target, &target.prepared);
+    let outcome = match_levels(&source.levels, &target.levels, parameters, &timed)?;
     let provenance = Provenance {
         version: env!("CARGO_PKG_VERSION").to_owned(),
         commit: option_env!("HOMOLOG_COMMIT").unwrap_or("unknown").to_owned(),
@@ -178,19 +187,8 @@ pub fn run_match_with(
         timings_ms: timed.finish(),
         provenance,
     };
-    let counted = |PreparedSurface { mesh, uploaded, .. }: &PreparedSurface| {
-        uploaded.as_ref().map_or(mesh, |uploaded| &uploaded.surface).clone()
-    };
-    Ok(RunOutput { document, source: counted(&source.prepared), target: counted(&target.prepared) })
-}
-
-/// Turns vertices of the surface that was matched into those of the mesh as it was uploaded.
-fn count_uploaded_vertices(vertices: &mut [u32], prepared: &PreparedSurface) {
-    if let Some(uploaded) = &prepared.uploaded {
-        for vertex in vertices {
-            *vertex = uploaded.vertex[*vertex as usize];
-        }
-    }
+    let (source, target) = (source.prepared.uploaded().clone(), target.prepared.uploaded().clone());
+    Ok(RunOutput { document, source, target })
 }
 
 fn input_provenance(ReadySurface { hash, prepared, .. }: &ReadySurface) -> InputProvenance {
@@ -202,7 +200,7 @@ fn input_provenance(ReadySurface { hash, prepared, .. }: &ReadySurface) -> Input
     }
 }
 
-/// Passes everything on and adds up the time spent in each phase.
+/// Passes every event on to another observer and adds up the time spent in each phase.
 struct PhaseTimer<'a> {
     observer: &'a dyn Observer,
     clock: Mutex<PhaseClock>,
@@ -262,7 +260,7 @@ impl Observer for PhaseTimer<'_> {
 }
 
 impl RunError {
-    /// Whether the observer asked for the end.
+    /// Whether the run ended because the observer cancelled it.
     pub fn is_cancelled(&self) -> bool {
         matches!(self, RunError::Match(MatchError::Cancelled(Cancelled)))
     }

@@ -1,17 +1,18 @@
-//! Surfaces as matches take them, each prepared once: kept by the hash of the bytes that it is made of.
+//! A cache of surfaces that are ready to be matched, keyed by the hash of the file that they were made from.
 //!
-//! A study matches one template to a thousand subjects. What is made of the template alone (read, repaired, judged,
-//! renumbered, its coarse levels, its trees of closest points) is the same in each of these matches. What depends on both
-//! surfaces, as features do through the radius that both share, is made in each match anew.
+//! A study matches a thousand subjects to one template. Everything that is made from the template alone (the repaired and
+//! renumbered surface, its coarse levels, its search trees of closest points) is the same in each of these matches and is
+//! prepared once. What depends on both surfaces, such as features, whose radius both share, is computed in each match.
 //!
-//! **Who sees what.** The key holds the hash of the whole file, taken here of bytes that the caller has. Who may not read a
-//! file has no bytes to ask with: that is decided before, where the tenant's blobs are read. Two tenants with the same
-//! bytes share what is made of them, which either would have made alone; all that one learns, by the time it takes, is
-//! that a file of its own was matched here lately.
+//! **Access.** The key contains the hash of the whole file, computed here from bytes that the caller has. Whether the
+//! caller may read the file is decided earlier, where the tenant's blobs are read. Two tenants with the same bytes share
+//! the prepared surface, which either would have prepared alone; all that one can learn, from the time it takes, is that
+//! a file equal to its own was matched here recently.
 //!
 //! **Waiting.** Matches that need the same surface at the same time prepare it once. A match claims its two keys in
-//! ascending order and prepares when it has both, so that no two matches wait for each other. It claims before its threads
-//! share any work, so that none of them, helping out, comes to wait for what itself prepares.
+//! ascending order and prepares after it has both, so no two matches wait for each other. It claims before its threads
+//! share any work: a thread that took over work of another match could otherwise wait for a surface that it is itself
+//! preparing.
 
 use super::{InputFile, RunError, Side, check_size, content_hash};
 use crate::intake::{IntakeError, IntakeLimits, PreparedSurface, prepare_surface};
@@ -26,38 +27,37 @@ use std::hash::RandomState;
 use std::sync::Arc;
 use std::time::Duration;
 
-/// How long a match waits for another that prepares the surface it needs, and then prepares it itself. That takes seconds
-/// at most, so the other was stopped or is starved.
-const PATIENCE: Duration = Duration::from_secs(30);
-/// Share of the bytes that surfaces in use may take; the rest is for newcomers, which leave first if nobody asks again.
-/// A surface beyond this share is not kept.
+/// How long a match waits for another match to prepare the surface that it needs, before it prepares the surface itself.
+/// Preparing takes seconds at most, so after that time the other match was stopped or gets no processor time.
+const MAX_WAIT: Duration = Duration::from_secs(30);
+/// Share of the bytes for surfaces that were requested again; the rest is for new ones, which are evicted first. A surface
+/// larger than this share is not kept.
 const SHARE_IN_USE: f64 = 0.75;
-/// Bytes of a surface of some 1,000 vertices: from them follows how many keys are remembered after their surfaces left.
+/// Bytes of a surface of about 1,000 vertices: determines how many keys are remembered after their surfaces were evicted.
 const TYPICAL_BYTES: u64 = 1 << 20;
 
-/// A surface that is ready to be matched with any other.
-pub struct ReadySurface {
-    /// Content address of the file that it is made of.
+/// A surface that is ready to be matched to any other.
+pub(crate) struct ReadySurface {
+    /// Content address of the file that it was made from.
     pub hash: String,
-    /// As it came.
+    /// The surface in the order of the upload, with its numbering and its report.
     pub prepared: PreparedSurface,
-    /// On its levels.
+    /// What matches need: the surface and its coarse levels in canonical numbering.
     pub levels: Levels,
 }
 
 impl ReadySurface {
     fn heap_bytes(&self) -> u64 {
-        let uploaded = self.prepared.uploaded.as_ref();
-        let uploaded = uploaded.map_or(0, |u| size_of_val(u.vertex.as_slice()) + u.surface.heap_bytes());
-        (self.prepared.mesh.heap_bytes() + uploaded + self.levels.heap_bytes()) as u64
+        (self.prepared.heap_bytes() + self.levels.heap_bytes()) as u64
     }
 }
 
-/// All that a ready surface depends on, as a text.
+/// Everything that a ready surface depends on, as text.
 #[derive(Debug, Clone, PartialEq, Eq, Hash, PartialOrd, Ord)]
 struct Key(String);
 
-/// A surface weighs from the beginning what it takes once all is made that matches make of it: weights never change.
+/// Weighs a surface by the memory that it takes once matches have added everything that they compute on demand, so that
+/// weights never change.
 #[derive(Debug, Clone)]
 struct ByBytes;
 
@@ -71,41 +71,41 @@ type Kept = Cache<Key, Arc<ReadySurface>, ByBytes, RandomState>;
 type Guard<'a> =
     PlaceholderGuard<'a, Key, Arc<ReadySurface>, ByBytes, RandomState, DefaultLifecycle<Key, Arc<ReadySurface>>>;
 
-/// Ready surfaces, at most so many bytes of them, those that are asked for again before others. For all threads.
+/// Ready surfaces up to a number of bytes, preferring those that are requested again. Shared by all threads.
 #[derive(Debug)]
 pub struct SurfaceCache {
     kept: Option<Kept>,
 }
 
-/// A file of which a surface is wanted.
-struct Wanted<'a> {
+/// A file whose surface a match needs.
+struct Request<'a> {
     file: InputFile<'a>,
     hash: String,
     key: Key,
 }
 
-/// What a match has of a file that it claimed.
+/// The result of claiming a key.
 enum Claim<'a> {
-    /// The surface.
+    /// The surface was kept.
     Kept(Arc<ReadySurface>),
-    /// The task to prepare it, and where it is to be kept, if anywhere. Dropping that hands the task to one of those who
-    /// wait.
-    Missing(Wanted<'a>, Option<Guard<'a>>),
+    /// The match must prepare the surface, and insert it through the guard, if there is one. Dropping the guard hands
+    /// this task to one of the waiting matches.
+    Missing(Request<'a>, Option<Guard<'a>>),
 }
 
-/// What it has of the file after reading it.
+/// A claim whose file was read.
 enum Progress<'a> {
     Kept(Arc<ReadySurface>),
-    Read(Wanted<'a>, Box<PreparedSurface>, Option<Guard<'a>>),
+    Read(Request<'a>, Box<PreparedSurface>, Option<Guard<'a>>),
 }
 
-impl<'a> Wanted<'a> {
+impl<'a> Request<'a> {
     fn new(file: InputFile<'a>, parameters: &MatchParameters, limits: &IntakeLimits) -> Self {
         let hash = content_hash(file.bytes);
         let (input, coarse) = (&parameters.input, parameters.inference.coarse_vertices);
-        // `Debug` shows every field, those that are added later too, and tells all numbers apart.
+        // `Debug` prints every field, including those added later, and prints different numbers differently.
         let key = Key(format!("{hash} {:?} {input:?} {coarse:?} {limits:?}", file.name));
-        Wanted { file, hash, key }
+        Request { file, hash, key }
     }
 }
 
@@ -113,9 +113,9 @@ impl<'a> Claim<'a> {
     fn read(self, parameters: &InputParameters, limits: &IntakeLimits) -> Result<Progress<'a>, IntakeError> {
         Ok(match self {
             Claim::Kept(surface) => Progress::Kept(surface),
-            Claim::Missing(wanted, guard) => {
-                let prepared = prepare_surface(wanted.file.bytes, wanted.file.name, parameters, limits)?;
-                Progress::Read(wanted, Box::new(prepared), guard)
+            Claim::Missing(request, guard) => {
+                let prepared = prepare_surface(request.file.bytes, request.file.name, parameters, limits)?;
+                Progress::Read(request, Box::new(prepared), guard)
             }
         })
     }
@@ -132,11 +132,11 @@ impl Progress<'_> {
     fn ready(self, coarse_vertices: Option<u32>) -> Arc<ReadySurface> {
         match self {
             Progress::Kept(surface) => surface,
-            Progress::Read(wanted, prepared, guard) => {
-                let levels = Levels::new(&prepared.mesh, coarse_vertices);
-                let surface = Arc::new(ReadySurface { hash: wanted.hash, prepared: *prepared, levels });
+            Progress::Read(request, prepared, guard) => {
+                let levels = Levels::numbered(&prepared.mesh, &prepared.numbering, coarse_vertices);
+                let surface = Arc::new(ReadySurface { hash: request.hash, prepared: *prepared, levels });
                 if let Some(guard) = guard {
-                    // Those who wait get it even where it is too large to be kept.
+                    // Waiting matches get the surface even if it is too large to be kept.
                     let _ = guard.insert(Arc::clone(&surface));
                 }
                 surface
@@ -146,10 +146,10 @@ impl Progress<'_> {
 }
 
 impl SurfaceCache {
-    /// Keeps surfaces of at most `max_bytes` together; `0` keeps none.
+    /// A cache of at most `max_bytes`; `0` keeps nothing.
     pub fn new(max_bytes: u64) -> Self {
         let options = OptionsBuilder::new()
-            // One: each of several would have a part of the bytes, too little for a large surface.
+            // With several shards each would have a part of the bytes, too little for a large surface.
             .shards(1)
             .hot_allocation(SHARE_IN_USE)
             .weight_capacity(max_bytes)
@@ -160,24 +160,25 @@ impl SurfaceCache {
         SurfaceCache { kept }
     }
 
-    /// Keeps nothing: each surface is prepared for its match alone.
+    /// A cache that keeps nothing: each surface is prepared for its match alone.
     pub fn none() -> Self {
         SurfaceCache { kept: None }
     }
 
-    /// Bytes of what is kept, counted with all that matches may add to it.
+    /// Memory of the kept surfaces, bytes, including everything that matches may add to them.
     pub fn bytes(&self) -> u64 {
         self.kept.as_ref().map_or(0, Cache::weight)
     }
 
-    /// Source and target, each from here or prepared now, on the threads of the current pool. What is refused is not kept.
+    /// Source and target, each taken from the cache or prepared now, on the threads of the current pool. A refused input is
+    /// not kept.
     ///
     /// # Errors
-    /// [`RunError::Input`], the source's first; [`RunError::TooLarge`].
+    /// [`RunError::Input`], of the source if both are refused; [`RunError::TooLarge`].
     ///
     /// # Cost
-    /// Where both are kept, that of hashing both files; else that of [`prepare_surface`] and [`Levels::new`].
-    pub fn ready(
+    /// If both are kept, the cost of hashing both files; else also that of [`prepare_surface`] and [`Levels::numbered`].
+    pub(crate) fn ready(
         &self,
         files: [InputFile<'_>; 2],
         parameters: &MatchParameters,
@@ -185,7 +186,7 @@ impl SurfaceCache {
         observer: &dyn Observer,
     ) -> Result<[Arc<ReadySurface>; 2], RunError> {
         observer.phase(Phase::Reading);
-        let (source, target) = self.claims(files.map(|file| Wanted::new(file, parameters, limits)));
+        let (source, target) = self.claims(files.map(|file| Request::new(file, parameters, limits)));
         let (source, target) = rayon::join(
             || source.read(&parameters.input, limits),
             || target.map(|target| target.read(&parameters.input, limits)).transpose(),
@@ -202,8 +203,8 @@ impl SurfaceCache {
         Ok([source, target])
     }
 
-    /// Claims both in the order of their keys; only the first where they are one file.
-    fn claims<'a>(&'a self, [source, target]: [Wanted<'a>; 2]) -> (Claim<'a>, Option<Claim<'a>>) {
+    /// Claims both in the order of their keys; only one claim if both have the same key.
+    fn claims<'a>(&'a self, [source, target]: [Request<'a>; 2]) -> (Claim<'a>, Option<Claim<'a>>) {
         match source.key.cmp(&target.key) {
             Ordering::Equal => (self.claim(source), None),
             Ordering::Less => {
@@ -217,15 +218,15 @@ impl SurfaceCache {
         }
     }
 
-    fn claim<'a>(&'a self, wanted: Wanted<'a>) -> Claim<'a> {
-        let Some(kept) = &self.kept else { return Claim::Missing(wanted, None) };
-        let found = kept.get_value_or_guard(&wanted.key, Some(PATIENCE));
-        let end = if matches!(found, GuardResult::Value(_)) { "hit" } else { "miss" };
-        metrics::counter!("homolog_prepared_surfaces_total", "lookup" => end).increment(1);
+    fn claim<'a>(&'a self, request: Request<'a>) -> Claim<'a> {
+        let Some(kept) = &self.kept else { return Claim::Missing(request, None) };
+        let found = kept.get_value_or_guard(&request.key, Some(MAX_WAIT));
+        let lookup = if matches!(found, GuardResult::Value(_)) { "hit" } else { "miss" };
+        metrics::counter!("homolog_prepared_surfaces_total", "lookup" => lookup).increment(1);
         match found {
             GuardResult::Value(surface) => Claim::Kept(surface),
-            GuardResult::Guard(guard) => Claim::Missing(wanted, Some(guard)),
-            GuardResult::Timeout => Claim::Missing(wanted, None),
+            GuardResult::Guard(guard) => Claim::Missing(request, Some(guard)),
+            GuardResult::Timeout => Claim::Missing(request, None),
         }
     }
 }

@@ -1,28 +1,19 @@
-//! What is kept is what would be made anew, once for all, and no more of it than allowed.
+//! A kept surface equals a newly prepared one, is prepared once, and no more bytes are kept than allowed.
 
 use super::{InputFile, ReadySurface, RunError, RunOutput, Side, SurfaceCache, run_match, run_match_with};
 use crate::intake::IntakeLimits;
 use homolog_contract::parameters::{MatchParameters, resolve};
 use homolog_formats::ply::write_ply;
-use homolog_laboratory::phantom::{PairRecipe, PhantomPair};
+use homolog_laboratory::phantom::PhantomPair;
 use homolog_mesh::{FaceArity, SurfaceMesh};
 use homolog_primitives::observe::Silent;
 use serde_json::{Value, json};
 use std::sync::{Arc, Barrier};
 
 /// A subject and the template, as files.
-fn subject(seed: u64) -> [Vec<u8>; 2] {
-    let pair = PhantomPair::new(PairRecipe {
-        subject: seed + 1,
-        target_subject: 0,
-        deform_share: 0.0,
-        deform_seed: 0,
-        pose_seed: Some(3),
-        permute_seed: Some(4),
-    });
-    let (pair, edge_mm) = (pair.unwrap(), 2.0);
-    let (source, target) = (pair.source_surface(edge_mm).unwrap().mesh, pair.target_surface(edge_mm).unwrap().0.mesh);
-    [source, target].map(|mesh| write_ply(&mesh))
+fn subject(number: u64) -> [Vec<u8>; 2] {
+    let meshes = PhantomPair::against_template(number).unwrap().meshes(2.0).unwrap();
+    meshes.map(|mesh| write_ply(&mesh))
 }
 
 fn parameters(request: Value) -> MatchParameters {
@@ -41,7 +32,7 @@ fn ready(
     cache.ready([file(source), file(target)], &parameters(request), &IntakeLimits::default(), &Silent)
 }
 
-/// What `bytes` become when matched with themselves.
+/// The surface of `bytes`, requested as both source and target.
 fn one(cache: &SurfaceCache, bytes: &[u8]) -> Arc<ReadySurface> {
     let [source, target] = ready(cache, [bytes, bytes], json!({})).unwrap();
     assert!(Arc::ptr_eq(&source, &target), "one file is prepared once");
@@ -54,7 +45,7 @@ fn untimed(mut output: RunOutput) -> RunOutput {
 }
 
 #[test]
-fn a_template_against_subjects_gets_the_same_answers_with_and_without_the_cache() {
+fn matches_to_a_template_have_the_same_results_with_and_without_the_cache() {
     let cache = SurfaceCache::new(64 << 20);
     let limits = IntakeLimits::default();
     for request in [
@@ -63,19 +54,23 @@ fn a_template_against_subjects_gets_the_same_answers_with_and_without_the_cache(
         json!({"method": "balanced", "inference": {"coarse_vertices": 150}}),
     ] {
         let parameters = parameters(request);
-        // The first subject comes back, then with both sides exchanged.
-        for (seed, turned) in [(0, false), (1, false), (0, false), (0, true)] {
-            let [source, target] = subject(seed);
-            let [source, target] = if turned { [&target, &source] } else { [&source, &target] };
+        // The first subject is matched again, then with source and target exchanged.
+        for (number, exchanged) in [(0, false), (1, false), (0, false), (0, true)] {
+            let [source, target] = subject(number);
+            let [source, target] = if exchanged { [&target, &source] } else { [&source, &target] };
             let with = run_match_with(&cache, file(source), file(target), &parameters, &limits, &Silent);
             let without = run_match(file(source), file(target), &parameters, &limits, &Silent);
-            assert!(untimed(with.unwrap()) == untimed(without.unwrap()), "{:?} {seed} {turned}", parameters.method);
+            assert!(
+                untimed(with.unwrap()) == untimed(without.unwrap()),
+                "{:?} {number} {exchanged}",
+                parameters.method
+            );
         }
     }
 }
 
 #[test]
-fn what_a_surface_depends_on_makes_another_and_nothing_else_does() {
+fn only_parameters_that_a_surface_depends_on_make_another_surface() {
     let cache = SurfaceCache::new(64 << 20);
     let [source, target] = subject(0);
     let of = |request: Value| ready(&cache, [&source, &target], request).unwrap();
@@ -106,12 +101,12 @@ fn what_a_surface_depends_on_makes_another_and_nothing_else_does() {
 }
 
 #[test]
-fn matches_that_need_a_surface_at_once_prepare_it_once() {
+fn simultaneous_matches_prepare_a_shared_surface_once() {
     let cache = SurfaceCache::new(64 << 20);
     let files: Vec<_> = (0..3).map(subject).collect();
     let n = 12;
     let start = Barrier::new(n);
-    // Subjects on either side of the template's key, and exchanged with it, so that claims cross.
+    // Keys of subjects sort before and after the template's, and sides are exchanged, so that claims overlap in any order.
     let found: Vec<[Arc<ReadySurface>; 2]> = std::thread::scope(|scope| {
         let (files, cache, start) = (&files, &cache, &start);
         let of = |k: usize| {
@@ -119,10 +114,10 @@ fn matches_that_need_a_surface_at_once_prepare_it_once() {
                 let [source, template] = &files[k % files.len()];
                 let pool = rayon::ThreadPoolBuilder::new().num_threads(1 + k % 2).build().unwrap();
                 start.wait();
-                let turned = k % 4 > 1;
-                let sides: [&[u8]; 2] = if turned { [template, source] } else { [source, template] };
+                let exchanged = k % 4 > 1;
+                let sides: [&[u8]; 2] = if exchanged { [template, source] } else { [source, template] };
                 let [a, b] = pool.install(|| ready(cache, sides, json!({}))).unwrap();
-                if turned { [b, a] } else { [a, b] }
+                if exchanged { [b, a] } else { [a, b] }
             }
         };
         let threads: Vec<_> = (0..n).map(|k| scope.spawn(of(k))).collect();
@@ -135,7 +130,7 @@ fn matches_that_need_a_surface_at_once_prepare_it_once() {
 }
 
 #[test]
-fn no_more_bytes_are_kept_than_allowed_and_the_template_is_among_them() {
+fn no_more_bytes_are_kept_than_allowed_and_the_template_stays() {
     let [_, template] = subject(0);
     let each = {
         let cache = SurfaceCache::new(64 << 20);
@@ -145,17 +140,17 @@ fn no_more_bytes_are_kept_than_allowed_and_the_template_is_among_them() {
     let allowed = 5 * each;
     let cache = SurfaceCache::new(allowed);
     let first = one(&cache, &template);
-    for seed in 0..12 {
-        let [source, template] = subject(seed);
+    for number in 0..12 {
+        let [source, template] = subject(number);
         let [_, again] = ready(&cache, [&source, &template], json!({})).unwrap();
-        assert!(Arc::ptr_eq(&first, &again), "it had left before subject {seed}");
+        assert!(Arc::ptr_eq(&first, &again), "evicted before subject {number}");
         assert!(cache.bytes() <= allowed, "{} bytes of {allowed}", cache.bytes());
     }
     assert!(cache.bytes() > allowed / 2, "subjects are kept while there is room");
 }
 
 #[test]
-fn a_surface_that_is_too_large_to_be_kept_is_matched_all_the_same() {
+fn a_surface_too_large_to_be_kept_is_prepared_for_each_match() {
     let [source, template] = subject(0);
     for cache in [SurfaceCache::new(10_000), SurfaceCache::new(0), SurfaceCache::none()] {
         let [first, again] = [0, 1].map(|_| ready(&cache, [&source, &template], json!({})).unwrap());
@@ -165,7 +160,7 @@ fn a_surface_that_is_too_large_to_be_kept_is_matched_all_the_same() {
 }
 
 #[test]
-fn what_is_refused_is_not_kept_and_hands_its_place_on() {
+fn a_refused_input_is_not_kept_and_does_not_block_later_matches() {
     let cache = SurfaceCache::new(64 << 20);
     let [source, _] = subject(0);
     let vertices = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]].map(nalgebra::Point3::from).to_vec();
@@ -182,20 +177,20 @@ fn what_is_refused_is_not_kept_and_hands_its_place_on() {
 }
 
 #[test]
-fn hits_and_misses_are_counted_and_nothing_says_of_what() {
+fn hits_and_misses_are_counted_without_naming_files() {
     let recorder = metrics_exporter_prometheus::PrometheusBuilder::new().build_recorder();
     let cache = SurfaceCache::new(64 << 20);
     let template = subject(0)[1].clone();
     metrics::with_local_recorder(&recorder, || {
-        for seed in 0..3 {
-            ready(&cache, [&subject(seed)[0], &template], json!({})).unwrap();
+        for number in 0..3 {
+            ready(&cache, [&subject(number)[0], &template], json!({})).unwrap();
         }
-        // Switched off, it looks nowhere.
+        // A cache that keeps nothing counts no lookups.
         one(&SurfaceCache::none(), &template);
     });
     let text = recorder.handle().render();
     let mut lines: Vec<&str> = text.lines().filter(|l| l.starts_with("homolog_prepared_surfaces_total")).collect();
     lines.sort_unstable();
-    let counted = |end: &str, n: u32| format!("homolog_prepared_surfaces_total{{lookup=\"{end}\"}} {n}");
+    let counted = |lookup: &str, n: u32| format!("homolog_prepared_surfaces_total{{lookup=\"{lookup}\"}} {n}");
     assert_eq!(lines, [counted("hit", 2), counted("miss", 4)]);
 }

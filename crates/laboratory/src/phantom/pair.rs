@@ -55,6 +55,23 @@ impl PhantomPair {
         Ok(PhantomPair { recipe, source, target, deformation, pose })
     }
 
+    /// A study's pair: the subject of number `subject`, another for each, and the template, the same for all (the subject
+    /// of seed 0, posed and with its vertices shuffled).
+    ///
+    /// # Errors
+    /// As [`PhantomPair::new`].
+    pub fn against_template(subject: u64) -> Result<Self, PhantomError> {
+        PhantomPair::new(PairRecipe {
+            // Seed 0 is the template's.
+            subject: subject + 1,
+            target_subject: 0,
+            deform_share: 0.0,
+            deform_seed: 0,
+            pose_seed: Some(3),
+            permute_seed: Some(4),
+        })
+    }
+
     /// What it was made from.
     pub fn recipe(&self) -> &PairRecipe {
         &self.recipe
@@ -113,6 +130,14 @@ impl PhantomPair {
         let indices = mesh.indices().iter().map(|&v| new_index[v as usize]).collect();
         let mesh = SurfaceMesh::new(vertices, mesh.arity(), indices)?;
         Ok((PhantomSurface { mesh, parts: new_parts }, new_index))
+    }
+
+    /// The meshes of both surfaces, source and target.
+    ///
+    /// # Errors
+    /// As [`Phantom::surface`].
+    pub fn meshes(&self, edge_mm: f64) -> Result<[SurfaceMesh; 2], PhantomError> {
+        Ok([self.source_surface(edge_mm)?.mesh, self.target_surface(edge_mm)?.0.mesh])
     }
 
     /// The source's label volume.

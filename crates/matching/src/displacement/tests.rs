@@ -62,7 +62,7 @@ fn pair(warp: fn(&Point3<f64>) -> Point3<f64>) -> (CanonicalMesh, CanonicalMesh,
     let images: Vec<Point3<f64>> = source.vertices().iter().map(|p| motion().apply(&warp(p))).collect();
     let target = canonicalize(&source.with_vertices(images.clone()).unwrap());
     let source = canonicalize(&source);
-    let images = source.original.iter().map(|&k| images[k as usize]).collect();
+    let images = source.numbering.originals().iter().map(|&k| images[k as usize]).collect();
     (source, target, images)
 }
 

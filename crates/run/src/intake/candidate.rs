@@ -1,35 +1,38 @@
-//! The surface that is made of an input, before it is judged.
+//! The surface made from an input, before it is accepted or refused.
 
-use super::{Advice, IntakeError, IntakeLimits, RepairNote};
+use super::{Advice, IntakeError, IntakeLimits, RepairNote, counted};
 use homolog_contract::parameters::{InputParameters, Repair, SurfaceKind};
 use homolog_formats::{FileContent, MeshFile};
+use homolog_mesh::repair::RepairedMesh;
 use homolog_mesh::topology::{SurfaceFault, TopologyReport, analyze_with, topology_report};
 use homolog_mesh::volume::smooth_surface::FieldRepair;
 use homolog_mesh::volume::{self, BettiNumbers, Contacts, FillChange, LabelVolume, VoxelMask};
-use homolog_mesh::{MeshError, SurfaceMesh, repair};
+use homolog_mesh::{MeshError, Numbering, SurfaceMesh, repair};
 
-/// Voxels of the box around a structure at most, 8 million: filling and filtering work on the whole box.
+/// Most voxels of the box around a structure, 8 million: filling and smoothing work on the whole box.
 const MAX_BOX_VOXELS: u64 = 1 << 23;
 
-/// Labels named in a refusal at most.
+/// Most labels that a refusal lists.
 pub(super) const MAX_NAMED_LABELS: usize = 50;
 
-/// A surface made of an input, with what was done and what is still wrong.
+/// A surface made from an input, with the repairs that were made and the fault that remains, if any.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Candidate {
     pub mesh: SurfaceMesh,
-    pub uploaded_vertex: Option<Vec<u32>>,
-    /// Before repairs.
+    /// Which vertex of the upload each vertex of `mesh` is.
+    pub numbering: Numbering,
+    /// Topology before repairs.
     pub topology: TopologyReport,
-    /// After repairs.
+    /// Topology after repairs.
     pub repaired: TopologyReport,
+    /// What is still wrong, in terms of the vertices of the upload.
     pub fault: Option<SurfaceFault>,
     pub repairs: Vec<RepairNote>,
     pub turned_outward: bool,
 }
 
 impl Candidate {
-    pub fn from_content(
+    pub(super) fn from_content(
         content: &FileContent,
         parameters: &InputParameters,
         limits: &IntakeLimits,
@@ -53,22 +56,19 @@ impl Candidate {
 
     fn new(
         mesh: SurfaceMesh,
-        uploaded_vertex: Option<Vec<u32>>,
+        numbering: Numbering,
         topology: TopologyReport,
         repairs: Vec<RepairNote>,
         allow_boundary: bool,
     ) -> Self {
         let analysis = analyze_with(&mesh, allow_boundary);
-        let fault = match &uploaded_vertex {
-            Some(original) => analysis.fault.map(|f| f.renumbered(original)),
-            None => analysis.fault,
-        };
+        let fault = analysis.fault.map(|fault| fault.renumbered(&numbering));
         let repaired = analysis.report;
-        Candidate { mesh, uploaded_vertex, topology, repaired, fault, repairs, turned_outward: false }
+        Candidate { mesh, numbering, topology, repaired, fault, repairs, turned_outward: false }
     }
 
-    /// The refusal, if this surface is not suitable, with the smallest set of repairs that would have made it so.
-    pub fn refusal(
+    /// The refusal, if this surface is unsuitable, with the smallest set of repairs that would make it suitable.
+    pub(super) fn refusal(
         &self,
         content: &FileContent,
         parameters: &InputParameters,
@@ -100,56 +100,45 @@ fn from_mesh(file: &MeshFile, parameters: &InputParameters) -> Result<Candidate,
         let (n_faces, face) = (file.n_degenerate as u64, face as u64);
         return Err(IntakeError::DegenerateFaces { n_faces, face, vertex, topology: Box::new(topology) });
     }
-    let mut steps = Steps { mesh: file.mesh.clone(), uploaded_vertex: None, repairs: Vec::new() };
+    let numbering = Numbering::identity(file.mesh.n_vertices());
+    let mut current = RepairedMesh { mesh: file.mesh.clone(), numbering };
+    let mut repairs = Vec::new();
     if (topology.n_vertices as usize) < file.mesh.n_vertices() {
-        steps.advance(repair::drop_unused(&file.mesh));
+        current = followed(&current, repair::drop_unused(&file.mesh));
     }
     if weld {
-        let (vertices, faces) = (steps.mesh.n_vertices(), steps.mesh.n_faces());
-        steps.advance(repair::weld(&steps.mesh).map_err(|e: MeshError| IntakeError::Unreadable(e.into()))?);
-        let merged = vertices - steps.mesh.n_vertices();
-        let dropped = file.n_degenerate + faces.saturating_sub(steps.mesh.n_faces());
+        let (vertices, faces) = (current.mesh.n_vertices(), current.mesh.n_faces());
+        let welded = repair::weld(&current.mesh).map_err(|e: MeshError| IntakeError::Unreadable(e.into()))?;
+        current = followed(&current, welded);
+        let merged = vertices - current.mesh.n_vertices();
+        let dropped = file.n_degenerate + faces.saturating_sub(current.mesh.n_faces());
         if merged + dropped > 0 {
             let detail = format!(
                 "{merged} of {vertices} vertices joined to another; {} dropped",
-                counted(dropped as u32, "face", "faces")
+                counted(dropped as u64, "face", "faces")
             );
-            steps.repairs.push(RepairNote { repair: Repair::Weld, detail });
+            repairs.push(RepairNote { repair: Repair::Weld, detail });
         }
     }
     if allowed.contains(&Repair::LargestComponent) {
-        let before = topology_report(&steps.mesh);
+        let before = topology_report(&current.mesh);
         if before.n_components > 1 {
-            steps.advance(repair::largest_component(&steps.mesh));
+            current = followed(&current, repair::largest_component(&current.mesh));
             let detail = format!(
                 "kept the largest of {} pieces, {} of {} vertices",
                 before.n_components,
-                steps.mesh.n_vertices(),
+                current.mesh.n_vertices(),
                 before.n_vertices
             );
-            steps.repairs.push(RepairNote { repair: Repair::LargestComponent, detail });
+            repairs.push(RepairNote { repair: Repair::LargestComponent, detail });
         }
     }
-    Ok(Candidate::new(steps.mesh, steps.uploaded_vertex, topology, steps.repairs, parameters.allow_boundary))
+    Ok(Candidate::new(current.mesh, current.numbering, topology, repairs, parameters.allow_boundary))
 }
 
-/// A mesh under repair, with the way back to the file's vertices once it is no longer the identity.
-struct Steps {
-    mesh: SurfaceMesh,
-    uploaded_vertex: Option<Vec<u32>>,
-    repairs: Vec<RepairNote>,
-}
-
-impl Steps {
-    fn advance(&mut self, next: repair::RepairedMesh) {
-        if next.original.len() < self.mesh.n_vertices() {
-            self.uploaded_vertex = Some(match self.uploaded_vertex.take() {
-                None => next.original,
-                Some(before) => next.original.iter().map(|&v| before[v as usize]).collect(),
-            });
-        }
-        self.mesh = next.mesh;
-    }
+/// `next`, a repair of `current.mesh`, in terms of the mesh of which `current` is a repair.
+fn followed(current: &RepairedMesh, next: RepairedMesh) -> RepairedMesh {
+    RepairedMesh { numbering: next.numbering.over(&current.numbering), mesh: next.mesh }
 }
 
 fn from_labels(
@@ -161,7 +150,7 @@ fn from_labels(
         let labels: Vec<u32> = volume.label_counts().into_keys().collect();
         let n_present = labels.len();
         let present = labels.into_iter().take(MAX_NAMED_LABELS).collect();
-        return Err(IntakeError::EmptyStructure { wanted: parameters.labels.clone(), present, n_present });
+        return Err(IntakeError::EmptyStructure { requested: parameters.labels.clone(), present, n_present });
     };
     check_size(&mask, limits, 2.0)?;
     let both = [Repair::LargestComponent, Repair::Fill];
@@ -196,8 +185,8 @@ fn from_labels(
             let not_again = FieldRepair { fill: false, ..field_repair };
             let (mesh, notes) = surface_of(&filled.mask, parameters, not_again)?;
             let notes = [repairs.clone(), vec![fill_note(filled.change, "")], notes].concat();
-            let candidate = Candidate::new(mesh, None, topology.clone(), notes, false);
-            // The filter may bridge a thin cut or part a membrane again. Then only what it leaves is filled.
+            let candidate = unnumbered(mesh, topology.clone(), notes);
+            // Smoothing may bridge a thin gap or break a thin membrane again; then only the smoothed structure is filled.
             if candidate.repaired.genus == Some(0) {
                 return Ok(candidate);
             }
@@ -205,13 +194,19 @@ fn from_labels(
     }
     let (mesh, notes) = surface_of(&repaired, parameters, field_repair)?;
     repairs.extend(notes);
-    Ok(Candidate::new(mesh, None, topology, repairs, false))
+    Ok(unnumbered(mesh, topology, repairs))
 }
 
-/// Refuses structures whose box or surface would be too large before anything is made of them.
+/// A surface made from a volume: the upload has no vertices, so answers count those of the surface.
+fn unnumbered(mesh: SurfaceMesh, topology: TopologyReport, repairs: Vec<RepairNote>) -> Candidate {
+    let numbering = Numbering::identity(mesh.n_vertices());
+    Candidate::new(mesh, numbering, topology, repairs, false)
+}
+
+/// Refuses structures whose box or surface would be too large, before any surface is made.
 ///
-/// A closed surface has about as many vertices as boundary faces. `slack` leaves room for what repairs and the filter
-/// will take away; what remains is counted exactly later.
+/// A closed surface has about as many vertices as the structure has boundary faces. `slack` leaves room for what repairs
+/// and smoothing will remove; the vertices of the surface are counted exactly later.
 fn check_size(mask: &VoxelMask, limits: &IntakeLimits, slack: f64) -> Result<(), IntakeError> {
     let found = mask.dims().iter().map(|&d| d as u64).product();
     if found > MAX_BOX_VOXELS {
@@ -239,7 +234,7 @@ fn surface_of(
     let mut notes = Vec::new();
     if surface.n_dropped > 0 {
         let detail =
-            format!("smoothing had parted the structure; {} voxels of smaller pieces dropped", surface.n_dropped);
+            format!("smoothing had split the structure; {} voxels of smaller pieces dropped", surface.n_dropped);
         notes.push(RepairNote { repair: Repair::LargestComponent, detail });
     }
     notes.extend(surface.fill.map(|change| fill_note(change, " of the smoothed structure")));
@@ -249,15 +244,11 @@ fn surface_of(
 fn fill_note(change: FillChange, of_what: &str) -> RepairNote {
     let BettiNumbers { n_tunnels, n_cavities, .. } = change.before;
     let what = if n_tunnels + n_cavities > 0 {
-        let tunnels = counted(n_tunnels, "tunnel", "tunnels");
-        format!("closed {tunnels} and {}{of_what}", counted(n_cavities, "cavity", "cavities"))
+        let tunnels = counted(n_tunnels.into(), "tunnel", "tunnels");
+        format!("closed {tunnels} and {}{of_what}", counted(n_cavities.into(), "cavity", "cavities"))
     } else {
-        format!("parted or joined voxels{of_what} that touched only along an edge or at a corner")
+        format!("separated or joined voxels{of_what} that touched only along an edge or at a corner")
     };
     let detail = format!("{what}; {} voxels added, {} removed", change.n_added, change.n_removed);
     RepairNote { repair: Repair::Fill, detail }
-}
-
-fn counted(n: u32, one: &str, many: &str) -> String {
-    format!("{n} {}", if n == 1 { one } else { many })
 }

@@ -1,6 +1,6 @@
-//! Why a file is refused.
+//! Why a file is refused: what is wrong, where, and what its sender can do.
 
-use super::repair_name;
+use super::{counted, repair_name};
 use homolog_contract::parameters::Repair;
 use homolog_formats::FormatError;
 use homolog_mesh::topology::{SurfaceFault, TopologyReport};
@@ -8,76 +8,78 @@ use homolog_mesh::topology::{SurfaceFault, TopologyReport};
 /// Why a file is refused.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum IntakeError {
-    /// None of the formats that are read.
-    #[error("the file is none of NIfTI-1, PLY, STL, legacy VTK")]
+    /// None of the formats that can be read.
+    #[error("the file format is not recognized; send NIfTI-1 (.nii or .nii.gz), PLY, STL or legacy VTK")]
     UnknownFormat,
-    /// The format is known, the content is wrong.
+    /// The format is recognized, but the content is wrong.
     #[error(transparent)]
     Unreadable(FormatError),
     /// A limit of the service is exceeded.
-    #[error("the file has {found} {what}, but at most {limit} are accepted")]
+    #[error("the file has {found} {what}, but at most {limit} are accepted; crop it or reduce its resolution")]
     TooLarge {
         /// What is counted, plural.
         what: &'static str,
-        /// How many there are, at least.
+        /// How many there are; reading may have ended before all were counted.
         found: u64,
         /// How many are accepted.
         limit: u64,
     },
-    /// No voxel has a wanted label.
-    #[error("no voxel has {}; {}", wanted_labels(wanted.as_deref()), present_labels(present, *n_present))]
+    /// No voxel has one of the requested labels.
+    #[error("no voxel has {}; {}", requested_labels(requested.as_deref()), present_labels(present, *n_present))]
     EmptyStructure {
-        /// The labels asked for; `None`: any but 0.
-        wanted: Option<Vec<u32>>,
-        /// Labels of the volume, ascending, the first of them if there are many.
+        /// The requested labels; `None`: any label other than 0.
+        requested: Option<Vec<u32>>,
+        /// Labels of the volume other than 0, ascending; only the lowest if there are many.
         present: Vec<u32>,
-        /// How many labels the volume has.
+        /// How many labels other than 0 the volume has.
         n_present: usize,
     },
-    /// The filter leaves nothing of the structure.
+    /// Smoothing removes the whole structure.
     #[error(
-        "smoothing by {smoothing_mm} mm leaves nothing of a structure of {n_voxels} voxels; \
-         lower smoothing_mm or ask for the voxel surface"
+        "smoothing by {smoothing_mm} mm leaves nothing of a structure of {}; \
+         lower input.smoothing_mm, or set input.surface to \"voxel\"",
+        counted(*n_voxels, "voxel", "voxels")
     )]
     Vanished {
-        /// Standard deviation of the filter, mm.
+        /// Standard deviation of the smoothing filter, mm.
         smoothing_mm: f64,
         /// Voxels of the structure.
         n_voxels: u64,
     },
-    /// Faces that name a vertex twice, where dropping them was not allowed.
+    /// Faces that use a vertex twice, where the repair that drops them was not allowed.
     #[error(
-        "{n_faces} faces name a vertex twice; the first is face {face} with vertex {vertex}; \
-         allow the repair weld, which drops them"
+        "{} a vertex twice; the first is face {face} with vertex {vertex} (both counted from 0); \
+         to drop such faces, set input.repair to [\"weld\"]",
+        counted(*n_faces, "face uses", "faces use")
     )]
     DegenerateFaces {
         /// How many.
         n_faces: u64,
-        /// The first.
+        /// The first, counted from 0 in the order of the file.
         face: u64,
-        /// The vertex it names twice.
+        /// The vertex that it uses twice.
         vertex: u32,
-        /// Topology without them.
+        /// Topology of the surface without these faces.
         topology: Box<TopologyReport>,
     },
-    /// What came out is not a closed manifold of genus 0.
+    /// The surface is not a closed manifold of genus 0.
     #[error("{fault}; {advice}")]
     UnsuitableSurface {
-        /// What is wrong and where; vertices as uploaded for meshes.
+        /// What is wrong and where; its vertices are those of the uploaded mesh.
         fault: SurfaceFault,
-        /// What would help.
+        /// What can be done about it.
         advice: Advice,
-        /// Topology after the repairs that were allowed.
+        /// Topology of the surface after the repairs that were allowed.
         topology: Box<TopologyReport>,
     },
 }
 
-/// What would help an unsuitable surface.
+/// What can be done about an unsuitable surface.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Advice {
-    /// These repairs, allowed together, make it suitable.
+    /// These repairs, allowed together, make the surface suitable.
     Allow(Vec<Repair>),
-    /// No repair that there is does.
+    /// No available repair makes the surface suitable.
     Edit,
 }
 
@@ -86,15 +88,17 @@ impl std::fmt::Display for Advice {
         match self {
             Advice::Allow(repairs) => {
                 let names: Vec<String> = repairs.iter().map(|&r| format!("\"{}\"", repair_name(r))).collect();
-                write!(f, "it becomes suitable with \"repair\": [{}]", names.join(", "))
+                write!(f, "to have this repaired, set input.repair to [{}]", names.join(", "))
             }
-            Advice::Edit => f.write_str("no repair here helps, mend it in the program that made it"),
+            Advice::Edit => {
+                f.write_str("no available repair makes it suitable; correct it in the program that made it")
+            }
         }
     }
 }
 
-fn wanted_labels(wanted: Option<&[u32]>) -> String {
-    match wanted {
+fn requested_labels(requested: Option<&[u32]>) -> String {
+    match requested {
         None => "a label other than 0".to_owned(),
         Some(labels) => format!("any of the labels {labels:?}"),
     }
@@ -102,16 +106,16 @@ fn wanted_labels(wanted: Option<&[u32]>) -> String {
 
 fn present_labels(present: &[u32], n_present: usize) -> String {
     if present.is_empty() {
-        return "the volume is empty".to_owned();
+        return "all voxels are 0: send a volume in which the structure is labeled".to_owned();
     }
     let more =
         if n_present > present.len() { format!(" and {} more", n_present - present.len()) } else { String::new() };
-    format!("the volume holds {present:?}{more}")
+    format!("the volume has the labels {present:?}{more}: set input.labels to those of the structure")
 }
 
 impl IntakeError {
-    /// The stable name of this kind of refusal, used as problem type: `unknown-format`, `unreadable-file`,
-    /// `too-large`, `empty-structure`, `unsuitable-surface`.
+    /// The stable name of this kind of refusal, used as the problem type in HTTP answers: `unknown-format`,
+    /// `unreadable-file`, `too-large`, `empty-structure` or `unsuitable-surface`.
     pub fn code(&self) -> &'static str {
         match self {
             IntakeError::UnknownFormat => "unknown-format",
@@ -122,7 +126,7 @@ impl IntakeError {
         }
     }
 
-    /// The topology of the surface that was refused, where there was one.
+    /// The topology of the refused surface, if there was a surface.
     pub fn topology(&self) -> Option<&TopologyReport> {
         match self {
             IntakeError::DegenerateFaces { topology, .. } | IntakeError::UnsuitableSurface { topology, .. } => {

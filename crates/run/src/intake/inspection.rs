@@ -1,4 +1,4 @@
-//! What an input is and whether it can be matched, told instead of refused.
+//! What an input is and whether it can be matched: a report where [`super::prepare_surface`] would refuse.
 
 use super::candidate::Candidate;
 use super::{InputKind, Inspection, IntakeError, IntakeLimits, LabelCount, Refusal, VolumeInspection, read};
@@ -6,16 +6,17 @@ use homolog_contract::parameters::InputParameters;
 use homolog_formats::FileContent;
 use homolog_mesh::volume::LabelVolume;
 
-/// Labels listed at most.
+/// Most labels that are listed.
 const MAX_LISTED_LABELS: usize = 1000;
 
-/// Reads `bytes` and tells what it is and what would be made of it.
+/// Reads `bytes` and reports what the file holds, what surface would be made of it, and whether that can be matched.
 ///
 /// # Errors
-/// [`IntakeError`] if the file cannot be read; what can be read but not matched is told in the answer.
+/// [`IntakeError`] if the file cannot be read. An input that can be read but not matched is no error: the inspection has
+/// the refusal.
 ///
 /// # Cost
-/// As [`super::prepare_surface`]; for unsuitable inputs up to four times that, to find which repair would help.
+/// As [`super::prepare_surface`].
 pub fn inspect(
     bytes: &[u8],
     file_name: Option<&str>,

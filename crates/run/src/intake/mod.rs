@@ -1,50 +1,57 @@
-//! From the bytes of an uploaded file to a closed genus-0 surface, or a refusal that says where and why.
+//! From the bytes of an uploaded file to a closed surface of genus 0, or a refusal that says what is wrong and where.
 //!
-//! [`prepare_surface`] reads, makes a surface, repairs it as far as the parameters allow and judges what came out;
-//! [`inspect`] does the same and tells everything it saw instead of refusing. Neither repeats text of the file or its
-//! name: both may name a patient.
+//! [`prepare_surface`] reads the file, makes a surface, repairs it as far as the parameters allow and checks the result;
+//! [`inspect`] does the same and reports what it found instead of refusing. Neither repeats the file's name or text from
+//! the file: both may name a patient.
 
 mod candidate;
 mod error;
 mod inspection;
 
 pub use error::{Advice, IntakeError};
-pub use homolog_contract::input::{
-    InputFormat, InputKind, InputReport, Inspection, LabelCount, Refusal, RepairNote, VolumeInspection,
-};
+pub use homolog_contract::input::{InputFormat, InputKind, InputReport, Inspection};
 pub use inspection::inspect;
 
 use candidate::Candidate;
+use homolog_contract::input::{LabelCount, Refusal, RepairNote, VolumeInspection};
 use homolog_contract::parameters::{InputParameters, Repair};
 use homolog_formats::{FileContent, FormatError, ReadLimits};
-use homolog_mesh::SurfaceMesh;
+use homolog_mesh::{Numbering, SurfaceMesh};
 
-/// A surface that is ready to be matched: closed, manifold, oriented outwards, of genus 0.
+/// A surface that is ready to be matched: manifold, oriented outwards and, unless `allow_boundary` was set, closed and of
+/// genus 0.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PreparedSurface {
     /// The surface, mm.
     pub mesh: SurfaceMesh,
-    /// The uploaded mesh's own numbering; `None` where `mesh` already has it, or where a volume was uploaded.
-    pub uploaded: Option<UploadedNumbering>,
+    /// Which vertex of the upload each vertex of `mesh` is. For a label volume the upload is the surface made from it,
+    /// which is `mesh` itself.
+    pub numbering: Numbering,
+    /// The faces of `mesh` over the vertices of the upload, where repairs dropped or merged some.
+    restored: Option<SurfaceMesh>,
     /// What the input was and what was done to it.
     pub report: InputReport,
 }
 
-/// A repaired surface in the numbering of the mesh as it was uploaded.
-#[derive(Debug, Clone, PartialEq)]
-pub struct UploadedNumbering {
-    /// For every vertex of the repaired surface its index in the uploaded mesh (the first of those welded).
-    pub vertex: Vec<u32>,
-    /// The repaired faces over all uploaded vertices, those that no face uses any more included.
-    pub surface: SurfaceMesh,
+impl PreparedSurface {
+    /// The surface whose vertices an answer counts: the faces that were matched, over all vertices of the upload,
+    /// including those that no face uses any more.
+    pub fn uploaded(&self) -> &SurfaceMesh {
+        self.restored.as_ref().unwrap_or(&self.mesh)
+    }
+
+    pub(crate) fn heap_bytes(&self) -> usize {
+        let restored = self.restored.as_ref().map_or(0, SurfaceMesh::heap_bytes);
+        self.mesh.heap_bytes() + self.numbering.heap_bytes() + restored
+    }
 }
 
-/// Bounds on what is read, so that no file can ask for more memory than the operator allows.
+/// Bounds on what is read, so that no file can demand more memory than the operator allows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct IntakeLimits {
-    /// Largest file, bytes, as uploaded.
+    /// Largest file as uploaded, bytes.
     pub max_bytes: usize,
-    /// Largest file, bytes, after decompression.
+    /// Largest file after decompression, bytes.
     pub max_inflated_bytes: usize,
     /// Most vertices of a surface.
     pub max_vertices: usize,
@@ -52,7 +59,7 @@ pub struct IntakeLimits {
     pub max_match_bytes: u64,
 }
 
-/// What one match may take unless somebody says otherwise: surfaces of some 12,000 vertices each.
+/// The default of [`IntakeLimits::max_match_bytes`]: enough for two surfaces of about 12,000 vertices each.
 pub const DEFAULT_MATCH_BYTES: u64 = 8 << 30;
 
 impl Default for IntakeLimits {
@@ -66,14 +73,16 @@ impl Default for IntakeLimits {
     }
 }
 
-/// Reads `bytes`, makes a surface of it, repairs it as far as `parameters` allow, and refuses what is then not a
-/// closed manifold of genus 0. `file_name` helps only where the bytes alone do not tell the format.
+/// Reads `bytes`, makes a surface, repairs it as far as `parameters` allow, and refuses the result unless it is a closed
+/// manifold of genus 0 (or whatever `allow_boundary` permits). `file_name` is used only where the bytes alone do not
+/// determine the format.
 ///
 /// # Errors
 /// [`IntakeError`].
 ///
 /// # Cost
-/// Linear in the file; filling a label volume adds `O(n log n)` in the box around the structure.
+/// Linear in the file; filling a label volume adds `O(n log n)` in the box around the structure. An unsuitable surface
+/// costs up to four times as much, to find the repair to recommend.
 pub fn prepare_surface(
     bytes: &[u8],
     file_name: Option<&str>,
@@ -85,18 +94,17 @@ pub fn prepare_surface(
     if let Some(refusal) = candidate.refusal(&content, parameters, limits) {
         return Err(refusal);
     }
-    let Candidate { mesh, uploaded_vertex, topology, repairs, turned_outward, .. } = candidate;
+    let Candidate { mesh, numbering, topology, repairs, turned_outward, .. } = candidate;
     let report = InputReport { format, topology, repairs, turned_outward };
-    let uploaded = match (uploaded_vertex, &content) {
-        (Some(vertex), FileContent::Mesh(file)) => {
-            let indices = mesh.indices().iter().map(|&k| vertex[k as usize]).collect();
-            let surface = SurfaceMesh::new(file.mesh.vertices().to_vec(), mesh.arity(), indices)
-                .map_err(|e| IntakeError::Unreadable(e.into()))?;
-            Some(UploadedNumbering { vertex, surface })
+    let restored = match &content {
+        // Repairs keep the order of vertices, so a mesh of as many vertices has the numbering of the file.
+        FileContent::Mesh(file) if numbering.n_vertices() < file.mesh.n_vertices() => {
+            let restored = numbering.restored(&mesh, file.mesh.vertices());
+            Some(restored.map_err(|e| IntakeError::Unreadable(e.into()))?)
         }
         _ => None,
     };
-    Ok(PreparedSurface { mesh, uploaded, report })
+    Ok(PreparedSurface { mesh, numbering, restored, report })
 }
 
 fn read(
@@ -126,4 +134,9 @@ fn repair_name(repair: Repair) -> &'static str {
         Repair::LargestComponent => "largest_component",
         Repair::Fill => "fill",
     }
+}
+
+/// `n` and its noun, in the singular or the plural.
+fn counted(n: u64, one: &str, many: &str) -> String {
+    format!("{n} {}", if n == 1 { one } else { many })
 }

@@ -24,6 +24,7 @@ pub mod wire;
 mod accept;
 mod conditional;
 mod examples;
+mod long_poll;
 mod preferences;
 mod representation;
 

@@ -12,6 +12,7 @@ mod intake;
 mod jobs;
 mod jobs_support;
 mod keys;
+mod long_polls;
 mod metrics;
 mod phantom;
 mod process;

@@ -2,7 +2,7 @@
 
 use super::{batch_id, page};
 use crate::http::auth::{Reader, Submitter};
-use crate::http::conditional::{etag_of, respond};
+use crate::http::long_poll::{Resource, Snapshot, Version, answer, wait_of};
 use crate::http::preferences::{idempotency_key, marked, traceparent};
 use crate::http::problem::{FieldError, Problem, ProblemDocument};
 use crate::http::problem_table::ProblemKind;
@@ -11,8 +11,12 @@ use crate::http::router::HttpState;
 use crate::http::submission::{DetailsDocument, check_details, media_type, read_json};
 use crate::http::upload::Tap;
 use crate::http::wire::{BatchDocument, BatchListDocument, BulkCancelDocument, JobListDocument};
+use crate::jobs::follow::Feed;
 use crate::jobs::mesh::hash_of_id;
-use crate::jobs::{Accepted, Batch, BatchPair, BatchSubmission, JobFilter, Order, PageRequest, Tenant};
+use crate::jobs::{
+    Accepted, Batch, BatchId, BatchPair, BatchSubmission, JobFilter, JobService, Order, PageRequest, Tenant,
+};
+use async_trait::async_trait;
 use axum::Json;
 use axum::extract::{Path, Request, State};
 use axum::http::{HeaderMap, StatusCode, header};
@@ -20,6 +24,7 @@ use axum::response::{IntoResponse, Response};
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use std::collections::BTreeMap;
+use std::sync::Arc;
 use utoipa::ToSchema;
 
 /// Faults that are named; more say nothing new.
@@ -199,16 +204,21 @@ pub async fn list(
     }))
 }
 
-/// Look at a batch
+/// Get a batch
+///
+/// With `wait` the answer is delayed until the batch has changed, as for a job. The end of the last job is answered at
+/// once, other changes of the counts one second after the request at the earliest. A finished batch is answered at once.
 #[utoipa::path(
     get, path = "/v1/batches/{id}", tag = "batches", operation_id = "get_batch",
     params(
         ("id" = String, Path, description = "The batch"),
-        ("If-None-Match" = Option<String>, Header, description = "The ETag of an earlier answer"),
+        ("wait" = Option<u32>, Query, minimum = 0, maximum = 30, description = "Longest time to wait for a change, s; 0 if absent"),
+        ("If-None-Match" = Option<String>, Header, description = "The ETag of an earlier answer: 304 if the batch has not changed since"),
     ),
     responses(
-        (status = 200, description = "The batch, with the number of its jobs in each state", body = BatchDocument, headers(("ETag" = String))),
-        (status = 304, description = "Unchanged"),
+        (status = 200, description = "The batch, with the number of its jobs in each state", body = BatchDocument, headers(("ETag" = String, description = "Weak; pass it as `If-None-Match`"))),
+        (status = 304, description = "The batch has not changed since the version that `If-None-Match` names"),
+        (status = 400, description = "Faults in the query", body = ProblemDocument, content_type = "application/problem+json"),
         (status = 404, description = "No such batch", body = ProblemDocument, content_type = "application/problem+json"),
     )
 )]
@@ -217,12 +227,44 @@ pub async fn get(
     Reader(tenant): Reader,
     Path(id): Path<String>,
     headers: HeaderMap,
-    query: QueryString,
+    mut query: QueryString,
 ) -> Result<Response, Problem> {
+    let wait = wait_of(&mut query, &state);
     query.finish()?;
-    let batch = state.service.batch(&tenant, batch_id(&id)?).await?;
-    let body = serde_json::to_vec(&BatchDocument::from(&batch)).map_err(|e| Problem::internal(&e))?;
-    Ok(respond(&headers, &etag_of(&body), "application/json", body))
+    let batch = WatchedBatch { service: &state.service, tenant, id: batch_id(&id)? };
+    answer(&state, &headers, wait, &batch).await
+}
+
+struct WatchedBatch<'a> {
+    service: &'a JobService,
+    tenant: Tenant,
+    id: BatchId,
+}
+
+#[async_trait]
+impl Resource for WatchedBatch<'_> {
+    type Seen = Batch;
+
+    async fn look(&self) -> Result<Snapshot, Problem> {
+        let batch = self.service.batch(&self.tenant, self.id).await?;
+        let document = BatchDocument::from(&batch);
+        let body = serde_json::to_vec(&document).map_err(|e| Problem::internal(&e))?;
+        Ok(Snapshot { version: version(document)?, body, is_final: batch.is_finished() })
+    }
+
+    async fn follow(&self) -> Result<Arc<Feed<Batch>>, Problem> {
+        Ok(self.service.follow_batch(&self.tenant, self.id).await?)
+    }
+
+    fn version(&self, seen: &Batch) -> Result<Version, Problem> {
+        version(BatchDocument::from(seen))
+    }
+}
+
+/// What of a batch counts as a change. Progress: the counts. State: all else, such as whether it is finished.
+fn version(mut document: BatchDocument) -> Result<Version, Problem> {
+    let counts = std::mem::take(&mut document.counts);
+    Version::of(&document, &counts)
 }
 
 /// List the jobs of a batch

@@ -76,11 +76,11 @@ struct Follower {
     waiting: VecDeque<Event>,
     ended: bool,
     /// Keeps the reader of the store at work.
-    _feed: Arc<Feed>,
+    _feed: Arc<Feed<Seen>>,
 }
 
 impl Follower {
-    fn new(feed: Arc<Feed>, last_seq: u64, stop: CancellationToken) -> Self {
+    fn new(feed: Arc<Feed<Seen>>, last_seq: u64, stop: CancellationToken) -> Self {
         let mut seen = feed.seen();
         seen.mark_changed(); // what is seen already is sent too
         Follower { seen, stop, last_seq, last: None, waiting: VecDeque::new(), ended: false, _feed: feed }

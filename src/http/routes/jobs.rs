@@ -2,7 +2,7 @@
 
 use super::{batch_id, job_id, page};
 use crate::http::auth::{Reader, Submitter};
-use crate::http::conditional::{etag_of, is_fresh, respond};
+use crate::http::long_poll::{MAX_WAIT_S, Resource, Snapshot, Version, answer, wait_of};
 use crate::http::preferences::{idempotency_key, marked, traceparent, wanted_wait};
 use crate::http::problem::{Problem, ProblemDocument};
 use crate::http::problem_table::ProblemKind;
@@ -11,15 +11,17 @@ use crate::http::router::HttpState;
 use crate::http::submission::{self, Request as Submitted, SubmissionDocument, SubmissionForm};
 use crate::http::upload::Tap;
 use crate::http::wire::{BulkCancelDocument, JobDocument, JobListDocument, SubmissionAnswer, ValidationDocument};
-use crate::jobs::{Accepted, Job, JobFilter, JobId, JobState, Order, PageRequest, Submission, Tenant, Validated};
+use crate::jobs::follow::{Feed, Seen};
+use crate::jobs::{
+    Accepted, Job, JobFilter, JobId, JobService, JobState, Order, PageRequest, Submission, Tenant, Validated,
+};
+use async_trait::async_trait;
 use axum::Json;
 use axum::extract::{Path, Request, State};
 use axum::http::{HeaderMap, StatusCode, header};
 use axum::response::{IntoResponse, Response};
+use std::sync::Arc;
 use std::time::Duration;
-
-/// Longest long poll, s.
-const MAX_WAIT_S: u32 = 30;
 
 /// Submit a job
 ///
@@ -261,20 +263,25 @@ pub async fn cancel_many(
     Ok((StatusCode::ACCEPTED, Json(BulkCancelDocument { cancelled: done.cancelled, told: done.told })))
 }
 
-/// Look at a job
+/// Get a job
 ///
-/// With `wait` the answer comes when the job changes (from what `If-None-Match` names, else from what it is now), or
-/// when the time is over, or when it is finished.
+/// With `wait` the answer is delayed until the job has changed: since the version that `If-None-Match` names, else since
+/// the request. At the end of the wait an unchanged job is answered with 304 if there is an `If-None-Match`, else with 200.
+/// A finished job is answered at once.
+///
+/// The ETag is weak. It stands for everything but the details of progress, the estimated remaining time and the queue
+/// position: progress counts in whole percent and by phase. A change of progress alone is answered one second after the
+/// request at the earliest, any other change at once; so a client may send the next request as soon as it has an answer.
 #[utoipa::path(
     get, path = "/v1/jobs/{id}", tag = "jobs", operation_id = "get_job",
     params(
         ("id" = String, Path, description = "The job"),
-        ("wait" = Option<u32>, Query, minimum = 0, maximum = 30, description = "Longest wait for a change, s"),
-        ("If-None-Match" = Option<String>, Header, description = "The ETag of an earlier answer"),
+        ("wait" = Option<u32>, Query, minimum = 0, maximum = 30, description = "Longest time to wait for a change, s; 0 if absent"),
+        ("If-None-Match" = Option<String>, Header, description = "The ETag of an earlier answer: 304 if the job has not changed since"),
     ),
     responses(
-        (status = 200, description = "The job", body = JobDocument, headers(("ETag" = String))),
-        (status = 304, description = "Unchanged"),
+        (status = 200, description = "The job", body = JobDocument, headers(("ETag" = String, description = "Weak; pass it as `If-None-Match`"))),
+        (status = 304, description = "The job has not changed since the version that `If-None-Match` names"),
         (status = 400, description = "Faults in the query", body = ProblemDocument, content_type = "application/problem+json"),
         (status = 404, description = "No such job", body = ProblemDocument, content_type = "application/problem+json"),
     )
@@ -286,38 +293,46 @@ pub async fn get(
     headers: HeaderMap,
     mut query: QueryString,
 ) -> Result<Response, Problem> {
-    let wait = query.number("wait", 0..=MAX_WAIT_S).unwrap_or(0);
+    let wait = wait_of(&mut query, &state);
     query.finish()?;
-    let id = job_id(&id)?;
-    let (first, body) = look(&state, &tenant, id).await?;
-    let etag = etag_of(&body);
-    let known = !headers.contains_key(header::IF_NONE_MATCH) || is_fresh(&headers, &etag);
-    if wait == 0 || first.state.is_final() || !known {
-        return Ok(respond(&headers, &etag, "application/json", body));
+    let job = WatchedJob { service: &state.service, tenant, id: job_id(&id)? };
+    answer(&state, &headers, wait, &job).await
+}
+
+struct WatchedJob<'a> {
+    service: &'a JobService,
+    tenant: Tenant,
+    id: JobId,
+}
+
+#[async_trait]
+impl Resource for WatchedJob<'_> {
+    type Seen = Seen;
+
+    async fn look(&self) -> Result<Snapshot, Problem> {
+        let job = self.service.get(&self.tenant, self.id).await?;
+        let document = JobDocument::from(&job);
+        let body = serde_json::to_vec(&document).map_err(|e| Problem::internal(&e))?;
+        Ok(Snapshot { version: version(document)?, body, is_final: job.state.is_final() })
     }
-    let until = tokio::time::Instant::now() + Duration::from_secs(wait.into());
-    let feed = state.service.follow(&tenant, id).await?;
-    let mut seen = feed.seen();
-    loop {
-        let over = tokio::select! {
-            // Fails when the reader ended; then there is nothing to wait for.
-            changed = seen.changed() => changed.is_err(),
-            () = tokio::time::sleep_until(until) => true,
-            () = state.stop.cancelled() => true,
-        };
-        // The feed says when to look; the answer is what the store says now.
-        let (job, body) = look(&state, &tenant, id).await?;
-        let now = etag_of(&body);
-        if now != etag || over || job.state.is_final() {
-            return Ok(respond(&headers, &now, "application/json", body));
-        }
+
+    async fn follow(&self) -> Result<Arc<Feed<Seen>>, Problem> {
+        Ok(self.service.follow(&self.tenant, self.id).await?)
+    }
+
+    fn version(&self, seen: &Seen) -> Result<Version, Problem> {
+        version(JobDocument::from(&seen.job))
     }
 }
 
-async fn look(state: &HttpState, tenant: &Tenant, id: JobId) -> Result<(Job, Vec<u8>), Problem> {
-    let job = state.service.get(tenant, id).await?;
-    let body = serde_json::to_vec(&JobDocument::from(&job)).map_err(|e| Problem::internal(&e))?;
-    Ok((job, body))
+/// What of a job counts as a change. Progress: whole percent, and the phase. State: all else but the estimates, the queue
+/// position, which every job ahead of it changes, and the details of progress.
+fn version(mut document: JobDocument) -> Result<Version, Problem> {
+    let progress = document.progress.take().map(|p| ((p.fraction * 100.0).floor() as u32, p.phase));
+    document.eta_ms = None;
+    document.energy_latest = None;
+    document.queue_position = None;
+    Version::of(&document, &progress)
 }
 
 /// Ask for a job's end

@@ -1,12 +1,13 @@
 # The service in a container.
 #
 #   docker build --build-arg HOMOLOG_COMMIT="$(git rev-parse --short=12 HEAD)" -t homolog .
-#   docker run --rm -v homolog-data:/data homolog keys create --tenant default --scope submit,read
+#   docker run --rm -v homolog-data:/data homolog keys create --init --tenant default --scope submit,read
 #   docker run --rm -p 127.0.0.1:8080:8080 -v homolog-data:/data homolog
 #
-# In a container the service listens on 0.0.0.0, or nobody outside it could reach it; on any address but a loopback one
-# it asks for an API key, which the second line makes and prints once. Without keys, on a machine of one's own, append
-# `serve --auth none --insecure` to the third line. deploy/ has complete set-ups: one machine, parts apart, Kubernetes.
+# In a container the service listens on 0.0.0.0, or nobody outside it could reach it; on any address but a loopback one it
+# requires an API key. The second line creates the database and a key, and prints the key, once. Without authentication, on
+# a machine of your own, append `serve --auth none --insecure` to the third line. deploy/ has complete set-ups: one machine,
+# separate processes, Kubernetes.
 
 FROM rust:1.95-slim-bookworm AS build
 WORKDIR /build

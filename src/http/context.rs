@@ -13,14 +13,14 @@ use std::time::{Duration, Instant};
 use tracing::Instrument;
 
 /// The header that carries the id of a request.
-pub const REQUEST_ID: HeaderName = HeaderName::from_static("x-request-id");
+pub(crate) const REQUEST_ID: HeaderName = HeaderName::from_static("x-request-id");
 
 tokio::task_local! {
     static CURRENT: String;
 }
 
 /// The id of the request that is being answered.
-pub fn request_id() -> Option<String> {
+pub(crate) fn request_id() -> Option<String> {
     CURRENT.try_with(Clone::clone).ok()
 }
 
@@ -47,7 +47,7 @@ fn method_label(method: &Method) -> &'static str {
 }
 
 /// The outermost layer: gives the request an id, logs and counts its answer, and turns errors of other layers into problems.
-pub async fn surround(State(state): State<HttpState>, request: Request, next: Next) -> Response {
+pub(crate) async fn surround(State(state): State<HttpState>, request: Request, next: Next) -> Response {
     let id = accepted_id(request.headers());
     let header = HeaderValue::from_str(&id).ok();
     let route = request.extensions().get::<MatchedPath>().map(|p| p.as_str().to_owned());
@@ -106,7 +106,7 @@ fn as_problem(response: Response) -> Response {
 }
 
 /// The answer to a request whose handler panicked.
-pub fn panic_problem(_: Box<dyn std::any::Any + Send + 'static>) -> Response {
+pub(crate) fn panic_problem(_: Box<dyn std::any::Any + Send + 'static>) -> Response {
     // The panic hook has logged the location; the message stays out of log and answer.
     tracing::error!(request_id = request_id(), "a handler panicked");
     Problem::new(ProblemKind::InternalError).into_response()

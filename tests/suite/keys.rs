@@ -13,7 +13,7 @@ fn keys(data_dir: &Path, arguments: &[&str]) -> String {
 }
 
 #[tokio::test]
-async fn keys_open_what_their_scopes_say_and_only_their_tenant() {
+async fn keys_grant_their_scopes_within_their_tenant() {
     let service = TestService::start(&["--auth", "keys", "--workers", "0"]).await;
     let folder = service.folder.path().to_owned();
     let make = |tenant: &str, scope: &str| keys(&folder, &["create", "--tenant", tenant, "--scope", scope]);

@@ -47,7 +47,7 @@ async fn a_loop_on_a_busy_job_makes_one_request_a_second_and_sees_the_end_at_onc
         assert!(age_s(&job["finished_at"]) < 0.2, "seen {} s after the end", age_s(&job["finished_at"]));
         let elapsed_s = began.elapsed().as_secs_f64();
         assert!(elapsed_s > 3.0, "the job ran for {elapsed_s} s only");
-        // The first with an ETag is answered at once; the last reports the end.
+        // The end is reported whenever it comes.
         assert!(f64::from(n_requests) <= elapsed_s + 2.0, "{n_requests} requests in {elapsed_s} s");
         assert!(n_requests >= 3, "progress is reported while the job runs");
         assert!(percents.windows(2).all(|pair| pair[0] < pair[1]), "each answer has news: {percents:?}");
@@ -58,7 +58,7 @@ async fn a_loop_on_a_busy_job_makes_one_request_a_second_and_sees_the_end_at_onc
 #[tokio::test]
 async fn an_estimate_that_changes_ends_no_wait() {
     let service = TestService::start(&[]).await;
-    let id = service.submit(json!({"points": 3, "step_ms": 4000})).await;
+    let id = service.submit(json!({"points": 3, "step_ms": 6000})).await;
     let path = format!("/v1/jobs/{id}");
     service.until(&id, |job| job["eta_ms"].is_u64()).await;
     let first = get(&service, &path, None).await;
@@ -151,7 +151,7 @@ async fn a_loop_on_a_batch_makes_one_request_a_second_and_sees_the_end_at_once()
     let jobs = service.json(&format!("{location}/jobs")).await;
     let ages = jobs["jobs"].as_array().unwrap().iter().map(|job| age_s(&job["finished_at"]));
     let last = ages.fold(f64::INFINITY, f64::min);
-    assert!(last < 0.3, "seen {last} s after the end");
+    assert!(last < 0.5, "seen {last} s after the end");
     assert!(elapsed_s > 1.5, "the batch ran for {elapsed_s} s only");
     assert!(f64::from(n_requests) <= elapsed_s + 2.0, "{n_requests} requests in {elapsed_s} s");
     let began = Instant::now();

@@ -27,14 +27,14 @@ const GATHER: Duration = Duration::from_millis(100);
     params(
         ("since" = Option<u64>, Query, description = "Only changes after this number; 0 if absent"),
         ("wait" = Option<u32>, Query, minimum = 0, maximum = 30, description = "Longest time to wait for a change, s; 0 if absent"),
-        ("limit" = Option<u32>, Query, minimum = 1, maximum = 5000, description = "Most changes; 500 if absent"),
+        ("limit" = Option<u32>, Query, minimum = 1, maximum = 5000, description = "Maximum number of changes; 500 if absent"),
     ),
     responses(
         (status = 200, description = "Changes", body = ChangesDocument),
-        (status = 400, description = "Faults in the query", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 400, description = "Invalid query parameters", body = ProblemDocument, content_type = "application/problem+json"),
     )
 )]
-pub async fn list(
+pub(crate) async fn list(
     State(state): State<HttpState>,
     Reader(tenant): Reader,
     mut query: QueryString,

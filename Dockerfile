@@ -1,12 +1,12 @@
 # The service in a container.
 #
 #   docker build --build-arg HOMOLOG_COMMIT="$(git rev-parse --short=12 HEAD)" -t homolog .
-#   docker run --rm -v homolog-data:/data homolog keys create --tenant default --scope submit,read
+#   docker run --rm -v homolog-data:/data homolog keys create --init --tenant default --scope submit,read
 #   docker run --rm -p 127.0.0.1:8080:8080 -v homolog-data:/data homolog
 #
 # In a container the service listens on 0.0.0.0, so that it can be reached from outside, and therefore requires an API
-# key; the second line creates one and prints it once. To run it without keys on your own machine, append
-# `serve --auth none --insecure` to the third line. deploy/ has complete setups: one machine, separate services,
+# key; the second line creates the database and a key, and prints the key once. To run it without keys on your own machine,
+# append `serve --auth none --insecure` to the third line. deploy/ has complete setups: one machine, separate services,
 # Kubernetes.
 
 FROM rust:1.95-slim-bookworm AS build

@@ -1,4 +1,5 @@
-//! Logs on standard error. They carry ids, never file names, labels or anything else that may name a patient.
+//! Logs on the standard error, and metrics. Logs contain ids, never file names, labels or anything else that may identify a
+//! patient.
 
 use crate::config::LogFormat;
 use metrics_exporter_prometheus::{PrometheusBuilder, PrometheusHandle};
@@ -7,24 +8,24 @@ use tracing_subscriber::filter::Targets;
 use tracing_subscriber::layer::{Layer as _, SubscriberExt as _};
 use tracing_subscriber::util::SubscriberInitExt as _;
 
-/// Begins to log. A second call changes nothing.
+/// Starts logging. Further calls have no effect.
 ///
 /// # Errors
-/// If the filter cannot be read.
+/// If the filter is invalid.
 pub fn start(format: LogFormat, filter: &str) -> Result<(), String> {
-    let filter: Targets = filter.parse().map_err(|e| format!("the log filter cannot be read: {e}"))?;
+    let filter: Targets = filter.parse().map_err(|e| format!("invalid log filter: {e}"))?;
     let layer = tracing_subscriber::fmt::layer().with_writer(std::io::stderr).with_target(false);
     let layer = match format {
         LogFormat::Text => layer.with_ansi(std::io::IsTerminal::is_terminal(&std::io::stderr())).boxed(),
         LogFormat::Json => layer.json().flatten_event(true).boxed(),
     };
-    // A subscriber that is there already, as in tests, stays.
+    // An existing subscriber, as in tests, stays.
     let _ = tracing_subscriber::registry().with(layer.with_filter(filter)).try_init();
     log_panics();
     Ok(())
 }
 
-/// Panics are logged with their place only: their message may hold what the computation worked on.
+/// Logs panics with their location only: their message may contain data of a patient.
 fn log_panics() {
     std::panic::set_hook(Box::new(|panic| {
         let place = panic.location().map(ToString::to_string);
@@ -33,7 +34,7 @@ fn log_panics() {
     }));
 }
 
-/// The metrics of this process, collected from the first call on, in the text format of Prometheus.
+/// The metrics of this process in the text format of Prometheus, collected from the first call on.
 pub fn metrics_text() -> String {
     static RECORDER: OnceLock<Option<PrometheusHandle>> = OnceLock::new();
     let recorder = RECORDER.get_or_init(|| {

@@ -1,4 +1,7 @@
-//! `homolog migrate`, `homolog keys`, `homolog purge`: what an operator does to the database.
+//! `homolog migrate`, `homolog keys`, `homolog purge`: administration of the database of a service.
+//!
+//! Only `migrate` and `keys create --init` create a database. The other commands refuse a data directory without one, and
+//! leave it as it is: most often `--data-dir` or `HOMOLOG_DATA_DIR` is not the one that the service uses.
 
 use super::error::CliError;
 use super::output::print;
@@ -9,85 +12,91 @@ use crate::jobs::{ApiKey, JobError, JobStore as _, KeyStore as _, Purged, Scope,
 use crate::store::sql::SqlStore;
 use std::time::Duration;
 
-/// Jobs purged in one round.
-const AT_ONCE: u32 = 1000;
+/// Rows purged in one transaction.
+const PURGED_AT_ONCE: u32 = 1000;
 
-/// Bring the database up to date, and end
+/// Create the database, or bring its schema up to date, and exit
 #[derive(Debug, Clone, clap::Args)]
-pub struct MigrateArgs {
-    /// Which database.
+pub(super) struct MigrateArgs {
     #[command(flatten)]
-    pub service: ServiceSettings,
+    service: ServiceSettings,
 }
 
-/// Make, list and revoke API keys
+/// Create, list and revoke API keys
 #[derive(Debug, Clone, clap::Args)]
-pub struct KeysArgs {
-    /// What to do.
+pub(super) struct KeysArgs {
     #[command(subcommand)]
-    pub action: KeysAction,
+    action: KeysAction,
 }
 
-/// What is done to keys.
 #[derive(Debug, Clone, clap::Subcommand)]
-pub enum KeysAction {
-    /// Make a key and print it, once
+enum KeysAction {
+    /// Create a key and print it; it is not shown again
     Create {
-        /// Whose requests it makes: lower-case letters, digits and hyphens
+        /// Tenant that the key belongs to: lower-case letters, digits and hyphens
         #[arg(long, default_value = "default")]
         tenant: String,
-        /// What it allows, separated by commas: read, submit, admin
+        /// What the key allows, separated by commas: read, submit, admin
         #[arg(long, value_delimiter = ',', default_value = "read,submit")]
         scope: Vec<String>,
-        /// When it ends; absent: never
+        /// Days until the key expires; absent: it does not expire
         #[arg(long, value_parser = clap::value_parser!(u64).range(1..=36_500), value_name = "DAYS")]
         expires_days: Option<u64>,
-        /// What it is for
+        /// Note to tell the key by, shown by `keys list`
         #[arg(long, default_value = "")]
         name: String,
-        /// Which database
+        /// Create the database first if the data directory has none, as for a service that has not been started yet
+        #[arg(long)]
+        init: bool,
         #[command(flatten)]
         service: Box<ServiceSettings>,
     },
     /// List all keys, without their secrets
     List {
-        /// Which database
         #[command(flatten)]
         service: Box<ServiceSettings>,
     },
-    /// End a key now
+    /// Revoke a key with immediate effect
     Revoke {
-        /// The part of the key between the two underscores
+        /// Id of the key, as `keys list` shows it, or the whole key
         id: String,
-        /// Which database
         #[command(flatten)]
         service: Box<ServiceSettings>,
     },
 }
 
-/// Remove what outlived its retention, now
+/// Delete results and records that are past their retention time
 #[derive(Debug, Clone, clap::Args)]
-pub struct PurgeArgs {
-    /// Only count what would be removed
+pub(super) struct PurgeArgs {
+    /// Only count what would be deleted
     #[arg(long)]
-    pub dry_run: bool,
-    /// Which database, and how long things are kept.
+    dry_run: bool,
     #[command(flatten)]
-    pub service: ServiceSettings,
+    service: ServiceSettings,
 }
 
-/// Brings the tables up to date.
-pub fn migrate(args: &MigrateArgs) -> Result<(), CliError> {
+impl From<JobError> for CliError {
+    fn from(error: JobError) -> Self {
+        CliError::Failed(app::store_error("the database", &error).to_string())
+    }
+}
+
+/// Creates the database or brings its schema up to date.
+pub(super) fn migrate(args: &MigrateArgs) -> Result<(), CliError> {
+    let is_new = require_database(&args.service).is_err();
     with_store(&args.service, async |store| {
         store.ping().await?;
-        Ok("the database is up to date".to_owned())
+        Ok(match is_new {
+            true => format!("created a database in {}", args.service.data_dir.display()),
+            false => "the database is up to date".to_owned(),
+        })
     })
 }
 
-/// Makes, lists, revokes.
-pub fn keys(args: &KeysArgs) -> Result<(), CliError> {
+/// Creates, lists or revokes keys.
+pub(super) fn keys(args: &KeysArgs) -> Result<(), CliError> {
     match &args.action {
-        KeysAction::Create { tenant, scope, expires_days, name, service } => {
+        KeysAction::Create { tenant, scope, expires_days, name, init, service } => {
             let allowed = "lower-case letters, digits and hyphens, at most 64";
             let owner = Tenant::new(tenant).ok_or_else(|| CliError::BadInput(format!("--tenant: {allowed}")))?;
             let mut scopes = Vec::new();
@@ -99,6 +108,11 @@ pub fn keys(args: &KeysArgs) -> Result<(), CliError> {
             }
             scopes.sort_unstable();
             scopes.dedup();
+            if !init {
+                require_database(service).map_err(|error| {
+                    CliError::BadInput(format!("{error}, or add --init to create the database with the key"))
+                })?;
+            }
             let valid_for = expires_days.map(|days| Duration::from_secs(days * 86_400));
             with_store(service, async |store| {
                 let key = SecretKey::random();
@@ -106,16 +120,27 @@ pub fn keys(args: &KeysArgs) -> Result<(), CliError> {
                 Ok(key.reveal())
             })
         }
-        KeysAction::List { service } => with_store(service, async |store| {
-            let lines: Vec<String> = store.list_keys().await?.iter().map(line).collect();
-            Ok(format!("id\ttenant\tscopes\tstate\tcreated\texpires\tname\n{}", lines.join("\n")))
-        }),
+        KeysAction::List { service } => {
+            require_database(service)?;
+            with_store(service, async |store| {
+                let lines: Vec<String> = store.list_keys().await?.iter().map(line).collect();
+                Ok(format!("id\ttenant\tscopes\tstate\tcreated\texpires\tname\n{}", lines.join("\n")))
+            })
+        }
         KeysAction::Revoke { id, service } => {
-            // Also taken: the whole key, as its owner has it.
+            require_database(service)?;
+            // The whole key, as its owner has it, is taken as well, and its secret is not repeated.
             let id = SecretKey::parse(id).map_or_else(|| id.clone(), |key| key.id().to_owned());
-            with_store(service, async |store| match store.revoke_key(&id).await? {
-                true => Ok(format!("{id} is revoked")),
-                false => Ok(format!("there is no key {id} that could be revoked")),
+            with_store(service, async |store| {
+                if store.revoke_key(&id).await? {
+                    return Ok(format!("{id} is revoked"));
+                }
+                match store.list_keys().await?.iter().any(|key| key.id == id) {
+                    true => Ok(format!("{id} was revoked before")),
+                    false => {
+                        Err(CliError::BadInput(format!("there is no key {id}; `homolog keys list` shows all ids")))
+                    }
+                }
             })
         }
     }
@@ -133,14 +158,15 @@ fn line(key: &ApiKey) -> String {
     format!("{id}\t{tenant}\t{}\t{state}\t{}\t{expires}\t{name}", scopes.join(","), key.created_at)
 }
 
-/// Removes what outlived its retention.
-pub fn purge(args: &PurgeArgs) -> Result<(), CliError> {
+/// Deletes what is past its retention time.
+pub(super) fn purge(args: &PurgeArgs) -> Result<(), CliError> {
+    require_database(&args.service)?;
     let artifacts = app::open_artifacts(&args.service).map_err(|error| CliError::Failed(error.to_string()))?;
     let (retention, dry_run) = (args.service.retention(), args.dry_run);
     with_store(&args.service, async |store| {
         let mut total = Purged::default();
         loop {
-            let purged = store.purge(&retention, AT_ONCE, dry_run).await?;
+            let purged = store.purge(&retention, PURGED_AT_ONCE, dry_run).await?;
             total.results += purged.results;
             total.jobs += purged.jobs;
             total.meshes += purged.meshes;
@@ -166,22 +192,33 @@ pub fn purge(args: &PurgeArgs) -> Result<(), CliError> {
     })
 }
 
-/// Does something to the database, and prints what it answers.
+/// Refuses a data directory that holds no database.
+fn require_database(settings: &ServiceSettings) -> Result<(), CliError> {
+    if settings.database(1).is_there() {
+        return Ok(());
+    }
+    Err(CliError::BadInput(format!(
+        "{} holds no service; name its data directory with --data-dir, or create the database with `homolog migrate` or \
+         `homolog serve`",
+        settings.data_dir.display()
+    )))
+}
+
+/// Opens the database, runs `work` on it, and prints the answer.
 fn with_store(
     settings: &ServiceSettings,
-    work: impl AsyncFnOnce(&SqlStore) -> Result<String, JobError>,
+    work: impl AsyncFnOnce(&SqlStore) -> Result<String, CliError>,
 ) -> Result<(), CliError> {
-    let mut answer = String::new();
+    let mut answer = Ok(String::new());
     in_runtime(settings, async {
         if settings.database_url.is_none() {
             std::fs::create_dir_all(&settings.data_dir)
                 .map_err(|error| AppError::DataDir { path: settings.data_dir.clone(), error })?;
         }
         let store = app::open_database(settings).await?;
-        let done = work(&store).await;
+        answer = work(&store).await;
         store.close().await;
-        answer = done.map_err(|error| app::store_error("the database", &error))?;
         Ok(())
     })?;
-    print(answer.trim_end())
+    print(answer?.trim_end())
 }

@@ -1,16 +1,16 @@
-//! How a command ends, and with which exit code.
+//! Errors of commands and their exit codes.
 
 use std::io;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-/// Why a command did not do what was asked.
+/// Why a command failed.
 #[derive(Debug, thiserror::Error)]
-pub enum CliError {
-    /// The input is at fault: a file, a parameter, a surface that is refused. Exit code 2, like a usage error.
+pub(super) enum CliError {
+    /// Bad input: a file, a parameter, a surface that is refused. Exit code 2, like a usage error.
     #[error("{0}")]
     BadInput(String),
-    /// The input was fine and yet there is no answer. Exit code 1.
+    /// Any other failure. Exit code 1.
     #[error("{0}")]
     Failed(String),
     /// A file could not be written. Exit code 1.
@@ -22,16 +22,16 @@ pub enum CliError {
         source: io::Error,
     },
     /// Ctrl-C or SIGTERM. Exit code 130, as shells expect.
-    #[error("stopped on request")]
+    #[error("interrupted")]
     Interrupted,
-    /// Whoever read the output closed it, as `head` does: not a fault. Exit code 0, no message.
+    /// The reader of the standard output closed it, as `head` does. Exit code 0, no message.
     #[error("the output was closed")]
     OutputClosed,
 }
 
 impl CliError {
-    /// What the program exits with.
-    pub fn exit_code(&self) -> ExitCode {
+    /// The exit code of the program.
+    pub(super) fn exit_code(&self) -> ExitCode {
         ExitCode::from(match self {
             CliError::BadInput(_) => 2,
             CliError::Failed(_) | CliError::Write { .. } => 1,
@@ -44,7 +44,7 @@ impl CliError {
         CliError::Write { path: path.to_owned(), source }
     }
 
-    /// A fault of writing to the standard output.
+    /// An error of writing to the standard output.
     pub(super) fn output(error: &io::Error) -> Self {
         match error.kind() {
             io::ErrorKind::BrokenPipe => CliError::OutputClosed,

@@ -1,4 +1,4 @@
-//! `homolog experiment`: what each method is worth, measured, in one report.
+//! `homolog experiment`: measures all methods and writes one report.
 
 use super::error::CliError;
 use super::output::{note, print};
@@ -9,27 +9,27 @@ use homolog_laboratory::experiment::{ExperimentError, ExperimentOptions, run as 
 use std::path::PathBuf;
 use std::time::Instant;
 
-/// Measure every method on phantoms and on real hippocampi, and write a report
+/// Measure all methods on phantoms and real hippocampi, and write a report
 ///
-/// Writes report.html (one page that needs nothing else), report.json and a CSV file for each table. What is finished is
-/// kept in units.jsonl: the same command goes on where it was stopped.
+/// Writes report.html (a single self-contained page), report.json and a CSV file for each table. Finished measurements are
+/// kept in units.jsonl: after an interruption the same command continues with the rest.
 #[derive(Debug, Clone, Args)]
-pub struct ExperimentArgs {
-    /// Folder that holds hippocampus/*.nii.gz; without it only phantoms are measured
+pub(super) struct ExperimentArgs {
+    /// Folder with hippocampus/*.nii.gz; if it is missing, only phantoms are measured
     #[arg(long, value_name = "DIR", default_value = "data")]
-    pub data: PathBuf,
+    pub(super) data: PathBuf,
     /// Folder for the report
     #[arg(long, value_name = "DIR", default_value = "experiment")]
-    pub out: PathBuf,
-    /// Coarse surfaces and few pairs: about a minute, to see that it works
+    pub(super) out: PathBuf,
+    /// Use coarse surfaces and few pairs: a check that takes about a minute
     #[arg(long)]
-    pub quick: bool,
-    /// Only this section; may be repeated
+    pub(super) quick: bool,
+    /// Run only this section; may be repeated
     #[arg(long = "section", value_name = "ID")]
-    pub sections: Vec<String>,
-    /// Folder that `make accuracy` wrote, such as docs/accuracy/DATE: its table becomes part of the report
+    pub(super) sections: Vec<String>,
+    /// Folder written by `make accuracy`, such as docs/accuracy/DATE, whose table to include in the report
     #[arg(long, value_name = "DIR")]
-    pub accuracy: Option<PathBuf>,
+    pub(super) accuracy: Option<PathBuf>,
 }
 
 /// Runs the command.
@@ -60,9 +60,9 @@ pub(super) fn run(args: &ExperimentArgs) -> Result<(), CliError> {
         ExperimentError::File { .. } => CliError::Failed(error.to_string()),
     })?;
     if report.failed > 0 {
-        note(&format!("{} units have no numbers; the report says why", report.failed));
+        note(&format!("{} measurements failed; the report says why", report.failed));
     }
-    note(&format!("{} units measured, {} known from before", report.computed, report.reused));
+    note(&format!("{} measurements made, {} reused", report.computed, report.reused));
     match report.files.first() {
         Some(page) => print(&page.display().to_string()),
         None => Ok(()),

@@ -1,4 +1,4 @@
-//! Files that commands read and write: inputs under a limit, outputs whole or not at all.
+//! Files of commands: inputs are read under a size limit, outputs are written atomically.
 
 use super::error::CliError;
 use homolog_run::intake::IntakeLimits;
@@ -7,7 +7,7 @@ use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-/// The bytes of an input, refused before reading if there are too many.
+/// The bytes of an input; a file that is too large is refused before it is read.
 pub(super) fn read_input(path: &Path, limits: &IntakeLimits) -> Result<Vec<u8>, CliError> {
     let unreadable = |error: io::Error| CliError::BadInput(format!("cannot read {}: {error}", path.display()));
     let metadata = fs::metadata(path).map_err(unreadable)?;
@@ -16,7 +16,7 @@ pub(super) fn read_input(path: &Path, limits: &IntakeLimits) -> Result<Vec<u8>, 
     }
     if metadata.len() > limits.max_bytes as u64 {
         return Err(CliError::BadInput(format!(
-            "{} has {} bytes; at most {} are read",
+            "{} has {} bytes; the limit is {}",
             path.display(),
             metadata.len(),
             limits.max_bytes
@@ -25,12 +25,12 @@ pub(super) fn read_input(path: &Path, limits: &IntakeLimits) -> Result<Vec<u8>, 
     fs::read(path).map_err(unreadable)
 }
 
-/// The last part of a path, as an upload would name the file.
+/// The last part of a path, like the file name of an upload.
 pub(super) fn file_name(path: &Path) -> Option<&str> {
     path.file_name().and_then(|n| n.to_str())
 }
 
-/// A folder for results, made if it is not there.
+/// A folder for results, created if it does not exist.
 pub(super) struct OutputFolder {
     path: PathBuf,
 }
@@ -45,7 +45,7 @@ impl OutputFolder {
         &self.path
     }
 
-    /// Writes a file beside its final name and renames it, so that nobody ever reads half of it.
+    /// Writes a temporary file and renames it, so that no reader sees an incomplete file.
     pub(super) fn write(&self, name: &str, bytes: &[u8]) -> Result<PathBuf, CliError> {
         let path = self.path.join(name);
         let unfinished = self.path.join(format!(".{name}.{}.tmp", std::process::id()));
@@ -56,7 +56,7 @@ impl OutputFolder {
             fs::rename(&unfinished, &path)
         })();
         if let Err(error) = written {
-            // Already failing; what cannot be removed is harmless.
+            // The write has failed already; a leftover temporary file is harmless.
             let _ = fs::remove_file(&unfinished);
             return Err(CliError::write(&path, error));
         }

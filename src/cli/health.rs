@@ -1,4 +1,4 @@
-//! `homolog health`: asks a running service whether it is alive, for container health checks.
+//! `homolog health`: checks that a running service answers, for container health checks.
 
 use super::demo::client::ServiceClient;
 use super::error::CliError;
@@ -6,19 +6,19 @@ use super::output::print;
 use clap::Args;
 use std::time::Duration;
 
-/// Ask a running service whether it is alive
+/// Check that a running service answers
 #[derive(Debug, Clone, Args)]
-pub struct HealthArgs {
+pub(super) struct HealthArgs {
     /// Address of the service
     #[arg(long, default_value = "http://127.0.0.1:8080", env = "HOMOLOG_URL")]
-    pub url: String,
+    pub(super) url: String,
 }
 
 /// Exits 0 if `GET /healthz` answers 200.
 ///
 /// # Errors
-/// [`CliError::Failed`] for anything else, within three seconds.
-pub fn run(args: &HealthArgs) -> Result<(), CliError> {
+/// [`CliError::Failed`] otherwise, after at most three seconds.
+pub(super) fn run(args: &HealthArgs) -> Result<(), CliError> {
     let answer = ServiceClient::new(&args.url, Duration::from_secs(3)).get("/healthz")?;
     if answer.status == 200 {
         print("ok")

@@ -1,4 +1,4 @@
-//! `homolog inspect FILE`: what a file is, which surface it gives, and what would be repaired.
+//! `homolog inspect FILE`: the format of a file, the topology of its surface, and the repairs that a match would make.
 
 use super::error::CliError;
 use super::files::{file_name, read_input};
@@ -9,23 +9,23 @@ use homolog_run::intake::{IntakeLimits, inspect};
 use serde_json::Value;
 use std::path::PathBuf;
 
-/// Show the topology report of a surface or label volume
+/// Show format, topology and repairs of a surface or label volume
 #[derive(Debug, Clone, Args)]
-pub struct InspectArgs {
-    /// NIfTI-1 label volume, PLY, STL or legacy VTK
-    pub file: PathBuf,
+pub(super) struct InspectArgs {
+    /// File to inspect: NIfTI-1 label volume, PLY, STL or legacy VTK
+    pub(super) file: PathBuf,
     /// Print the report as JSON
     #[arg(long)]
-    pub json: bool,
+    pub(super) json: bool,
     #[command(flatten)]
-    pub parameters: ParameterArgs,
+    pub(super) parameters: ParameterArgs,
 }
 
 /// Runs the command.
 ///
 /// # Errors
-/// [`CliError::BadInput`] for a file that cannot be read. A surface that a match would refuse is an answer.
-pub fn run(args: &InspectArgs) -> Result<(), CliError> {
+/// [`CliError::BadInput`] for a file that cannot be read. A surface that a match would refuse is not an error.
+pub(super) fn run(args: &InspectArgs) -> Result<(), CliError> {
     let limits = IntakeLimits::default();
     let parameters = args.parameters.resolve()?;
     let bytes = read_input(&args.file, &limits)?;

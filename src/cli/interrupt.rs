@@ -1,14 +1,14 @@
-//! Ctrl-C and SIGTERM: the first asks the computation to stop, the second ends the program at once.
+//! Ctrl-C and SIGTERM: the first stops the computation at its next check, the second exits at once.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// Whether the program was asked to stop. Clones look at the same flag.
+/// Whether the program was interrupted. Clones share one flag.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Interrupt(Arc<AtomicBool>);
 
 impl Interrupt {
-    /// Begins to listen, on a thread of its own. Where signals cannot be had, nothing is ever asked.
+    /// Starts a thread that listens for signals. If that fails, the flag is never set.
     pub(super) fn listen() -> Self {
         let interrupt = Interrupt::default();
         let flag = interrupt.clone();
@@ -16,7 +16,7 @@ impl Interrupt {
         let _ = listener.spawn(move || {
             let Ok(runtime) = tokio::runtime::Builder::new_current_thread().enable_all().build() else { return };
             runtime.block_on(async {
-                while asked_to_stop().await {
+                while interrupted().await {
                     if flag.0.swap(true, Ordering::Relaxed) {
                         std::process::exit(130);
                     }
@@ -32,7 +32,7 @@ impl Interrupt {
 }
 
 #[cfg(unix)]
-async fn asked_to_stop() -> bool {
+async fn interrupted() -> bool {
     use tokio::signal::unix::{SignalKind, signal};
     match signal(SignalKind::terminate()) {
         Ok(mut terminate) => tokio::select! {
@@ -44,6 +44,6 @@ async fn asked_to_stop() -> bool {
 }
 
 #[cfg(not(unix))]
-async fn asked_to_stop() -> bool {
+async fn interrupted() -> bool {
     tokio::signal::ctrl_c().await.is_ok()
 }

@@ -1,4 +1,4 @@
-//! `homolog match SOURCE TARGET`: the pipeline of the service, without the service.
+//! `homolog match SOURCE TARGET`: one match without the service.
 
 use super::error::CliError;
 use super::files::{OutputFolder, file_name, read_input};
@@ -18,33 +18,33 @@ use std::path::PathBuf;
 use std::sync::{Mutex, PoisonError};
 use std::time::Instant;
 
-/// Match two surfaces: dense correspondence and rigid transform
+/// Match two surfaces: compute the dense correspondence and the rigid transform
 #[derive(Debug, Clone, Args)]
-pub struct MatchArgs {
-    /// The surface that moves: NIfTI-1 label volume, PLY, STL or legacy VTK
-    pub source: PathBuf,
-    /// The surface that stays
-    pub target: PathBuf,
+pub(super) struct MatchArgs {
+    /// Source: the surface that is moved; NIfTI-1 label volume, PLY, STL or legacy VTK
+    pub(super) source: PathBuf,
+    /// Target: the surface that stays in place
+    pub(super) target: PathBuf,
     #[command(flatten)]
-    pub parameters: ParameterArgs,
+    pub(super) parameters: ParameterArgs,
     /// Folder for result.json, correspondences.csv, source.ply, target.ply, aligned.ply and trace.jsonl
     #[arg(long, value_name = "DIR")]
-    pub out: Option<PathBuf>,
-    /// Print the result document, and nothing else, to the standard output
+    pub(super) out: Option<PathBuf>,
+    /// Print the result document, and nothing else, as JSON
     #[arg(long)]
-    pub json: bool,
+    pub(super) json: bool,
 }
 
 /// Runs the command.
 ///
 /// # Errors
 /// [`CliError`].
-pub fn run(args: &MatchArgs) -> Result<(), CliError> {
+pub(super) fn run(args: &MatchArgs) -> Result<(), CliError> {
     let limits = IntakeLimits::default();
     let parameters = args.parameters.resolve()?;
     let source = read_input(&args.source, &limits)?;
     let target = read_input(&args.target, &limits)?;
-    // Before the work, so that a folder that cannot be written costs no minutes.
+    // Before the computation, so that an unwritable folder is reported at once.
     let folder = args.out.as_deref().map(OutputFolder::create).transpose()?;
     let observer = Watcher::new(Interrupt::listen());
     let outcome = run_match(
@@ -85,19 +85,19 @@ fn write_files(folder: &OutputFolder, output: &RunOutput, trace: &[TimedPoint]) 
     }
     folder.write("source.ply", &write_ply(&output.source))?;
     folder.write("target.ply", &write_ply(&output.target))?;
-    let aligned = output.aligned().map_err(|e| CliError::Failed(format!("the aligned surface cannot be made: {e}")))?;
+    let aligned = output.aligned().map_err(|e| CliError::Failed(format!("cannot compute the aligned surface: {e}")))?;
     folder.write("aligned.ply", &write_ply(&aligned))?;
     let mut lines = String::new();
     for point in trace {
         let line = serde_json::to_string(point)
-            .map_err(|e| CliError::Failed(format!("the trace cannot be written as JSON: {e}")))?;
+            .map_err(|e| CliError::Failed(format!("cannot write the trace as JSON: {e}")))?;
         let _ = writeln!(lines, "{line}");
     }
     folder.write("trace.jsonl", lines.as_bytes())?;
     Ok(())
 }
 
-/// A trace point with its place and time, as the service returns it.
+/// A trace point with its number and time, in the form of the service.
 #[derive(Debug, Clone, Serialize)]
 struct TimedPoint {
     seq: u64,
@@ -106,7 +106,7 @@ struct TimedPoint {
     elapsed_ms: f64,
 }
 
-/// Shows progress, keeps the trace and passes an interrupt on.
+/// Shows progress, records the trace and forwards an interrupt.
 struct Watcher {
     started: Instant,
     progress: Progress,

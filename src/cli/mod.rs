@@ -1,5 +1,5 @@
-//! The command line: one file a command. Commands print answers to the standard output, everything else to the
-//! standard error, and end with 0 (done), 1 (failed), 2 (bad input) or 130 (stopped on request).
+//! The command line, one file for each command. Commands print answers to the standard output and everything else to the
+//! standard error. Exit codes: 0 done, 1 failed, 2 bad input, 130 interrupted.
 
 mod admin;
 mod demo;
@@ -18,7 +18,7 @@ mod progress;
 mod serve;
 mod summary;
 
-pub use error::CliError;
+use error::CliError;
 
 use clap::{Parser, Subcommand};
 use std::ffi::OsString;
@@ -34,9 +34,9 @@ struct Cli {
 
 #[derive(Debug, Subcommand)]
 enum Command {
-    /// Run the HTTP service, with workers in the process
+    /// Run the HTTP service, with workers in the same process
     Serve(serve::ServeArgs),
-    /// Run workers for a service that runs elsewhere
+    /// Run workers only, for a service in another process or on another machine
     Worker(serve::WorkerArgs),
     Migrate(admin::MigrateArgs),
     Keys(admin::KeysArgs),
@@ -49,7 +49,7 @@ enum Command {
     Health(health::HealthArgs),
     /// Print the OpenAPI document of the service
     Openapi,
-    /// Print the table of problems that the service answers
+    /// Print the table of problem types
     #[command(hide = true)]
     Problems,
     /// Print the table of parameters of a match
@@ -57,17 +57,17 @@ enum Command {
     Parameters,
 }
 
-/// Version and commit.
+/// Version and commit of the program.
 fn version() -> &'static str {
     concat!(env!("CARGO_PKG_VERSION"), " (", env!("HOMOLOG_COMMIT"), ")")
 }
 
-/// Runs the program with these arguments, the program's name first.
+/// Runs the program with these arguments, of which the first is the name of the program.
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
     let cli = match Cli::try_parse_from(arguments) {
         Ok(cli) => cli,
         Err(error) => {
-            // Help and version are answers (0), anything else a usage error (2); a closed output is neither's fault.
+            // Help and version exit with 0, usage errors with 2, whether or not the text could be printed.
             let _ = error.print();
             return ExitCode::from(u8::try_from(error.exit_code()).unwrap_or(2));
         }

@@ -1,4 +1,4 @@
-//! The standard output: what a command answers. Messages and progress go to the standard error.
+//! Output of commands: answers go to the standard output, messages and progress to the standard error.
 
 use super::error::CliError;
 use serde::Serialize;
@@ -12,12 +12,12 @@ pub(super) fn print(text: &str) -> Result<(), CliError> {
 
 /// Prints a JSON document on one line.
 pub(super) fn print_json(value: &impl Serialize) -> Result<(), CliError> {
-    let text = serde_json::to_string(value)
-        .map_err(|e| CliError::Failed(format!("the answer cannot be written as JSON: {e}")))?;
+    let text =
+        serde_json::to_string(value).map_err(|e| CliError::Failed(format!("cannot write the answer as JSON: {e}")))?;
     print(&text)
 }
 
-/// Prints a message for people to the standard error; a closed one is nobody's loss.
+/// Prints a message to the standard error; errors are ignored.
 pub(super) fn note(text: &str) {
     let _ = writeln!(io::stderr().lock(), "{text}");
 }

@@ -1,4 +1,4 @@
-//! Parameters on the command line: a file, then `--set a.b=value`, then `--seed`, resolved as the service does.
+//! Parameters on the command line: a file, then `--set a.b=value`, then `--seed`, resolved like those of a request.
 
 use super::error::CliError;
 use super::files::read_input;
@@ -8,22 +8,22 @@ use homolog_run::intake::IntakeLimits;
 use serde_json::{Map, Value};
 use std::path::PathBuf;
 
-/// Options that state parameters.
+/// Options that set parameters.
 #[derive(Debug, Clone, Default, Args)]
-pub struct ParameterArgs {
-    /// JSON file with parameters, as the service takes them
+pub(super) struct ParameterArgs {
+    /// JSON file with parameters, in the form of the HTTP API
     #[arg(long, value_name = "FILE.json")]
-    pub params: Option<PathBuf>,
-    /// One parameter, such as energy.alpha=1.5, features.0.weight=2 or method=thesis; may be repeated
+    pub(super) params: Option<PathBuf>,
+    /// Set one parameter, such as energy.alpha=1.5, features.0.weight=2 or method=thesis; may be repeated
     #[arg(long = "set", value_name = "A.B=VALUE")]
-    pub set: Vec<String>,
-    /// Seed of everything that is drawn at random
+    pub(super) set: Vec<String>,
+    /// Seed of the random numbers
     #[arg(long)]
-    pub seed: Option<u64>,
+    pub(super) seed: Option<u64>,
 }
 
 impl ParameterArgs {
-    /// The request as the service would get it.
+    /// The parameters in the form of the HTTP API.
     pub(super) fn request(&self) -> Result<Value, CliError> {
         let mut request = match &self.params {
             None => Value::Object(Map::new()),
@@ -37,7 +37,7 @@ impl ParameterArgs {
             return Err(CliError::BadInput("the parameters must be a JSON object".to_owned()));
         }
         let mut settings = self.set.iter().map(|s| parse_setting(s)).collect::<Result<Vec<_>, _>>()?;
-        // The method decides what an index such as features.0 points into, wherever it is stated.
+        // The method first: its preset has the lists that indices such as features.0 refer to.
         settings.sort_by_key(|(path, _)| path.first().is_some_and(|key| key != "method"));
         for (path, value) in settings {
             apply(&mut request, &path, value)?;
@@ -48,16 +48,16 @@ impl ParameterArgs {
         Ok(request)
     }
 
-    /// Effective parameters.
+    /// All parameters, with defaults filled in.
     ///
     /// # Errors
     /// [`CliError::BadInput`] with every fault on its own line.
-    pub fn resolve(&self) -> Result<MatchParameters, CliError> {
+    pub(super) fn resolve(&self) -> Result<MatchParameters, CliError> {
         resolve(&self.request()?).map_err(|faults| CliError::BadInput(describe(&faults)))
     }
 }
 
-/// One fault a line, each with its pointer.
+/// One line for each fault, with its pointer.
 pub(super) fn describe(faults: &[ParameterError]) -> String {
     let lines: Vec<_> = faults
         .iter()
@@ -66,9 +66,9 @@ pub(super) fn describe(faults: &[ParameterError]) -> String {
     lines.join("\n")
 }
 
-/// `a.b=value` as a path and a value; the value is JSON, or else a string.
+/// Splits `a.b=value` into path and value; a value that is not JSON is a string.
 fn parse_setting(setting: &str) -> Result<(Vec<String>, Value), CliError> {
-    let wrong = || CliError::BadInput(format!("--set {setting}: state it as a.b=value, such as energy.alpha=1.5"));
+    let wrong = || CliError::BadInput(format!("--set {setting}: write a.b=value, such as energy.alpha=1.5"));
     let (path, value) = setting.split_once('=').ok_or_else(wrong)?;
     let path: Vec<String> = path.split('.').map(str::to_owned).collect();
     if path.iter().any(String::is_empty) {
@@ -77,7 +77,7 @@ fn parse_setting(setting: &str) -> Result<(Vec<String>, Value), CliError> {
     Ok((path, serde_json::from_str(value).unwrap_or_else(|_| Value::String(value.to_owned()))))
 }
 
-/// Puts `value` at `path`. An index points into the list that the request states, or else into the preset's.
+/// Puts `value` at `path`. An index refers to the list in the request, or else in the preset.
 fn apply(request: &mut Value, path: &[String], value: Value) -> Result<(), CliError> {
     let method = request.get("method").and_then(|m| serde_json::from_value(m.clone()).ok());
     let defaults = serde_json::to_value(preset(method.unwrap_or(Method::Balanced))).unwrap_or_default();
@@ -124,7 +124,7 @@ mod tests {
     }
 
     #[test]
-    fn values_are_json_or_else_strings() {
+    fn values_that_are_not_json_are_strings() {
         let stated = request(&["energy.alpha=1.5", "inference.algorithm=sum_product", "input.labels=[1,2]"]);
         let expected = json!({
             "energy": {"alpha": 1.5}, "inference": {"algorithm": "sum_product"}, "input": {"labels": [1, 2]}
@@ -150,7 +150,7 @@ mod tests {
     }
 
     #[test]
-    fn faults_stand_one_a_line_with_their_pointers() {
+    fn each_fault_has_a_line_with_its_pointer() {
         let args = ParameterArgs { set: vec!["energy.alfa=1".into(), "sed=1".into()], ..Default::default() };
         let message = args.resolve().unwrap_err().to_string();
         let lines: Vec<_> = message.lines().map(|l| l.split(':').next().unwrap()).collect();

@@ -1,4 +1,4 @@
-//! `homolog phantom`: writes a pair of synthetic shapes and the truth between them.
+//! `homolog phantom`: writes a pair of synthetic shapes with their ground truth.
 
 use super::error::CliError;
 use super::files::OutputFolder;
@@ -14,45 +14,45 @@ use serde_json::json;
 use std::fmt::Write;
 use std::path::PathBuf;
 
-/// Write a pair of synthetic hippocampus-like shapes, with the truth between them
+/// Write a pair of synthetic hippocampus-like shapes with their ground truth
 #[derive(Debug, Clone, Args)]
-pub struct PhantomArgs {
+pub(super) struct PhantomArgs {
     /// Seed of the subject
     #[arg(long, default_value_t = 1)]
-    pub subject: u64,
-    /// Seed of the target's subject, if it is another one; there is then no point-to-point truth
+    pub(super) subject: u64,
+    /// Seed of the subject of the target, if it is another one; then there is no pointwise ground truth
     #[arg(long, value_name = "SUBJECT")]
-    pub target_subject: Option<u64>,
-    /// What to write: label volumes (.nii.gz; 1 anterior, 2 posterior) or surfaces (.ply)
+    pub(super) target_subject: Option<u64>,
+    /// Write label volumes (.nii.gz; 1 anterior, 2 posterior) or surfaces (.ply)
     #[arg(long, value_enum, default_value_t = Kind::Volume)]
-    pub kind: Kind,
+    pub(super) kind: Kind,
     /// Voxel spacing of volumes, mm
     #[arg(long, value_name = "MM", default_value_t = 1.0)]
-    pub spacing: f64,
+    pub(super) spacing: f64,
     /// Edge length of surfaces, mm
     #[arg(long, value_name = "MM", default_value_t = DEFAULT_EDGE_MM)]
-    pub edge: f64,
+    pub(super) edge: f64,
     #[arg(long, value_name = "SHARE", default_value_t = 0.0, help = format!(
         "RMS displacement of a smooth deformation of the target, as a share of the diagonal (0 to {MAX_RMS_SHARE})"
     ))]
-    pub deform: f64,
+    pub(super) deform: f64,
     /// Seed of the deformation
     #[arg(long, value_name = "SEED", default_value_t = 0)]
-    pub deform_seed: u64,
-    /// Put the target into an arbitrary pose drawn from this seed
+    pub(super) deform_seed: u64,
+    /// Rotate and translate the target at random with this seed
     #[arg(long, value_name = "SEED")]
-    pub rotate_seed: Option<u64>,
-    /// Shuffle the vertices of the target's surface (seed 0 unless stated)
+    pub(super) rotate_seed: Option<u64>,
+    /// Shuffle the vertices of the target surface; the seed is 0 if none is given
     #[arg(long, value_name = "SEED", num_args = 0..=1, default_missing_value = "0")]
-    pub permute: Option<u64>,
-    /// Folder for the source, the target, truth.json and truth.csv
+    pub(super) permute: Option<u64>,
+    /// Folder for source, target, truth.json and truth.csv
     #[arg(long, value_name = "DIR", default_value = "phantom")]
-    pub out: PathBuf,
+    pub(super) out: PathBuf,
 }
 
-/// What a phantom is written as.
+/// Kind of the files.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub enum Kind {
+pub(super) enum Kind {
     /// Label volumes.
     Volume,
     /// Triangle surfaces.
@@ -63,10 +63,10 @@ pub enum Kind {
 ///
 /// # Errors
 /// [`CliError`].
-pub fn run(args: &PhantomArgs) -> Result<(), CliError> {
+pub(super) fn run(args: &PhantomArgs) -> Result<(), CliError> {
     if args.permute.is_some() && args.kind == Kind::Volume {
         return Err(CliError::BadInput(
-            "--permute shuffles vertices; volumes have none, add --kind surface".to_owned(),
+            "--permute shuffles vertices, which only surfaces have; add --kind surface".to_owned(),
         ));
     }
     let recipe = PairRecipe {
@@ -82,7 +82,7 @@ pub fn run(args: &PhantomArgs) -> Result<(), CliError> {
     print(&lines.join("\n"))
 }
 
-/// Writes a pair and its truth; the paths, source and target first.
+/// Writes a pair and its ground truth; returns the paths, source and target first.
 pub(super) fn write_pair(
     recipe: &PairRecipe,
     kind: Kind,
@@ -102,7 +102,7 @@ pub(super) fn write_pair(
         Kind::Volume => {
             written.push(folder.write(names[0], &volume_file(pair.source_volume(spacing_mm).map_err(bad)?)?)?);
             written.push(folder.write(names[1], &volume_file(pair.target_volume(spacing_mm).map_err(bad)?)?)?);
-            // A volume has no vertices to name; points spread over the true surface stand for them.
+            // A volume has no vertices; points spread over the true surface serve as ground truth.
             let points = pair.source_surface(DEFAULT_EDGE_MM).map_err(bad)?;
             for p in points.mesh.vertices() {
                 truth.add(None, p, &pair.place(p));

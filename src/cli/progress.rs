@@ -1,13 +1,13 @@
-//! Progress on the standard error: a bar on a terminal, a line for each phase where asked for, silence otherwise.
+//! Progress on the standard error: a bar on a terminal; otherwise a line for each phase, or nothing.
 
 use super::output::note;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::io::IsTerminal;
 
-/// Steps of the bar; finer than any terminal shows.
+/// Steps of the bar; more than any terminal can show.
 const STEPS: u64 = 1000;
 
-/// What to show where the standard error is no terminal.
+/// What to show if the standard error is not a terminal.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum WithoutTerminal {
     /// Nothing.
@@ -28,7 +28,7 @@ impl Progress {
         let terminal = std::io::stderr().is_terminal();
         let target = if terminal { ProgressDrawTarget::stderr() } else { ProgressDrawTarget::hidden() };
         let bar = ProgressBar::with_draw_target(Some(STEPS), target);
-        // The template is a constant and tested; the default style stands in should it ever be wrong.
+        // The template is a constant and tested, so the default style is never needed.
         if let Ok(style) = ProgressStyle::with_template("{msg:14} {bar:40} {percent:>3} % {elapsed:>4}") {
             bar.set_style(style);
         }

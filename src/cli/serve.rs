@@ -1,39 +1,38 @@
-//! `homolog serve`, `homolog worker`, and the generated contract files.
+//! `homolog serve`, `homolog worker`, and the generated files of the API.
 
 use super::error::CliError;
 use super::output::print;
 use crate::app::{self, App, AppError, Shutdown};
 use crate::config::{HttpSettings, ServiceSettings, WorkerProcessSettings};
-use crate::http::openapi::openapi_json;
-use crate::http::problem_table::problems_markdown;
+use crate::http::{openapi_json, problems_markdown};
 use crate::telemetry;
 use crate::worker::quota::Quota;
 use std::time::Duration;
 
 /// Arguments of `homolog serve`.
 #[derive(Debug, Clone, clap::Args)]
-pub struct ServeArgs {
+pub(super) struct ServeArgs {
     /// HTTP.
     #[command(flatten)]
-    pub http: HttpSettings,
+    pub(super) http: HttpSettings,
     /// Everything else.
     #[command(flatten)]
-    pub service: ServiceSettings,
+    pub(super) service: ServiceSettings,
 }
 
 /// Arguments of `homolog worker`.
 #[derive(Debug, Clone, clap::Args)]
-pub struct WorkerArgs {
+pub(super) struct WorkerArgs {
     /// How long it lives.
     #[command(flatten)]
-    pub process: WorkerProcessSettings,
+    pub(super) process: WorkerProcessSettings,
     /// Everything else.
     #[command(flatten)]
-    pub service: ServiceSettings,
+    pub(super) service: ServiceSettings,
 }
 
-/// Answers HTTP and runs jobs until a signal. Prints one line with the address when it is ready.
-pub fn serve(args: ServeArgs) -> Result<(), CliError> {
+/// Serves HTTP and runs jobs until a signal. Prints one line with the address when ready.
+pub(super) fn serve(args: ServeArgs) -> Result<(), CliError> {
     raise_file_limit();
     let service = args.service.clone();
     in_runtime(&service, async move {
@@ -48,8 +47,8 @@ pub fn serve(args: ServeArgs) -> Result<(), CliError> {
     })
 }
 
-/// Runs jobs until a signal, or until its own end as the arguments say.
-pub fn worker(args: WorkerArgs) -> Result<(), CliError> {
+/// Runs jobs until a signal, or until the limits in the arguments are reached.
+pub(super) fn worker(args: WorkerArgs) -> Result<(), CliError> {
     let service = args.service.clone();
     in_runtime(&service, async move {
         let shutdown = Shutdown::default();
@@ -62,7 +61,7 @@ pub fn worker(args: WorkerArgs) -> Result<(), CliError> {
         app.limit_to(Quota::new(args.process.exit_when_idle_s.map(Duration::from_secs), args.process.max_jobs));
         say(&match &args.service.database_url {
             None => format!("homolog worker runs jobs of {}", args.service.data_dir.display()),
-            Some(_) => "homolog worker runs jobs of the database".to_owned(),
+            Some(_) => "homolog worker runs jobs of the database server".to_owned(),
         });
         match probes {
             Some(listener) => app.run_with_probes(listener, &args.service, &shutdown).await,
@@ -73,13 +72,13 @@ pub fn worker(args: WorkerArgs) -> Result<(), CliError> {
 }
 
 /// Prints the OpenAPI document.
-pub fn print_openapi() -> Result<(), CliError> {
+pub(super) fn print_openapi() -> Result<(), CliError> {
     let text = openapi_json().map_err(|e| CliError::Failed(e.to_string()))?;
     print(text.trim_end())
 }
 
 /// Prints `api/problems.md`.
-pub fn print_problems() -> Result<(), CliError> {
+pub(super) fn print_problems() -> Result<(), CliError> {
     print(problems_markdown().trim_end())
 }
 
@@ -94,25 +93,25 @@ pub(super) fn in_runtime(
         .build()
         .map_err(|error| failed(AppError::Thread(error)))?;
     let done = runtime.block_on(work);
-    // A check of an input that still runs must not hold up the end.
+    // Input checks that are still running must not delay the exit.
     runtime.shutdown_background();
     done.map_err(failed)
 }
 
-/// Each connection is an open file; many systems allow a process fewer than it may ask for.
+/// Raises the soft limit of open files, because each connection is one.
 #[cfg(unix)]
 fn raise_file_limit() {
     use rustix::process::{Resource, Rlimit, getrlimit, setrlimit};
     let Rlimit { maximum, .. } = getrlimit(Resource::Nofile);
     let wanted = Rlimit { current: maximum.map_or(Some(65_536), |most| Some(most.min(65_536))), maximum };
-    // Where it is not granted, the limit that there is holds.
+    // If that fails, the current limit stays.
     let _ = setrlimit(Resource::Nofile, wanted);
 }
 
 #[cfg(not(unix))]
 fn raise_file_limit() {}
 
-/// A line on standard output; a reader that is gone is no reason to stop serving.
+/// Prints a line; a closed output is no reason to stop serving.
 fn say(line: &str) {
     let _ = print(line);
 }

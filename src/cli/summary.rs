@@ -1,4 +1,4 @@
-//! A result document in a few lines for people.
+//! A result document summarized in a few lines.
 
 use homolog_contract::result::{ResultDocument, StopReason};
 use std::fmt::Write;
@@ -30,7 +30,7 @@ pub(super) fn summary(result: &ResultDocument) -> String {
         d.mean_mm, d.p95_mm, d.max_mm
     );
     if let Some(e) = &result.energy {
-        let bound = e.lower_bound.map_or_else(String::new, |bound| format!(", no less than {bound:.2} possible"));
+        let bound = e.lower_bound.map_or_else(String::new, |bound| format!(", lower bound {bound:.2}"));
         let _ = writeln!(
             text,
             "energy            {:.2} (from {:.2}; unary {:.2}, pairwise {:.2}{bound}), {}",
@@ -40,15 +40,15 @@ pub(super) fn summary(result: &ResultDocument) -> String {
             e.pairwise,
             match result.stop_reason {
                 StopReason::Converged => "converged",
-                StopReason::MaxIterations => "all iterations used",
-                StopReason::TargetReached => "the stated energy is reached",
-                StopReason::RegistrationOnly => "not minimised",
+                StopReason::MaxIterations => "iteration limit reached",
+                StopReason::TargetReached => "target energy reached",
+                StopReason::RegistrationOnly => "not minimized",
             }
         );
     }
     let _ = writeln!(
         text,
-        "map               {:.1} % of edges stay neighbors, {:.1} % of target vertices met",
+        "map               {:.1} % of edges keep their neighborhood, {:.1} % of target vertices covered",
         100.0 * result.topology.consistency,
         100.0 * result.topology.coverage
     );

@@ -1,12 +1,12 @@
-//! Which of several media types a client likes best (RFC 9110, section 12.5.1).
+//! Content negotiation: the media type that `Accept` prefers (RFC 9110, section 12.5.1).
 
 use axum::http::{HeaderMap, header};
 
-/// Ranges of an `Accept` header that are looked at; more than any client sends.
+/// Most ranges of an `Accept` header that are read; more than any client sends.
 const MAX_RANGES: usize = 64;
 
-/// The index of the offered media type that `Accept` prefers; among equals the first. Without the header, or with one
-/// that has no readable range, that is the first of all. `None` if the client takes none.
+/// The index of the offered media type that `Accept` prefers, the first among equals. The first of all without the header, or
+/// with one that has no readable range. `None` if the client accepts none of them.
 ///
 /// `offered` are types without parameters. Of the ranges that match a type, the most specific decides. Parameters
 /// other than `q` are not compared: no type is offered in two variants.
@@ -28,7 +28,7 @@ pub(super) fn preferred(headers: &HeaderMap, offered: &[&str]) -> Option<usize> 
 
 fn quality(ranges: &[Range], media_type: &str) -> u16 {
     let matching = ranges.iter().filter_map(|range| Some((range.specificity(media_type)?, range.quality)));
-    // A range that is given twice counts with its better quality.
+    // Of a range that is given twice, the higher quality counts.
     matching.max().map_or(0, |(_, quality)| quality)
 }
 
@@ -43,7 +43,7 @@ struct Range {
 }
 
 impl Range {
-    /// `None` for what is no media range; the others still count.
+    /// `None` if it is not a media range; the other ranges still count.
     fn parse(text: &str) -> Option<Range> {
         let mut parts = text.split(';');
         let (kind, subtype) = parts.next()?.trim().split_once('/')?;
@@ -62,7 +62,7 @@ impl Range {
         Some(Range { kind: kind.to_ascii_lowercase(), subtype: subtype.to_ascii_lowercase(), quality })
     }
 
-    /// How closely it names this type; `None` if it does not.
+    /// How specifically the range matches this type; `None` if it does not match.
     fn specificity(&self, media_type: &str) -> Option<u8> {
         let (kind, subtype) = media_type.split_once('/')?;
         match (self.kind.as_str(), self.subtype.as_str()) {
@@ -125,14 +125,14 @@ mod tests {
     }
 
     #[test]
-    fn none_is_chosen_where_none_is_taken() {
+    fn none_is_chosen_where_none_is_accepted() {
         for accept in ["image/png", "text/html, image/*", "*/*;q=0", "application/json;q=0", "text/plain"] {
             assert_eq!(choice(&[accept]), None, "{accept}");
         }
     }
 
     #[test]
-    fn what_is_no_range_is_passed_over() {
+    fn invalid_ranges_are_ignored() {
         for accept in ["", ",,", "json", "*/csv", "text/csv;q=2", "text/csv;q=0.1234", "text/csv;q=x", "/"] {
             assert_eq!(choice(&[accept]), Some("application/json"), "{accept}");
         }

@@ -1,4 +1,4 @@
-//! Who asks: the holder of an API key, or anyone where no keys are asked for.
+//! Authentication by API key, and authorization by the scopes of the key.
 
 use super::problem::Problem;
 use super::problem_table::ProblemKind;
@@ -8,26 +8,26 @@ use axum::extract::FromRequestParts;
 use axum::http::header;
 use axum::http::request::Parts;
 
-/// Who may ask.
+/// Whether requests are authenticated.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
 pub enum AuthMode {
-    /// Anyone; all are the tenant `default` and may do everything.
+    /// No authentication: every client is the tenant `default` and has every scope.
     None,
-    /// Holders of API keys: `Authorization: Bearer hml_…`.
+    /// API keys are required: `Authorization: Bearer hml_…`.
     Keys,
 }
 
-/// Who asks, with a key that allows looking.
+/// The tenant of a request whose key has the scope `read`.
 #[derive(Debug, Clone)]
-pub struct Reader(pub Tenant);
+pub(crate) struct Reader(pub(crate) Tenant);
 
-/// Who asks, with a key that allows submitting.
+/// The tenant of a request whose key has the scope `submit`.
 #[derive(Debug, Clone)]
-pub struct Submitter(pub Tenant);
+pub(crate) struct Submitter(pub(crate) Tenant);
 
-/// Who asks, with a key that allows administration.
+/// The tenant of a request whose key has the scope `admin`.
 #[derive(Debug, Clone)]
-pub struct Admin(pub Tenant);
+pub(crate) struct Admin(pub(crate) Tenant);
 
 async fn tenant_with(parts: &Parts, state: &HttpState, scope: Scope) -> Result<Tenant, Problem> {
     if state.auth == AuthMode::None {
@@ -42,10 +42,10 @@ async fn tenant_with(parts: &Parts, state: &HttpState, scope: Scope) -> Result<T
         Some(key) => state.service.authenticate(key).await?,
         None => None,
     };
-    // Which part was wrong is said to nobody.
+    // The answer does not reveal which part of the key was wrong.
     let Some(found) = found else { return Err(Problem::new(ProblemKind::Unauthenticated)) };
     if !found.scopes.contains(&scope) {
-        let detail = format!("this needs a key with the scope {}", scope.name());
+        let detail = format!("requires an API key with the scope {}", scope.name());
         return Err(Problem::new(ProblemKind::ScopeMissing).detail(detail));
     }
     Ok(found.tenant)

@@ -1,4 +1,5 @@
-//! What surrounds every request: its id, its span, its time limit, and problems where a layer answered none.
+//! The outermost layer around every request: request id, log span, metrics, time limit, and a problem document for errors
+//! that no handler has answered.
 
 use super::preferences::{trace_id, traceparent};
 use super::problem::{PROBLEM_JSON, Problem};
@@ -11,15 +12,15 @@ use axum::response::{IntoResponse, Response};
 use std::time::{Duration, Instant};
 use tracing::Instrument;
 
-/// The header that names a request.
-pub const REQUEST_ID: HeaderName = HeaderName::from_static("x-request-id");
+/// The header that carries the id of a request.
+pub(crate) const REQUEST_ID: HeaderName = HeaderName::from_static("x-request-id");
 
 tokio::task_local! {
     static CURRENT: String;
 }
 
 /// The id of the request that is being answered.
-pub fn request_id() -> Option<String> {
+pub(crate) fn request_id() -> Option<String> {
     CURRENT.try_with(Clone::clone).ok()
 }
 
@@ -31,27 +32,38 @@ fn accepted_id(headers: &HeaderMap) -> String {
     offered.map_or_else(|| uuid::Uuid::now_v7().to_string(), str::to_owned)
 }
 
-/// Waiting for a place, draining a refused body, checking and storing two inputs: what a submission may take besides
-/// its upload.
+/// Time that a submission may take besides its upload: waiting for an upload slot, draining a refused body, checking and
+/// storing two inputs.
 const AFTER_UPLOAD: Duration = Duration::from_secs(240);
 
-/// The outermost layer: names the request, logs its answer, and turns errors of other layers into problems.
-pub async fn surround(State(state): State<HttpState>, request: Request, next: Next) -> Response {
+/// The route of a request that no route matches, in logs and metrics.
+const UNMATCHED: &str = "none";
+
+/// The method as it appears in logs and metrics: a standard one, or `other`. A client can make up any number of methods,
+/// and each label value is a time series for as long as the process lives.
+fn method_label(method: &Method) -> &'static str {
+    const KNOWN: [&str; 7] = ["GET", "HEAD", "POST", "PUT", "PATCH", "DELETE", "OPTIONS"];
+    KNOWN.into_iter().find(|known| *known == method.as_str()).unwrap_or("other")
+}
+
+/// The outermost layer: gives the request an id, logs and counts its answer, and turns errors of other layers into problems.
+pub(crate) async fn surround(State(state): State<HttpState>, request: Request, next: Next) -> Response {
     let id = accepted_id(request.headers());
     let header = HeaderValue::from_str(&id).ok();
     let route = request.extensions().get::<MatchedPath>().map(|p| p.as_str().to_owned());
-    let method = request.method().clone();
+    let method = method_label(request.method());
+    let route = route.unwrap_or_else(|| UNMATCHED.to_owned());
     let span = tracing::info_span!(
         "request",
         request_id = %id,
         trace_id = traceparent(request.headers()).as_deref().and_then(trace_id),
-        %method,
-        route = route.as_deref().unwrap_or("none"),
+        method,
+        route,
     );
     let began = Instant::now();
-    let limit = match (&method, route.as_deref()) {
-        // The handler bounds the upload itself, with a better answer; this is the last resort for what comes after.
-        (&Method::POST, Some("/v1/jobs" | "/v1/meshes" | "/v1/batches")) => state.limits.upload_timeout + AFTER_UPLOAD,
+    let limit = match (method, route.as_str()) {
+        // The handler limits the upload itself, with a better answer; this covers what follows the upload.
+        ("POST", "/v1/jobs" | "/v1/meshes" | "/v1/batches") => state.limits.upload_timeout + AFTER_UPLOAD,
         _ => state.limits.request_timeout,
     };
     let answer = async {
@@ -62,14 +74,12 @@ pub async fn surround(State(state): State<HttpState>, request: Request, next: Ne
         let response = as_problem(response);
         let elapsed_ms = began.elapsed().as_millis();
         tracing::info!(status = response.status().as_u16(), elapsed_ms, "answered");
-        let labels = [
-            ("method", method.as_str().chars().take(16).collect::<String>()),
-            ("route", route.clone().unwrap_or_else(|| "none".to_owned())),
-            ("status", response.status().as_u16().to_string()),
-        ];
-        metrics::counter!("homolog_http_requests_total", &labels).increment(1);
-        metrics::histogram!("homolog_http_request_seconds", "route" => labels[1].1.clone())
-            .record(began.elapsed().as_secs_f64());
+        // Every label comes from a closed set, because requests are counted before they are authenticated: the methods
+        // below, the routes of the router, the statuses that the service answers.
+        let status = response.status().as_u16().to_string();
+        metrics::counter!("homolog_http_requests_total", "method" => method, "route" => route.clone(), "status" => status)
+            .increment(1);
+        metrics::histogram!("homolog_http_request_seconds", "route" => route).record(began.elapsed().as_secs_f64());
         response
     };
     let mut response = CURRENT.scope(id, answer.instrument(span)).await;
@@ -79,7 +89,7 @@ pub async fn surround(State(state): State<HttpState>, request: Request, next: Ne
     response
 }
 
-/// Errors that no handler made (a path that is no UTF-8, a wrong method) as problems too.
+/// Turns errors that no handler has answered (a path that is not UTF-8, a method that is not allowed) into problems.
 fn as_problem(response: Response) -> Response {
     let status = response.status();
     let is_error = status.is_client_error() || status.is_server_error();
@@ -95,9 +105,9 @@ fn as_problem(response: Response) -> Response {
     problem
 }
 
-/// What a panic of a handler is answered.
-pub fn panic_problem(_: Box<dyn std::any::Any + Send + 'static>) -> Response {
-    // The panic hook has logged where; what it said stays out of log and answer.
+/// The answer to a request whose handler panicked.
+pub(crate) fn panic_problem(_: Box<dyn std::any::Any + Send + 'static>) -> Response {
+    // The panic hook has logged the location; the message stays out of log and answer.
     tracing::error!(request_id = request_id(), "a handler panicked");
     Problem::new(ProblemKind::InternalError).into_response()
 }
@@ -105,6 +115,14 @@ pub fn panic_problem(_: Box<dyn std::any::Any + Send + 'static>) -> Response {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn made_up_methods_share_one_label() {
+        assert_eq!(method_label(&Method::GET), "GET");
+        for made_up in ["BREW", "get", "GET1", "PROPFIND", "CONNECT"] {
+            assert_eq!(method_label(&Method::from_bytes(made_up.as_bytes()).unwrap()), "other", "{made_up}");
+        }
+    }
 
     #[test]
     fn only_harmless_request_ids_are_kept() {

@@ -1,6 +1,6 @@
-//! Examples of bodies in the OpenAPI document, and the errors that every operation may answer.
+//! Examples of bodies in the OpenAPI document, and the errors that any operation can answer.
 //!
-//! JSON examples are files under `api/examples`, taken from a real run; a test holds each against its schema.
+//! JSON examples are files under `api/examples`, taken from a real run; a test validates each against its schema.
 
 use super::problem_table::ProblemKind;
 use axum::http::StatusCode;
@@ -15,7 +15,7 @@ macro_rules! file {
     };
 }
 
-/// The name of an operation, a media type, and the body that is sent.
+/// Operation id, media type and example of a request body.
 const REQUESTS: &[(&str, &str, &str)] = &[
     ("submit_job", "multipart/form-data", file!("submission.json")),
     ("submit_job", "application/json", file!("submission_by_reference.json")),
@@ -25,7 +25,7 @@ const REQUESTS: &[(&str, &str, &str)] = &[
     ("upload_mesh", "multipart/form-data", r#"{"file": "(binary content of a file)"}"#),
     ("upload_mesh", "application/octet-stream", r#""(binary content of a file)""#),
 ];
-/// The name of an operation, and the JSON that is answered where all goes well.
+/// Operation id and example of its JSON answer.
 const ANSWERS: &[(&str, &str)] = &[
     ("submit_job", file!("job_queued.json")),
     ("list_jobs", file!("job_list.json")),
@@ -57,7 +57,7 @@ const ANSWERS: &[(&str, &str)] = &[
     ("healthz", file!("healthz.json")),
     ("readyz", file!("readyz.json")),
 ];
-/// Bodies of text, by media type.
+/// Examples of text bodies, by media type.
 const TEXTS: &[(&str, &str)] = &[
     (
         "text/csv",
@@ -80,17 +80,20 @@ const TEXTS: &[(&str, &str)] = &[
          1 0 0 12.5\n0 1 0 -3.25\n0 0 1 40\n0 0 0 1\nsrc volume info\nvalid = 0  # volume info invalid\n...\n",
     ),
 ];
-/// What every operation may answer, whatever it does.
+/// Errors that any operation can answer.
 const ALWAYS: [(StatusCode, &str); 5] = [
-    (StatusCode::BAD_REQUEST, "The query or the path cannot be understood"),
+    (StatusCode::BAD_REQUEST, "The path or the query is malformed"),
     (StatusCode::UNAUTHORIZED, "No valid API key"),
-    (StatusCode::FORBIDDEN, "The request names a host that is not this service, or the key does not allow it"),
-    (StatusCode::INTERNAL_SERVER_ERROR, "The service failed"),
-    (StatusCode::SERVICE_UNAVAILABLE, "A dependency does not answer, or not in time"),
+    (
+        StatusCode::FORBIDDEN,
+        "The Host or Origin header names a host that is not allowed, or the API key lacks the scope",
+    ),
+    (StatusCode::INTERNAL_SERVER_ERROR, "Internal error"),
+    (StatusCode::SERVICE_UNAVAILABLE, "A dependency does not respond, or not in time"),
 ];
 const PROBLEM: &str = super::problem::PROBLEM_JSON;
 
-/// Completes every operation.
+/// Adds examples and common errors to every operation.
 pub(super) fn complete(document: &mut OpenApi) {
     for item in document.paths.paths.values_mut() {
         let operations = [&mut item.get, &mut item.post, &mut item.put, &mut item.patch, &mut item.delete];
@@ -145,7 +148,7 @@ fn set(content: &mut RefOr<Content>, example: Option<Value>) {
     }
 }
 
-/// The kind of problem that a status of an operation most often means.
+/// The most common problem with this status in this operation.
 fn typical(operation: &str, status: StatusCode) -> ProblemKind {
     match (operation, status) {
         ("get_method", StatusCode::NOT_FOUND) => ProblemKind::MethodNotFound,

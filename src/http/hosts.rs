@@ -1,8 +1,8 @@
-//! Which hosts a request may name.
+//! Host validation against DNS rebinding.
 //!
-//! A service on a loopback address asks nobody who they are, because only this machine reaches it. A web page in a
-//! browser of this machine would reach it too, by a name of its own that resolves to 127.0.0.1 (DNS rebinding). The
-//! browser says that name in `Host`, and the page's own in `Origin`; so both have to be names of this machine.
+//! A service on a loopback address requires no authentication, because only programs on this machine can connect to it. A web
+//! page in a browser on this machine could do so too, under a host name that resolves to 127.0.0.1 (DNS rebinding). The
+//! browser sends that name in `Host`, and the origin of the page in `Origin`; so both have to name this machine.
 
 use super::problem::Problem;
 use super::problem_table::ProblemKind;
@@ -14,22 +14,22 @@ use axum::middleware::Next;
 use axum::response::{IntoResponse, Response};
 use std::net::IpAddr;
 
-/// Names that are allowed besides `localhost` and the loopback addresses.
+/// Host names that are allowed besides `localhost` and the loopback addresses.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct AllowedHosts {
     names: Vec<String>,
 }
 
 impl AllowedHosts {
-    /// These names, in any case, without port.
+    /// These names, without port; case does not matter.
     pub fn new(names: impl IntoIterator<Item = String>) -> Self {
         AllowedHosts { names: names.into_iter().map(|name| canonical(&name)).collect() }
     }
 
-    /// Whether `Host` names an allowed host, and `Origin` as well if there is one.
+    /// Whether `Host` names an allowed host, and so does `Origin` if there is one.
     fn allow(&self, uri: &Uri, headers: &HeaderMap) -> bool {
         let mut hosts = headers.get_all(header::HOST).iter().peekable();
-        // A request without a host comes from no browser, but no client of today either.
+        // No current client omits the host.
         let names_a_host = uri.authority().is_some() || hosts.peek().is_some();
         let authority = |text: &str| text.parse::<Authority>().is_ok_and(|authority| self.has(&authority));
         names_a_host
@@ -55,8 +55,8 @@ fn canonical(name: &str) -> String {
     bare.strip_suffix('.').unwrap_or(bare).to_ascii_lowercase()
 }
 
-/// Refuses what names another host, before anything else is done for it.
-pub async fn check_host(State(state): State<HttpState>, request: Request, next: Next) -> Response {
+/// Refuses requests that name another host, before anything else is done.
+pub(crate) async fn check_host(State(state): State<HttpState>, request: Request, next: Next) -> Response {
     match &state.hosts {
         Some(hosts) if !hosts.allow(request.uri(), request.headers()) => {
             Problem::new(ProblemKind::HostNotAllowed).into_response()
@@ -103,7 +103,7 @@ mod tests {
     }
 
     #[test]
-    fn other_names_are_not() {
+    fn other_names_are_refused() {
         for host in [
             "evil.example",
             "evil.example:8080",

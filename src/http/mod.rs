@@ -1,33 +1,36 @@
-//! How the outside asks: routes, problems, wire types and the OpenAPI document.
+//! The HTTP API: routes, problems, wire types and the OpenAPI document.
 //!
-//! Reading order: [`mod@router`] (layers and routes), [`routes`] (a file a resource), [`upload`] (multipart under limits),
-//! [`wire`] (JSON forms), `accept` and `representation` (which format is answered), [`problem`] (every error there is), [`context`] (request ids, spans, the last resort),
-//! [`hosts`] (who may ask), [`server`] (connections).
+//! Reading order: [`mod@router`] (layers and routes), [`routes`] (one file for each resource), [`upload`] (bodies under
+//! limits), [`wire`] (JSON forms), `accept` and `representation` (content negotiation), `conditional` and `long_poll` (ETags
+//! and `?wait=`), [`problem`] (errors), [`context`] (request ids, spans, metrics), [`hosts`] (host validation), [`server`]
+//! (connections).
 //!
 //! Invariant: every error answer is `application/problem+json`; an answer of 5xx hides its cause and carries the
 //! request id. Nothing here knows a store or how a match is computed.
 
-pub mod auth;
-pub mod context;
-pub mod hosts;
-pub mod openapi;
-pub mod problem;
-pub mod problem_table;
-pub mod query;
-pub mod router;
-pub mod routes;
-pub mod server;
-pub mod submission;
-pub mod upload;
-pub mod wire;
-
 mod accept;
+mod auth;
 mod conditional;
+mod context;
 mod examples;
+mod hosts;
+mod long_poll;
+mod openapi;
 mod preferences;
+mod problem;
+mod problem_table;
+mod query;
 mod representation;
+mod router;
+mod routes;
+mod server;
+mod submission;
+mod upload;
+mod wire;
 
 pub use auth::AuthMode;
 pub use hosts::AllowedHosts;
+pub use openapi::openapi_json;
+pub use problem_table::problems_markdown;
 pub use router::{HttpLimits, HttpState, probe_router, router};
 pub use server::{ConnectionLimits, serve};

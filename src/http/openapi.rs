@@ -1,4 +1,4 @@
-//! The OpenAPI document: made from the routes, committed as `api/openapi.json`.
+//! The OpenAPI document: generated from the routes, committed as `api/openapi.json`.
 
 use super::examples;
 use super::problem::ProblemDocument;
@@ -11,24 +11,24 @@ use utoipa::{Modify, OpenApi};
     info(
         title = "homolog",
         description = "Dense correspondence and rigid registration of anatomical surfaces. \
-                       Submit two surfaces, follow the job and its energy trace, fetch the result.",
+                       Submit two surfaces, follow the job and its energy trace, get the result.",
         license(name = "MIT OR Apache-2.0", identifier = "MIT OR Apache-2.0"),
     ),
     tags(
-        (name = "jobs", description = "Submit, follow, cancel, delete"),
-        (name = "batches", description = "Many jobs at once"),
-        (name = "meshes", description = "Uploads that jobs can name"),
-        (name = "webhooks", description = "Being told of changes"),
-        (name = "results", description = "What a succeeded job leaves"),
-        (name = "methods", description = "What can be asked for"),
-        (name = "system", description = "For operators and machines"),
+        (name = "jobs", description = "Submit, follow, cancel and delete jobs"),
+        (name = "batches", description = "Many jobs in one request"),
+        (name = "meshes", description = "Uploads that jobs refer to by id"),
+        (name = "webhooks", description = "Notifications of state changes"),
+        (name = "results", description = "Results of succeeded jobs"),
+        (name = "methods", description = "Methods and their parameters"),
+        (name = "system", description = "Health, metrics and the description of the API"),
     ),
     components(schemas(ProblemDocument)),
     modifiers(&Keys),
 )]
 struct Description;
 
-/// API keys, which are asked for unless the service listens to this machine only.
+/// API keys, which are required unless the service listens on a loopback address or is started with `--insecure`.
 struct Keys;
 
 impl Modify for Keys {
@@ -45,7 +45,7 @@ pub(super) fn document() -> utoipa::openapi::OpenApi {
     Description::openapi()
 }
 
-/// The document, pretty-printed, with a line's end at its end.
+/// The document, pretty-printed, with a final newline.
 ///
 /// # Errors
 /// If it cannot be written as JSON.

@@ -1,4 +1,4 @@
-//! What a client asks for in headers: `Prefer`, `Idempotency-Key`, `traceparent`.
+//! The request headers `Prefer`, `Idempotency-Key` and `traceparent`.
 
 use super::problem::{FieldError, Problem};
 use super::problem_table::ProblemKind;
@@ -11,7 +11,7 @@ const IDEMPOTENCY_KEY: HeaderName = HeaderName::from_static("idempotency-key");
 const TRACEPARENT: HeaderName = HeaderName::from_static("traceparent");
 const MAX_KEY: usize = 128;
 
-/// How long the client prefers to wait (RFC 7240), at most `most_s` seconds. A preference that cannot be read is none.
+/// How long the client prefers to wait (RFC 7240), at most `most_s` seconds. An unreadable preference is ignored.
 pub(super) fn wanted_wait(headers: &HeaderMap, most_s: u32) -> Option<Duration> {
     let preferences = headers.get_all(PREFER).iter().filter_map(|value| value.to_str().ok());
     preferences.flat_map(|value| value.split(',')).find_map(|preference| {
@@ -24,21 +24,21 @@ pub(super) fn wanted_wait(headers: &HeaderMap, most_s: u32) -> Option<Duration> 
 /// The client's idempotency key.
 ///
 /// # Errors
-/// A key that is empty, too long, or not of visible ASCII characters, or more than one.
+/// `bad-request` for a key that is empty, too long or not of visible ASCII characters, and for more than one key.
 pub(super) fn idempotency_key(headers: &HeaderMap) -> Result<Option<String>, Problem> {
     let mut values = headers.get_all(IDEMPOTENCY_KEY).iter();
     let Some(value) = values.next() else { return Ok(None) };
     let key = value.to_str().unwrap_or("").trim().trim_matches('"');
     let is_right = (1..=MAX_KEY).contains(&key.len()) && key.bytes().all(|b| b.is_ascii_graphic());
     if !is_right || values.next().is_some() {
-        let detail = "one key of 1 to 128 visible ASCII characters is needed here";
+        let detail = "must be one key of 1 to 128 visible ASCII characters";
         let error = FieldError::new("/headers/idempotency-key", "out_of_range", detail);
         return Err(Problem::new(ProblemKind::BadRequest).detail(detail).errors(&[error]));
     }
     Ok(Some(key.to_owned()))
 }
 
-/// The answer, marked where an earlier request with the same key had made what it names.
+/// The answer, marked with `Idempotency-Replayed` if an earlier request with the same key created the resource.
 pub(super) fn marked(mut response: Response, replayed: bool) -> Response {
     if replayed {
         response.headers_mut().insert("idempotency-replayed", HeaderValue::from_static("true"));
@@ -46,7 +46,7 @@ pub(super) fn marked(mut response: Response, replayed: bool) -> Response {
     response
 }
 
-/// The W3C trace context, if it is a valid one.
+/// The W3C trace context, if it is valid.
 pub(super) fn traceparent(headers: &HeaderMap) -> Option<String> {
     let value = headers.get(TRACEPARENT)?.to_str().ok()?;
     trace_id(value).map(|_| value.to_owned())

@@ -1,4 +1,4 @@
-//! A problem as it is answered (RFC 9457), and what errors of the use cases become.
+//! Error answers as problem documents (RFC 9457), and how errors of the use cases map to them.
 
 use super::context::request_id;
 use super::problem_table::ProblemKind;
@@ -9,105 +9,100 @@ use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value, json};
 
 /// The media type of every error.
-pub const PROBLEM_JSON: &str = "application/problem+json";
+pub(crate) const PROBLEM_JSON: &str = "application/problem+json";
 
-/// What a handler answers instead of what was asked for.
+/// An error answer.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Problem {
+pub(crate) struct Problem {
     kind: ProblemKind,
     detail: Option<String>,
     retry_after_s: Option<u32>,
     members: Map<String, Value>,
 }
 
-/// A fault at one place of a request.
+/// A fault in one field of a request.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, utoipa::ToSchema)]
-pub struct FieldError {
-    /// JSON pointer: into the form (`/parameters/energy/alpha`, `/source`), or `/query/<name>`.
-    pub pointer: String,
-    /// Which kind of fault.
-    pub code: String,
-    /// What is wrong and what is allowed.
-    pub detail: String,
+pub(crate) struct FieldError {
+    /// JSON pointer into the form (`/parameters/energy/alpha`, `/source`), or `/query/<name>`, or `/headers/<name>`.
+    pub(crate) pointer: String,
+    /// Stable name of the kind of fault.
+    pub(crate) code: String,
+    /// What is allowed, or what is wrong.
+    pub(crate) detail: String,
 }
 
 impl FieldError {
     /// A fault.
-    pub fn new(pointer: impl Into<String>, code: &str, detail: impl Into<String>) -> Self {
+    pub(crate) fn new(pointer: impl Into<String>, code: &str, detail: impl Into<String>) -> Self {
         FieldError { pointer: pointer.into(), code: code.to_owned(), detail: detail.into() }
     }
 }
 
-/// The JSON form of a problem. Further members depend on the type.
+/// A problem. Further members depend on the type.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, utoipa::ToSchema)]
-pub struct ProblemDocument {
+pub(crate) struct ProblemDocument {
     /// Stable URI reference, `/problems/<slug>`.
-    pub r#type: String,
+    pub(crate) r#type: String,
     /// The same for every problem of this type.
-    pub title: String,
+    pub(crate) title: String,
     /// HTTP status.
-    pub status: u16,
-    /// What happened this time.
+    pub(crate) status: u16,
+    /// What is specific to this occurrence.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub detail: Option<String>,
-    /// The request, as in the service's log; absent in the `error` of a job.
+    pub(crate) detail: Option<String>,
+    /// Id of the request, as in the log of the service; absent in the `error` of a job.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub request_id: Option<String>,
-    /// Faults, each with its place.
+    pub(crate) request_id: Option<String>,
+    /// The faults, each with the field that it is in.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub errors: Option<Vec<FieldError>>,
-    /// `source` or `target`, where one of them is the reason.
+    pub(crate) errors: Option<Vec<FieldError>>,
+    /// `source` or `target`, if the problem is with one of them.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub input: Option<String>,
-    /// Topology of the surface that was refused.
+    pub(crate) input: Option<String>,
+    /// Topology of the rejected surface.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schema(value_type = Option<crate::jobs::documents::TopologyReport>)]
-    pub topology: Option<Value>,
-    /// State of the job, where it is the reason.
+    pub(crate) topology: Option<Value>,
+    /// State of the job, if that is the problem.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub state: Option<crate::jobs::JobState>,
+    pub(crate) state: Option<crate::jobs::JobState>,
 }
 
 impl Problem {
     /// A problem of this kind.
-    pub fn new(kind: ProblemKind) -> Self {
+    pub(crate) fn new(kind: ProblemKind) -> Self {
         Problem { kind, detail: None, retry_after_s: None, members: Map::new() }
     }
 
-    /// Says what happened this time.
+    /// Adds what is specific to this occurrence.
     #[must_use]
-    pub fn detail(mut self, detail: impl Into<String>) -> Self {
+    pub(crate) fn detail(mut self, detail: impl Into<String>) -> Self {
         self.detail = Some(detail.into());
         self
     }
 
-    /// Adds faults with their places.
+    /// Adds faults in fields.
     #[must_use]
-    pub fn errors(self, errors: &[FieldError]) -> Self {
+    pub(crate) fn errors(self, errors: &[FieldError]) -> Self {
         self.member("errors", json!(errors))
     }
 
-    /// Says when to ask again.
+    /// Adds `Retry-After`, s.
     #[must_use]
-    pub fn retry_after(mut self, seconds: u32) -> Self {
+    pub(crate) fn retry_after(mut self, seconds: u32) -> Self {
         self.retry_after_s = Some(seconds);
         self
     }
 
     /// Adds a member.
     #[must_use]
-    pub fn member(mut self, name: &str, value: Value) -> Self {
+    pub(crate) fn member(mut self, name: &str, value: Value) -> Self {
         self.members.insert(name.to_owned(), value);
         self
     }
 
-    /// Its kind.
-    pub fn kind(&self) -> ProblemKind {
-        self.kind
-    }
-
-    /// A failure of the service: the cause goes to the log, the answer hides it.
-    pub fn internal(cause: &dyn std::error::Error) -> Self {
+    /// An internal error: the cause is logged and not part of the answer.
+    pub(crate) fn internal(cause: &dyn std::error::Error) -> Self {
         tracing::error!(request_id = request_id(), cause = %chain(cause), "a request failed");
         Problem::new(ProblemKind::InternalError)
     }
@@ -118,7 +113,7 @@ impl Problem {
     }
 }
 
-/// An error with what caused it, for the log.
+/// An error with its causes, for the log.
 fn chain(error: &dyn std::error::Error) -> String {
     let mut text = error.to_string();
     let mut cause = error.source();
@@ -169,14 +164,14 @@ impl From<JobError> for Problem {
             JobError::Gone => Problem::new(ProblemKind::Expired),
             JobError::BeingRemoved => Problem::new(ProblemKind::Unavailable).retry_after(2),
             JobError::QueueFull { limit } => {
-                Problem::new(ProblemKind::QueueFull).detail(format!("{limit} jobs wait already")).retry_after(10)
+                Problem::new(ProblemKind::QueueFull).detail(format!("{limit} jobs are queued")).retry_after(10)
             }
             JobError::StillActive { state } => with_state(ProblemKind::JobActive, state),
             JobError::AlreadyFinal { state } => with_state(ProblemKind::JobFinished, state),
             JobError::NotReady { state } => with_state(ProblemKind::ResultNotReady, state).retry_after(1),
             JobError::NoResult { state } => with_state(ProblemKind::NoResult, state),
             JobError::StorageFull => {
-                tracing::error!(request_id = request_id(), "no room in the store");
+                tracing::error!(request_id = request_id(), "out of storage space");
                 Problem::new(ProblemKind::StorageFull)
             }
             JobError::Unavailable(_) => Problem::unavailable(&error),
@@ -218,7 +213,7 @@ impl From<SubmitError> for Problem {
                 Problem::new(ProblemKind::UnsuitableBatch).errors(&errors)
             }
             SubmitError::BatchTooLarge { limit } => Problem::new(ProblemKind::TooLarge)
-                .detail(format!("a batch has at most {limit} jobs"))
+                .detail(format!("a batch can have at most {limit} jobs"))
                 .member("limit_jobs", limit.into()),
             SubmitError::InProgress => Problem::new(ProblemKind::IdempotencyKeyInProgress).retry_after(1),
             SubmitError::OtherRequest => Problem::new(ProblemKind::IdempotencyKeyReused),
@@ -230,7 +225,7 @@ impl From<SubmitError> for Problem {
 }
 
 /// The `error` of a job.
-pub fn failure_document(failure: &Failure) -> ProblemDocument {
+pub(crate) fn failure_document(failure: &Failure) -> ProblemDocument {
     let entry = ProblemKind::from_slug(&failure.code).unwrap_or(ProblemKind::InvalidInput).entry();
     ProblemDocument {
         r#type: format!("/problems/{}", entry.slug),

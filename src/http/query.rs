@@ -1,4 +1,4 @@
-//! Query strings: every parameter known, given once and in range, or a problem that names all faults.
+//! Query strings: parameters that are unknown, repeated or out of range are refused, all in one problem.
 
 use super::problem::{FieldError, Problem};
 use super::problem_table::ProblemKind;
@@ -7,9 +7,9 @@ use axum::http::request::Parts;
 use std::ops::RangeInclusive;
 use std::str::FromStr;
 
-/// The parameters of a query string, taken out one by one; [`QueryString::finish`] refuses what is left.
+/// The parameters of a query string, taken out one by one; [`QueryString::finish`] refuses the rest.
 #[derive(Debug)]
-pub struct QueryString {
+pub(crate) struct QueryString {
     pairs: Vec<(String, String)>,
     faults: Vec<FieldError>,
 }
@@ -27,7 +27,7 @@ impl<S: Send + Sync> FromRequestParts<S> for QueryString {
 
 impl QueryString {
     /// All values of a parameter that may be repeated.
-    pub fn all(&mut self, name: &str) -> Vec<String> {
+    pub(crate) fn all(&mut self, name: &str) -> Vec<String> {
         let (taken, kept) = std::mem::take(&mut self.pairs).into_iter().partition(|(n, _)| n == name);
         self.pairs = kept;
         let taken: Vec<(String, String)> = taken;
@@ -35,16 +35,16 @@ impl QueryString {
     }
 
     /// The value of a parameter that may be given once.
-    pub fn text(&mut self, name: &str) -> Option<String> {
+    pub(crate) fn text(&mut self, name: &str) -> Option<String> {
         let mut values = self.all(name);
         if values.len() > 1 {
-            self.fault(name, "repeated", "give it once");
+            self.fault(name, "repeated", "must be given once");
         }
         values.pop()
     }
 
     /// A number within `range`.
-    pub fn number<T>(&mut self, name: &str, range: RangeInclusive<T>) -> Option<T>
+    pub(crate) fn number<T>(&mut self, name: &str, range: RangeInclusive<T>) -> Option<T>
     where
         T: FromStr + PartialOrd + std::fmt::Display,
     {
@@ -60,7 +60,7 @@ impl QueryString {
     }
 
     /// One of several words.
-    pub fn word<T: Copy>(&mut self, name: &str, words: &[(&str, T)]) -> Option<T> {
+    pub(crate) fn word<T: Copy>(&mut self, name: &str, words: &[(&str, T)]) -> Option<T> {
         let text = self.text(name)?;
         let found = words.iter().find(|(word, _)| *word == text).map(|(_, value)| *value);
         if found.is_none() {
@@ -71,17 +71,17 @@ impl QueryString {
     }
 
     /// Notes a fault.
-    pub fn fault(&mut self, name: &str, code: &str, detail: impl Into<String>) {
+    pub(crate) fn fault(&mut self, name: &str, code: &str, detail: impl Into<String>) {
         self.faults.push(FieldError::new(format!("/query/{name}"), code, detail));
     }
 
     /// # Errors
-    /// All faults, and every parameter that nobody asked for.
-    pub fn finish(mut self) -> Result<(), Problem> {
+    /// `invalid-query` with all faults, unknown parameters included.
+    pub(crate) fn finish(mut self) -> Result<(), Problem> {
         for (name, _) in std::mem::take(&mut self.pairs) {
-            // The name is the client's own; it is cut so that the answer stays small.
+            // The name comes from the client; it is truncated so that the answer stays small.
             let name: String = name.chars().take(64).collect();
-            self.fault(&name, "unknown", "this parameter is not known here");
+            self.fault(&name, "unknown", "unknown parameter");
         }
         if self.faults.is_empty() {
             return Ok(());

@@ -1,4 +1,4 @@
-//! Parts of results as they are answered: chosen by `?format=`, else by `Accept`, each with its own validator.
+//! Representations of results: the format is chosen by `?format=`, else by `Accept`; each has an ETag of its own.
 
 use super::accept::preferred;
 use super::conditional::{is_fresh, not_modified, respond};
@@ -11,13 +11,13 @@ use axum::http::{HeaderMap, HeaderValue, header};
 use axum::response::{IntoResponse, Response};
 use serde_json::json;
 
-/// How a format is answered.
+/// The headers of a format.
 struct Form {
-    /// What `Accept` is compared with.
+    /// Compared with `Accept`.
     media_type: &'static str,
     /// `Content-Type`.
     content_type: &'static str,
-    /// The file's ending, where a client would keep a file rather than read the answer.
+    /// File extension, for formats that clients save as files.
     ending: Option<&'static str>,
 }
 
@@ -38,7 +38,7 @@ fn form(format: PartFormat) -> Form {
     Form { media_type, content_type, ending }
 }
 
-/// Answers a part of a job's result in the format that is asked for.
+/// Answers a part of a job's result in the requested format.
 pub(super) async fn answer(
     state: &HttpState,
     tenant: &Tenant,
@@ -48,7 +48,7 @@ pub(super) async fn answer(
     query: QueryString,
 ) -> Result<Response, Problem> {
     let Some(format) = choose(part, headers, query)? else {
-        // Whoever may not see the job learns nothing by asking for a format that there is not.
+        // 404 comes first, so that the answer reveals nothing about jobs of other tenants.
         state.service.get(tenant, id).await?;
         return Ok(varying(not_acceptable(part).into_response()));
     };
@@ -62,10 +62,10 @@ pub(super) async fn answer(
     Ok(varying(named(response, id, part, form.ending)))
 }
 
-/// The format to answer in; `None` if `Accept` allows none of those there are.
+/// The format of the answer; `None` if `Accept` allows none of the available ones.
 ///
 /// # Errors
-/// Faults in the query.
+/// `invalid-query`.
 fn choose(part: ResultPart, headers: &HeaderMap, mut query: QueryString) -> Result<Option<PartFormat>, Problem> {
     let formats = part.formats();
     let words: Vec<_> = formats.iter().map(|&format| (format.name(), format)).collect();
@@ -80,13 +80,13 @@ fn not_acceptable(part: ResultPart) -> Problem {
     Problem::new(ProblemKind::NotAcceptable).member("available", available.collect())
 }
 
-/// Says that the answer depends on `Accept`.
+/// Declares that the answer depends on `Accept`.
 fn varying(mut response: Response) -> Response {
     response.headers_mut().insert(header::VARY, HeaderValue::from_static("accept"));
     response
 }
 
-/// Gives a file a name, made of nothing that a client sent.
+/// Adds a file name that contains nothing sent by a client.
 fn named(mut response: Response, id: JobId, part: ResultPart, ending: Option<&str>) -> Response {
     if let Some(ending) = ending {
         let value = format!("attachment; filename=\"homolog-{id}-{}.{ending}\"", part.name());

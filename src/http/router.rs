@@ -25,9 +25,9 @@ use utoipa_axum::routes;
 pub struct HttpLimits {
     /// Largest file of a submission.
     pub max_file_bytes: usize,
-    /// Submissions that are read at the same time; each may hold two files in memory.
+    /// Submissions read at the same time; each may hold two files in memory.
     pub max_uploads: usize,
-    /// Longest wait for a free place among them.
+    /// Longest wait for one of those slots.
     pub max_upload_wait: Duration,
     /// Longest time for a submission, its body included.
     pub upload_timeout: Duration,
@@ -38,28 +38,28 @@ pub struct HttpLimits {
 }
 
 impl HttpLimits {
-    /// Largest body: two files, the text fields and what frames them.
+    /// Largest body: two files, the text fields and the multipart framing.
     pub fn max_body_bytes(&self) -> usize {
         self.max_file_bytes.saturating_mul(2).saturating_add(4 << 20)
     }
 }
 
-/// What every handler has.
+/// State shared by all handlers.
 #[derive(Clone)]
 pub struct HttpState {
     /// The use cases.
     pub service: Arc<JobService>,
     /// Bounds.
     pub limits: HttpLimits,
-    /// Places for submissions being read.
+    /// Slots for submissions being read.
     pub uploads: Arc<Semaphore>,
-    /// Who may ask.
+    /// Whether API keys are required.
     pub auth: AuthMode,
     /// The metrics of the process, in the text format of Prometheus.
     pub metrics: Arc<dyn Fn() -> String + Send + Sync>,
     /// Which hosts a request may name; `None`: any.
     pub hosts: Option<Arc<AllowedHosts>>,
-    /// The process ends: long polls answer at once.
+    /// Cancelled when the process shuts down; long polls then answer at once.
     pub stop: CancellationToken,
 }
 
@@ -70,7 +70,7 @@ impl HttpState {
         HttpState { service, limits, uploads, auth, metrics: Arc::new(String::new), hosts: None, stop }
     }
 
-    /// Answers only requests that name these hosts.
+    /// Restricts the hosts that requests may name; `None` allows any.
     #[must_use]
     pub fn for_hosts(mut self, hosts: Option<AllowedHosts>) -> Self {
         self.hosts = hosts.map(Arc::new);
@@ -79,10 +79,10 @@ impl HttpState {
 }
 
 impl HttpState {
-    /// A place among the bodies that are read, held until it is dropped.
+    /// An upload slot, held until it is dropped.
     ///
     /// # Errors
-    /// `busy` if none gets free in time.
+    /// `busy` if no slot becomes free in time.
     pub(super) async fn place_for_upload(&self) -> Result<OwnedSemaphorePermit, Problem> {
         let place = Arc::clone(&self.uploads).acquire_owned();
         match tokio::time::timeout(self.limits.max_upload_wait, place).await {
@@ -91,7 +91,7 @@ impl HttpState {
         }
     }
 
-    /// Has `/metrics` answer with this.
+    /// Sets the text that `/metrics` answers.
     #[must_use]
     pub fn with_metrics(mut self, metrics: impl Fn() -> String + Send + Sync + 'static) -> Self {
         self.metrics = Arc::new(metrics);
@@ -99,7 +99,7 @@ impl HttpState {
     }
 }
 
-/// Only what supervisors ask of a process that runs jobs and answers nobody else.
+/// The routes of a worker process: health checks and metrics only.
 pub fn probe_router(state: HttpState) -> Router {
     Router::new()
         .route("/healthz", get(routes::system::healthz))
@@ -159,7 +159,7 @@ pub fn router(state: HttpState) -> Router {
                 .layer(axum::middleware::from_fn_with_state(state.clone(), surround))
                 .layer(CatchPanicLayer::custom(panic_problem))
                 .layer(axum::middleware::from_fn_with_state(state.clone(), check_host))
-                // Bodies are bounded where they are read; axum's own limit would answer without a problem.
+                // Body sizes are limited where bodies are read; axum's own limit would not answer with a problem document.
                 .layer(DefaultBodyLimit::disable()),
         )
         .with_state(state)

@@ -1,4 +1,4 @@
-//! The server loop: accepts connections up to a limit, gives each request's headers a time, and ends in good order.
+//! The server loop: accepts connections up to a limit, limits the time for request headers, and shuts down gracefully.
 //!
 //! HTTP/1.1 without TLS. hyper's own connection is used and not the one that detects HTTP/2, because detection reads
 //! the first bytes without a time limit.
@@ -17,21 +17,21 @@ use tokio::task::JoinSet;
 use tokio_util::sync::CancellationToken;
 use tower::ServiceExt;
 
-/// How long nothing is accepted when the system has no more file descriptors or memory.
+/// Pause before the next connection is accepted when the system is out of file descriptors or memory.
 const EXHAUSTED: Duration = Duration::from_millis(500);
 
 /// Bounds on connections.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct ConnectionLimits {
-    /// Longest time from when a connection is open, or its last answer sent, to the end of the next request's headers.
-    /// So it is also the longest time that a connection may idle.
+    /// Longest time from the opening of a connection, or from its last answer, to the end of the next request's headers; so
+    /// also the longest time that a connection can be idle.
     pub header_timeout: Duration,
-    /// Most open connections. Further ones wait in the system's queue until one closes.
+    /// Maximum number of open connections. Further ones wait in the backlog of the operating system.
     pub max_connections: usize,
 }
 
-/// Serves until `stop`. Then nothing more is accepted, idle connections are closed at once, and what is being answered
-/// is answered to its end. Whoever cannot wait for that drops the future, which cuts the connections.
+/// Serves until `stop`. Then no connection is accepted any more, idle connections are closed at once, and requests in
+/// progress are completed. Dropping the future closes all connections.
 pub async fn serve(listener: TcpListener, router: Router, limits: ConnectionLimits, stop: CancellationToken) {
     let places = Arc::new(Semaphore::new(limits.max_connections.clamp(1, Semaphore::MAX_PERMITS)));
     let mut connections = JoinSet::new();
@@ -40,26 +40,26 @@ pub async fn serve(listener: TcpListener, router: Router, limits: ConnectionLimi
     loop {
         let accepted = tokio::select! {
             accepted = async {
-                // The place comes first: a connection that is not accepted costs this process nothing.
+                // The slot comes first: a connection that is not accepted costs this process nothing.
                 let place = Arc::clone(&places).acquire_owned().await.ok();
                 (accept(&listener).await, place)
             } => accepted,
             () = stop.cancelled() => break,
         };
         let (stream, place) = accepted;
-        // What has ended is forgotten, so that the set stays as small as the number of open connections.
+        // Finished tasks are removed, so that the set is no larger than the number of open connections.
         while connections.try_join_next().is_some() {}
         let (http, router, stop) = (http.clone(), router.clone(), stop.clone());
         connections.spawn(async move {
             let _place = place;
-            converse(stream, &http, router, stop).await;
+            serve_connection(stream, &http, router, stop).await;
         });
     }
     drop(listener);
     while connections.join_next().await.is_some() {}
 }
 
-/// The next connection. Errors of one connection are none of the listener's.
+/// The next connection. Errors of a single connection do not stop the listener.
 async fn accept(listener: &TcpListener) -> TcpStream {
     loop {
         match listener.accept().await {
@@ -67,7 +67,7 @@ async fn accept(listener: &TcpListener) -> TcpStream {
             Err(error) => match error.kind() {
                 ErrorKind::ConnectionRefused | ErrorKind::ConnectionAborted | ErrorKind::ConnectionReset => {}
                 _ => {
-                    tracing::error!(%error, "no connection can be accepted now");
+                    tracing::error!(%error, "cannot accept connections");
                     tokio::time::sleep(EXHAUSTED).await;
                 }
             },
@@ -75,9 +75,9 @@ async fn accept(listener: &TcpListener) -> TcpStream {
     }
 }
 
-/// One connection from its first request to its end.
-async fn converse(stream: TcpStream, http: &http1::Builder, router: Router, stop: CancellationToken) {
-    // Answers are written whole; waiting for more to send would only delay them. Without it they are still right.
+/// Serves one connection until it is closed.
+async fn serve_connection(stream: TcpStream, http: &http1::Builder, router: Router, stop: CancellationToken) {
+    // Answers are written in one piece, so Nagle's algorithm would only delay them. Failing to set this is harmless.
     let _ = stream.set_nodelay(true);
     let service = router.map_request(|request: hyper::Request<hyper::body::Incoming>| request.map(Body::new));
     let connection = http.serve_connection(TokioIo::new(stream), TowerToHyperService::new(service));
@@ -90,7 +90,7 @@ async fn converse(stream: TcpStream, http: &http1::Builder, router: Router, stop
         }
     };
     if let Err(error) = ended {
-        // Clients that go away are everyday; the address stays out of the log.
-        tracing::debug!(%error, "a connection ended early");
+        // Clients disconnect all the time; the address stays out of the log.
+        tracing::debug!(%error, "a connection was closed early");
     }
 }

@@ -1,4 +1,4 @@
-//! A submission as it arrives: a multipart form, or JSON. Both name the same fields, checked alike.
+//! Reading submissions: a multipart form or JSON, with the same fields and the same checks.
 
 use super::problem::{FieldError, Problem};
 use super::problem_table::ProblemKind;
@@ -19,47 +19,47 @@ use serde_json::Value;
 use std::collections::{BTreeMap, BTreeSet};
 use utoipa::ToSchema;
 
-/// Largest text field: parameters and labels are small.
+/// Largest text field, bytes: parameters and labels are small.
 const MAX_TEXT_BYTES: usize = 1 << 20;
-/// Largest JSON body: small meshes may be in it.
+/// Largest JSON body, bytes: it may contain small meshes.
 const MAX_JSON_BYTES: usize = 32 << 20;
 /// Most labels of a job, and the longest key and value.
 const MAX_LABELS: usize = 64;
 const MAX_LABEL_BYTES: usize = 256;
 const MAX_EXTERNAL_REF_BYTES: usize = 200;
-/// Fields that are not known and named; more say nothing new.
+/// Most unknown fields that are listed in an answer.
 const NAMED_UNKNOWN: usize = 16;
 const KNOWN: &str =
     "known fields are source, target, parameters, labels, external_ref, priority, deadline_at, max_run_s, use_cache";
 
-/// The form of a submission.
+/// A submission as a multipart form.
 #[derive(Debug, Clone, ToSchema)]
 #[allow(dead_code, reason = "describes a multipart form, which is read field by field")]
-pub struct SubmissionForm {
-    /// The surface that moves: NIfTI-1 label volume, PLY, STL or legacy VTK.
+pub(crate) struct SubmissionForm {
+    /// The surface that is moved onto the target: NIfTI-1 label volume, PLY, STL or legacy VTK.
     #[schema(format = Binary)]
     source: String,
-    /// The surface that stays.
+    /// The surface that stays in place.
     #[schema(format = Binary)]
     target: String,
-    /// What differs from the preset that `method` names; `{}` or absent for the default.
+    /// Parameters that differ from the preset that `method` names; `{}` or absent for the defaults.
     #[schema(value_type = Option<Object>)]
     parameters: Option<Value>,
-    /// The submitter's own marks: a JSON object of strings.
+    /// Labels of the client's choice: a JSON object of strings.
     labels: Option<BTreeMap<String, String>>,
-    /// The submitter's own name for the job.
+    /// The client's own id of the job.
     #[schema(max_length = 200)]
     external_ref: Option<String>,
-    /// Higher first.
+    /// Jobs with a higher priority run first.
     #[schema(minimum = -100, maximum = 100, default = 0)]
     priority: Option<i32>,
-    /// When it is too late to begin, RFC 3339.
+    /// The job expires if it has not started by this RFC 3339 time.
     #[schema(format = DateTime)]
     deadline_at: Option<String>,
-    /// Longest run, s; the service may allow less.
+    /// Longest run time, s, up to the limit of the service.
     #[schema(minimum = 1)]
     max_run_s: Option<u64>,
-    /// Whether an equal job's result may be the answer.
+    /// Whether the result of an equal job may be returned.
     #[schema(default = true)]
     use_cache: Option<bool>,
 }
@@ -67,81 +67,81 @@ pub struct SubmissionForm {
 /// A submission in JSON.
 #[derive(Debug, Clone, Deserialize, Serialize, ToSchema)]
 #[serde(deny_unknown_fields)]
-pub struct SubmissionDocument {
-    /// The surface that moves.
+pub(crate) struct SubmissionDocument {
+    /// The surface that is moved onto the target.
     #[serde(deserialize_with = "object")]
-    pub source: SubmittedInputDocument,
-    /// The surface that stays.
+    pub(crate) source: SubmittedInputDocument,
+    /// The surface that stays in place.
     #[serde(deserialize_with = "object")]
-    pub target: SubmittedInputDocument,
-    /// What differs from the preset that `method` names.
+    pub(crate) target: SubmittedInputDocument,
+    /// Parameters that differ from the preset that `method` names.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schema(value_type = Option<Object>)]
-    pub parameters: Option<Value>,
-    /// All else.
+    pub(crate) parameters: Option<Value>,
+    /// The other fields.
     #[serde(flatten)]
-    pub details: DetailsDocument,
+    pub(crate) details: DetailsDocument,
 }
 
-/// An input that is named or held in JSON: either `mesh_id`, or `content_base64`.
+/// An input of a JSON submission: either `mesh_id` or `content_base64`.
 #[derive(Debug, Clone, Default, Deserialize, Serialize, ToSchema)]
 #[serde(deny_unknown_fields)]
-pub struct SubmittedInputDocument {
+pub(crate) struct SubmittedInputDocument {
     /// Id of an upload: `blake3:` and 64 hexadecimal digits.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub mesh_id: Option<String>,
-    /// The whole file in base64, for small ones.
+    pub(crate) mesh_id: Option<String>,
+    /// The file in base64, if it is small.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub content_base64: Option<String>,
-    /// Name of the file; only its endings are kept.
+    pub(crate) content_base64: Option<String>,
+    /// Name of the file; only its extension is kept.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub file_name: Option<String>,
+    pub(crate) file_name: Option<String>,
 }
 
-/// What a submission says besides inputs and parameters.
+/// The fields of a submission besides inputs and parameters.
 #[derive(Debug, Clone, Default, Deserialize, Serialize, ToSchema)]
-pub struct DetailsDocument {
-    /// The submitter's own marks.
+pub(crate) struct DetailsDocument {
+    /// Labels of the client's choice.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
-    pub labels: BTreeMap<String, String>,
-    /// The submitter's own name.
+    pub(crate) labels: BTreeMap<String, String>,
+    /// The client's own id.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schema(max_length = 200)]
-    pub external_ref: Option<String>,
-    /// Higher first.
+    pub(crate) external_ref: Option<String>,
+    /// Jobs with a higher priority run first.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schema(minimum = -100, maximum = 100)]
-    pub priority: Option<i32>,
-    /// When it is too late to begin.
+    pub(crate) priority: Option<i32>,
+    /// The job expires if it has not started by this time.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schema(value_type = Option<String>, format = DateTime)]
-    pub deadline_at: Option<Timestamp>,
-    /// Longest run, s; the service may allow less.
+    pub(crate) deadline_at: Option<Timestamp>,
+    /// Longest run time, s, up to the limit of the service.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schema(minimum = 1)]
-    pub max_run_s: Option<u64>,
-    /// Whether an equal job's result may be the answer; true if absent.
+    pub(crate) max_run_s: Option<u64>,
+    /// Whether the result of an equal job may be returned; true if absent.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub use_cache: Option<bool>,
+    pub(crate) use_cache: Option<bool>,
 }
 
-/// A submission that was read.
+/// A submission after reading.
 #[derive(Debug)]
-pub struct Request {
-    /// The surface that moves.
-    pub source: SubmittedInput,
-    /// The surface that stays.
-    pub target: SubmittedInput,
-    /// Parameters as asked for.
-    pub parameters: Value,
-    /// The rest.
-    pub details: Details,
+pub(crate) struct Request {
+    /// The surface that is moved onto the target.
+    pub(crate) source: SubmittedInput,
+    /// The surface that stays in place.
+    pub(crate) target: SubmittedInput,
+    /// Parameters as sent.
+    pub(crate) parameters: Value,
+    /// The other fields.
+    pub(crate) details: Details,
 }
 
 /// Reads a submission in either form.
 ///
 /// # Errors
-/// A problem: wrong media type, a body that cannot be read, over a limit, or all faults of the fields.
+/// A problem: unsupported media type, malformed body, a size limit, or all faults of the fields.
 pub(super) async fn read(
     request: axum::extract::Request,
     tap: &Tap,
@@ -169,7 +169,7 @@ pub(super) fn media_type(request: &axum::extract::Request) -> String {
 /// Reads a JSON body.
 ///
 /// # Errors
-/// A problem: too large, no JSON, or a fault with its place.
+/// A problem: too large, not JSON, or a fault in a field.
 pub(super) async fn read_json<T: DeserializeOwned>(
     request: axum::extract::Request,
     tap: &Tap,
@@ -188,25 +188,25 @@ pub(super) async fn read_json<T: DeserializeOwned>(
                 }
                 source = cause.source();
             }
-            return Err(Problem::new(ProblemKind::BadRequest).detail("the body broke off"));
+            return Err(Problem::new(ProblemKind::BadRequest).detail("the body ended early"));
         }
     };
-    // Forms would also be read from arrays, by the order of their fields, which nobody can mean.
+    // serde would also read a struct from an array, by the order of its fields.
     if body.iter().find(|b| !b.is_ascii_whitespace()).is_some_and(|&b| b == b'[') {
-        let fault = FieldError::new("", "wrong_form", "a JSON object is needed here");
+        let fault = FieldError::new("", "wrong_form", "must be a JSON object");
         return Err(Problem::new(ProblemKind::InvalidRequest).errors(&[fault]));
     }
     let mut reader = serde_json::Deserializer::from_slice(&body);
     serde_path_to_error::deserialize(&mut reader).map_err(|error| {
         let inner = error.inner();
         if inner.is_syntax() || inner.is_eof() {
-            let detail = format!("no valid JSON at line {}, column {}", inner.line(), inner.column());
+            let detail = format!("invalid JSON at line {}, column {}", inner.line(), inner.column());
             return Problem::new(ProblemKind::MalformedJson).detail(detail);
         }
         let path = error.path().to_string();
         let pointer =
             if path == "." { String::new() } else { format!("/{}", path.replace(['.', '['], "/").replace(']', "")) };
-        // What serde says may repeat what the client wrote, no more.
+        // The message of serde may repeat what the client sent; it is truncated.
         let fault = FieldError::new(pointer, "wrong_form", inner.to_string().chars().take(200).collect::<String>());
         Problem::new(ProblemKind::InvalidRequest).errors(&[fault])
     })
@@ -264,7 +264,7 @@ impl Fields {
                     })?;
                     let slot = if name == "source" { &mut self.source } else { &mut self.target };
                     if slot.replace(SubmittedInput::File(SubmittedFile { bytes, name_hint })).is_some() {
-                        self.faults.push(FieldError::new(format!("/{name}"), "repeated", "send it once"));
+                        self.faults.push(FieldError::new(format!("/{name}"), "repeated", "must be sent once"));
                     }
                 }
                 "parameters" | "labels" | "external_ref" | "priority" | "deadline_at" | "max_run_s" | "use_cache" => {
@@ -278,7 +278,7 @@ impl Fields {
                     let shown: String = name.chars().take(64).collect();
                     self.faults.push(FieldError::new(format!("/{shown}"), "unknown_field", KNOWN));
                     if self.faults.len() >= NAMED_UNKNOWN {
-                        break; // enough said
+                        break; // the list is long enough
                     }
                 }
             }
@@ -294,32 +294,32 @@ impl Fields {
     /// Takes a text field of a form.
     fn take_text(&mut self, name: &str, bytes: &[u8]) {
         if !self.texts.insert(name.to_owned()) {
-            return self.fault(name, "repeated", "send it once");
+            return self.fault(name, "repeated", "must be sent once");
         }
-        let Ok(text) = std::str::from_utf8(bytes) else { return self.fault(name, "not_utf8", "send it as UTF-8") };
+        let Ok(text) = std::str::from_utf8(bytes) else { return self.fault(name, "not_utf8", "must be UTF-8") };
         match name {
             "parameters" => match serde_json::from_str::<Value>(text) {
                 Ok(value) => self.take_parameters(value),
                 Err(error) => {
-                    let place = format!("no valid JSON at line {}, column {}", error.line(), error.column());
+                    let place = format!("invalid JSON at line {}, column {}", error.line(), error.column());
                     self.fault(name, "malformed_json", &place);
                 }
             },
             "labels" => match serde_json::from_str::<BTreeMap<String, String>>(text) {
                 Ok(labels) => self.take_labels(labels),
-                Err(_) => self.fault(name, "wrong_type", "a JSON object of strings is needed here"),
+                Err(_) => self.fault(name, "wrong_type", "must be a JSON object of strings"),
             },
             "external_ref" => self.take_external_ref(text.to_owned()),
             "priority" => self.take_priority(text.trim().parse().ok()),
             "deadline_at" => match text.trim().parse() {
                 Ok(time) => self.details.deadline_at = Some(time),
-                Err(_) => self.fault(name, "out_of_range", "an RFC 3339 time is needed here, as 2026-11-21T08:00:00Z"),
+                Err(_) => self.fault(name, "out_of_range", "must be an RFC 3339 time, such as 2026-11-21T08:00:00Z"),
             },
             "max_run_s" => self.take_max_run(text.trim().parse().ok()),
             _ => match text.trim() {
                 "true" => self.details.compute_anew = false,
                 "false" => self.details.compute_anew = true,
-                _ => self.fault(name, "out_of_range", "true or false is needed here"),
+                _ => self.fault(name, "out_of_range", "must be true or false"),
             },
         }
     }
@@ -361,7 +361,7 @@ impl Fields {
             (Some(id), None) => match hash_of_id(&id) {
                 Some(hash) => Some(SubmittedInput::Mesh(hash.to_owned())),
                 None => {
-                    let detail = "blake3: and 64 hexadecimal digits are needed here, as POST /v1/meshes answered";
+                    let detail = "must be the id of an upload: blake3: and 64 hexadecimal digits";
                     self.fault(&format!("{name}/mesh_id"), "out_of_range", detail);
                     None
                 }
@@ -372,17 +372,17 @@ impl Fields {
                     Some(SubmittedInput::File(SubmittedFile { bytes: Bytes::from(bytes), name_hint }))
                 }
                 Ok(_) => {
-                    let detail = format!("at most {max_file_bytes} bytes");
+                    let detail = format!("must have at most {max_file_bytes} bytes");
                     self.fault(&format!("{name}/content_base64"), "out_of_range", &detail);
                     None
                 }
                 Err(_) => {
-                    self.fault(&format!("{name}/content_base64"), "malformed_base64", "standard base64 is needed here");
+                    self.fault(&format!("{name}/content_base64"), "malformed_base64", "must be standard base64");
                     None
                 }
             },
             _ => {
-                self.fault(name, "out_of_range", "exactly one of mesh_id and content_base64 is needed here");
+                self.fault(name, "out_of_range", "must have exactly one of mesh_id and content_base64");
                 None
             }
         }
@@ -391,17 +391,17 @@ impl Fields {
     fn take_parameters(&mut self, value: Value) {
         match value {
             Value::Object(_) => self.parameters = Some(value),
-            _ => self.fault("parameters", "wrong_type", "a JSON object is needed here"),
+            _ => self.fault("parameters", "wrong_type", "must be a JSON object"),
         }
     }
 
     fn take_labels(&mut self, labels: BTreeMap<String, String>) {
         if labels.len() > MAX_LABELS {
-            self.fault("labels", "out_of_range", "at most 64 labels");
+            self.fault("labels", "out_of_range", "must have at most 64 labels");
         } else if labels.iter().any(|(k, v)| k.is_empty() || k.len().max(v.len()) > MAX_LABEL_BYTES) {
-            self.fault("labels", "out_of_range", "keys have 1 to 256 bytes, values at most 256");
+            self.fault("labels", "out_of_range", "keys must have 1 to 256 bytes, values at most 256");
         } else if labels.iter().any(|(k, v)| k.contains('\0') || v.contains('\0')) {
-            self.fault("labels", "out_of_range", "no NUL characters");
+            self.fault("labels", "out_of_range", "must not contain NUL characters");
         } else {
             self.details.labels = labels;
         }
@@ -409,7 +409,7 @@ impl Fields {
 
     fn take_external_ref(&mut self, text: String) {
         if text.len() > MAX_EXTERNAL_REF_BYTES || text.contains('\0') {
-            self.fault("external_ref", "out_of_range", "at most 200 bytes, and no NUL characters");
+            self.fault("external_ref", "out_of_range", "must have at most 200 bytes and no NUL characters");
         } else {
             self.details.external_ref = Some(text).filter(|text| !text.is_empty());
         }
@@ -418,7 +418,7 @@ impl Fields {
     fn take_priority(&mut self, priority: Option<i32>) {
         match priority {
             Some(priority) if (-100..=100).contains(&priority) => self.details.priority = priority,
-            _ => self.fault("priority", "out_of_range", "a whole number from -100 to 100 is needed here"),
+            _ => self.fault("priority", "out_of_range", "must be an integer from -100 to 100"),
         }
     }
 
@@ -428,7 +428,7 @@ impl Fields {
                 self.details.max_run_ms = Some(seconds * 1000);
             }
             _ => {
-                let detail = format!("a whole number of seconds from 1 to {} is needed here", self.max_run_s);
+                let detail = format!("must be an integer from 1 to {}, seconds", self.max_run_s);
                 self.fault("max_run_s", "out_of_range", &detail);
             }
         }
@@ -438,7 +438,7 @@ impl Fields {
         for (name, missing) in [("source", self.source.is_none()), ("target", self.target.is_none())] {
             let named = self.faults.iter().any(|fault| fault.pointer.starts_with(&format!("/{name}")));
             if missing && !named {
-                self.faults.push(FieldError::new(format!("/{name}"), "missing", "a file is needed here"));
+                self.faults.push(FieldError::new(format!("/{name}"), "missing", "a file is required"));
             }
         }
         match (self.source, self.target) {
@@ -457,7 +457,7 @@ impl Fields {
     }
 }
 
-/// Checks the parts of a JSON body that are no inputs, as those of a job.
+/// Checks the fields of a JSON body other than inputs, like those of a job.
 ///
 /// # Errors
 /// All their faults.

@@ -1,7 +1,7 @@
-//! Bodies read under limits.
+//! Request bodies under size limits.
 //!
-//! Whoever is refused while still sending would see a broken connection instead of the answer; so what follows a
-//! refusal is read and thrown away, within bounds.
+//! A client that is refused while it is still sending would see a broken connection instead of the answer. So the rest of
+//! its body is read and discarded, up to a limit.
 
 use axum::body::{Body, HttpBody};
 use axum::extract::Request;
@@ -16,9 +16,9 @@ use std::time::Duration;
 /// How long a refused client may go on sending.
 const DRAIN: Duration = Duration::from_secs(10);
 
-/// A request's body that can still be read after its reader gave up.
+/// A request body that can still be drained after its reader has failed.
 #[derive(Clone)]
-pub struct Tap(Arc<Mutex<Tapped>>);
+pub(crate) struct Tap(Arc<Mutex<Tapped>>);
 
 struct Tapped {
     body: Body,
@@ -28,27 +28,27 @@ struct Tapped {
 }
 
 impl Tap {
-    /// Splits a request: the rest of it, and its body, of which `limit` bytes are given out.
-    pub fn on(request: Request, limit: usize) -> (Request, Tap) {
+    /// Wraps the body of a request so that at most `limit` bytes of it can be read.
+    pub(crate) fn on(request: Request, limit: usize) -> (Request, Tap) {
         let (parts, body) = request.into_parts();
         let tap = Tap(Arc::new(Mutex::new(Tapped { body, seen: 0, limit, over: false })));
         (Request::from_parts(parts, Body::new(tap.clone())), tap)
     }
 
     /// Whether more than the limit was sent.
-    pub fn is_over(&self) -> bool {
+    pub(crate) fn is_over(&self) -> bool {
         self.0.lock().unwrap_or_else(PoisonError::into_inner).over
     }
 
-    /// Lets a refused client send to its end, so that it sees the answer; what was not refused passes.
-    pub async fn settle<T, E>(&self, read: Result<T, E>) -> Result<T, E> {
+    /// Drains the body after an error, so that the client sees the answer. Passes the result through.
+    pub(crate) async fn settle<T, E>(&self, read: Result<T, E>) -> Result<T, E> {
         if read.is_err() {
             self.drain().await;
         }
         read
     }
 
-    /// Reads and throws away what is still sent, at most as much again as was allowed.
+    /// Reads and discards the rest of the body, at most as much again as was allowed.
     async fn drain(&self) {
         {
             let mut tapped = self.0.lock().unwrap_or_else(PoisonError::into_inner);
@@ -73,7 +73,7 @@ impl HttpBody for Tap {
             tapped.seen = tapped.seen.saturating_add(frame.data_ref().map_or(0, Bytes::len));
             if tapped.seen > tapped.limit {
                 tapped.over = true;
-                return Poll::Ready(Some(Err(axum::Error::new("the body is over its limit"))));
+                return Poll::Ready(Some(Err(axum::Error::new("the body is larger than its limit"))));
             }
         }
         polled
@@ -92,7 +92,7 @@ pub(super) async fn read_field(mut field: Field<'_>, limit: usize) -> Result<Byt
     Ok(all.freeze())
 }
 
-/// The endings of a file's name, such as `.nii.gz`; the rest of the name may name a patient and is dropped.
+/// The extension of a file name, such as `.nii.gz`. The rest of the name may identify a patient and is dropped.
 pub(super) fn name_hint(file_name: &str) -> Option<String> {
     let (rest, last) = file_name.rsplit_once('.')?;
     let is_ending = |text: &str| (1..=8).contains(&text.len()) && text.bytes().all(|b| b.is_ascii_alphanumeric());
@@ -100,7 +100,7 @@ pub(super) fn name_hint(file_name: &str) -> Option<String> {
         return None;
     }
     let last = last.to_ascii_lowercase();
-    // Only before a compression's ending does the one before it say more.
+    // Before the extension of a compression, the one before it names the format.
     let before = rest.rsplit_once('.').map(|(_, e)| e.to_ascii_lowercase()).filter(|e| last == "gz" && is_ending(e));
     Some(before.map_or_else(|| format!(".{last}"), |e| format!(".{e}.{last}")))
 }
@@ -110,7 +110,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn only_the_endings_of_names_are_kept() {
+    fn only_the_extension_of_a_name_is_kept() {
         let hint = |name| name_hint(name);
         assert_eq!(hint("Doe^Jane.1970.nii.gz").as_deref(), Some(".nii.gz"));
         assert_eq!(hint("Doe^Jane.1970.STL").as_deref(), Some(".stl"));

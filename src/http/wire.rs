@@ -1,4 +1,4 @@
-//! The JSON forms that are answered.
+//! JSON documents of the answers.
 
 use super::problem::{ProblemDocument, failure_document};
 use crate::jobs::documents::{InputReport, MatchParameters, ResultDocument};
@@ -14,390 +14,390 @@ use serde_json::Value;
 use std::collections::BTreeMap;
 use utoipa::ToSchema;
 
-/// A job. Members without a value are absent.
+/// A job. Members without a value are omitted.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, ToSchema)]
-pub struct JobDocument {
+pub(crate) struct JobDocument {
     /// UUIDv7.
-    pub id: String,
-    /// Where it stands.
-    pub state: JobState,
+    pub(crate) id: String,
+    /// State of the job.
+    pub(crate) state: JobState,
     /// Name of the method.
-    pub method: String,
-    /// Version of the program that accepted it.
-    pub method_version: String,
-    /// Effective parameters.
+    pub(crate) method: String,
+    /// Version of the program that accepted the job.
+    pub(crate) method_version: String,
+    /// All parameters, with defaults filled in.
     #[schema(value_type = MatchParameters)]
-    pub parameters: Value,
-    /// The surface that moves.
-    pub source: InputDocument,
-    /// The surface that stays.
-    pub target: InputDocument,
-    /// Seed of everything drawn at random.
+    pub(crate) parameters: Value,
+    /// The surface that is moved onto the target.
+    pub(crate) source: InputDocument,
+    /// The surface that stays in place.
+    pub(crate) target: InputDocument,
+    /// Seed of the random numbers.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub seed: Option<u64>,
-    /// Higher first.
+    pub(crate) seed: Option<u64>,
+    /// Jobs with a higher priority run first.
     #[schema(minimum = -100, maximum = 100)]
-    pub priority: i32,
-    /// The submitter's own marks.
-    pub labels: BTreeMap<String, String>,
-    /// The submitter's own name for it.
+    pub(crate) priority: i32,
+    /// Labels of the client's choice.
+    pub(crate) labels: BTreeMap<String, String>,
+    /// The client's own id.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub external_ref: Option<String>,
-    /// Times a worker began it, not counting those that gave it back at a shutdown.
-    pub attempt: u32,
-    /// Lost workers after which it is dead.
-    pub max_attempts: u32,
-    /// How far the present attempt is.
+    pub(crate) external_ref: Option<String>,
+    /// How often a worker has started it, not counting workers that returned it at a shutdown.
+    pub(crate) attempt: u32,
+    /// Crashes of its workers after which it is `dead`.
+    pub(crate) max_attempts: u32,
+    /// Progress of the current attempt.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub progress: Option<Progress>,
-    /// Remaining time, a guess.
+    pub(crate) progress: Option<Progress>,
+    /// Estimated remaining time, ms.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub eta_ms: Option<u64>,
-    /// 1 for the next to run; only while queued, and not in lists.
+    pub(crate) eta_ms: Option<u64>,
+    /// Position in the queue, 1 for the next job; only while queued, and not in lists.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub queue_position: Option<u64>,
-    /// Energy of the last trace point.
+    pub(crate) queue_position: Option<u64>,
+    /// Energy at the last trace point.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub energy_latest: Option<f64>,
+    pub(crate) energy_latest: Option<f64>,
     /// When it was accepted.
     #[schema(value_type = String, format = DateTime)]
-    pub created_at: Timestamp,
-    /// When its present or last attempt began.
+    pub(crate) created_at: Timestamp,
+    /// When its current or last attempt started.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schema(value_type = Option<String>, format = DateTime)]
-    pub started_at: Option<Timestamp>,
-    /// When it reached its final state.
+    pub(crate) started_at: Option<Timestamp>,
+    /// When it finished, in whichever state.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schema(value_type = Option<String>, format = DateTime)]
-    pub finished_at: Option<Timestamp>,
-    /// When it will be removed.
+    pub(crate) finished_at: Option<Timestamp>,
+    /// When it will be deleted.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schema(value_type = Option<String>, format = DateTime)]
-    pub expires_at: Option<Timestamp>,
-    /// When it is too late to begin.
+    pub(crate) expires_at: Option<Timestamp>,
+    /// It expires if it has not started by this time.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schema(value_type = Option<String>, format = DateTime)]
-    pub deadline_at: Option<Timestamp>,
-    /// Longest run that its submitter allows, s.
+    pub(crate) deadline_at: Option<Timestamp>,
+    /// Longest run time that the client allows, s.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub max_run_s: Option<u64>,
-    /// The job that this one tries again.
+    pub(crate) max_run_s: Option<u64>,
+    /// The job of which this one is a retry.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub retry_of: Option<String>,
+    pub(crate) retry_of: Option<String>,
     /// The batch that it belongs to.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub batch_id: Option<String>,
-    /// Whether its end was asked for.
-    pub cancel_requested: bool,
-    /// Whether it was answered from an equal job's result.
-    pub cached: bool,
-    /// Why it has no result.
+    pub(crate) batch_id: Option<String>,
+    /// Whether it was cancelled, also while its worker has not stopped yet.
+    pub(crate) cancel_requested: bool,
+    /// Whether it has the result of an earlier, equal job.
+    pub(crate) cached: bool,
+    /// Why it finished without a result.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub error: Option<ProblemDocument>,
-    /// Where to go from here.
-    pub links: JobLinks,
+    pub(crate) error: Option<ProblemDocument>,
+    /// Paths of related resources.
+    pub(crate) links: JobLinks,
 }
 
-/// One of a job's inputs.
+/// An input of a job.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, ToSchema)]
-pub struct InputDocument {
-    /// `blake3:` and 64 hexadecimal digits of the bytes as uploaded.
-    pub hash: String,
-    /// Their number.
-    pub n_bytes: u64,
-    /// Vertices of the surface to be matched.
-    pub n_vertices: u32,
+pub(crate) struct InputDocument {
+    /// Hash of the uploaded bytes: `blake3:` and 64 hexadecimal digits.
+    pub(crate) hash: String,
+    /// Size of the upload, bytes.
+    pub(crate) n_bytes: u64,
+    /// Vertices of the surface that is matched.
+    pub(crate) n_vertices: u32,
     /// Its faces.
-    pub n_faces: u32,
+    pub(crate) n_faces: u32,
     /// Format, topology and repairs.
     #[schema(value_type = InputReport)]
-    pub report: Value,
+    pub(crate) report: Value,
 }
 
-/// Paths of what belongs to a job.
+/// Paths of the resources of a job.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
-pub struct JobLinks {
+pub(crate) struct JobLinks {
     /// The job.
     #[serde(rename = "self")]
-    pub job: String,
+    pub(crate) job: String,
     /// Its energy trace.
-    pub trace: String,
+    pub(crate) trace: String,
     /// Its events as they happen (server-sent events).
-    pub events: String,
-    /// Its result, once it has succeeded.
+    pub(crate) events: String,
+    /// Its result, if it has succeeded.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub result: Option<String>,
-    /// Its dense correspondence, once it has succeeded.
+    pub(crate) result: Option<String>,
+    /// Its dense correspondence, if it has succeeded.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub correspondences: Option<String>,
-    /// To ask for its end, while it has not.
+    pub(crate) correspondences: Option<String>,
+    /// Cancels it, until it is finished.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub cancel: Option<String>,
-    /// To try it again, once it is finished.
+    pub(crate) cancel: Option<String>,
+    /// Retries it, once it is finished.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub retry: Option<String>,
+    pub(crate) retry: Option<String>,
 }
 
-/// A part of the list of jobs.
+/// A page of the list of jobs.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, ToSchema)]
-pub struct JobListDocument {
+pub(crate) struct JobListDocument {
     /// The jobs.
-    pub jobs: Vec<JobDocument>,
-    /// Hand this back as `page_token` for the next page; absent on the last.
+    pub(crate) jobs: Vec<JobDocument>,
+    /// `page_token` of the next page; absent on the last one.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub next_page_token: Option<String>,
+    pub(crate) next_page_token: Option<String>,
 }
 
-/// A part of a trace.
+/// A page of an energy trace.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, ToSchema)]
-pub struct TraceDocument {
-    /// Points in ascending order of `seq`, each once.
-    pub points: Vec<NumberedPoint>,
-    /// Hand this back as `after_seq`.
-    pub next_after_seq: u64,
-    /// Whether the job is finished and no point follows.
-    pub complete: bool,
+pub(crate) struct TraceDocument {
+    /// Points in ascending order of `seq`.
+    pub(crate) points: Vec<NumberedPoint>,
+    /// `after_seq` of the next page.
+    pub(crate) next_after_seq: u64,
+    /// Whether the job is finished and this is its last page.
+    pub(crate) complete: bool,
 }
 
-/// The result of a job: the result document and where its parts are.
+/// The result of a job, with the paths of its parts.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, ToSchema)]
-pub struct JobResultDocument {
+pub(crate) struct JobResultDocument {
     /// The result.
     #[serde(flatten)]
-    pub document: ResultDocument,
-    /// Its parts.
-    pub links: ResultLinks,
+    pub(crate) document: ResultDocument,
+    /// Paths of its parts.
+    pub(crate) links: ResultLinks,
 }
 
-/// Paths of the parts of a result.
+/// Paths of the parts of a result, with their formats.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
-pub struct ResultLinks {
+pub(crate) struct ResultLinks {
     /// The job.
-    pub job: String,
+    pub(crate) job: String,
     /// The rigid transform: JSON, text, ITK or FreeSurfer.
-    pub transform: String,
-    /// The source surface whose vertices the correspondences count: PLY, VTK, GIFTI or STL.
-    pub source_surface: String,
-    /// The target surface whose vertices the correspondences count, likewise.
-    pub target_surface: String,
-    /// The dense correspondence: JSON, CSV, NumPy or Arrow, or PLY, VTK or GIFTI with arrays for the source's vertices.
-    pub correspondences: String,
+    pub(crate) transform: String,
+    /// The matched source surface, whose vertices the correspondences refer to: PLY, VTK, GIFTI or STL.
+    pub(crate) source_surface: String,
+    /// The matched target surface, likewise.
+    pub(crate) target_surface: String,
+    /// The dense correspondence: JSON, CSV, NumPy or Arrow; or the source surface with arrays: PLY, VTK or GIFTI.
+    pub(crate) correspondences: String,
     /// The energy trace.
-    pub trace: String,
+    pub(crate) trace: String,
     /// The source surface moved onto the target: PLY, VTK, GIFTI or STL.
-    pub aligned: String,
+    pub(crate) aligned: String,
 }
 
-/// The methods there are.
+/// The available methods.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, ToSchema)]
-pub struct MethodListDocument {
-    /// The methods, the default first.
-    pub methods: Vec<MethodDescription>,
+pub(crate) struct MethodListDocument {
+    /// The methods, the default one first.
+    pub(crate) methods: Vec<MethodDescription>,
 }
 
-/// Whether the service can do its work.
+/// Readiness of the service.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
-pub struct ReadinessDocument {
+pub(crate) struct ReadinessDocument {
     /// `ready` or `not_ready`.
-    pub status: String,
+    pub(crate) status: String,
     /// `ok` or `failing` for each dependency.
-    pub dependencies: BTreeMap<String, String>,
+    pub(crate) dependencies: BTreeMap<String, String>,
 }
 
-/// That the process lives.
+/// Liveness of the process.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
-pub struct HealthDocument {
+pub(crate) struct HealthDocument {
     /// `alive`.
-    pub status: String,
+    pub(crate) status: String,
     /// Version of homolog.
-    pub version: String,
+    pub(crate) version: String,
 }
 
-/// A type of problem.
+/// A problem type.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
-pub struct ProblemTypeDocument {
+pub(crate) struct ProblemTypeDocument {
     /// URI reference.
-    pub r#type: String,
+    pub(crate) r#type: String,
     /// HTTP status.
-    pub status: u16,
-    /// What it means.
-    pub title: String,
+    pub(crate) status: u16,
+    /// Meaning.
+    pub(crate) title: String,
     /// What the client can do.
-    pub advice: String,
+    pub(crate) advice: String,
 }
 
-/// What a submission that is only tried would do.
+/// Outcome of the checks of a submission with `validate_only`.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, ToSchema)]
-pub struct ValidationDocument {
-    /// Always true: what is wrong is answered as a problem.
-    pub valid: bool,
+pub(crate) struct ValidationDocument {
+    /// Always true: an invalid submission is answered with a problem.
+    pub(crate) valid: bool,
     /// Name of the method.
-    pub method: String,
-    /// Version of the program that would run it.
-    pub method_version: String,
-    /// Effective parameters.
+    pub(crate) method: String,
+    /// Version of the program.
+    pub(crate) method_version: String,
+    /// All parameters, with defaults filled in.
     #[schema(value_type = MatchParameters)]
-    pub parameters: Value,
-    /// The surface that moves.
-    pub source: ValidatedInputDocument,
-    /// The surface that stays.
-    pub target: ValidatedInputDocument,
+    pub(crate) parameters: Value,
+    /// The surface that is moved onto the target.
+    pub(crate) source: ValidatedInputDocument,
+    /// The surface that stays in place.
+    pub(crate) target: ValidatedInputDocument,
 }
 
-/// What a submission is answered with 200.
+/// An answer of 200 to a submission.
 #[derive(Debug, Clone, ToSchema)]
 #[serde(untagged)]
 #[allow(dead_code, reason = "describes answers, each of which is made by itself")]
-pub enum SubmissionAnswer {
-    /// The job, finished within the wait.
+pub(crate) enum SubmissionAnswer {
+    /// The job, if it finished within the wait.
     Finished(Box<JobDocument>),
     /// With `validate_only`.
     Tried(Box<ValidationDocument>),
 }
 
-/// An input that was checked.
+/// A checked input.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, ToSchema)]
-pub struct ValidatedInputDocument {
-    /// Vertices of the surface to be matched.
-    pub n_vertices: u32,
+pub(crate) struct ValidatedInputDocument {
+    /// Vertices of the surface that is matched.
+    pub(crate) n_vertices: u32,
     /// Its faces.
-    pub n_faces: u32,
+    pub(crate) n_faces: u32,
     /// Format, topology and repairs.
     #[schema(value_type = InputReport)]
-    pub report: Value,
+    pub(crate) report: Value,
 }
 
-/// What a cancellation of many jobs did.
+/// Outcome of the cancellation of several jobs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
-pub struct BulkCancelDocument {
-    /// Jobs that were cancelled at once.
-    pub cancelled: u32,
-    /// Running jobs whose workers were told.
-    pub told: u32,
+pub(crate) struct BulkCancelDocument {
+    /// Queued jobs, which are cancelled now.
+    pub(crate) cancelled: u32,
+    /// Running jobs, which their workers will stop.
+    pub(crate) told: u32,
 }
 
 /// An upload.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, ToSchema)]
-pub struct MeshDocument {
-    /// `blake3:` and 64 hexadecimal digits of the bytes.
-    pub id: String,
-    /// Their number.
-    pub n_bytes: u64,
+pub(crate) struct MeshDocument {
+    /// Hash of the bytes: `blake3:` and 64 hexadecimal digits.
+    pub(crate) id: String,
+    /// Size, bytes.
+    pub(crate) n_bytes: u64,
     /// When it was first uploaded.
     #[schema(value_type = String, format = DateTime)]
-    pub created_at: Timestamp,
-    /// Whether it can be matched with default parameters; absent where it was not inspected.
+    pub(crate) created_at: Timestamp,
+    /// Whether it can be matched with default parameters; absent if it was not inspected.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub suitable: Option<bool>,
-    /// Vertices of the surface that would be matched.
+    pub(crate) suitable: Option<bool>,
+    /// Vertices of the surface that a job would match.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub n_vertices: Option<u32>,
+    pub(crate) n_vertices: Option<u32>,
     /// Its faces.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub n_faces: Option<u32>,
+    pub(crate) n_faces: Option<u32>,
     /// Format, topology and repairs.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schema(value_type = Option<InputReport>)]
-    pub report: Option<Value>,
+    pub(crate) report: Option<Value>,
     /// Why it cannot be matched with default parameters.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub problem: Option<ProblemDocument>,
-    /// Where its bytes are.
-    pub links: MeshLinks,
+    pub(crate) problem: Option<ProblemDocument>,
+    /// Paths of related resources.
+    pub(crate) links: MeshLinks,
 }
 
-/// Paths of what belongs to an upload.
+/// Paths of the resources of an upload.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
-pub struct MeshLinks {
+pub(crate) struct MeshLinks {
     /// The upload.
     #[serde(rename = "self")]
-    pub mesh: String,
+    pub(crate) mesh: String,
     /// Its bytes.
-    pub content: String,
+    pub(crate) content: String,
 }
 
-/// A part of the list of uploads.
+/// A page of the list of uploads.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, ToSchema)]
-pub struct MeshListDocument {
-    /// The uploads, the newest first.
-    pub meshes: Vec<MeshDocument>,
-    /// Hand this back as `page_token` for the next page; absent on the last.
+pub(crate) struct MeshListDocument {
+    /// The uploads, newest first.
+    pub(crate) meshes: Vec<MeshDocument>,
+    /// `page_token` of the next page; absent on the last one.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub next_page_token: Option<String>,
+    pub(crate) next_page_token: Option<String>,
 }
 
 /// A batch.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, ToSchema)]
-pub struct BatchDocument {
+pub(crate) struct BatchDocument {
     /// UUIDv7.
-    pub id: String,
-    /// Jobs it was made with.
-    pub n_jobs: u32,
-    /// How many of its jobs are in each state.
-    pub counts: BTreeMap<JobState, u32>,
-    /// Whether no job of it waits or runs.
-    pub finished: bool,
-    /// The submitter's own marks.
-    pub labels: BTreeMap<String, String>,
-    /// The submitter's own name for it.
+    pub(crate) id: String,
+    /// Number of jobs that it was created with.
+    pub(crate) n_jobs: u32,
+    /// Number of its jobs in each state; deleted jobs are not counted.
+    pub(crate) counts: BTreeMap<JobState, u32>,
+    /// Whether none of its jobs is queued or running.
+    pub(crate) finished: bool,
+    /// Labels of the client's choice.
+    pub(crate) labels: BTreeMap<String, String>,
+    /// The client's own id.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub external_ref: Option<String>,
+    pub(crate) external_ref: Option<String>,
     /// When it was accepted.
     #[schema(value_type = String, format = DateTime)]
-    pub created_at: Timestamp,
-    /// Where to go from here.
-    pub links: BatchLinks,
+    pub(crate) created_at: Timestamp,
+    /// Paths of related resources.
+    pub(crate) links: BatchLinks,
 }
 
-/// Paths of what belongs to a batch.
+/// Paths of the resources of a batch.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
-pub struct BatchLinks {
+pub(crate) struct BatchLinks {
     /// The batch.
     #[serde(rename = "self")]
-    pub batch: String,
+    pub(crate) batch: String,
     /// Its jobs.
-    pub jobs: String,
-    /// To ask for its end, while it has not.
+    pub(crate) jobs: String,
+    /// Cancels it, until it is finished.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub cancel: Option<String>,
+    pub(crate) cancel: Option<String>,
 }
 
-/// A part of the list of batches.
+/// A page of the list of batches.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, ToSchema)]
-pub struct BatchListDocument {
-    /// The batches, the newest first.
-    pub batches: Vec<BatchDocument>,
-    /// Hand this back as `page_token` for the next page; absent on the last.
+pub(crate) struct BatchListDocument {
+    /// The batches, newest first.
+    pub(crate) batches: Vec<BatchDocument>,
+    /// `page_token` of the next page; absent on the last one.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub next_page_token: Option<String>,
+    pub(crate) next_page_token: Option<String>,
 }
 
-/// A part of the feed of state changes.
+/// A page of the feed of state changes.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, ToSchema)]
-pub struct ChangesDocument {
+pub(crate) struct ChangesDocument {
     /// Changes in ascending order of `seq`.
-    pub changes: Vec<ChangeDocument>,
-    /// Hand this back as `since`.
-    pub next_since: u64,
-    /// Whether more wait.
-    pub more: bool,
+    pub(crate) changes: Vec<ChangeDocument>,
+    /// `since` of the next page.
+    pub(crate) next_since: u64,
+    /// Whether there are more changes.
+    pub(crate) more: bool,
 }
 
-/// A job's change of state.
+/// A change of the state of a job.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, ToSchema)]
-pub struct ChangeDocument {
-    /// Its number: none that appears later is smaller.
-    pub seq: u64,
+pub(crate) struct ChangeDocument {
+    /// Its number; changes that appear later have larger numbers.
+    pub(crate) seq: u64,
     /// The job.
-    pub job_id: String,
+    pub(crate) job_id: String,
     /// The batch it belongs to.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub batch_id: Option<String>,
-    /// The state it came to.
-    pub state: JobState,
-    /// When.
+    pub(crate) batch_id: Option<String>,
+    /// The new state.
+    pub(crate) state: JobState,
+    /// Time of the change.
     #[schema(value_type = String, format = DateTime)]
-    pub at: Timestamp,
+    pub(crate) at: Timestamp,
 }
 
 impl From<&Job> for JobDocument {
@@ -491,8 +491,8 @@ impl From<&Batch> for BatchDocument {
 }
 
 impl MeshDocument {
-    /// An upload with what checking it found.
-    pub fn of(mesh: &Mesh, check: Option<CheckOutcome>) -> Self {
+    /// An upload with the outcome of its check.
+    pub(crate) fn of(mesh: &Mesh, check: Option<CheckOutcome>) -> Self {
         let id = content_id(mesh.key.hash());
         let path = format!("/v1/meshes/{id}");
         let mut document = MeshDocument {
@@ -571,7 +571,7 @@ impl From<TracePage> for TraceDocument {
 
 impl ResultLinks {
     /// The links of a job's result.
-    pub fn of(id: crate::jobs::JobId) -> Self {
+    pub(crate) fn of(id: crate::jobs::JobId) -> Self {
         let path = format!("/v1/jobs/{id}");
         ResultLinks {
             transform: format!("{path}/transform"),

@@ -1,8 +1,11 @@
-//! Following a job: one reader of the store for each job that is followed, however many follow it.
+//! Following jobs, batches and the feed of changes: one reader of the store for each thing that is followed, however many
+//! clients follow it.
 //!
-//! The reader asks the store at intervals, and when this process is told that the job moved on, and shares what it saw; it
-//! ends when nobody follows any more or the job is finished. So a thousand dashboards cost the store as much as one.
+//! A reader queries the store at intervals, and at once when this process signals a change of state, and publishes what it
+//! found. It ends when nobody follows any more or nothing can change any more. So a thousand dashboards cost the store as
+//! much as one.
 
+use super::batch::{Batch, BatchId};
 use super::error::JobError;
 use super::job::{Job, JobId, Tenant};
 use super::ports::JobStore;
@@ -10,29 +13,34 @@ use super::signals::{Moves, Signals};
 use super::state::JobState;
 use super::trace::NumberedPoint;
 use std::collections::HashMap;
+use std::hash::Hash;
 use std::sync::{Arc, Mutex, PoisonError, Weak};
 use std::time::Duration;
 use tokio::sync::watch;
 
-/// Between two looks at a running job.
-const LOOK_RUNNING: Duration = Duration::from_millis(150);
-/// Between two looks at a waiting job.
-const LOOK_QUEUED: Duration = Duration::from_millis(250);
-/// Between two looks while the store does not answer.
-const LOOK_FAILING: Duration = Duration::from_secs(1);
-/// Points read at once.
+/// Interval between queries for a running job.
+const POLL_RUNNING: Duration = Duration::from_millis(150);
+/// Interval between queries for a queued job.
+const POLL_QUEUED: Duration = Duration::from_millis(250);
+/// Interval between queries for a batch or for new changes: jobs of other processes are seen within this time.
+const POLL_MANY: Duration = Duration::from_millis(250);
+/// Least interval between such queries, however often jobs change.
+const LEAST_MANY: Duration = Duration::from_millis(50);
+/// Interval between queries while the store fails.
+const POLL_FAILING: Duration = Duration::from_secs(1);
+/// Most trace points of one query.
 const POINTS: u32 = 5_000;
 
-/// What is known of a job at a moment.
+/// What is known of a followed job.
 #[derive(Debug, Clone)]
 pub struct Seen {
     /// The job.
     pub job: Job,
     /// Its trace so far, in the order of `seq`.
     pub points: Vec<Arc<[NumberedPoint]>>,
-    /// Whether the job is finished and `points` is all of its trace.
+    /// Whether the job is finished and `points` is its whole trace.
     pub complete: bool,
-    /// Whether the job was removed.
+    /// Whether the job was deleted.
     pub removed: bool,
 }
 
@@ -47,60 +55,100 @@ impl Seen {
     }
 }
 
-/// A job that is followed.
+/// Something that is followed. Its reader works as long as somebody holds the feed.
 #[derive(Debug)]
-pub struct Feed {
-    seen: watch::Receiver<Arc<Seen>>,
+pub struct Feed<T> {
+    seen: watch::Receiver<Arc<T>>,
     reader: tokio::task::AbortHandle,
 }
 
-impl Feed {
-    /// What is seen, now and whenever it changes.
-    pub fn seen(&self) -> watch::Receiver<Arc<Seen>> {
+impl<T> Feed<T> {
+    /// The latest that the reader found; changes when the reader finds something else, and closes when the reader ends.
+    pub fn seen(&self) -> watch::Receiver<Arc<T>> {
         self.seen.clone()
     }
 }
 
-impl Drop for Feed {
+impl<T> Drop for Feed<T> {
     fn drop(&mut self) {
         self.reader.abort();
     }
 }
 
-/// The jobs that are followed in this process.
+/// Feeds by what they follow.
+struct Shared<K, T>(Mutex<HashMap<K, Weak<Feed<T>>>>);
+
+impl<K: Eq + Hash, T> Shared<K, T> {
+    fn new() -> Self {
+        Shared(Mutex::new(HashMap::new()))
+    }
+
+    /// The feed of `key`, or one that starts now with `first` and with the reader that `read` makes.
+    fn join<R>(&self, key: K, first: T, read: impl FnOnce(watch::Sender<Arc<T>>) -> R) -> Arc<Feed<T>>
+    where
+        R: Future<Output = ()> + Send + 'static,
+    {
+        let mut feeds = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        let shared = feeds.get(&key).and_then(Weak::upgrade).filter(|feed| !feed.reader.is_finished());
+        if let Some(feed) = shared {
+            return feed;
+        }
+        feeds.retain(|_, feed| feed.strong_count() > 0);
+        let (sender, seen) = watch::channel(Arc::new(first));
+        let reader = tokio::spawn(read(sender)).abort_handle();
+        let feed = Arc::new(Feed { seen, reader });
+        feeds.insert(key, Arc::downgrade(&feed));
+        feed
+    }
+}
+
+/// What is followed in this process.
 pub(super) struct Feeds {
     store: Arc<dyn JobStore>,
     signals: Arc<Signals>,
-    feeds: Mutex<HashMap<(Tenant, JobId), Weak<Feed>>>,
+    jobs: Shared<(Tenant, JobId), Seen>,
+    batches: Shared<(Tenant, BatchId), Batch>,
+    changes: Shared<(Tenant, u64), bool>,
 }
 
 impl Feeds {
     pub(super) fn new(store: Arc<dyn JobStore>, signals: Arc<Signals>) -> Self {
-        Feeds { store, signals, feeds: Mutex::default() }
+        Feeds { store, signals, jobs: Shared::new(), batches: Shared::new(), changes: Shared::new() }
     }
 
-    pub(super) async fn follow(&self, tenant: &Tenant, id: JobId) -> Result<Arc<Feed>, JobError> {
-        // Asked in any case: who follows sees the job as it is now, and whether it is theirs.
+    pub(super) async fn follow(&self, tenant: &Tenant, id: JobId) -> Result<Arc<Feed<Seen>>, JobError> {
+        // Queried also where a feed exists, so that every follower is shown to own the job.
         let job = self.store.get(tenant, id).await?;
-        let mut feeds = self.feeds.lock().unwrap_or_else(PoisonError::into_inner);
-        let key = (tenant.clone(), id);
-        let followed = feeds.get(&key).and_then(Weak::upgrade).filter(|feed| !feed.reader.is_finished());
-        if let Some(feed) = followed {
-            return Ok(feed);
-        }
-        feeds.retain(|_, feed| feed.strong_count() > 0);
         let first = Seen { job, points: Vec::new(), complete: false, removed: false };
-        let (sender, seen) = watch::channel(Arc::new(first));
-        // Listens before it first looks, so that no move falls between the two.
-        let moves = self.signals.moves_of(id);
-        let reader = tokio::spawn(read(Arc::clone(&self.store), key.clone(), moves, sender)).abort_handle();
-        let feed = Arc::new(Feed { seen, reader });
-        feeds.insert(key, Arc::downgrade(&feed));
-        Ok(feed)
+        let key = (tenant.clone(), id);
+        Ok(self.jobs.join(key.clone(), first, |sender| {
+            // Subscribes before the first query, so that no change falls between the two.
+            let moves = self.signals.moves_of(id);
+            read_job(Arc::clone(&self.store), key, moves, sender)
+        }))
+    }
+
+    pub(super) async fn follow_batch(&self, tenant: &Tenant, id: BatchId) -> Result<Arc<Feed<Batch>>, JobError> {
+        let batch = self.store.get_batch(tenant, id).await?;
+        let key = (tenant.clone(), id);
+        Ok(self.batches.join(key.clone(), batch, |sender| {
+            let moves = self.signals.all_moves();
+            read_batch(Arc::clone(&self.store), key, moves, sender)
+        }))
+    }
+
+    /// Turns true, and ends, when there are changes after `since`. All clients that have read the feed to its end ask with
+    /// the same number, and so share one reader.
+    pub(super) fn follow_changes(&self, tenant: &Tenant, since: u64) -> Arc<Feed<bool>> {
+        let key = (tenant.clone(), since);
+        self.changes.join(key.clone(), false, |sender| {
+            let moves = self.signals.all_moves();
+            read_changes(Arc::clone(&self.store), key, moves, sender)
+        })
     }
 }
 
-async fn read(
+async fn read_job(
     store: Arc<dyn JobStore>,
     (tenant, id): (Tenant, JobId),
     mut moves: Moves,
@@ -111,7 +159,7 @@ async fn read(
         let pause = match look(store.as_ref(), &tenant, id, last_seq).await {
             Ok((job, new_points, complete)) => {
                 last_seq = new_points.last().map_or(last_seq, |p| p.seq);
-                let pause = if job.state == JobState::Queued { LOOK_QUEUED } else { LOOK_RUNNING };
+                let pause = if job.state == JobState::Queued { POLL_QUEUED } else { POLL_RUNNING };
                 sender.send_if_modified(|seen| {
                     if new_points.is_empty() && seen.complete == complete && is_same(&seen.job, &job) {
                         return false;
@@ -134,7 +182,7 @@ async fn read(
             }
             Err(error) => {
                 tracing::debug!(job_id = %id, %error, "a followed job cannot be read now");
-                LOOK_FAILING
+                POLL_FAILING
             }
         };
         tokio::select! {
@@ -158,7 +206,67 @@ async fn look(
     Ok((job, page.points, complete))
 }
 
-/// Whether two looks saw the same, whenever they were.
+/// Whether two queries found the same job, whenever they were made.
 fn is_same(a: &Job, b: &Job) -> bool {
     Job { read_at: b.read_at, ..a.clone() } == *b
+}
+
+async fn read_batch(
+    store: Arc<dyn JobStore>,
+    (tenant, id): (Tenant, BatchId),
+    mut moves: Moves,
+    sender: watch::Sender<Arc<Batch>>,
+) {
+    loop {
+        match store.get_batch(&tenant, id).await {
+            Ok(batch) => {
+                let is_finished = batch.is_finished();
+                sender.send_if_modified(|seen| {
+                    let changed = **seen != batch;
+                    *seen = Arc::new(batch);
+                    changed
+                });
+                if is_finished {
+                    return;
+                }
+            }
+            Err(JobError::BatchNotFound) => return,
+            Err(error) => {
+                tracing::debug!(%error, "a followed batch cannot be read now");
+                tokio::time::sleep(POLL_FAILING).await;
+            }
+        }
+        pause_among_many(&mut moves).await;
+    }
+}
+
+async fn read_changes(
+    store: Arc<dyn JobStore>,
+    (tenant, since): (Tenant, u64),
+    mut moves: Moves,
+    sender: watch::Sender<Arc<bool>>,
+) {
+    loop {
+        match store.changes(&tenant, since, 1).await {
+            Ok(page) if page.changes.is_empty() => {}
+            Ok(_) => {
+                sender.send_replace(Arc::new(true));
+                return;
+            }
+            Err(error) => {
+                tracing::debug!(%error, "the feed of changes cannot be read now");
+                tokio::time::sleep(POLL_FAILING).await;
+            }
+        }
+        pause_among_many(&mut moves).await;
+    }
+}
+
+/// Until any job changes its state, or the interval is over.
+async fn pause_among_many(moves: &mut Moves) {
+    tokio::time::sleep(LEAST_MANY).await;
+    tokio::select! {
+        () = moves.next() => {}
+        () = tokio::time::sleep(POLL_MANY.saturating_sub(LEAST_MANY)) => {}
+    }
 }

@@ -6,7 +6,7 @@ use super::batch::{Batch, BatchId, BatchPage};
 use super::change::ChangePage;
 use super::engine::{Engine, MethodDescription};
 use super::error::JobError;
-use super::follow::{Feed, Feeds};
+use super::follow::{Feed, Feeds, Seen};
 use super::job::{Cursor, Job, JobFilter, JobId, JobPage, Order, PageRequest, Tenant};
 use super::key::{ApiKey, KeyStore, SecretKey};
 use super::mesh::MeshStore;
@@ -134,8 +134,21 @@ impl JobService {
     ///
     /// # Errors
     /// [`JobError::NotFound`].
-    pub async fn follow(&self, tenant: &Tenant, id: JobId) -> Result<Arc<Feed>, JobError> {
+    pub async fn follow(&self, tenant: &Tenant, id: JobId) -> Result<Arc<Feed<Seen>>, JobError> {
         self.feeds.follow(tenant, id).await
+    }
+
+    /// Follows a batch and its counts, likewise.
+    ///
+    /// # Errors
+    /// [`JobError::BatchNotFound`].
+    pub async fn follow_batch(&self, tenant: &Tenant, id: BatchId) -> Result<Arc<Feed<Batch>>, JobError> {
+        self.feeds.follow_batch(tenant, id).await
+    }
+
+    /// Follows the feed of changes: turns true when there are changes after number `since`.
+    pub fn follow_changes(&self, tenant: &Tenant, since: u64) -> Arc<Feed<bool>> {
+        self.feeds.follow_changes(tenant, since)
     }
 
     /// Cancels all jobs that a filter shows and that are not finished.

@@ -1,14 +1,15 @@
-//! What parts of a process tell each other of jobs, so that nobody has to wait for the next look at the store.
+//! Signals between the parts of one process, so that nobody has to wait for the next query of the store.
 //!
-//! Only hints: the store is the truth and everybody asks it now and then, which is all that happens between processes.
+//! They are hints only. The store is the truth, and every follower also queries it at intervals, which is all that connects
+//! one process with another.
 
 use super::job::JobId;
 use tokio::sync::{Notify, broadcast};
 
-/// Hints kept for a follower that is slow to hear them; whoever misses some looks at the store instead.
+/// Signals kept for a receiver that falls behind; one that misses some queries the store instead.
 const KEPT: usize = 256;
 
-/// Hints within one process.
+/// The signals of one process.
 #[derive(Debug)]
 pub struct Signals {
     /// A job was queued.
@@ -23,32 +24,37 @@ impl Default for Signals {
 }
 
 impl Signals {
-    /// Tells followers that the state of a job changed.
+    /// Signals that the state of a job changed.
     pub fn tell_moved(&self, id: JobId) {
-        // An error says that nobody follows.
+        // An error only says that there are no receivers.
         let _ = self.moved.send(id);
     }
 
-    /// What is told from now on of one job.
+    /// The changes of one job's state from now on.
     pub fn moves_of(&self, id: JobId) -> Moves {
-        Moves { id, moved: self.moved.subscribe() }
+        Moves { id: Some(id), moved: self.moved.subscribe() }
+    }
+
+    /// The changes of any job's state from now on.
+    pub fn all_moves(&self) -> Moves {
+        Moves { id: None, moved: self.moved.subscribe() }
     }
 }
 
-/// Hints of one job.
+/// Changes of state, of one job or of all.
 #[derive(Debug)]
 pub struct Moves {
-    id: JobId,
+    id: Option<JobId>,
     moved: broadcast::Receiver<JobId>,
 }
 
 impl Moves {
-    /// Returns when the job may have changed its state. May be dropped at any moment without a loss.
+    /// Returns when a job may have changed its state. Cancel-safe: dropping the future loses no signal.
     pub async fn next(&mut self) {
         loop {
             match self.moved.recv().await {
-                Ok(id) if id != self.id => {}
-                // One of those missed may have been of this job.
+                Ok(id) if self.id.is_some_and(|own| own != id) => {}
+                // A missed signal may have been one of these jobs'.
                 Ok(_) | Err(broadcast::error::RecvError::Lagged(_)) => return,
                 Err(broadcast::error::RecvError::Closed) => std::future::pending().await,
             }
@@ -66,20 +72,31 @@ mod tests {
     }
 
     #[tokio::test]
-    async fn a_follower_hears_of_its_own_job_alone() {
+    async fn a_follower_of_one_job_gets_its_signals_only() {
         let (signals, id) = (Signals::default(), JobId::new());
         signals.tell_moved(id);
         let mut moves = signals.moves_of(id);
-        assert!(!is_told(&mut moves).await, "that was before it listened");
+        assert!(!is_told(&mut moves).await, "sent before the subscription");
         signals.tell_moved(JobId::new());
-        assert!(!is_told(&mut moves).await, "that was another job");
+        assert!(!is_told(&mut moves).await, "sent for another job");
         signals.tell_moved(id);
         assert!(is_told(&mut moves).await);
-        assert!(!is_told(&mut moves).await, "told once");
+        assert!(!is_told(&mut moves).await, "each signal counts once");
     }
 
     #[tokio::test]
-    async fn a_follower_that_missed_hints_looks_rather_than_waits() {
+    async fn a_follower_of_all_jobs_gets_every_signal() {
+        let signals = Signals::default();
+        let mut moves = signals.all_moves();
+        for _ in 0..2 {
+            signals.tell_moved(JobId::new());
+            assert!(is_told(&mut moves).await);
+        }
+        assert!(!is_told(&mut moves).await);
+    }
+
+    #[tokio::test]
+    async fn a_follower_that_fell_behind_is_woken() {
         let signals = Signals::default();
         let mut moves = signals.moves_of(JobId::new());
         for _ in 0..=KEPT {

@@ -1,4 +1,4 @@
-//! The API over loopback: what it answers to right and to wrong requests.
+//! The HTTP API over loopback: answers to valid and to invalid requests.
 
 use super::jobs_support::{TestService, form, problem};
 use reqwest::multipart::{Form, Part};
@@ -146,7 +146,7 @@ async fn lists_are_filtered_and_paged() {
 }
 
 #[tokio::test]
-async fn a_waiting_job_knows_its_place() {
+async fn a_queued_job_has_its_queue_position() {
     let service = TestService::start(&["--workers", "0"]).await;
     let first = service.submit(json!({})).await;
     let urgent: Value = service.send(form("a", "b", &json!({})).text("priority", "10")).await.json().await.unwrap();
@@ -182,7 +182,7 @@ async fn cancel_reaches_queued_running_and_finished_jobs() {
 }
 
 #[tokio::test]
-async fn a_deaf_computation_does_not_hold_up_its_cancel() {
+async fn a_computation_that_ignores_cancellation_does_not_delay_it() {
     let service = TestService::start(&[]).await;
     let id = service.submit(json!({"points": 20, "step_ms": 100, "deaf": 1})).await;
     service.until_running(&id).await;
@@ -261,7 +261,7 @@ async fn results_are_not_ready_before_the_end() {
 }
 
 #[tokio::test]
-async fn faults_of_a_submission_name_their_place() {
+async fn faults_in_a_submission_name_their_field() {
     let service = TestService::start(&[]).await;
     let body = problem(service.send(form("a", "b", &json!({"x": 1, "y": 2}))).await, 422, "invalid-parameters").await;
     let pointers: Vec<_> = body["errors"].as_array().unwrap().iter().map(|e| e["pointer"].clone()).collect();
@@ -296,7 +296,7 @@ async fn faults_of_a_submission_name_their_place() {
 }
 
 #[tokio::test]
-async fn every_wrong_request_is_a_problem() {
+async fn every_invalid_request_is_answered_with_a_problem() {
     let service = TestService::start(&[]).await;
     for path in ["/", "/nope", "/v1", "/v1/jobs/", "/v1/nope", "/v1/jobs/x/y/z"] {
         problem(service.get(path).await, 404, "route-not-found").await;
@@ -336,7 +336,7 @@ async fn every_wrong_request_is_a_problem() {
 }
 
 #[tokio::test]
-async fn limits_have_problems_of_their_own() {
+async fn each_limit_has_its_own_problem() {
     let service = TestService::start(&["--workers", "0", "--max-queue", "2", "--max-file-bytes", "1000"]).await;
     let large = "x".repeat(1001);
     let body = problem(service.send(form(&large, "b", &json!({}))).await, 413, "too-large").await;
@@ -370,7 +370,7 @@ async fn the_service_describes_itself() {
 }
 
 #[tokio::test]
-async fn readiness_names_what_fails() {
+async fn readiness_names_the_failing_dependency() {
     let service = TestService::start(&["--workers", "0"]).await;
     std::fs::remove_dir(service.folder.path().join("blobs")).unwrap();
     let body = problem(service.get("/readyz").await, 503, "unavailable").await;

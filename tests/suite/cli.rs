@@ -1,4 +1,4 @@
-//! The program as a user runs it: exit codes, what goes to which output, the files it leaves.
+//! The command line: exit codes, standard output and standard error, and the files that commands write.
 
 use serde_json::Value;
 use std::fs;
@@ -6,14 +6,14 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
 /// The program that was built for these tests.
-pub fn homolog() -> Command {
+pub(crate) fn homolog() -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_homolog"));
     command.stdin(Stdio::null());
     command
 }
 
 /// A JSON file.
-pub fn read_json(path: &Path) -> Value {
+pub(crate) fn read_json(path: &Path) -> Value {
     serde_json::from_slice(&fs::read(path).unwrap()).unwrap()
 }
 
@@ -29,7 +29,7 @@ fn small_pair(folder: &Path) -> (PathBuf, PathBuf) {
 }
 
 #[test]
-fn help_and_version_are_answers_and_usage_errors_are_not() {
+fn help_and_version_exit_with_0_and_usage_errors_with_2() {
     let code = |arguments: &[&str]| homolog().args(arguments).output().unwrap().status.code();
     assert_eq!(code(&["--version"]), Some(0));
     assert_eq!(code(&["match", "--help"]), Some(0));
@@ -39,7 +39,7 @@ fn help_and_version_are_answers_and_usage_errors_are_not() {
 }
 
 #[test]
-fn unreadable_files_and_wrong_parameters_are_bad_input_with_their_place() {
+fn errors_in_files_and_parameters_name_them_and_exit_with_2() {
     let folder = tempfile::tempdir().unwrap();
     let junk = folder.path().join("junk.ply");
     fs::write(&junk, b"no surface at all").unwrap();
@@ -62,7 +62,7 @@ fn unreadable_files_and_wrong_parameters_are_bad_input_with_their_place() {
 }
 
 #[test]
-fn a_closed_output_is_no_fault() {
+fn a_closed_output_is_not_an_error() {
     let folder = tempfile::tempdir().unwrap();
     let mut command = homolog();
     command.args(["phantom", "--edge", "2", "--kind", "surface", "--out"]).arg(folder.path());

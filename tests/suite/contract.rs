@@ -1,4 +1,4 @@
-//! The committed contract is the contract that is served. `make api` writes it anew.
+//! The committed API description equals the one that the program generates. `make api` updates it.
 
 use serde_json::Value;
 use std::path::Path;
@@ -10,13 +10,13 @@ fn committed(name: &str) -> String {
 
 #[test]
 fn openapi_json_is_up_to_date() {
-    let made = homolog::http::openapi::openapi_json().unwrap();
+    let made = homolog::http::openapi_json().unwrap();
     assert!(committed("openapi.json") == made, "api/openapi.json is not what the code says; run `make api`");
 }
 
 #[test]
 fn problems_md_is_up_to_date() {
-    let made = homolog::http::problem_table::problems_markdown();
+    let made = homolog::http::problems_markdown();
     assert!(committed("problems.md") == made, "api/problems.md is not what the code says; run `make api`");
 }
 
@@ -45,7 +45,7 @@ fn collect(value: &Value, references: &mut Vec<String>) {
     }
 }
 
-/// Every operation of the document with its name.
+/// Every operation of the document with its operation id.
 fn operations(document: &Value) -> Vec<(String, Value)> {
     let items = document["paths"].as_object().unwrap().values();
     let operations = items.flat_map(|item| item.as_object().unwrap().values()).filter(|o| o["operationId"].is_string());
@@ -62,7 +62,7 @@ fn every_body_has_an_example_that_its_schema_allows() {
         let bodies = answers.map(|(status, answer)| (status.as_str(), &answer["content"]));
         for (place, content) in bodies.chain([("request", &operation["requestBody"]["content"])]) {
             for (media_type, body) in content.as_object().into_iter().flatten() {
-                // Files have no example; nor has the document itself, which would be all of this.
+                // Files have no example, nor has the OpenAPI document itself.
                 let is_text = media_type.contains("json") || media_type.starts_with("text/");
                 if name == "openapi" && place == "200" || !is_text && place != "request" {
                     continue;

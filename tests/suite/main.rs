@@ -12,6 +12,8 @@ mod intake;
 mod jobs;
 mod jobs_support;
 mod keys;
+mod long_polls;
+mod metrics;
 mod numbering;
 mod phantom;
 mod process;

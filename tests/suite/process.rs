@@ -1,4 +1,4 @@
-//! The real program in a process of its own: killed, asked to end, and fed with nonsense.
+//! The real program in a process of its own: killed, terminated, and sent malformed requests.
 
 use super::cli::homolog;
 use homolog_formats::{write_nifti, write_nifti_gz, write_ply, write_stl, write_vtk};
@@ -15,10 +15,10 @@ use std::path::Path;
 use std::process::{Child, Stdio};
 use std::time::{Duration, Instant};
 
-/// Parameters of a match that takes seconds, so that something can happen to it: every vertex is a variable.
+/// Parameters of a match that takes seconds, so that a test can interrupt it: every vertex is a variable.
 const SLOW: &str = r#"{"inference": {"coarse_vertices": null, "max_iterations": 100, "tolerance": 0}}"#;
 
-/// A served folder; killed when dropped, so that no test leaves a process behind.
+/// A service process; killed when dropped, so that no test leaves one behind.
 struct Server {
     process: Child,
     base: String,
@@ -155,7 +155,7 @@ fn a_running_job_is_cancelled_within_a_second() {
 }
 
 #[test]
-fn sigterm_during_a_job_exits_0_and_gives_it_back() {
+fn sigterm_during_a_job_exits_with_0_and_requeues_it() {
     let folder = tempfile::tempdir().unwrap();
     let [source, target] = pair(&folder.path().join("pair"));
     let data_dir = folder.path().join("data");
@@ -171,7 +171,7 @@ fn sigterm_during_a_job_exits_0_and_gives_it_back() {
 }
 
 #[test]
-fn an_open_address_has_to_be_wanted_and_a_folder_is_served_once() {
+fn a_public_address_requires_a_flag_and_a_folder_is_served_once() {
     let folder = tempfile::tempdir().unwrap();
     let serve = |listen: &str| {
         let done = homolog()
@@ -332,7 +332,7 @@ fn a_pair_too_large_to_match_is_refused_before_it_is_queued() {
 }
 
 #[test]
-fn a_query_that_is_not_known_submits_nothing() {
+fn an_unknown_query_parameter_submits_nothing() {
     let folder = tempfile::tempdir().unwrap();
     let [source, target] = pair(&folder.path().join("pair"));
     let server = Server::start(&folder.path().join("data"), &[]);
@@ -345,7 +345,7 @@ fn a_query_that_is_not_known_submits_nothing() {
 }
 
 #[test]
-fn a_body_that_does_not_come_ends_in_408() {
+fn a_body_that_does_not_arrive_is_answered_with_408() {
     use std::io::{Read, Write};
     let folder = tempfile::tempdir().unwrap();
     let server = Server::start(&folder.path().join("data"), &["--upload-timeout-s", "1"]);

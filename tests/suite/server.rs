@@ -1,4 +1,4 @@
-//! The server loop: slow headers, too many connections, the end; and which hosts a request may name.
+//! The server loop: slow headers, too many connections, shutdown, and host validation.
 
 use super::jobs_support::{TestService, form, problem};
 use serde_json::json;
@@ -29,16 +29,16 @@ async fn answer(stream: &mut TcpStream) -> String {
     String::from_utf8(text).unwrap()
 }
 
-/// Reads until the other side closes; what came before that.
+/// Reads until the server closes the connection; returns what it sent.
 async fn until_closed(stream: &mut TcpStream) -> Vec<u8> {
     let mut rest = Vec::new();
-    // A reset is an end too.
+    // A reset closes the connection too.
     let _ = timeout(Duration::from_secs(5), stream.read_to_end(&mut rest)).await.expect("still open");
     rest
 }
 
 #[tokio::test]
-async fn slow_headers_and_idle_connections_are_closed_after_their_time() {
+async fn slow_headers_and_idle_connections_are_closed_at_their_timeout() {
     let service = TestService::start(&["--header-timeout-s", "1"]).await;
     let began = Instant::now();
     let (mut silent, mut half, mut trickle, mut idle) =
@@ -83,7 +83,7 @@ async fn connections_beyond_the_limit_wait_for_one_to_close() {
 }
 
 #[tokio::test]
-async fn idle_connections_do_not_hold_up_the_end() {
+async fn idle_connections_do_not_delay_shutdown() {
     let service = TestService::start(&["--header-timeout-s", "60"]).await;
     let (mut idle, silent) = (connect(&service).await, connect(&service).await);
     ping(&mut idle).await;
@@ -95,7 +95,7 @@ async fn idle_connections_do_not_hold_up_the_end() {
 }
 
 #[tokio::test]
-async fn what_is_being_asked_is_answered_before_the_end() {
+async fn requests_in_progress_are_answered_before_shutdown() {
     let service = TestService::start(&["--workers", "0"]).await;
     let id = service.submit(json!({})).await;
     let mut waiting = connect(&service).await;
@@ -110,7 +110,7 @@ async fn what_is_being_asked_is_answered_before_the_end() {
 }
 
 #[tokio::test]
-async fn a_request_that_never_ends_is_cut_at_the_end() {
+async fn a_request_that_never_ends_is_cut_off_at_shutdown() {
     let service = TestService::start(&[]).await;
     let mut stuck = connect(&service).await;
     let head = "POST /v1/jobs HTTP/1.1\r\nhost: localhost\r\ncontent-type: multipart/form-data; boundary=x\r\ncontent-length: 1000\r\n\r\n--x\r\n";
@@ -123,7 +123,7 @@ async fn a_request_that_never_ends_is_cut_at_the_end() {
 }
 
 #[tokio::test]
-async fn only_names_of_this_machine_are_answered() {
+async fn only_host_names_of_this_machine_are_accepted() {
     let service = TestService::start(&["--allowed-host", "imaging.example", "--workers", "0"]).await;
     let get = |host: &str| service.client.get(format!("{}/v1/jobs", service.base)).header("host", host.to_owned());
     for host in ["localhost", "localhost:1234", "127.0.0.1", "127.1.2.3:80", "[::1]:8080", "Imaging.Example:443"] {
@@ -144,7 +144,7 @@ async fn only_names_of_this_machine_are_answered() {
 }
 
 #[tokio::test]
-async fn a_service_for_others_answers_to_any_name() {
+async fn a_service_on_a_public_address_accepts_any_host_name() {
     let service = TestService::start(&["--listen", "0.0.0.0:0", "--insecure"]).await;
     let request = service.client.get(format!("{}/healthz", service.base)).header("host", "imaging.example");
     assert_eq!(request.send().await.unwrap().status(), 200);

@@ -1,4 +1,4 @@
-//! Webhooks, against receivers on loopback that check what they get.
+//! Webhooks, with receivers on loopback that record their requests.
 
 use super::jobs_support::{TestService, problem};
 use axum::extract::State;
@@ -74,7 +74,7 @@ async fn log(service: &TestService, id: &str, done: impl Fn(&[Value]) -> bool) -
 }
 
 #[tokio::test]
-async fn deliveries_are_signed_and_tried_until_they_are_taken() {
+async fn deliveries_are_signed_and_retried_until_accepted() {
     let service = TestService::start(&SETTINGS).await;
     let (receiver, url) = Receiver::start(&[500, 302]).await;
     let webhook = made(&service, &json!({"url": url, "states": ["succeeded", "failed"]})).await;
@@ -100,7 +100,7 @@ async fn deliveries_are_signed_and_tried_until_they_are_taken() {
 }
 
 #[tokio::test]
-async fn a_receiver_that_is_gone_ends_its_webhook() {
+async fn a_receiver_that_answers_410_disables_its_webhook() {
     let service = TestService::start(&SETTINGS).await;
     let (receiver, url) = Receiver::start(&[410]).await;
     let webhook = made(&service, &json!({"url": url})).await;

@@ -1,33 +1,33 @@
-//! A small client of the service: JSON in and out, one multipart form.
+//! A small HTTP client for the service: JSON answers and multipart submissions.
 
 use crate::cli::error::CliError;
 use serde_json::Value;
 use std::time::Duration;
 
-/// Talks to one service.
-pub struct ServiceClient {
+/// A client of one service.
+pub(in crate::cli) struct ServiceClient {
     base: String,
     agent: ureq::Agent,
 }
 
 /// Status and body of an answer.
-pub struct Answer {
+pub(in crate::cli) struct Answer {
     /// HTTP status.
-    pub status: u16,
+    pub(in crate::cli) status: u16,
     /// The whole body.
-    pub body: Vec<u8>,
+    pub(in crate::cli) body: Vec<u8>,
 }
 
-/// The largest answer that is read; correspondences of the largest surfaces fit.
+/// Largest answer, bytes; enough for the correspondences of the largest surfaces.
 const MAX_BODY: u64 = 512 << 20;
 
 impl ServiceClient {
     /// `base` is scheme and authority, such as `http://127.0.0.1:8080`; `timeout` is that of every request.
-    pub fn new(base: &str, timeout: Duration) -> Self {
+    pub(in crate::cli) fn new(base: &str, timeout: Duration) -> Self {
         let config = ureq::Agent::config_builder()
             .timeout_global(Some(timeout))
             .http_status_as_error(false)
-            // The service is on this machine or named on purpose; a proxy of the environment is not meant for it.
+            // The service is local or named explicitly; a proxy from the environment is not meant for it.
             .proxy(None)
             .build();
         ServiceClient { base: base.trim_end_matches('/').to_owned(), agent: config.into() }
@@ -37,7 +37,7 @@ impl ServiceClient {
     ///
     /// # Errors
     /// [`CliError::Failed`] if there is no answer.
-    pub fn get(&self, path: &str) -> Result<Answer, CliError> {
+    pub(in crate::cli) fn get(&self, path: &str) -> Result<Answer, CliError> {
         self.read("GET", path, self.agent.get(self.url(path)).call())
     }
 
@@ -45,7 +45,7 @@ impl ServiceClient {
     ///
     /// # Errors
     /// [`CliError::Failed`] for anything else.
-    pub fn get_json(&self, path: &str) -> Result<Value, CliError> {
+    pub(in crate::cli) fn get_json(&self, path: &str) -> Result<Value, CliError> {
         let answer = self.get(path)?;
         if answer.status != 200 {
             return Err(CliError::Failed(format!("GET {path} answered {}: {}", answer.status, answer.problem())));
@@ -57,7 +57,7 @@ impl ServiceClient {
     ///
     /// # Errors
     /// [`CliError::Failed`] if there is no answer.
-    pub fn post_form(&self, path: &str, parts: &[FormPart<'_>]) -> Result<Answer, CliError> {
+    pub(in crate::cli) fn post_form(&self, path: &str, parts: &[FormPart<'_>]) -> Result<Answer, CliError> {
         let (content_type, body) = multipart(parts);
         let sent = self.agent.post(self.url(path)).header("content-type", &content_type).send(&body[..]);
         self.read("POST", path, sent)
@@ -87,12 +87,13 @@ impl Answer {
     ///
     /// # Errors
     /// [`CliError::Failed`] if it is not.
-    pub fn json(&self) -> Result<Value, CliError> {
-        serde_json::from_slice(&self.body).map_err(|e| CliError::Failed(format!("the service answered no JSON: {e}")))
+    pub(in crate::cli) fn json(&self) -> Result<Value, CliError> {
+        serde_json::from_slice(&self.body)
+            .map_err(|e| CliError::Failed(format!("the answer of the service is not JSON: {e}")))
     }
 
-    /// What a problem document says, in lines.
-    pub fn problem(&self) -> String {
+    /// The text of a problem document.
+    pub(in crate::cli) fn problem(&self) -> String {
         let Ok(problem) = self.json() else { return String::from_utf8_lossy(&self.body).into_owned() };
         let text = |value: &Value, key: &str| value.get(key).and_then(Value::as_str).unwrap_or_default().to_owned();
         let mut lines = vec![text(&problem, "title"), text(&problem, "detail")];
@@ -106,20 +107,20 @@ impl Answer {
 }
 
 /// One part of a form.
-pub struct FormPart<'a> {
+pub(in crate::cli) struct FormPart<'a> {
     /// Name of the field.
-    pub name: &'a str,
+    pub(in crate::cli) name: &'a str,
     /// Name of the file, for files.
-    pub file_name: Option<&'a str>,
+    pub(in crate::cli) file_name: Option<&'a str>,
     /// Media type.
-    pub content_type: &'a str,
+    pub(in crate::cli) content_type: &'a str,
     /// Content.
-    pub bytes: &'a [u8],
+    pub(in crate::cli) bytes: &'a [u8],
 }
 
 /// RFC 7578: the content type with its boundary, and the body.
 fn multipart(parts: &[FormPart<'_>]) -> (String, Vec<u8>) {
-    // 122 random bits: no file holds them by chance.
+    // 122 random bits: no file contains them by chance.
     let boundary = format!("homolog-{}", uuid::Uuid::new_v4().simple());
     let mut body = Vec::with_capacity(parts.iter().map(|p| p.bytes.len() + 256).sum());
     for part in parts {
@@ -127,7 +128,7 @@ fn multipart(parts: &[FormPart<'_>]) -> (String, Vec<u8>) {
             format!("--{boundary}\r\ncontent-disposition: form-data; name=\"{}\"", part.name).as_bytes(),
         );
         if let Some(name) = part.file_name {
-            // As browsers do: what would end the quoted string is written in percent form.
+            // As browsers do: characters that would end the quoted string are percent-encoded.
             let name = name.replace('"', "%22").replace('\r', "%0D").replace('\n', "%0A");
             body.extend_from_slice(format!("; filename=\"{name}\"").as_bytes());
         }
@@ -156,7 +157,7 @@ mod tests {
     }
 
     #[test]
-    fn a_problem_is_told_in_lines() {
+    fn the_text_of_a_problem_has_a_line_for_each_fault() {
         let body = br#"{"title": "bad", "detail": "two faults", "errors": [{"pointer": "/seed", "detail": "no"}]}"#;
         assert_eq!(Answer { status: 422, body: body.to_vec() }.problem(), "bad\ntwo faults\n/seed: no");
         assert_eq!(Answer { status: 500, body: b"oops".to_vec() }.problem(), "oops");

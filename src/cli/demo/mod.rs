@@ -1,4 +1,4 @@
-//! `homolog demo`: the whole path once, over HTTP, with a service that it starts and stops itself.
+//! `homolog demo`: one match over HTTP, with a service that the command starts and stops.
 
 pub(super) mod client;
 mod plot;
@@ -22,27 +22,27 @@ use service::ServiceProcess;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-/// Start a service, match a pair over HTTP, show the result
+/// Start a service, match a pair over HTTP and show the result
 #[derive(Debug, Clone, Args)]
-pub struct DemoArgs {
-    /// The surface that moves; two synthetic subjects in different poses if no files are given
+pub(super) struct DemoArgs {
+    /// Source: the surface that is moved; absent: two synthetic subjects in different poses are matched
     #[arg(requires = "target")]
-    pub source: Option<PathBuf>,
-    /// The surface that stays
-    pub target: Option<PathBuf>,
-    /// Keep the service running afterwards, until Ctrl-C
+    pub(super) source: Option<PathBuf>,
+    /// Target: the surface that stays in place
+    pub(super) target: Option<PathBuf>,
+    /// Keep the service running after the match, until Ctrl-C
     #[arg(long)]
-    pub keep: bool,
-    /// Folder for the inputs made, result.json, aligned.ply and the service's data
+    pub(super) keep: bool,
+    /// Folder for the synthetic inputs, result.json, aligned.ply and the data of the service
     #[arg(long, value_name = "DIR", default_value = "homolog-demo")]
-    pub out: PathBuf,
+    pub(super) out: PathBuf,
 }
 
-/// Pause between two looks at the job.
+/// Interval between requests for the job.
 const POLL_EVERY: Duration = Duration::from_millis(100);
-/// Longest time without an answer to one request.
+/// Timeout of a request.
 const REQUEST_TIMEOUT: Duration = Duration::from_secs(60);
-/// Two subjects and a pose, chosen once and for no reason.
+/// Two subjects and a pose; any others would do.
 const DEMO_PAIR: PairRecipe = PairRecipe {
     subject: 1,
     target_subject: 2,
@@ -56,13 +56,13 @@ const DEMO_PAIR: PairRecipe = PairRecipe {
 ///
 /// # Errors
 /// [`CliError`].
-pub fn run(args: &DemoArgs) -> Result<(), CliError> {
+pub(super) fn run(args: &DemoArgs) -> Result<(), CliError> {
     let interrupt = Interrupt::listen();
     let folder = OutputFolder::create(&args.out)?;
     let (source, target) = match (&args.source, &args.target) {
         (Some(source), Some(target)) => (source.clone(), target.clone()),
         _ => {
-            note("making two synthetic subjects in different poses");
+            note("generating two synthetic subjects in different poses");
             let written = write_pair(&DEMO_PAIR, Kind::Volume, 1.0, DEFAULT_EDGE_MM, &folder)?;
             (written[0].clone(), written[1].clone())
         }
@@ -82,7 +82,7 @@ pub fn run(args: &DemoArgs) -> Result<(), CliError> {
         }
     }
     service.stop();
-    // What the demo submitted is of no use to anybody; kept services may have been given more.
+    // The data of the demo is of no further use; a service that was kept may hold other jobs.
     if !args.keep {
         let _ = std::fs::remove_dir_all(&data_dir);
     }
@@ -105,7 +105,7 @@ fn match_over_http(
     let trace = follow(client, service, &job, interrupt)?;
     let result = client.get_json(&format!("/v1/jobs/{job}/result"))?;
     let document: ResultDocument = serde_json::from_value(result.clone())
-        .map_err(|e| CliError::Failed(format!("the result is not the document that this program knows: {e}")))?;
+        .map_err(|e| CliError::Failed(format!("unexpected form of the result: {e}")))?;
     print(&summary(&document))?;
     show_energy(&trace)?;
     let aligned = fetch_link(client, &result, "aligned")?;
@@ -117,7 +117,7 @@ fn match_over_http(
     Ok(())
 }
 
-/// What a link of the result leads to.
+/// The body behind a link of the result.
 fn fetch_link(client: &ServiceClient, result: &Value, name: &str) -> Result<Vec<u8>, CliError> {
     let link = result.pointer(&format!("/links/{name}")).and_then(Value::as_str);
     let link = link.ok_or_else(|| CliError::Failed(format!("the result has no link named {name}")))?;
@@ -128,7 +128,7 @@ fn fetch_link(client: &ServiceClient, result: &Value, name: &str) -> Result<Vec<
     }
 }
 
-/// Submits the pair in one request; the job's id.
+/// Submits the pair in one request; returns the id of the job.
 fn submit(client: &ServiceClient, source: (&Path, &[u8]), target: (&Path, &[u8])) -> Result<String, CliError> {
     let file = |name, (path, bytes): (&'_ Path, &'_ [u8])| (name, file_name(path).map(str::to_owned), bytes.to_vec());
     let files = [file("source", source), file("target", target)];
@@ -152,10 +152,10 @@ fn submit(client: &ServiceClient, source: (&Path, &[u8]), target: (&Path, &[u8])
     job.get("id")
         .and_then(Value::as_str)
         .map(str::to_owned)
-        .ok_or_else(|| CliError::Failed("the service answered a job without an id".to_owned()))
+        .ok_or_else(|| CliError::Failed("the answer of the service has no job id".to_owned()))
 }
 
-/// Shows progress until the job has ended; its energy trace.
+/// Shows progress until the job is finished; returns its energy trace.
 fn follow(
     client: &ServiceClient,
     service: &mut ServiceProcess,
@@ -170,7 +170,7 @@ fn follow(
             return Err(CliError::Interrupted);
         }
         service.check_running()?;
-        // The job first: once it has ended, the trace read after it is whole.
+        // The job first: once it is finished, the trace read after it is complete.
         let job = client.get_json(&format!("/v1/jobs/{id}"))?;
         let query = after_seq.map(|seq: u64| format!("?after_seq={seq}")).unwrap_or_default();
         let page = client.get_json(&format!("/v1/jobs/{id}/trace{query}"))?;
@@ -185,20 +185,20 @@ fn follow(
         progress.phase(if phase.is_empty() { &state } else { &phase });
         match state.as_str() {
             "queued" | "running" => std::thread::sleep(POLL_EVERY),
-            // A page of the trace may hold only a part of what is left.
+            // The trace may have more than one page.
             "succeeded" if !complete => {}
             "succeeded" => return Ok(trace),
             _ => {
                 let error = job.get("error").cloned().unwrap_or_default();
                 let reason =
                     error.get("detail").and_then(Value::as_str).map_or_else(|| error.to_string(), str::to_owned);
-                return Err(CliError::Failed(format!("the job ended as {state}: {reason}")));
+                return Err(CliError::Failed(format!("the job is {state}: {reason}")));
             }
         }
     }
 }
 
-/// The energy over the iterations of all rounds.
+/// Plots the energy over the iterations of all rounds.
 fn show_energy(trace: &[Value]) -> Result<(), CliError> {
     let points: Vec<(f64, u64)> = trace
         .iter()
@@ -210,6 +210,6 @@ fn show_energy(trace: &[Value]) -> Result<(), CliError> {
     if lines.is_empty() {
         return Ok(());
     }
-    print(&format!("\nenergy, {} points in {} rounds (┴ a round begins)", points.len(), starts.len()))?;
+    print(&format!("\nenergy, {} points in {} rounds (┴ start of a round)", points.len(), starts.len()))?;
     lines.iter().try_for_each(|line| print(line))
 }

@@ -13,7 +13,7 @@ use std::time::{Duration, Instant};
 const READY_WITHIN: Duration = Duration::from_secs(60);
 const STOP_WITHIN: Duration = Duration::from_secs(15);
 
-/// A running service; dropped, it is ended.
+/// A running service; it is stopped when dropped.
 pub(super) struct ServiceProcess {
     child: Child,
     address: SocketAddr,
@@ -55,14 +55,14 @@ impl ServiceProcess {
         self.end();
     }
 
-    /// Fails if the service ended by itself.
+    /// Fails if the service has exited.
     pub(super) fn check_running(&mut self) -> Result<(), CliError> {
         match self.child.try_wait() {
             Ok(None) => Ok(()),
             Ok(Some(status)) => {
-                Err(CliError::Failed(format!("the service ended by itself ({status})\n{}", self.last_messages())))
+                Err(CliError::Failed(format!("the service exited unexpectedly ({status})\n{}", self.last_messages())))
             }
-            Err(e) => Err(CliError::Failed(format!("the service cannot be watched: {e}"))),
+            Err(e) => Err(CliError::Failed(format!("cannot get the status of the service: {e}"))),
         }
     }
 
@@ -86,7 +86,7 @@ impl ServiceProcess {
         let text = fs::read_to_string(&self.log).unwrap_or_default();
         let lines: Vec<_> = text.lines().collect();
         let last = lines[lines.len().saturating_sub(10)..].join("\n");
-        format!("its last messages ({}):\n{last}", self.log.display())
+        format!("last lines of its log ({}):\n{last}", self.log.display())
     }
 
     fn end(&mut self) {
@@ -102,7 +102,7 @@ impl ServiceProcess {
                 std::thread::sleep(Duration::from_millis(20));
             }
         }
-        // Nothing is lost by it: that is what the lease and the fsync are for.
+        // Killing it loses nothing: leases and fsync cover crashes.
         let _ = self.child.kill();
         let _ = self.child.wait();
     }
@@ -127,7 +127,7 @@ impl Drop for ServiceProcess {
     }
 }
 
-/// An address that was free a moment ago; should another program take it first, the service says so.
+/// An address that was free a moment ago. If another program takes it first, the service reports that.
 fn free_address() -> std::io::Result<SocketAddr> {
     TcpListener::bind((Ipv4Addr::LOCALHOST, 0))?.local_addr()
 }

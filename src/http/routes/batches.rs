@@ -1,8 +1,8 @@
-//! `/v1/batches`: many jobs made at once.
+//! `/v1/batches`: many jobs submitted in one request.
 
 use super::{batch_id, page};
 use crate::http::auth::{Reader, Submitter};
-use crate::http::conditional::{etag_of, respond};
+use crate::http::long_poll::{Resource, Snapshot, Version, answer, wait_of};
 use crate::http::preferences::{idempotency_key, marked, traceparent};
 use crate::http::problem::{FieldError, Problem, ProblemDocument};
 use crate::http::problem_table::ProblemKind;
@@ -11,8 +11,12 @@ use crate::http::router::HttpState;
 use crate::http::submission::{DetailsDocument, check_details, media_type, read_json};
 use crate::http::upload::Tap;
 use crate::http::wire::{BatchDocument, BatchListDocument, BulkCancelDocument, JobListDocument};
+use crate::jobs::follow::Feed;
 use crate::jobs::mesh::hash_of_id;
-use crate::jobs::{Accepted, Batch, BatchPair, BatchSubmission, JobFilter, Order, PageRequest, Tenant};
+use crate::jobs::{
+    Accepted, Batch, BatchId, BatchPair, BatchSubmission, JobFilter, JobService, Order, PageRequest, Tenant,
+};
+use async_trait::async_trait;
 use axum::Json;
 use axum::extract::{Path, Request, State};
 use axum::http::{HeaderMap, StatusCode, header};
@@ -20,84 +24,85 @@ use axum::response::{IntoResponse, Response};
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use std::collections::BTreeMap;
+use std::sync::Arc;
 use utoipa::ToSchema;
 
-/// Faults that are named; more say nothing new.
+/// Most faults listed in an answer.
 const NAMED_FAULTS: usize = 16;
 
-/// A batch: either `template` and `subjects`, or `pairs`. Meshes are named by the ids of uploads.
+/// A batch: either `template` and `subjects`, or `pairs`. Meshes are referred to by the ids of uploads.
 #[derive(Debug, Clone, Deserialize, Serialize, ToSchema)]
 #[serde(deny_unknown_fields)]
-pub struct BatchSubmissionDocument {
-    /// The surface that every subject is matched with; it is the target.
+pub(crate) struct BatchSubmissionDocument {
+    /// The target of every job.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub template: Option<String>,
-    /// The surfaces that move onto the template, one job each.
+    pub(crate) template: Option<String>,
+    /// The sources, one job each.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub subjects: Vec<SubjectDocument>,
-    /// Pairs, one job each.
+    pub(crate) subjects: Vec<SubjectDocument>,
+    /// Pairs of source and target, one job each.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub pairs: Vec<PairDocument>,
+    pub(crate) pairs: Vec<PairDocument>,
     /// Parameters of all jobs.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schema(value_type = Option<Object>)]
-    pub parameters: Option<Value>,
-    /// Of all jobs; `external_ref` is the batch's own.
+    pub(crate) parameters: Option<Value>,
+    /// Apply to every job, but `external_ref`, which names the batch.
     #[serde(flatten)]
-    pub details: DetailsDocument,
+    pub(crate) details: DetailsDocument,
 }
 
 /// A subject of a batch.
 #[derive(Debug, Clone, Deserialize, Serialize, ToSchema)]
 #[serde(deny_unknown_fields)]
-pub struct SubjectDocument {
-    /// The surface that moves.
-    pub mesh_id: String,
-    /// The submitter's own name for the job.
+pub(crate) struct SubjectDocument {
+    /// The source: the surface that is moved onto the template.
+    pub(crate) mesh_id: String,
+    /// The client's own id of the job.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub external_ref: Option<String>,
-    /// Its marks, joined with those of the batch.
+    pub(crate) external_ref: Option<String>,
+    /// Labels of the job, merged with those of the batch.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
-    pub labels: BTreeMap<String, String>,
+    pub(crate) labels: BTreeMap<String, String>,
 }
 
 /// A pair of a batch.
 #[derive(Debug, Clone, Deserialize, Serialize, ToSchema)]
 #[serde(deny_unknown_fields)]
-pub struct PairDocument {
-    /// The surface that moves.
-    pub source: String,
-    /// The surface that stays.
-    pub target: String,
-    /// The submitter's own name for the job.
+pub(crate) struct PairDocument {
+    /// The surface that is moved onto the target.
+    pub(crate) source: String,
+    /// The surface that stays in place.
+    pub(crate) target: String,
+    /// The client's own id of the job.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub external_ref: Option<String>,
-    /// Its marks, joined with those of the batch.
+    pub(crate) external_ref: Option<String>,
+    /// Labels of the job, merged with those of the batch.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
-    pub labels: BTreeMap<String, String>,
+    pub(crate) labels: BTreeMap<String, String>,
 }
 
 /// Submit a batch
 ///
-/// One template against many subjects, or a list of pairs. All jobs are made at once, or none; faults name the pair by
-/// its place in the list, as `/pairs/3/source`.
+/// One template against many subjects, or a list of pairs. Either all jobs are created or none. Faults name the pair by its
+/// index, counted from 0, as in `/pairs/3/source`.
 #[utoipa::path(
     post, path = "/v1/batches", tag = "batches", operation_id = "submit_batch",
     params(("Idempotency-Key" = Option<String>, Header, description = "1 to 128 visible ASCII characters")),
     request_body = BatchSubmissionDocument,
     responses(
         (status = 202, description = "Accepted", body = BatchDocument, headers(
-            ("Location" = String, description = "The batch"), ("Retry-After" = u32, description = "When to look, s"))),
-        (status = 400, description = "The body cannot be read", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 409, description = "The same request is being worked on", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 413, description = "More jobs than a batch may have", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 415, description = "No JSON", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 422, description = "Faults in fields, parameters or meshes, or an Idempotency-Key of another request", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 429, description = "The queue has no room for all", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 503, description = "Busy, or a dependency does not answer", body = ProblemDocument, content_type = "application/problem+json"),
+            ("Location" = String, description = "The batch"), ("Retry-After" = u32, description = "Suggested delay before the next request, s"))),
+        (status = 400, description = "The body is malformed", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 409, description = "A request with the same Idempotency-Key is in progress", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 413, description = "More jobs than a batch can have", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 415, description = "Not JSON", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 422, description = "Invalid fields, parameters or meshes, or an Idempotency-Key that was used for another request", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 429, description = "The queue has no room for all jobs", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 503, description = "Too many uploads at once, or a dependency does not respond", body = ProblemDocument, content_type = "application/problem+json"),
     )
 )]
-pub async fn submit(
+pub(crate) async fn submit(
     State(state): State<HttpState>,
     Submitter(tenant): Submitter,
     query: QueryString,
@@ -143,7 +148,7 @@ async fn take(
             .collect(),
         (None, true, false) => pairs,
         _ => {
-            let detail = "either template and at least one of subjects, or at least one of pairs is needed";
+            let detail = "either template and subjects, or pairs is required";
             return Err(Problem::new(ProblemKind::InvalidRequest).errors(&[FieldError::new("", "missing", detail)]));
         }
     };
@@ -151,7 +156,7 @@ async fn take(
     let mut named = |number: usize, side: &str, id: &str| {
         hash_of_id(id).map(str::to_owned).unwrap_or_else(|| {
             let pointer = format!("/pairs/{number}/{side}");
-            faults.push(FieldError::new(pointer, "out_of_range", "blake3: and 64 hexadecimal digits are needed here"));
+            faults.push(FieldError::new(pointer, "out_of_range", "must be blake3: and 64 hexadecimal digits"));
             String::new()
         })
     };
@@ -177,15 +182,15 @@ async fn take(
 #[utoipa::path(
     get, path = "/v1/batches", tag = "batches", operation_id = "list_batches",
     params(
-        ("page_size" = Option<u32>, Query, minimum = 1, maximum = 500, description = "Most entries of a page; 50 if absent"),
-        ("page_token" = Option<String>, Query, description = "`next_page_token` of the page before"),
+        ("page_size" = Option<u32>, Query, minimum = 1, maximum = 500, description = "Maximum number of entries; 50 if absent"),
+        ("page_token" = Option<String>, Query, description = "`next_page_token` of the previous page"),
     ),
     responses(
         (status = 200, description = "A page", body = BatchListDocument),
-        (status = 400, description = "Faults in the query", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 400, description = "Invalid query parameters", body = ProblemDocument, content_type = "application/problem+json"),
     )
 )]
-pub async fn list(
+pub(crate) async fn list(
     State(state): State<HttpState>,
     Reader(tenant): Reader,
     mut query: QueryString,
@@ -199,30 +204,67 @@ pub async fn list(
     }))
 }
 
-/// Look at a batch
+/// Get a batch
+///
+/// With `wait` the answer is delayed until the batch has changed, as for a job. The end of the last job is answered at
+/// once, other changes of the counts one second after the request at the earliest. A finished batch is answered at once.
 #[utoipa::path(
     get, path = "/v1/batches/{id}", tag = "batches", operation_id = "get_batch",
     params(
         ("id" = String, Path, description = "The batch"),
-        ("If-None-Match" = Option<String>, Header, description = "The ETag of an earlier answer"),
+        ("wait" = Option<u32>, Query, minimum = 0, maximum = 30, description = "Longest time to wait for a change, s; 0 if absent"),
+        ("If-None-Match" = Option<String>, Header, description = "The ETag of an earlier answer: 304 if the batch has not changed since"),
     ),
     responses(
-        (status = 200, description = "The batch, with the number of its jobs in each state", body = BatchDocument, headers(("ETag" = String))),
-        (status = 304, description = "Unchanged"),
+        (status = 200, description = "The batch, with the number of its jobs in each state", body = BatchDocument, headers(("ETag" = String, description = "Weak; pass it as `If-None-Match`"))),
+        (status = 304, description = "The batch has not changed since the version that `If-None-Match` names"),
+        (status = 400, description = "Invalid query parameters", body = ProblemDocument, content_type = "application/problem+json"),
         (status = 404, description = "No such batch", body = ProblemDocument, content_type = "application/problem+json"),
     )
 )]
-pub async fn get(
+pub(crate) async fn get(
     State(state): State<HttpState>,
     Reader(tenant): Reader,
     Path(id): Path<String>,
     headers: HeaderMap,
-    query: QueryString,
+    mut query: QueryString,
 ) -> Result<Response, Problem> {
+    let wait = wait_of(&mut query, &state);
     query.finish()?;
-    let batch = state.service.batch(&tenant, batch_id(&id)?).await?;
-    let body = serde_json::to_vec(&BatchDocument::from(&batch)).map_err(|e| Problem::internal(&e))?;
-    Ok(respond(&headers, &etag_of(&body), "application/json", body))
+    let batch = WatchedBatch { service: &state.service, tenant, id: batch_id(&id)? };
+    answer(&state, &headers, wait, &batch).await
+}
+
+struct WatchedBatch<'a> {
+    service: &'a JobService,
+    tenant: Tenant,
+    id: BatchId,
+}
+
+#[async_trait]
+impl Resource for WatchedBatch<'_> {
+    type Seen = Batch;
+
+    async fn look(&self) -> Result<Snapshot, Problem> {
+        let batch = self.service.batch(&self.tenant, self.id).await?;
+        let document = BatchDocument::from(&batch);
+        let body = serde_json::to_vec(&document).map_err(|e| Problem::internal(&e))?;
+        Ok(Snapshot { version: version(document)?, body, is_final: batch.is_finished() })
+    }
+
+    async fn follow(&self) -> Result<Arc<Feed<Batch>>, Problem> {
+        Ok(self.service.follow_batch(&self.tenant, self.id).await?)
+    }
+
+    fn version(&self, seen: &Batch) -> Result<Version, Problem> {
+        version(BatchDocument::from(seen))
+    }
+}
+
+/// What of a batch counts as a change. Progress: the counts. State: all else, such as whether it is finished.
+fn version(mut document: BatchDocument) -> Result<Version, Problem> {
+    let counts = std::mem::take(&mut document.counts);
+    Version::of(&document, &counts)
 }
 
 /// List the jobs of a batch
@@ -230,16 +272,16 @@ pub async fn get(
     get, path = "/v1/batches/{id}/jobs", tag = "batches", operation_id = "list_batch_jobs",
     params(
         ("id" = String, Path, description = "The batch"),
-        ("page_size" = Option<u32>, Query, minimum = 1, maximum = 500, description = "Most jobs of a page; 50 if absent"),
-        ("page_token" = Option<String>, Query, description = "`next_page_token` of the page before"),
+        ("page_size" = Option<u32>, Query, minimum = 1, maximum = 500, description = "Maximum number of jobs; 50 if absent"),
+        ("page_token" = Option<String>, Query, description = "`next_page_token` of the previous page"),
     ),
     responses(
-        (status = 200, description = "A page, in the order of the submission", body = JobListDocument),
-        (status = 400, description = "Faults in the query", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 200, description = "A page, in the order of submission", body = JobListDocument),
+        (status = 400, description = "Invalid query parameters", body = ProblemDocument, content_type = "application/problem+json"),
         (status = 404, description = "No such batch", body = ProblemDocument, content_type = "application/problem+json"),
     )
 )]
-pub async fn jobs(
+pub(crate) async fn jobs(
     State(state): State<HttpState>,
     Reader(tenant): Reader,
     Path(id): Path<String>,
@@ -253,16 +295,18 @@ pub async fn jobs(
     Ok(Json(JobListDocument::from(&page)))
 }
 
-/// Ask for the end of a batch
+/// Cancel a batch
+///
+/// Cancels all its unfinished jobs: queued ones at once, running ones within a second.
 #[utoipa::path(
     post, path = "/v1/batches/{id}/cancel", tag = "batches", operation_id = "cancel_batch",
     params(("id" = String, Path, description = "The batch")),
     responses(
-        (status = 202, description = "Asked for", body = BulkCancelDocument),
+        (status = 202, description = "Cancellation requested", body = BulkCancelDocument),
         (status = 404, description = "No such batch", body = ProblemDocument, content_type = "application/problem+json"),
     )
 )]
-pub async fn cancel(
+pub(crate) async fn cancel(
     State(state): State<HttpState>,
     Submitter(tenant): Submitter,
     Path(id): Path<String>,

@@ -1,38 +1,64 @@
 //! `/v1/changes`: the feed of state changes.
 
 use crate::http::auth::Reader;
+use crate::http::long_poll::wait_of;
 use crate::http::problem::{Problem, ProblemDocument};
 use crate::http::query::QueryString;
 use crate::http::router::HttpState;
 use crate::http::wire::ChangesDocument;
 use axum::Json;
 use axum::extract::State;
+use std::time::Duration;
+use tokio::time::Instant;
 
 const DEFAULT_CHANGES: u32 = 500;
 const MAX_CHANGES: u32 = 5_000;
+/// After the first change that ends a wait, those that follow at once are gathered: a batch ends jobs faster than answers
+/// are worth sending.
+const GATHER: Duration = Duration::from_millis(100);
 
-/// Read state changes
+/// List state changes
 ///
-/// All changes of the tenant's jobs after number `since`, in order: a platform that was away catches up by handing
-/// `next_since` back until `more` is false. No change appears later with a smaller number.
+/// All changes of the tenant's jobs after number `since`, in order. A platform that was offline catches up by passing
+/// `next_since` as `since` until `more` is false. No change appears later with a smaller number. With `wait` an answer
+/// without changes is delayed until there is one, or until the wait is over.
 #[utoipa::path(
     get, path = "/v1/changes", tag = "jobs", operation_id = "list_changes",
     params(
         ("since" = Option<u64>, Query, description = "Only changes after this number; 0 if absent"),
-        ("limit" = Option<u32>, Query, minimum = 1, maximum = 5000, description = "Most changes; 500 if absent"),
+        ("wait" = Option<u32>, Query, minimum = 0, maximum = 30, description = "Longest time to wait for a change, s; 0 if absent"),
+        ("limit" = Option<u32>, Query, minimum = 1, maximum = 5000, description = "Maximum number of changes; 500 if absent"),
     ),
     responses(
         (status = 200, description = "Changes", body = ChangesDocument),
-        (status = 400, description = "Faults in the query", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 400, description = "Invalid query parameters", body = ProblemDocument, content_type = "application/problem+json"),
     )
 )]
-pub async fn list(
+pub(crate) async fn list(
     State(state): State<HttpState>,
     Reader(tenant): Reader,
     mut query: QueryString,
 ) -> Result<Json<ChangesDocument>, Problem> {
     let since = query.number("since", 0..=i64::MAX.unsigned_abs()).unwrap_or(0);
     let limit = query.number("limit", 1..=MAX_CHANGES).unwrap_or(DEFAULT_CHANGES);
+    let wait = wait_of(&mut query, &state);
     query.finish()?;
-    Ok(Json(ChangesDocument::from(&state.service.changes(&tenant, since, limit).await?)))
+    let until = Instant::now() + wait;
+    let mut page = state.service.changes(&tenant, since, limit).await?;
+    if page.changes.is_empty() && !wait.is_zero() {
+        let feed = state.service.follow_changes(&tenant, since);
+        let mut seen = feed.seen();
+        let appear = async {
+            // An error says that the reader has ended; then the store is asked.
+            let _ = seen.wait_for(|has_changes| **has_changes).await;
+            tokio::time::sleep_until(until.min(Instant::now() + GATHER)).await;
+        };
+        tokio::select! {
+            () = appear => {}
+            () = tokio::time::sleep_until(until) => {}
+            () = state.stop.cancelled() => {}
+        }
+        page = state.service.changes(&tenant, since, limit).await?;
+    }
+    Ok(Json(ChangesDocument::from(&page)))
 }

@@ -1,4 +1,4 @@
-//! `/docs`: the OpenAPI document as a page to read and to try, without the internet.
+//! `/docs`: the OpenAPI document as an interactive page that loads nothing from the internet.
 
 use crate::http::conditional::{etag_of, respond};
 use crate::http::problem::Problem;
@@ -9,7 +9,7 @@ use axum::response::{IntoResponse, Response};
 use std::sync::{Arc, LazyLock};
 use utoipa_swagger_ui::Config;
 
-/// Nothing is loaded from elsewhere, and nothing is sent elsewhere: not even by a script that is not ours.
+/// Nothing is loaded from or sent to another origin, not even by an injected script.
 const POLICY: HeaderValue = HeaderValue::from_static(
     "default-src 'none'; script-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' data:; \
      connect-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'",
@@ -22,17 +22,17 @@ static CONFIG: LazyLock<Arc<Config<'static>>> = LazyLock::new(|| {
 });
 
 /// Leads to the page: its files are named relative to `/docs/`.
-pub async fn leave() -> Response {
+pub(crate) async fn leave() -> Response {
     (StatusCode::PERMANENT_REDIRECT, [(header::LOCATION, "/docs/")]).into_response()
 }
 
 /// The page.
-pub async fn page(headers: HeaderMap) -> Result<Response, Problem> {
+pub(crate) async fn page(headers: HeaderMap) -> Result<Response, Problem> {
     file("index.html", &headers)
 }
 
 /// A file of the page.
-pub async fn asset(Path(path): Path<String>, headers: HeaderMap) -> Result<Response, Problem> {
+pub(crate) async fn asset(Path(path): Path<String>, headers: HeaderMap) -> Result<Response, Problem> {
     file(&path, &headers)
 }
 

@@ -1,4 +1,4 @@
-//! `/v1/jobs/{id}/events`: a job's events as they happen.
+//! `/v1/jobs/{id}/events`: the events of a job as they happen.
 
 use super::job_id;
 use crate::http::auth::Reader;
@@ -20,28 +20,28 @@ use std::time::Duration;
 use tokio::sync::watch;
 use tokio_util::sync::CancellationToken;
 
-/// Between two comments on a stream on which nothing happens: proxies close what is silent.
+/// Interval between comments on an idle stream: proxies close silent connections.
 const HEARTBEAT: Duration = Duration::from_secs(15);
 const LAST_EVENT_ID: HeaderName = HeaderName::from_static("last-event-id");
 
 /// Follow a job
 ///
-/// Server-sent events: `state` (the job, when its state changes), `progress`, `trace` (a point; `id` is its `seq`), and
-/// `done` (the finished job), after which the stream ends. A client that comes back with `Last-Event-ID` gets the trace
-/// from there on, without a gap or a repeat. The stream also ends when the service does; come back then.
+/// Server-sent events: `state` (the job, whenever its state changes), `progress`, `trace` (a point; its `id` is the `seq`)
+/// and `done` (the finished job), after which the stream ends. A client that reconnects with `Last-Event-ID` gets the trace
+/// from there on, without gaps or repeats. The stream also ends when the service shuts down; reconnect then.
 #[utoipa::path(
     get, path = "/v1/jobs/{id}/events", tag = "jobs", operation_id = "follow_job",
     params(
         ("id" = String, Path, description = "The job"),
-        ("Last-Event-ID" = Option<String>, Header, description = "`seq` of the last trace point that was seen"),
+        ("Last-Event-ID" = Option<String>, Header, description = "`seq` of the last trace point received"),
     ),
     responses(
         (status = 200, description = "Events", content_type = "text/event-stream", body = String),
-        (status = 400, description = "No such Last-Event-ID", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 400, description = "Invalid Last-Event-ID", body = ProblemDocument, content_type = "application/problem+json"),
         (status = 404, description = "No such job", body = ProblemDocument, content_type = "application/problem+json"),
     )
 )]
-pub async fn events(
+pub(crate) async fn events(
     State(state): State<HttpState>,
     Reader(tenant): Reader,
     Path(id): Path<String>,
@@ -52,7 +52,7 @@ pub async fn events(
     let after_seq = match headers.get(LAST_EVENT_ID) {
         None => 0,
         Some(value) => value.to_str().ok().and_then(|text| text.trim().parse().ok()).ok_or_else(|| {
-            let detail = "the id of an event of this stream is needed here";
+            let detail = "must be the id of an event of this stream";
             let fault = FieldError::new("/headers/last-event-id", "out_of_range", detail);
             Problem::new(ProblemKind::BadRequest).detail(detail).errors(&[fault])
         })?,
@@ -61,13 +61,13 @@ pub async fn events(
     let follower = Follower::new(feed, after_seq, state.stop.clone());
     let events = Sse::new(follower.into_stream()).keep_alive(KeepAlive::new().interval(HEARTBEAT).text("alive"));
     let mut response = events.into_response();
-    // Some proxies hold back what they pass on until there is enough of it.
+    // Some proxies buffer responses; this header turns that off.
     response.headers_mut().insert("x-accel-buffering", HeaderValue::from_static("no"));
     response.headers_mut().insert(header::CACHE_CONTROL, HeaderValue::from_static("no-store"));
     Ok(response)
 }
 
-/// One who follows: what was sent, and what is to be sent next.
+/// A client of the stream: what was sent, and what is to be sent next.
 struct Follower {
     seen: watch::Receiver<Arc<Seen>>,
     stop: CancellationToken,
@@ -75,14 +75,14 @@ struct Follower {
     last: Option<Arc<Seen>>,
     waiting: VecDeque<Event>,
     ended: bool,
-    /// Keeps the reader of the store at work.
-    _feed: Arc<Feed>,
+    /// Keeps the reader of the store running.
+    _feed: Arc<Feed<Seen>>,
 }
 
 impl Follower {
-    fn new(feed: Arc<Feed>, last_seq: u64, stop: CancellationToken) -> Self {
+    fn new(feed: Arc<Feed<Seen>>, last_seq: u64, stop: CancellationToken) -> Self {
         let mut seen = feed.seen();
-        seen.mark_changed(); // what is seen already is sent too
+        seen.mark_changed(); // the current state is sent too
         Follower { seen, stop, last_seq, last: None, waiting: VecDeque::new(), ended: false, _feed: feed }
     }
 
@@ -103,7 +103,7 @@ impl Follower {
             }
             tokio::select! {
                 changed = self.seen.changed() => {
-                    // The reader is gone: the job is finished or was removed, and all of it was seen.
+                    // The reader has ended: the job is finished or was deleted, and everything was sent.
                     if changed.is_err() {
                         return None;
                     }
@@ -115,7 +115,7 @@ impl Follower {
         }
     }
 
-    /// Queues what is new.
+    /// Queues the events for what is new.
     fn note(&mut self, seen: Arc<Seen>) {
         if seen.removed {
             self.ended = true;

@@ -1,8 +1,8 @@
-//! `/v1/jobs`: submit, list, look, cancel, try again, delete.
+//! `/v1/jobs`: submit, list, get, cancel, retry, delete.
 
 use super::{batch_id, job_id, page};
 use crate::http::auth::{Reader, Submitter};
-use crate::http::conditional::{etag_of, is_fresh, respond};
+use crate::http::long_poll::{MAX_WAIT_S, Resource, Snapshot, Version, answer, wait_of};
 use crate::http::preferences::{idempotency_key, marked, traceparent, wanted_wait};
 use crate::http::problem::{Problem, ProblemDocument};
 use crate::http::problem_table::ProblemKind;
@@ -11,56 +11,59 @@ use crate::http::router::HttpState;
 use crate::http::submission::{self, Request as Submitted, SubmissionDocument, SubmissionForm};
 use crate::http::upload::Tap;
 use crate::http::wire::{BulkCancelDocument, JobDocument, JobListDocument, SubmissionAnswer, ValidationDocument};
-use crate::jobs::{Accepted, Job, JobFilter, JobId, JobState, Order, PageRequest, Submission, Tenant, Validated};
+use crate::jobs::follow::{Feed, Seen};
+use crate::jobs::{
+    Accepted, Job, JobFilter, JobId, JobService, JobState, Order, PageRequest, Submission, Tenant, Validated,
+};
+use async_trait::async_trait;
 use axum::Json;
 use axum::extract::{Path, Request, State};
 use axum::http::{HeaderMap, StatusCode, header};
 use axum::response::{IntoResponse, Response};
+use std::sync::Arc;
 use std::time::Duration;
-
-/// Longest long poll, s.
-const MAX_WAIT_S: u32 = 30;
 
 /// Submit a job
 ///
-/// One multipart request with two files is the whole submission; or JSON that names uploaded meshes by their id or
-/// holds small files in base64. Parameters and both inputs are checked before the answer; a 202 is durable.
+/// One request is the whole submission: multipart with two files, or JSON that names uploaded meshes by id or contains small
+/// files in base64. Parameters and both inputs are checked before the answer. A job that is answered with 202 survives a
+/// crash of the service.
 ///
-/// A request with an `Idempotency-Key` can be sent again after an answer that got lost: it makes one job, and the same
-/// request is answered as the first time. `Prefer: wait=N` has the answer wait for the end of the job. An equal request
-/// of the same tenant is answered from the first result (`cached`) unless `use_cache` is false.
+/// A request with an `Idempotency-Key` can be repeated if its answer was lost: it creates one job, and each repetition gets
+/// the first answer. With `Prefer: wait=N` the answer is delayed until the job has finished. A request that equals an
+/// earlier one of the same tenant is answered with the result of that one (`cached`), unless `use_cache` is false.
 #[utoipa::path(
     post, path = "/v1/jobs", tag = "jobs", operation_id = "submit_job",
     params(
-        ("validate_only" = Option<bool>, Query, description = "`true` checks everything and makes nothing"),
+        ("validate_only" = Option<bool>, Query, description = "`true` checks everything and creates no job"),
         ("Idempotency-Key" = Option<String>, Header, description = "1 to 128 visible ASCII characters"),
-        ("Prefer" = Option<String>, Header, description = "`wait=N`: answer 200 with the finished job if it ends within N s, at most 30"),
-        ("traceparent" = Option<String>, Header, description = "W3C trace context, kept with the job"),
+        ("Prefer" = Option<String>, Header, description = "`wait=N`: answer 200 with the finished job if it finishes within N s, at most 30"),
+        ("traceparent" = Option<String>, Header, description = "W3C trace context, stored with the job"),
     ),
     request_body(content(
         (SubmissionForm = "multipart/form-data"),
         (SubmissionDocument = "application/json"),
     )),
     responses(
-        (status = 200, description = "Finished within the wait, or with `validate_only` what would be done", body = SubmissionAnswer),
+        (status = 200, description = "The job, if it finished within the wait; with `validate_only`, the outcome of the checks", body = SubmissionAnswer),
         (status = 202, description = "Accepted", body = JobDocument, headers(
-            ("Location" = String, description = "The job"), ("Retry-After" = u32, description = "When to look, s"),
-            ("Idempotency-Replayed" = bool, description = "Present where an earlier request made the job"))),
-        (status = 400, description = "The body or the query cannot be read", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 401, description = "No valid key", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 403, description = "The key does not allow it", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 404, description = "A mesh that is named is not there", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 408, description = "The body took too long", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 409, description = "The same request is being worked on", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 413, description = "Over a limit", body = ProblemDocument, content_type = "application/problem+json"),
+            ("Location" = String, description = "The job"), ("Retry-After" = u32, description = "Suggested delay before the next request, s"),
+            ("Idempotency-Replayed" = bool, description = "Present if an earlier request with this Idempotency-Key created the job"))),
+        (status = 400, description = "The body or the query is malformed", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 401, description = "No valid API key", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 403, description = "The API key lacks the scope `submit`", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 404, description = "A mesh does not exist", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 408, description = "The body took too long to arrive", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 409, description = "A request with the same Idempotency-Key is in progress", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 413, description = "Larger than a limit of the service", body = ProblemDocument, content_type = "application/problem+json"),
         (status = 415, description = "Neither multipart nor JSON, or an unknown file format", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 422, description = "Faults in fields, parameters or inputs, or an Idempotency-Key of another request", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 422, description = "Invalid fields, parameters or inputs, or an Idempotency-Key that was used for another request", body = ProblemDocument, content_type = "application/problem+json"),
         (status = 429, description = "The queue is full", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 503, description = "Busy, or a dependency does not answer", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 507, description = "No room", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 503, description = "Too many uploads at once, or a dependency does not respond", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 507, description = "Out of storage space", body = ProblemDocument, content_type = "application/problem+json"),
     )
 )]
-pub async fn submit(
+pub(crate) async fn submit(
     State(state): State<HttpState>,
     Submitter(tenant): Submitter,
     mut query: QueryString,
@@ -69,7 +72,7 @@ pub async fn submit(
     let headers = request.headers().clone();
     let (request, tap) = Tap::on(request, state.limits.max_body_bytes());
     let validate_only = query.word("validate_only", &[("true", true), ("false", false)]).unwrap_or(false);
-    // A parameter that is not known must not submit what was meant to be tried only.
+    // A misspelled `validate_only` must not submit a job.
     let taken = match query.finish() {
         Ok(()) => take(&state, tenant.clone(), request, &tap, &headers, validate_only).await,
         Err(problem) => Err(problem),
@@ -103,7 +106,7 @@ async fn take(
 ) -> Result<Taken, Problem> {
     let idempotency_key = idempotency_key(headers)?;
     state.service.refuse_when_full(&tenant).await?;
-    // Held until the job is stored: so many submissions are in memory at most.
+    // Held until the job is stored, to limit the number of submissions in memory.
     let _place = state.place_for_upload().await?;
     let reading = submission::read(request, tap, &state.limits, state.service.limits());
     let reading = tokio::time::timeout(state.limits.upload_timeout, reading);
@@ -125,7 +128,7 @@ fn accepted(job: &Job) -> Response {
     (StatusCode::ACCEPTED, headers, Json(document)).into_response()
 }
 
-/// 200 with the finished job if it ends in time, else 202.
+/// 200 with the job if it finishes in time, else 202.
 async fn after_wait(state: &HttpState, tenant: &Tenant, made: Job, wait: Duration) -> Result<Response, Problem> {
     let feed = state.service.follow(tenant, made.id).await?;
     let mut seen = feed.seen();
@@ -148,7 +151,7 @@ async fn after_wait(state: &HttpState, tenant: &Tenant, made: Job, wait: Duratio
     Ok(response)
 }
 
-/// The filter that a query string asks for.
+/// The filter in a query string.
 fn filter(query: &mut QueryString) -> JobFilter {
     let mut filter = JobFilter { method: query.text("method"), ..JobFilter::default() };
     for name in query.all("state").iter().flat_map(|list| list.split(',')) {
@@ -165,7 +168,7 @@ fn filter(query: &mut QueryString) -> JobFilter {
     if let Some(batch) = query.text("batch") {
         match batch_id(&batch) {
             Ok(id) => filter.batch_id = Some(id),
-            Err(_) => query.fault("batch", "out_of_range", "the id of a batch is needed here"),
+            Err(_) => query.fault("batch", "out_of_range", "must be the id of a batch"),
         }
     }
     for label in query.all("label") {
@@ -173,7 +176,7 @@ fn filter(query: &mut QueryString) -> JobFilter {
             Some((name, value)) => {
                 filter.labels.insert(name.to_owned(), value.to_owned());
             }
-            None => query.fault("label", "out_of_range", "write a label as name:value"),
+            None => query.fault("label", "out_of_range", "must be name:value"),
         }
     }
     if filter.labels.len() > JobFilter::MAX_LABELS {
@@ -183,7 +186,7 @@ fn filter(query: &mut QueryString) -> JobFilter {
         if let Some(text) = query.text(name) {
             match text.parse() {
                 Ok(parsed) => *time = Some(parsed),
-                Err(_) => query.fault(name, "out_of_range", "an RFC 3339 time is needed here, as 2026-11-21T08:00:00Z"),
+                Err(_) => query.fault(name, "out_of_range", "must be an RFC 3339 time, such as 2026-11-21T08:00:00Z"),
             }
         }
     }
@@ -194,23 +197,23 @@ fn filter(query: &mut QueryString) -> JobFilter {
 #[utoipa::path(
     get, path = "/v1/jobs", tag = "jobs", operation_id = "list_jobs",
     params(
-        ("state" = Option<String>, Query, description = "Only these states; separate several by commas, or repeat"),
-        ("method" = Option<String>, Query, description = "Only this method"),
-        ("external_ref" = Option<String>, Query, description = "Only this external reference"),
-        ("batch" = Option<String>, Query, description = "Only this batch"),
-        ("label" = Option<String>, Query, description = "Only this label, as `name:value`; repeat for several, at most 4"),
-        ("created_from" = Option<String>, Query, description = "Only made at this RFC 3339 time or later"),
-        ("created_before" = Option<String>, Query, description = "Only made before this RFC 3339 time"),
-        ("order" = Option<String>, Query, description = "`desc` (the newest first, the default) or `asc`"),
-        ("page_size" = Option<u32>, Query, minimum = 1, maximum = 500, description = "Most jobs of a page; 50 if absent"),
-        ("page_token" = Option<String>, Query, description = "`next_page_token` of the page before"),
+        ("state" = Option<String>, Query, description = "Only jobs in these states; separated by commas, or repeated"),
+        ("method" = Option<String>, Query, description = "Only jobs of this method"),
+        ("external_ref" = Option<String>, Query, description = "Only jobs with this external reference"),
+        ("batch" = Option<String>, Query, description = "Only jobs of this batch"),
+        ("label" = Option<String>, Query, description = "Only jobs with this label, as `name:value`; may be repeated, at most 4 labels"),
+        ("created_from" = Option<String>, Query, description = "Only jobs created at this RFC 3339 time or later"),
+        ("created_before" = Option<String>, Query, description = "Only jobs created before this RFC 3339 time"),
+        ("order" = Option<String>, Query, description = "`desc` (newest first, the default) or `asc`"),
+        ("page_size" = Option<u32>, Query, minimum = 1, maximum = 500, description = "Maximum number of jobs; 50 if absent"),
+        ("page_token" = Option<String>, Query, description = "`next_page_token` of the previous page"),
     ),
     responses(
         (status = 200, description = "A page", body = JobListDocument),
-        (status = 400, description = "Faults in the query", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 400, description = "Invalid query parameters", body = ProblemDocument, content_type = "application/problem+json"),
     )
 )]
-pub async fn list(
+pub(crate) async fn list(
     State(state): State<HttpState>,
     Reader(tenant): Reader,
     mut query: QueryString,
@@ -223,27 +226,28 @@ pub async fn list(
     Ok(Json(JobListDocument::from(&page)))
 }
 
-/// Ask for the end of many jobs
+/// Cancel several jobs
 ///
-/// Of all that the filter shows and that are not finished. Without a filter `all=true` is needed.
+/// Cancels all unfinished jobs that match the filter: queued ones at once, running ones within a second. Without a filter,
+/// `all=true` is required.
 #[utoipa::path(
     post, path = "/v1/jobs/cancel", tag = "jobs", operation_id = "cancel_jobs",
     params(
-        ("state" = Option<String>, Query, description = "Only `queued` or `running`"),
-        ("method" = Option<String>, Query, description = "Only this method"),
-        ("external_ref" = Option<String>, Query, description = "Only this external reference"),
-        ("batch" = Option<String>, Query, description = "Only this batch"),
-        ("label" = Option<String>, Query, description = "Only this label, as `name:value`; repeat for several, at most 4"),
-        ("created_from" = Option<String>, Query, description = "Only made at this RFC 3339 time or later"),
-        ("created_before" = Option<String>, Query, description = "Only made before this RFC 3339 time"),
-        ("all" = Option<bool>, Query, description = "`true` for all jobs"),
+        ("state" = Option<String>, Query, description = "Only jobs in this state: `queued` or `running`"),
+        ("method" = Option<String>, Query, description = "Only jobs of this method"),
+        ("external_ref" = Option<String>, Query, description = "Only jobs with this external reference"),
+        ("batch" = Option<String>, Query, description = "Only jobs of this batch"),
+        ("label" = Option<String>, Query, description = "Only jobs with this label, as `name:value`; may be repeated, at most 4 labels"),
+        ("created_from" = Option<String>, Query, description = "Only jobs created at this RFC 3339 time or later"),
+        ("created_before" = Option<String>, Query, description = "Only jobs created before this RFC 3339 time"),
+        ("all" = Option<bool>, Query, description = "`true` to cancel all jobs of the tenant"),
     ),
     responses(
-        (status = 202, description = "Asked for", body = BulkCancelDocument),
-        (status = 400, description = "Faults in the query", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 202, description = "Cancellation requested", body = BulkCancelDocument),
+        (status = 400, description = "Invalid query parameters", body = ProblemDocument, content_type = "application/problem+json"),
     )
 )]
-pub async fn cancel_many(
+pub(crate) async fn cancel_many(
     State(state): State<HttpState>,
     Submitter(tenant): Submitter,
     mut query: QueryString,
@@ -251,7 +255,7 @@ pub async fn cancel_many(
     let filter = filter(&mut query);
     let all = query.word("all", &[("true", true), ("false", false)]).unwrap_or(false);
     if filter == JobFilter::default() && !all {
-        query.fault("all", "missing", "say which jobs, or all=true");
+        query.fault("all", "missing", "give a filter, or all=true");
     }
     if filter.states.iter().any(|state| state.is_final()) {
         query.fault("state", "out_of_range", "only queued and running jobs can be cancelled");
@@ -261,79 +265,92 @@ pub async fn cancel_many(
     Ok((StatusCode::ACCEPTED, Json(BulkCancelDocument { cancelled: done.cancelled, told: done.told })))
 }
 
-/// Look at a job
+/// Get a job
 ///
-/// With `wait` the answer comes when the job changes (from what `If-None-Match` names, else from what it is now), or
-/// when the time is over, or when it is finished.
+/// With `wait` the answer is delayed until the job has changed: since the version that `If-None-Match` names, else since
+/// the request. At the end of the wait an unchanged job is answered with 304 if there is an `If-None-Match`, else with 200.
+/// A finished job is answered at once.
+///
+/// The ETag is weak. It stands for everything but the details of progress, the estimated remaining time and the queue
+/// position: progress counts in whole percent and by phase. A change of progress alone is answered one second after the
+/// request at the earliest, any other change at once; so a client may send the next request as soon as it has an answer.
 #[utoipa::path(
     get, path = "/v1/jobs/{id}", tag = "jobs", operation_id = "get_job",
     params(
         ("id" = String, Path, description = "The job"),
-        ("wait" = Option<u32>, Query, minimum = 0, maximum = 30, description = "Longest wait for a change, s"),
-        ("If-None-Match" = Option<String>, Header, description = "The ETag of an earlier answer"),
+        ("wait" = Option<u32>, Query, minimum = 0, maximum = 30, description = "Longest time to wait for a change, s; 0 if absent"),
+        ("If-None-Match" = Option<String>, Header, description = "The ETag of an earlier answer: 304 if the job has not changed since"),
     ),
     responses(
-        (status = 200, description = "The job", body = JobDocument, headers(("ETag" = String))),
-        (status = 304, description = "Unchanged"),
-        (status = 400, description = "Faults in the query", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 200, description = "The job", body = JobDocument, headers(("ETag" = String, description = "Weak; pass it as `If-None-Match`"))),
+        (status = 304, description = "The job has not changed since the version that `If-None-Match` names"),
+        (status = 400, description = "Invalid query parameters", body = ProblemDocument, content_type = "application/problem+json"),
         (status = 404, description = "No such job", body = ProblemDocument, content_type = "application/problem+json"),
     )
 )]
-pub async fn get(
+pub(crate) async fn get(
     State(state): State<HttpState>,
     Reader(tenant): Reader,
     Path(id): Path<String>,
     headers: HeaderMap,
     mut query: QueryString,
 ) -> Result<Response, Problem> {
-    let wait = query.number("wait", 0..=MAX_WAIT_S).unwrap_or(0);
+    let wait = wait_of(&mut query, &state);
     query.finish()?;
-    let id = job_id(&id)?;
-    let (first, body) = look(&state, &tenant, id).await?;
-    let etag = etag_of(&body);
-    let known = !headers.contains_key(header::IF_NONE_MATCH) || is_fresh(&headers, &etag);
-    if wait == 0 || first.state.is_final() || !known {
-        return Ok(respond(&headers, &etag, "application/json", body));
+    let job = WatchedJob { service: &state.service, tenant, id: job_id(&id)? };
+    answer(&state, &headers, wait, &job).await
+}
+
+struct WatchedJob<'a> {
+    service: &'a JobService,
+    tenant: Tenant,
+    id: JobId,
+}
+
+#[async_trait]
+impl Resource for WatchedJob<'_> {
+    type Seen = Seen;
+
+    async fn look(&self) -> Result<Snapshot, Problem> {
+        let job = self.service.get(&self.tenant, self.id).await?;
+        let document = JobDocument::from(&job);
+        let body = serde_json::to_vec(&document).map_err(|e| Problem::internal(&e))?;
+        Ok(Snapshot { version: version(document)?, body, is_final: job.state.is_final() })
     }
-    let until = tokio::time::Instant::now() + Duration::from_secs(wait.into());
-    let feed = state.service.follow(&tenant, id).await?;
-    let mut seen = feed.seen();
-    loop {
-        let over = tokio::select! {
-            // Fails when the reader ended; then there is nothing to wait for.
-            changed = seen.changed() => changed.is_err(),
-            () = tokio::time::sleep_until(until) => true,
-            () = state.stop.cancelled() => true,
-        };
-        // The feed says when to look; the answer is what the store says now.
-        let (job, body) = look(&state, &tenant, id).await?;
-        let now = etag_of(&body);
-        if now != etag || over || job.state.is_final() {
-            return Ok(respond(&headers, &now, "application/json", body));
-        }
+
+    async fn follow(&self) -> Result<Arc<Feed<Seen>>, Problem> {
+        Ok(self.service.follow(&self.tenant, self.id).await?)
+    }
+
+    fn version(&self, seen: &Seen) -> Result<Version, Problem> {
+        version(JobDocument::from(&seen.job))
     }
 }
 
-async fn look(state: &HttpState, tenant: &Tenant, id: JobId) -> Result<(Job, Vec<u8>), Problem> {
-    let job = state.service.get(tenant, id).await?;
-    let body = serde_json::to_vec(&JobDocument::from(&job)).map_err(|e| Problem::internal(&e))?;
-    Ok((job, body))
+/// What of a job counts as a change. Progress: whole percent, and the phase. State: all else but the estimates, the queue
+/// position, which every job ahead of it changes, and the details of progress.
+fn version(mut document: JobDocument) -> Result<Version, Problem> {
+    let progress = document.progress.take().map(|p| ((p.fraction * 100.0).floor() as u32, p.phase));
+    document.eta_ms = None;
+    document.energy_latest = None;
+    document.queue_position = None;
+    Version::of(&document, &progress)
 }
 
-/// Ask for a job's end
+/// Cancel a job
 ///
-/// A waiting job is cancelled at once, a running one within a second. Asking again changes nothing.
+/// A queued job is cancelled at once, a running one within a second. Cancelling it again changes nothing.
 #[utoipa::path(
     post, path = "/v1/jobs/{id}/cancel", tag = "jobs", operation_id = "cancel_job",
     params(("id" = String, Path, description = "The job")),
     responses(
-        (status = 202, description = "Asked for; look at `state`", body = JobDocument, headers(
-            ("Location" = String, description = "The job"), ("Retry-After" = u32, description = "When to look, s"))),
+        (status = 202, description = "Cancellation requested; `state` becomes `cancelled`", body = JobDocument, headers(
+            ("Location" = String, description = "The job"), ("Retry-After" = u32, description = "Suggested delay before the next request, s"))),
         (status = 404, description = "No such job", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 409, description = "Finished already", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 409, description = "The job is finished", body = ProblemDocument, content_type = "application/problem+json"),
     )
 )]
-pub async fn cancel(
+pub(crate) async fn cancel(
     State(state): State<HttpState>,
     Submitter(tenant): Submitter,
     Path(id): Path<String>,
@@ -343,23 +360,23 @@ pub async fn cancel(
     Ok(accepted(&state.service.cancel(&tenant, job_id(&id)?).await?))
 }
 
-/// Try a job again
+/// Retry a job
 ///
-/// Makes a new job of a finished one, with the same inputs and parameters, which is computed anew. `retry_of` names the
-/// first.
+/// Creates a new job with the inputs and parameters of a finished one, and computes it again. `retry_of` names the finished
+/// one.
 #[utoipa::path(
     post, path = "/v1/jobs/{id}/retry", tag = "jobs", operation_id = "retry_job",
     params(("id" = String, Path, description = "The finished job")),
     responses(
         (status = 202, description = "The new job", body = JobDocument, headers(
-            ("Location" = String, description = "The new job"), ("Retry-After" = u32, description = "When to look, s"))),
+            ("Location" = String, description = "The new job"), ("Retry-After" = u32, description = "Suggested delay before the next request, s"))),
         (status = 404, description = "No such job", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 409, description = "Not finished", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 410, description = "Its inputs were removed when their time was over", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 409, description = "The job is not finished", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 410, description = "Its inputs were deleted at the end of their retention time", body = ProblemDocument, content_type = "application/problem+json"),
         (status = 429, description = "The queue is full", body = ProblemDocument, content_type = "application/problem+json"),
     )
 )]
-pub async fn retry(
+pub(crate) async fn retry(
     State(state): State<HttpState>,
     Submitter(tenant): Submitter,
     Path(id): Path<String>,
@@ -372,17 +389,17 @@ pub async fn retry(
 
 /// Delete a job
 ///
-/// Removes the job, its trace, its result, and its files unless other jobs have the same.
+/// Deletes a finished job with its trace and its result, and its input files unless other jobs use them.
 #[utoipa::path(
     delete, path = "/v1/jobs/{id}", tag = "jobs", operation_id = "delete_job",
     params(("id" = String, Path, description = "The job")),
     responses(
-        (status = 204, description = "Gone"),
+        (status = 204, description = "Deleted"),
         (status = 404, description = "No such job", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 409, description = "Not finished", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 409, description = "The job is not finished", body = ProblemDocument, content_type = "application/problem+json"),
     )
 )]
-pub async fn delete(
+pub(crate) async fn delete(
     State(state): State<HttpState>,
     Submitter(tenant): Submitter,
     Path(id): Path<String>,

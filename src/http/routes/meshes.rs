@@ -1,4 +1,4 @@
-//! `/v1/meshes`: uploads by the hash of their content.
+//! `/v1/meshes`: uploads, identified by the hash of their content.
 
 use super::{DEFAULT_PAGE, MAX_PAGE};
 use crate::http::auth::{Reader, Submitter};
@@ -23,33 +23,33 @@ use http_body_util::BodyExt;
 
 /// Upload a mesh or a label volume
 ///
-/// As the raw body (with `?file_name=` where the bytes alone do not tell the format), or as the field `file` of a
-/// multipart form. The bytes go to the store as they arrive. The id is the hash of the content: the same bytes again
-/// answer 200 with what is there. The answer says whether it can be matched with default parameters; it is kept also
-/// where it cannot, as other parameters may allow repairs.
+/// Send the file as the raw body (with `?file_name=` if the bytes alone do not tell the format), or as the field `file` of a
+/// multipart form. The id is the hash of the content: uploading the same bytes again answers 200 with the existing upload.
+/// The answer says whether the file can be matched with default parameters. It is kept also if it cannot, because other
+/// parameters may allow repairs.
 #[utoipa::path(
     post, path = "/v1/meshes", tag = "meshes", operation_id = "upload_mesh",
     params(
-        ("file_name" = Option<String>, Query, description = "Name of the file; only its endings are kept"),
-        ("inspect" = Option<bool>, Query, description = "`false` stores it without reading it; a job that names it will"),
+        ("file_name" = Option<String>, Query, description = "Name of the file; only its extension is kept"),
+        ("inspect" = Option<bool>, Query, description = "`false` stores the file without inspecting it; it is inspected when a job uses it"),
     ),
     request_body(content(
         (FileBytes = "application/octet-stream"),
         (MeshForm = "multipart/form-data"),
     )),
     responses(
-        (status = 200, description = "Held already", body = MeshDocument, headers(("Location" = String, description = "The upload"))),
+        (status = 200, description = "The same file was uploaded before", body = MeshDocument, headers(("Location" = String, description = "The upload"))),
         (status = 201, description = "Uploaded", body = MeshDocument, headers(("Location" = String, description = "The upload"))),
-        (status = 400, description = "The body or the query cannot be read", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 408, description = "The body took too long", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 413, description = "Over a limit", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 415, description = "A body of this media type is not taken", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 400, description = "The body or the query is malformed", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 408, description = "The body took too long to arrive", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 413, description = "Larger than a limit of the service", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 415, description = "Unsupported media type", body = ProblemDocument, content_type = "application/problem+json"),
         (status = 422, description = "An empty body, or a form without a file", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 503, description = "Busy, or a dependency does not answer", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 507, description = "No room", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 503, description = "Too many uploads at once, or a dependency does not respond", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 507, description = "Out of storage space", body = ProblemDocument, content_type = "application/problem+json"),
     )
 )]
-pub async fn upload(
+pub(crate) async fn upload(
     State(state): State<HttpState>,
     Submitter(tenant): Submitter,
     mut query: QueryString,
@@ -69,16 +69,16 @@ pub async fn upload(
     Ok((status, [(header::LOCATION, document.links.mesh.clone())], Json(document)).into_response())
 }
 
-/// A file as it is.
+/// The bytes of a file.
 #[derive(Debug, Clone, utoipa::ToSchema)]
 #[schema(value_type = String, format = Binary)]
-#[allow(dead_code, reason = "describes a body that is read as it comes")]
-pub struct FileBytes(String);
+#[allow(dead_code, reason = "describes a body that is read as a stream")]
+pub(crate) struct FileBytes(String);
 
-/// The form of an upload.
+/// A multipart upload.
 #[derive(Debug, Clone, utoipa::ToSchema)]
 #[allow(dead_code, reason = "describes a multipart form")]
-pub struct MeshForm {
+pub(crate) struct MeshForm {
     /// NIfTI-1 label volume, PLY, STL or legacy VTK.
     #[schema(format = Binary)]
     file: String,
@@ -110,7 +110,7 @@ fn too_large(state: &HttpState) -> Problem {
         .member("limit_bytes", limit.into())
 }
 
-/// Adds a part, within the limit of a file.
+/// Appends a part, up to the size limit of a file.
 async fn add(state: &HttpState, upload: &mut Upload, part: Bytes) -> Result<(), Problem> {
     if upload.n_bytes() + part.len() as u64 > state.limits.max_file_bytes as u64 {
         return Err(too_large(state));
@@ -118,7 +118,7 @@ async fn add(state: &HttpState, upload: &mut Upload, part: Bytes) -> Result<(), 
     Ok(upload.write(part).await?)
 }
 
-/// Names what has come, unless nothing has.
+/// Completes the upload, unless it is empty.
 async fn end(state: &HttpState, upload: Upload, hint: Option<String>) -> Result<(Mesh, bool), Problem> {
     if upload.n_bytes() == 0 {
         return Err(Problem::new(ProblemKind::EmptyStructure).detail("the file is empty"));
@@ -140,7 +140,7 @@ async fn store_raw(
             if tap.is_over() {
                 too_large(state)
             } else {
-                Problem::new(ProblemKind::BadRequest).detail("the body broke off")
+                Problem::new(ProblemKind::BadRequest).detail("the body ended early")
             }
         })?;
         if let Ok(part) = frame.into_data() {
@@ -177,7 +177,7 @@ async fn store_form(state: &HttpState, tenant: &Tenant, request: Request, tap: &
     Err(Problem::new(ProblemKind::InvalidRequest).errors(&[fault]))
 }
 
-/// The hash that a path names; what cannot be an id names none.
+/// The hash in the id of a path; 404 for what cannot be an id.
 fn hash(id: &str) -> Result<&str, Problem> {
     hash_of_id(id).ok_or_else(|| Problem::new(ProblemKind::MeshNotFound))
 }
@@ -186,15 +186,15 @@ fn hash(id: &str) -> Result<&str, Problem> {
 #[utoipa::path(
     get, path = "/v1/meshes", tag = "meshes", operation_id = "list_meshes",
     params(
-        ("page_size" = Option<u32>, Query, minimum = 1, maximum = 500, description = "Most entries of a page; 50 if absent"),
-        ("page_token" = Option<String>, Query, description = "`next_page_token` of the page before"),
+        ("page_size" = Option<u32>, Query, minimum = 1, maximum = 500, description = "Maximum number of entries; 50 if absent"),
+        ("page_token" = Option<String>, Query, description = "`next_page_token` of the previous page"),
     ),
     responses(
         (status = 200, description = "A page", body = MeshListDocument),
-        (status = 400, description = "Faults in the query", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 400, description = "Invalid query parameters", body = ProblemDocument, content_type = "application/problem+json"),
     )
 )]
-pub async fn list(
+pub(crate) async fn list(
     State(state): State<HttpState>,
     Reader(tenant): Reader,
     mut query: QueryString,
@@ -206,7 +206,7 @@ pub async fn list(
         Some((i64::from_str_radix(time, 16).ok()?, hash_of_id(&content_id(hash))?.to_owned()))
     });
     if token.is_some() && after.is_none() {
-        query.fault("page_token", "out_of_range", "hand back a next_page_token as it was given");
+        query.fault("page_token", "out_of_range", "must be a next_page_token of an earlier answer");
     }
     query.finish()?;
     let page = state.service.meshes(&tenant, size, after).await?;
@@ -216,20 +216,20 @@ pub async fn list(
     }))
 }
 
-/// Look at an upload
+/// Get an upload
 #[utoipa::path(
     get, path = "/v1/meshes/{id}", tag = "meshes", operation_id = "get_mesh",
     params(
         ("id" = String, Path, description = "`blake3:` and 64 hexadecimal digits"),
-        ("If-None-Match" = Option<String>, Header, description = "The ETag of an earlier answer"),
+        ("If-None-Match" = Option<String>, Header, description = "ETag of an earlier answer"),
     ),
     responses(
-        (status = 200, description = "The upload and what inspecting it found", body = MeshDocument, headers(("ETag" = String))),
-        (status = 304, description = "Unchanged"),
+        (status = 200, description = "The upload with its inspection report", body = MeshDocument, headers(("ETag" = String, description = "Pass it as `If-None-Match`"))),
+        (status = 304, description = "Not modified since the version that `If-None-Match` names"),
         (status = 404, description = "No such mesh", body = ProblemDocument, content_type = "application/problem+json"),
     )
 )]
-pub async fn get(
+pub(crate) async fn get(
     State(state): State<HttpState>,
     Reader(tenant): Reader,
     Path(id): Path<String>,
@@ -238,7 +238,7 @@ pub async fn get(
 ) -> Result<Response, Problem> {
     query.finish()?;
     let mesh = state.service.mesh(&tenant, hash(&id)?).await?;
-    // Neither the bytes nor what default parameters find in them ever change.
+    // Neither the bytes nor their inspection with default parameters ever change within a version.
     let etag = format!("\"{}-{}\"", &mesh.key.hash()[..32], env!("CARGO_PKG_VERSION"));
     if is_fresh(&headers, &etag) {
         return Ok(not_modified(&etag));
@@ -248,20 +248,20 @@ pub async fn get(
     Ok(respond(&headers, &etag, "application/json", body))
 }
 
-/// Read the bytes of an upload
+/// Download an upload
 #[utoipa::path(
     get, path = "/v1/meshes/{id}/content", tag = "meshes", operation_id = "get_mesh_content",
     params(
         ("id" = String, Path, description = "`blake3:` and 64 hexadecimal digits"),
-        ("If-None-Match" = Option<String>, Header, description = "The ETag of an earlier answer"),
+        ("If-None-Match" = Option<String>, Header, description = "ETag of an earlier answer"),
     ),
     responses(
-        (status = 200, description = "The bytes as they were uploaded", content_type = "application/octet-stream", body = Vec<u8>, headers(("ETag" = String))),
-        (status = 304, description = "Unchanged"),
+        (status = 200, description = "The bytes as they were uploaded", content_type = "application/octet-stream", body = Vec<u8>, headers(("ETag" = String, description = "Pass it as `If-None-Match`"))),
+        (status = 304, description = "Not modified since the version that `If-None-Match` names"),
         (status = 404, description = "No such mesh", body = ProblemDocument, content_type = "application/problem+json"),
     )
 )]
-pub async fn content(
+pub(crate) async fn content(
     State(state): State<HttpState>,
     Reader(tenant): Reader,
     method: Method,
@@ -281,17 +281,17 @@ pub async fn content(
 
 /// Delete an upload
 ///
-/// Jobs that name it keep it: delete them first, or wait until their retention is over.
+/// Only if no job refers to it: delete those jobs first, or wait until their retention time is over.
 #[utoipa::path(
     delete, path = "/v1/meshes/{id}", tag = "meshes", operation_id = "delete_mesh",
     params(("id" = String, Path, description = "`blake3:` and 64 hexadecimal digits")),
     responses(
-        (status = 204, description = "Gone"),
+        (status = 204, description = "Deleted"),
         (status = 404, description = "No such mesh", body = ProblemDocument, content_type = "application/problem+json"),
         (status = 409, description = "Jobs refer to it", body = ProblemDocument, content_type = "application/problem+json"),
     )
 )]
-pub async fn delete(
+pub(crate) async fn delete(
     State(state): State<HttpState>,
     Submitter(tenant): Submitter,
     Path(id): Path<String>,

@@ -1,4 +1,4 @@
-//! `/v1/methods`: what can be asked for, with the JSON Schema of its parameters.
+//! `/v1/methods`: the methods, each with the JSON Schema of its parameters.
 
 use crate::http::problem::{Problem, ProblemDocument};
 use crate::http::problem_table::ProblemKind;
@@ -8,16 +8,16 @@ use crate::jobs::engine::MethodDescription;
 use axum::Json;
 use axum::extract::{Path, State};
 
-/// List the methods
+/// List methods
 #[utoipa::path(
     get, path = "/v1/methods", tag = "methods", operation_id = "list_methods",
     responses((status = 200, description = "All methods, the default first", body = MethodListDocument))
 )]
-pub async fn list(State(state): State<HttpState>) -> Json<MethodListDocument> {
+pub(crate) async fn list(State(state): State<HttpState>) -> Json<MethodListDocument> {
     Json(MethodListDocument { methods: state.service.methods() })
 }
 
-/// Read a method
+/// Get a method
 #[utoipa::path(
     get, path = "/v1/methods/{name}", tag = "methods", operation_id = "get_method",
     params(("name" = String, Path, description = "The method")),
@@ -26,7 +26,10 @@ pub async fn list(State(state): State<HttpState>) -> Json<MethodListDocument> {
         (status = 404, description = "No such method", body = ProblemDocument, content_type = "application/problem+json"),
     )
 )]
-pub async fn get(State(state): State<HttpState>, Path(name): Path<String>) -> Result<Json<MethodDescription>, Problem> {
+pub(crate) async fn get(
+    State(state): State<HttpState>,
+    Path(name): Path<String>,
+) -> Result<Json<MethodDescription>, Problem> {
     let found = state.service.methods().into_iter().find(|method| method.name == name);
     found.map(Json).ok_or_else(|| Problem::new(ProblemKind::MethodNotFound))
 }

@@ -1,17 +1,17 @@
 //! The handlers, a file a resource.
 
-pub mod batches;
-pub mod changes;
-pub mod docs;
-pub mod events;
-pub mod jobs;
-pub mod meshes;
-pub mod methods;
-pub mod result;
-pub mod surfaces;
-pub mod system;
-pub mod trace;
-pub mod webhooks;
+pub(crate) mod batches;
+pub(crate) mod changes;
+pub(crate) mod docs;
+pub(crate) mod events;
+pub(crate) mod jobs;
+pub(crate) mod meshes;
+pub(crate) mod methods;
+pub(crate) mod result;
+pub(crate) mod surfaces;
+pub(crate) mod system;
+pub(crate) mod trace;
+pub(crate) mod webhooks;
 
 use super::problem::Problem;
 use super::problem_table::ProblemKind;
@@ -34,13 +34,13 @@ fn batch_id(text: &str) -> Result<BatchId, Problem> {
     BatchId::parse(text).ok_or_else(|| Problem::new(ProblemKind::BatchNotFound))
 }
 
-/// Size of a page and where it begins, from `page_size` and `page_token`.
+/// Size and start of a page, from `page_size` and `page_token`.
 fn page(query: &mut QueryString) -> (u32, Option<Cursor>) {
     let size = query.number("page_size", 1..=MAX_PAGE).unwrap_or(DEFAULT_PAGE);
     let token = query.text("page_token").filter(|token| !token.is_empty());
     let after = token.as_deref().and_then(Cursor::from_token);
     if token.is_some() && after.is_none() {
-        query.fault("page_token", "out_of_range", "hand back a next_page_token as it was given");
+        query.fault("page_token", "out_of_range", "must be a next_page_token of an earlier answer");
     }
     (size, after)
 }

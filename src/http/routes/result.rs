@@ -14,23 +14,23 @@ use axum::extract::{Path, State};
 use axum::http::HeaderMap;
 use axum::response::Response;
 
-/// Read the result
+/// Get the result
 #[utoipa::path(
     get, path = "/v1/jobs/{id}/result", tag = "results", operation_id = "get_result",
     params(
         ("id" = String, Path, description = "The job"),
-        ("correspondences" = Option<bool>, Query, description = "`false` leaves the correspondences out"),
-        ("If-None-Match" = Option<String>, Header, description = "The ETag of an earlier answer"),
+        ("correspondences" = Option<bool>, Query, description = "`false` omits the correspondences"),
+        ("If-None-Match" = Option<String>, Header, description = "ETag of an earlier answer"),
     ),
     responses(
-        (status = 200, description = "The result", body = JobResultDocument, headers(("ETag" = String))),
-        (status = 304, description = "Unchanged"),
-        (status = 400, description = "Faults in the query", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 200, description = "The result", body = JobResultDocument, headers(("ETag" = String, description = "Pass it as `If-None-Match`"))),
+        (status = 304, description = "Not modified since the version that `If-None-Match` names"),
+        (status = 400, description = "Invalid query parameters", body = ProblemDocument, content_type = "application/problem+json"),
         (status = 404, description = "No such job", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 409, description = "Not finished, or ended without a result", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 409, description = "The job is not finished, or finished without a result", body = ProblemDocument, content_type = "application/problem+json"),
     )
 )]
-pub async fn result(
+pub(crate) async fn result(
     State(state): State<HttpState>,
     Reader(tenant): Reader,
     Path(id): Path<String>,
@@ -41,13 +41,13 @@ pub async fn result(
     query.finish()?;
     let id = job_id(&id)?;
     let document = state.service.result_part(&tenant, id, ArtifactKind::Result).await?;
-    // Results never change, so the address of the blob is the validator.
+    // Results never change, so the hash of the blob is the ETag.
     let form = if with_correspondences { "full" } else { "brief" };
     let etag = format!("\"{}-{form}\"", &document.key.hash()[..32]);
     if is_fresh(&headers, &etag) {
         return Ok(not_modified(&etag));
     }
-    // Stored JSON objects are joined as they are: numbers come out to the digit as they were written.
+    // Stored JSON objects are joined as text, so that every number keeps its digits.
     let stored = state.service.read(&document).await?;
     let mut body = stored.strip_suffix(b"}").ok_or_else(unreadable)?.to_vec();
     if with_correspondences {
@@ -61,22 +61,23 @@ pub async fn result(
     Ok(respond(&headers, &etag, "application/json", body))
 }
 
-/// Read the dense correspondence
+/// Get the dense correspondence
 ///
-/// As a table with a row for each pair: JSON in columns, CSV, NumPy (`.npy`, one structured array) or Arrow (IPC file,
-/// also known as Feather 2), each with `source`, `target`, `confidence`, `inlier`,
-/// `spread_mm` and `outlier`, a word in JSON and CSV, else 0 none, 1 residual, 2 neighborhood, 3 both, 4 no_counterpart; and the point of
-/// the target that is the image, between vertices: its `triangle` and `barycentric` weights, three numbers each.
+/// Either as a table with a row for each corresponding pair: JSON (an array for each column), CSV, NumPy (`.npy`, one
+/// structured array) or Arrow (IPC file, also known as Feather 2). The columns are `source` and `target` (vertex indices),
+/// `confidence`, `inlier`, `spread_mm`, `outlier` (a word in JSON and CSV, else 0 none, 1 residual, 2 neighborhood, 3 both,
+/// 4 no_counterpart), and the corresponding point on the target surface, which lies between vertices: the vertices of its
+/// `triangle` and its `barycentric` coordinates, three numbers each.
 ///
-/// Or as the source surface with these values for each vertex: PLY (properties), legacy VTK (`POINT_DATA`) or GIFTI
-/// (further data arrays; single precision, quads cut in two). A vertex without a correspondence has `target` −1,
+/// Or as the source surface with these values at each vertex: PLY (properties), legacy VTK (`POINT_DATA`) or GIFTI (further
+/// data arrays; single precision, quads split into triangles). A vertex without a correspondence has `target` −1,
 /// `confidence` 0 and `inlier` 0.
 #[utoipa::path(
     get, path = "/v1/jobs/{id}/correspondences", tag = "results", operation_id = "get_correspondences",
     params(
         ("id" = String, Path, description = "The job"),
-        ("format" = Option<String>, Query, description = "`json`, `csv`, `npy`, `arrow`, `ply`, `vtk` or `gifti`; goes before `Accept`, JSON if neither is given"),
-        ("If-None-Match" = Option<String>, Header, description = "The ETag of an earlier answer"),
+        ("format" = Option<String>, Query, description = "`json`, `csv`, `npy`, `arrow`, `ply`, `vtk` or `gifti`; takes precedence over `Accept`; JSON if neither is given"),
+        ("If-None-Match" = Option<String>, Header, description = "ETag of an earlier answer"),
     ),
     responses(
         (status = 200, description = "The correspondence", content(
@@ -84,17 +85,17 @@ pub async fn result(
             (Vec<u8> = "application/vnd.apache.arrow.file"), (Vec<u8> = "model/ply"), (Vec<u8> = "model/vtk"),
             (String = "application/gifti+xml"),
         ), headers(
-            ("ETag" = String, description = "Of this format"), ("Vary" = String, description = "`accept`"),
-            ("Content-Disposition" = String, description = "A name for the file; not with JSON"),
+            ("ETag" = String, description = "Of this representation"), ("Vary" = String, description = "`accept`"),
+            ("Content-Disposition" = String, description = "Suggested file name; not with JSON"),
         )),
-        (status = 304, description = "Unchanged"),
-        (status = 400, description = "Faults in the query", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 304, description = "Not modified since the version that `If-None-Match` names"),
+        (status = 400, description = "Invalid query parameters", body = ProblemDocument, content_type = "application/problem+json"),
         (status = 404, description = "No such job", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 406, description = "No format that `Accept` allows; `available` lists them", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 409, description = "Not finished, or ended without a result", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 406, description = "`Accept` allows none of the formats; `available` lists them", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 409, description = "The job is not finished, or finished without a result", body = ProblemDocument, content_type = "application/problem+json"),
     )
 )]
-pub async fn correspondences(
+pub(crate) async fn correspondences(
     State(state): State<HttpState>,
     Reader(tenant): Reader,
     Path(id): Path<String>,
@@ -104,40 +105,40 @@ pub async fn correspondences(
     answer(&state, &tenant, job_id(&id)?, ResultPart::Correspondences, &headers, query).await
 }
 
-/// Read the rigid transform
+/// Get the rigid transform
 ///
-/// It moves points of the source onto the target: `p' = R p + t`, in millimetres and the coordinates of the inputs.
+/// It maps points of the source to points of the target, `p' = R p + t`, in millimetres, in the coordinates of the inputs.
 ///
-/// JSON as in the result; plain text, four lines of four numbers (`numpy.loadtxt`); an ITK transform file (`tfm`) or a
-/// FreeSurfer linear transform array (`lta`). The last two take the inputs' coordinates for RAS, as in NIfTI.
+/// Formats: JSON as in the result; plain text, four lines of four numbers (`numpy.loadtxt`); an ITK transform file (`tfm`);
+/// a FreeSurfer linear transform array (`lta`). The last two assume that the inputs have RAS coordinates, as in NIfTI.
 ///
-/// The ITK file holds what ITK, ANTs and 3D Slicer expect: LPS coordinates, and the map from points of the target
-/// (fixed) to points of the source (moving), which is the inverse of the JSON's matrix. Use it as it is to resample the
-/// source image onto the target's grid; in 3D Slicer apply it to the source. The FreeSurfer file is of type 1 (RAS to
-/// RAS), source to target, with both volume geometries marked invalid, as they are not known.
+/// The ITK file follows the convention of ITK, ANTs and 3D Slicer: LPS coordinates, and the map from points of the target
+/// (fixed) to points of the source (moving), which is the inverse of the matrix in JSON. Use it unchanged to resample the
+/// source image onto the grid of the target; in 3D Slicer apply it to the source. The FreeSurfer file is of type 1 (RAS to
+/// RAS), from source to target, with both volume geometries marked invalid because they are unknown.
 #[utoipa::path(
     get, path = "/v1/jobs/{id}/transform", tag = "results", operation_id = "get_transform",
     params(
         ("id" = String, Path, description = "The job"),
-        ("format" = Option<String>, Query, description = "`json`, `text`, `tfm` or `lta`; goes before `Accept`, JSON if neither is given"),
-        ("If-None-Match" = Option<String>, Header, description = "The ETag of an earlier answer"),
+        ("format" = Option<String>, Query, description = "`json`, `text`, `tfm` or `lta`; takes precedence over `Accept`; JSON if neither is given"),
+        ("If-None-Match" = Option<String>, Header, description = "ETag of an earlier answer"),
     ),
     responses(
         (status = 200, description = "The transform", content(
             (TransformDocument = "application/json"), (String = "text/plain"), (String = "application/x-itk-transform"),
             (String = "application/x-freesurfer-lta"),
         ), headers(
-            ("ETag" = String, description = "Of this format"), ("Vary" = String, description = "`accept`"),
-            ("Content-Disposition" = String, description = "A name for the file; not with JSON and text"),
+            ("ETag" = String, description = "Of this representation"), ("Vary" = String, description = "`accept`"),
+            ("Content-Disposition" = String, description = "Suggested file name; not with JSON and text"),
         )),
-        (status = 304, description = "Unchanged"),
-        (status = 400, description = "Faults in the query", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 304, description = "Not modified since the version that `If-None-Match` names"),
+        (status = 400, description = "Invalid query parameters", body = ProblemDocument, content_type = "application/problem+json"),
         (status = 404, description = "No such job", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 406, description = "No format that `Accept` allows; `available` lists them", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 409, description = "Not finished, or ended without a result", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 406, description = "`Accept` allows none of the formats; `available` lists them", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 409, description = "The job is not finished, or finished without a result", body = ProblemDocument, content_type = "application/problem+json"),
     )
 )]
-pub async fn transform(
+pub(crate) async fn transform(
     State(state): State<HttpState>,
     Reader(tenant): Reader,
     Path(id): Path<String>,

@@ -12,33 +12,34 @@ use axum::extract::{Path, State};
 use axum::http::HeaderMap;
 use axum::response::Response;
 
-/// Read a surface whose vertices the correspondences count
+/// Get a matched surface
 ///
-/// Binary PLY and legacy VTK are exact and keep quads. GIFTI and STL have single precision and triangles only: quads
-/// are cut in two. STL has no shared vertices, so the numbers of the vertices are lost: correspondences do not fit it.
+/// The surface whose vertices the correspondences refer to. Binary PLY and legacy VTK are exact and keep quads. GIFTI and
+/// STL have single precision and triangles only, so quads are split. STL has no shared vertices, so the vertex indices of
+/// the correspondences do not apply to it.
 #[utoipa::path(
     get, path = "/v1/jobs/{id}/surfaces/{which}", tag = "results", operation_id = "get_surface",
     params(
         ("id" = String, Path, description = "The job"),
         ("which" = String, Path, description = "`source` or `target`"),
-        ("format" = Option<String>, Query, description = "`ply`, `vtk`, `gifti` or `stl`; goes before `Accept`, PLY if neither is given"),
-        ("If-None-Match" = Option<String>, Header, description = "The ETag of an earlier answer"),
+        ("format" = Option<String>, Query, description = "`ply`, `vtk`, `gifti` or `stl`; takes precedence over `Accept`; PLY if neither is given"),
+        ("If-None-Match" = Option<String>, Header, description = "ETag of an earlier answer"),
     ),
     responses(
         (status = 200, description = "The surface, mm", content(
             (Vec<u8> = "model/ply"), (Vec<u8> = "model/vtk"), (String = "application/gifti+xml"), (Vec<u8> = "model/stl"),
         ), headers(
-            ("ETag" = String, description = "Of this format"), ("Vary" = String, description = "`accept`"),
-            ("Content-Disposition" = String, description = "A name for the file"),
+            ("ETag" = String, description = "Of this representation"), ("Vary" = String, description = "`accept`"),
+            ("Content-Disposition" = String, description = "Suggested file name"),
         )),
-        (status = 304, description = "Unchanged"),
-        (status = 400, description = "Faults in the query", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 304, description = "Not modified since the version that `If-None-Match` names"),
+        (status = 400, description = "Invalid query parameters", body = ProblemDocument, content_type = "application/problem+json"),
         (status = 404, description = "No such job or surface", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 406, description = "No format that `Accept` allows; `available` lists them", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 409, description = "Not finished, or ended without a result", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 406, description = "`Accept` allows none of the formats; `available` lists them", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 409, description = "The job is not finished, or finished without a result", body = ProblemDocument, content_type = "application/problem+json"),
     )
 )]
-pub async fn surface(
+pub(crate) async fn surface(
     State(state): State<HttpState>,
     Reader(tenant): Reader,
     Path((id, which)): Path<(String, String)>,
@@ -48,36 +49,36 @@ pub async fn surface(
     let part = match which.as_str() {
         "source" => ResultPart::SourceSurface,
         "target" => ResultPart::TargetSurface,
-        _ => return Err(Problem::new(ProblemKind::RouteNotFound).detail("surfaces are source and target")),
+        _ => return Err(Problem::new(ProblemKind::RouteNotFound).detail("the surface must be source or target")),
     };
     answer(&state, &tenant, job_id(&id)?, part, &headers, query).await
 }
 
-/// Read the source surface moved onto the target
+/// Get the aligned source surface
 ///
-/// Formats as for the surfaces themselves.
+/// The source surface moved onto the target, in the formats of the matched surfaces.
 #[utoipa::path(
     get, path = "/v1/jobs/{id}/aligned", tag = "results", operation_id = "get_aligned",
     params(
         ("id" = String, Path, description = "The job"),
-        ("format" = Option<String>, Query, description = "`ply`, `vtk`, `gifti` or `stl`; goes before `Accept`, PLY if neither is given"),
-        ("If-None-Match" = Option<String>, Header, description = "The ETag of an earlier answer"),
+        ("format" = Option<String>, Query, description = "`ply`, `vtk`, `gifti` or `stl`; takes precedence over `Accept`; PLY if neither is given"),
+        ("If-None-Match" = Option<String>, Header, description = "ETag of an earlier answer"),
     ),
     responses(
         (status = 200, description = "The surface, mm", content(
             (Vec<u8> = "model/ply"), (Vec<u8> = "model/vtk"), (String = "application/gifti+xml"), (Vec<u8> = "model/stl"),
         ), headers(
-            ("ETag" = String, description = "Of this format"), ("Vary" = String, description = "`accept`"),
-            ("Content-Disposition" = String, description = "A name for the file"),
+            ("ETag" = String, description = "Of this representation"), ("Vary" = String, description = "`accept`"),
+            ("Content-Disposition" = String, description = "Suggested file name"),
         )),
-        (status = 304, description = "Unchanged"),
-        (status = 400, description = "Faults in the query", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 304, description = "Not modified since the version that `If-None-Match` names"),
+        (status = 400, description = "Invalid query parameters", body = ProblemDocument, content_type = "application/problem+json"),
         (status = 404, description = "No such job", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 406, description = "No format that `Accept` allows; `available` lists them", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 409, description = "Not finished, or ended without a result", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 406, description = "`Accept` allows none of the formats; `available` lists them", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 409, description = "The job is not finished, or finished without a result", body = ProblemDocument, content_type = "application/problem+json"),
     )
 )]
-pub async fn aligned(
+pub(crate) async fn aligned(
     State(state): State<HttpState>,
     Reader(tenant): Reader,
     Path(id): Path<String>,

@@ -1,4 +1,4 @@
-//! Liveness, readiness, the OpenAPI document, and what a type of problem means.
+//! Liveness, readiness, metrics, the OpenAPI document and the problem types.
 
 use crate::http::openapi;
 use crate::http::problem::{Problem, ProblemDocument};
@@ -12,26 +12,26 @@ use axum::response::{IntoResponse, Response};
 use std::collections::BTreeMap;
 use std::sync::OnceLock;
 
-/// Whether the process lives
+/// Check liveness
 ///
-/// Touches nothing: a full disk or a slow database is no reason to restart the process.
+/// Queries no dependency: a full disk or a slow database is no reason to restart the process.
 #[utoipa::path(
     get, path = "/healthz", tag = "system", operation_id = "healthz",
-    responses((status = 200, description = "It lives", body = HealthDocument))
+    responses((status = 200, description = "The process is alive", body = HealthDocument))
 )]
-pub async fn healthz() -> Json<HealthDocument> {
+pub(crate) async fn healthz() -> Json<HealthDocument> {
     Json(HealthDocument { status: "alive".to_owned(), version: env!("CARGO_PKG_VERSION").to_owned() })
 }
 
-/// Whether the service can do its work
+/// Check readiness
 #[utoipa::path(
     get, path = "/readyz", tag = "system", operation_id = "readyz",
     responses(
-        (status = 200, description = "Every dependency answers", body = ReadinessDocument),
-        (status = 503, description = "One does not", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 200, description = "All dependencies respond", body = ReadinessDocument),
+        (status = 503, description = "A dependency does not respond, or the service is shutting down", body = ProblemDocument, content_type = "application/problem+json"),
     )
 )]
-pub async fn readyz(State(state): State<HttpState>) -> Response {
+pub(crate) async fn readyz(State(state): State<HttpState>) -> Response {
     let mut ready = !state.stop.is_cancelled();
     let mut dependencies = BTreeMap::new();
     for (name, answer) in state.service.dependencies().await {
@@ -47,14 +47,14 @@ pub async fn readyz(State(state): State<HttpState>) -> Response {
         .into_response()
 }
 
-/// Metrics of the process and of the queue
+/// Get metrics
 ///
-/// Text format of Prometheus. Nothing in it names a job, a file or a patient.
+/// Metrics of the process and the queue in the text format of Prometheus. They name no job, file or patient.
 #[utoipa::path(
     get, path = "/metrics", tag = "system", operation_id = "metrics",
     responses((status = 200, description = "Metrics", content_type = "text/plain", body = String))
 )]
-pub async fn metrics(State(state): State<HttpState>) -> Response {
+pub(crate) async fn metrics(State(state): State<HttpState>) -> Response {
     match state.service.load().await {
         Ok(load) => {
             metrics::gauge!("homolog_jobs", "state" => "queued").set(load.queued);
@@ -62,20 +62,20 @@ pub async fn metrics(State(state): State<HttpState>) -> Response {
             metrics::gauge!("homolog_queue_oldest_age_seconds").set(load.oldest_queued.as_secs_f64());
             metrics::gauge!("homolog_job_store_up").set(1.0);
         }
-        // What the process itself counts is worth having all the more while the store is away.
+        // The metrics of the process itself are needed all the more while the store does not respond.
         Err(_) => metrics::gauge!("homolog_job_store_up").set(0.0),
     }
     let text = (state.metrics)();
     (StatusCode::OK, [(header::CONTENT_TYPE, "text/plain; version=0.0.4; charset=utf-8")], text).into_response()
 }
 
-/// The OpenAPI document
+/// Get the OpenAPI document
 #[utoipa::path(
     get, path = "/openapi.json", tag = "system", operation_id = "openapi",
     responses((status = 200, description = "OpenAPI 3.1", content_type = "application/json", body = Object))
 )]
-pub async fn openapi_json() -> Result<Response, Problem> {
-    // It never changes while the program runs, and making it takes far longer than sending it.
+pub(crate) async fn openapi_json() -> Result<Response, Problem> {
+    // It never changes while the program runs, and takes far longer to generate than to send.
     static DOCUMENT: OnceLock<String> = OnceLock::new();
     let text = match DOCUMENT.get() {
         Some(made) => made,
@@ -87,16 +87,16 @@ pub async fn openapi_json() -> Result<Response, Problem> {
     Ok((StatusCode::OK, [(header::CONTENT_TYPE, "application/json")], text.as_str()).into_response())
 }
 
-/// What a type of problem means
+/// Get a problem type
 #[utoipa::path(
     get, path = "/problems/{slug}", tag = "system", operation_id = "problem_type",
     params(("slug" = String, Path, description = "The last part of a problem's `type`")),
     responses(
-        (status = 200, description = "The type", body = ProblemTypeDocument),
-        (status = 404, description = "No such type", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 200, description = "The problem type", body = ProblemTypeDocument),
+        (status = 404, description = "No such problem type", body = ProblemDocument, content_type = "application/problem+json"),
     )
 )]
-pub async fn problem_type(Path(slug): Path<String>) -> Result<Json<ProblemTypeDocument>, Problem> {
+pub(crate) async fn problem_type(Path(slug): Path<String>) -> Result<Json<ProblemTypeDocument>, Problem> {
     let kind = ProblemKind::from_slug(&slug).ok_or_else(|| Problem::new(ProblemKind::ProblemNotFound))?;
     let entry = kind.entry();
     Ok(Json(ProblemTypeDocument {

@@ -12,23 +12,23 @@ use axum::extract::{Path, State};
 const DEFAULT_POINTS: u32 = 1000;
 const MAX_POINTS: u32 = 10_000;
 
-/// Read the energy trace
+/// Get the energy trace
 ///
-/// Points in order, each once. Hand `next_after_seq` back as `after_seq` until `complete`.
+/// The points in order, also while the job runs. Pass `next_after_seq` as `after_seq` until `complete` is true.
 #[utoipa::path(
     get, path = "/v1/jobs/{id}/trace", tag = "jobs", operation_id = "get_trace",
     params(
         ("id" = String, Path, description = "The job"),
-        ("after_seq" = Option<u64>, Query, description = "Only points after this one"),
-        ("limit" = Option<u32>, Query, minimum = 1, maximum = 10000, description = "Most points; 1000 if absent"),
+        ("after_seq" = Option<u64>, Query, description = "Only points after the one with this `seq`; 0 if absent"),
+        ("limit" = Option<u32>, Query, minimum = 1, maximum = 10000, description = "Maximum number of points; 1000 if absent"),
     ),
     responses(
         (status = 200, description = "Points", body = TraceDocument),
-        (status = 400, description = "Faults in the query", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 400, description = "Invalid query parameters", body = ProblemDocument, content_type = "application/problem+json"),
         (status = 404, description = "No such job", body = ProblemDocument, content_type = "application/problem+json"),
     )
 )]
-pub async fn trace(
+pub(crate) async fn trace(
     State(state): State<HttpState>,
     Reader(tenant): Reader,
     Path(id): Path<String>,

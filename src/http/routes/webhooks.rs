@@ -1,4 +1,4 @@
-//! `/v1/webhooks`: who is told of changes of jobs.
+//! `/v1/webhooks`: notifications of state changes.
 
 use super::page;
 use crate::http::auth::Admin;
@@ -26,102 +26,102 @@ use utoipa::ToSchema;
 /// Most webhooks of a tenant.
 const MAX_WEBHOOKS: u32 = 20;
 
-/// A webhook to be made.
+/// A new webhook.
 #[derive(Debug, Clone, Deserialize, Serialize, ToSchema)]
 #[serde(deny_unknown_fields)]
-pub struct NewWebhookDocument {
-    /// Where events go.
-    pub url: String,
-    /// States that are told; all if absent or empty.
+pub(crate) struct NewWebhookDocument {
+    /// URL that events are sent to.
+    pub(crate) url: String,
+    /// Job states that are reported; all if absent or empty.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub states: Vec<JobState>,
+    pub(crate) states: Vec<JobState>,
 }
 
-/// What changes of a webhook; what is absent stays.
+/// Changes to a webhook; absent members stay as they are.
 #[derive(Debug, Clone, Deserialize, Serialize, ToSchema)]
 #[serde(deny_unknown_fields)]
-pub struct WebhookChangeDocument {
-    /// Where events go.
+pub(crate) struct WebhookChangeDocument {
+    /// URL that events are sent to.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub url: Option<String>,
-    /// States that are told; empty for all.
+    pub(crate) url: Option<String>,
+    /// Job states that are reported; empty for all.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub states: Option<Vec<JobState>>,
+    pub(crate) states: Option<Vec<JobState>>,
     /// Whether events are sent.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub enabled: Option<bool>,
+    pub(crate) enabled: Option<bool>,
 }
 
 /// A webhook.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, ToSchema)]
-pub struct WebhookDocument {
+pub(crate) struct WebhookDocument {
     /// UUIDv7.
-    pub id: String,
-    /// Where events go.
-    pub url: String,
-    /// States that are told; empty for all.
-    pub states: Vec<JobState>,
+    pub(crate) id: String,
+    /// URL that events are sent to.
+    pub(crate) url: String,
+    /// Job states that are reported; empty for all.
+    pub(crate) states: Vec<JobState>,
     /// Whether events are sent.
-    pub enabled: bool,
-    /// Why not, if the service ended it.
+    pub(crate) enabled: bool,
+    /// Why the service disabled it.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub disabled_because: Option<String>,
-    /// What deliveries are signed with (Standard Webhooks); only in the answer that made it.
+    pub(crate) disabled_because: Option<String>,
+    /// Secret that signs deliveries (Standard Webhooks); only in the answer that created the webhook.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub secret: Option<String>,
-    /// When it was made.
+    pub(crate) secret: Option<String>,
+    /// When it was created.
     #[schema(value_type = String, format = DateTime)]
-    pub created_at: Timestamp,
+    pub(crate) created_at: Timestamp,
 }
 
-/// A part of the list of webhooks.
+/// A page of the list of webhooks.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, ToSchema)]
-pub struct WebhookListDocument {
-    /// The webhooks, the newest first.
-    pub webhooks: Vec<WebhookDocument>,
-    /// Hand this back as `page_token` for the next page; absent on the last.
+pub(crate) struct WebhookListDocument {
+    /// The webhooks, newest first.
+    pub(crate) webhooks: Vec<WebhookDocument>,
+    /// `page_token` of the next page; absent on the last one.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub next_page_token: Option<String>,
+    pub(crate) next_page_token: Option<String>,
 }
 
-/// An event on its way.
+/// The delivery of an event to a webhook.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, ToSchema)]
-pub struct DeliveryDocument {
+pub(crate) struct DeliveryDocument {
     /// UUIDv7; the receiver sees it as `webhook-id`.
-    pub id: String,
+    pub(crate) id: String,
     /// Type of the event, such as `job.succeeded`.
-    pub event: String,
-    /// Where it stands.
-    pub state: DeliveryState,
+    pub(crate) event: String,
+    /// State of the delivery.
+    pub(crate) state: DeliveryState,
     /// Attempts so far.
-    pub attempts: u32,
-    /// When it is tried next, while pending.
+    pub(crate) attempts: u32,
+    /// Time of the next attempt, while the delivery is pending.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schema(value_type = Option<String>, format = DateTime)]
-    pub next_attempt_at: Option<Timestamp>,
-    /// HTTP status of the last answer.
+    pub(crate) next_attempt_at: Option<Timestamp>,
+    /// HTTP status of the receiver's last answer.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub status: Option<u16>,
-    /// Why there was none, or no good one.
+    pub(crate) status: Option<u16>,
+    /// Why the last attempt failed.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub error: Option<String>,
-    /// When it was made.
+    pub(crate) error: Option<String>,
+    /// When it was created.
     #[schema(value_type = String, format = DateTime)]
-    pub created_at: Timestamp,
-    /// When it was delivered or given up.
+    pub(crate) created_at: Timestamp,
+    /// When it was delivered, or when the service gave up.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schema(value_type = Option<String>, format = DateTime)]
-    pub ended_at: Option<Timestamp>,
+    pub(crate) ended_at: Option<Timestamp>,
 }
 
-/// A part of a log of deliveries.
+/// A page of the delivery log.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, ToSchema)]
-pub struct DeliveryListDocument {
-    /// The deliveries, the newest first.
-    pub deliveries: Vec<DeliveryDocument>,
-    /// Hand this back as `page_token` for the next page; absent on the last.
+pub(crate) struct DeliveryListDocument {
+    /// The deliveries, newest first.
+    pub(crate) deliveries: Vec<DeliveryDocument>,
+    /// `page_token` of the next page; absent on the last one.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub next_page_token: Option<String>,
+    pub(crate) next_page_token: Option<String>,
 }
 
 impl WebhookDocument {
@@ -173,22 +173,23 @@ fn checked_url(state: &HttpState, url: &str) -> Result<(), Problem> {
     })
 }
 
-/// Make a webhook
+/// Create a webhook
 ///
-/// Each change of a job's state to one of `states` is sent to `url` as a signed POST (Standard Webhooks), tried again
-/// with growing pauses until it is answered 2xx; 410 ends the webhook. The answer holds the secret, once.
+/// Each change of a job's state to one of `states` is sent to `url` as a signed POST (Standard Webhooks), and retried with
+/// growing delays until the receiver answers 2xx; an answer of 410 disables the webhook. Only the answer to this request
+/// contains the secret.
 #[utoipa::path(
     post, path = "/v1/webhooks", tag = "webhooks", operation_id = "create_webhook",
     request_body = NewWebhookDocument,
     responses(
-        (status = 201, description = "Made", body = WebhookDocument, headers(("Location" = String, description = "The webhook"))),
-        (status = 400, description = "The body cannot be read", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 409, description = "As many as a tenant may have", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 415, description = "No JSON", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 422, description = "Faults in the fields", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 201, description = "Created", body = WebhookDocument, headers(("Location" = String, description = "The webhook"))),
+        (status = 400, description = "The body is malformed", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 409, description = "The tenant has the maximum number of webhooks", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 415, description = "Not JSON", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 422, description = "Invalid fields", body = ProblemDocument, content_type = "application/problem+json"),
     )
 )]
-pub async fn create(
+pub(crate) async fn create(
     State(state): State<HttpState>,
     Admin(tenant): Admin,
     query: QueryString,
@@ -204,10 +205,10 @@ pub async fn create(
         secret: format!("whsec_{}", BASE64_STANDARD.encode(random_secret().as_bytes())),
         is_enabled: true,
         disabled_because: None,
-        created_at: Timestamp::UNIX_EPOCH, // the store's clock says when
+        created_at: Timestamp::UNIX_EPOCH, // set by the clock of the store
     };
     let Some(made) = state.service.webhooks().insert_webhook(&new, MAX_WEBHOOKS).await? else {
-        let detail = format!("a tenant has at most {MAX_WEBHOOKS} webhooks");
+        let detail = format!("a tenant can have at most {MAX_WEBHOOKS} webhooks");
         return Err(Problem::new(ProblemKind::TooManyWebhooks).detail(detail));
     };
     let location = [(header::LOCATION, format!("/v1/webhooks/{}", made.id))];
@@ -218,15 +219,15 @@ pub async fn create(
 #[utoipa::path(
     get, path = "/v1/webhooks", tag = "webhooks", operation_id = "list_webhooks",
     params(
-        ("page_size" = Option<u32>, Query, minimum = 1, maximum = 500, description = "Most entries of a page; 50 if absent"),
-        ("page_token" = Option<String>, Query, description = "`next_page_token` of the page before"),
+        ("page_size" = Option<u32>, Query, minimum = 1, maximum = 500, description = "Maximum number of entries; 50 if absent"),
+        ("page_token" = Option<String>, Query, description = "`next_page_token` of the previous page"),
     ),
     responses(
         (status = 200, description = "A page", body = WebhookListDocument),
-        (status = 400, description = "Faults in the query", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 400, description = "Invalid query parameters", body = ProblemDocument, content_type = "application/problem+json"),
     )
 )]
-pub async fn list(
+pub(crate) async fn list(
     State(state): State<HttpState>,
     Admin(tenant): Admin,
     mut query: QueryString,
@@ -240,7 +241,7 @@ pub async fn list(
     }))
 }
 
-/// Look at a webhook
+/// Get a webhook
 #[utoipa::path(
     get, path = "/v1/webhooks/{id}", tag = "webhooks", operation_id = "get_webhook",
     params(("id" = String, Path, description = "The webhook")),
@@ -249,7 +250,7 @@ pub async fn list(
         (status = 404, description = "No such webhook", body = ProblemDocument, content_type = "application/problem+json"),
     )
 )]
-pub async fn get(
+pub(crate) async fn get(
     State(state): State<HttpState>,
     Admin(tenant): Admin,
     Path(id): Path<String>,
@@ -259,22 +260,22 @@ pub async fn get(
     Ok(Json(WebhookDocument::of(state.service.webhooks().get_webhook(&tenant, &id).await?, false)))
 }
 
-/// Change a webhook
+/// Update a webhook
 ///
-/// `enabled: true` takes one up again that the service ended.
+/// `enabled: true` enables a webhook that the service has disabled.
 #[utoipa::path(
     patch, path = "/v1/webhooks/{id}", tag = "webhooks", operation_id = "update_webhook",
     params(("id" = String, Path, description = "The webhook")),
     request_body = WebhookChangeDocument,
     responses(
-        (status = 200, description = "Changed", body = WebhookDocument),
-        (status = 400, description = "The body cannot be read", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 200, description = "Updated", body = WebhookDocument),
+        (status = 400, description = "The body is malformed", body = ProblemDocument, content_type = "application/problem+json"),
         (status = 404, description = "No such webhook", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 415, description = "No JSON", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 422, description = "Faults in the fields", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 415, description = "Not JSON", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 422, description = "Invalid fields", body = ProblemDocument, content_type = "application/problem+json"),
     )
 )]
-pub async fn update(
+pub(crate) async fn update(
     State(state): State<HttpState>,
     Admin(tenant): Admin,
     Path(id): Path<String>,
@@ -294,16 +295,16 @@ pub async fn update(
 
 /// Delete a webhook
 ///
-/// With its log; what is on its way is not sent any more.
+/// Deletes its delivery log too. Pending deliveries are not sent.
 #[utoipa::path(
     delete, path = "/v1/webhooks/{id}", tag = "webhooks", operation_id = "delete_webhook",
     params(("id" = String, Path, description = "The webhook")),
     responses(
-        (status = 204, description = "Gone"),
+        (status = 204, description = "Deleted"),
         (status = 404, description = "No such webhook", body = ProblemDocument, content_type = "application/problem+json"),
     )
 )]
-pub async fn delete(
+pub(crate) async fn delete(
     State(state): State<HttpState>,
     Admin(tenant): Admin,
     Path(id): Path<String>,
@@ -314,21 +315,21 @@ pub async fn delete(
     Ok(StatusCode::NO_CONTENT)
 }
 
-/// List deliveries of a webhook
+/// List the deliveries of a webhook
 #[utoipa::path(
     get, path = "/v1/webhooks/{id}/deliveries", tag = "webhooks", operation_id = "list_deliveries",
     params(
         ("id" = String, Path, description = "The webhook"),
-        ("page_size" = Option<u32>, Query, minimum = 1, maximum = 500, description = "Most entries of a page; 50 if absent"),
-        ("page_token" = Option<String>, Query, description = "`next_page_token` of the page before"),
+        ("page_size" = Option<u32>, Query, minimum = 1, maximum = 500, description = "Maximum number of entries; 50 if absent"),
+        ("page_token" = Option<String>, Query, description = "`next_page_token` of the previous page"),
     ),
     responses(
         (status = 200, description = "A page", body = DeliveryListDocument),
-        (status = 400, description = "Faults in the query", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 400, description = "Invalid query parameters", body = ProblemDocument, content_type = "application/problem+json"),
         (status = 404, description = "No such webhook", body = ProblemDocument, content_type = "application/problem+json"),
     )
 )]
-pub async fn deliveries(
+pub(crate) async fn deliveries(
     State(state): State<HttpState>,
     Admin(tenant): Admin,
     Path(id): Path<String>,
@@ -343,18 +344,18 @@ pub async fn deliveries(
     }))
 }
 
-/// Try a webhook
+/// Test a webhook
 ///
-/// Sends it an event `webhook.test`; its log says what became of it.
+/// Sends an event `webhook.test`; the delivery log shows the outcome.
 #[utoipa::path(
     post, path = "/v1/webhooks/{id}/test", tag = "webhooks", operation_id = "test_webhook",
     params(("id" = String, Path, description = "The webhook")),
     responses(
-        (status = 202, description = "On its way", body = DeliveryDocument),
+        (status = 202, description = "The delivery is queued", body = DeliveryDocument),
         (status = 404, description = "No such webhook", body = ProblemDocument, content_type = "application/problem+json"),
     )
 )]
-pub async fn test(
+pub(crate) async fn test(
     State(state): State<HttpState>,
     Admin(tenant): Admin,
     Path(id): Path<String>,

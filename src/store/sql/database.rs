@@ -63,6 +63,19 @@ pub enum DatabaseLocation {
     },
 }
 
+/// The file of a SQLite database in its folder.
+const SQLITE_FILE: &str = "homolog.sqlite";
+
+impl DatabaseLocation {
+    /// Whether the folder holds a database. A server is taken to have one: only connecting to it can tell.
+    pub fn is_there(&self) -> bool {
+        match self {
+            DatabaseLocation::Folder(folder) => folder.join(SQLITE_FILE).is_file(),
+            DatabaseLocation::Postgres { .. } => true,
+        }
+    }
+}
+
 /// Connections to a database.
 #[derive(Debug, Clone)]
 pub(super) enum Database {
@@ -184,7 +197,7 @@ async fn open_transaction(link: Link, begin: &'static str) -> Result<Session, Jo
 
 async fn open_sqlite(folder: &Path) -> Result<Database, JobError> {
     let options = SqliteConnectOptions::new()
-        .filename(folder.join("homolog.sqlite"))
+        .filename(folder.join(SQLITE_FILE))
         .create_if_missing(true)
         .journal_mode(SqliteJournalMode::Wal)
         .synchronous(SqliteSynchronous::Full)

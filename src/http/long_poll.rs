@@ -1,0 +1,244 @@
+//! Long polls: `?wait=N` delays an answer until the resource has changed, and weak ETags that name what counts as a change.
+//!
+//! A [`Version`] has two parts. The state is everything that a client acts on at once, such as a job that ended; a change
+//! of it is answered immediately. The progress changes all the time while a job runs; a change of it alone is answered
+//! [`PROGRESS_INTERVAL`] after the request at the earliest, so that a client that asks again after each answer makes one
+//! request a second. What neither part holds, such as the estimated remaining time, is in the body but is no change.
+
+use super::conditional::{not_modified, with_etag};
+use super::problem::Problem;
+use super::query::QueryString;
+use super::router::HttpState;
+use crate::jobs::follow::Feed;
+use async_trait::async_trait;
+use axum::body::Body;
+use axum::http::{HeaderMap, HeaderValue, header};
+use axum::response::Response;
+use serde::Serialize;
+use std::sync::Arc;
+use std::time::Duration;
+use tokio::time::{Instant, sleep_until};
+
+/// Longest wait of a request, s.
+pub(super) const MAX_WAIT_S: u32 = 30;
+/// Least time from a request to an answer that reports nothing but progress.
+const PROGRESS_INTERVAL: Duration = Duration::from_secs(1);
+/// Left of a request's time limit for the answer after the wait.
+const RESERVE: Duration = Duration::from_millis(500);
+/// Hexadecimal digits of each part of an ETag.
+const DIGITS: usize = 24;
+
+/// The parameter `wait`, cut so that the answer leaves before the request's time limit.
+pub(super) fn wait_of(query: &mut QueryString, state: &HttpState) -> Duration {
+    let wait = Duration::from_secs(query.number("wait", 0..=MAX_WAIT_S).unwrap_or(0).into());
+    wait.min(state.limits.request_timeout.saturating_sub(RESERVE))
+}
+
+/// What a client acts on, as digests of its two parts.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct Version {
+    state: String,
+    progress: String,
+}
+
+/// How a version differs from those that a client knows.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Difference {
+    None,
+    Progress,
+    State,
+}
+
+impl Version {
+    /// The version of a resource whose parts are these.
+    pub(super) fn of(state: &impl Serialize, progress: &impl Serialize) -> Result<Self, Problem> {
+        Ok(Version { state: digest(state)?, progress: digest(progress)? })
+    }
+
+    /// Weak (RFC 9110, section 8.8.1), because bodies of one version may differ in what is no change.
+    fn etag(&self) -> String {
+        format!("W/\"{}.{}\"", self.state, self.progress)
+    }
+
+    /// The version that an entity tag of this service names.
+    fn from_etag(tag: &str) -> Option<Self> {
+        let tag = tag.trim();
+        let opaque = tag.strip_prefix("W/").unwrap_or(tag).strip_prefix('"')?.strip_suffix('"')?;
+        let (state, progress) = opaque.split_once('.')?;
+        Some(Version { state: state.to_owned(), progress: progress.to_owned() })
+    }
+}
+
+fn digest(part: &impl Serialize) -> Result<String, Problem> {
+    let bytes = serde_json::to_vec(part).map_err(|e| Problem::internal(&e))?;
+    Ok(blake3::hash(&bytes).to_hex()[..DIGITS].to_owned())
+}
+
+/// The versions that a client has seen.
+#[derive(Debug)]
+struct Known {
+    versions: Vec<Version>,
+    /// Whether `If-None-Match` named them: then an unchanged resource is answered with 304.
+    is_conditional: bool,
+}
+
+impl Known {
+    /// Those of `If-None-Match`. Without it, and for `*`, the version at the time of the request.
+    fn of(headers: &HeaderMap, current: &Version) -> Self {
+        let mut lines = headers.get_all(header::IF_NONE_MATCH).iter().peekable();
+        let is_conditional = lines.peek().is_some();
+        let tags: Vec<&str> = lines.filter_map(|line| line.to_str().ok()).flat_map(|line| line.split(',')).collect();
+        if !is_conditional || tags.iter().any(|tag| tag.trim() == "*") {
+            return Known { versions: vec![current.clone()], is_conditional };
+        }
+        Known { versions: tags.into_iter().filter_map(Version::from_etag).collect(), is_conditional }
+    }
+
+    /// The smallest difference from any of them.
+    fn difference(&self, version: &Version) -> Difference {
+        let each = self.versions.iter().map(|known| match (known.state == version.state, known == version) {
+            (_, true) => Difference::None,
+            (true, false) => Difference::Progress,
+            (false, false) => Difference::State,
+        });
+        each.min_by_key(|difference| *difference as u8).unwrap_or(Difference::State)
+    }
+}
+
+/// A resource as it is now.
+#[derive(Debug)]
+pub(super) struct Snapshot {
+    pub(super) version: Version,
+    /// JSON.
+    pub(super) body: Vec<u8>,
+    /// Whether nothing will change any more; then a wait would be in vain.
+    pub(super) is_final: bool,
+}
+
+/// A resource that can be waited for.
+#[async_trait]
+pub(super) trait Resource: Sync {
+    /// What its feed shows.
+    type Seen: Send + Sync;
+
+    /// The resource as the store has it now.
+    async fn look(&self) -> Result<Snapshot, Problem>;
+
+    /// Follows it; asked only if there is something to wait for.
+    async fn follow(&self) -> Result<Arc<Feed<Self::Seen>>, Problem>;
+
+    /// The version of what the feed shows.
+    fn version(&self, seen: &Self::Seen) -> Result<Version, Problem>;
+}
+
+/// Answers 200 with the resource, or 304 where the client has this version; with a wait, when it has changed, or when the
+/// wait is over.
+pub(super) async fn answer(
+    state: &HttpState,
+    headers: &HeaderMap,
+    wait: Duration,
+    resource: &impl Resource,
+) -> Result<Response, Problem> {
+    let asked = Instant::now();
+    let first = resource.look().await?;
+    let known = Known::of(headers, &first.version);
+    let difference = known.difference(&first.version);
+    if wait.is_zero() || first.is_final || difference == Difference::State {
+        return Ok(respond(&known, first));
+    }
+    let until = asked + wait;
+    let earliest = until.min(asked + PROGRESS_INTERVAL);
+    let feed = resource.follow().await?;
+    let mut seen = feed.seen();
+    // It may have changed between the two reads.
+    seen.mark_changed();
+    let mut has_progressed = difference == Difference::Progress;
+    loop {
+        let ended = tokio::select! {
+            // An error says that the reader has ended: nothing changes any more.
+            changed = seen.changed() => changed.is_err(),
+            () = sleep_until(if has_progressed { earliest } else { until }) => true,
+            () = state.stop.cancelled() => true,
+        };
+        let now = Instant::now();
+        if !ended {
+            let version = resource.version(&seen.borrow_and_update())?;
+            match known.difference(&version) {
+                Difference::None => continue,
+                Difference::Progress if now < earliest => {
+                    has_progressed = true;
+                    continue;
+                }
+                _ => {}
+            }
+        }
+        // The feed says when to look, and may lag behind; the answer is what the store says now.
+        let snapshot = resource.look().await?;
+        let has_changed = known.difference(&snapshot.version) != Difference::None;
+        if has_changed || snapshot.is_final || now >= until || state.stop.is_cancelled() || seen.has_changed().is_err()
+        {
+            return Ok(respond(&known, snapshot));
+        }
+        has_progressed = false;
+    }
+}
+
+fn respond(known: &Known, snapshot: Snapshot) -> Response {
+    let etag = snapshot.version.etag();
+    if known.is_conditional && known.difference(&snapshot.version) == Difference::None {
+        return not_modified(&etag);
+    }
+    let mut response = Response::new(Body::from(snapshot.body));
+    response.headers_mut().insert(header::CONTENT_TYPE, HeaderValue::from_static("application/json"));
+    with_etag(response, &etag)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn version(state: &str, progress: u32) -> Version {
+        Version::of(&state, &progress).unwrap()
+    }
+
+    fn known(tags: &str, current: &Version) -> Known {
+        let mut headers = HeaderMap::new();
+        headers.insert(header::IF_NONE_MATCH, tags.parse().unwrap());
+        Known::of(&headers, current)
+    }
+
+    #[test]
+    fn etags_are_weak_and_compared_weakly_in_lists() {
+        let current = version("running", 7);
+        let etag = current.etag();
+        assert!(etag.starts_with("W/\""), "{etag}");
+        let strong = etag.trim_start_matches("W/").to_owned();
+        for tags in [etag.clone(), strong, format!("\"other\", {etag}"), "*".to_owned()] {
+            let known = known(&tags, &current);
+            assert!(known.is_conditional);
+            assert_eq!(known.difference(&current), Difference::None, "{tags}");
+        }
+    }
+
+    #[test]
+    fn the_smallest_difference_from_a_known_version_counts() {
+        let (old, new) = (version("running", 7), version("running", 8));
+        let ended = version("succeeded", 100);
+        assert_eq!(known(&old.etag(), &new).difference(&new), Difference::Progress);
+        assert_eq!(known(&old.etag(), &ended).difference(&ended), Difference::State);
+        let both = format!("{}, {}", ended.etag(), old.etag());
+        assert_eq!(known(&both, &new).difference(&new), Difference::Progress);
+        for none in ["", "\"x\"", "x", "W/", "\""] {
+            assert_eq!(known(none, &new).difference(&new), Difference::State, "{none}");
+        }
+    }
+
+    #[test]
+    fn without_a_condition_the_current_version_is_known() {
+        let current = version("running", 7);
+        let known = Known::of(&HeaderMap::new(), &current);
+        assert!(!known.is_conditional);
+        assert_eq!(known.difference(&current), Difference::None);
+        assert_eq!(known.difference(&version("running", 8)), Difference::Progress);
+    }
+}

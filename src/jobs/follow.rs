@@ -81,7 +81,7 @@ impl Feeds {
 
     pub(super) async fn follow(&self, tenant: &Tenant, id: JobId) -> Result<Arc<Feed>, JobError> {
         // Asked in any case: who follows sees the job as it is now, and whether it is theirs.
-        let job = self.store.get(tenant, id).await?;
+        let job = self.store.get_job(tenant, id).await?;
         let mut feeds = self.feeds.lock().unwrap_or_else(PoisonError::into_inner);
         let key = (tenant.clone(), id);
         let followed = feeds.get(&key).and_then(Weak::upgrade).filter(|feed| !feed.reader.is_finished());
@@ -152,8 +152,8 @@ async fn look(
     id: JobId,
     last_seq: u64,
 ) -> Result<(Job, Vec<NumberedPoint>, bool), JobError> {
-    let job = store.get(tenant, id).await?;
-    let page = store.trace(tenant, id, last_seq, POINTS).await?;
+    let job = store.get_job(tenant, id).await?;
+    let page = store.get_trace(tenant, id, last_seq, POINTS).await?;
     let complete = job.state.is_final() && page.complete;
     Ok((job, page.points, complete))
 }

@@ -8,7 +8,7 @@ use super::ports::{ArtifactKey, ArtifactWriter};
 use super::service::JobService;
 use super::submission::{SubmitError, SubmittedFile};
 use bytes::Bytes;
-use serde_json::{Value, json};
+use serde_json::Value;
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -128,7 +128,7 @@ impl JobService {
     ) -> Result<CheckOutcome, SubmitError> {
         let (tenant, hash) = (&mesh.key.tenant, mesh.key.hash());
         let input_key = &resolved.input_key;
-        if let Some(found) = self.stores.meshes.mesh_check(tenant, hash, input_key).await? {
+        if let Some(found) = self.stores.meshes.get_mesh_check(tenant, hash, input_key).await? {
             return Ok(found);
         }
         let file = SubmittedFile { bytes: self.mesh_content(mesh).await?, name_hint: mesh.name_hint.clone() };
@@ -146,11 +146,11 @@ impl JobService {
     ) -> Result<CheckOutcome, SubmitError> {
         let permit = tokio::time::timeout(self.limits.max_check_wait, Arc::clone(&self.checks).acquire_owned());
         let Ok(Ok(permit)) = permit.await else { return Err(SubmitError::Busy) };
-        let (engine, parameters) = (Arc::clone(&self.engine), resolved.parameters.clone());
+        let computation = Arc::clone(&resolved.computation);
         let checked = tokio::task::spawn_blocking(move || {
             let _permit = permit; // given back when the check ends, also if nobody waits for it any more
             let bytes = InputBytes { bytes: &file.bytes, name_hint: file.name_hint.as_deref() };
-            engine.check_input(&bytes, &parameters)
+            computation.check_input(&bytes)
         });
         match checked.await {
             Ok(Ok(summary)) => Ok(CheckOutcome::Fit(summary)),
@@ -158,9 +158,4 @@ impl JobService {
             Err(_) => Err(SubmitError::CheckFailed { input }),
         }
     }
-}
-
-/// The key of a check by default: all that the parameters say of inputs.
-pub fn input_key(parameters: &Value) -> String {
-    parameters.get("input").cloned().unwrap_or_else(|| json!({})).to_string()
 }

@@ -74,18 +74,18 @@ pub trait Computation: Debug + Send + Sync {
     fn compute(&self, inputs: &ComputeInputs, observer: &dyn Observer) -> Result<Vec<Product>, ComputeError>;
 }
 
-/// A method that clients can choose.
+/// A method, for clients to choose.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct MethodDescription {
     /// Name, as in the parameters.
     pub name: String,
     /// Version.
     pub version: String,
-    /// One sentence that describes it.
+    /// One sentence for people.
     pub description: String,
-    /// Its effective parameters when a request states none.
+    /// Effective parameters of a request that states nothing else.
     pub defaults: Value,
-    /// JSON Schema of the parameters: ranges, units, effects.
+    /// JSON Schema of the parameters: ranges, units, what each does.
     pub parameters_schema: Value,
 }
 

@@ -38,15 +38,15 @@ pub struct WebhookPage {
     pub next: Option<Cursor>,
 }
 
-/// The state of a delivery.
+/// Where a delivery stands.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, utoipa::ToSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum DeliveryState {
-    /// Still to be attempted, for the first time or again.
+    /// Is tried, or tried again.
     Pending,
     /// The receiver answered 2xx.
     Delivered,
-    /// It did not, and there is no further attempt.
+    /// It did not, and is not asked again.
     Failed,
 }
 

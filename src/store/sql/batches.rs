@@ -4,7 +4,7 @@ use super::database::{Row, Session, bind};
 use super::dialect::sql;
 use super::rows;
 use crate::jobs::job::Cursor;
-use crate::jobs::{Batch, BatchId, BatchPage, JobError, Tenant};
+use crate::jobs::{Batch, BatchId, BatchPage, JobError, JobState, Tenant};
 use std::collections::BTreeMap;
 
 /// A batch by its id.
@@ -13,13 +13,15 @@ pub(super) async fn get_batch(session: &mut Session, tenant: &Tenant, id: BatchI
     batch(session, &row).await
 }
 
+/// The number of a batch's jobs in each state.
+async fn batch_counts(session: &mut Session, id: BatchId) -> Result<BTreeMap<JobState, u32>, JobError> {
+    let found = session.rows(sql!("batch_counts"), bind![id]).await?;
+    found.iter().map(|row| Ok((rows::state(&row.get::<String>("state")?)?, row.count("n")?))).collect()
+}
+
 /// The batch in a row, with its counts.
 async fn batch(session: &mut Session, row: &Row) -> Result<Batch, JobError> {
     let id = rows::batch_id(&row.get::<String>("id")?)?;
-    let mut counts = BTreeMap::new();
-    for count in session.rows(sql!("batch_counts"), bind![id]).await? {
-        counts.insert(rows::state(&count.get::<String>("state")?)?, count.count("n")?);
-    }
     Ok(Batch {
         id,
         tenant: rows::tenant(&row.get::<String>("tenant")?)?,
@@ -27,7 +29,7 @@ async fn batch(session: &mut Session, row: &Row) -> Result<Batch, JobError> {
         labels: rows::json("a batch's labels", &row.get::<String>("labels")?)?,
         external_ref: row.get("external_ref")?,
         created_at: rows::time(row.get("created_at")?)?,
-        counts,
+        counts: batch_counts(session, id).await?,
     })
 }
 

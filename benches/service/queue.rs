@@ -3,8 +3,8 @@
 use crate::place::Place;
 use crate::{Latencies, Scale};
 use homolog::jobs::{
-    Admission, ArtifactKey, ArtifactKind, ArtifactRef, JobId, JobInput, JobQueue, JobReader, JobWriter, NewJob,
-    Outcome, Tenant, WorkerId,
+    Admission, ArtifactKey, ArtifactKind, ArtifactRef, JobId, JobInput, JobQueue, JobWriter, NewJob, Outcome, Tenant,
+    WorkerId,
 };
 use homolog::store::sql::SqlStore;
 use serde_json::json;

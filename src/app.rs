@@ -1,17 +1,17 @@
-//! The wiring: which store, which engine, which workers, and how a process begins and ends.
+//! The wiring: which store, which engine, which workers, and how a process starts and exits.
 
 use crate::config::{HttpSettings, ServiceSettings};
 use crate::http::{AuthMode, ConnectionLimits, HttpState, probe_router, router, serve};
 use crate::jobs::{ArtifactStore, Engine, JobError, JobService, JobStore, Processes, Stores, WorkerId};
 use crate::store::artifacts::{FolderArtifacts, S3Artifacts};
-use crate::store::presence::{Ownership, Presence};
+use crate::store::processes::{ProcessRecord, ServeLock};
 use crate::store::sql::SqlStore;
 use crate::telemetry;
-use crate::worker::courier::Courier;
-use crate::worker::heartbeat::Heart;
+use crate::worker::heartbeat::Heartbeats;
 use crate::worker::housekeeper::Housekeeper;
 use crate::worker::match_engine::MatchEngine;
 use crate::worker::quota::Quota;
+use crate::worker::webhook_delivery::WebhookDelivery;
 use crate::worker::{Pool, PoolParts};
 use axum::Router;
 use std::net::SocketAddr;
@@ -21,25 +21,25 @@ use std::time::Duration;
 use tokio::net::TcpListener;
 use tokio_util::sync::CancellationToken;
 
-/// How long a new `serve` waits for its predecessor to leave the data directory.
-const TAKEOVER: Duration = Duration::from_secs(10);
-/// Connections of the heart.
-const HEART_CONNECTIONS: u32 = 2;
-/// How long open connections may hold up the end of a process after its jobs are settled.
-const LAST_ANSWERS: Duration = Duration::from_secs(5);
+/// How long a new `serve` waits for its predecessor to release the data directory.
+const TAKEOVER_TIMEOUT: Duration = Duration::from_secs(10);
+/// Database connections for heartbeats.
+const HEARTBEAT_CONNECTIONS: u32 = 2;
+/// How long open connections may delay the exit of a process after its jobs have ended.
+const DRAIN_TIMEOUT: Duration = Duration::from_secs(5);
 
-/// Why a process does not begin.
+/// Why a process does not start.
 #[derive(Debug, thiserror::Error)]
 pub enum AppError {
-    /// Others could reach the service, and nobody would be asked who they are.
+    /// Other machines could reach the service, and it would require no authentication.
     #[error(
-        "{0} can be reached from outside and there would be no authentication: say --auth keys, listen on 127.0.0.1, or say --insecure"
+        "{0} can be reached from other machines without authentication: use --auth keys, listen on 127.0.0.1, or pass --insecure"
     )]
     Insecure(SocketAddr),
-    /// The address cannot be had.
+    /// The address cannot be bound.
     #[error("cannot listen on {address}: {error}")]
     Listen {
-        /// Which.
+        /// Which one.
         address: SocketAddr,
         /// Why.
         error: std::io::Error,
@@ -47,38 +47,39 @@ pub enum AppError {
     /// The data directory cannot be used.
     #[error("cannot use the data directory {}: {error}", path.display())]
     DataDir {
-        /// Which.
+        /// Which one.
         path: PathBuf,
         /// Why.
         error: std::io::Error,
     },
-    /// Another process serves it.
+    /// Another process serves the data directory.
     #[error("another `homolog serve` uses the data directory {}; `homolog worker` may share it", .0.display())]
     Taken(PathBuf),
     /// A store cannot be used.
     #[error("{what} cannot be used: {error}")]
     Store {
-        /// Which.
+        /// Which one.
         what: &'static str,
-        /// Why, with causes.
+        /// Why, with its causes.
         error: String,
     },
-    /// The system gives no thread.
-    #[error("no thread: {0}")]
+    /// The operating system starts no thread.
+    #[error("cannot start a thread: {0}")]
     Thread(std::io::Error),
 }
 
-/// The two signals to end: the first asks, the second insists.
+/// The two stages of a shutdown.
 #[derive(Debug, Clone, Default)]
 pub struct Shutdown {
-    /// Accept and claim nothing more.
+    /// Cancelled first: nothing more is accepted or claimed.
     pub stop: CancellationToken,
-    /// Give running jobs back now.
+    /// Cancelled second: running jobs return to the queue at once.
     pub give_back: CancellationToken,
 }
 
 impl Shutdown {
-    /// Follows SIGTERM and SIGINT: the first sets `stop` and, after `grace`, `give_back`; the second both at once.
+    /// Handles SIGTERM and SIGINT: the first signal cancels `stop` and, after `grace`, `give_back`; a second one cancels
+    /// `give_back` at once.
     pub fn follow_signals(&self, grace: Duration) {
         let shutdown = self.clone();
         tokio::spawn(async move {
@@ -98,7 +99,7 @@ async fn wait_for_signal() {
     use tokio::signal::unix::{SignalKind, signal};
     let (Ok(mut terminate), Ok(mut interrupt)) = (signal(SignalKind::terminate()), signal(SignalKind::interrupt()))
     else {
-        tracing::error!("signals cannot be followed; end the process by killing it");
+        tracing::error!("signals cannot be handled; only SIGKILL ends this process");
         return std::future::pending().await;
     };
     tokio::select! {
@@ -107,16 +108,16 @@ async fn wait_for_signal() {
     }
 }
 
-/// What a process of the service consists of, whether it answers HTTP or not.
+/// The parts of a process of the service, whether it serves HTTP or not.
 pub struct App {
     parts: PoolParts,
     housekeeper: Housekeeper,
     stores: [SqlStore; 2],
-    _ownership: Option<Ownership>,
+    _serve_lock: Option<ServeLock>,
 }
 
 impl App {
-    /// Opens the data directory and takes back jobs of processes that are gone.
+    /// Opens the stores and takes back the jobs of processes that have ended.
     ///
     /// # Errors
     /// [`AppError`].
@@ -132,25 +133,30 @@ impl App {
         if !is_shared || settings.artifacts_url.is_none() {
             std::fs::create_dir_all(&data_dir).map_err(unusable)?;
         }
-        // Only one process serves a SQLite database; a PostgreSQL server is there for many.
-        let ownership = if serves && !is_shared {
-            Some(Ownership::take(&data_dir, TAKEOVER).map_err(unusable)?.ok_or(AppError::Taken(data_dir.clone()))?)
+        // Only one process serves a SQLite database; many share a PostgreSQL server.
+        let serve_lock = if serves && !is_shared {
+            Some(
+                ServeLock::acquire(&data_dir, TAKEOVER_TIMEOUT)
+                    .map_err(unusable)?
+                    .ok_or(AppError::Taken(data_dir.clone()))?,
+            )
         } else {
             None
         };
         let database = |e: JobError| store_error("the database", &e);
         let store = open_database(settings).await?;
-        // Heartbeats have connections of their own, so that they never wait behind other work of this process.
-        let heart_store = SqlStore::open(&settings.database(HEART_CONNECTIONS)).await.map_err(database)?;
+        // Heartbeats have connections of their own, so that they never wait for other work of this process.
+        let heartbeat_store = SqlStore::open(&settings.database(HEARTBEAT_CONNECTIONS)).await.map_err(database)?;
         let artifacts = open_artifacts(settings)?;
         let worker = WorkerId::random();
         let processes: Option<Arc<dyn Processes>> = match is_shared {
             true => None,
-            false => Some(Arc::new(Presence::announce(&data_dir, &worker).map_err(unusable)?)),
+            false => Some(Arc::new(ProcessRecord::create(&data_dir, &worker).map_err(unusable)?)),
         };
         let worker_settings = settings.worker_settings();
-        let heart = Heart::start(Arc::new(heart_store.clone()), worker_settings.heartbeat, worker_settings.lease)
-            .map_err(AppError::Thread)?;
+        let heartbeats =
+            Heartbeats::start(Arc::new(heartbeat_store.clone()), worker_settings.heartbeat, worker_settings.lease);
+        let heartbeats = Arc::new(heartbeats.map_err(AppError::Thread)?);
         let job_store: Arc<dyn JobStore> = Arc::new(store.clone());
         let housekeeper = Housekeeper {
             store: Arc::clone(&job_store),
@@ -163,7 +169,7 @@ impl App {
             store: job_store,
             artifacts,
             engine,
-            heart: Arc::new(heart),
+            heartbeats,
             worker,
             settings: worker_settings,
             signals: Arc::default(),
@@ -171,30 +177,25 @@ impl App {
             stop: shutdown.stop.clone(),
             give_back: shutdown.give_back.clone(),
         };
-        Ok(App { parts, housekeeper, stores: [store, heart_store], _ownership: ownership })
+        Ok(App { parts, housekeeper, stores: [store, heartbeat_store], _serve_lock: serve_lock })
     }
 
-    /// Has the process end by itself, after so long without a job or after so many.
+    /// Makes the process exit by itself, after a time without a job or after a number of jobs.
     pub fn limit_to(&mut self, quota: Quota) {
         self.parts.quota = Arc::new(quota);
     }
 
-    /// Runs jobs, and answers HTTP on `listener` if there is one, until `shutdown`.
+    /// Runs jobs, and serves HTTP if there is a listener, until `shutdown`.
     pub async fn run(self, http: Option<(TcpListener, HttpSettings, ServiceSettings)>, shutdown: &Shutdown) {
         let Some((listener, http, service)) = http else { return self.run_with(None, None, shutdown).await };
         let auth = http.auth_mode().unwrap_or(AuthMode::Keys);
         let state = self.http_state(&http, &service, auth, shutdown);
-        let courier = match Courier::new(Arc::new(self.stores[0].clone()), http.courier_settings()) {
-            Ok(courier) => Some(courier),
-            Err(error) => {
-                tracing::error!(%error, "webhooks are not delivered");
-                None
-            }
-        };
-        self.run_with(Some((listener, router(state), http.connection_limits())), courier, shutdown).await;
+        let webhooks = WebhookDelivery::new(Arc::new(self.stores[0].clone()), http.webhook_delivery_settings());
+        let webhooks = webhooks.inspect_err(|error| tracing::error!(%error, "webhooks are not delivered")).ok();
+        self.run_with(Some((listener, router(state), http.connection_limits())), webhooks, shutdown).await;
     }
 
-    /// Runs jobs, and answers supervisors on `listener`, until `shutdown`.
+    /// Runs jobs, and answers the probes of supervisors on `listener`, until `shutdown`.
     pub async fn run_with_probes(self, listener: TcpListener, service: &ServiceSettings, shutdown: &Shutdown) {
         let http = HttpSettings::default();
         let state = self.http_state(&http, service, AuthMode::Keys, shutdown);
@@ -226,16 +227,16 @@ impl App {
     async fn run_with(
         self,
         http: Option<(TcpListener, Router, ConnectionLimits)>,
-        courier: Option<Courier>,
+        webhooks: Option<WebhookDelivery>,
         shutdown: &Shutdown,
     ) {
-        telemetry::metrics_text(); // collected from here on
+        telemetry::metrics_text(); // starts to collect metrics
         let housekeeping = tokio::spawn(self.housekeeper.clone().run(shutdown.stop.clone()));
         let mut aside = tokio::task::JoinSet::new();
         let (store, signals) = (Arc::clone(&self.parts.store), Arc::clone(&self.parts.signals));
-        aside.spawn(async move { store.follow_hints(&signals.queued).await });
-        if let Some(courier) = courier {
-            aside.spawn(courier.run(shutdown.stop.clone()));
+        aside.spawn(async move { store.follow_queued(&signals.queued).await });
+        if let Some(webhooks) = webhooks {
+            aside.spawn(webhooks.run(shutdown.stop.clone()));
         }
         let pool = Pool::start(&self.parts);
         let server =
@@ -245,9 +246,9 @@ impl App {
         aside.shutdown().await;
         let _ = housekeeping.await;
         if let Some(mut server) = server
-            && tokio::time::timeout(LAST_ANSWERS, &mut server).await.is_err()
+            && tokio::time::timeout(DRAIN_TIMEOUT, &mut server).await.is_err()
         {
-            tracing::warn!("connections are still open; they are cut");
+            tracing::warn!("connections are still open and are closed");
             server.abort();
             let _ = server.await;
         }
@@ -258,7 +259,7 @@ impl App {
     }
 }
 
-/// The database of the settings, its tables up to date.
+/// Opens the database of the settings and runs the migrations that are missing.
 ///
 /// # Errors
 /// [`AppError::Store`].
@@ -267,7 +268,7 @@ pub async fn open_database(settings: &ServiceSettings) -> Result<SqlStore, AppEr
     opened.map_err(|e| store_error("the database", &e))
 }
 
-/// The blob store of the settings.
+/// Opens the blob store of the settings.
 ///
 /// # Errors
 /// [`AppError::Store`].
@@ -285,7 +286,7 @@ pub fn engine(settings: &ServiceSettings) -> Arc<dyn Engine> {
     Arc::new(MatchEngine::new(settings.intake_limits(), settings.prepared_bytes()))
 }
 
-/// A listener on the address of the settings, refused where it would be open to all.
+/// A listener on the address of the settings, unless other machines could use it without authentication.
 ///
 /// # Errors
 /// [`AppError::Insecure`], [`AppError::Listen`].
@@ -305,7 +306,7 @@ pub async fn bind(address: SocketAddr) -> Result<TcpListener, AppError> {
     TcpListener::bind(address).await.map_err(|error| AppError::Listen { address, error })
 }
 
-/// What a store's failure is to a process that needs it.
-pub fn store_error(what: &'static str, error: &JobError) -> AppError {
+/// The error of a process that cannot use a store.
+pub(crate) fn store_error(what: &'static str, error: &JobError) -> AppError {
     AppError::Store { what, error: crate::worker::pool::with_sources(error) }
 }

@@ -1,7 +1,7 @@
-//! The one provider of cryptography for TLS, for whichever client asks first.
+//! The provider of cryptography for all TLS clients of the process.
 
-/// Makes TLS clients possible. May be called any number of times.
+/// Installs the provider, before the first TLS client is created. May be called any number of times.
 pub fn prepare() {
-    // An error only says that it is there already.
+    // An error means that it is installed already.
     let _ = rustls::crypto::ring::default_provider().install_default();
 }

@@ -4,8 +4,8 @@ use homolog::app::{self, App, Shutdown};
 use homolog::config::{HttpSettings, ServiceSettings};
 use homolog::jobs::engine::{MethodDescription, Product, Resolved};
 use homolog::jobs::{
-    ArtifactKind, ComputeError, ComputeTask, Engine, InputBytes, InputRefusal, InputSummary, ParameterFault,
-    PartFormat, PresentError, ResultPart,
+    ArtifactKind, Computation, ComputeError, ComputeInputs, Engine, Failure, InputBytes, InputRefusal, InputSummary,
+    ParameterFault, PartFormat, PresentError, ResultPart,
 };
 use homolog_primitives::observe::{Observer, Phase, TracePoint};
 use rayon::prelude::*;
@@ -136,17 +136,34 @@ impl Engine for Told {
             method: "told".to_owned(),
             method_version: "1".to_owned(),
             parameters: request.clone(),
+            computation: Arc::new(ToldComputation { parameters: request.clone() }),
             input_key: String::new(),
             result_version: "1".to_owned(),
         })
     }
 
-    fn check_input(&self, _: &InputBytes<'_>, _: &Value) -> Result<InputSummary, InputRefusal> {
+    fn restore(&self, parameters: &Value) -> Result<Arc<dyn Computation>, Failure> {
+        Ok(Arc::new(ToldComputation { parameters: parameters.clone() }))
+    }
+
+    fn present(&self, part: ResultPart, format: PartFormat, stored: &[&[u8]]) -> Result<Vec<u8>, PresentError> {
+        homolog::worker::presentation::present(part, format, stored)
+    }
+}
+
+/// A computation of [`Told`].
+#[derive(Debug)]
+struct ToldComputation {
+    parameters: Value,
+}
+
+impl Computation for ToldComputation {
+    fn check_input(&self, _: &InputBytes<'_>) -> Result<InputSummary, InputRefusal> {
         Ok(InputSummary { n_vertices: 3, n_faces: 1, report: json!({}) })
     }
 
-    fn compute(&self, task: &ComputeTask, observer: &dyn Observer) -> Result<Vec<Product>, ComputeError> {
-        let number = |key: &str| task.parameters.get(key).and_then(Value::as_u64).unwrap_or(0);
+    fn compute(&self, _: &ComputeInputs, observer: &dyn Observer) -> Result<Vec<Product>, ComputeError> {
+        let number = |key: &str| self.parameters.get(key).and_then(Value::as_u64).unwrap_or(0);
         observer.phase(Phase::Inference);
         let end = Instant::now() + Duration::from_millis(number("burn_ms"));
         while Instant::now() < end && !observer.is_cancelled() {
@@ -166,9 +183,5 @@ impl Engine for Told {
             std::thread::sleep(Duration::from_millis(number("step_ms")));
         }
         Ok(vec![Product { kind: ArtifactKind::Result, bytes: b"{}".to_vec() }])
-    }
-
-    fn present(&self, part: ResultPart, format: PartFormat, stored: &[&[u8]]) -> Result<Vec<u8>, PresentError> {
-        homolog::worker::presentation::present(part, format, stored)
     }
 }

@@ -3,7 +3,8 @@
 use crate::place::Place;
 use crate::{Latencies, Scale};
 use homolog::jobs::{
-    Admission, ArtifactKey, ArtifactKind, ArtifactRef, JobId, JobInput, JobStore, NewJob, Outcome, Tenant, WorkerId,
+    Admission, ArtifactKey, ArtifactKind, ArtifactRef, JobId, JobInput, JobQueue, JobWriter, NewJob, Outcome, Tenant,
+    WorkerId,
 };
 use homolog::store::sql::SqlStore;
 use serde_json::json;
@@ -81,7 +82,10 @@ fn flushes_per_second(scale: Scale) -> f64 {
 
 pub async fn submissions(scale: Scale) {
     println!("\n## Durable submissions at the store\n");
-    println!("`JobStore::insert`, each its own transaction; {:?} each. Floor: the same disk takes", scale.time());
+    println!(
+        "`JobQueue, JobReader, JobWriter::insert`, each its own transaction; {:?} each. Floor: the same disk takes",
+        scale.time()
+    );
     println!("{:.0} writes of 4 KiB with `fdatasync` per second, one after another.\n", flushes_per_second(scale));
     println!("| store | writers | submissions/s | p50 ms | p99 ms |\n|---|---|---|---|---|");
     for place in Place::all() {
@@ -111,7 +115,7 @@ async fn insert_for(
             while began.elapsed() < time {
                 let tenant = tenant_of(number.fetch_add(1, Ordering::Relaxed));
                 let one = Instant::now();
-                store.insert(&new_job(&tenant, 0, "bench"), &admission()).await.unwrap();
+                store.insert_job(&new_job(&tenant, 0, "bench"), &admission()).await.unwrap();
                 taken.push(one.elapsed().as_secs_f64());
             }
             taken
@@ -146,10 +150,10 @@ pub async fn claims(scale: Scale) {
                 let (mut claims, mut finishes) = (Vec::new(), Vec::new());
                 loop {
                     let one = Instant::now();
-                    let Some(leased) = store.claim(&worker, LEASE, LEASE).await.unwrap() else { break };
+                    let Some(leased) = store.claim_next(&worker, LEASE, LEASE).await.unwrap() else { break };
                     claims.push(one.elapsed().as_secs_f64());
                     let one = Instant::now();
-                    store.finish(&leased.lease, &outcome(&leased.lease.tenant), None).await.unwrap();
+                    store.finish_job(&leased.lease, &outcome(&leased.lease.tenant), None).await.unwrap();
                     finishes.push(one.elapsed().as_secs_f64());
                 }
                 (claims, finishes)

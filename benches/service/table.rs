@@ -4,7 +4,7 @@ use crate::place::{Database, Place};
 use crate::queue::{admission, new_job, outcome};
 use crate::{Latencies, Scale};
 use homolog::jobs::job::Order;
-use homolog::jobs::{JobFilter, JobState, JobStore, PageRequest, Tenant, WorkerId};
+use homolog::jobs::{JobFilter, JobQueue, JobReader, JobState, JobWriter, PageRequest, Tenant, WorkerId};
 use homolog::store::sql::SqlStore;
 use std::time::{Duration, Instant};
 
@@ -35,9 +35,9 @@ pub async fn latencies(scale: Scale) {
         let database = place.database().await;
         let tenant = Tenant::default();
         // The row that the others are copies of, with its trace through the queue.
-        store.insert(&new_job(&tenant, 0, "all"), &admission()).await.unwrap();
-        let leased = store.claim(&WorkerId::random(), LEASE, LEASE).await.unwrap().unwrap();
-        store.finish(&leased.lease, &outcome(&tenant), None).await.unwrap();
+        store.insert_job(&new_job(&tenant, 0, "all"), &admission()).await.unwrap();
+        let leased = store.claim_next(&WorkerId::random(), LEASE, LEASE).await.unwrap().unwrap();
+        store.finish_job(&leased.lease, &outcome(&tenant), None).await.unwrap();
         let mut filled = 1;
         for &size in sizes {
             fill(&database, filled, size).await;
@@ -95,7 +95,7 @@ async fn row(place: &Place, store: &SqlStore, size: u64, repeats: usize) {
     let failed = JobFilter { states: vec![JobState::Failed], ..JobFilter::default() };
     let failed_and_labelled = JobFilter { states: vec![JobState::Failed], ..labelled("all") };
     let page = PageRequest { size: 50, after: None, order: Order::NewestFirst };
-    let next = store.list(&tenant, &JobFilter::default(), &page).await.unwrap().next;
+    let next = store.list_jobs(&tenant, &JobFilter::default(), &page).await.unwrap().next;
     let second = PageRequest { after: next, ..page.clone() };
     let mut cells = Vec::new();
     for (filter, page, expected) in [
@@ -111,7 +111,7 @@ async fn row(place: &Place, store: &SqlStore, size: u64, repeats: usize) {
         // What is slow needs no great number to show it.
         while taken.len() < repeats && (taken.len() < 5 || began.elapsed() < Duration::from_secs(5)) {
             let one = Instant::now();
-            let jobs = store.list(&tenant, &filter, page).await.unwrap().jobs;
+            let jobs = store.list_jobs(&tenant, &filter, page).await.unwrap().jobs;
             taken.push(one.elapsed().as_secs_f64());
             assert_eq!(jobs.len(), expected);
         }
@@ -121,20 +121,20 @@ async fn row(place: &Place, store: &SqlStore, size: u64, repeats: usize) {
     let worker = WorkerId::random();
     for _ in 0..repeats {
         let one = Instant::now();
-        let id = store.insert(&new_job(&tenant, 0, "new"), &admission()).await.unwrap().id;
+        let id = store.insert_job(&new_job(&tenant, 0, "new"), &admission()).await.unwrap().id;
         submit.push(one.elapsed().as_secs_f64());
         let one = Instant::now();
-        store.get(&tenant, id).await.unwrap();
+        store.get_job(&tenant, id).await.unwrap();
         place_in_queue.push(one.elapsed().as_secs_f64());
         let one = Instant::now();
-        let leased = store.claim(&worker, LEASE, LEASE).await.unwrap().unwrap();
+        let leased = store.claim_next(&worker, LEASE, LEASE).await.unwrap().unwrap();
         claim.push(one.elapsed().as_secs_f64());
         assert_eq!(leased.lease.job_id, id);
         let one = Instant::now();
-        store.finish(&leased.lease, &outcome(&tenant), None).await.unwrap();
+        store.finish_job(&leased.lease, &outcome(&tenant), None).await.unwrap();
         finish.push(one.elapsed().as_secs_f64());
         let one = Instant::now();
-        store.get(&tenant, id).await.unwrap();
+        store.get_job(&tenant, id).await.unwrap();
         get.push(one.elapsed().as_secs_f64());
     }
     cells.extend([get, place_in_queue, submit, claim, finish]);

@@ -8,7 +8,9 @@ use super::output::print;
 use super::serve::in_runtime;
 use crate::app::{self, AppError};
 use crate::config::ServiceSettings;
-use crate::jobs::{ApiKey, JobError, JobStore as _, KeyStore as _, Purged, Scope, SecretKey, Tenant};
+use crate::jobs::{
+    ApiKey, BlobHolds as _, Housekeeping as _, JobError, JobStore as _, KeyStore as _, Purged, Scope, SecretKey, Tenant,
+};
 use crate::store::sql::SqlStore;
 use std::time::Duration;
 

@@ -1,14 +1,14 @@
-//! Where webhooks may go: to public addresses, unless the operator allows others.
+//! The addresses to which webhooks may be sent: public ones, unless the operator allows private ones.
 //!
-//! A service inside a hospital must not be made to speak to its neighbors by whoever may enter a URL. So a name is
-//! judged by every address it resolves to, at every delivery, and redirects are not followed.
+//! A user who can register a URL must not be able to make a service inside a hospital send requests to its neighbors. So
+//! every address to which a host name resolves is checked, at every delivery, and redirects are not followed.
 
 use std::net::{IpAddr, Ipv4Addr, Ipv6Addr};
 use url::{Host, Url};
 
 const MAX_URL_BYTES: usize = 2_000;
 
-/// Checks what can be checked without asking anyone: form, scheme, and an address that is written out.
+/// Checks a URL without resolving its host name: form, scheme, and a literal address.
 ///
 /// # Errors
 /// What is wrong, and what is allowed.
@@ -80,7 +80,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn private_addresses_are_known_in_every_dress() {
+    fn private_addresses_are_recognized_in_every_notation() {
         for address in [
             "127.0.0.1",
             "10.1.2.3",
@@ -113,7 +113,7 @@ mod tests {
     }
 
     #[test]
-    fn urls_are_judged() {
+    fn urls_are_checked() {
         for wrong in [
             "",
             "example.org",

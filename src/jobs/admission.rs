@@ -1,51 +1,51 @@
-//! Under which conditions a job is taken: room in the queue, and once for an idempotency key.
+//! The conditions under which jobs are stored: room in the queue, and once per idempotency key.
 
 use super::batch::BatchId;
 use super::job::{JobId, Tenant};
 use std::time::Duration;
 
-/// What surrounds the storing of jobs.
+/// The conditions under which a submission is stored.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Admission {
-    /// Most jobs of the tenant that may wait.
+    /// Maximum number of queued jobs of the tenant.
     pub max_queued: u32,
-    /// Under which name the inputs' blobs are held; the hold ends when the jobs are stored.
+    /// The name under which the inputs' blobs are held; the hold is released when the jobs are stored.
     pub holder: String,
-    /// How long a result is kept, for a job that has one at once; for ever if `None`.
+    /// How long the result is kept of a job that shares that of an equal job at once; for ever if `None`.
     pub keep_result: Option<Duration>,
-    /// The idempotency key that the submission came with; it remembers what was made, in the same transaction.
+    /// The idempotency key of the submission; what was created is recorded under it in the same transaction.
     pub once: Option<Once>,
 }
 
 /// An idempotency key in use.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Once {
-    /// Whose.
+    /// Its owner.
     pub tenant: Tenant,
     /// The key.
     pub name: String,
-    /// Hash of all that the request says.
+    /// Hash of everything that the request states.
     pub fingerprint: String,
-    /// Random: who works on it.
+    /// Random; identifies the request that reserved the key.
     pub token: String,
-    /// How long what was made is remembered.
+    /// How long the key is kept after the request has succeeded.
     pub keep_for: Duration,
 }
 
-/// What a key stands for already.
+/// The status of an idempotency key when a request comes with it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum OnceStatus {
-    /// Nothing: go on.
+    /// It was free and is now reserved for this request.
     Begun,
-    /// The same request is being worked on.
+    /// The same request is in progress.
     InProgress,
-    /// Another request came with this key.
+    /// It was used for another request.
     OtherRequest,
-    /// The same request was answered with this.
+    /// The same request has created this.
     Made(Made),
 }
 
-/// What a request made.
+/// What a request created.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Made {
     /// A job.

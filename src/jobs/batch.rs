@@ -1,4 +1,4 @@
-//! Batches: many jobs made at once, and counted together.
+//! Batches: many jobs that are submitted at once and counted together.
 
 use super::job::{Cursor, Tenant};
 use super::state::JobState;
@@ -37,9 +37,9 @@ pub struct NewBatch {
     pub id: BatchId,
     /// Owner.
     pub tenant: Tenant,
-    /// The submitter's own marks.
+    /// Labels of the submitter.
     pub labels: BTreeMap<String, String>,
-    /// The submitter's own name for it.
+    /// The submitter's own identifier.
     pub external_ref: Option<String>,
 }
 
@@ -50,26 +50,26 @@ pub struct Batch {
     pub id: BatchId,
     /// Owner.
     pub tenant: Tenant,
-    /// Jobs it was made with.
+    /// Number of jobs with which it was submitted.
     pub n_jobs: u32,
-    /// The submitter's own marks.
+    /// Labels of the submitter.
     pub labels: BTreeMap<String, String>,
-    /// The submitter's own name for it.
+    /// The submitter's own identifier.
     pub external_ref: Option<String>,
     /// When it was accepted.
     pub created_at: Timestamp,
-    /// How many of its jobs are in each state; those deleted since are in none.
+    /// Number of its jobs in each state; jobs that were deleted are not counted.
     pub counts: BTreeMap<JobState, u32>,
 }
 
 impl Batch {
-    /// Whether no job of it waits or runs.
+    /// Whether none of its jobs is queued or running.
     pub fn is_finished(&self) -> bool {
         self.counts.iter().all(|(state, &n)| state.is_final() || n == 0)
     }
 }
 
-/// A part of a list.
+/// A page of a list.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BatchPage {
     /// The batches.

@@ -1,32 +1,32 @@
-//! The feed of state changes: what a platform reads to catch up after an outage.
+//! The feed of state changes, from which a client catches up after an outage.
 
 use super::batch::BatchId;
 use super::job::JobId;
 use super::state::JobState;
 use jiff::Timestamp;
 
-/// A job's change of state.
+/// A change of the state of a job.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Change {
-    /// Its number: ascending in the order of commits, so that none appears later with a smaller number.
+    /// Its number, ascending in the order of commits: a change never appears after one with a larger number.
     pub seq: u64,
     /// The job.
     pub job_id: JobId,
     /// The batch it belongs to.
     pub batch_id: Option<BatchId>,
-    /// The state it came to.
+    /// The new state.
     pub state: JobState,
     /// When.
     pub at: Timestamp,
 }
 
-/// A part of the feed.
+/// A page of the feed.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ChangePage {
     /// Changes in ascending order of `seq`.
     pub changes: Vec<Change>,
-    /// What to ask for next: the last `seq` here, or that asked with.
+    /// `since` of the next page: the last `seq` of this one, or the requested one if this page is empty.
     pub next_since: u64,
-    /// Whether more wait.
+    /// Whether there are further changes.
     pub more: bool,
 }

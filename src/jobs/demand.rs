@@ -1,13 +1,13 @@
-//! What a job takes of the machine that computes it, as predicted before it begins.
+//! The predicted demand of a job for cores and memory.
 //!
-//! Predictions decide only when a job starts and on how many threads; its result is the same however wrong they are.
+//! Predictions only decide when a job starts and on how many threads; the result is the same however wrong they are.
 
 use super::job::JobId;
 use serde::Deserialize;
 use serde_json::Value;
 use std::time::Duration;
 
-/// How large a surface is.
+/// The size of a surface.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
 pub struct SurfaceSize {
     /// Vertices of the surface to be matched.
@@ -16,31 +16,32 @@ pub struct SurfaceSize {
     pub n_faces: u32,
 }
 
-/// What computing a job is predicted to take.
+/// The predicted demand of a job.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Demand {
-    /// Cores that make it end sooner in proportion; at least 1, and more than a machine has means all of them.
+    /// Number of cores up to which its run time decreases about in proportion; at least 1. If the machine has fewer, it gets
+    /// all of them.
     pub cores: usize,
-    /// Memory at its peak, bytes.
+    /// Peak memory, bytes.
     pub memory_bytes: u64,
 }
 
 impl Demand {
-    /// Of a job of which nothing can be said: it has the machine for itself.
+    /// The demand of a job that cannot be predicted: it gets the machine for itself.
     pub const UNKNOWN: Demand = Demand { cores: usize::MAX, memory_bytes: 0 };
 }
 
-/// A job that waits, as far as it matters for when it starts and where.
+/// A queued job, as far as it matters for where and when it starts.
 #[derive(Debug, Clone, PartialEq)]
 pub struct WaitingJob {
     /// Identity.
     pub id: JobId,
-    /// Effective parameters.
+    /// Effective parameters as JSON, for [`super::Engine::restore`]; they never change.
     pub parameters: Value,
-    /// The surface that moves.
+    /// The surface that is moved.
     pub source: SurfaceSize,
-    /// The surface that stays.
+    /// The surface that stays fixed.
     pub target: SurfaceSize,
-    /// For how long it could have started, by the database's clock.
+    /// For how long it has been waiting, by the database's clock.
     pub waited: Duration,
 }

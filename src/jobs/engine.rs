@@ -1,55 +1,39 @@
-//! The port to the computation: what jobs need from whoever checks inputs and computes results.
+//! The port to the computation: what jobs need from the engine that checks inputs and computes results.
 //!
-//! The one real implementation is [`crate::worker::match_engine`]; tests put others in its place.
+//! Parameters cross this port as JSON only where they come in: a request's in [`Engine::resolve`], a stored job's in
+//! [`Engine::restore`]. Both return a [`Computation`], which holds them in the engine's own types, so that nothing is
+//! parsed again afterwards. The real engine is [`crate::worker::match_engine`]; tests substitute others.
 
 use super::demand::{Demand, SurfaceSize};
+use super::job::Failure;
 use super::ports::ArtifactKind;
 use super::presentation::{PartFormat, PresentError, ResultPart};
 use homolog_primitives::observe::Observer;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
+use std::fmt::Debug;
+use std::sync::Arc;
 
-/// Checks and computes.
+/// Resolves parameters to computations, and converts results.
 pub trait Engine: Send + Sync {
-    /// The methods there are, the default first.
+    /// The available methods, the default first.
     fn methods(&self) -> Vec<MethodDescription>;
 
     /// The effective parameters of a request.
     ///
     /// # Errors
-    /// Every fault with its place.
+    /// Every fault with its location.
     fn resolve(&self, request: &Value) -> Result<Resolved, Vec<ParameterFault>>;
 
-    /// Whether an input can be matched under these effective parameters. May take seconds; called on a blocking thread.
+    /// The computation of a stored job, from its effective parameters. An earlier version of this program may have stored
+    /// them; what that version did not know takes its default.
     ///
     /// # Errors
-    /// Why not.
-    fn check_input(&self, input: &InputBytes<'_>, parameters: &Value) -> Result<InputSummary, InputRefusal>;
-
-    /// Whether two inputs, each fine by itself, can be matched within the limits. Quick.
-    ///
-    /// # Errors
-    /// Why not.
-    fn check_pair(&self, source: &InputSummary, target: &InputSummary, parameters: &Value) -> Result<(), InputRefusal> {
-        let _ = (source, target, parameters);
-        Ok(())
-    }
-
-    /// What computing a job with these effective parameters on surfaces of these sizes will take. Quick.
-    fn demand(&self, parameters: &Value, source: SurfaceSize, target: SurfaceSize) -> Demand {
-        let _ = (parameters, source, target);
-        Demand::UNKNOWN
-    }
-
-    /// Computes a result. Called on a thread of a rayon pool that is the job's own; may panic, which fails this job
-    /// only. The result must not depend on the number of the pool's threads.
-    ///
-    /// # Errors
-    /// Why there is none.
-    fn compute(&self, task: &ComputeTask, observer: &dyn Observer) -> Result<Vec<Product>, ComputeError>;
+    /// The failure with which the job ends, if this version does not accept the parameters.
+    fn restore(&self, parameters: &Value) -> Result<Arc<dyn Computation>, Failure>;
 
     /// A part of a result in another format than the stored one, from its stored blobs in the order in which the part
-    /// names them. Called on a blocking thread.
+    /// lists them. Called on a blocking thread.
     ///
     /// # Errors
     /// [`PresentError`].
@@ -57,6 +41,37 @@ pub trait Engine: Send + Sync {
         let _ = stored;
         Err(PresentError::NotOffered { part, format })
     }
+}
+
+/// The effective parameters of a job in the engine's own types, and what the engine does under them.
+pub trait Computation: Debug + Send + Sync {
+    /// Checks whether an input can be matched. May take seconds; called on a blocking thread.
+    ///
+    /// # Errors
+    /// Why it cannot.
+    fn check_input(&self, input: &InputBytes<'_>) -> Result<InputSummary, InputRefusal>;
+
+    /// Checks whether two inputs, each of which has passed its own check, can be matched within the limits. Quick.
+    ///
+    /// # Errors
+    /// Why they cannot.
+    fn check_pair(&self, source: &InputSummary, target: &InputSummary) -> Result<(), InputRefusal> {
+        let _ = (source, target);
+        Ok(())
+    }
+
+    /// The predicted demand of a match of surfaces of these sizes. Quick.
+    fn demand(&self, source: SurfaceSize, target: SurfaceSize) -> Demand {
+        let _ = (source, target);
+        Demand::UNKNOWN
+    }
+
+    /// Computes a result. Called on a thread of a rayon pool that belongs to the job alone; may panic, which fails this
+    /// job only. The result must not depend on the number of threads of the pool.
+    ///
+    /// # Errors
+    /// Why there is no result.
+    fn compute(&self, inputs: &ComputeInputs, observer: &dyn Observer) -> Result<Vec<Product>, ComputeError>;
 }
 
 /// A method, for clients to choose.
@@ -74,18 +89,20 @@ pub struct MethodDescription {
     pub parameters_schema: Value,
 }
 
-/// Effective parameters.
-#[derive(Debug, Clone, PartialEq)]
+/// The effective parameters of a request: every value, those of the preset included.
+#[derive(Debug, Clone)]
 pub struct Resolved {
     /// Name of the method.
     pub method: String,
     /// Its version.
     pub method_version: String,
-    /// Every value.
+    /// The parameters as JSON, for the store and for clients; [`Engine::restore`] reads them back.
     pub parameters: Value,
-    /// What the check of an input depends on, as a text: checks of one file under equal keys find the same.
+    /// The same parameters in the engine's own types.
+    pub computation: Arc<dyn Computation>,
+    /// The parameters on which the check of an input depends: checks of one file under equal keys have equal outcomes.
     pub input_key: String,
-    /// Version of all that a result depends on besides inputs and parameters; equal ones give the same bytes.
+    /// Version of everything that a result depends on besides inputs and parameters: equal versions give equal bytes.
     pub result_version: String,
 }
 
@@ -94,18 +111,18 @@ pub struct Resolved {
 pub struct ParameterFault {
     /// JSON pointer into the parameters.
     pub pointer: String,
-    /// Which kind.
+    /// Stable name of the kind of fault.
     pub code: String,
-    /// What is wrong and what is allowed.
+    /// What is wrong, and what is allowed.
     pub detail: String,
 }
 
-/// The bytes of an input.
+/// An input as uploaded.
 #[derive(Debug, Clone, Copy)]
 pub struct InputBytes<'a> {
-    /// The whole file.
+    /// Content of the file.
     pub bytes: &'a [u8],
-    /// The endings of its name, such as `.nii.gz`.
+    /// Extensions of its file name, such as `.nii.gz`.
     pub name_hint: Option<&'a str>,
 }
 
@@ -125,41 +142,39 @@ pub struct InputSummary {
 pub struct InputRefusal {
     /// Stable name of the problem.
     pub code: String,
-    /// Where and why.
+    /// What is wrong, and where.
     pub detail: String,
-    /// Topology of the surface that was refused.
+    /// Topology of the refused surface.
     pub topology: Option<Value>,
 }
 
-/// What is to be computed.
+/// The two files of a job.
 #[derive(Debug, Clone)]
-pub struct ComputeTask {
-    /// Effective parameters.
-    pub parameters: Value,
-    /// Bytes of the source as uploaded.
+pub struct ComputeInputs {
+    /// Content of the source as uploaded.
     pub source: Vec<u8>,
-    /// Endings of its name.
+    /// Extensions of its file name.
     pub source_hint: Option<String>,
-    /// Bytes of the target as uploaded.
+    /// Content of the target as uploaded.
     pub target: Vec<u8>,
-    /// Endings of its name.
+    /// Extensions of its file name.
     pub target_hint: Option<String>,
 }
 
-/// One of the blobs that make a result.
+/// One of the blobs of a result.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Product {
-    /// Which.
+    /// What it contains.
     pub kind: ArtifactKind,
-    /// Its bytes.
+    /// Its content.
     pub bytes: Vec<u8>,
 }
 
 /// Why there is no result.
 #[derive(Debug, Clone, PartialEq)]
 pub enum ComputeError {
-    /// The observer asked for the end.
+    /// The observer requested cancellation.
     Cancelled,
-    /// It cannot be computed.
-    Failed(super::job::Failure),
+    /// The computation failed.
+    Failed(Failure),
 }

@@ -1,4 +1,4 @@
-//! Why a use case or a store did not do what it was asked.
+//! Errors of the use cases and of the stores.
 
 use super::state::JobState;
 
@@ -8,10 +8,10 @@ pub enum JobError {
     /// No such job of this tenant.
     #[error("no such job")]
     NotFound,
-    /// The queue is at its limit.
+    /// The queue has no room.
     #[error("{limit} jobs wait already")]
     QueueFull {
-        /// Most jobs that may wait.
+        /// Maximum number of queued jobs.
         limit: u32,
     },
     /// The job has to be finished first.
@@ -20,7 +20,7 @@ pub enum JobError {
         /// Its state.
         state: JobState,
     },
-    /// The job is finished, and not by being cancelled.
+    /// The job has finished, and was not cancelled.
     #[error("the job is {} already", state.name())]
     AlreadyFinal {
         /// Its state.
@@ -50,34 +50,34 @@ pub enum JobError {
     /// Jobs refer to the upload.
     #[error("jobs refer to the mesh")]
     MeshInUse,
-    /// The result was removed when its time was over.
+    /// The result has outlived its retention and was removed.
     #[error("the result was removed")]
     Gone,
     /// A blob is being removed; it can be written again in a moment.
     #[error("the blob is being removed")]
     BeingRemoved,
-    /// The lease is somebody else's now, or the job is finished or gone.
+    /// Another worker holds the lease, or the job has finished or was deleted.
     #[error("the lease is lost")]
     LeaseLost,
-    /// No room on disk.
+    /// The disk is full.
     #[error("the store is full")]
     StorageFull,
-    /// The store cannot answer now.
+    /// The store does not answer at the moment.
     #[error("the store is unavailable")]
     Unavailable(#[source] Box<dyn std::error::Error + Send + Sync>),
-    /// The store answers something that cannot be.
+    /// The store holds something invalid.
     #[error("the store holds something unreadable: {what}")]
     Corrupt {
         /// What was read.
         what: &'static str,
-        /// Why it cannot be.
+        /// Why it is invalid.
         #[source]
         source: Option<Box<dyn std::error::Error + Send + Sync>>,
     },
 }
 
 impl JobError {
-    /// A stored thing that cannot be read.
+    /// The error for something stored that cannot be read.
     pub fn corrupt(what: &'static str, source: impl std::error::Error + Send + Sync + 'static) -> Self {
         JobError::Corrupt { what, source: Some(Box::new(source)) }
     }

@@ -118,7 +118,7 @@ impl Feeds {
 
     pub(super) async fn follow(&self, tenant: &Tenant, id: JobId) -> Result<Arc<Feed<Seen>>, JobError> {
         // Queried also where a feed exists, so that every follower is shown to own the job.
-        let job = self.store.get(tenant, id).await?;
+        let job = self.store.get_job(tenant, id).await?;
         let first = Seen { job, points: Vec::new(), complete: false, removed: false };
         let key = (tenant.clone(), id);
         Ok(self.jobs.join(key.clone(), first, |sender| {
@@ -200,8 +200,8 @@ async fn look(
     id: JobId,
     last_seq: u64,
 ) -> Result<(Job, Vec<NumberedPoint>, bool), JobError> {
-    let job = store.get(tenant, id).await?;
-    let page = store.trace(tenant, id, last_seq, POINTS).await?;
+    let job = store.get_job(tenant, id).await?;
+    let page = store.get_trace(tenant, id, last_seq, POINTS).await?;
     let complete = job.state.is_final() && page.complete;
     Ok((job, page.points, complete))
 }

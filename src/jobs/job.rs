@@ -1,4 +1,4 @@
-//! The record of a job, what makes a new one, and how lists of them are asked for.
+//! The record of a job, the form of a new one, and how lists of jobs are requested.
 
 use super::batch::BatchId;
 use super::state::JobState;
@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use std::collections::BTreeMap;
 
-/// Identity of a job: a UUIDv7, so ids sort by the time of their making.
+/// Identity of a job: a UUIDv7, so that ids sort by creation time.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct JobId(uuid::Uuid);
 
@@ -39,7 +39,7 @@ impl std::fmt::Display for JobId {
     }
 }
 
-/// Whose job it is. Every query carries it; without authentication it is `default`.
+/// The owner of jobs and uploads. Every query carries it; without authentication it is `default`.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct Tenant(String);
 
@@ -67,17 +67,17 @@ impl Default for Tenant {
 /// One of a job's two inputs.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct JobInput {
-    /// Content hash of the bytes as uploaded: 64 hexadecimal digits of BLAKE3.
+    /// Hash of the content as uploaded: 64 hexadecimal digits of BLAKE3.
     pub hash: String,
-    /// Their number.
+    /// Size of the content, bytes.
     pub n_bytes: u64,
-    /// The endings of the uploaded file's name, such as `.nii.gz`. The name itself may name a patient and is not kept.
+    /// Extensions of the uploaded file's name, such as `.nii.gz`. The name itself may identify a patient and is not kept.
     pub name_hint: Option<String>,
     /// Vertices of the surface to be matched.
     pub n_vertices: u32,
     /// Its faces.
     pub n_faces: u32,
-    /// Format, topology and repairs, as found when it was submitted.
+    /// Format, topology and repairs, as found at submission.
     pub report: Value,
 }
 
@@ -86,18 +86,18 @@ pub struct JobInput {
 pub struct Failure {
     /// Stable name of the problem.
     pub code: String,
-    /// One sentence without anything from the inputs' names or labels.
+    /// One sentence, without anything from file names or labels.
     pub detail: String,
-    /// `source` or `target`, where one of them is the reason.
+    /// `source` or `target`, if one of them is the cause.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub input: Option<String>,
-    /// Topology of the surface that was refused.
+    /// Topology of the refused surface.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub topology: Option<Value>,
 }
 
 impl Failure {
-    /// A failure that no single input explains.
+    /// A failure that is not caused by a single input.
     pub fn new(code: &str, detail: impl Into<String>) -> Self {
         Failure { code: code.to_owned(), detail: detail.into(), input: None, topology: None }
     }
@@ -110,68 +110,68 @@ pub struct Job {
     pub id: JobId,
     /// Owner.
     pub tenant: Tenant,
-    /// Where it stands.
+    /// Its state.
     pub state: JobState,
     /// Name of the method.
     pub method: String,
     /// Version of the program that accepted it.
     pub method_version: String,
-    /// Effective parameters.
+    /// Effective parameters, as JSON.
     pub parameters: Value,
-    /// The surface that moves.
+    /// The surface that is moved.
     pub source: JobInput,
-    /// The surface that stays.
+    /// The surface that stays fixed.
     pub target: JobInput,
     /// −100 to 100, higher first.
     pub priority: i32,
-    /// The submitter's own marks.
+    /// Labels of the submitter.
     pub labels: BTreeMap<String, String>,
-    /// The submitter's own name for it.
+    /// The submitter's own identifier.
     pub external_ref: Option<String>,
-    /// Times a worker began it, not counting those that gave it back.
+    /// Number of times that a worker started it, not counting those that returned it to the queue.
     pub attempt: u32,
-    /// Crashes after which it is dead.
+    /// Number of lost workers after which it is dead.
     pub max_attempts: u32,
-    /// Workers lost while they held it.
+    /// Number of workers that were lost while they ran it.
     pub crashes: u32,
-    /// How far the present attempt is.
+    /// Progress of the current attempt.
     pub progress: Option<Progress>,
-    /// 1 for the next to run; only while queued and only when one job is asked for.
+    /// Position in the queue, 1 for the next to run; only while queued, and not in lists.
     pub queue_position: Option<u64>,
     /// When it was accepted.
     pub created_at: Timestamp,
-    /// When its present or last attempt began.
+    /// When its current or last attempt started.
     pub started_at: Option<Timestamp>,
     /// When it reached its final state.
     pub finished_at: Option<Timestamp>,
-    /// When it will be removed.
+    /// When its result will be removed.
     pub expires_at: Option<Timestamp>,
-    /// When it is too late to begin.
+    /// Deadline for its start.
     pub deadline_at: Option<Timestamp>,
-    /// Whether somebody asked for its end.
+    /// Whether its cancellation was requested.
     pub cancel_requested: bool,
     /// Why it has no result.
     pub error: Option<Failure>,
-    /// Longest run that its submitter allows.
+    /// Maximum run time that its submitter allows, ms.
     pub max_run_ms: Option<u64>,
-    /// The job that this one tries again.
+    /// The job of which this one is a retry.
     pub retry_of: Option<JobId>,
     /// The batch that it belongs to.
     pub batch_id: Option<BatchId>,
-    /// Whether it was answered from an equal job's result.
+    /// Whether it shares the result of an equal job.
     pub cached: bool,
     /// When its result was removed.
     pub purged_at: Option<Timestamp>,
     /// W3C trace context of its submission.
     pub traceparent: Option<String>,
-    /// Raised at every claim; fences everything a worker writes.
+    /// Incremented at every claim; fences everything that a worker writes.
     pub lease_epoch: u64,
     /// The database's clock when this was read.
     pub read_at: Timestamp,
 }
 
 impl Job {
-    /// The job as it was when it was accepted: what its submission was answered.
+    /// The job as it was when it was accepted, as in the response to its submission.
     #[must_use]
     pub fn as_accepted(&self) -> Job {
         if self.cached {
@@ -194,7 +194,7 @@ impl Job {
         }
     }
 
-    /// Remaining time, ms, if the rest goes as fast as what is done. `None` before a twentieth is done.
+    /// Estimated remaining time, ms, extrapolated from the progress. `None` while less than 5 % is done.
     pub fn eta_ms(&self) -> Option<u64> {
         let (progress, started) = (self.progress.as_ref()?, self.started_at?);
         if self.state != JobState::Running || progress.fraction < 0.05 {
@@ -216,37 +216,37 @@ pub struct NewJob {
     pub method: String,
     /// Version of this program.
     pub method_version: String,
-    /// Effective parameters.
+    /// Effective parameters, as JSON.
     pub parameters: Value,
-    /// The surface that moves.
+    /// The surface that is moved.
     pub source: JobInput,
-    /// The surface that stays.
+    /// The surface that stays fixed.
     pub target: JobInput,
     /// −100 to 100, higher first.
     pub priority: i32,
-    /// The submitter's own marks.
+    /// Labels of the submitter.
     pub labels: BTreeMap<String, String>,
-    /// The submitter's own name for it.
+    /// The submitter's own identifier.
     pub external_ref: Option<String>,
-    /// Crashes after which it is dead.
+    /// Number of lost workers after which it is dead.
     pub max_attempts: u32,
-    /// When it is too late to begin.
+    /// Deadline for its start.
     pub deadline_at: Option<Timestamp>,
-    /// Longest run that its submitter allows.
+    /// Maximum run time that its submitter allows, ms.
     pub max_run_ms: Option<u64>,
-    /// The job that this one tries again.
+    /// The job of which this one is a retry.
     pub retry_of: Option<JobId>,
     /// The batch that it belongs to.
     pub batch_id: Option<BatchId>,
-    /// Jobs with this key have the same result; `None` if it must be computed.
+    /// Jobs with equal keys have equal results; `None` if the result must not be shared.
     pub cache_key: Option<String>,
-    /// Whether the result of an equal job may be its own.
+    /// Whether it may share the result of an equal job.
     pub use_cache: bool,
     /// W3C trace context of its submission.
     pub traceparent: Option<String>,
 }
 
-/// Which jobs a list shows; an empty filter shows all of the tenant.
+/// Filter of a list of jobs; an empty filter selects all jobs of the tenant.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct JobFilter {
     /// Any of these states; empty for all.
@@ -259,18 +259,18 @@ pub struct JobFilter {
     pub batch_id: Option<BatchId>,
     /// All of these labels.
     pub labels: BTreeMap<String, String>,
-    /// Made at this time or later.
+    /// Created at this time or later.
     pub created_from: Option<Timestamp>,
-    /// Made before this time.
+    /// Created before this time.
     pub created_before: Option<Timestamp>,
 }
 
 impl JobFilter {
-    /// Most labels of a filter: the store's query has a line for each.
+    /// Maximum number of labels in a filter: the store's query has a line for each.
     pub const MAX_LABELS: usize = 4;
 }
 
-/// Order of a list by time of making.
+/// Order of a list by creation time.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Order {
     /// The newest first.
@@ -280,33 +280,33 @@ pub enum Order {
     OldestFirst,
 }
 
-/// Which part of a list is asked for.
+/// The requested page of a list.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct PageRequest {
-    /// Most entries.
+    /// Maximum number of entries.
     pub size: u32,
-    /// After this one, as an earlier page said.
+    /// The page begins after this entry, as stated by the page before.
     pub after: Option<Cursor>,
     /// Order.
     pub order: Order,
 }
 
-/// A place in a list.
+/// A position in a list.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Cursor {
-    /// Time of making, ms since 1970.
+    /// Creation time, ms since 1970.
     pub created_at_ms: i64,
-    /// Among equals.
+    /// Distinguishes entries with equal creation times.
     pub id: JobId,
 }
 
 impl Cursor {
-    /// The token that stands for this place; clients hand it back as it is.
+    /// The token for this position; opaque to clients.
     pub fn to_token(self) -> String {
         format!("{:x}.{}", self.created_at_ms, self.id)
     }
 
-    /// The place that a token stands for.
+    /// The position that a token stands for.
     pub fn from_token(token: &str) -> Option<Self> {
         let (time, id) = token.split_once('.')?;
         let created_at_ms = i64::from_str_radix(time, 16).ok()?;
@@ -314,7 +314,7 @@ impl Cursor {
     }
 }
 
-/// A part of a list.
+/// A page of a list.
 #[derive(Debug, Clone, PartialEq)]
 pub struct JobPage {
     /// The jobs.
@@ -328,7 +328,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn page_tokens_lead_back_and_nonsense_is_refused() {
+    fn page_tokens_round_trip_and_malformed_ones_are_refused() {
         let cursor = Cursor { created_at_ms: 1_795_238_118_123, id: JobId::new() };
         assert_eq!(Cursor::from_token(&cursor.to_token()), Some(cursor));
         for nonsense in ["", ".", "1", "x.y", "zz.0195", "1.{}"] {

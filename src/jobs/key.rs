@@ -1,4 +1,4 @@
-//! API keys: who asks, and what they may.
+//! API keys: tenants and scopes of requests.
 
 use super::error::JobError;
 use super::job::Tenant;
@@ -11,11 +11,11 @@ use std::time::Duration;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Scope {
-    /// Look at everything of the tenant.
+    /// Read everything of the tenant.
     Read,
     /// Submit, cancel, retry and delete jobs; upload.
     Submit,
-    /// Webhooks, and what operators need.
+    /// Manage webhooks, and read what operators need.
     Admin,
 }
 
@@ -38,7 +38,7 @@ impl Scope {
     }
 }
 
-/// A key as it is given to its owner, once.
+/// A key in full, as its owner receives it once.
 #[derive(Clone, PartialEq, Eq)]
 pub struct SecretKey {
     id: String,
@@ -78,12 +78,12 @@ impl SecretKey {
         &self.id
     }
 
-    /// What is stored of the secret part. It is long and random, so a fast hash is enough.
+    /// The stored hash of the secret part. The secret is long and random, so a fast hash suffices.
     pub fn hash(&self) -> String {
         blake3::hash(self.secret.as_bytes()).to_hex().to_string()
     }
 
-    /// Whether this is the key with that stored hash; takes the same time whatever differs.
+    /// Whether this key has the stored hash `hash`; takes constant time.
     pub fn has_hash(&self, stored: &str) -> bool {
         blake3::Hash::from_hex(stored).is_ok_and(|stored| stored == blake3::hash(self.secret.as_bytes()))
     }
@@ -105,17 +105,17 @@ impl std::fmt::Debug for SecretKey {
 pub struct ApiKey {
     /// Public part.
     pub id: String,
-    /// Whose requests it makes.
+    /// The tenant of its requests.
     pub tenant: Tenant,
-    /// What its maker called it.
+    /// Its name, for operators.
     pub name: String,
     /// Hash of its secret part.
     pub hash: String,
     /// What it allows.
     pub scopes: Vec<Scope>,
-    /// When it was made.
+    /// When it was created.
     pub created_at: Timestamp,
-    /// When it ends.
+    /// When it expires.
     pub expires_at: Option<Timestamp>,
     /// When it was revoked.
     pub revoked_at: Option<Timestamp>,
@@ -123,10 +123,10 @@ pub struct ApiKey {
     pub is_valid: bool,
 }
 
-/// Records of keys.
+/// Records of API keys.
 #[async_trait]
 pub trait KeyStore: Send + Sync {
-    /// Stores a key that ends after `valid_for`, or never.
+    /// Stores a key that expires after `valid_for`, or never.
     async fn insert_key(
         &self,
         key: &SecretKey,
@@ -142,7 +142,7 @@ pub trait KeyStore: Send + Sync {
     /// All keys.
     async fn list_keys(&self) -> Result<Vec<ApiKey>, JobError>;
 
-    /// Ends a key now. `false` if there is none, or it was revoked before.
+    /// Revokes a key. `false` if there is no such key or it is revoked already.
     async fn revoke_key(&self, id: &str) -> Result<bool, JobError>;
 }
 

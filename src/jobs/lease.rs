@@ -1,11 +1,11 @@
 //! A lease: the right of one worker to one job for a limited time, fenced by an epoch.
 //!
-//! Every claim raises the job's `lease_epoch`. Whatever a worker writes carries the epoch it was given, and a store
-//! takes it only from the present one; so a worker that slept past its lease cannot overwrite its successor.
+//! Every claim increments the job's `lease_epoch`. Everything that a worker writes carries the epoch of its claim, and the
+//! store accepts only the current epoch; so a worker that was suspended past its lease cannot overwrite its successor.
 
 use super::job::{Job, JobId, Tenant};
 
-/// Identity of a worker process, random, so a restarted process is never taken for its predecessor.
+/// Identity of a worker process: random, so that a restarted process is never mistaken for its predecessor.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct WorkerId(String);
 
@@ -33,14 +33,14 @@ pub struct Lease {
     pub job_id: JobId,
     /// Its owner.
     pub tenant: Tenant,
-    /// The fence.
+    /// Number of the claim; the fence.
     pub epoch: u64,
-    /// Who holds it.
+    /// The worker that holds it.
     pub worker: WorkerId,
 }
 
 impl Lease {
-    /// The name under which blobs are held for what this lease will publish.
+    /// The name under which the blobs of its result are held.
     pub fn holder(&self) -> String {
         format!("{}:{}", self.job_id, self.epoch)
     }
@@ -55,25 +55,25 @@ pub struct LeasedJob {
     pub job: Job,
 }
 
-/// What a heartbeat is answered.
+/// The status of a lease, as a heartbeat returns it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum LeaseStatus {
-    /// Go on.
+    /// The worker holds it.
     Held,
-    /// Go no further: the job's end was asked for.
+    /// The worker holds it, and cancellation of the job was requested.
     CancelRequested,
-    /// The job is somebody else's now, or finished, or gone.
+    /// Another worker holds the job, or the job has finished or was deleted.
     Lost,
 }
 
-/// What became of jobs whose workers are gone.
+/// What became of the jobs of lost workers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Recovered {
-    /// Wait again.
+    /// Returned to the queue.
     pub queued: u32,
-    /// Had asked for their end.
+    /// Cancelled, because that had been requested.
     pub cancelled: u32,
-    /// Reached the crash limit.
+    /// Dead, because they reached the limit of lost workers.
     pub dead: u32,
 }
 

@@ -1,4 +1,4 @@
-//! Uploads: files that jobs can name by the hash of their content.
+//! Uploads: files to which jobs refer by the hash of their content.
 
 use super::engine::{InputRefusal, InputSummary};
 use super::error::JobError;
@@ -13,7 +13,7 @@ pub fn content_id(hash: &str) -> String {
     format!("blake3:{hash}")
 }
 
-/// The hash in an id; `None` if it is no id.
+/// The hash in an id; `None` if `id` is not an id.
 pub fn hash_of_id(id: &str) -> Option<&str> {
     id.strip_prefix("blake3:").filter(|hash| is_hash(hash))
 }
@@ -21,17 +21,17 @@ pub fn hash_of_id(id: &str) -> Option<&str> {
 /// An upload.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Mesh {
-    /// Where its bytes are; the hash is its identity within the tenant.
+    /// The address of its content; the hash identifies the upload within the tenant.
     pub key: ArtifactKey,
-    /// Their number.
+    /// Size of the content, bytes.
     pub n_bytes: u64,
-    /// The endings of its name.
+    /// The extensions of its file name, such as `.nii.gz`.
     pub name_hint: Option<String>,
     /// When it was first uploaded.
     pub created_at: Timestamp,
 }
 
-/// What checking an input found.
+/// The outcome of checking an input.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "outcome", rename_all = "snake_case")]
 pub enum CheckOutcome {
@@ -41,19 +41,19 @@ pub enum CheckOutcome {
     Unfit(InputRefusal),
 }
 
-/// A part of a list of uploads.
+/// A page of the list of uploads.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MeshPage {
-    /// The uploads, the newest first.
+    /// The uploads, newest first.
     pub meshes: Vec<Mesh>,
-    /// Where the next page begins: time in ms and hash of the last.
+    /// Where the next page begins, if there is one: creation time, ms, and hash of the last upload.
     pub next: Option<(i64, String)>,
 }
 
 /// Records of uploads.
 #[async_trait]
 pub trait MeshStore: Send + Sync {
-    /// Records an upload whose blob is held by `holder`; the hold ends. Returns whether it is new.
+    /// Records an upload whose blob `holder` holds, and releases the hold. Returns whether the upload is new.
     async fn insert_mesh(
         &self,
         key: &ArtifactKey,
@@ -65,17 +65,22 @@ pub trait MeshStore: Send + Sync {
     /// An upload.
     async fn get_mesh(&self, tenant: &Tenant, hash: &str) -> Result<Mesh, JobError>;
 
-    /// A part of the list of uploads.
+    /// A page of the list of uploads, newest first.
     async fn list_meshes(&self, tenant: &Tenant, size: u32, after: Option<(i64, String)>)
     -> Result<MeshPage, JobError>;
 
-    /// Forgets an upload. `MeshInUse` while jobs refer to it.
+    /// Deletes an upload. [`JobError::MeshInUse`] while jobs refer to it.
     async fn delete_mesh(&self, tenant: &Tenant, hash: &str) -> Result<(), JobError>;
 
-    /// What checking it for `input_key` found earlier.
-    async fn mesh_check(&self, tenant: &Tenant, hash: &str, input_key: &str) -> Result<Option<CheckOutcome>, JobError>;
+    /// The stored outcome of its check under `input_key`.
+    async fn get_mesh_check(
+        &self,
+        tenant: &Tenant,
+        hash: &str,
+        input_key: &str,
+    ) -> Result<Option<CheckOutcome>, JobError>;
 
-    /// Remembers what checking it found.
+    /// Stores the outcome of its check under `input_key`.
     async fn save_mesh_check(
         &self,
         tenant: &Tenant,

@@ -1,12 +1,12 @@
-//! Jobs: what they are, the states they pass through, who may change them, and the ports to what stores and computes.
+//! Jobs: what they are, their states and who may change them, the use cases, and the ports to storage and computation.
 //!
-//! Reading order: [`state`] (the machine), [`job`] (the record), [`lease`] (who works on it, fenced by an epoch),
-//! [`trace`] (what a running job tells), [`demand`] (what it takes of a machine), [`ports`] (stores) and [`engine`] (the computation), [`service`] (use cases),
-//! [`submission`], [`uploads`], [`follow`], [`signals`]; beside the job: [`admission`], [`mod@batch`], [`change`], [`mesh`], [`key`],
-//! [`webhook`], [`retention`], [`presentation`] (a result in the formats in which it can be had).
+//! Reading order: [`state`] (the state machine), [`job`] (the record), [`lease`] (which worker runs it, fenced by an epoch),
+//! [`trace`] (progress and energy trace), [`demand`] (cores and memory), [`ports`] (storage), [`engine`] (the computation),
+//! [`service`] (the use cases), [`submission`], [`uploads`], [`follow`], [`signals`]. Beside the job: [`admission`],
+//! [`mod@batch`], [`change`], [`mesh`], [`key`], [`webhook`], [`retention`], [`presentation`] (the formats of a result).
 //!
-//! Invariant: nothing here knows SQL, HTTP or how a match is computed. Parameters, reports and results are JSON
-//! values and blobs that pass through.
+//! Invariant: nothing here knows SQL, HTTP or how a match is computed. Parameters, reports and results pass through as JSON
+//! and blobs; an [`engine::Computation`] holds parameters in types that are opaque here.
 
 pub mod address;
 pub mod admission;
@@ -36,15 +36,17 @@ pub use admission::{Admission, Made, Once, OnceStatus};
 pub use batch::{Batch, BatchId, BatchPage, NewBatch};
 pub use change::{Change, ChangePage};
 pub use demand::{Demand, SurfaceSize, WaitingJob};
-pub use engine::{ComputeError, ComputeTask, Engine, InputBytes, InputRefusal, InputSummary, ParameterFault};
+pub use engine::{
+    Computation, ComputeError, ComputeInputs, Engine, InputBytes, InputRefusal, InputSummary, ParameterFault,
+};
 pub use error::JobError;
 pub use job::{Failure, Job, JobFilter, JobId, JobInput, JobPage, NewJob, Order, PageRequest, Tenant};
 pub use key::{ApiKey, KeyStore, Scope, SecretKey};
 pub use lease::{Lease, LeaseStatus, LeasedJob, Recovered, WorkerId};
 pub use mesh::{CheckOutcome, Mesh, MeshPage, MeshStore};
 pub use ports::{
-    ArtifactKey, ArtifactKind, ArtifactRef, ArtifactStore, ArtifactWriter, DepartedProcess, JobStore, Load, Outcome,
-    Processes,
+    ArtifactKey, ArtifactKind, ArtifactRef, ArtifactStore, ArtifactWriter, BlobHolds, DepartedProcess, Housekeeping,
+    JobQueue, JobReader, JobStore, JobWriter, Load, Outcome, Processes,
 };
 pub use presentation::{PartFormat, PresentError, Presentation, ResultPart};
 pub use retention::{Overdue, Purged, Retention};

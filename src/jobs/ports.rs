@@ -1,4 +1,4 @@
-//! The ports to what stores: jobs with their queue, and blobs.
+//! The ports to storage: jobs with their queue, blobs, and the processes that share them.
 
 use super::admission::{Admission, Once, OnceStatus};
 use super::batch::{Batch, BatchId, BatchPage, NewBatch};
@@ -13,7 +13,7 @@ use async_trait::async_trait;
 use bytes::Bytes;
 use std::time::Duration;
 
-/// Which blob of a job.
+/// What a blob of a job contains.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum ArtifactKind {
     /// The source as uploaded.
@@ -24,9 +24,9 @@ pub enum ArtifactKind {
     Result,
     /// The correspondences in columns, JSON.
     Correspondences,
-    /// The source surface whose vertices are counted.
+    /// The source surface to whose vertices the correspondences refer.
     SourceSurface,
-    /// The target surface whose vertices are counted.
+    /// The target surface to whose vertices the correspondences refer.
     TargetSurface,
     /// The source surface moved onto the target.
     Aligned,
@@ -49,8 +49,8 @@ impl ArtifactKind {
 
 /// The address of a blob within a tenant: a path whose last part is the hash of the content.
 ///
-/// What was uploaded is named by its content alone, so that equal files are one blob. What a worker made is named by
-/// its lease too: a worker that lost its lease cannot meet what its successor writes.
+/// An upload is addressed by its content alone, so that equal files are one blob. The address of a worker's result also
+/// contains its lease: a worker that has lost its lease cannot overwrite what its successor writes.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct ArtifactKey {
     /// Owner; equal bytes of two tenants are two blobs.
@@ -66,7 +66,7 @@ impl ArtifactKey {
         ArtifactKey { tenant: tenant.clone(), path }
     }
 
-    /// The address of an upload whose content has this hash; `None` if it is no hash.
+    /// The address of an upload whose content has this hash; `None` if `hash` is not a hash.
     pub fn of_hash(tenant: &Tenant, hash: &str) -> Option<Self> {
         is_hash(hash).then(|| {
             let path = format!("{}/{}/{hash}", &hash[0..2], &hash[2..4]);
@@ -74,13 +74,13 @@ impl ArtifactKey {
         })
     }
 
-    /// The address of what a lease made.
+    /// The address of a result with this content, computed under `lease`.
     pub fn of_result(lease: &Lease, bytes: &[u8]) -> Self {
         let hash = blake3::hash(bytes).to_hex();
         ArtifactKey { tenant: lease.tenant.clone(), path: format!("results/{}/{}/{hash}", lease.job_id, lease.epoch) }
     }
 
-    /// The address with this path; `None` if no address has it.
+    /// The address with this path; `None` if no address has this form.
     pub fn from_path(tenant: &Tenant, path: &str) -> Option<Self> {
         let (folder, hash) = path.rsplit_once('/')?;
         let safe = folder.split('/').all(|part| {
@@ -108,121 +108,123 @@ pub(super) fn is_hash(text: &str) -> bool {
 /// A blob that a job refers to.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ArtifactRef {
-    /// Which.
+    /// What it contains.
     pub kind: ArtifactKind,
-    /// Where.
+    /// Its address.
     pub key: ArtifactKey,
-    /// Its size.
+    /// Its size, bytes.
     pub n_bytes: u64,
 }
 
-/// What waits and what runs.
+/// The numbers of queued and running jobs of all tenants.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Load {
-    /// Jobs that wait.
+    /// Queued jobs.
     pub queued: u32,
-    /// Jobs that run.
+    /// Running jobs.
     pub running: u32,
-    /// For how long the oldest of those that wait does so.
+    /// For how long the oldest queued job has been waiting.
     pub oldest_queued: Duration,
 }
 
-/// How a run ended.
+/// How a job ended.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Outcome {
-    /// With a result, in these blobs.
+    /// With a result, which is in these blobs.
     Succeeded(Vec<ArtifactRef>),
-    /// Without.
+    /// Without a result.
     Failed(Failure),
-    /// Because somebody asked.
+    /// Because a client cancelled it.
     Cancelled,
 }
 
-/// Jobs, their queue, traces and references to blobs. All times are the database's.
+/// The store of jobs: all of its parts, over one database. All times are the database's.
 ///
-/// What takes a [`Lease`] is fenced: it answers [`JobError::LeaseLost`] and changes nothing unless the job is running
-/// under exactly this epoch.
+/// Whatever takes a [`Lease`] to write is fenced: it returns [`JobError::LeaseLost`] and changes nothing unless the job is
+/// running under exactly this epoch.
 #[async_trait]
-pub trait JobStore: Send + Sync {
-    /// Whether the store answers.
+pub trait JobStore: JobReader + JobWriter + JobQueue + BlobHolds + Housekeeping {
+    /// Whether the database answers.
     async fn ping(&self) -> Result<(), JobError>;
+}
 
-    /// Stores a job as queued, or as succeeded where an equal one has a result and that may be used; on return it
-    /// survives loss of power. `QueueFull` if `max_queued` jobs of the tenant wait already.
-    async fn insert(&self, job: &NewJob, admission: &Admission) -> Result<Job, JobError>;
+/// Jobs, batches, traces and the feed of state changes, as clients read them.
+#[async_trait]
+pub trait JobReader: Send + Sync {
+    /// A job with its progress and, while it is queued, its position in the queue.
+    async fn get_job(&self, tenant: &Tenant, id: JobId) -> Result<Job, JobError>;
 
-    /// Stores a batch with all its jobs, or nothing.
-    async fn insert_batch(&self, batch: &NewBatch, jobs: &[NewJob], admission: &Admission) -> Result<Batch, JobError>;
+    /// A page of the list of jobs.
+    async fn list_jobs(&self, tenant: &Tenant, filter: &JobFilter, page: &PageRequest) -> Result<JobPage, JobError>;
 
     /// A batch with the number of its jobs in each state.
     async fn get_batch(&self, tenant: &Tenant, id: BatchId) -> Result<Batch, JobError>;
 
-    /// A part of the list of batches, the newest first.
+    /// A page of the list of batches, newest first.
     async fn list_batches(&self, tenant: &Tenant, size: u32, after: Option<Cursor>) -> Result<BatchPage, JobError>;
 
-    /// Begins what may be done once for an idempotency key.
-    async fn begin_once(&self, once: &Once, busy_for: Duration) -> Result<OnceStatus, JobError>;
+    /// State changes of a tenant's jobs after number `since`, in the order of their commits.
+    async fn list_changes(&self, tenant: &Tenant, since: u64, limit: u32) -> Result<ChangePage, JobError>;
 
-    /// Gives a key up after nothing was made for it.
-    async fn give_up_once(&self, once: &Once) -> Result<(), JobError>;
+    /// At most `limit` points of a job's trace after `after_seq`.
+    async fn get_trace(&self, tenant: &Tenant, id: JobId, after_seq: u64, limit: u32) -> Result<TracePage, JobError>;
 
-    /// Jobs of a tenant that wait, counted up to `at_most`.
-    async fn queue_length(&self, tenant: &Tenant, at_most: u32) -> Result<u32, JobError>;
-
-    /// What waits and what runs, of all tenants.
-    async fn load(&self) -> Result<Load, JobError>;
-
-    /// A job with its progress and, while queued, its place.
-    async fn get(&self, tenant: &Tenant, id: JobId) -> Result<Job, JobError>;
-
-    /// A part of the list of jobs.
-    async fn list(&self, tenant: &Tenant, filter: &JobFilter, page: &PageRequest) -> Result<JobPage, JobError>;
-
-    /// Cancels, or tells the worker to. `AlreadyFinal` for what ended otherwise.
-    async fn cancel(&self, tenant: &Tenant, id: JobId) -> Result<Job, JobError>;
-
-    /// Removes a finished job, its trace and its references. `StillActive` before.
-    async fn delete(&self, tenant: &Tenant, id: JobId) -> Result<(), JobError>;
-
-    /// Points of the trace after `after_seq`, at most `limit`.
-    async fn trace(&self, tenant: &Tenant, id: JobId, after_seq: u64, limit: u32) -> Result<TracePage, JobError>;
-
-    /// The job's state and, if it has one of this kind, its blob. `Gone` if its result was removed.
-    async fn artifact(
+    /// The job's state and the blob of this kind, if it has one. [`JobError::Gone`] if its result was removed.
+    async fn get_artifact(
         &self,
         tenant: &Tenant,
         id: JobId,
         kind: ArtifactKind,
     ) -> Result<(super::JobState, Option<ArtifactRef>), JobError>;
 
-    /// State changes of a tenant's jobs after number `since`, in the order of their commits.
-    async fn changes(&self, tenant: &Tenant, since: u64, limit: u32) -> Result<ChangePage, JobError>;
+    /// The number of a tenant's queued jobs, counted up to `at_most`.
+    async fn queue_length(&self, tenant: &Tenant, at_most: u32) -> Result<u32, JobError>;
 
-    /// Protects blobs that are about to be written and referred to from [`JobStore::remove_unreferenced_blobs`].
-    /// With a lease, fenced.
-    async fn hold_blobs(
+    /// The numbers of queued and running jobs of all tenants.
+    async fn load(&self) -> Result<Load, JobError>;
+}
+
+/// What clients change: submissions, their idempotency keys, cancellation and deletion.
+#[async_trait]
+pub trait JobWriter: Send + Sync {
+    /// Stores a job as queued, or as succeeded if it may share the result of an equal job and there is one. When this
+    /// returns, the job survives a loss of power. [`JobError::QueueFull`] if the tenant's queue has no room.
+    async fn insert_job(&self, job: &NewJob, admission: &Admission) -> Result<Job, JobError>;
+
+    /// Stores a batch with all of its jobs, or nothing; otherwise as [`JobWriter::insert_job`].
+    async fn insert_batch(&self, batch: &NewBatch, jobs: &[NewJob], admission: &Admission) -> Result<Batch, JobError>;
+
+    /// Reserves an idempotency key for `busy_for`, unless it stands for a request already.
+    async fn begin_once(&self, once: &Once, busy_for: Duration) -> Result<OnceStatus, JobError>;
+
+    /// Frees an idempotency key for which nothing was made.
+    async fn give_up_once(&self, once: &Once) -> Result<(), JobError>;
+
+    /// Cancels a queued job, or asks the worker of a running one to stop. [`JobError::AlreadyFinal`] for a job that has
+    /// ended otherwise.
+    async fn cancel_job(&self, tenant: &Tenant, id: JobId) -> Result<Job, JobError>;
+
+    /// Removes a finished job, its trace and its references to blobs. [`JobError::StillActive`] before it has finished.
+    async fn delete_job(&self, tenant: &Tenant, id: JobId) -> Result<(), JobError>;
+}
+
+/// The queue and the leases, as workers use them.
+#[async_trait]
+pub trait JobQueue: Send + Sync {
+    /// Leases the next job to `worker` for `lease`: highest priority first, then oldest. Drops the trace of an earlier
+    /// epoch. The job may run for `max_run` unless its submitter allowed less.
+    async fn claim_next(
         &self,
-        holder: &str,
-        keys: &[ArtifactKey],
-        for_at_most: Duration,
-        fence: Option<&Lease>,
-    ) -> Result<(), JobError>;
+        worker: &WorkerId,
+        lease: Duration,
+        max_run: Duration,
+    ) -> Result<Option<LeasedJob>, JobError>;
 
-    /// Ends a hold; what nobody refers to is then removed.
-    async fn drop_hold(&self, holder: &str) -> Result<(), JobError>;
-
-    /// Removes from `artifacts` what deleted jobs and lapsed holds left and nobody refers to. Returns how many.
-    async fn remove_unreferenced_blobs(&self, artifacts: &dyn ArtifactStore) -> Result<u32, JobError>;
-
-    /// The next job to run, leased: highest priority, then oldest. Drops what an earlier epoch traced. It may run for
-    /// `max_run` unless its submitter allowed less.
-    async fn claim(&self, worker: &WorkerId, lease: Duration, max_run: Duration)
-    -> Result<Option<LeasedJob>, JobError>;
-
-    /// The front of the queue: at most `limit` jobs in the order in which [`JobStore::claim`] takes them.
+    /// The front of the queue: at most `limit` jobs in the order in which [`JobQueue::claim_next`] takes them.
     async fn front_of_queue(&self, limit: u32) -> Result<Vec<WaitingJob>, JobError>;
 
-    /// The first of `jobs` that still waits and that nobody else is about to take, leased as by [`JobStore::claim`].
+    /// Leases the first of `jobs` that is still queued and that no other process is claiming, as
+    /// [`JobQueue::claim_next`] does.
     async fn claim_one_of(
         &self,
         jobs: &[JobId],
@@ -231,90 +233,117 @@ pub trait JobStore: Send + Sync {
         max_run: Duration,
     ) -> Result<Option<LeasedJob>, JobError>;
 
-    /// Prolongs a lease.
+    /// Extends a lease to `duration` from now.
     async fn heartbeat(&self, lease: &Lease, duration: Duration) -> Result<LeaseStatus, JobError>;
 
-    /// Looks at a lease without prolonging it; cheap enough for many times a second.
+    /// The status of a lease, without extending it; cheap enough for many calls a second.
     async fn lease_status(&self, lease: &Lease) -> Result<LeaseStatus, JobError>;
 
-    /// Adds to the trace and sets the progress. Fenced.
+    /// Appends to the trace and sets the progress. Fenced. Points that are stored already are skipped, so a chunk whose
+    /// first write was answered with an error can be sent again.
     async fn append_trace(&self, lease: &Lease, chunk: &TraceChunk) -> Result<(), JobError>;
 
-    /// Ends a job, exactly once; its result is kept for `keep`, or for ever. Fenced. Ends the hold of
-    /// [`Lease::holder`].
+    /// Ends a job, exactly once, and releases the hold of [`Lease::holder`]. Fenced. Its result is kept for `keep`, or
+    /// for ever if `None`.
     ///
-    /// A success that comes after a request to cancel is still a success: the request came too late.
-    async fn finish(&self, lease: &Lease, outcome: &Outcome, keep: Option<Duration>) -> Result<(), JobError>;
+    /// A success that arrives after a request to cancel is still a success: the request came too late.
+    async fn finish_job(&self, lease: &Lease, outcome: &Outcome, keep: Option<Duration>) -> Result<(), JobError>;
 
-    /// Gives a job back without counting an attempt. Fenced.
-    async fn release(&self, lease: &Lease) -> Result<(), JobError>;
+    /// Returns a job to the queue without counting an attempt. Fenced.
+    async fn release_job(&self, lease: &Lease) -> Result<(), JobError>;
 
-    /// Takes jobs from workers whose leases ran out.
-    async fn recover_expired(&self) -> Result<Recovered, JobError>;
+    /// Notifies `wake` of jobs that other processes queue, and never returns. Only a hint: a store may notify of none.
+    async fn follow_queued(&self, wake: &tokio::sync::Notify);
 
-    /// Takes jobs from a worker known to be gone.
-    async fn recover_worker(&self, worker: &WorkerId) -> Result<Recovered, JobError>;
-
-    /// Ends queued jobs whose deadline passed, and running ones that outlived their run time by `patience`: their
-    /// worker should have ended them.
-    async fn end_overdue(&self, patience: Duration) -> Result<Overdue, JobError>;
-
-    /// Removes what outlived its retention, at most `limit` jobs at once; or, as a dry run, only counts it.
-    async fn purge(&self, retention: &Retention, limit: u32, dry_run: bool) -> Result<Purged, JobError>;
-
-    /// Notifies `wake` of jobs that other processes queued, for ever; only a hint, and some stores give none.
-    async fn follow_hints(&self, wake: &tokio::sync::Notify);
-
-    /// Tells other processes that a job was queued; only a hint.
-    async fn give_hint(&self);
+    /// Announces to other processes that a job was queued. Only a hint.
+    async fn announce_queued(&self);
 }
 
-/// Blobs by content.
+/// Which blobs are in use: references of jobs and uploads, and holds of processes that are about to refer to them.
+#[async_trait]
+pub trait BlobHolds: Send + Sync {
+    /// Protects blobs that are about to be written and referred to from [`BlobHolds::remove_unreferenced_blobs`], for
+    /// `for_at_most`. Fenced if there is a lease.
+    async fn hold_blobs(
+        &self,
+        holder: &str,
+        keys: &[ArtifactKey],
+        for_at_most: Duration,
+        fence: Option<&Lease>,
+    ) -> Result<(), JobError>;
+
+    /// Releases a hold; blobs to which nothing refers can then be removed.
+    async fn drop_hold(&self, holder: &str) -> Result<(), JobError>;
+
+    /// Removes from `artifacts` the blobs that deleted jobs and lapsed holds left behind and to which nothing refers.
+    /// Returns their number.
+    async fn remove_unreferenced_blobs(&self, artifacts: &dyn ArtifactStore) -> Result<u32, JobError>;
+}
+
+/// What every process does from time to time.
+#[async_trait]
+pub trait Housekeeping: Send + Sync {
+    /// Takes back the jobs whose leases expired.
+    async fn recover_expired(&self) -> Result<Recovered, JobError>;
+
+    /// Takes back the jobs of a worker that is known to have ended.
+    async fn recover_worker(&self, worker: &WorkerId) -> Result<Recovered, JobError>;
+
+    /// Ends queued jobs whose deadline has passed, and running jobs that have exceeded their run time by `tolerance`,
+    /// because their worker should have ended them.
+    async fn end_overdue(&self, tolerance: Duration) -> Result<Overdue, JobError>;
+
+    /// Removes what has outlived its retention, at most `limit` jobs at once; as a dry run it only counts.
+    async fn purge(&self, retention: &Retention, limit: u32, dry_run: bool) -> Result<Purged, JobError>;
+}
+
+/// Blobs, addressed by their content.
 #[async_trait]
 pub trait ArtifactStore: Send + Sync {
-    /// Whether the store takes and gives.
+    /// Whether the store can be read and written.
     async fn ping(&self) -> Result<(), JobError>;
 
-    /// Stores `bytes` under `key`, which must be their address; on return they survive loss of power.
+    /// Stores `bytes` under `key`, which must be their address; when this returns, they survive a loss of
+    /// power.
     async fn put(&self, key: &ArtifactKey, bytes: Bytes) -> Result<(), JobError>;
 
-    /// Begins to store a blob whose content comes in parts and whose address is not known yet.
+    /// Begins to store a blob whose content arrives in parts and whose address is not known yet.
     async fn begin(&self, tenant: &Tenant) -> Result<Box<dyn ArtifactWriter>, JobError>;
 
     /// The bytes under `key`.
     async fn get(&self, key: &ArtifactKey) -> Result<Bytes, JobError>;
 
-    /// Removes what is under `key`; nothing there is no error.
+    /// Removes the blob under `key`; not an error if there is none.
     async fn remove(&self, key: &ArtifactKey) -> Result<(), JobError>;
 
-    /// Removes what interrupted writes left. Returns how many.
+    /// Removes the remains of interrupted writes. Returns their number.
     async fn sweep(&self) -> Result<u32, JobError>;
 }
 
-/// A blob that is being stored in parts. Dropped without [`ArtifactWriter::commit`], it leaves nothing.
+/// A blob that is being stored in parts. If dropped without [`ArtifactWriter::commit`], nothing is stored.
 #[async_trait]
 pub trait ArtifactWriter: Send {
-    /// Adds a part.
+    /// Appends a part.
     async fn write(&mut self, part: Bytes) -> Result<(), JobError>;
 
-    /// Gives what was written its name, which must be its address; on return it survives loss of power.
+    /// Stores what was written under `key`, which must be its address; when this returns, it survives a loss of power.
     async fn commit(self: Box<Self>, key: &ArtifactKey) -> Result<(), JobError>;
 }
 
-/// Whether processes that share this one's data live, where the system can tell.
+/// The processes that share this one's data, on systems that can tell whether they are alive.
 pub trait Processes: Send + Sync {
-    /// The processes that are gone and not forgotten yet.
+    /// The processes that have ended and whose jobs have not been taken back yet.
     ///
     /// # Errors
-    /// Of the system.
+    /// Those of the operating system.
     fn departed(&self) -> std::io::Result<Vec<Box<dyn DepartedProcess>>>;
 }
 
-/// A process that is gone.
+/// A process that has ended.
 pub trait DepartedProcess: Send {
-    /// Who it was.
+    /// Its identity as a worker.
     fn worker(&self) -> &WorkerId;
 
-    /// Forgets it, once its jobs are taken care of.
-    fn forget(self: Box<Self>);
+    /// Removes its record, once its jobs have been taken back.
+    fn remove_record(self: Box<Self>);
 }

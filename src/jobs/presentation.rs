@@ -1,6 +1,6 @@
-//! The parts of a result in the file formats in which they can be had.
+//! The parts of a result, and the file formats in which they are available.
 //!
-//! Each part is stored in one form; the [`Engine`] makes the others from it when they are asked for.
+//! Each part is stored in one format; the [`Engine`] converts it to the others on request.
 
 use super::engine::Engine;
 use super::error::JobError;
@@ -17,7 +17,7 @@ pub enum ResultPart {
     Correspondences,
     /// The rigid transform.
     Transform,
-    /// The source surface whose vertices are counted.
+    /// The source surface to whose vertices the correspondences refer.
     SourceSurface,
     /// The target surface, likewise.
     TargetSurface,
@@ -64,7 +64,7 @@ impl ResultPart {
         }
     }
 
-    /// The formats in which it can be had, the first if nothing is asked for.
+    /// The available formats, the default first.
     pub fn formats(self) -> &'static [PartFormat] {
         use PartFormat::{Arrow, Csv, Gifti, Itk, Json, Lta, Npy, Ply, Stl, Text, Vtk};
         match self {
@@ -74,7 +74,7 @@ impl ResultPart {
         }
     }
 
-    /// The format in which its blob can be answered as it is.
+    /// The format in which it is stored.
     fn stored_as(self) -> Option<PartFormat> {
         match self {
             ResultPart::Correspondences => Some(PartFormat::Json),
@@ -83,7 +83,7 @@ impl ResultPart {
         }
     }
 
-    /// The blobs that a format of it is made from.
+    /// The blobs from which it is converted to a format.
     fn made_from(self, format: PartFormat) -> &'static [ArtifactKind] {
         match (self, format) {
             (ResultPart::Correspondences, PartFormat::Ply | PartFormat::Vtk | PartFormat::Gifti) => {
@@ -99,7 +99,7 @@ impl ResultPart {
 }
 
 impl PartFormat {
-    /// The name by which it is asked for.
+    /// Its name in requests.
     pub fn name(self) -> &'static str {
         match self {
             PartFormat::Json => "json",
@@ -117,10 +117,10 @@ impl PartFormat {
     }
 }
 
-/// Why a stored part cannot be had in a format.
+/// Why a part is not available in a format.
 #[derive(Debug, thiserror::Error)]
 pub enum PresentError {
-    /// The engine does not make this format of this part.
+    /// The engine does not convert this part to this format.
     #[error("{} is not made as {}", part.name(), format.name())]
     NotOffered {
         /// The part.
@@ -128,7 +128,7 @@ pub enum PresentError {
         /// The format.
         format: PartFormat,
     },
-    /// What is stored cannot be read, or not be written in this format.
+    /// The stored part cannot be read, or not be written in this format.
     #[error("{what}")]
     Unreadable {
         /// What.
@@ -139,7 +139,7 @@ pub enum PresentError {
     },
 }
 
-/// A part in one format, found but not made yet.
+/// A part in one format, found but not converted yet.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Presentation {
     part: ResultPart,
@@ -148,8 +148,8 @@ pub struct Presentation {
 }
 
 impl Presentation {
-    /// Equal for equal bytes and different for different ones: blobs are named by their content and never change, and
-    /// what is made from them depends on nothing but the version of this program.
+    /// Equal for equal content, different for different content: blobs are addressed by their content and never change, and
+    /// conversions depend on nothing but the version of this program.
     pub fn validator(&self) -> String {
         let blobs: Vec<&str> = self.blobs.iter().map(|blob| &blob.key.hash()[..32]).collect();
         let form = if self.part.stored_as() == Some(self.format) {
@@ -180,13 +180,13 @@ impl JobService {
         Ok(Presentation { part, format, blobs })
     }
 
-    /// Its bytes. What is not stored in this format is made on a blocking thread.
+    /// Its content, converted on a blocking thread unless it is stored in this format.
     ///
     /// # Errors
-    /// [`JobError`]; `Corrupt` if it cannot be made.
+    /// [`JobError`]; [`JobError::Corrupt`] if it cannot be converted.
     pub async fn present(&self, wanted: &Presentation) -> Result<Bytes, JobError> {
         let &Presentation { part, format, .. } = wanted;
-        // Waiting ends with the request: whoever cannot be served in time is told so.
+        // The wait for a permit ends with the time limit of the request.
         let place = Arc::clone(&self.presentations).acquire_owned().await;
         let place = place.map_err(|error| JobError::Unavailable(Box::new(error)))?;
         let mut blobs = Vec::new();

@@ -1,8 +1,8 @@
-//! How long things are kept, and what was removed.
+//! How long jobs and results are kept, and what was removed.
 
 use std::time::Duration;
 
-/// How long things are kept; `None` is for ever.
+/// How long jobs and results are kept; `None` is for ever.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Retention {
     /// Results and traces after the end of their job.
@@ -15,9 +15,9 @@ pub struct Retention {
 /// What a purge removed, or would remove.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize)]
 pub struct Purged {
-    /// Jobs whose result and trace went; their record stays.
+    /// Jobs whose result and trace were removed; their records stay.
     pub results: u64,
-    /// Jobs that went altogether.
+    /// Jobs that were removed entirely.
     pub jobs: u64,
     /// Uploads that no job refers to.
     pub meshes: u64,
@@ -25,22 +25,22 @@ pub struct Purged {
     pub changes: u64,
     /// Entries of the log of deliveries.
     pub deliveries: u64,
-    /// Idempotency keys whose time was over.
+    /// Expired idempotency keys.
     pub idempotency_keys: u64,
 }
 
 impl Purged {
-    /// Whether there was nothing to do.
+    /// Whether nothing was removed.
     pub fn is_nothing(&self) -> bool {
         *self == Purged::default()
     }
 }
 
-/// Jobs that were ended because their time was over.
+/// Jobs that were ended because they exceeded a time limit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Overdue {
-    /// Waited past their deadline.
+    /// Queued past their deadline.
     pub expired: u32,
-    /// Ran longer than they may, and their worker did not end them.
+    /// Exceeded their run time, and their worker did not end them.
     pub stuck: u32,
 }

@@ -1,4 +1,4 @@
-//! The use cases: what the outside may ask of jobs.
+//! The use cases: what clients can do with jobs.
 //!
 //! Submissions are in [`super::submission`], uploads in [`super::uploads`], following a job in [`super::follow`].
 
@@ -20,34 +20,34 @@ use std::sync::Arc;
 use std::time::Duration;
 use tokio::sync::Semaphore;
 
-/// Longest look at a dependency: who asks is a supervisor with little patience.
-const LOOK: Duration = Duration::from_secs(3);
+/// Time limit of a readiness check of a dependency, shorter than the time limit of a supervisor.
+const READINESS_TIMEOUT: Duration = Duration::from_secs(3);
 
-/// Parts of results read and made into other formats at the same time.
+/// Number of parts of results that are read and converted at the same time.
 const MAX_PRESENTATIONS: usize = 4;
 
-/// Bounds on what is accepted, and how long it is kept.
+/// Limits on submissions, and how long results are kept.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct SubmissionLimits {
-    /// Most jobs of a tenant that may wait.
+    /// Maximum number of queued jobs per tenant.
     pub max_queued: u32,
-    /// Most inputs checked at the same time.
+    /// Maximum number of inputs checked at the same time.
     pub max_checks: usize,
-    /// Longest wait for a free check.
+    /// How long a submission waits for the check of its inputs to start.
     pub max_check_wait: Duration,
-    /// Crashes after which a job is dead.
+    /// Number of lost workers after which a job is dead.
     pub max_attempts: u32,
-    /// Most jobs of a batch.
+    /// Maximum number of jobs in a batch.
     pub max_batch: usize,
-    /// How long an idempotency key is remembered.
+    /// How long an idempotency key is kept.
     pub once_for: Duration,
     /// How long results are kept; for ever if `None`.
     pub keep_results: Option<Duration>,
-    /// Longest run of a job.
+    /// Maximum run time of a job.
     pub max_run: Duration,
 }
 
-/// All that the use cases keep things in.
+/// The stores of the use cases.
 #[derive(Clone)]
 pub struct Stores {
     /// Jobs.
@@ -68,24 +68,24 @@ pub struct JobService {
     pub(super) engine: Arc<dyn Engine>,
     pub(super) limits: SubmissionLimits,
     pub(super) checks: Arc<Semaphore>,
-    /// Parts of results made into other formats at the same time; each is in memory twice.
+    /// Permits to convert parts of results; each part is in memory twice meanwhile.
     pub(super) presentations: Arc<Semaphore>,
-    /// Wakes workers of this process; polling is the truth, this only makes it prompt.
+    /// Wakes the workers of this process. Only makes them faster: they also poll.
     pub(super) signals: Arc<Signals>,
     feeds: Feeds,
 }
 
-/// What a cancellation of many jobs did.
+/// The outcome of cancelling many jobs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct BulkCancelled {
-    /// Jobs that were cancelled at once.
+    /// Queued jobs that were cancelled at once.
     pub cancelled: u32,
-    /// Running jobs whose workers were told.
+    /// Running jobs whose workers were told to stop.
     pub told: u32,
 }
 
 impl JobService {
-    /// The use cases; `signals` tell workers of every accepted job, and are told by them how jobs move on.
+    /// The use cases; `signals` carry accepted jobs to the workers of this process, and state changes back.
     pub fn new(stores: Stores, engine: Arc<dyn Engine>, limits: SubmissionLimits, signals: Arc<Signals>) -> Self {
         let checks = Arc::new(Semaphore::new(limits.max_checks.max(1)));
         let presentations = Arc::new(Semaphore::new(MAX_PRESENTATIONS));
@@ -93,7 +93,7 @@ impl JobService {
         JobService { stores, engine, limits, checks, presentations, signals, feeds }
     }
 
-    /// Bounds on what is accepted.
+    /// Limits on submissions.
     pub fn limits(&self) -> &SubmissionLimits {
         &self.limits
     }
@@ -103,7 +103,7 @@ impl JobService {
         self.stores.webhooks.as_ref()
     }
 
-    /// Whose key this is, and what it allows; `None` for a key that is not valid.
+    /// The record of an API key: its tenant and scopes. `None` if the key is not valid.
     ///
     /// # Errors
     /// [`JobError`].
@@ -112,17 +112,17 @@ impl JobService {
         Ok(stored.filter(|stored| stored.is_valid && key.has_hash(&stored.hash)))
     }
 
-    /// [`JobError::QueueFull`] if no job of the tenant would be accepted now; asked before an upload is read.
+    /// Checks whether the tenant's queue has room; called before the files of a submission are read.
     ///
     /// # Errors
-    /// That, and those of the store.
+    /// [`JobError::QueueFull`] if it has none, and those of the store.
     pub async fn refuse_when_full(&self, tenant: &Tenant) -> Result<(), JobError> {
         let limit = self.limits.max_queued;
         let waiting = self.stores.jobs.queue_length(tenant, limit).await?;
         if waiting >= limit { Err(JobError::QueueFull { limit }) } else { Ok(()) }
     }
 
-    /// What waits and what runs, of all tenants.
+    /// The numbers of queued and running jobs of all tenants.
     ///
     /// # Errors
     /// [`JobError`].
@@ -130,7 +130,7 @@ impl JobService {
         self.stores.jobs.load().await
     }
 
-    /// Follows a job: one reader of the store for all who follow it in this process.
+    /// Follows a job. All followers of a job in this process share one reader of the store.
     ///
     /// # Errors
     /// [`JobError::NotFound`].
@@ -151,15 +151,15 @@ impl JobService {
         self.feeds.follow_changes(tenant, since)
     }
 
-    /// Cancels all jobs that a filter shows and that are not finished.
+    /// Cancels all unfinished jobs that match a filter.
     ///
     /// # Errors
-    /// [`JobError`]; what was cancelled before stays so.
+    /// [`JobError`]; jobs that were cancelled before the error stay cancelled.
     pub async fn cancel_all(&self, tenant: &Tenant, filter: &JobFilter) -> Result<BulkCancelled, JobError> {
         let mut filter = filter.clone();
         filter.states.retain(|state| !state.is_final());
         if filter.states.is_empty() {
-            // Waiting ones first, so that none of them begins while others are cancelled.
+            // Queued jobs first, so that none of them starts while running ones are cancelled.
             filter.states = vec![JobState::Queued, JobState::Running];
         }
         let mut done = BulkCancelled::default();
@@ -167,12 +167,12 @@ impl JobService {
             let filter = JobFilter { states: vec![state], ..filter.clone() };
             let mut page = PageRequest { size: 200, after: None, order: Order::OldestFirst };
             loop {
-                let JobPage { jobs, next } = self.stores.jobs.list(tenant, &filter, &page).await?;
+                let JobPage { jobs, next } = self.stores.jobs.list_jobs(tenant, &filter, &page).await?;
                 for job in jobs {
-                    match self.stores.jobs.cancel(tenant, job.id).await {
+                    match self.stores.jobs.cancel_job(tenant, job.id).await {
                         Ok(job) if job.state == JobState::Cancelled => done.cancelled += 1,
                         Ok(_) => done.told += 1,
-                        // It ended or was removed at this moment.
+                        // It ended or was deleted meanwhile.
                         Err(JobError::AlreadyFinal { .. } | JobError::NotFound) => {}
                         Err(error) => return Err(error),
                     }
@@ -186,7 +186,7 @@ impl JobService {
         Ok(done)
     }
 
-    /// A batch with its counts.
+    /// A batch with the number of its jobs in each state.
     ///
     /// # Errors
     /// [`JobError::BatchNotFound`].
@@ -194,7 +194,7 @@ impl JobService {
         self.stores.jobs.get_batch(tenant, id).await
     }
 
-    /// A part of the list of batches.
+    /// A page of the list of batches, newest first.
     ///
     /// # Errors
     /// [`JobError`].
@@ -207,7 +207,7 @@ impl JobService {
     /// # Errors
     /// [`JobError`].
     pub async fn changes(&self, tenant: &Tenant, since: u64, limit: u32) -> Result<ChangePage, JobError> {
-        self.stores.jobs.changes(tenant, since, limit).await
+        self.stores.jobs.list_changes(tenant, since, limit).await
     }
 
     /// A job.
@@ -215,34 +215,34 @@ impl JobService {
     /// # Errors
     /// [`JobError`].
     pub async fn get(&self, tenant: &Tenant, id: JobId) -> Result<Job, JobError> {
-        self.stores.jobs.get(tenant, id).await
+        self.stores.jobs.get_job(tenant, id).await
     }
 
-    /// A part of the list of jobs.
+    /// A page of the list of jobs.
     ///
     /// # Errors
     /// [`JobError`].
     pub async fn list(&self, tenant: &Tenant, filter: &JobFilter, page: &PageRequest) -> Result<JobPage, JobError> {
-        self.stores.jobs.list(tenant, filter, page).await
+        self.stores.jobs.list_jobs(tenant, filter, page).await
     }
 
-    /// Asks for a job's end.
+    /// Cancels a job: a queued one at once, a running one as soon as its worker stops.
     ///
     /// # Errors
-    /// [`JobError::AlreadyFinal`] if it ended otherwise.
+    /// [`JobError::AlreadyFinal`] if it has ended otherwise.
     pub async fn cancel(&self, tenant: &Tenant, id: JobId) -> Result<Job, JobError> {
-        self.stores.jobs.cancel(tenant, id).await
+        self.stores.jobs.cancel_job(tenant, id).await
     }
 
-    /// Removes a finished job with its trace, and its blobs unless other jobs refer to them.
+    /// Deletes a finished job with its trace, and its blobs unless other jobs refer to them.
     ///
     /// # Errors
     /// [`JobError::StillActive`].
     pub async fn delete(&self, tenant: &Tenant, id: JobId) -> Result<(), JobError> {
-        self.stores.jobs.delete(tenant, id).await?;
-        // What cannot be removed now stays noted and is tried again by the housekeeper.
+        self.stores.jobs.delete_job(tenant, id).await?;
+        // Blobs that cannot be removed now stay candidates, and housekeeping removes them later.
         if let Err(error) = self.remove_unreferenced_blobs().await {
-            tracing::warn!(job_id = %id, %error, "blobs of a deleted job remain for now");
+            tracing::warn!(job_id = %id, %error, "blobs of a deleted job could not be removed yet");
         }
         Ok(())
     }
@@ -251,20 +251,20 @@ impl JobService {
         self.stores.jobs.remove_unreferenced_blobs(self.stores.artifacts.as_ref()).await
     }
 
-    /// A part of a job's trace.
+    /// A page of a job's trace.
     ///
     /// # Errors
     /// [`JobError`].
     pub async fn trace(&self, tenant: &Tenant, id: JobId, after_seq: u64, limit: u32) -> Result<TracePage, JobError> {
-        self.stores.jobs.trace(tenant, id, after_seq, limit).await
+        self.stores.jobs.get_trace(tenant, id, after_seq, limit).await
     }
 
-    /// Where a part of a succeeded job's result is.
+    /// The blob with a part of a succeeded job's result.
     ///
     /// # Errors
-    /// [`JobError::NotReady`] before the job is finished, [`JobError::NoResult`] if it ended without one.
+    /// [`JobError::NotReady`] before the job has finished, [`JobError::NoResult`] if it ended without a result.
     pub async fn result_part(&self, tenant: &Tenant, id: JobId, kind: ArtifactKind) -> Result<ArtifactRef, JobError> {
-        match self.stores.jobs.artifact(tenant, id, kind).await? {
+        match self.stores.jobs.get_artifact(tenant, id, kind).await? {
             (JobState::Succeeded, Some(artifact)) => Ok(artifact),
             (JobState::Succeeded, None) => {
                 Err(JobError::Corrupt { what: "a succeeded job without its result", source: None })
@@ -274,7 +274,7 @@ impl JobService {
         }
     }
 
-    /// The bytes of a blob.
+    /// The content of a blob.
     ///
     /// # Errors
     /// [`JobError`].
@@ -282,20 +282,20 @@ impl JobService {
         self.stores.artifacts.get(&artifact.key).await
     }
 
-    /// The methods there are.
+    /// The available methods.
     pub fn methods(&self) -> Vec<MethodDescription> {
         self.engine.methods()
     }
 
     /// Whether the job store and the blob store answer.
     pub async fn dependencies(&self) -> [(&'static str, Result<(), JobError>); 2] {
-        let looks = tokio::join!(
-            tokio::time::timeout(LOOK, self.stores.jobs.ping()),
-            tokio::time::timeout(LOOK, self.stores.artifacts.ping()),
+        let pings = tokio::join!(
+            tokio::time::timeout(READINESS_TIMEOUT, self.stores.jobs.ping()),
+            tokio::time::timeout(READINESS_TIMEOUT, self.stores.artifacts.ping()),
         );
-        let answer = |look: Result<Result<(), JobError>, tokio::time::error::Elapsed>| {
-            look.unwrap_or_else(|late| Err(JobError::Unavailable(Box::new(late))))
+        let answer = |ping: Result<Result<(), JobError>, tokio::time::error::Elapsed>| {
+            ping.unwrap_or_else(|late| Err(JobError::Unavailable(Box::new(late))))
         };
-        [("job_store", answer(looks.0)), ("artifact_store", answer(looks.1))]
+        [("job_store", answer(pings.0)), ("artifact_store", answer(pings.1))]
     }
 }

@@ -1,6 +1,6 @@
-//! The states of a job and the only code that decides which follows which.
+//! The states of a job, and the only code that decides which state follows which.
 //!
-//! A store reads a row, asks here, and writes the answer, all in one transaction; so both stores move jobs alike.
+//! A store reads a row, calls this module, and writes the new state, all in one transaction.
 
 use serde::{Deserialize, Serialize};
 
@@ -25,7 +25,7 @@ pub enum JobState {
 }
 
 impl JobState {
-    /// All states, in the order of a job's life.
+    /// All states.
     pub const ALL: [JobState; 7] = [
         JobState::Queued,
         JobState::Running,
@@ -54,7 +54,7 @@ impl JobState {
         JobState::ALL.into_iter().find(|s| s.name() == name)
     }
 
-    /// Whether nothing can follow.
+    /// Whether the state is final.
     pub fn is_final(self) -> bool {
         !matches!(self, JobState::Queued | JobState::Running)
     }
@@ -63,13 +63,13 @@ impl JobState {
 /// What a request to cancel does to a job.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum CancelEffect {
-    /// Nobody works on it: it is cancelled at once.
+    /// It is queued: it is cancelled at once.
     CancelNow,
     /// A worker holds it and is told through its heartbeat.
     TellWorker,
-    /// It is cancelled already: asking again changes nothing.
+    /// It is cancelled already: nothing changes.
     AlreadyCancelled,
-    /// It ended otherwise.
+    /// It has ended otherwise.
     AlreadyFinal,
 }
 
@@ -83,10 +83,10 @@ pub fn cancel_effect(state: JobState) -> CancelEffect {
     }
 }
 
-/// Where a running job goes whose worker is gone; `crashes` counts this one.
+/// The next state of a running job whose worker was lost; `crashes` includes this loss.
 ///
-/// A crash is no failure: the job waits again until `max_attempts` of its workers were lost. Who asked for its
-/// end before gets it.
+/// A lost worker is no failure: the job returns to the queue until `max_attempts` workers were lost. If its cancellation was
+/// requested before, it is cancelled.
 pub fn state_after_crash(cancel_requested: bool, crashes: u32, max_attempts: u32) -> JobState {
     if cancel_requested {
         JobState::Cancelled
@@ -97,7 +97,8 @@ pub fn state_after_crash(cancel_requested: bool, crashes: u32, max_attempts: u32
     }
 }
 
-/// Where a running job goes that its worker gives back, as at a shutdown, which is neither attempt nor crash.
+/// The next state of a running job that its worker releases, for example at a shutdown. That counts neither as an attempt nor
+/// as a crash.
 pub fn state_after_release(cancel_requested: bool) -> JobState {
     if cancel_requested { JobState::Cancelled } else { JobState::Queued }
 }

@@ -1,4 +1,4 @@
-//! Submissions: one job, a retry, a batch. Checked first, then stored, then answered.
+//! Submissions: a job, a retry, a batch. Each is checked first, then stored, then answered.
 
 use super::admission::{Admission, Made, Once, OnceStatus};
 use super::batch::{Batch, BatchId, NewBatch};
@@ -14,69 +14,69 @@ use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use std::time::Duration;
 
-/// How long a submission may take between writing its blobs and storing its job.
+/// How long blobs are held for a submission between writing them and storing its job.
 const HOLD: Duration = Duration::from_secs(600);
-/// How long checking and storing a request with an idempotency key may take before another may take its place: the
-/// process that had it may have died.
+/// How long an idempotency key stays reserved while its request is carried out. After that another request may take the
+/// key: the process that reserved it may have crashed.
 const BUSY: Duration = Duration::from_secs(240);
-/// Faults of a batch that are named; more say nothing new.
+/// Maximum number of faults of a batch that are reported.
 const NAMED_FAULTS: usize = 16;
 
-/// A job to be accepted.
+/// A job to be submitted.
 #[derive(Debug, Clone)]
 pub struct Submission {
     /// Owner.
     pub tenant: Tenant,
-    /// The surface that moves.
+    /// The surface that is moved.
     pub source: SubmittedInput,
-    /// The surface that stays.
+    /// The surface that stays fixed.
     pub target: SubmittedInput,
-    /// Parameters as asked for.
+    /// Parameters as requested.
     pub parameters: Value,
-    /// The rest.
+    /// Everything else.
     pub details: Details,
     /// The submitter's idempotency key.
     pub idempotency_key: Option<String>,
 }
 
-/// What a submission says besides inputs and parameters.
+/// What a submission states besides inputs and parameters.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Details {
     /// −100 to 100, higher first.
     pub priority: i32,
-    /// The submitter's own marks.
+    /// Labels of the submitter.
     pub labels: BTreeMap<String, String>,
-    /// The submitter's own name for it.
+    /// The submitter's own identifier.
     pub external_ref: Option<String>,
-    /// When it is too late to begin.
+    /// Deadline for its start.
     pub deadline_at: Option<Timestamp>,
-    /// Longest run.
+    /// Maximum run time, ms.
     pub max_run_ms: Option<u64>,
-    /// Whether it must be computed, also where an equal job has a result.
+    /// Whether it must be computed even if an equal job has a result.
     pub compute_anew: bool,
     /// W3C trace context.
     pub traceparent: Option<String>,
 }
 
-/// An input: sent along, or uploaded before.
+/// An input: sent with the submission, or uploaded before.
 #[derive(Debug, Clone)]
 pub enum SubmittedInput {
-    /// Sent along.
+    /// Sent with the submission.
     File(SubmittedFile),
-    /// Uploaded before: the hash of its content.
+    /// Uploaded before; the hash of its content.
     Mesh(String),
 }
 
-/// A file that is sent along.
+/// A file sent with a submission.
 #[derive(Debug, Clone)]
 pub struct SubmittedFile {
-    /// All of it.
+    /// Its content.
     pub bytes: Bytes,
-    /// The endings of its name.
+    /// Extensions of its file name.
     pub name_hint: Option<String>,
 }
 
-/// A batch to be accepted.
+/// A batch to be submitted.
 #[derive(Debug, Clone)]
 pub struct BatchSubmission {
     /// Owner.
@@ -85,52 +85,52 @@ pub struct BatchSubmission {
     pub pairs: Vec<BatchPair>,
     /// Parameters of all of them.
     pub parameters: Value,
-    /// Of all of them; labels are joined with those of each pair.
+    /// Details of all of them; the labels of each pair are added.
     pub details: Details,
     /// The submitter's idempotency key.
     pub idempotency_key: Option<String>,
 }
 
-/// A job of a batch: hashes of uploads.
+/// A job of a batch, whose inputs are hashes of uploads.
 #[derive(Debug, Clone)]
 pub struct BatchPair {
-    /// The surface that moves.
+    /// The surface that is moved.
     pub source: String,
-    /// The surface that stays.
+    /// The surface that stays fixed.
     pub target: String,
-    /// The submitter's own name for the job.
+    /// The submitter's own identifier of the job.
     pub external_ref: Option<String>,
-    /// Its own marks.
+    /// Its own labels.
     pub labels: BTreeMap<String, String>,
 }
 
-/// What a submission was answered.
+/// The answer to a submission.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Accepted<T> {
-    /// What was made.
+    /// The job or the batch.
     pub made: T,
-    /// Whether an earlier request with the same key had made it.
+    /// Whether an earlier request with the same idempotency key created it.
     pub replayed: bool,
 }
 
-/// What a submission that is only tried would do.
-#[derive(Debug, Clone, PartialEq)]
+/// The outcome of checking a submission without storing it.
+#[derive(Debug, Clone)]
 pub struct Validated {
     /// Its effective parameters.
     pub resolved: Resolved,
-    /// What checking the source found.
+    /// Outcome of the check of the source.
     pub source: InputSummary,
-    /// What checking the target found.
+    /// Outcome of the check of the target.
     pub target: InputSummary,
 }
 
 /// Why a job is not accepted.
 #[derive(Debug, thiserror::Error)]
 pub enum SubmitError {
-    /// The parameters are not right.
+    /// The parameters have faults.
     #[error("{} faults in the parameters", .0.len())]
     Parameters(Vec<ParameterFault>),
-    /// An input is not right.
+    /// An input cannot be matched.
     #[error("{input}: {}", refusal.detail)]
     Input {
         /// `source` or `target`.
@@ -138,45 +138,45 @@ pub enum SubmitError {
         /// Why.
         refusal: InputRefusal,
     },
-    /// Both inputs are right, but not together.
+    /// Each input could be matched, but not this pair.
     #[error("{}", .0.detail)]
     Pair(InputRefusal),
-    /// Some jobs of a batch are not right: the number of each, and why.
+    /// Some jobs of a batch cannot be matched: index of the job, input, and why.
     #[error("{} jobs of the batch are not right", .0.len())]
     Batch(Vec<(usize, &'static str, InputRefusal)>),
-    /// More jobs than a batch may have.
+    /// The batch has too many jobs.
     #[error("a batch has at most {limit} jobs")]
     BatchTooLarge {
-        /// Most jobs.
+        /// Maximum number of jobs.
         limit: usize,
     },
-    /// Too many inputs are being checked.
+    /// Too many inputs are being checked at the moment.
     #[error("too many inputs are being checked")]
     Busy,
-    /// A check ended in a panic.
+    /// The check of an input panicked.
     #[error("checking {input} failed")]
     CheckFailed {
         /// `source` or `target`.
         input: &'static str,
     },
-    /// The same request is being worked on.
+    /// The same request is in progress.
     #[error("a request with this idempotency key is in progress")]
     InProgress,
-    /// Another request came with the same key.
+    /// The key was used for another request.
     #[error("another request was made with this idempotency key")]
     OtherRequest,
-    /// The store.
+    /// An error of the stores.
     #[error(transparent)]
     Job(#[from] JobError),
 }
 
-/// An input that was checked.
+/// An input that has passed its check.
 struct CheckedInput {
     key: ArtifactKey,
     n_bytes: u64,
     name_hint: Option<String>,
     summary: InputSummary,
-    /// To be written; absent for what was uploaded before.
+    /// Content to be stored; `None` for what was uploaded before.
     bytes: Option<Bytes>,
 }
 
@@ -194,7 +194,8 @@ impl CheckedInput {
 }
 
 impl JobService {
-    /// Accepts a job: checks parameters and both inputs, stores the blobs, then the job. On return it is durable.
+    /// Accepts a job: checks its parameters and inputs, stores its blobs and then the job. When this returns, the job survives a
+    /// loss of power.
     ///
     /// # Errors
     /// [`SubmitError`].
@@ -203,7 +204,7 @@ impl JobService {
         let once = submission.idempotency_key.as_ref().map(|key| self.once(&tenant, key, fingerprint(&submission)));
         if let Some(made) = self.begin_once(once.as_ref()).await? {
             let Made::Job(id) = made else { return Err(SubmitError::OtherRequest) };
-            let made = self.stores.jobs.get(&tenant, id).await?.as_accepted();
+            let made = self.stores.jobs.get_job(&tenant, id).await?.as_accepted();
             return Ok(Accepted { made, replayed: true });
         }
         let done = self.submit_once(submission, once.clone()).await;
@@ -229,12 +230,12 @@ impl JobService {
         Ok(Validated { resolved, source: source.summary, target: target.summary })
     }
 
-    /// Makes a new job of a finished one, with the same inputs and parameters. It is computed anew.
+    /// Submits a finished job again, with the same inputs and parameters. It is computed again.
     ///
     /// # Errors
     /// [`JobError::StillActive`]; [`JobError::Gone`] if the inputs were removed.
     pub async fn retry(&self, tenant: &Tenant, id: JobId, traceparent: Option<String>) -> Result<Job, SubmitError> {
-        let first = self.stores.jobs.get(tenant, id).await?;
+        let first = self.stores.jobs.get_job(tenant, id).await?;
         if !first.state.is_final() {
             return Err(JobError::StillActive { state: first.state }.into());
         }
@@ -288,7 +289,7 @@ impl JobService {
         }
         let resolved = self.engine.resolve(&parameters).map_err(SubmitError::Parameters)?;
         self.refuse_when_full(&tenant).await?;
-        // Each upload is checked once, in however many pairs it stands.
+        // Each upload is checked once, however many pairs contain it.
         let mut checked: BTreeMap<String, Result<CheckedInput, InputRefusal>> = BTreeMap::new();
         let mut faults = Vec::new();
         for (number, pair) in pairs.iter().enumerate() {
@@ -321,7 +322,7 @@ impl JobService {
             let (Some(Ok(source)), Some(Ok(target))) = (checked.get(&pair.source), checked.get(&pair.target)) else {
                 continue;
             };
-            if let Err(refusal) = self.engine.check_pair(&source.summary, &target.summary, &resolved.parameters) {
+            if let Err(refusal) = resolved.computation.check_pair(&source.summary, &target.summary) {
                 faults.push((number, "target", refusal));
             }
             let mut labels = details.labels.clone();
@@ -346,7 +347,7 @@ impl JobService {
         let stored = async {
             self.stores.jobs.hold_blobs(&holder, &keys, HOLD, None).await?;
             for key in &keys {
-                // Held from here on; a removal before would have taken the record with it.
+                // The hold protects it from here on; an earlier removal would have deleted its record.
                 self.stores.meshes.get_mesh(&tenant, key.hash()).await?;
             }
             self.stores.jobs.insert_batch(&batch, &jobs, &admission).await
@@ -367,7 +368,7 @@ impl JobService {
         self.refuse_when_full(tenant).await?;
         let source = self.check(tenant, "source", source, &resolved).await?;
         let target = self.check(tenant, "target", target, &resolved).await?;
-        self.engine.check_pair(&source.summary, &target.summary, &resolved.parameters).map_err(SubmitError::Pair)?;
+        resolved.computation.check_pair(&source.summary, &target.summary).map_err(SubmitError::Pair)?;
         Ok((resolved, source, target))
     }
 
@@ -436,7 +437,7 @@ impl JobService {
         }
     }
 
-    /// Stores a job and what it was sent with.
+    /// Stores the inputs of a job and then the job.
     async fn store_job(&self, job: NewJob, inputs: Vec<CheckedInput>, once: Option<Once>) -> Result<Job, SubmitError> {
         let holder = job.id.to_string();
         let keys: Vec<ArtifactKey> = [&job.source, &job.target]
@@ -445,36 +446,36 @@ impl JobService {
             .collect();
         let admission = self.admission(&holder, once);
         let stored = async {
-            // The hold comes before the blobs: a removal that runs meanwhile leaves them alone.
+            // The hold comes before the blobs, so that a concurrent removal spares them.
             self.stores.jobs.hold_blobs(&holder, &keys, HOLD, None).await?;
             for input in inputs {
                 match input.bytes {
                     Some(bytes) => self.stores.artifacts.put(&input.key, bytes).await?,
-                    // Held from here on; a removal before would have taken the record with it.
+                    // The hold protects it from here on; an earlier removal would have deleted its record.
                     None => self.stores.meshes.get_mesh(&job.tenant, input.key.hash()).await.map(|_| ())?,
                 }
             }
             if let Some(first) = job.retry_of {
-                // Likewise: its blobs are there as long as it refers to them.
+                // Likewise: its blobs exist as long as it refers to them.
                 let kind = super::ports::ArtifactKind::Source;
-                self.stores.jobs.artifact(&job.tenant, first, kind).await?;
+                self.stores.jobs.get_artifact(&job.tenant, first, kind).await?;
             }
-            self.stores.jobs.insert(&job, &admission).await
+            self.stores.jobs.insert_job(&job, &admission).await
         };
         let stored = stored.await;
         self.after_storing(&holder, stored).await
     }
 
-    /// Wakes workers, or ends the hold of what was not stored.
+    /// Wakes workers if the submission was stored; releases its hold if it was not.
     async fn after_storing<T>(&self, holder: &str, stored: Result<T, JobError>) -> Result<T, SubmitError> {
         match stored {
             Ok(stored) => {
                 self.signals.queued.notify_one();
-                self.stores.jobs.give_hint().await;
+                self.stores.jobs.announce_queued().await;
                 Ok(stored)
             }
             Err(error) => {
-                // The hold lapses by itself if this does not succeed either.
+                // If this fails too, the hold lapses by itself.
                 if self.stores.jobs.drop_hold(holder).await.is_ok() {
                     let _ = self.remove_unreferenced_blobs().await;
                 }
@@ -502,7 +503,7 @@ impl JobService {
         }
     }
 
-    /// What an earlier request with the key made; `None` to go on.
+    /// What an earlier request with the key created; `None` if this request is the first.
     async fn begin_once(&self, once: Option<&Once>) -> Result<Option<Made>, SubmitError> {
         let Some(once) = once else { return Ok(None) };
         match self.stores.jobs.begin_once(once, BUSY).await? {
@@ -513,17 +514,17 @@ impl JobService {
         }
     }
 
-    /// Frees the key of a request that made nothing, so that it can be sent again, corrected.
+    /// Frees the key of a request that failed, so that the request can be corrected and sent again.
     async fn end_once<T>(&self, once: Option<&Once>, done: Result<T, SubmitError>) -> Result<T, SubmitError> {
         if let (Err(_), Some(once)) = (&done, once) {
-            // What was made after all, though the answer got lost, keeps its key: nothing is given up then.
+            // If the job was stored and only the answer of the store was lost, the key is not freed.
             let _ = self.stores.jobs.give_up_once(once).await;
         }
         done
     }
 }
 
-/// Hash of all that a request says; `serde_json` writes the members of objects in one order.
+/// Hash of everything that a request states; `serde_json` writes the members of objects in a fixed order.
 fn hash_of(value: &Value) -> String {
     blake3::hash(value.to_string().as_bytes()).to_hex().to_string()
 }
@@ -554,7 +555,7 @@ fn fingerprint_of_batch(submission: &BatchSubmission) -> String {
     hash_of(&json!([pairs, submission.parameters, details_value(&submission.details)]))
 }
 
-/// Equal keys have equal results: the key names all that a result depends on.
+/// Jobs with equal keys have equal results: the key contains everything on which a result depends.
 fn cache_key(resolved: &Resolved, source: &JobInput, target: &JobInput) -> String {
     let input = |input: &JobInput| json!([input.hash, input.name_hint]);
     let Resolved { method, result_version, parameters, .. } = resolved;

@@ -1,4 +1,4 @@
-//! What a running job tells: its progress and its energy trace, numbered and timed.
+//! Progress and energy trace of a running job, numbered and timed.
 
 use homolog_primitives::observe::{Phase, TracePoint};
 use serde::{Deserialize, Serialize};
@@ -35,7 +35,7 @@ pub struct Progress {
     pub energy_latest: Option<f64>,
 }
 
-/// What is written at once: the points since the last time and the progress.
+/// What is stored at once: the points since the last chunk, and the progress.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TraceChunk {
     /// Points in order of `seq`; may be empty.
@@ -44,7 +44,7 @@ pub struct TraceChunk {
     pub progress: Progress,
 }
 
-/// A part of a trace.
+/// A page of a trace.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TracePage {
     /// Points in ascending order of `seq`, each once.

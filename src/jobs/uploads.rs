@@ -1,4 +1,4 @@
-//! Uploads: stored as they arrive, checked afterwards, and checked once for each way of preparing them.
+//! Uploads: stored as they arrive, and checked afterwards, once for each set of parameters that affects the check.
 
 use super::engine::{InputBytes, Resolved};
 use super::error::JobError;
@@ -8,14 +8,14 @@ use super::ports::{ArtifactKey, ArtifactWriter};
 use super::service::JobService;
 use super::submission::{SubmitError, SubmittedFile};
 use bytes::Bytes;
-use serde_json::{Value, json};
+use serde_json::Value;
 use std::sync::Arc;
 use std::time::Duration;
 
-/// How long an upload may take between its last byte and its record.
+/// How long the blob of an upload is held until its record is stored.
 const HOLD: Duration = Duration::from_secs(600);
 
-/// An upload on its way in.
+/// An upload in progress.
 pub struct Upload {
     tenant: Tenant,
     writer: Box<dyn ArtifactWriter>,
@@ -24,15 +24,15 @@ pub struct Upload {
 }
 
 impl Upload {
-    /// Bytes so far.
+    /// Number of bytes received.
     pub fn n_bytes(&self) -> u64 {
         self.n_bytes
     }
 
-    /// Adds a part.
+    /// Appends a part.
     ///
     /// # Errors
-    /// Of the store.
+    /// Those of the store.
     pub async fn write(&mut self, part: Bytes) -> Result<(), JobError> {
         self.n_bytes += part.len() as u64;
         self.hasher.update(&part);
@@ -41,19 +41,19 @@ impl Upload {
 }
 
 impl JobService {
-    /// Begins an upload; nothing is kept unless [`JobService::end_upload`] is reached.
+    /// Begins an upload; nothing is stored unless [`JobService::end_upload`] is called.
     ///
     /// # Errors
-    /// Of the store.
+    /// Those of the store.
     pub async fn begin_upload(&self, tenant: &Tenant) -> Result<Upload, JobError> {
         let writer = self.stores.artifacts.begin(tenant).await?;
         Ok(Upload { tenant: tenant.clone(), writer, hasher: blake3::Hasher::new(), n_bytes: 0 })
     }
 
-    /// Names and records an upload. Returns it, and whether it is new.
+    /// Stores an upload under the hash of its content and records it. Returns it, and whether it is new.
     ///
     /// # Errors
-    /// Of the stores.
+    /// Those of the stores.
     pub async fn end_upload(&self, upload: Upload, name_hint: Option<&str>) -> Result<(Mesh, bool), JobError> {
         let Upload { tenant, writer, hasher, n_bytes } = upload;
         let hash = hasher.finalize().to_hex().to_string();
@@ -82,7 +82,7 @@ impl JobService {
         self.stores.meshes.get_mesh(tenant, hash).await
     }
 
-    /// A part of the list of uploads.
+    /// A page of the list of uploads, newest first.
     ///
     /// # Errors
     /// [`JobError`].
@@ -90,7 +90,7 @@ impl JobService {
         self.stores.meshes.list_meshes(tenant, size, after).await
     }
 
-    /// The bytes of an upload.
+    /// The content of an upload.
     ///
     /// # Errors
     /// [`JobError`].
@@ -98,19 +98,19 @@ impl JobService {
         self.stores.artifacts.get(&mesh.key).await
     }
 
-    /// Forgets an upload.
+    /// Deletes an upload.
     ///
     /// # Errors
     /// [`JobError::MeshInUse`] while jobs refer to it.
     pub async fn delete_mesh(&self, tenant: &Tenant, hash: &str) -> Result<(), JobError> {
         self.stores.meshes.delete_mesh(tenant, hash).await?;
         if let Err(error) = self.remove_unreferenced_blobs().await {
-            tracing::warn!(%error, "the blob of a deleted mesh remains for now");
+            tracing::warn!(%error, "the blob of a deleted mesh could not be removed yet");
         }
         Ok(())
     }
 
-    /// What checking an upload with the default parameters finds.
+    /// The outcome of checking an upload with the default parameters.
     ///
     /// # Errors
     /// [`SubmitError::Busy`], and those of the stores.
@@ -119,7 +119,7 @@ impl JobService {
         self.check_mesh(mesh, "mesh", &resolved).await
     }
 
-    /// What checking an upload finds, from its record or by reading it.
+    /// The outcome of checking an upload: the stored one, or that of a new check.
     pub(super) async fn check_mesh(
         &self,
         mesh: &Mesh,
@@ -128,7 +128,7 @@ impl JobService {
     ) -> Result<CheckOutcome, SubmitError> {
         let (tenant, hash) = (&mesh.key.tenant, mesh.key.hash());
         let input_key = &resolved.input_key;
-        if let Some(found) = self.stores.meshes.mesh_check(tenant, hash, input_key).await? {
+        if let Some(found) = self.stores.meshes.get_mesh_check(tenant, hash, input_key).await? {
             return Ok(found);
         }
         let file = SubmittedFile { bytes: self.mesh_content(mesh).await?, name_hint: mesh.name_hint.clone() };
@@ -137,7 +137,7 @@ impl JobService {
         Ok(found)
     }
 
-    /// Has the engine check a file.
+    /// Checks a file on a blocking thread.
     pub(super) async fn inspect(
         &self,
         input: &'static str,
@@ -146,11 +146,11 @@ impl JobService {
     ) -> Result<CheckOutcome, SubmitError> {
         let permit = tokio::time::timeout(self.limits.max_check_wait, Arc::clone(&self.checks).acquire_owned());
         let Ok(Ok(permit)) = permit.await else { return Err(SubmitError::Busy) };
-        let (engine, parameters) = (Arc::clone(&self.engine), resolved.parameters.clone());
+        let computation = Arc::clone(&resolved.computation);
         let checked = tokio::task::spawn_blocking(move || {
             let _permit = permit; // given back when the check ends, also if nobody waits for it any more
             let bytes = InputBytes { bytes: &file.bytes, name_hint: file.name_hint.as_deref() };
-            engine.check_input(&bytes, &parameters)
+            computation.check_input(&bytes)
         });
         match checked.await {
             Ok(Ok(summary)) => Ok(CheckOutcome::Fit(summary)),
@@ -158,9 +158,4 @@ impl JobService {
             Err(_) => Err(SubmitError::CheckFailed { input }),
         }
     }
-}
-
-/// The key of a check by default: all that the parameters say of inputs.
-pub fn input_key(parameters: &Value) -> String {
-    parameters.get("input").cloned().unwrap_or_else(|| json!({})).to_string()
 }

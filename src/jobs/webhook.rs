@@ -1,4 +1,4 @@
-//! Webhooks: who is told of changes of jobs, and what became of telling them.
+//! Webhooks: receivers of state changes, and the deliveries to them.
 
 use super::error::JobError;
 use super::job::{Cursor, Tenant};
@@ -8,31 +8,31 @@ use jiff::Timestamp;
 use serde::{Deserialize, Serialize};
 use std::time::Duration;
 
-/// A receiver of events.
+/// A subscription to events.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Webhook {
     /// UUIDv7.
     pub id: String,
     /// Owner.
     pub tenant: Tenant,
-    /// Where events go.
+    /// The URL to which events are sent.
     pub url: String,
-    /// States that are told; empty for all.
+    /// Changes to these states are sent; empty for all.
     pub states: Vec<JobState>,
-    /// What deliveries are signed with: `whsec_` and base64.
+    /// The key with which deliveries are signed: `whsec_` and base64.
     pub secret: String,
     /// Whether events are sent.
     pub is_enabled: bool,
-    /// Why not, if the service ended it.
+    /// Why not, if the service disabled it.
     pub disabled_because: Option<String>,
-    /// When it was made.
+    /// When it was created.
     pub created_at: Timestamp,
 }
 
-/// A part of a list of webhooks.
+/// A page of the list of webhooks.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct WebhookPage {
-    /// The webhooks, the newest first.
+    /// The webhooks, newest first.
     pub webhooks: Vec<Webhook>,
     /// Where the next page begins, if there is one.
     pub next: Option<Cursor>,
@@ -66,77 +66,77 @@ impl DeliveryState {
     }
 }
 
-/// An event on its way to a receiver.
+/// The delivery of an event to a webhook.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Delivery {
-    /// UUIDv7; the receiver sees it as `webhook-id`, the same at every attempt.
+    /// UUIDv7, sent as `webhook-id`; the same at every attempt.
     pub id: String,
     /// Type of the event, such as `job.succeeded`.
     pub event: String,
-    /// Where it stands.
+    /// Its state.
     pub state: DeliveryState,
     /// Attempts so far.
     pub attempts: u32,
-    /// When it is tried next, while pending.
+    /// When it is attempted next, while pending.
     pub next_at: Timestamp,
-    /// HTTP status of the last answer.
+    /// HTTP status of the last response.
     pub status: Option<u16>,
-    /// Why there was none.
+    /// Why there was no response.
     pub error: Option<String>,
-    /// When it was made.
+    /// When it was created.
     pub created_at: Timestamp,
     /// When it was delivered or given up.
     pub ended_at: Option<Timestamp>,
 }
 
-/// A part of a log of deliveries.
+/// A page of the log of deliveries.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct DeliveryPage {
-    /// The deliveries, the newest first.
+    /// The deliveries, newest first.
     pub deliveries: Vec<Delivery>,
     /// Where the next page begins, if there is one.
     pub next: Option<Cursor>,
 }
 
-/// A delivery to be tried now.
+/// A delivery that is due.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct DueDelivery {
     /// Its id.
     pub id: String,
     /// Its webhook.
     pub webhook_id: String,
-    /// Where it goes.
+    /// The URL to which it is sent.
     pub url: String,
-    /// What it is signed with.
+    /// The key with which it is signed.
     pub secret: String,
     /// The body.
     pub payload: String,
-    /// Attempts, this one included.
+    /// Number of this attempt, from 1.
     pub attempt: u32,
-    /// Whether its webhook wants it still.
+    /// Whether its webhook is still enabled.
     pub is_wanted: bool,
 }
 
-/// What became of an attempt.
+/// The outcome of an attempt.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Attempted {
     /// The receiver answered 2xx.
     Delivered {
-        /// Its answer.
+        /// HTTP status of the response.
         status: u16,
     },
-    /// Try again after this time.
+    /// The attempt failed and is repeated.
     Retry {
-        /// How long to wait.
+        /// Time until the next attempt.
         after: Duration,
-        /// Its answer, if there was one.
+        /// HTTP status of the response, if there was one.
         status: Option<u16>,
         /// What went wrong.
         error: String,
     },
-    /// Never again.
+    /// The attempt failed and there is no further one.
     Failed {
-        /// Its answer, if there was one.
+        /// HTTP status of the response, if there was one.
         status: Option<u16>,
         /// What went wrong.
         error: String,
@@ -152,10 +152,10 @@ pub trait WebhookStore: Send + Sync {
     /// A webhook.
     async fn get_webhook(&self, tenant: &Tenant, id: &str) -> Result<Webhook, JobError>;
 
-    /// A part of the list of webhooks.
+    /// A page of the list of webhooks, newest first.
     async fn list_webhooks(&self, tenant: &Tenant, size: u32, after: Option<Cursor>) -> Result<WebhookPage, JobError>;
 
-    /// Changes address, states and whether it is enabled.
+    /// Changes the URL, the states, and whether the webhook is enabled.
     async fn update_webhook(
         &self,
         tenant: &Tenant,
@@ -165,10 +165,10 @@ pub trait WebhookStore: Send + Sync {
         is_enabled: bool,
     ) -> Result<Webhook, JobError>;
 
-    /// Removes a webhook with its log.
+    /// Deletes a webhook with its log of deliveries.
     async fn delete_webhook(&self, tenant: &Tenant, id: &str) -> Result<(), JobError>;
 
-    /// A part of the log of deliveries.
+    /// A page of the log of deliveries, newest first.
     async fn list_deliveries(
         &self,
         tenant: &Tenant,
@@ -177,7 +177,7 @@ pub trait WebhookStore: Send + Sync {
         after: Option<Cursor>,
     ) -> Result<DeliveryPage, JobError>;
 
-    /// Makes a delivery that no job is the reason of.
+    /// Inserts a delivery that no state change caused, such as a test event.
     async fn insert_delivery(
         &self,
         tenant: &Tenant,
@@ -186,15 +186,15 @@ pub trait WebhookStore: Send + Sync {
         payload: &str,
     ) -> Result<Delivery, JobError>;
 
-    /// Makes deliveries of the changes since the last time. Returns how many.
-    async fn tell_changes(&self) -> Result<u32, JobError>;
+    /// Inserts the deliveries of the state changes since the last call. Returns their number.
+    async fn insert_due_deliveries(&self) -> Result<u32, JobError>;
 
-    /// The next delivery to be tried; nobody else gets it for `busy_for`.
-    async fn take_delivery(&self, busy_for: Duration) -> Result<Option<DueDelivery>, JobError>;
+    /// The next delivery that is due; no other process gets it for `busy_for`.
+    async fn claim_delivery(&self, busy_for: Duration) -> Result<Option<DueDelivery>, JobError>;
 
-    /// Notes what became of an attempt.
+    /// Records the outcome of an attempt.
     async fn end_attempt(&self, id: &str, attempted: &Attempted) -> Result<(), JobError>;
 
-    /// Ends a webhook.
+    /// Disables a webhook and records why.
     async fn disable_webhook(&self, id: &str, because: &str) -> Result<(), JobError>;
 }

@@ -1,8 +1,8 @@
-//! Where jobs and blobs are kept: behind the ports of [`crate::jobs`].
+//! Storage, behind the ports of [`crate::jobs`].
 //!
-//! [`sql`] holds jobs in SQLite or PostgreSQL, [`artifacts`] the blobs in a folder or an S3-compatible store,
-//! [`presence`] tells living processes of one machine from dead ones.
+//! [`sql`] stores jobs in SQLite or PostgreSQL, [`artifacts`] stores blobs in a folder or an S3-compatible store, and
+//! [`processes`] records which processes of one machine are alive.
 
 pub mod artifacts;
-pub mod presence;
+pub(crate) mod processes;
 pub mod sql;

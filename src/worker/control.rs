@@ -4,30 +4,30 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, PoisonError};
 use tokio_util::sync::CancellationToken;
 
-/// Why a computation should end without a result.
+/// Why a computation is told to stop.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum StopCause {
-    /// Somebody asked.
+pub(crate) enum StopCause {
+    /// A client cancelled the job.
     CancelRequested,
-    /// It took longer than it may.
+    /// It exceeded its time limit.
     TimeLimit,
-    /// The process ends; another will run it.
+    /// The process exits; another one will run the job.
     Shutdown,
-    /// The job is somebody else's now: nothing may be written any more.
+    /// Another worker holds the job: nothing may be written any more.
     LeaseLost,
 }
 
-/// One for each running job; set by the heartbeat and the worker, asked by the computation.
+/// The stop signal of a running job: set by the heartbeat and the worker, read by the computation.
 #[derive(Debug, Default)]
-pub struct Control {
+pub(crate) struct Control {
     stopped: AtomicBool,
     cause: Mutex<Option<StopCause>>,
     token: CancellationToken,
 }
 
 impl Control {
-    /// Tells the computation to stop. The first cause stays, unless the lease is lost, which outweighs all.
-    pub fn stop(&self, cause: StopCause) {
+    /// Tells the computation to stop. The first cause is kept, except that a lost lease overrides any other.
+    pub(crate) fn stop(&self, cause: StopCause) {
         let mut held = self.cause.lock().unwrap_or_else(PoisonError::into_inner);
         if held.is_none() || cause == StopCause::LeaseLost {
             *held = Some(cause);
@@ -37,18 +37,18 @@ impl Control {
         self.token.cancel();
     }
 
-    /// Whether the computation should stop. Costs an atomic load.
-    pub fn is_stopped(&self) -> bool {
+    /// Whether the computation should stop. Costs one atomic load.
+    pub(crate) fn is_stopped(&self) -> bool {
         self.stopped.load(Ordering::Acquire)
     }
 
-    /// Why.
-    pub fn cause(&self) -> Option<StopCause> {
+    /// Why the computation should stop.
+    pub(crate) fn cause(&self) -> Option<StopCause> {
         *self.cause.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Returns once the computation is told to stop.
-    pub async fn stopped(&self) {
+    /// Returns when the computation is told to stop.
+    pub(crate) async fn stopped(&self) {
         self.token.cancelled().await;
     }
 }

@@ -1,13 +1,15 @@
 //! One job, from its claim to its end.
+//!
+//! Writes to a store that does not answer are repeated for [`STORE_TIMEOUT`]; the fence of the lease makes repeats harmless.
 
 use super::control::{Control, StopCause};
+use super::observer::JobObserver;
 use super::pool::{PoolParts, with_sources};
-use super::priority::give_way;
-use super::recorder::Recorder;
+use super::priority::lower_priority;
 use crate::jobs::engine::Product;
 use crate::jobs::{
-    ArtifactKey, ArtifactRef, ComputeError, ComputeTask, Failure, JobError, JobInput, Lease, LeasedJob, Outcome,
-    TraceChunk,
+    ArtifactKey, ArtifactRef, Computation, ComputeError, ComputeInputs, Failure, Job, JobError, JobInput, Lease,
+    LeasedJob, Outcome, TraceChunk,
 };
 use std::future::Future;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -16,15 +18,15 @@ use std::time::{Duration, Instant};
 use tokio::sync::oneshot;
 use tokio::time::{MissedTickBehavior, interval, sleep, sleep_until};
 
-/// How long writing a result may take before its blobs count as nobody's.
+/// How long writing a result may take before its blobs are removed as unreferenced.
 const HOLD: Duration = Duration::from_secs(600);
-/// How long a store that does not answer is asked again; then the lease runs out and the job is run anew.
-const STORE_PATIENCE: Duration = Duration::from_secs(60);
+/// How long calls to a store that does not answer are repeated; after that the lease expires and the job runs again.
+const STORE_TIMEOUT: Duration = Duration::from_secs(60);
 
-/// How long a job's cores stay unused after a store was away for longer than that.
+/// How long a job's cores stay unused after a store has been unavailable for longer than that.
 const AFTER_OUTAGE: Duration = Duration::from_secs(5);
 
-/// What the computation's thread answers.
+/// What the computation's thread returns.
 type Computed = Result<Vec<Product>, ComputeError>;
 
 /// How the job is to end.
@@ -32,115 +34,137 @@ enum Ending {
     Publish(Vec<Product>),
     Fail(Failure),
     Cancel,
-    GiveBack,
-    /// It is not ours any more.
-    Leave,
+    Release,
+    /// Not at all: another worker holds the lease.
+    Abandon,
 }
 
-/// Runs a claimed job to its end, computing on `n_threads`. Never fails: what goes wrong becomes the job's outcome, or the
-/// lease runs out.
-pub async fn execute(parts: &PoolParts, leased: LeasedJob, n_threads: usize) {
+/// Runs a claimed job to its end, computing on `n_threads`. Does not fail: whatever goes wrong becomes the outcome of the job,
+/// or its lease expires.
+pub(crate) async fn execute(
+    parts: &PoolParts,
+    leased: LeasedJob,
+    computation: Result<Arc<dyn Computation>, Failure>,
+    n_threads: usize,
+) {
     parts.signals.tell_moved(leased.lease.job_id);
     let LeasedJob { lease, job } = leased;
-    // Logs of the submission and of its run can be joined by the client's own trace.
+    // The client's trace context joins the logs of the submission with those of the run.
     let trace = job.traceparent.as_deref();
     let (attempt, epoch) = (job.attempt, lease.epoch);
-    tracing::info!(job_id = %lease.job_id, epoch, attempt, n_threads, traceparent = trace, "job begins");
+    tracing::info!(job_id = %lease.job_id, epoch, attempt, n_threads, traceparent = trace, "job started");
     let began = Instant::now();
     let control = Arc::new(Control::default());
-    let _watch = parts.heart.watch(&lease, Arc::clone(&control));
-    let read = async {
-        let source = read_input(parts, &lease, &job.source).await?;
-        let target = read_input(parts, &lease, &job.target).await?;
-        Ok::<_, JobError>(ComputeTask {
-            parameters: job.parameters.clone(),
-            source,
-            source_hint: job.source.name_hint.clone(),
-            target,
-            target_hint: job.target.name_hint.clone(),
-        })
+    let _watch = parts.heartbeats.watch(&lease, Arc::clone(&control));
+    let (end, unfinished) = match computation {
+        Ok(computation) => run(parts, &lease, &job, computation, &control, n_threads).await,
+        Err(failure) => (settle(parts, &lease, [None, None], Ending::Fail(failure)).await, None),
     };
-    let task = match read.await {
-        Ok(task) => task,
+    parts.signals.tell_moved(lease.job_id);
+    let elapsed_ms = began.elapsed().as_millis();
+    tracing::info!(job_id = %lease.job_id, epoch, elapsed_ms, end, "job ended");
+    metrics::counter!("homolog_jobs_finished_total", "end" => end).increment(1);
+    metrics::histogram!("homolog_job_seconds").record(began.elapsed().as_secs_f64());
+    if let Some(mut computed) = unfinished
+        && control.cause() != Some(StopCause::Shutdown)
+    {
+        // The job is ended; its cores are not free while its threads still use them.
+        if tokio::time::timeout(parts.settings.abandon_after, &mut computed).await.is_err() {
+            tracing::error!(job_id = %lease.job_id, "a computation does not stop; its thread is abandoned");
+        }
+    }
+}
+
+/// Reads the inputs, computes, and settles the job. Returns how it ended, for the log, and the channel of a computation that
+/// was told to stop and still runs.
+async fn run(
+    parts: &PoolParts,
+    lease: &Lease,
+    job: &Job,
+    computation: Arc<dyn Computation>,
+    control: &Arc<Control>,
+    n_threads: usize,
+) -> (&'static str, Option<oneshot::Receiver<Computed>>) {
+    let inputs = match read_inputs(parts, lease, job).await {
+        Ok(inputs) => inputs,
         Err(error) => {
-            tracing::error!(job_id = %lease.job_id, error = %with_sources(&error), "inputs could not be read");
-            // A store that is away is no fault of the job's; what it holds unreadably is lost for every worker.
-            if is_passing(&error) {
-                settle(parts, &lease, None, Ending::GiveBack).await;
-                sleep(AFTER_OUTAGE).await;
-            } else {
-                settle(parts, &lease, None, Ending::Fail(internal_error())).await;
+            tracing::error!(job_id = %lease.job_id, error = %with_sources(&error), "the inputs could not be read");
+            // An unavailable store is no fault of the job; content that is unreadable is so for every worker.
+            if !is_transient(&error) {
+                return (settle(parts, lease, [None, None], Ending::Fail(internal_error())).await, None);
             }
-            return;
+            let end = settle(parts, lease, [None, None], Ending::Release).await;
+            sleep(AFTER_OUTAGE).await;
+            return (end, None);
         }
     };
-    let recorder = Arc::new(Recorder::new(Arc::clone(&control)));
-    let mut answer = match start_computation(parts, task, &recorder, n_threads) {
-        Ok(answer) => answer,
+    let observer = Arc::new(JobObserver::new(Arc::clone(control)));
+    let mut computed = match start_computation(computation, inputs, &observer, n_threads) {
+        Ok(computed) => computed,
         Err(error) => {
             tracing::error!(job_id = %lease.job_id, %error, "no thread for the computation");
-            settle(parts, &lease, None, Ending::GiveBack).await;
+            let end = settle(parts, lease, [None, None], Ending::Release).await;
             sleep(parts.settings.poll).await;
-            return;
+            return (end, None);
         }
     };
     let allowed = job.max_run_ms.map_or(parts.settings.max_run, Duration::from_millis).min(parts.settings.max_run);
-    let (computed, unsaved) = follow(parts, &lease, &control, &recorder, allowed, &mut answer).await;
-    let still_running = computed.is_none();
-    let ending = decide(computed, control.cause());
-    let last = [unsaved, recorder.take()];
-    let name = settle(parts, &lease, Some(last), ending).await;
-    parts.signals.tell_moved(lease.job_id);
-    let elapsed_ms = began.elapsed().as_millis();
-    tracing::info!(job_id = %lease.job_id, epoch = lease.epoch, elapsed_ms, end = name, "job ends");
-    metrics::counter!("homolog_jobs_finished_total", "end" => name).increment(1);
-    metrics::histogram!("homolog_job_seconds").record(began.elapsed().as_secs_f64());
-    if still_running && control.cause() != Some(StopCause::Shutdown) {
-        // Its job is ended; its cores are not free while the threads still take them.
-        if tokio::time::timeout(parts.settings.abandon_after, &mut answer).await.is_err() {
-            tracing::error!(job_id = %lease.job_id, "a computation ignores its end; its thread is given up");
-        }
-    }
+    let (outcome, unsaved) = follow(parts, lease, control, &observer, allowed, &mut computed).await;
+    let is_running = outcome.is_none();
+    let ending = decide(outcome, control.cause());
+    let end = settle(parts, lease, [unsaved, observer.take()], ending).await;
+    (end, is_running.then_some(computed))
+}
+
+async fn read_inputs(parts: &PoolParts, lease: &Lease, job: &Job) -> Result<ComputeInputs, JobError> {
+    Ok(ComputeInputs {
+        source: read_input(parts, lease, &job.source).await?,
+        source_hint: job.source.name_hint.clone(),
+        target: read_input(parts, lease, &job.target).await?,
+        target_hint: job.target.name_hint.clone(),
+    })
 }
 
 async fn read_input(parts: &PoolParts, lease: &Lease, input: &JobInput) -> Result<Vec<u8>, JobError> {
     let key = ArtifactKey::of_hash(&lease.tenant, &input.hash);
     let key = key.ok_or(JobError::Corrupt { what: "an input's hash", source: None })?;
-    let bytes = insist(|| parts.artifacts.get(&key)).await?;
+    let bytes = retrying(|| parts.artifacts.get(&key)).await?;
     Ok(bytes.into())
 }
 
 fn start_computation(
-    parts: &PoolParts,
-    task: ComputeTask,
-    recorder: &Arc<Recorder>,
+    computation: Arc<dyn Computation>,
+    inputs: ComputeInputs,
+    observer: &Arc<JobObserver>,
     n_threads: usize,
 ) -> std::io::Result<oneshot::Receiver<Computed>> {
-    let (engine, recorder) = (Arc::clone(&parts.engine), Arc::clone(recorder));
+    let observer = Arc::clone(observer);
     let (sender, receiver) = oneshot::channel();
-    // Of its own, so that a job has just the threads that it was given, however many run beside it.
+    // A pool for each job, so that it uses exactly its own number of threads, however many jobs run beside it.
     let pool = rayon::ThreadPoolBuilder::new()
         .num_threads(n_threads)
         .thread_name(|i| format!("compute-{i}"))
-        .start_handler(|_| give_way())
+        .start_handler(|_| lower_priority())
         .build();
     let pool = pool.map_err(std::io::Error::other)?;
     std::thread::Builder::new().name("compute".to_owned()).spawn(move || {
-        give_way();
-        // Nothing of the engine's outlives a panic: task and recorder are this job's own.
-        let computed = catch_unwind(AssertUnwindSafe(|| pool.install(|| engine.compute(&task, recorder.as_ref()))));
-        // The panic hook has logged where; what it said may hold a patient's data and is dropped.
+        lower_priority();
+        // No state that a panic may leave inconsistent is used again: inputs and observer belong to this job alone.
+        let computed =
+            catch_unwind(AssertUnwindSafe(|| pool.install(|| computation.compute(&inputs, observer.as_ref()))));
+        // The panic hook has logged the location; the message may contain a patient's data and is dropped.
         let _ = sender.send(computed.unwrap_or_else(|_| Err(ComputeError::Failed(internal_error()))));
     })?;
     Ok(receiver)
 }
 
-/// Stores trace and progress while the computation runs. `None`: it was told to stop and does not.
+/// Stores trace and progress while the computation runs. Returns its outcome, or `None` if it was told to stop and does not,
+/// and the part of the trace that could not be stored yet.
 async fn follow(
     parts: &PoolParts,
     lease: &Lease,
     control: &Control,
-    recorder: &Recorder,
+    observer: &JobObserver,
     max_run: Duration,
     answer: &mut oneshot::Receiver<Computed>,
 ) -> (Option<Computed>, Option<TraceChunk>) {
@@ -153,26 +177,26 @@ async fn follow(
     loop {
         tokio::select! {
             computed = &mut *answer => {
-                // The sender is gone without an answer only if the thread could not even catch its panic.
+                // The sender is dropped without a value only if the thread could not even catch its panic.
                 let computed = computed.unwrap_or_else(|_| Err(ComputeError::Failed(internal_error())));
                 return (Some(computed), unsaved);
             }
             () = control.stopped(), if give_up_at.is_none() => {
-                give_up_at = Some(tokio::time::Instant::now() + settings.stop_patience);
+                give_up_at = Some(tokio::time::Instant::now() + settings.stop_timeout);
             }
             () = sleep_until(give_up_at.unwrap_or(time_limit)), if give_up_at.is_some() => return (None, unsaved),
             () = sleep_until(time_limit), if give_up_at.is_none() => control.stop(StopCause::TimeLimit),
             () = parts.give_back.cancelled(), if give_up_at.is_none() => control.stop(StopCause::Shutdown),
             _ = ticks.tick() => {
                 if unsaved.is_none() {
-                    unsaved = recorder.take();
+                    unsaved = observer.take();
                 }
                 if let Some(chunk) = &unsaved {
                     match parts.store.append_trace(lease, chunk).await {
                         Ok(()) => unsaved = None,
                         Err(JobError::LeaseLost) => control.stop(StopCause::LeaseLost),
                         Err(error) => {
-                            tracing::warn!(job_id = %lease.job_id, error = %with_sources(&error), "trace waits");
+                            tracing::warn!(job_id = %lease.job_id, error = %with_sources(&error), "the trace could not be stored; it is tried again");
                         }
                     }
                 }
@@ -181,65 +205,60 @@ async fn follow(
     }
 }
 
-/// What becomes of a job whose computation answered `computed` (`None`: it does not stop) after `cause`.
+/// How a job ends whose computation returned `computed` (`None`: it does not stop) after it was told to stop for `cause`.
 fn decide(computed: Option<Computed>, cause: Option<StopCause>) -> Ending {
     match (computed, cause) {
-        (_, Some(StopCause::LeaseLost)) => Ending::Leave,
-        // A result that is there counts, whatever came meanwhile.
+        (_, Some(StopCause::LeaseLost)) => Ending::Abandon,
+        // A result that exists counts, whatever was requested meanwhile.
         (Some(Ok(products)), _) => Ending::Publish(products),
         (Some(Err(ComputeError::Failed(failure))), _) => Ending::Fail(failure),
         (_, Some(StopCause::CancelRequested)) => Ending::Cancel,
-        (_, Some(StopCause::Shutdown)) => Ending::GiveBack,
+        (_, Some(StopCause::Shutdown)) => Ending::Release,
         (_, Some(StopCause::TimeLimit)) => {
             Ending::Fail(Failure::new("run-time-exceeded", "the job ran longer than this service allows"))
         }
-        // It stopped though nobody asked: a fault of the engine.
+        // It stopped without having been told to: a fault of the engine.
         (_, None) => Ending::Fail(internal_error()),
     }
 }
 
-/// Writes the ending, asking a store that does not answer again. Returns a word for the log.
-async fn settle(
-    parts: &PoolParts,
-    lease: &Lease,
-    last: Option<[Option<TraceChunk>; 2]>,
-    ending: Ending,
-) -> &'static str {
-    if matches!(ending, Ending::Leave) {
+/// Stores the rest of the trace and the end of the job. Returns how it ended, for the log and the metrics.
+async fn settle(parts: &PoolParts, lease: &Lease, rest: [Option<TraceChunk>; 2], ending: Ending) -> &'static str {
+    if matches!(ending, Ending::Abandon) {
         return "lease lost";
     }
     let written = async {
-        for chunk in last.iter().flatten().flatten() {
-            insist(|| parts.store.append_trace(lease, chunk)).await?;
+        for chunk in rest.iter().flatten() {
+            retrying(|| parts.store.append_trace(lease, chunk)).await?;
         }
         match ending {
             Ending::Publish(products) => {
                 let artifacts = publish(parts, lease, products).await?;
                 let outcome = Outcome::Succeeded(artifacts);
-                insist(|| parts.store.finish(lease, &outcome, parts.settings.keep_results)).await?;
+                retrying(|| parts.store.finish_job(lease, &outcome, parts.settings.keep_results)).await?;
                 Ok("succeeded")
             }
             Ending::Fail(failure) => {
                 let outcome = Outcome::Failed(failure);
-                insist(|| parts.store.finish(lease, &outcome, parts.settings.keep_results)).await?;
+                retrying(|| parts.store.finish_job(lease, &outcome, parts.settings.keep_results)).await?;
                 Ok("failed")
             }
             Ending::Cancel => {
-                insist(|| parts.store.finish(lease, &Outcome::Cancelled, None)).await?;
+                retrying(|| parts.store.finish_job(lease, &Outcome::Cancelled, None)).await?;
                 Ok("cancelled")
             }
-            Ending::GiveBack => {
-                insist(|| parts.store.release(lease)).await?;
+            Ending::Release => {
+                retrying(|| parts.store.release_job(lease)).await?;
                 Ok("given back")
             }
-            Ending::Leave => Ok("lease lost"),
+            Ending::Abandon => Ok("lease lost"),
         }
     };
     match written.await {
         Ok(name) => name,
         Err(JobError::LeaseLost) => "lease lost",
-        // The result is lost and will be computed anew; that the blob store was away must not count as a crash.
-        Err(error) if is_passing(&error) && parts.store.release(lease).await.is_ok() => {
+        // The result is lost and will be computed again; an unavailable blob store must not count as a crash.
+        Err(error) if is_transient(&error) && parts.store.release_job(lease).await.is_ok() => {
             tracing::error!(job_id = %lease.job_id, error = %with_sources(&error), "the result could not be stored");
             sleep(AFTER_OUTAGE).await;
             "given back"
@@ -261,20 +280,20 @@ async fn publish(parts: &PoolParts, lease: &Lease, products: Vec<Product>) -> Re
         .collect();
     let keys: Vec<_> = products.iter().map(|(artifact, _)| artifact.key.clone()).collect();
     let holder = lease.holder();
-    insist(|| parts.store.hold_blobs(&holder, &keys, HOLD, Some(lease))).await?;
+    retrying(|| parts.store.hold_blobs(&holder, &keys, HOLD, Some(lease))).await?;
     for (artifact, bytes) in &products {
-        insist(|| parts.artifacts.put(&artifact.key, bytes.clone())).await?;
+        retrying(|| parts.artifacts.put(&artifact.key, bytes.clone())).await?;
     }
     Ok(products.into_iter().map(|(artifact, _)| artifact).collect())
 }
 
-/// Does `work` again while the store does not answer, for a while. The fence makes a repeat harmless.
-async fn insist<T, F: Future<Output = Result<T, JobError>>>(work: impl Fn() -> F) -> Result<T, JobError> {
+/// Repeats `work` while the store does not answer, for up to [`STORE_TIMEOUT`].
+async fn retrying<T, F: Future<Output = Result<T, JobError>>>(work: impl Fn() -> F) -> Result<T, JobError> {
     let began = Instant::now();
     let mut wait = Duration::from_millis(50);
     loop {
         match work().await {
-            Err(error) if is_passing(&error) && began.elapsed() < STORE_PATIENCE => {
+            Err(error) if is_transient(&error) && began.elapsed() < STORE_TIMEOUT => {
                 sleep(wait).await;
                 wait = (wait * 2).min(Duration::from_secs(2));
             }
@@ -283,8 +302,8 @@ async fn insist<T, F: Future<Output = Result<T, JobError>>>(work: impl Fn() -> F
     }
 }
 
-/// Whether the same may succeed later.
-fn is_passing(error: &JobError) -> bool {
+/// Whether the same call may succeed later.
+fn is_transient(error: &JobError) -> bool {
     matches!(error, JobError::Unavailable(_) | JobError::StorageFull | JobError::BeingRemoved)
 }
 

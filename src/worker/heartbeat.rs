@@ -1,7 +1,7 @@
 //! Heartbeats of all running jobs of this process, on an operating-system thread of their own.
 //!
-//! The thread has its own small runtime and its own connections to the store. However busy the cores, the other
-//! runtime or the other connections are, leases are prolonged and requests to cancel are seen.
+//! The thread has its own small runtime and its own connections to the store. However busy the cores, the main runtime or
+//! the other connections are, leases are extended and requests to cancel are seen.
 
 use super::control::{Control, StopCause};
 use crate::jobs::{JobError, JobStore, Lease, LeaseStatus};
@@ -11,12 +11,12 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
-/// How often leases are looked at; bounds how late a request to cancel is seen.
-const LOOK: Duration = Duration::from_millis(100);
+/// How often the status of each lease is read; bounds how late a request to cancel is seen.
+const CHECK_INTERVAL: Duration = Duration::from_millis(100);
 
-/// The heart of a process; stops beating when dropped.
+/// The heartbeats of a process; they stop when this is dropped.
 #[derive(Debug)]
-pub struct Heart {
+pub(crate) struct Heartbeats {
     shared: Arc<Shared>,
 }
 
@@ -30,56 +30,58 @@ struct Shared {
 #[derive(Debug, Clone)]
 struct Watched {
     control: Arc<Control>,
-    prolonged: Instant,
-    tried: Instant,
+    /// When the lease was last extended.
+    extended: Instant,
+    /// When that was last attempted.
+    attempted: Instant,
 }
 
-/// Keeps a lease alive until it is dropped.
+/// Keeps a lease alive; dropping it ends that.
 #[derive(Debug)]
-pub struct Watch {
+pub(crate) struct Watch {
     shared: Arc<Shared>,
     lease: Lease,
 }
 
-impl Heart {
-    /// Begins to beat: every `interval` each watched lease is prolonged to `duration` from then.
+impl Heartbeats {
+    /// Starts the thread: every `interval` each watched lease is extended to `duration` from then.
     ///
     /// # Errors
-    /// If the system gives no thread.
-    pub fn start(store: Arc<dyn JobStore>, interval: Duration, duration: Duration) -> std::io::Result<Self> {
+    /// If no thread can be started.
+    pub(crate) fn start(store: Arc<dyn JobStore>, interval: Duration, duration: Duration) -> std::io::Result<Self> {
         let shared = Arc::new(Shared {
             watched: Mutex::default(),
             healthy: AtomicBool::new(true),
             ended: AtomicBool::new(false),
         });
         let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build()?;
-        let beating = Arc::clone(&shared);
+        let checked = Arc::clone(&shared);
         std::thread::Builder::new().name("heartbeat".to_owned()).spawn(move || {
             runtime.block_on(async {
-                while !beating.ended.load(Ordering::Acquire) {
-                    beat(&beating, store.as_ref(), interval, duration).await;
-                    tokio::time::sleep(LOOK).await;
+                while !checked.ended.load(Ordering::Acquire) {
+                    check_all(&checked, store.as_ref(), interval, duration).await;
+                    tokio::time::sleep(CHECK_INTERVAL).await;
                 }
             });
         })?;
-        Ok(Heart { shared })
+        Ok(Heartbeats { shared })
     }
 
-    /// Keeps `lease` alive and tells `control` what the store says of it.
-    pub fn watch(&self, lease: &Lease, control: Arc<Control>) -> Watch {
+    /// Keeps `lease` alive, and stops the computation of `control` when the lease is lost or its cancellation requested.
+    pub(crate) fn watch(&self, lease: &Lease, control: Arc<Control>) -> Watch {
         let now = Instant::now();
-        let watched = Watched { control, prolonged: now, tried: now };
+        let watched = Watched { control, extended: now, attempted: now };
         self.shared.lock().insert(lease.clone(), watched);
         Watch { shared: Arc::clone(&self.shared), lease: lease.clone() }
     }
 
-    /// Whether the last look at the store succeeded; while it does not, no new job should be begun.
-    pub fn is_healthy(&self) -> bool {
+    /// Whether the store answered last time; while it does not, no further job should be started.
+    pub(crate) fn is_healthy(&self) -> bool {
         self.shared.healthy.load(Ordering::Acquire)
     }
 }
 
-impl Drop for Heart {
+impl Drop for Heartbeats {
     fn drop(&mut self) {
         self.shared.ended.store(true, Ordering::Release);
     }
@@ -97,38 +99,38 @@ impl Shared {
     }
 }
 
-async fn beat(shared: &Shared, store: &dyn JobStore, interval: Duration, duration: Duration) {
+async fn check_all(shared: &Shared, store: &dyn JobStore, interval: Duration, duration: Duration) {
     let watched: Vec<(Lease, Watched)> = shared.lock().iter().map(|(l, w)| (l.clone(), w.clone())).collect();
-    // Side by side: a store that swallows one question must not hold up the others until their leases ran out.
-    join_all(watched.iter().map(|(lease, watched)| look(shared, store, lease, watched, interval, duration))).await;
+    // Concurrently: one unanswered statement must not delay the others until their leases expire.
+    join_all(watched.iter().map(|(lease, watched)| check(shared, store, lease, watched, interval, duration))).await;
     if shared.lock().is_empty() && !shared.healthy.load(Ordering::Acquire) {
         shared.healthy.store(store.ping().await.is_ok(), Ordering::Release);
     }
 }
 
-/// Prolongs a lease if that is due, else only looks at it, and tells its computation what the store says.
-async fn look(
+/// Extends a lease if that is due, else only reads its status, and tells its computation what the store answered.
+async fn check(
     shared: &Shared,
     store: &dyn JobStore,
     lease: &Lease,
-    Watched { control, prolonged, tried }: &Watched,
+    Watched { control, extended, attempted }: &Watched,
     interval: Duration,
     duration: Duration,
 ) {
     let asked = Instant::now();
-    let due = asked - *tried >= interval;
+    let due = asked - *attempted >= interval;
     let answer = if due { store.heartbeat(lease, duration).await } else { store.lease_status(lease).await };
     shared.healthy.store(answer.is_ok(), Ordering::Release);
     let mut held = shared.lock();
     let Some(entry) = held.get_mut(lease) else { return };
     if due {
-        entry.tried = asked;
+        entry.attempted = asked;
     }
     match answer {
         Ok(LeaseStatus::Lost) | Err(JobError::LeaseLost) => control.stop(StopCause::LeaseLost),
         Ok(status) => {
             if due {
-                entry.prolonged = asked;
+                entry.extended = asked;
             }
             if status == LeaseStatus::CancelRequested {
                 control.stop(StopCause::CancelRequested);
@@ -136,12 +138,12 @@ async fn look(
         }
         Err(error) => {
             tracing::warn!(job_id = %lease.job_id, %error, "heartbeat failed");
-            // Tried again at the next look, not only after a whole interval.
+            // Attempted again at the next check, not only after a whole interval.
             if let Some(earlier) = asked.checked_sub(interval) {
-                entry.tried = earlier;
+                entry.attempted = earlier;
             }
-            // By now another worker may have the job; the fence would refuse what this one writes.
-            if prolonged.elapsed() > duration {
+            // By now another worker may hold the job; the fence would refuse everything that this one writes.
+            if extended.elapsed() > duration {
                 control.stop(StopCause::LeaseLost);
             }
         }

@@ -1,4 +1,4 @@
-//! What has to be done now and then in every process: jobs of the dead go back to the queue, blobs of nobody go.
+//! Periodic work of every process: jobs of lost workers return to the queue, and unreferenced blobs are removed.
 
 use super::pool::with_sources;
 use crate::jobs::{ArtifactStore, JobError, JobStore, Processes, Retention};
@@ -6,36 +6,36 @@ use std::sync::Arc;
 use std::time::Duration;
 use tokio_util::sync::CancellationToken;
 
-/// How often leases and processes are looked at.
+/// Time between two rounds; each looks for expired leases and ended processes.
 const ROUND: Duration = Duration::from_secs(1);
-/// Rounds between sweeps of what interrupted writes left.
+/// Rounds between two removals of the remains of interrupted writes.
 const ROUNDS_BETWEEN_SWEEPS: u64 = 600;
-/// Rounds between looks for what outlived its retention.
+/// Rounds between two purges of what has outlived its retention.
 const ROUNDS_BETWEEN_PURGES: u64 = 60;
 /// Jobs purged in one round.
 const PURGED_AT_ONCE: u32 = 1000;
-/// How long after the end of its run time a job is taken from a worker that should have ended it.
-const OVERDUE_PATIENCE: Duration = Duration::from_secs(30);
+/// How long a job may exceed its run time before it is taken from the worker that should have ended it.
+const OVERDUE_TOLERANCE: Duration = Duration::from_secs(30);
 
-/// What housekeeping works with.
+/// The dependencies of housekeeping.
 #[derive(Clone)]
-pub struct Housekeeper {
+pub(crate) struct Housekeeper {
     /// Jobs.
-    pub store: Arc<dyn JobStore>,
+    pub(crate) store: Arc<dyn JobStore>,
     /// Blobs.
-    pub artifacts: Arc<dyn ArtifactStore>,
-    /// Processes that share this one's data, where the system can tell whether they live.
-    pub processes: Option<Arc<dyn Processes>>,
-    /// How long things are kept.
-    pub retention: Retention,
+    pub(crate) artifacts: Arc<dyn ArtifactStore>,
+    /// The processes that share this one's data directory; `None` with a database server.
+    pub(crate) processes: Option<Arc<dyn Processes>>,
+    /// How long jobs and results are kept.
+    pub(crate) retention: Retention,
 }
 
 impl Housekeeper {
-    /// Takes jobs from processes that are gone and from leases that ran out.
+    /// Takes back the jobs of ended processes and of expired leases. Returns their number.
     ///
     /// # Errors
-    /// Of the store.
-    pub async fn recover(&self) -> Result<u32, JobError> {
+    /// Those of the store.
+    pub(crate) async fn recover(&self) -> Result<u32, JobError> {
         let mut total = 0;
         let mut dead = 0;
         if let Some(processes) = &self.processes {
@@ -55,7 +55,7 @@ impl Housekeeper {
                 }
                 total += recovered.total();
                 dead += recovered.dead;
-                process.forget();
+                process.remove_record();
             }
         }
         let recovered = self.store.recover_expired().await?;
@@ -67,8 +67,8 @@ impl Housekeeper {
         Ok(total + recovered.total())
     }
 
-    /// Goes round until `stop`.
-    pub async fn run(self, stop: CancellationToken) {
+    /// Runs until `stop` is cancelled.
+    pub(crate) async fn run(self, stop: CancellationToken) {
         for round in 0u64.. {
             if let Err(error) = self.round(round).await {
                 tracing::warn!(error = %with_sources(&error), "housekeeping is put off");
@@ -82,7 +82,7 @@ impl Housekeeper {
 
     async fn round(&self, round: u64) -> Result<(), JobError> {
         self.recover().await?;
-        let overdue = self.store.end_overdue(OVERDUE_PATIENCE).await?;
+        let overdue = self.store.end_overdue(OVERDUE_TOLERANCE).await?;
         if overdue.expired + overdue.stuck > 0 {
             tracing::warn!(?overdue, "jobs whose time was over are ended");
         }

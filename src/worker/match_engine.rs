@@ -1,13 +1,12 @@
-//! The engine of this service: checks the two inputs of a match and computes it.
+//! The engine of this service: it checks surfaces and matches pairs of them.
 //!
 //! The only place where jobs meet [`homolog_run`], [`homolog_run::intake`] and [`homolog_matching`].
 
 use super::{prediction, presentation};
 use crate::jobs::engine::{MethodDescription, Product, Resolved};
-use crate::jobs::uploads::input_key;
 use crate::jobs::{
-    ArtifactKind, ComputeError, ComputeTask, Demand, Engine, Failure, InputBytes, InputRefusal, InputSummary,
-    ParameterFault, PartFormat, PresentError, ResultPart, SurfaceSize,
+    ArtifactKind, Computation, ComputeError, ComputeInputs, Demand, Engine, Failure, InputBytes, InputRefusal,
+    InputSummary, ParameterFault, PartFormat, PresentError, ResultPart, SurfaceSize,
 };
 use homolog_contract::parameters::{MatchParameters, Method, preset, resolve};
 use homolog_formats::ply::write_ply;
@@ -16,19 +15,37 @@ use homolog_primitives::observe::Observer;
 use homolog_run::intake::{IntakeError, IntakeLimits, prepare_surface};
 use homolog_run::{InputFile, RunError, RunOutput, SurfaceCache, check_size, run_match_with};
 use serde_json::{Value, json};
+use std::sync::Arc;
 use utoipa::{PartialSchema, ToSchema};
 
 /// An [`Engine`] that matches surfaces.
 #[derive(Debug)]
 pub struct MatchEngine {
+    shared: Arc<Shared>,
+}
+
+/// What all computations of an engine share.
+#[derive(Debug)]
+struct Shared {
     limits: IntakeLimits,
     surfaces: SurfaceCache,
 }
 
+/// A match with these effective parameters.
+#[derive(Debug)]
+struct Match {
+    parameters: MatchParameters,
+    shared: Arc<Shared>,
+}
+
 impl MatchEngine {
-    /// An engine that reads inputs within `limits` and keeps up to `prepared_bytes` of prepared surfaces for further matches.
+    /// An engine with these limits on inputs, which keeps up to `prepared_bytes` of prepared surfaces for later matches.
     pub fn new(limits: IntakeLimits, prepared_bytes: u64) -> Self {
-        MatchEngine { limits, surfaces: SurfaceCache::new(prepared_bytes) }
+        MatchEngine { shared: Arc::new(Shared { limits, surfaces: SurfaceCache::new(prepared_bytes) }) }
+    }
+
+    fn computation(&self, parameters: MatchParameters) -> Arc<dyn Computation> {
+        Arc::new(Match { parameters, shared: Arc::clone(&self.shared) })
     }
 }
 
@@ -55,23 +72,35 @@ impl Engine for MatchEngine {
                 .collect::<Vec<_>>()
         })?;
         let stored = serde_json::to_value(&parameters).map_err(|e| vec![unwritable(&e)])?;
+        let input = serde_json::to_value(&parameters.input).map_err(|e| vec![unwritable(&e)])?;
         Ok(Resolved {
             method: parameters.method.name().to_owned(),
             method_version: env!("CARGO_PKG_VERSION").to_owned(),
-            input_key: input_key(&stored),
-            result_version: concat!(env!("CARGO_PKG_VERSION"), "+", env!("HOMOLOG_COMMIT")).to_owned(),
             parameters: stored,
+            input_key: input.to_string(),
+            result_version: concat!(env!("CARGO_PKG_VERSION"), "+", env!("HOMOLOG_COMMIT")).to_owned(),
+            computation: self.computation(parameters),
         })
     }
 
-    fn check_input(&self, input: &InputBytes<'_>, parameters: &Value) -> Result<InputSummary, InputRefusal> {
-        let parameters = effective(parameters).map_err(|failure| InputRefusal {
-            code: failure.code,
-            detail: failure.detail,
-            topology: None,
+    fn restore(&self, parameters: &Value) -> Result<Arc<dyn Computation>, Failure> {
+        // Effective parameters resolve to themselves, unless another version stored them.
+        let parameters = resolve(parameters).map_err(|faults| {
+            let first = faults.first().map(|f| format!("{}: {}", f.pointer, f.detail)).unwrap_or_default();
+            Failure::new("invalid-parameters", format!("this version does not take the stored parameters: {first}"))
         })?;
+        Ok(self.computation(parameters))
+    }
+
+    fn present(&self, part: ResultPart, format: PartFormat, stored: &[&[u8]]) -> Result<Vec<u8>, PresentError> {
+        presentation::present(part, format, stored)
+    }
+}
+
+impl Computation for Match {
+    fn check_input(&self, input: &InputBytes<'_>) -> Result<InputSummary, InputRefusal> {
         let name = input.name_hint.map(file_name);
-        let prepared = prepare_surface(input.bytes, name.as_deref(), &parameters.input, &self.limits)
+        let prepared = prepare_surface(input.bytes, name.as_deref(), &self.parameters.input, &self.shared.limits)
             .map_err(|error| refusal(&error))?;
         Ok(InputSummary {
             n_vertices: u32::try_from(prepared.mesh.n_vertices()).unwrap_or(u32::MAX),
@@ -80,42 +109,32 @@ impl Engine for MatchEngine {
         })
     }
 
-    fn check_pair(&self, source: &InputSummary, target: &InputSummary, parameters: &Value) -> Result<(), InputRefusal> {
-        let parameters = effective(parameters).map_err(|failure| InputRefusal {
-            code: failure.code,
-            detail: failure.detail,
-            topology: None,
-        })?;
+    fn check_pair(&self, source: &InputSummary, target: &InputSummary) -> Result<(), InputRefusal> {
         let source = (source.n_vertices as usize, source.n_faces as usize);
-        check_size(source, target.n_vertices as usize, &parameters, &self.limits).map_err(|error| InputRefusal {
+        let checked = check_size(source, target.n_vertices as usize, &self.parameters, &self.shared.limits);
+        checked.map_err(|error| InputRefusal {
             code: "too-large".to_owned(),
             detail: error.to_string(),
             topology: None,
         })
     }
 
-    fn demand(&self, parameters: &Value, source: SurfaceSize, target: SurfaceSize) -> Demand {
-        // A job whose parameters this version does not accept fails as soon as it starts.
-        let nothing = Demand { cores: 1, memory_bytes: 0 };
-        effective(parameters).map_or(nothing, |parameters| prediction::predict(&parameters, source, target))
+    fn demand(&self, source: SurfaceSize, target: SurfaceSize) -> Demand {
+        prediction::predict(&self.parameters, source, target)
     }
 
-    fn compute(&self, task: &ComputeTask, observer: &dyn Observer) -> Result<Vec<Product>, ComputeError> {
-        let parameters = effective(&task.parameters).map_err(ComputeError::Failed)?;
+    fn compute(&self, inputs: &ComputeInputs, observer: &dyn Observer) -> Result<Vec<Product>, ComputeError> {
         let (source_name, target_name) =
-            (task.source_hint.as_deref().map(file_name), task.target_hint.as_deref().map(file_name));
-        let source = InputFile { bytes: &task.source, name: source_name.as_deref() };
-        let target = InputFile { bytes: &task.target, name: target_name.as_deref() };
-        let output = run_match_with(&self.surfaces, source, target, &parameters, &self.limits, observer);
+            (inputs.source_hint.as_deref().map(file_name), inputs.target_hint.as_deref().map(file_name));
+        let source = InputFile { bytes: &inputs.source, name: source_name.as_deref() };
+        let target = InputFile { bytes: &inputs.target, name: target_name.as_deref() };
+        let Shared { limits, surfaces } = self.shared.as_ref();
+        let output = run_match_with(surfaces, source, target, &self.parameters, limits, observer);
         products(output.map_err(compute_error)?).map_err(ComputeError::Failed)
-    }
-
-    fn present(&self, part: ResultPart, format: PartFormat, stored: &[&[u8]]) -> Result<Vec<u8>, PresentError> {
-        presentation::present(part, format, stored)
     }
 }
 
-/// The blobs of a result. Correspondences have a blob of their own, so that they are read only when requested.
+/// The blobs of a result. The correspondences are a blob of their own, because they are large and rarely needed.
 fn products(output: RunOutput) -> Result<Vec<Product>, Failure> {
     let aligned = output
         .aligned()
@@ -132,15 +151,7 @@ fn products(output: RunOutput) -> Result<Vec<Product>, Failure> {
     ])
 }
 
-/// Parameters as stored with a job. They resolve to themselves, unless another version of this program stored them.
-fn effective(stored: &Value) -> Result<MatchParameters, Failure> {
-    resolve(stored).map_err(|faults| {
-        let first = faults.first().map(|f| format!("{}: {}", f.pointer, f.detail)).unwrap_or_default();
-        Failure::new("invalid-parameters", format!("this version does not accept the stored parameters: {first}"))
-    })
-}
-
-/// A file name that shows the format and nothing else.
+/// A file name that reveals nothing but the format.
 fn file_name(hint: &str) -> String {
     format!("input{hint}")
 }
@@ -172,7 +183,7 @@ fn unwritable(error: &serde_json::Error) -> ParameterFault {
     ParameterFault { pointer: String::new(), code: "out_of_range".to_owned(), detail: error.to_string() }
 }
 
-/// The JSON Schema of the parameters, self-contained. Every value may be omitted; the preset's value is then used.
+/// JSON Schema of the parameters, without references to other documents. Every value is optional: the preset supplies it.
 fn parameters_schema() -> Value {
     let mut named = Vec::new();
     MatchParameters::schemas(&mut named);
@@ -189,14 +200,14 @@ fn parameters_schema() -> Value {
     schema
 }
 
-/// Redirects references to `$defs` and removes lists of required keys, except from entries of `features`.
+/// Redirects references to `$defs` and makes all keys optional, except in entries of lists.
 fn make_self_contained(schema: &mut Value) {
     match schema {
         Value::Object(map) => {
             if let Some(Value::String(reference)) = map.get_mut("$ref") {
                 *reference = reference.replace("#/components/schemas/", "#/$defs/");
             }
-            // A request's `features` replace the preset's list, so each entry must be complete.
+            // The entries of `features` replace the preset's list as a whole, so each must be complete.
             let is_entry = map.get("properties").is_some_and(|p| p.get("kind").is_some());
             if !is_entry {
                 map.remove("required");
@@ -205,5 +216,40 @@ fn make_self_contained(schema: &mut Value) {
         }
         Value::Array(items) => items.iter_mut().for_each(make_self_contained),
         _ => {}
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn stored_parameters_are_restored_as_they_were_resolved() {
+        let engine = MatchEngine::new(IntakeLimits::default(), 0);
+        let size = |n_vertices| SurfaceSize { n_vertices, n_faces: 2 * n_vertices - 4 };
+        for method in Method::ALL {
+            let resolved = engine.resolve(&json!({"method": method.name(), "seed": 7})).unwrap();
+            let restored = engine.restore(&resolved.parameters).unwrap();
+            // The types are opaque; their debug texts show every parameter.
+            assert_eq!(format!("{restored:?}"), format!("{:?}", resolved.computation));
+            let demand = restored.demand(size(20_000), size(10_000));
+            assert_eq!(
+                demand,
+                prediction::predict(&MatchParameters { seed: 7, ..preset(method) }, size(20_000), size(10_000))
+            );
+        }
+    }
+
+    #[test]
+    fn parameters_of_an_earlier_version_take_defaults_and_unknown_ones_end_the_job() {
+        let engine = MatchEngine::new(IntakeLimits::default(), 0);
+        let mut stored = engine.resolve(&json!({})).unwrap().parameters;
+        let whole = format!("{:?}", engine.restore(&stored).unwrap());
+        stored.as_object_mut().unwrap().remove("input").unwrap();
+        assert_eq!(format!("{:?}", engine.restore(&stored).unwrap()), whole);
+        stored["later"] = json!(1);
+        let failure = engine.restore(&stored).unwrap_err();
+        assert_eq!(failure.code, "invalid-parameters");
+        assert!(failure.detail.contains("/later"), "{}", failure.detail);
     }
 }

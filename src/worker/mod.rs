@@ -1,29 +1,30 @@
-//! Workers: lease a job, read its inputs, compute on a thread of its own, finish under the fence.
+//! Workers: claim a job, read its inputs, compute on threads of its own, and store the result under the lease.
 //!
-//! A worker knows nothing of what it computes: that is the [`crate::jobs::Engine`]'s, of which
-//! [`match_engine`] is the real one. Reading order: [`schedule`] (which job starts next), [`capacity`], [`machine`] and
-//! [`prediction`] (what there is, and what a match takes of it), [`pool`] (claims what can start), [`execution`] (one job
-//! from claim to finish), [`heartbeat`] (its own thread, so that no computation can starve it), [`recorder`] (trace and
-//! progress), [`control`] (how a computation is told to stop), [`priority`] (computing gives way to answering),
-//! [`presentation`] (results in other file formats), [`housekeeper`] (jobs of the dead, blobs of nobody), [`courier`]
-//! (webhooks).
+//! A worker knows nothing of what it computes: that is up to the [`crate::jobs::Engine`], of which [`match_engine`] is the
+//! real one. Reading order: [`schedule`] (which job starts next), [`capacity`], [`machine`] and [`prediction`] (the available
+//! cores and memory, and the demand of a match), [`pool`] (claims what can start), [`execution`] (one job from its claim to
+//! its end), [`heartbeat`] (on a thread of its own, so that no computation can starve it), [`observer`] (trace and
+//! progress), [`control`] (how a computation is told to stop), [`priority`] (computing threads run at a lower priority),
+//! [`quota`] (when a process exits by itself), [`presentation`] (results in other file formats), [`housekeeper`] (jobs of
+//! lost workers, unreferenced blobs), [`webhook_delivery`].
 
-pub mod capacity;
-pub mod control;
-pub mod courier;
-pub mod execution;
-pub mod heartbeat;
-pub mod housekeeper;
-pub mod machine;
+pub(crate) mod capacity;
+pub(crate) mod control;
+pub(crate) mod execution;
+pub(crate) mod heartbeat;
+pub(crate) mod housekeeper;
+pub(crate) mod machine;
 pub mod match_engine;
-pub mod pool;
-pub mod prediction;
+pub(crate) mod observer;
+pub(crate) mod pool;
+pub(crate) mod prediction;
 pub mod presentation;
-pub mod priority;
+pub(crate) mod priority;
 pub mod quota;
-pub mod recorder;
-pub mod schedule;
+pub(crate) mod schedule;
 #[cfg(test)]
 mod schedule_tests;
+pub mod webhook_delivery;
 
-pub use pool::{Pool, PoolParts, WorkerSettings};
+pub use pool::WorkerSettings;
+pub(crate) use pool::{Pool, PoolParts};

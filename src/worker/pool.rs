@@ -1,53 +1,56 @@
-//! The jobs of a process: claimed when they can start, run side by side as far as cores and memory go.
+//! The jobs of a process: claimed when they can start, and run side by side as far as cores and memory suffice.
 
 use super::capacity::Capacity;
 use super::execution::execute;
-use super::heartbeat::Heart;
+use super::heartbeat::Heartbeats;
 use super::quota::Quota;
 use super::schedule::{Candidate, Room, startable};
 use super::{machine, priority};
-use crate::jobs::{ArtifactStore, Demand, Engine, JobError, JobStore, LeasedJob, Signals, WaitingJob, WorkerId};
+use crate::jobs::{
+    ArtifactStore, Computation, Demand, Engine, Failure, JobError, JobId, JobStore, LeasedJob, Signals, WaitingJob,
+    WorkerId,
+};
 use std::collections::HashMap;
 use std::sync::Arc;
 use std::time::Duration;
 use tokio::task::{self, JoinError, JoinHandle, JoinSet};
 use tokio_util::sync::CancellationToken;
 
-/// Wait after a store did not answer.
+/// Wait after the store did not answer.
 const AFTER_ERROR: Duration = Duration::from_secs(1);
-/// Wait after others took what was looked at, so that processes that look at once do not keep doing so.
+/// Wait after other processes claimed all jobs that could start here, so that they do not keep reading the queue in step.
 const AFTER_MISS: Duration = Duration::from_millis(5);
-/// Waiting jobs looked at to find one that can start: more than start at once on any machine, so few that reading them
-/// takes a few milliseconds.
+/// Queued jobs that are read to find one that can start: more than start at once on any machine, and few enough that
+/// reading them takes a few milliseconds.
 const FRONT: u32 = 64;
 
 /// How workers behave.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct WorkerSettings {
-    /// Cores that jobs may use.
+    /// Cores that jobs may use together.
     pub cores: usize,
-    /// Memory that jobs may take together, as predicted, bytes.
+    /// Memory that running jobs may be predicted to take together, bytes.
     pub memory_bytes: u64,
-    /// Jobs run at the same time, each with its share of the cores; `None`: as many as cores and memory are predicted to
-    /// be enough for.
+    /// Jobs run at the same time, each with an equal share of the cores; `None`: as many as the cores and the memory are
+    /// predicted to suffice for.
     pub places: Option<usize>,
-    /// How long jobs that come later may pass one for which there is not enough room yet.
+    /// How long later jobs may overtake a job for which not enough cores or memory are free.
     pub patience: Duration,
-    /// For how long a lease is given.
+    /// Duration of a lease.
     pub lease: Duration,
-    /// How often it is prolonged.
+    /// How often leases are extended.
     pub heartbeat: Duration,
-    /// How often the queue is asked while idle.
+    /// How often the queue is read while idle.
     pub poll: Duration,
     /// How often trace and progress are stored.
     pub flush: Duration,
     /// Longest run of a job.
     pub max_run: Duration,
-    /// How long a stopped computation may take before its job is ended without it.
-    pub stop_patience: Duration,
+    /// How long a computation may take to stop before its job is ended without it.
+    pub stop_timeout: Duration,
     /// How long results are kept; for ever if `None`.
     pub keep_results: Option<Duration>,
-    /// How long its cores are then kept for it before the thread is given up.
+    /// How long its cores stay reserved after that, before they are given to other jobs while the thread still runs.
     pub abandon_after: Duration,
 }
 
@@ -64,87 +67,106 @@ impl Default for WorkerSettings {
             flush: Duration::from_millis(200),
             max_run: Duration::from_secs(3600),
             keep_results: None,
-            stop_patience: Duration::from_millis(500),
+            stop_timeout: Duration::from_millis(500),
             abandon_after: Duration::from_secs(10),
         }
     }
 }
 
-/// What a pool works with.
+/// The dependencies of a pool.
 #[derive(Clone)]
-pub struct PoolParts {
+pub(crate) struct PoolParts {
     /// Jobs.
-    pub store: Arc<dyn JobStore>,
+    pub(crate) store: Arc<dyn JobStore>,
     /// Blobs.
-    pub artifacts: Arc<dyn ArtifactStore>,
+    pub(crate) artifacts: Arc<dyn ArtifactStore>,
     /// The computation.
-    pub engine: Arc<dyn Engine>,
-    /// The heart, over connections of its own.
-    pub heart: Arc<Heart>,
-    /// Who claims.
-    pub worker: WorkerId,
-    /// Behavior.
-    pub settings: WorkerSettings,
-    /// Hints between this pool and those who queue and follow jobs in this process.
-    pub signals: Arc<Signals>,
-    /// When a process that only runs jobs ends by itself.
-    pub quota: Arc<Quota>,
-    /// No further claims.
-    pub stop: CancellationToken,
-    /// Running jobs are given back at once.
-    pub give_back: CancellationToken,
+    pub(crate) engine: Arc<dyn Engine>,
+    /// Extends the leases, over database connections of its own.
+    pub(crate) heartbeats: Arc<Heartbeats>,
+    /// The identity under which jobs are claimed.
+    pub(crate) worker: WorkerId,
+    /// Settings.
+    pub(crate) settings: WorkerSettings,
+    /// Notifications between this pool and the requests in this process that queue and follow jobs.
+    pub(crate) signals: Arc<Signals>,
+    /// When a process that only runs jobs exits by itself.
+    pub(crate) quota: Arc<Quota>,
+    /// When cancelled, no further job is claimed.
+    pub(crate) stop: CancellationToken,
+    /// When cancelled, running jobs return to the queue at once.
+    pub(crate) give_back: CancellationToken,
 }
 
 /// The running pool.
 #[derive(Debug)]
-pub struct Pool {
+pub(crate) struct Pool {
     dispatcher: Option<JoinHandle<()>>,
 }
 
 impl Pool {
-    /// Starts to run jobs; in no places it runs none.
-    pub fn start(parts: &PoolParts) -> Self {
-        priority::have_pool_give_way();
+    /// Starts to run jobs; with 0 places it runs none.
+    pub(crate) fn start(parts: &PoolParts) -> Self {
+        priority::lower_priority_of_global_pool();
         let runs_jobs = parts.settings.places != Some(0);
         Pool { dispatcher: runs_jobs.then(|| tokio::spawn(Dispatcher::new(parts.clone()).run())) }
     }
 
-    /// Returns when every job has ended, which they do after `stop`.
-    pub async fn ended(self) {
+    /// Returns when `stop` is cancelled and every running job has ended.
+    pub(crate) async fn ended(self) {
         if let Some(dispatcher) = self.dispatcher {
             let _ = dispatcher.await;
         }
     }
 }
 
-/// A job that was claimed, and what it gets.
-struct Granted {
+/// A claimed job with the cores and the memory that are reserved for it.
+struct Claimed {
     leased: LeasedJob,
+    computation: Result<Arc<dyn Computation>, Failure>,
     room: Room,
     n_threads: usize,
 }
 
-/// How a look at the queue ended.
-enum Look {
-    Granted(Box<Granted>),
-    /// Others took what could have started here.
+/// The outcome of an attempt to claim a job.
+enum Attempt {
+    Claimed(Box<Claimed>),
+    /// Other processes claimed all jobs that could have started here.
     Missed,
-    /// Nothing waits that could start.
+    /// No queued job can start here.
     Nothing,
 }
 
-/// Claims what can start, and nothing else: a job that has to wait does so in the queue, where any process may take it.
+/// A queued job as the dispatcher knows it. Its parameters never change, so they are read once, however often the queue is.
+struct Known {
+    computation: Result<Arc<dyn Computation>, Failure>,
+    demand: Demand,
+}
+
+impl Known {
+    fn new(engine: &dyn Engine, job: &WaitingJob) -> Self {
+        let computation = engine.restore(&job.parameters);
+        // A job whose parameters this version does not accept fails as soon as it starts.
+        let failing = Demand { cores: 1, memory_bytes: 0 };
+        let demand = computation.as_ref().map_or(failing, |known| known.demand(job.source, job.target));
+        Known { computation, demand }
+    }
+}
+
+/// Claims only what can start: a job that has to wait does so in the queue, where any process can take it.
 struct Dispatcher {
     parts: PoolParts,
     capacity: Capacity,
     running: JoinSet<()>,
     rooms: HashMap<task::Id, Room>,
+    /// The jobs at the front of the queue.
+    known: HashMap<JobId, Known>,
 }
 
 impl Dispatcher {
     fn new(parts: PoolParts) -> Self {
         let capacity = Capacity::new(&parts.settings);
-        Dispatcher { parts, capacity, running: JoinSet::new(), rooms: HashMap::new() }
+        Dispatcher { parts, capacity, running: JoinSet::new(), rooms: HashMap::new(), known: HashMap::new() }
     }
 
     async fn run(mut self) {
@@ -152,12 +174,12 @@ impl Dispatcher {
             while let Some(ended) = self.running.try_join_next_with_id() {
                 self.free(ended);
             }
-            if !self.parts.heart.is_healthy() {
+            if !self.parts.heartbeats.is_healthy() {
                 self.pause(AFTER_ERROR).await;
                 continue;
             }
             if self.parts.quota.is_over() {
-                tracing::info!("this process was to end about now");
+                tracing::info!("the limit of jobs or of idle time is reached; the process exits");
                 self.parts.stop.cancel();
                 break;
             }
@@ -168,18 +190,18 @@ impl Dispatcher {
         }
     }
 
-    /// Starts a job, or waits until there may be one to start.
+    /// Starts a job, or waits until there may be one that can start.
     async fn start_one(&mut self) {
         let free = self.free_room();
         if free.cores == 0 || !self.parts.quota.begin() {
             return self.pause(self.parts.settings.poll).await;
         }
-        let look = self.look(free).await;
-        self.parts.quota.claimed(matches!(look, Ok(Look::Granted(_))));
-        match look {
-            Ok(Look::Granted(granted)) => self.start(*granted),
-            Ok(Look::Missed) => tokio::time::sleep(AFTER_MISS).await,
-            Ok(Look::Nothing) => self.pause(self.parts.settings.poll).await,
+        let attempt = self.try_claim(free).await;
+        self.parts.quota.claimed(matches!(attempt, Ok(Attempt::Claimed(_))));
+        match attempt {
+            Ok(Attempt::Claimed(claimed)) => self.start(*claimed),
+            Ok(Attempt::Missed) => tokio::time::sleep(AFTER_MISS).await,
+            Ok(Attempt::Nothing) => self.pause(self.parts.settings.poll).await,
             Err(error) => {
                 tracing::warn!(error = %with_sources(&error), "no job could be claimed");
                 self.pause(AFTER_ERROR).await;
@@ -187,43 +209,46 @@ impl Dispatcher {
         }
     }
 
-    async fn look(&self, free: Room) -> Result<Look, JobError> {
-        let PoolParts { store, worker, settings, .. } = &self.parts;
+    async fn try_claim(&mut self, free: Room) -> Result<Attempt, JobError> {
+        let PoolParts { store, engine, worker, settings, .. } = &self.parts;
         let (lease, max_run) = (settings.lease, settings.max_run);
         if settings.places == Some(1) {
-            // It is free, so the next job can start, whatever it takes.
-            let Some(leased) = store.claim(worker, lease, max_run).await? else { return Ok(Look::Nothing) };
+            // The only place is free, so the next job can start whatever its demand.
+            let Some(leased) = store.claim_next(worker, lease, max_run).await? else { return Ok(Attempt::Nothing) };
+            let computation = engine.restore(&leased.job.parameters);
             let room = self.capacity.need(Demand::UNKNOWN);
-            return Ok(Look::Granted(Box::new(Granted {
-                leased,
-                room,
-                n_threads: self.capacity.n_threads(room, true),
-            })));
+            let n_threads = self.capacity.n_threads(room, true);
+            return Ok(Attempt::Claimed(Box::new(Claimed { leased, computation, room, n_threads })));
         }
         let waiting = store.front_of_queue(FRONT).await?;
-        let candidates: Vec<_> = waiting.iter().map(|job| self.candidate(job)).collect();
+        self.known.retain(|id, _| waiting.iter().any(|job| job.id == *id));
+        let mut candidates = Vec::with_capacity(waiting.len());
+        for job in &waiting {
+            let known = self.known.entry(job.id).or_insert_with(|| Known::new(engine.as_ref(), job));
+            candidates.push(Candidate { need: self.capacity.need(known.demand), waited: job.waited });
+        }
         let places = startable(free, &candidates, settings.patience);
         if places.is_empty() {
-            return Ok(Look::Nothing);
+            return Ok(Attempt::Nothing);
         }
         let jobs: Vec<_> = places.iter().map(|&place| waiting[place].id).collect();
-        let Some(leased) = store.claim_one_of(&jobs, worker, lease, max_run).await? else { return Ok(Look::Missed) };
-        let claimed = waiting.iter().position(|job| job.id == leased.job.id);
-        let room = claimed.map_or(self.capacity.budget, |place| candidates[place].need);
+        let Some(leased) = store.claim_one_of(&jobs, worker, lease, max_run).await? else { return Ok(Attempt::Missed) };
+        let place = waiting.iter().position(|job| job.id == leased.job.id);
+        let room = place.map_or(self.capacity.budget, |place| candidates[place].need);
+        let computation = match self.known.remove(&leased.job.id) {
+            Some(known) => known.computation,
+            None => engine.restore(&leased.job.parameters),
+        };
         let is_alone = self.rooms.is_empty() && waiting.len() == 1;
-        Ok(Look::Granted(Box::new(Granted { leased, room, n_threads: self.capacity.n_threads(room, is_alone) })))
+        let n_threads = self.capacity.n_threads(room, is_alone);
+        Ok(Attempt::Claimed(Box::new(Claimed { leased, computation, room, n_threads })))
     }
 
-    fn candidate(&self, job: &WaitingJob) -> Candidate {
-        let demand = self.parts.engine.demand(&job.parameters, job.source, job.target);
-        Candidate { need: self.capacity.need(demand), waited: job.waited }
-    }
-
-    fn start(&mut self, granted: Granted) {
-        let Granted { leased, room, n_threads } = granted;
+    fn start(&mut self, claimed: Claimed) {
+        let Claimed { leased, computation, room, n_threads } = claimed;
         let parts = self.parts.clone();
         let running = self.running.spawn(async move {
-            execute(&parts, leased, n_threads).await;
+            execute(&parts, leased, computation, n_threads).await;
             parts.quota.ended();
         });
         self.rooms.insert(running.id(), room);
@@ -239,7 +264,7 @@ impl Dispatcher {
         self.rooms.remove(&id);
     }
 
-    /// Until a job ends, one is queued, or the time is over.
+    /// Waits until a job ends, one is queued, or `at_most` has passed.
     async fn pause(&mut self, at_most: Duration) {
         tokio::select! {
             () = self.parts.stop.cancelled() => {}
@@ -250,8 +275,8 @@ impl Dispatcher {
     }
 }
 
-/// An error with what caused it, for logs.
-pub fn with_sources(error: &dyn std::error::Error) -> String {
+/// The text of an error with those of its sources, for logs.
+pub(crate) fn with_sources(error: &dyn std::error::Error) -> String {
     let mut text = error.to_string();
     let mut source = error.source();
     while let Some(cause) = source {

@@ -1,25 +1,26 @@
-//! What a match is predicted to take: cores by its method and the sizes of its surfaces, memory as `matching` counts it.
+//! The predicted demand of a match: cores by method and sizes of the surfaces, memory as `matching` counts it.
 
 use crate::jobs::{Demand, SurfaceSize};
 use homolog_contract::parameters::{Algorithm, MatchParameters};
 use homolog_run::match_memory_bytes;
 
-/// Vertices of a surface for each core that a match is given; of two surfaces, the geometric mean.
+/// A match gets one core for this many vertices, counted as the geometric mean of its two surfaces.
 ///
-/// A choice between jobs an hour and the time of one: pairs of hippocampi at 1 mm, about 2,500 vertices each, come in
-/// batches and run side by side; a large one is waited for and gets more. `make bench-service
-/// PART=schedule-gain` measures what all cores are worth to one match, and is what to look at before changing this.
-pub const VERTICES_PER_CORE: f64 = 4_000.0;
-/// The same where the energy is that of coarse levels: the rest grows with the vertices, not with their product.
-pub const VERTICES_PER_CORE_COARSE: f64 = 20_000.0;
+/// A compromise between throughput and the time of a single job: pairs of hippocampi at 1 mm, about 2,500 vertices each,
+/// arrive in batches and run side by side on a core each, while a user waits for a large match, which gets more. Before
+/// changing it, measure with `make bench-service PART=schedule-gain` what all cores gain for one match.
+const VERTICES_PER_CORE: f64 = 4_000.0;
+/// The same for methods that minimize the energy on coarse levels: the rest of their work grows with the number of vertices,
+/// not with the product of the two numbers.
+const VERTICES_PER_CORE_COARSE: f64 = 20_000.0;
 
-/// What a match with these parameters takes of a machine.
-pub fn predict(parameters: &MatchParameters, source: SurfaceSize, target: SurfaceSize) -> Demand {
+/// The predicted demand of a match with these parameters.
+pub(crate) fn predict(parameters: &MatchParameters, source: SurfaceSize, target: SurfaceSize) -> Demand {
     let (vertices, faces) = (source.n_vertices as usize, source.n_faces as usize);
     let memory_bytes = match_memory_bytes((vertices, faces), target.n_vertices as usize, parameters);
     let size = (f64::from(source.n_vertices) * f64::from(target.n_vertices)).sqrt();
     let cores = match parameters.inference.algorithm {
-        // Registration alone is over in a moment.
+        // Registration alone is short.
         Algorithm::None => 1,
         _ if parameters.inference.coarse_vertices.is_some() => ((size / VERTICES_PER_CORE_COARSE) as usize).max(1),
         _ => ((size / VERTICES_PER_CORE) as usize).max(1),
@@ -38,7 +39,7 @@ mod tests {
     }
 
     #[test]
-    fn small_pairs_take_a_core_and_larger_ones_more() {
+    fn small_pairs_take_one_core_and_larger_ones_more() {
         let sizes = [4, 600, 2_500, 10_000, 40_000, 160_000];
         let of = |method| -> Vec<_> { sizes.iter().map(|&n| cores(method, n, n)).collect() };
         assert_eq!(of(Method::Thesis), [1, 1, 1, 2, 10, 40]);
@@ -46,7 +47,7 @@ mod tests {
     }
 
     #[test]
-    fn of_two_surfaces_both_count_whichever_moves() {
+    fn the_demand_of_cores_is_symmetric_in_the_two_surfaces() {
         for (source, target) in [(40_000, 100), (1_000, 64_000), (5_000, 20_000)] {
             let [one, other] = [(source, target), (target, source)].map(|(s, t)| cores(Method::Balanced, s, t));
             assert_eq!(one, other);

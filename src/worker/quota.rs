@@ -1,15 +1,15 @@
-//! When a process that only runs jobs ends by itself.
+//! When a process that only runs jobs exits by itself.
 
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
-/// When a process ends by itself, as one that was started for a few jobs does.
+/// Limits after which a process exits by itself, for example one that a batch scheduler starts for a few jobs.
 #[derive(Debug, Default)]
 pub struct Quota {
-    /// After so long without a job.
+    /// Exits after this time without a job.
     pub idle: Option<Duration>,
-    /// After so many jobs.
+    /// Exits after this number of jobs.
     pub max_jobs: Option<u64>,
     begun: AtomicU64,
     running: AtomicU64,
@@ -17,12 +17,12 @@ pub struct Quota {
 }
 
 impl Quota {
-    /// A quota; `None` is without end.
+    /// A quota; `None` is no limit.
     pub fn new(idle: Option<Duration>, max_jobs: Option<u64>) -> Self {
         Quota { idle, max_jobs, ..Quota::default() }
     }
 
-    /// Takes a place for a job to be claimed; `false` if there were enough.
+    /// Counts a job that is about to be claimed; `false` if the number of jobs is reached.
     pub(super) fn begin(&self) -> bool {
         let begun = self.begun.fetch_add(1, Ordering::SeqCst);
         if self.max_jobs.is_some_and(|most| begun >= most) {
@@ -33,7 +33,7 @@ impl Quota {
         true
     }
 
-    /// Gives the place back if there was no job for it.
+    /// Uncounts it if no job was found.
     pub(super) fn claimed(&self, found: bool) {
         if !found {
             self.begun.fetch_sub(1, Ordering::SeqCst);
@@ -41,13 +41,13 @@ impl Quota {
         }
     }
 
-    /// A job came to its end.
+    /// A job has ended.
     pub(super) fn ended(&self) {
         self.running.fetch_sub(1, Ordering::SeqCst);
         *self.idle_since.lock().unwrap_or_else(PoisonError::into_inner) = None;
     }
 
-    /// Whether the process should end.
+    /// Whether the process should exit.
     pub(super) fn is_over(&self) -> bool {
         let is_idle = self.running.load(Ordering::SeqCst) == 0;
         if self.max_jobs.is_some_and(|most| self.begun.load(Ordering::SeqCst) >= most) {
@@ -64,7 +64,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_process_ends_after_its_jobs_and_not_before_the_last_is_done() {
+    fn a_process_exits_after_its_jobs_and_not_before_the_last_has_ended() {
         let quota = Quota::new(None, Some(2));
         assert!(quota.begin() && quota.begin());
         assert!(!quota.begin(), "two were begun");
@@ -77,7 +77,7 @@ mod tests {
     }
 
     #[test]
-    fn a_process_ends_after_a_while_without_a_job() {
+    fn a_process_exits_after_a_time_without_a_job() {
         let quota = Quota::new(Some(Duration::from_millis(20)), None);
         assert!(!quota.is_over());
         std::thread::sleep(Duration::from_millis(30));

@@ -1,71 +1,71 @@
-//! The rule by which a process picks its next job: a function of what is free and of what waits, nothing else.
+//! The rule by which a process chooses its next job: a function of what is free and of what is queued, nothing else.
 //!
-//! Jobs start in the order of the queue. One that needs more than is free just now may be passed by later ones that fit,
-//! so that no core idles while there is work for it; but once it has waited for longer than the patience, nothing later
-//! starts before it, and what runs drains until there is room. A large job therefore waits at most for its patience and
-//! the longest job then running, and the price is cores that idle for the drain. Processes that share a queue follow the
-//! rule each for itself; the first that has room takes the job.
+//! Jobs start in the order of the queue. A job that needs more than is free may be overtaken by later ones that fit, so
+//! that no core idles while there is work for it. Once it has waited for `patience`, no later job starts before it, and
+//! the running jobs finish until there is room. A large job therefore waits at most for `patience` and the longest job
+//! that is then running; the price is cores that idle meanwhile. Processes that share a queue apply the rule
+//! independently; the first that has room claims the job.
 
 use std::time::Duration;
 
-/// Cores and memory: of a process, or of a job.
+/// An amount of cores and memory: what a process has, or what a job needs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Room {
+pub(crate) struct Room {
     /// Cores.
-    pub cores: usize,
+    pub(crate) cores: usize,
     /// Memory, bytes.
-    pub memory_bytes: u64,
+    pub(crate) memory_bytes: u64,
 }
 
 impl Room {
     /// Nothing.
-    pub const NONE: Room = Room { cores: 0, memory_bytes: 0 };
+    pub(crate) const NONE: Room = Room { cores: 0, memory_bytes: 0 };
 
-    /// Whether `need` is to be had from this.
-    pub fn holds(self, need: Room) -> bool {
+    /// Whether `need` fits into this.
+    pub(crate) fn holds(self, need: Room) -> bool {
         need.cores <= self.cores && need.memory_bytes <= self.memory_bytes
     }
 
-    /// Both together.
+    /// The sum.
     #[must_use]
-    pub fn plus(self, other: Room) -> Room {
+    pub(crate) fn plus(self, other: Room) -> Room {
         Room {
             cores: self.cores.saturating_add(other.cores),
             memory_bytes: self.memory_bytes.saturating_add(other.memory_bytes),
         }
     }
 
-    /// What is left without `other`.
+    /// The difference, not below zero.
     #[must_use]
-    pub fn minus(self, other: Room) -> Room {
+    pub(crate) fn minus(self, other: Room) -> Room {
         Room {
             cores: self.cores.saturating_sub(other.cores),
             memory_bytes: self.memory_bytes.saturating_sub(other.memory_bytes),
         }
     }
 
-    /// As much of it as `budget` has. A job that asks for more than there is can have everything, and runs alone.
+    /// The minimum of this and `budget`: a job that needs more than there is gets everything, and runs alone.
     #[must_use]
-    pub fn at_most(self, budget: Room) -> Room {
+    pub(crate) fn at_most(self, budget: Room) -> Room {
         Room { cores: self.cores.min(budget.cores), memory_bytes: self.memory_bytes.min(budget.memory_bytes) }
     }
 }
 
-/// A waiting job in the eyes of the rule.
+/// A queued job, as far as the rule looks at it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Candidate {
-    /// What it needs; never more than the budget.
-    pub need: Room,
-    /// For how long it could have started.
-    pub waited: Duration,
+pub(crate) struct Candidate {
+    /// What it needs; at most the budget.
+    pub(crate) need: Room,
+    /// For how long it has been waiting.
+    pub(crate) waited: Duration,
 }
 
-/// The jobs of `waiting`, in the order of the queue, of which any one may start now, by their places. Whoever shares the
-/// queue with other processes tries them in this order, starts one, and asks again with what is then free.
+/// The indices of the jobs of `waiting`, in the order of the queue, any one of which may start now. The caller claims the
+/// first that no other process has claimed, starts it, and calls again with what is then free.
 ///
 /// # Cost
 /// `O(n)` for `n` waiting jobs.
-pub fn startable(free: Room, waiting: &[Candidate], patience: Duration) -> Vec<usize> {
+pub(crate) fn startable(free: Room, waiting: &[Candidate], patience: Duration) -> Vec<usize> {
     let mut places = Vec::new();
     for (place, candidate) in waiting.iter().enumerate() {
         if free.holds(candidate.need) {

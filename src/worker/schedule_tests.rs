@@ -1,4 +1,4 @@
-//! The rule against its definition, and a process that follows it from job to job.
+//! The scheduling rule against its definition, and simulations of a process that follows it.
 
 use super::schedule::{Candidate, Room, startable};
 use proptest::prelude::*;
@@ -19,14 +19,14 @@ fn candidate(cores: usize, memory_bytes: u64, waited: u64) -> Candidate {
 }
 
 #[test]
-fn small_jobs_start_in_the_order_of_the_queue() {
+fn small_jobs_start_in_queue_order() {
     let waiting = [candidate(1, 10, 3), candidate(1, 10, 2), candidate(1, 10, 1)];
     assert_eq!(startable(BUDGET, &waiting, seconds(5)), [0, 1, 2]);
     assert_eq!(startable(Room::NONE, &waiting, seconds(5)), [0; 0]);
 }
 
 #[test]
-fn a_large_job_is_passed_until_its_patience_is_out() {
+fn a_large_job_is_overtaken_until_it_has_waited_for_the_patience() {
     let waiting = |waited| [candidate(4, 10, waited), candidate(1, 10, 1)];
     assert_eq!(startable(room(3, 100), &waiting(4), seconds(5)), [1]);
     assert_eq!(startable(room(3, 100), &waiting(5), seconds(5)), [0; 0]);
@@ -34,7 +34,7 @@ fn a_large_job_is_passed_until_its_patience_is_out() {
 }
 
 #[test]
-fn memory_holds_a_job_back_as_cores_do() {
+fn memory_limits_a_job_as_cores_do() {
     let waiting = [candidate(1, 60, 0), candidate(1, 40, 0)];
     assert_eq!(startable(room(4, 50), &waiting, seconds(5)), [1]);
 }
@@ -43,17 +43,17 @@ fn candidates() -> impl Strategy<Value = Vec<Candidate>> {
     prop::collection::vec((1..=4usize, 0..=100u64, 0..10u64).prop_map(|(c, m, w)| candidate(c, m, w)), 0..12)
 }
 
-/// A job of the simulation: when it comes, what it needs, for how long it runs.
+/// A job of the simulation: when it is queued, what it needs, for how long it runs.
 #[derive(Debug, Clone, Copy)]
-struct Coming {
+struct Arrival {
     at: u64,
     need: Room,
     takes: u64,
 }
 
-fn coming() -> impl Strategy<Value = Vec<Coming>> {
+fn arrivals() -> impl Strategy<Value = Vec<Arrival>> {
     let job = (0..30u64, prop_oneof![3 => 1..=1usize, 1 => 2..=4usize], 0..=100u64, 1..6u64);
-    let job = job.prop_map(|(at, cores, memory, takes)| Coming { at, need: room(cores, memory), takes });
+    let job = job.prop_map(|(at, cores, memory, takes)| Arrival { at, need: room(cores, memory), takes });
     prop::collection::vec(job, 1..40).prop_map(|mut jobs| {
         jobs.sort_by_key(|job| job.at);
         jobs
@@ -67,9 +67,9 @@ struct Start {
     at: u64,
 }
 
-/// A process that follows the rule; its clock goes in steps. When nothing more starts in a step, `check` is shown the time,
-/// what is free and who waits.
-fn simulate(jobs: &[Coming], patience: u64, mut check: impl FnMut(u64, Room, &[usize])) -> Vec<Start> {
+/// Simulates a process that follows the rule, in discrete time. When no further job starts in a step, `check` gets the time,
+/// what is free, and the waiting jobs.
+fn simulate(jobs: &[Arrival], patience: u64, mut check: impl FnMut(u64, Room, &[usize])) -> Vec<Start> {
     let (mut waiting, mut running): (Vec<usize>, Vec<(usize, u64)>) = (Vec::new(), Vec::new());
     let (mut starts, mut next, mut now) = (Vec::new(), 0, 0);
     while starts.len() < jobs.len() {
@@ -94,14 +94,14 @@ fn simulate(jobs: &[Coming], patience: u64, mut check: impl FnMut(u64, Room, &[u
             starts.push(Start { job, at: now });
         }
         now += 1;
-        assert!(now < 10_000, "somebody never starts");
+        assert!(now < 10_000, "a job never starts");
     }
     starts
 }
 
 proptest! {
     #[test]
-    fn the_rule_is_its_definition(free_cores in 0..=4usize, free_memory in 0..=100u64, waiting in candidates(), patience in 0..10u64) {
+    fn the_rule_equals_its_definition(free_cores in 0..=4usize, free_memory in 0..=100u64, waiting in candidates(), patience in 0..10u64) {
         let free = room(free_cores, free_memory);
         let fits = |c: &Candidate| c.need.cores <= free_cores && c.need.memory_bytes <= free_memory;
         let blocks = |c: &Candidate| !fits(c) && c.waited >= seconds(patience);
@@ -111,21 +111,21 @@ proptest! {
     }
 
     #[test]
-    fn an_idle_process_starts_the_first_whatever_it_asks_for(cores in 0..10usize, memory in 0..1000u64, waited in 0..10u64) {
+    fn an_idle_process_starts_the_first_job_whatever_it_needs(cores in 0..10usize, memory in 0..1000u64, waited in 0..10u64) {
         let need = room(cores, memory).at_most(BUDGET);
         let first = Candidate { need, waited: seconds(waited) };
         prop_assert_eq!(startable(BUDGET, &[first], seconds(5)), [0]);
     }
 
     #[test]
-    fn jobs_never_have_more_than_the_budget_and_all_of_them_run(jobs in coming(), patience in 0..20u64) {
+    fn running_jobs_stay_within_the_budget_and_every_job_runs(jobs in arrivals(), patience in 0..20u64) {
         let mut ran: Vec<_> = simulate(&jobs, patience, |_, _, _| {}).iter().map(|start| start.job).collect();
         ran.sort_unstable();
         prop_assert_eq!(ran, (0..jobs.len()).collect::<Vec<_>>());
     }
 
     #[test]
-    fn nothing_that_fits_waits_unless_for_an_older_job_that_was_passed_for_long(jobs in coming(), patience in 0..20u64) {
+    fn a_job_that_fits_waits_only_for_an_older_one_that_has_waited_for_the_patience(jobs in arrivals(), patience in 0..20u64) {
         simulate(&jobs, patience, |now, free, waiting| {
             let Some(fitting) = waiting.iter().position(|&job| free.holds(jobs[job].need)) else { return };
             let is_held = waiting[..fitting].iter().any(|&job| now - jobs[job].at >= patience);
@@ -134,7 +134,7 @@ proptest! {
     }
 
     #[test]
-    fn no_later_job_passes_one_whose_patience_is_out(jobs in coming(), patience in 0..20u64) {
+    fn no_later_job_overtakes_one_that_has_waited_for_the_patience(jobs in arrivals(), patience in 0..20u64) {
         let starts = simulate(&jobs, patience, |_, _, _| {});
         for (place, late) in starts.iter().enumerate() {
             for early in &starts[..place] {
@@ -145,7 +145,7 @@ proptest! {
     }
 
     #[test]
-    fn the_oldest_job_waits_for_its_patience_and_what_then_runs(jobs in coming(), patience in 0..20u64) {
+    fn the_oldest_job_waits_at_most_for_the_patience_and_the_longest_running_job(jobs in arrivals(), patience in 0..20u64) {
         let starts = simulate(&jobs, patience, |_, _, _| {});
         let longest = jobs.iter().map(|job| job.takes).max().unwrap();
         for start in &starts {

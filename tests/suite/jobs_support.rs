@@ -1,15 +1,16 @@
-//! An engine that does as it is told, and a service over it on a port and in a folder of its own.
+//! An engine whose parameters say what it does, and a service with this engine on a port and in a folder of its own.
 
 use homolog::app::{self, App, Shutdown};
 use homolog::config::{HttpSettings, ServiceSettings};
 use homolog::jobs::engine::{MethodDescription, Product, Resolved};
 use homolog::jobs::{
-    ArtifactKind, ComputeError, ComputeTask, Demand, Engine, Failure, InputBytes, InputRefusal, InputSummary,
-    ParameterFault, PartFormat, PresentError, ResultPart, SurfaceSize,
+    ArtifactKind, Computation, ComputeError, ComputeInputs, Demand, Engine, Failure, InputBytes, InputRefusal,
+    InputSummary, ParameterFault, PartFormat, PresentError, ResultPart, SurfaceSize,
 };
 use homolog_primitives::observe::{Observer, Phase, TracePoint};
 use reqwest::multipart::{Form, Part};
 use serde_json::{Value, json};
+use std::collections::BTreeMap;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU32, Ordering};
 use std::time::{Duration, Instant};
@@ -17,10 +18,33 @@ use std::time::{Duration, Instant};
 /// Numbers that a job's parameters may set: points of the trace, ms between them, and switches (not 0 = on).
 const KEYS: [&str; 9] = ["points", "step_ms", "fail", "panic", "abort", "deaf", "sign", "seed", "cores"];
 
-/// Does what the parameters say; counts how often it computed.
+/// Does what the parameters say.
 #[derive(Debug, Default)]
 pub struct ObedientEngine {
-    pub computed: AtomicU32,
+    /// Number of computations.
+    pub computed: Arc<AtomicU32>,
+    /// Number of stored jobs whose parameters were read.
+    pub restored: AtomicU32,
+}
+
+/// A computation of the obedient engine: the numbers of its parameters.
+#[derive(Debug)]
+struct Obedience {
+    numbers: BTreeMap<String, u64>,
+    computed: Arc<AtomicU32>,
+}
+
+impl Obedience {
+    fn number(&self, key: &str) -> u64 {
+        self.numbers.get(key).copied().unwrap_or(0)
+    }
+}
+
+impl ObedientEngine {
+    fn computation(&self, parameters: &Value) -> Arc<dyn Computation> {
+        let numbers = serde_json::from_value(parameters.clone()).unwrap();
+        Arc::new(Obedience { numbers, computed: Arc::clone(&self.computed) })
+    }
 }
 
 impl Engine for ObedientEngine {
@@ -53,12 +77,24 @@ impl Engine for ObedientEngine {
             method: "obedient".to_owned(),
             method_version: "1".to_owned(),
             parameters: request.clone(),
+            computation: self.computation(request),
             input_key: String::new(),
             result_version: "1".to_owned(),
         })
     }
 
-    fn check_input(&self, input: &InputBytes<'_>, _: &Value) -> Result<InputSummary, InputRefusal> {
+    fn restore(&self, parameters: &Value) -> Result<Arc<dyn Computation>, Failure> {
+        self.restored.fetch_add(1, Ordering::SeqCst);
+        Ok(self.computation(parameters))
+    }
+
+    fn present(&self, part: ResultPart, format: PartFormat, stored: &[&[u8]]) -> Result<Vec<u8>, PresentError> {
+        homolog::worker::presentation::present(part, format, stored)
+    }
+}
+
+impl Computation for Obedience {
+    fn check_input(&self, input: &InputBytes<'_>) -> Result<InputSummary, InputRefusal> {
         if input.bytes.starts_with(b"panic") {
             panic!("told to");
         }
@@ -73,14 +109,14 @@ impl Engine for ObedientEngine {
         Ok(InputSummary { n_vertices: 3, n_faces: 1, report: json!({"hint": input.name_hint}) })
     }
 
-    fn demand(&self, parameters: &Value, _: SurfaceSize, _: SurfaceSize) -> Demand {
-        let cores = parameters.get("cores").and_then(Value::as_u64);
-        cores.map_or(Demand::UNKNOWN, |cores| Demand { cores: cores as usize, memory_bytes: 0 })
+    fn demand(&self, _: SurfaceSize, _: SurfaceSize) -> Demand {
+        let cores = self.numbers.get("cores");
+        cores.map_or(Demand::UNKNOWN, |&cores| Demand { cores: cores as usize, memory_bytes: 0 })
     }
 
-    fn compute(&self, task: &ComputeTask, observer: &dyn Observer) -> Result<Vec<Product>, ComputeError> {
+    fn compute(&self, _: &ComputeInputs, observer: &dyn Observer) -> Result<Vec<Product>, ComputeError> {
         self.computed.fetch_add(1, Ordering::SeqCst);
-        let number = |key: &str| task.parameters.get(key).and_then(Value::as_u64).unwrap_or(0);
+        let number = |key: &str| self.number(key);
         let points = number("points");
         observer.phase(Phase::Inference);
         for i in 1..=points {
@@ -116,10 +152,6 @@ impl Engine for ObedientEngine {
             product(ArtifactKind::TargetSurface, "ply target".to_owned()),
             product(ArtifactKind::Aligned, "ply aligned".to_owned()),
         ])
-    }
-
-    fn present(&self, part: ResultPart, format: PartFormat, stored: &[&[u8]]) -> Result<Vec<u8>, PresentError> {
-        homolog::worker::presentation::present(part, format, stored)
     }
 }
 

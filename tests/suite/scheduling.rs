@@ -1,16 +1,16 @@
-//! Which of several waiting jobs begins, when, and on how many threads.
+//! Which of several queued jobs starts, when, and on how many threads.
 
 use super::jobs_support::{TestService, WorkerProcess};
 use serde_json::{Value, json};
 use std::sync::atomic::Ordering;
 use std::time::Duration;
 
-/// A job that gains from so many cores and runs for a second and a half, unless it is told to end.
+/// A job with a demand of so many cores that runs for 1.5 s unless it is cancelled.
 fn on_cores(cores: u64) -> Value {
     json!({"cores": cores, "points": 75, "step_ms": 20, "sign": 1})
 }
 
-/// So that no job waits for long enough to hold others back.
+/// A patience that no job of these tests exceeds.
 const PATIENT: [&str; 2] = ["--patience-ms", "600000"];
 
 async fn state(service: &TestService, id: &str) -> Value {
@@ -22,7 +22,7 @@ async fn n_threads(service: &TestService, id: &str) -> Value {
     service.json(&format!("/v1/jobs/{id}/result")).await["n_threads"].clone()
 }
 
-/// When a job began, as a text that sorts.
+/// When a job started, as a text that sorts by time.
 async fn started_at(service: &TestService, id: &str) -> String {
     let job = service.until_final(id).await;
     assert_eq!(job["state"], "succeeded");
@@ -30,7 +30,7 @@ async fn started_at(service: &TestService, id: &str) -> String {
 }
 
 #[tokio::test]
-async fn small_jobs_run_side_by_side_while_a_large_one_waits_in_the_queue() {
+async fn small_jobs_run_side_by_side_while_a_large_one_is_queued() {
     let service = TestService::start(&[&["--cores", "3"], &PATIENT[..]].concat()).await;
     let first = service.submit(on_cores(1)).await;
     service.until_running(&first).await;
@@ -38,27 +38,27 @@ async fn small_jobs_run_side_by_side_while_a_large_one_waits_in_the_queue() {
     let second = service.submit(on_cores(1)).await;
     service.until_running(&second).await;
     assert_eq!((state(&service, &first).await, state(&service, &large).await), (json!("running"), json!("queued")));
-    assert_eq!(n_threads(&service, &first).await, 3, "nothing else waited or ran when it began");
+    assert_eq!(n_threads(&service, &first).await, 3, "nothing else was queued or running when it started");
     assert_eq!(n_threads(&service, &second).await, 1);
     assert_eq!(n_threads(&service, &large).await, 3);
     service.end().await;
 }
 
 #[tokio::test]
-async fn a_large_job_that_waited_for_long_goes_before_later_small_ones() {
+async fn a_large_job_that_has_waited_for_the_patience_starts_before_later_small_ones() {
     let service = TestService::start(&["--cores", "2", "--patience-ms", "0"]).await;
     let first = service.submit(on_cores(1)).await;
     service.until_running(&first).await;
     let large = service.submit(on_cores(2)).await;
     let second = service.submit(on_cores(1)).await;
     tokio::time::sleep(Duration::from_millis(500)).await;
-    assert_eq!(state(&service, &second).await, "queued", "a core is free, and kept for the large one");
+    assert_eq!(state(&service, &second).await, "queued", "a core is free but reserved for the large job");
     assert!(started_at(&service, &large).await < started_at(&service, &second).await);
     service.end().await;
 }
 
 #[tokio::test]
-async fn what_cannot_start_here_is_left_to_other_processes() {
+async fn a_job_that_cannot_start_here_is_left_to_other_processes() {
     let service = TestService::start(&["--cores", "2", "--patience-ms", "0"]).await;
     let small = service.submit(json!({"cores": 1, "points": 500, "step_ms": 20})).await;
     service.until_running(&small).await;
@@ -75,7 +75,7 @@ async fn what_cannot_start_here_is_left_to_other_processes() {
 }
 
 #[tokio::test]
-async fn in_fixed_places_each_job_has_its_share_of_the_cores() {
+async fn with_fixed_places_each_job_gets_an_equal_share_of_the_cores() {
     let service = TestService::start(&["--cores", "4", "--workers", "2"]).await;
     let first = service.submit(on_cores(4)).await;
     service.until_running(&first).await;
@@ -87,7 +87,7 @@ async fn in_fixed_places_each_job_has_its_share_of_the_cores() {
 }
 
 #[tokio::test]
-async fn whoever_waits_for_a_short_job_hears_of_its_end_at_once() {
+async fn a_request_that_waits_for_a_short_job_is_answered_as_soon_as_it_ends() {
     let service = TestService::start(&[]).await;
     let mut waited = Vec::new();
     for seed in 0..5 {
@@ -98,7 +98,19 @@ async fn whoever_waits_for_a_short_job_hears_of_its_end_at_once() {
         assert_eq!(response.status(), 200, "it has ended");
         waited.push(began.elapsed());
     }
-    // A look at the store comes only every quarter of a second while a job waits.
+    // The store is polled only every 250 ms while a request waits.
     assert!(waited.iter().min().unwrap() < &Duration::from_millis(150), "{waited:?}");
+    service.end().await;
+}
+
+#[tokio::test]
+async fn the_parameters_of_a_queued_job_are_read_once_however_often_the_queue_is_polled() {
+    let service = TestService::start(&[&["--cores", "2"], &PATIENT[..]].concat()).await;
+    let small = service.submit(json!({"cores": 1, "points": 75, "step_ms": 20})).await;
+    service.until_running(&small).await;
+    let large = service.submit(json!({"cores": 2, "points": 1})).await;
+    // A core is free and the queue is polled every 20 ms, about 70 times while the large job has to wait.
+    assert_eq!(service.until_final(&large).await["state"], "succeeded");
+    assert_eq!(service.engine.restored.load(Ordering::SeqCst), 2, "once for each job");
     service.end().await;
 }

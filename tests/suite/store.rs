@@ -3,9 +3,9 @@
 use super::faults::site::{Backend, Site};
 use homolog::jobs::job::Order;
 use homolog::jobs::{
-    Admission, ArtifactKey, ArtifactKind, ArtifactRef, ArtifactStore, Failure, Job, JobError, JobFilter, JobId,
-    JobInput, JobState, JobStore, Lease, LeaseStatus, NewJob, NumberedPoint, Outcome, PageRequest, Progress, Recovered,
-    Tenant, TraceChunk, WaitingJob, WorkerId,
+    Admission, ArtifactKey, ArtifactKind, ArtifactRef, ArtifactStore, BlobHolds, Failure, Housekeeping, Job, JobError,
+    JobFilter, JobId, JobInput, JobQueue, JobReader, JobState, JobWriter, Lease, LeaseStatus, NewJob, NumberedPoint,
+    Outcome, PageRequest, Progress, Recovered, Tenant, TraceChunk, WaitingJob, WorkerId,
 };
 use homolog::store::sql::SqlStore;
 use homolog_primitives::observe::{Phase, TracePoint};
@@ -41,15 +41,15 @@ impl Fixture {
     }
 
     pub async fn add(&self, priority: i32) -> Job {
-        self.store.insert(&new_job(priority), &room(1000)).await.unwrap()
+        self.store.insert_job(&new_job(priority), &room(1000)).await.unwrap()
     }
 
     pub async fn claim(&self, duration: Duration) -> Lease {
-        self.store.claim(&self.worker, duration, LONG).await.unwrap().unwrap().lease
+        self.store.claim_next(&self.worker, duration, LONG).await.unwrap().unwrap().lease
     }
 
     pub async fn state(&self, id: JobId) -> JobState {
-        self.store.get(&self.tenant, id).await.unwrap().state
+        self.store.get_job(&self.tenant, id).await.unwrap().state
     }
 
     async fn expire(&self) -> Recovered {
@@ -58,7 +58,7 @@ impl Fixture {
     }
 
     pub async fn seqs(&self, id: JobId, after: u64, limit: u32) -> Vec<u64> {
-        let page = self.store.trace(&self.tenant, id, after, limit).await.unwrap();
+        let page = self.store.get_trace(&self.tenant, id, after, limit).await.unwrap();
         page.points.iter().map(|p| p.seq).collect()
     }
 }
@@ -120,7 +120,7 @@ pub fn is_lost<T: std::fmt::Debug>(answer: Result<T, JobError>) -> bool {
 async fn claims_go_by_priority_then_age(f: Fixture) {
     let jobs = [f.add(0).await, f.add(5).await, f.add(0).await, f.add(-1).await, f.add(5).await];
     let mut order = Vec::new();
-    while let Some(leased) = f.store.claim(&f.worker, LONG, LONG).await.unwrap() {
+    while let Some(leased) = f.store.claim_next(&f.worker, LONG, LONG).await.unwrap() {
         order.push(leased.lease.job_id);
     }
     assert_eq!(order, [1, 4, 0, 2, 3].map(|i: usize| jobs[i].id));
@@ -143,7 +143,7 @@ async fn the_front_of_the_queue_is_what_claims_take(f: Fixture) {
     assert_eq!((leased.job.id, leased.lease.epoch, leased.job.state), (order[2], 1, JobState::Running));
     assert_eq!(claim(&[order[2], order[0]]).await.unwrap().job.id, order[0], "the first that still waits");
     assert!(claim(&[order[2], order[0]]).await.is_none());
-    f.store.release(&leased.lease).await.unwrap();
+    f.store.release_job(&leased.lease).await.unwrap();
     assert_eq!(ids(&f.store.front_of_queue(10).await.unwrap()), [order[1], order[2], order[3]]);
     assert_eq!(claim(&order[2..3]).await.unwrap().lease.epoch, 2);
 }
@@ -184,7 +184,7 @@ async fn no_job_is_claimed_twice(f: Fixture) {
         claimers.spawn(async move {
             let worker = WorkerId::random();
             let mut claimed = Vec::new();
-            while let Some(leased) = store.claim(&worker, LONG, LONG).await.unwrap() {
+            while let Some(leased) = store.claim_next(&worker, LONG, LONG).await.unwrap() {
                 claimed.push((leased.lease.job_id, leased.lease.epoch));
             }
             claimed
@@ -202,21 +202,21 @@ async fn a_stale_worker_changes_nothing(f: Fixture) {
     let stale = f.claim(SHORT).await;
     f.store.append_trace(&stale, &chunk(1..=3)).await.unwrap();
     assert_eq!(f.expire().await, Recovered { queued: 1, ..Recovered::default() });
-    assert!(is_lost(f.store.finish(&stale, &result('c'), None).await), "queued again");
+    assert!(is_lost(f.store.finish_job(&stale, &result('c'), None).await), "queued again");
     let fresh = f.claim(LONG).await;
     assert_eq!(fresh.epoch, stale.epoch + 1);
 
     assert!(is_lost(f.store.append_trace(&stale, &chunk(4..=5)).await));
-    assert!(is_lost(f.store.finish(&stale, &result('c'), None).await));
-    assert!(is_lost(f.store.release(&stale).await));
+    assert!(is_lost(f.store.finish_job(&stale, &result('c'), None).await));
+    assert!(is_lost(f.store.release_job(&stale).await));
     assert_eq!(f.store.heartbeat(&stale, LONG).await.unwrap(), LeaseStatus::Lost);
     assert_eq!(f.store.lease_status(&stale).await.unwrap(), LeaseStatus::Lost);
     assert_eq!(f.store.heartbeat(&fresh, LONG).await.unwrap(), LeaseStatus::Held);
 
-    f.store.finish(&fresh, &result('d'), None).await.unwrap();
-    assert!(is_lost(f.store.finish(&fresh, &result('e'), None).await), "a result is accepted once");
-    assert!(is_lost(f.store.finish(&fresh, &Outcome::Cancelled, None).await));
-    let (state, artifact) = f.store.artifact(&f.tenant, job.id, ArtifactKind::Result).await.unwrap();
+    f.store.finish_job(&fresh, &result('d'), None).await.unwrap();
+    assert!(is_lost(f.store.finish_job(&fresh, &result('e'), None).await), "a result is accepted once");
+    assert!(is_lost(f.store.finish_job(&fresh, &Outcome::Cancelled, None).await));
+    let (state, artifact) = f.store.get_artifact(&f.tenant, job.id, ArtifactKind::Result).await.unwrap();
     assert_eq!(state, JobState::Succeeded);
     assert_eq!(artifact.unwrap().key.hash(), "d".repeat(64));
 }
@@ -237,17 +237,17 @@ async fn crashes_end_in_dead_and_others_go_on(f: Fixture) {
     }
     let last = f.claim(SHORT).await;
     assert_eq!(f.expire().await.dead, 1);
-    let dead = f.store.get(&f.tenant, poison.id).await.unwrap();
+    let dead = f.store.get_job(&f.tenant, poison.id).await.unwrap();
     assert_eq!((dead.state, dead.crashes, dead.attempt), (JobState::Dead, 3, 3));
     assert_eq!(dead.error.unwrap().code, "crash-limit-reached");
-    assert!(is_lost(f.store.finish(&last, &result('c'), None).await));
+    assert!(is_lost(f.store.finish_job(&last, &result('c'), None).await));
     assert_eq!(f.claim(LONG).await.job_id, other.id);
 }
 
 async fn a_lost_process_gives_up_its_jobs_at_once_and_others_keep_theirs(f: Fixture) {
     let (first, second) = (f.add(0).await, f.add(0).await);
     let gone = WorkerId::random();
-    f.store.claim(&gone, LONG, LONG).await.unwrap().unwrap();
+    f.store.claim_next(&gone, LONG, LONG).await.unwrap().unwrap();
     f.claim(LONG).await;
     assert_eq!(f.store.recover_worker(&gone).await.unwrap().queued, 1);
     assert_eq!(f.state(first.id).await, JobState::Queued);
@@ -258,9 +258,9 @@ async fn a_shutdown_is_no_attempt(f: Fixture) {
     let job = f.add(0).await;
     for _ in 0..5 {
         let lease = f.claim(LONG).await;
-        f.store.release(&lease).await.unwrap();
+        f.store.release_job(&lease).await.unwrap();
     }
-    let job = f.store.get(&f.tenant, job.id).await.unwrap();
+    let job = f.store.get_job(&f.tenant, job.id).await.unwrap();
     assert_eq!((job.state, job.attempt, job.crashes, job.lease_epoch), (JobState::Queued, 0, 0, 5));
 }
 
@@ -280,11 +280,11 @@ async fn readers_of_a_trace_see_every_point_once(f: Fixture) {
     assert_eq!(f.seqs(job.id, 0, 100).await, [1, 2, 3, 4, 5, 6, 7, 8]);
     assert_eq!(f.seqs(job.id, 4, 2).await, [5, 6]);
     assert!(f.seqs(job.id, 8, 100).await.is_empty());
-    let page = f.store.trace(&f.tenant, job.id, 0, 100).await.unwrap();
+    let page = f.store.get_trace(&f.tenant, job.id, 0, 100).await.unwrap();
     assert!(!page.complete);
-    f.store.finish(&lease, &result('c'), None).await.unwrap();
-    assert!(f.store.trace(&f.tenant, job.id, 0, 8).await.unwrap().complete);
-    assert!(!f.store.trace(&f.tenant, job.id, 0, 7).await.unwrap().complete);
+    f.store.finish_job(&lease, &result('c'), None).await.unwrap();
+    assert!(f.store.get_trace(&f.tenant, job.id, 0, 8).await.unwrap().complete);
+    assert!(!f.store.get_trace(&f.tenant, job.id, 0, 7).await.unwrap().complete);
 }
 
 async fn progress_never_goes_back_within_an_attempt(f: Fixture) {
@@ -293,71 +293,71 @@ async fn progress_never_goes_back_within_an_attempt(f: Fixture) {
     for end in [50, 20] {
         let fraction = TraceChunk { points: Vec::new(), ..chunk(1..=end) };
         f.store.append_trace(&lease, &fraction).await.unwrap();
-        assert_eq!(f.store.get(&f.tenant, job.id).await.unwrap().progress.unwrap().fraction, 0.5);
+        assert_eq!(f.store.get_job(&f.tenant, job.id).await.unwrap().progress.unwrap().fraction, 0.5);
     }
 }
 
 async fn cancel_leads_to_exactly_one_end_from_every_state(f: Fixture) {
     let queued = f.add(9).await;
-    assert_eq!(f.store.cancel(&f.tenant, queued.id).await.unwrap().state, JobState::Cancelled);
-    assert!(f.store.claim(&f.worker, LONG, LONG).await.unwrap().is_none());
+    assert_eq!(f.store.cancel_job(&f.tenant, queued.id).await.unwrap().state, JobState::Cancelled);
+    assert!(f.store.claim_next(&f.worker, LONG, LONG).await.unwrap().is_none());
 
     let running = f.add(0).await;
     let lease = f.claim(LONG).await;
-    let told = f.store.cancel(&f.tenant, running.id).await.unwrap();
+    let told = f.store.cancel_job(&f.tenant, running.id).await.unwrap();
     assert_eq!((told.state, told.cancel_requested), (JobState::Running, true));
     assert_eq!(f.store.lease_status(&lease).await.unwrap(), LeaseStatus::CancelRequested);
-    f.store.finish(&lease, &Outcome::Cancelled, None).await.unwrap();
-    assert!(is_lost(f.store.finish(&lease, &result('c'), None).await));
+    f.store.finish_job(&lease, &Outcome::Cancelled, None).await.unwrap();
+    assert!(is_lost(f.store.finish_job(&lease, &result('c'), None).await));
     assert_eq!(f.state(running.id).await, JobState::Cancelled);
-    assert_eq!(f.store.cancel(&f.tenant, running.id).await.unwrap().state, JobState::Cancelled);
+    assert_eq!(f.store.cancel_job(&f.tenant, running.id).await.unwrap().state, JobState::Cancelled);
 
     // A result that was ready when the request came counts.
     let finishing = f.add(0).await;
     let lease = f.claim(LONG).await;
-    f.store.cancel(&f.tenant, finishing.id).await.unwrap();
-    f.store.finish(&lease, &result('c'), None).await.unwrap();
+    f.store.cancel_job(&f.tenant, finishing.id).await.unwrap();
+    f.store.finish_job(&lease, &result('c'), None).await.unwrap();
     assert_eq!(f.state(finishing.id).await, JobState::Succeeded);
-    assert!(matches!(f.store.cancel(&f.tenant, finishing.id).await, Err(JobError::AlreadyFinal { .. })));
+    assert!(matches!(f.store.cancel_job(&f.tenant, finishing.id).await, Err(JobError::AlreadyFinal { .. })));
 
     // The worker is lost, or gives back, after the request.
     for lost in [true, false] {
         let job = f.add(0).await;
         let lease = f.claim(SHORT).await;
-        f.store.cancel(&f.tenant, job.id).await.unwrap();
+        f.store.cancel_job(&f.tenant, job.id).await.unwrap();
         if lost {
             assert_eq!(f.expire().await.cancelled, 1)
         } else {
-            f.store.release(&lease).await.unwrap()
+            f.store.release_job(&lease).await.unwrap()
         }
         assert_eq!(f.state(job.id).await, JobState::Cancelled);
     }
 
     let failed = f.add(0).await;
     let lease = f.claim(LONG).await;
-    f.store.finish(&lease, &Outcome::Failed(Failure::new("match-failed", "x")), None).await.unwrap();
-    assert!(matches!(f.store.cancel(&f.tenant, failed.id).await, Err(JobError::AlreadyFinal { .. })));
+    f.store.finish_job(&lease, &Outcome::Failed(Failure::new("match-failed", "x")), None).await.unwrap();
+    assert!(matches!(f.store.cancel_job(&f.tenant, failed.id).await, Err(JobError::AlreadyFinal { .. })));
     assert_eq!(f.state(failed.id).await, JobState::Failed);
 }
 
 async fn the_queue_has_a_limit(f: Fixture) {
     f.add(0).await;
-    let full = f.store.insert(&new_job(0), &room(1)).await;
+    let full = f.store.insert_job(&new_job(0), &room(1)).await;
     assert!(matches!(full, Err(JobError::QueueFull { limit: 1 })));
     f.claim(LONG).await;
-    f.store.insert(&new_job(0), &room(1)).await.unwrap();
+    f.store.insert_job(&new_job(0), &room(1)).await.unwrap();
 }
 
 async fn other_tenants_see_nothing(f: Fixture) {
     let id = f.add(0).await.id;
     let other = Tenant::new("other").unwrap();
-    assert!(matches!(f.store.get(&other, id).await, Err(JobError::NotFound)));
-    assert!(matches!(f.store.cancel(&other, id).await, Err(JobError::NotFound)));
-    assert!(matches!(f.store.delete(&other, id).await, Err(JobError::NotFound)));
-    assert!(matches!(f.store.trace(&other, id, 0, 1).await, Err(JobError::NotFound)));
-    assert!(matches!(f.store.artifact(&other, id, ArtifactKind::Source).await, Err(JobError::NotFound)));
+    assert!(matches!(f.store.get_job(&other, id).await, Err(JobError::NotFound)));
+    assert!(matches!(f.store.cancel_job(&other, id).await, Err(JobError::NotFound)));
+    assert!(matches!(f.store.delete_job(&other, id).await, Err(JobError::NotFound)));
+    assert!(matches!(f.store.get_trace(&other, id, 0, 1).await, Err(JobError::NotFound)));
+    assert!(matches!(f.store.get_artifact(&other, id, ArtifactKind::Source).await, Err(JobError::NotFound)));
     let page = PageRequest { size: 10, after: None, order: Order::NewestFirst };
-    assert!(f.store.list(&other, &JobFilter::default(), &page).await.unwrap().jobs.is_empty());
+    assert!(f.store.list_jobs(&other, &JobFilter::default(), &page).await.unwrap().jobs.is_empty());
 }
 
 async fn shared_blobs_stay_until_nobody_needs_them(f: Fixture) {
@@ -371,13 +371,13 @@ async fn shared_blobs_stay_until_nobody_needs_them(f: Fixture) {
         let mut job = new_job(0);
         (job.source.hash, job.target.hash) = (source.hash().to_owned(), target.hash().to_owned());
         let admission = Admission { holder: holder.to_owned(), ..room(10) };
-        jobs.push(f.store.insert(&job, &admission).await.unwrap());
-        f.store.cancel(&f.tenant, job.id).await.unwrap();
+        jobs.push(f.store.insert_job(&job, &admission).await.unwrap());
+        f.store.cancel_job(&f.tenant, job.id).await.unwrap();
     }
-    f.store.delete(&f.tenant, jobs[0].id).await.unwrap();
+    f.store.delete_job(&f.tenant, jobs[0].id).await.unwrap();
     assert_eq!(f.store.remove_unreferenced_blobs(f.artifacts.as_ref()).await.unwrap(), 0);
     f.store.hold_blobs("z", std::slice::from_ref(&source), LONG, None).await.unwrap();
-    f.store.delete(&f.tenant, jobs[1].id).await.unwrap();
+    f.store.delete_job(&f.tenant, jobs[1].id).await.unwrap();
     assert_eq!(
         f.store.remove_unreferenced_blobs(f.artifacts.as_ref()).await.unwrap(),
         1,
@@ -435,7 +435,7 @@ async fn the_store_is_set_to_be_durable(f: Fixture) {
 async fn what_is_stored_stays_after_all_connections_ended(f: Fixture) {
     let id = f.add(0).await.id;
     f.store.close().await;
-    assert_eq!(f.another().await.get(&f.tenant, id).await.unwrap().id, id);
+    assert_eq!(f.another().await.get_job(&f.tenant, id).await.unwrap().id, id);
 }
 
 /// Makes a test of each on SQLite with a folder and on PostgreSQL with an S3 server.

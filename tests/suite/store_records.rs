@@ -3,28 +3,29 @@
 use super::store::{Fixture, LONG, SHORT, chunk, is_lost, new_job, on_every_store, result, room};
 use homolog::jobs::job::Order;
 use homolog::jobs::{
-    Admission, ArtifactKey, ArtifactKind, ArtifactRef, Attempted, BatchId, DeliveryState, JobError, JobFilter,
-    JobState, JobStore, KeyStore, Made, MeshStore, NewBatch, NewJob, Once, OnceStatus, Outcome, Overdue, PageRequest,
-    Purged, Retention, Scope, SecretKey, Tenant, Webhook, WebhookStore, WorkerId,
+    Admission, ArtifactKey, ArtifactKind, ArtifactRef, Attempted, BatchId, BlobHolds, DeliveryState, Housekeeping,
+    JobError, JobFilter, JobQueue, JobReader, JobState, JobWriter, KeyStore, Made, MeshStore, NewBatch, NewJob, Once,
+    OnceStatus, Outcome, Overdue, PageRequest, Purged, Retention, Scope, SecretKey, Tenant, Webhook, WebhookStore,
+    WorkerId,
 };
 use std::collections::BTreeMap;
 use std::time::Duration;
 
 async fn an_equal_job_is_answered_from_the_first_result(f: Fixture) {
     let with_key = || NewJob { cache_key: Some("k".to_owned()), ..new_job(0) };
-    let first = f.store.insert(&with_key(), &room(10)).await.unwrap();
-    assert!(!f.store.insert(&with_key(), &room(10)).await.unwrap().cached, "there is no result yet");
+    let first = f.store.insert_job(&with_key(), &room(10)).await.unwrap();
+    assert!(!f.store.insert_job(&with_key(), &room(10)).await.unwrap().cached, "there is no result yet");
     let lease = f.claim(LONG).await;
     assert_eq!(lease.job_id, first.id);
     f.store.append_trace(&lease, &chunk(1..=3)).await.unwrap();
-    f.store.finish(&lease, &result('c'), None).await.unwrap();
+    f.store.finish_job(&lease, &result('c'), None).await.unwrap();
 
-    let second = f.store.insert(&with_key(), &room(10)).await.unwrap();
+    let second = f.store.insert_job(&with_key(), &room(10)).await.unwrap();
     assert_eq!((second.state, second.cached, second.attempt), (JobState::Succeeded, true, 0));
     assert!(second.finished_at.is_some());
     assert_eq!(f.seqs(second.id, 0, 10).await, [1, 2, 3]);
-    f.store.delete(&f.tenant, first.id).await.unwrap();
-    let (_, artifact) = f.store.artifact(&f.tenant, second.id, ArtifactKind::Result).await.unwrap();
+    f.store.delete_job(&f.tenant, first.id).await.unwrap();
+    let (_, artifact) = f.store.get_artifact(&f.tenant, second.id, ArtifactKind::Result).await.unwrap();
     assert_eq!(artifact.unwrap().key.hash(), "c".repeat(64), "it does not need the first any more");
 
     for other in [
@@ -33,27 +34,27 @@ async fn an_equal_job_is_answered_from_the_first_result(f: Fixture) {
         NewJob { cache_key: None, ..new_job(0) },
         NewJob { tenant: Tenant::new("other").unwrap(), ..with_key() },
     ] {
-        assert_eq!(f.store.insert(&other, &room(10)).await.unwrap().state, JobState::Queued);
+        assert_eq!(f.store.insert_job(&other, &room(10)).await.unwrap().state, JobState::Queued);
     }
 }
 
 async fn a_deadline_and_a_run_time_are_kept(f: Fixture) {
     let now = jiff::Timestamp::now();
     let late = NewJob { deadline_at: Some(now), ..new_job(9) };
-    let late = f.store.insert(&late, &room(10)).await.unwrap().id;
+    let late = f.store.insert_job(&late, &room(10)).await.unwrap().id;
     let in_time = NewJob { deadline_at: Some(now + LONG), max_run_ms: Some(1), ..new_job(0) };
-    let in_time = f.store.insert(&in_time, &room(10)).await.unwrap().id;
+    let in_time = f.store.insert_job(&in_time, &room(10)).await.unwrap().id;
     tokio::time::sleep(SHORT).await;
     let lease = f.claim(LONG).await;
     assert_eq!(lease.job_id, in_time, "what is too late is not begun");
     tokio::time::sleep(SHORT).await;
     assert_eq!(f.store.end_overdue(LONG).await.unwrap(), Overdue { expired: 1, stuck: 0 });
-    let job = f.store.get(&f.tenant, late).await.unwrap();
+    let job = f.store.get_job(&f.tenant, late).await.unwrap();
     assert_eq!((job.state, job.error.unwrap().code.as_str()), (JobState::Expired, "deadline-passed"));
     assert_eq!(f.store.end_overdue(Duration::ZERO).await.unwrap(), Overdue { expired: 0, stuck: 1 });
-    let job = f.store.get(&f.tenant, in_time).await.unwrap();
+    let job = f.store.get_job(&f.tenant, in_time).await.unwrap();
     assert_eq!((job.state, job.error.unwrap().code.as_str()), (JobState::Failed, "run-time-exceeded"));
-    assert!(is_lost(f.store.finish(&lease, &result('c'), None).await));
+    assert!(is_lost(f.store.finish_job(&lease, &result('c'), None).await));
 }
 
 async fn changes_come_in_order_and_none_is_missed(f: Fixture) {
@@ -63,10 +64,10 @@ async fn changes_come_in_order_and_none_is_missed(f: Fixture) {
         writers.spawn(async move {
             let worker = WorkerId::random();
             for _ in 0..15 {
-                store.insert(&new_job(0), &room(1000)).await.unwrap();
-                let leased = store.claim(&worker, LONG, LONG).await.unwrap();
+                store.insert_job(&new_job(0), &room(1000)).await.unwrap();
+                let leased = store.claim_next(&worker, LONG, LONG).await.unwrap();
                 if let Some(leased) = leased {
-                    store.finish(&leased.lease, &Outcome::Cancelled, None).await.unwrap();
+                    store.finish_job(&leased.lease, &Outcome::Cancelled, None).await.unwrap();
                 }
             }
         });
@@ -75,7 +76,7 @@ async fn changes_come_in_order_and_none_is_missed(f: Fixture) {
     let (mut seen, mut since) = (Vec::new(), 0);
     loop {
         let done = writers.is_empty();
-        let page = f.store.changes(&f.tenant, since, 7).await.unwrap();
+        let page = f.store.list_changes(&f.tenant, since, 7).await.unwrap();
         since = page.next_since;
         seen.extend(page.changes);
         while writers.try_join_next().is_some() {}
@@ -92,7 +93,7 @@ async fn changes_come_in_order_and_none_is_missed(f: Fixture) {
         assert!([JobState::Queued, JobState::Running, JobState::Cancelled].starts_with(&states), "{states:?}");
     }
     let other = Tenant::new("other").unwrap();
-    assert!(f.store.changes(&other, 0, 10).await.unwrap().changes.is_empty());
+    assert!(f.store.list_changes(&other, 0, 10).await.unwrap().changes.is_empty());
 }
 
 async fn an_idempotency_key_makes_one_thing(f: Fixture) {
@@ -110,7 +111,7 @@ async fn an_idempotency_key_makes_one_thing(f: Fixture) {
     f.store.give_up_once(&once("a")).await.unwrap(); // another's token: nothing happens
     assert_eq!(f.store.begin_once(&once("a"), LONG).await.unwrap(), OnceStatus::InProgress);
     let admission = |once: &Once| Admission { once: Some(once.clone()), ..room(10) };
-    let made = f.store.insert(&new_job(0), &admission(&first)).await.unwrap();
+    let made = f.store.insert_job(&new_job(0), &admission(&first)).await.unwrap();
     let again = f.store.begin_once(&once("a"), LONG).await.unwrap();
     assert_eq!(again, OnceStatus::Made(Made::Job(made.id)));
     f.store.give_up_once(&first).await.unwrap(); // too late
@@ -122,10 +123,10 @@ async fn an_idempotency_key_makes_one_thing(f: Fixture) {
     tokio::time::sleep(SHORT).await;
     let quick = Once { name: "slow".to_owned(), ..once("a") };
     assert_eq!(f.store.begin_once(&quick, LONG).await.unwrap(), OnceStatus::Begun);
-    assert!(f.store.insert(&new_job(0), &admission(&slow)).await.is_err());
-    f.store.insert(&new_job(0), &admission(&quick)).await.unwrap();
+    assert!(f.store.insert_job(&new_job(0), &admission(&slow)).await.is_err());
+    f.store.insert_job(&new_job(0), &admission(&quick)).await.unwrap();
     let page = PageRequest { size: 10, after: None, order: Order::NewestFirst };
-    assert_eq!(f.store.list(&f.tenant, &JobFilter::default(), &page).await.unwrap().jobs.len(), 2);
+    assert_eq!(f.store.list_jobs(&f.tenant, &JobFilter::default(), &page).await.unwrap().jobs.len(), 2);
 }
 
 async fn lists_are_filtered_in_every_way(f: Fixture) {
@@ -138,12 +139,12 @@ async fn lists_are_filtered_in_every_way(f: Fixture) {
             method: format!("m{}", i % 3),
             ..new_job(0)
         };
-        ids.push(f.store.insert(&job, &room(10)).await.unwrap().id);
+        ids.push(f.store.insert_job(&job, &room(10)).await.unwrap().id);
     }
-    f.store.cancel(&f.tenant, ids[4]).await.unwrap();
+    f.store.cancel_job(&f.tenant, ids[4]).await.unwrap();
     let find = async |filter: JobFilter| {
         let page = PageRequest { size: 10, after: None, order: Order::OldestFirst };
-        let found = f.store.list(&f.tenant, &filter, &page).await.unwrap().jobs;
+        let found = f.store.list_jobs(&f.tenant, &filter, &page).await.unwrap().jobs;
         found.iter().map(|job| ids.iter().position(|id| *id == job.id).unwrap()).collect::<Vec<_>>()
     };
     let labels = |pairs: &[(&str, &str)]| pairs.iter().map(|(k, v)| ((*k).to_owned(), (*v).to_owned())).collect();
@@ -177,7 +178,7 @@ async fn a_batch_is_made_whole_or_not_at_all(f: Fixture) {
     let made = f.store.insert_batch(&batch, &jobs, &room(10)).await.unwrap();
     assert_eq!(made.counts, BTreeMap::from([(JobState::Queued, 3)]));
     let lease = f.claim(LONG).await;
-    f.store.finish(&lease, &result('c'), None).await.unwrap();
+    f.store.finish_job(&lease, &result('c'), None).await.unwrap();
     f.claim(LONG).await;
     let counts = [(JobState::Queued, 1), (JobState::Running, 1), (JobState::Succeeded, 1)];
     assert_eq!(f.store.get_batch(&f.tenant, id).await.unwrap().counts, BTreeMap::from(counts));
@@ -196,7 +197,7 @@ async fn retention_removes_results_then_records(f: Fixture) {
     f.artifacts.put(&key, bytes).await.unwrap();
     f.store.append_trace(&lease, &chunk(1..=3)).await.unwrap();
     let artifact = ArtifactRef { kind: ArtifactKind::Result, key: key.clone(), n_bytes: 6 };
-    f.store.finish(&lease, &Outcome::Succeeded(vec![artifact]), Some(SHORT)).await.unwrap();
+    f.store.finish_job(&lease, &Outcome::Succeeded(vec![artifact]), Some(SHORT)).await.unwrap();
     let young = f.add(0).await;
     tokio::time::sleep(SHORT * 2).await;
 
@@ -208,13 +209,13 @@ async fn retention_removes_results_then_records(f: Fixture) {
     f.store.remove_unreferenced_blobs(f.artifacts.as_ref()).await.unwrap();
     assert!(f.artifacts.get(&key).await.is_err());
     assert!(f.seqs(job.id, 0, 10).await.is_empty());
-    assert!(matches!(f.store.artifact(&f.tenant, job.id, ArtifactKind::Result).await, Err(JobError::Gone)));
+    assert!(matches!(f.store.get_artifact(&f.tenant, job.id, ArtifactKind::Result).await, Err(JobError::Gone)));
     assert_eq!(f.state(job.id).await, JobState::Succeeded, "the record stays");
 
     let forget = Retention { results: Some(SHORT), jobs: Some(SHORT) };
     let purged = f.store.purge(&forget, 10, false).await.unwrap();
     assert_eq!((purged.results, purged.jobs), (0, 1));
-    assert!(matches!(f.store.get(&f.tenant, job.id).await, Err(JobError::NotFound)));
+    assert!(matches!(f.store.get_job(&f.tenant, job.id).await, Err(JobError::NotFound)));
     assert_eq!(f.state(young.id).await, JobState::Queued, "what is not finished stays");
 }
 
@@ -231,10 +232,10 @@ async fn meshes_are_kept_while_jobs_refer_to_them(f: Fixture) {
 
     let mut job = new_job(0);
     job.source.hash = key.hash().to_owned();
-    let job = f.store.insert(&job, &room(10)).await.unwrap();
+    let job = f.store.insert_job(&job, &room(10)).await.unwrap();
     assert!(matches!(f.store.delete_mesh(&f.tenant, key.hash()).await, Err(JobError::MeshInUse)));
-    f.store.cancel(&f.tenant, job.id).await.unwrap();
-    f.store.delete(&f.tenant, job.id).await.unwrap();
+    f.store.cancel_job(&f.tenant, job.id).await.unwrap();
+    f.store.delete_job(&f.tenant, job.id).await.unwrap();
     f.store.remove_unreferenced_blobs(f.artifacts.as_ref()).await.unwrap();
     assert!(f.artifacts.get(&key).await.is_ok(), "the upload itself refers to it");
     f.store.delete_mesh(&f.tenant, key.hash()).await.unwrap();
@@ -276,21 +277,21 @@ async fn webhooks_are_told_once_of_each_change(f: Fixture) {
         created_at: jiff::Timestamp::now(),
     };
     f.add(0).await;
-    f.store.tell_changes().await.unwrap();
+    f.store.insert_due_deliveries().await.unwrap();
     let all = f.store.insert_webhook(&hook(Vec::new()), 2).await.unwrap().unwrap();
     let ends = f.store.insert_webhook(&hook(vec![JobState::Cancelled]), 2).await.unwrap().unwrap();
     assert!(f.store.insert_webhook(&hook(Vec::new()), 2).await.unwrap().is_none(), "at most two");
     let job = f.add(0).await;
-    f.store.cancel(&f.tenant, job.id).await.unwrap();
+    f.store.cancel_job(&f.tenant, job.id).await.unwrap();
     // Two processes at the same time.
     let other = f.another().await;
-    let (a, b) = tokio::join!(f.store.tell_changes(), other.tell_changes());
+    let (a, b) = tokio::join!(f.store.insert_due_deliveries(), other.insert_due_deliveries());
     assert_eq!(a.unwrap() + b.unwrap(), 3, "queued and cancelled to one, cancelled to the other");
     let log = f.store.list_deliveries(&f.tenant, &all.id, 10, None).await.unwrap().deliveries;
     assert_eq!(log.iter().map(|d| d.event.as_str()).collect::<Vec<_>>(), ["job.cancelled", "job.queued"]);
 
     let mut taken = Vec::new();
-    while let Some(due) = f.store.take_delivery(LONG).await.unwrap() {
+    while let Some(due) = f.store.claim_delivery(LONG).await.unwrap() {
         taken.push(due);
     }
     assert_eq!(taken.len(), 3, "each once while somebody is busy with it");
@@ -299,7 +300,7 @@ async fn webhooks_are_told_once_of_each_change(f: Fixture) {
     let retry = Attempted::Retry { after: Duration::ZERO, status: Some(500), error: "HTTP 500".to_owned() };
     f.store.end_attempt(&again.id, &retry).await.unwrap();
     tokio::time::sleep(SHORT).await;
-    assert_eq!(f.store.take_delivery(LONG).await.unwrap().unwrap().attempt, 2);
+    assert_eq!(f.store.claim_delivery(LONG).await.unwrap().unwrap().attempt, 2);
     f.store.end_attempt(&again.id, &Attempted::Delivered { status: 204 }).await.unwrap();
     let log = f.store.list_deliveries(&f.tenant, &ends.id, 10, None).await.unwrap().deliveries;
     assert_eq!((log[0].state, log[0].attempts, log[0].status), (DeliveryState::Delivered, 2, Some(204)));

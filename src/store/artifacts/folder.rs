@@ -1,7 +1,7 @@
 //! Blobs in a folder: `blobs/<tenant>/ab/cd/abcd…` for uploads, `blobs/<tenant>/results/<job>/<epoch>/…` for results.
 //!
-//! A blob is written to a temporary file, flushed to disk, renamed into place, and the folders that name it are
-//! flushed too; so what has a name is whole and survives loss of power. Equal content is stored once.
+//! A blob is written to a temporary file, flushed to disk and renamed into place, and the folders of its path are
+//! flushed too; so a blob under its final name is complete and survives a loss of power. Equal content is stored once.
 
 use crate::jobs::{ArtifactKey, ArtifactStore, ArtifactWriter, JobError, Tenant};
 use async_trait::async_trait;
@@ -11,7 +11,7 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-/// No write takes this long; a temporary file older than this belongs to nobody.
+/// Age at which a temporary file is removed: no write takes this long, so its process has ended.
 const STALE: Duration = Duration::from_secs(3600);
 
 /// A folder of blobs.
@@ -22,10 +22,10 @@ pub struct FolderArtifacts {
 }
 
 impl FolderArtifacts {
-    /// The blobs under `data_dir`, which is made if it is not there.
+    /// The blobs under `data_dir`, which is created if it does not exist.
     ///
     /// # Errors
-    /// [`JobError::Unavailable`] if it cannot be.
+    /// [`JobError::Unavailable`] if it cannot be created.
     pub fn open(data_dir: &Path) -> Result<Self, JobError> {
         let store = FolderArtifacts { blobs: data_dir.join("blobs"), temporary: data_dir.join("incoming") };
         for folder in [&store.blobs, &store.temporary] {
@@ -35,18 +35,18 @@ impl FolderArtifacts {
         Ok(store)
     }
 
-    /// Keys have only harmless parts: no path leaves the folder.
+    /// The file of a blob. A key has no `..` and no absolute parts, so the path stays in the folder.
     fn path(&self, key: &ArtifactKey) -> PathBuf {
         self.blobs.join(key.tenant.name()).join(key.path())
     }
 
-    /// Gives a written file its name.
+    /// Renames a completely written file to its final name.
     fn publish(&self, file: &File, temporary: &Path, path: &Path) -> io::Result<()> {
         file.sync_all()?;
         let parent = path.parent().ok_or(io::ErrorKind::InvalidInput)?;
         fs::create_dir_all(parent)?;
         fs::rename(temporary, path)?;
-        // The blob's own folder and those above it, which may be new, up to the root of the blobs.
+        // The folder of the blob and those above it, any of which may be new, up to the root of the blobs.
         for folder in parent.ancestors().take_while(|folder| folder.starts_with(&self.blobs)) {
             sync_folder(folder)?;
         }
@@ -110,7 +110,7 @@ fn domain_error(error: io::Error) -> JobError {
     }
 }
 
-/// Runs file work where it may block.
+/// Runs file operations on a thread that may block.
 async fn blocking<T: Send + 'static>(work: impl FnOnce() -> io::Result<T> + Send + 'static) -> Result<T, JobError> {
     match tokio::task::spawn_blocking(work).await {
         Ok(done) => done.map_err(domain_error),

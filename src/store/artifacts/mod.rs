@@ -1,4 +1,4 @@
-//! Blobs by content.
+//! Blobs, addressed by their content.
 
 pub mod folder;
 pub mod s3;

@@ -1,8 +1,8 @@
 //! Blobs in an S3-compatible store: `<prefix>/blobs/<tenant>/…`, named as in a folder.
 //!
-//! The store answers a write when it is durable. What comes in parts goes to `<prefix>/incoming/` by a multipart upload
-//! and is copied to its name when that is known, inside the store. An upload that was interrupted leaves parts that
-//! only the store sees: give the bucket a lifecycle rule that aborts incomplete multipart uploads.
+//! The store acknowledges a write when it is durable. A blob that arrives in parts is written to `<prefix>/incoming/` by a
+//! multipart upload and copied to its final name, inside the store, when its hash is known. An interrupted upload leaves
+//! parts that only the store sees: give the bucket a lifecycle rule that aborts incomplete multipart uploads.
 
 use crate::jobs::{ArtifactKey, ArtifactStore, ArtifactWriter, JobError, Tenant};
 use async_trait::async_trait;
@@ -14,15 +14,15 @@ use std::str::FromStr;
 use std::sync::Arc;
 use std::time::Duration;
 
-/// Longest time for one request; blobs are a few megabytes.
+/// Time limit of a request; blobs are a few megabytes.
 const REQUEST: Duration = Duration::from_secs(30);
-/// Longest wait for a connection.
+/// Time limit for a connection.
 const CONNECT: Duration = Duration::from_secs(5);
-/// How long failing requests are tried again; whoever asks has patience of its own.
+/// How long failing requests are retried; callers retry for longer where they need to.
 const RETRY: Duration = Duration::from_secs(10);
-/// Size of the parts of a multipart upload; the least that S3 allows is 5 MiB.
+/// Size of the parts of a multipart upload; S3 requires at least 5 MiB.
 const PART: usize = 8 << 20;
-/// No upload takes this long; what is older in `incoming/` belongs to nobody.
+/// Age at which an object in `incoming/` is removed: no upload takes this long, so its process has ended.
 const STALE: Duration = Duration::from_secs(24 * 3600);
 
 /// An S3-compatible store of blobs.
@@ -36,7 +36,7 @@ impl S3Artifacts {
     /// The store at `s3://bucket/prefix`; credentials, region and endpoint come from the environment, as `AWS_*`.
     ///
     /// # Errors
-    /// [`JobError::Unavailable`] if the address or the environment is not right. Does not connect yet.
+    /// [`JobError::Unavailable`] if the address or the environment is invalid. Does not connect yet.
     pub fn open(url: &str) -> Result<Self, JobError> {
         S3Artifacts::open_with(
             url,
@@ -44,7 +44,7 @@ impl S3Artifacts {
         )
     }
 
-    /// The same with variables of the caller's instead of the environment.
+    /// The same, with the given variables instead of the environment.
     ///
     /// # Errors
     /// As for [`S3Artifacts::open`].
@@ -81,7 +81,7 @@ fn domain_error(error: object_store::Error) -> JobError {
         object_store::Error::NotFound { .. } => {
             JobError::Corrupt { what: "a blob that is not there", source: Some(Box::new(error)) }
         }
-        // What S3-compatible servers say when a quota or a disk is full.
+        // The error codes of S3-compatible servers when a quota or a disk is full.
         other
             if ["InsufficientStorage", "XMinioStorageFull", "QuotaExceeded", "status: 507"]
                 .iter()

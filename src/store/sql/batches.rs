@@ -1,24 +1,27 @@
-//! Batches and their counts.
+//! Batches with the numbers of their jobs in each state.
 
 use super::database::{Row, Session, bind};
 use super::dialect::sql;
-use super::{SqlStore, rows};
+use super::rows;
 use crate::jobs::job::Cursor;
-use crate::jobs::{Batch, BatchId, BatchPage, JobError, Tenant};
+use crate::jobs::{Batch, BatchId, BatchPage, JobError, JobState, Tenant};
 use std::collections::BTreeMap;
 
-/// A batch by its id, in any session.
-pub(super) async fn find_batch(session: &mut Session, tenant: &Tenant, id: BatchId) -> Result<Batch, JobError> {
+/// A batch by its id.
+pub(super) async fn get_batch(session: &mut Session, tenant: &Tenant, id: BatchId) -> Result<Batch, JobError> {
     let row = session.row(sql!("get_batch"), bind![id, tenant]).await?.ok_or(JobError::BatchNotFound)?;
     batch(session, &row).await
 }
 
+/// The number of a batch's jobs in each state.
+async fn batch_counts(session: &mut Session, id: BatchId) -> Result<BTreeMap<JobState, u32>, JobError> {
+    let found = session.rows(sql!("batch_counts"), bind![id]).await?;
+    found.iter().map(|row| Ok((rows::state(&row.get::<String>("state")?)?, row.count("n")?))).collect()
+}
+
+/// The batch in a row, with its counts.
 async fn batch(session: &mut Session, row: &Row) -> Result<Batch, JobError> {
     let id = rows::batch_id(&row.get::<String>("id")?)?;
-    let mut counts = BTreeMap::new();
-    for count in session.rows(sql!("batch_counts"), bind![id]).await? {
-        counts.insert(rows::state(&count.get::<String>("state")?)?, count.count("n")?);
-    }
     Ok(Batch {
         id,
         tenant: rows::tenant(&row.get::<String>("tenant")?)?,
@@ -26,31 +29,24 @@ async fn batch(session: &mut Session, row: &Row) -> Result<Batch, JobError> {
         labels: rows::json("a batch's labels", &row.get::<String>("labels")?)?,
         external_ref: row.get("external_ref")?,
         created_at: rows::time(row.get("created_at")?)?,
-        counts,
+        counts: batch_counts(session, id).await?,
     })
 }
 
-impl SqlStore {
-    pub(super) async fn read_batch(&self, tenant: &Tenant, id: BatchId) -> Result<Batch, JobError> {
-        find_batch(&mut self.database.reading().await?, tenant, id).await
+/// A page of the list of batches, newest first.
+pub(super) async fn list_batches(
+    session: &mut Session,
+    tenant: &Tenant,
+    size: u32,
+    after: Option<Cursor>,
+) -> Result<BatchPage, JobError> {
+    let arguments = bind![tenant, after.map(|c| c.created_at_ms), after.map(|c| c.id.to_string()), i64::from(size) + 1];
+    let found = session.rows(sql!("list_batches"), arguments).await?;
+    let mut batches = Vec::new();
+    for row in found.iter().take(size as usize) {
+        batches.push(batch(session, row).await?);
     }
-
-    pub(super) async fn read_batches(
-        &self,
-        tenant: &Tenant,
-        size: u32,
-        after: Option<Cursor>,
-    ) -> Result<BatchPage, JobError> {
-        let mut session = self.database.reading().await?;
-        let arguments =
-            bind![tenant, after.map(|c| c.created_at_ms), after.map(|c| c.id.to_string()), i64::from(size) + 1];
-        let found = session.rows(sql!("list_batches"), arguments).await?;
-        let mut batches = Vec::new();
-        for row in found.iter().take(size as usize) {
-            batches.push(batch(&mut session, row).await?);
-        }
-        let more = found.len() > size as usize;
-        let next = batches.last().filter(|_| more).and_then(|last| rows::cursor(last.created_at, &last.id.to_string()));
-        Ok(BatchPage { batches, next })
-    }
+    let more = found.len() > size as usize;
+    let next = batches.last().filter(|_| more).and_then(|last| rows::cursor(last.created_at, &last.id.to_string()));
+    Ok(BatchPage { batches, next })
 }

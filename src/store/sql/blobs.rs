@@ -1,26 +1,27 @@
-//! Which blobs are needed: references of jobs and uploads, and holds of those who are about to refer.
+//! Which blobs are in use: references of jobs and uploads, and holds of processes that are about to refer to them.
 //!
-//! Blobs of uploads are shared, so a removal must not meet a submission of the same bytes half-way. Each blob has a
-//! row, and both sides lock it: who writes a blob first takes a hold on it; a removal looks for references and holds,
-//! marks the row, removes the blob without a transaction open, and then the row. A hold that meets the mark waits until
-//! the row is gone, and the blob is written anew.
+//! Equal uploads share a blob, so the removal of a blob must not interleave with a submission of the same bytes. Each blob
+//! has a row, which both sides lock: whoever writes a blob first places a hold on it; a removal looks for references and
+//! holds, marks the row, removes the blob outside of any transaction, and then deletes the row. A hold that finds the mark
+//! waits until the row is deleted, and the blob is then written again.
 
 use super::SqlStore;
 use super::database::{Session, bind};
 use super::dialect::sql;
-use super::leasing::fence as check_fence;
-use crate::jobs::{ArtifactKey, ArtifactStore, JobError, JobId, Lease, Tenant};
+use super::leasing::lock_lease;
+use crate::jobs::{ArtifactKey, ArtifactStore, BlobHolds, JobError, JobId, Lease, Tenant};
+use async_trait::async_trait;
 use std::time::{Duration, Instant};
 
-/// Most blobs looked at in one transaction.
+/// Most blobs examined in one transaction.
 const REMOVALS_AT_ONCE: u32 = 64;
-/// A removal that takes longer was interrupted; another takes it over.
+/// A removal that takes longer than this was interrupted, and another process takes it over.
 const REMOVAL_LAPSES: Duration = Duration::from_secs(20);
 /// How long a hold waits for a removal of the same blob.
-const HOLD_PATIENCE: Duration = Duration::from_secs(25);
+const HOLD_TIMEOUT: Duration = Duration::from_secs(25);
 
-/// Ends a hold; its blobs become candidates for removal, which keeps those that are referred to.
-pub(super) async fn end_hold(session: &mut Session, holder: &str) -> Result<(), JobError> {
+/// Releases a hold; its blobs become candidates for removal, which keeps those that are in use.
+pub(super) async fn drop_hold(session: &mut Session, holder: &str) -> Result<(), JobError> {
     for query in [sql!("lock_blobs_of_holder"), sql!("note_candidates_of_holder"), sql!("drop_hold")] {
         session.execute(query, bind![holder]).await?;
     }
@@ -35,107 +36,103 @@ pub(super) async fn note_candidates_of_job(session: &mut Session, id: JobId) -> 
     Ok(())
 }
 
-impl SqlStore {
-    pub(super) async fn hold(
+/// Places a hold on blobs. [`JobError::BeingRemoved`] if one of them is just being removed.
+async fn hold_blobs(
+    session: &mut Session,
+    holder: &str,
+    keys: &[&ArtifactKey],
+    for_at_most: Duration,
+    fence: Option<&Lease>,
+) -> Result<(), JobError> {
+    if let Some(lease) = fence {
+        lock_lease(session, lease).await?;
+    }
+    for key in keys {
+        let row = session.row(sql!("claim_blob"), bind![&key.tenant, key.path()]).await?;
+        if row.map_or(Ok(None), |row| row.get::<Option<i64>>(0))?.is_some() {
+            return Err(JobError::BeingRemoved);
+        }
+        session.execute(sql!("hold_blob"), bind![holder, &key.tenant, key.path(), for_at_most]).await?;
+    }
+    Ok(())
+}
+
+/// Decides on some candidates: those in use stop being candidates, the others are marked. Returns the number of candidates
+/// and the marked ones, each with the time of its mark.
+async fn mark_unreferenced(session: &mut Session) -> Result<(usize, Vec<(ArtifactKey, i64)>), JobError> {
+    for holder in session.rows(sql!("lapsed_holders"), bind![]).await? {
+        drop_hold(session, &holder.get::<String>(0)?).await?;
+    }
+    let candidates = session.rows(sql!("lock_candidates"), bind![REMOVALS_AT_ONCE, REMOVAL_LAPSES]).await?;
+    let mut unreferenced = Vec::new();
+    for row in &candidates {
+        let (tenant, path): (String, String) = (row.get("tenant")?, row.get("path")?);
+        // Asked after the row was locked: whoever began to refer before has committed. A blob that is held becomes a
+        // candidate again when the hold is released.
+        if session.value(sql!("blob_is_needed"), bind![&tenant, &path]).await? == Some(true) {
+            session.execute(sql!("keep_blob"), bind![&tenant, &path]).await?;
+            continue;
+        }
+        let since: Option<i64> = session.value(sql!("begin_removal"), bind![&tenant, &path]).await?;
+        let key = Tenant::new(&tenant).and_then(|tenant| ArtifactKey::from_path(&tenant, &path));
+        let key = key.ok_or(JobError::Corrupt { what: "a blob's address", source: None })?;
+        unreferenced.push((key, since.unwrap_or_default()));
+    }
+    Ok((candidates.len(), unreferenced))
+}
+
+#[async_trait]
+impl BlobHolds for SqlStore {
+    async fn hold_blobs(
         &self,
         holder: &str,
         keys: &[ArtifactKey],
         for_at_most: Duration,
         fence: Option<&Lease>,
     ) -> Result<(), JobError> {
-        // In one order for all, so that two holders never wait for each other.
+        // All holders lock in one order, so that two of them never deadlock.
         let mut keys: Vec<&ArtifactKey> = keys.iter().collect();
         keys.sort_by_key(|key| key.path());
         keys.dedup();
         let began = Instant::now();
         loop {
-            match self.hold_now(holder, &keys, for_at_most, fence).await {
-                Err(JobError::BeingRemoved) if began.elapsed() < HOLD_PATIENCE => {
+            let held = self
+                .database
+                .transaction(async |session| hold_blobs(session, holder, &keys, for_at_most, fence).await)
+                .await;
+            match held {
+                Err(JobError::BeingRemoved) if began.elapsed() < HOLD_TIMEOUT => {
                     tokio::time::sleep(Duration::from_millis(50)).await;
                 }
-                done => return done,
+                held => return held,
             }
         }
     }
 
-    async fn hold_now(
-        &self,
-        holder: &str,
-        keys: &[&ArtifactKey],
-        for_at_most: Duration,
-        fence: Option<&Lease>,
-    ) -> Result<(), JobError> {
-        let mut session = self.database.begin().await?;
-        let done = async {
-            if let Some(lease) = fence {
-                check_fence(&mut session, lease).await?;
-            }
-            for key in keys {
-                let row = session.row(sql!("claim_blob"), bind![&key.tenant, key.path()]).await?;
-                if row.map_or(Ok(None), |row| row.get::<Option<i64>>(0))?.is_some() {
-                    return Err(JobError::BeingRemoved);
-                }
-                session.execute(sql!("hold_blob"), bind![holder, &key.tenant, key.path(), for_at_most]).await?;
-            }
-            Ok(())
-        };
-        let done = done.await;
-        session.end(done).await
+    async fn drop_hold(&self, holder: &str) -> Result<(), JobError> {
+        self.database.transaction(async |session| drop_hold(session, holder).await).await
     }
 
-    pub(super) async fn end_hold(&self, holder: &str) -> Result<(), JobError> {
-        let mut session = self.database.begin().await?;
-        let done = end_hold(&mut session, holder).await;
-        session.end(done).await
-    }
-
-    pub(super) async fn remove_unreferenced(&self, artifacts: &dyn ArtifactStore) -> Result<u32, JobError> {
+    async fn remove_unreferenced_blobs(&self, artifacts: &dyn ArtifactStore) -> Result<u32, JobError> {
         let mut removed = 0;
         loop {
-            // Looked at without a lock first: mostly there is nothing to do.
-            let work: Option<bool> = self.database.reading().await?.value(sql!("has_candidates"), bind![]).await?;
+            // Asked without a lock first: usually there is nothing to do.
+            let work: Option<bool> = self.database.reader().await?.value(sql!("has_candidates"), bind![]).await?;
             if work != Some(true) {
                 return Ok(removed);
             }
-            let (n_seen, unneeded) = self.mark_unneeded().await?;
-            for (key, since) in &unneeded {
+            let (n_seen, unreferenced) = self.database.transaction(mark_unreferenced).await?;
+            for (key, since) in &unreferenced {
                 artifacts.remove(key).await?;
-                let mut session = self.database.begin().await?;
-                let done = session.execute(sql!("end_removal"), bind![&key.tenant, key.path(), *since]).await;
-                session.end(done).await?;
+                let arguments = bind![&key.tenant, key.path(), *since];
+                self.database
+                    .transaction(async |session| session.execute(sql!("end_removal"), arguments).await)
+                    .await?;
                 removed += 1;
             }
             if n_seen < REMOVALS_AT_ONCE as usize {
-                return Ok(removed); // what remains is held or being removed; its time comes
+                return Ok(removed); // the rest is held or being removed by others, and is looked at again later
             }
         }
-    }
-
-    /// Decides about some candidates: those needed are none any more, those unneeded are marked and returned.
-    async fn mark_unneeded(&self) -> Result<(usize, Vec<(ArtifactKey, i64)>), JobError> {
-        let mut session = self.database.begin().await?;
-        let done = async {
-            for holder in session.rows(sql!("lapsed_holders"), bind![]).await? {
-                end_hold(&mut session, &holder.get::<String>(0)?).await?;
-            }
-            let candidates = session.rows(sql!("lock_candidates"), bind![REMOVALS_AT_ONCE, REMOVAL_LAPSES]).await?;
-            let mut unneeded = Vec::new();
-            for row in &candidates {
-                let (tenant, path): (String, String) = (row.get("tenant")?, row.get("path")?);
-                // Asked after the row was locked: who began to refer before has committed. A blob that is held is a
-                // candidate again when the hold ends.
-                if session.value(sql!("blob_is_needed"), bind![&tenant, &path]).await? == Some(true) {
-                    session.execute(sql!("keep_blob"), bind![&tenant, &path]).await?;
-                    continue;
-                }
-                let since: Option<i64> = session.value(sql!("begin_removal"), bind![&tenant, &path]).await?;
-                let owner = Tenant::new(&tenant).and_then(|tenant| ArtifactKey::from_path(&tenant, &path));
-                let key = owner.ok_or(JobError::Corrupt { what: "a blob's address", source: None })?;
-                unneeded.push((key, since.unwrap_or_default()));
-            }
-            Ok((candidates.len(), unneeded))
-        };
-        let done = done.await;
-        session.end(done).await
     }
 }

@@ -1,8 +1,12 @@
-//! The two databases behind one session: what is bound, what comes back, and who waits for how long.
+//! SQLite and PostgreSQL behind one session type: transactions, bound values, rows, and time limits.
 //!
-//! No statement waits for ever: a server that is gone without closing its connections would hold up whoever asks. A
-//! statement that is not answered in time, or a transaction that is dropped in the middle, closes its connection
-//! instead of giving it back, so that nobody inherits what is half-done.
+//! [`Database::transaction`] is the only way to write and [`Database::read`] the only way to run several reads on one
+//! snapshot: both take the work as a closure, commit when it returns `Ok` and roll back when it returns `Err`.
+//!
+//! No statement waits for ever: a server that disappears without closing its connections would otherwise block its
+//! clients. A statement that is not answered in time, and a transaction whose future is dropped before its end, close
+//! their connection instead of returning it to the pool, so that no later caller receives a connection in an unknown
+//! state.
 
 use super::dialect::{Dialect, Sql};
 use crate::jobs::JobError;
@@ -17,27 +21,28 @@ use std::path::{Path, PathBuf};
 use std::str::FromStr;
 use std::time::Duration;
 
-/// Migrations in their order: version, description, text. Listed here because the macro that reads the folder would build
-/// both database drivers a second time, for the compiler.
+/// Migrations in order: version, description, text. Listed by hand because sqlx's macro, which reads the folder at compile
+/// time, would build both database drivers a second time for the host.
 const SQLITE_MIGRATIONS: &[(i64, &str, &str)] = &[
     (1, "jobs", include_str!("migrations/sqlite/0001_jobs.sql")),
     (2, "service", include_str!("migrations/sqlite/0002_service.sql")),
 ];
-/// The same for PostgreSQL.
+/// Migrations of PostgreSQL, in the same form.
 const POSTGRES_MIGRATIONS: &[(i64, &str, &str)] =
     &[(1, "service", include_str!("migrations/postgres/0001_service.sql"))];
 
-/// Longest wait for SQLite: for another process's write, or a free connection.
-const SQLITE_PATIENCE: Duration = Duration::from_secs(10);
-/// Longest wait for an answer of PostgreSQL.
-const POSTGRES_PATIENCE: Duration = Duration::from_secs(10);
-/// Longest wait for a connection to PostgreSQL.
-const CONNECT_PATIENCE: Duration = Duration::from_secs(5);
-/// SQLite readers; each is a thread, and reads here are short.
+/// Time limit for SQLite: for the write lock that another process holds, and for a free connection.
+const SQLITE_TIMEOUT: Duration = Duration::from_secs(10);
+/// Time limit for one statement of PostgreSQL.
+const POSTGRES_TIMEOUT: Duration = Duration::from_secs(10);
+/// Time limit for a connection to PostgreSQL.
+const CONNECT_TIMEOUT: Duration = Duration::from_secs(5);
+/// Read connections to SQLite; each is a thread, and reads are short.
 const READERS: u32 = 4;
-/// A process that sleeps in a transaction keeps rows locked; PostgreSQL ends such a transaction after this time.
+/// A process that stalls inside a transaction keeps rows locked; PostgreSQL ends such a transaction after this time.
 const IDLE_IN_TRANSACTION: &str = "SET idle_in_transaction_session_timeout = '30s'";
-/// The channel of hints.
+/// The NOTIFY channel on which processes announce queued jobs. Its name stays: processes of two versions share it during
+/// a rolling update.
 const CHANNEL: &str = "homolog_queued";
 
 fn migrator(migrations: &[(i64, &'static str, &'static str)]) -> Migrator {
@@ -47,7 +52,7 @@ fn migrator(migrations: &[(i64, &'static str, &'static str)]) -> Migrator {
     Migrator::with_migrations(migrations.iter().map(migration).collect())
 }
 
-/// Where jobs are.
+/// Where the database is.
 #[derive(Debug, Clone)]
 pub enum DatabaseLocation {
     /// `homolog.sqlite` in this folder.
@@ -56,9 +61,9 @@ pub enum DatabaseLocation {
     Postgres {
         /// `postgres://user:password@host/database`.
         url: String,
-        /// Most connections of this process.
+        /// Most connections that this process opens.
         max_connections: u32,
-        /// Whether hints are given and listened to.
+        /// Whether processes announce queued jobs to each other with LISTEN/NOTIFY.
         notify: bool,
     },
 }
@@ -79,14 +84,14 @@ impl DatabaseLocation {
 /// Connections to a database.
 #[derive(Debug, Clone)]
 pub(super) enum Database {
-    /// One connection writes, some read.
+    /// One connection writes, [`READERS`] read.
     Sqlite { writer: SqlitePool, readers: SqlitePool },
-    /// Any connection does anything.
+    /// Every connection reads and writes.
     Postgres { pool: PgPool, notify: bool },
 }
 
 impl Database {
-    /// Connects, and brings the tables up to date.
+    /// Connects, and runs the migrations that are missing.
     pub(super) async fn open(location: &DatabaseLocation) -> Result<Self, JobError> {
         match location {
             DatabaseLocation::Folder(folder) => open_sqlite(folder).await,
@@ -94,11 +99,11 @@ impl Database {
                 let options = PgConnectOptions::from_str(url).map_err(domain_error)?.application_name("homolog");
                 let pool = PgPoolOptions::new()
                     .max_connections(*max_connections)
-                    .acquire_timeout(CONNECT_PATIENCE)
+                    .acquire_timeout(CONNECT_TIMEOUT)
                     .after_connect(|connection, _| {
                         Box::pin(async move { sqlx::query(IDLE_IN_TRANSACTION).execute(connection).await.map(|_| ()) })
                     })
-                    // Every statement has its time limit and failing connections are closed: no need to ask each time.
+                    // Every statement has a time limit and failing connections are closed: no test query is needed.
                     .test_before_acquire(false)
                     .connect_with(options)
                     .await
@@ -116,8 +121,42 @@ impl Database {
         }
     }
 
-    /// A connection for single statements that read.
-    pub(super) async fn reading(&self) -> Result<Session, JobError> {
+    /// Runs `work` in a transaction that may write: commits if it returns `Ok`, rolls back if it returns `Err`.
+    ///
+    /// On SQLite the transaction holds the only write lock from its first moment; on PostgreSQL `work` locks the rows on
+    /// which it decides. When the returned future is dropped before its end, the connection is closed, which rolls back.
+    ///
+    /// # Errors
+    /// Those of `work`; [`JobError::Unavailable`] if there is no connection or the commit fails.
+    pub(super) async fn transaction<T>(
+        &self,
+        work: impl AsyncFnOnce(&mut Session) -> Result<T, JobError>,
+    ) -> Result<T, JobError> {
+        let link = match self {
+            Database::Sqlite { writer, .. } => Link::Sqlite(Some(writer.acquire().await.map_err(domain_error)?)),
+            Database::Postgres { pool, .. } => Link::Postgres(Some(acquire(pool).await?)),
+        };
+        // A transaction that SQLite began for reading would fail at its first write if another process writes meanwhile.
+        let begin = if matches!(link, Link::Sqlite(_)) { "BEGIN IMMEDIATE" } else { "BEGIN" };
+        in_transaction(link, begin, work).await
+    }
+
+    /// Runs `work` in a read-only transaction: all of its statements see the same snapshot.
+    ///
+    /// # Errors
+    /// As for [`Database::transaction`].
+    pub(super) async fn read<T>(
+        &self,
+        work: impl AsyncFnOnce(&mut Session) -> Result<T, JobError>,
+    ) -> Result<T, JobError> {
+        let link = self.reader().await?.into_link();
+        let begin =
+            if matches!(link, Link::Sqlite(_)) { "BEGIN" } else { "BEGIN ISOLATION LEVEL REPEATABLE READ READ ONLY" };
+        in_transaction(link, begin, work).await
+    }
+
+    /// A connection for single reads, each of which sees what is committed when it runs.
+    pub(super) async fn reader(&self) -> Result<Session, JobError> {
         let link = match self {
             Database::Sqlite { readers, .. } => Link::Sqlite(Some(readers.acquire().await.map_err(domain_error)?)),
             Database::Postgres { pool, .. } => Link::Postgres(Some(acquire(pool).await?)),
@@ -125,39 +164,20 @@ impl Database {
         Ok(Session { link, is_open: false, is_broken: false })
     }
 
-    /// A transaction that writes. In SQLite it is the only one meanwhile.
-    pub(super) async fn begin(&self) -> Result<Session, JobError> {
-        let link = match self {
-            Database::Sqlite { writer, .. } => Link::Sqlite(Some(writer.acquire().await.map_err(domain_error)?)),
-            Database::Postgres { pool, .. } => Link::Postgres(Some(acquire(pool).await?)),
-        };
-        // One that began as a reader and became a writer would be refused at once when another process writes.
-        let begin = if matches!(link, Link::Sqlite(_)) { "BEGIN IMMEDIATE" } else { "BEGIN" };
-        open_transaction(link, begin).await
-    }
-
-    /// A transaction that reads at one moment.
-    pub(super) async fn snapshot(&self) -> Result<Session, JobError> {
-        let link = self.reading().await?.into_link();
-        let begin =
-            if matches!(link, Link::Sqlite(_)) { "BEGIN" } else { "BEGIN ISOLATION LEVEL REPEATABLE READ READ ONLY" };
-        open_transaction(link, begin).await
-    }
-
-    /// Ends all connections; SQLite's write-ahead log is written back.
+    /// Closes all connections; SQLite then writes its write-ahead log back into the database file.
     pub(super) async fn close(&self) {
         match self {
             Database::Sqlite { writer, readers } => {
                 readers.close().await;
                 writer.close().await;
             }
-            // A server that is gone must not hold up the end of this process.
+            // A server that does not answer must not delay the exit of this process.
             Database::Postgres { pool, .. } => drop(tokio::time::timeout(Duration::from_secs(2), pool.close()).await),
         }
     }
 
-    /// Passes hints on for ever; never returns, also where there are none.
-    pub(super) async fn follow_hints(&self, wake: &tokio::sync::Notify) {
+    /// Notifies `wake` whenever another process announces a queued job. Never returns, also where nobody announces.
+    pub(super) async fn follow_queued(&self, wake: &tokio::sync::Notify) {
         let Database::Postgres { pool, notify: true } = self else { return std::future::pending().await };
         loop {
             let listened: Result<(), sqlx::Error> = async {
@@ -170,16 +190,16 @@ impl Database {
             }
             .await;
             if let Err(error) = listened {
-                tracing::debug!(%error, "no hints of the database; polling goes on");
+                tracing::debug!(%error, "no notifications from the database; the queue is still polled");
             }
             tokio::time::sleep(Duration::from_secs(5)).await;
         }
     }
 
-    /// Sends a hint. Outside of transactions: commits that notify wait for one another.
-    pub(super) async fn give_hint(&self) {
+    /// Announces a queued job to other processes. Outside of any transaction: commits that notify wait for one another.
+    pub(super) async fn announce_queued(&self) {
         let Database::Postgres { notify: true, .. } = self else { return };
-        if let Ok(mut session) = self.reading().await {
+        if let Ok(mut session) = self.reader().await {
             let _ = session.run(&format!("NOTIFY {CHANNEL}")).await;
         }
     }
@@ -189,10 +209,16 @@ async fn acquire(pool: &PgPool) -> Result<PoolConnection<Postgres>, JobError> {
     pool.acquire().await.map_err(domain_error)
 }
 
-async fn open_transaction(link: Link, begin: &'static str) -> Result<Session, JobError> {
+async fn in_transaction<T>(
+    link: Link,
+    begin: &'static str,
+    work: impl AsyncFnOnce(&mut Session) -> Result<T, JobError>,
+) -> Result<T, JobError> {
+    // Open from before the statement is sent: if it is dropped while waiting, the server may have begun it.
     let mut session = Session { link, is_open: true, is_broken: false };
     session.run(begin).await?;
-    Ok(session)
+    let done = work(&mut session).await;
+    session.end(done).await
 }
 
 async fn open_sqlite(folder: &Path) -> Result<Database, JobError> {
@@ -202,41 +228,41 @@ async fn open_sqlite(folder: &Path) -> Result<Database, JobError> {
         .journal_mode(SqliteJournalMode::Wal)
         .synchronous(SqliteSynchronous::Full)
         .foreign_keys(true)
-        .busy_timeout(SQLITE_PATIENCE);
-    // Processes that start together take turns: SQLite itself has no lock that spans all migrations.
-    let turn = MigrationTurn::wait(folder.to_owned()).await?;
+        .busy_timeout(SQLITE_TIMEOUT);
+    // Processes that start together migrate one after the other: SQLite has no lock that spans all migrations.
+    let lock = MigrationLock::acquire(folder.to_owned()).await?;
     let writer = SqlitePoolOptions::new()
         .max_connections(1)
-        .acquire_timeout(SQLITE_PATIENCE)
+        .acquire_timeout(SQLITE_TIMEOUT)
         .connect_with(options.clone())
         .await
         .map_err(domain_error)?;
     migrator(SQLITE_MIGRATIONS).run(&writer).await.map_err(|e| JobError::Unavailable(Box::new(e)))?;
-    drop(turn);
+    drop(lock);
     let readers = SqlitePoolOptions::new()
         .max_connections(READERS)
-        .acquire_timeout(SQLITE_PATIENCE)
+        .acquire_timeout(SQLITE_TIMEOUT)
         .connect_with(options.pragma("query_only", "ON"))
         .await
         .map_err(domain_error)?;
     Ok(Database::Sqlite { writer, readers })
 }
 
-/// The right to run migrations, an exclusive lock on a file.
-struct MigrationTurn {
-    _lock: std::fs::File,
+/// The right to run migrations: an exclusive lock on a file, released when dropped.
+struct MigrationLock {
+    _file: std::fs::File,
 }
 
-impl MigrationTurn {
-    async fn wait(folder: PathBuf) -> Result<Self, JobError> {
+impl MigrationLock {
+    async fn acquire(folder: PathBuf) -> Result<Self, JobError> {
         let locked = tokio::task::spawn_blocking(move || {
             let path = folder.join("migration.lock");
-            let lock = std::fs::File::options().create(true).truncate(false).write(true).open(path)?;
-            lock.lock()?;
-            Ok(MigrationTurn { _lock: lock })
+            let file = std::fs::File::options().create(true).truncate(false).write(true).open(path)?;
+            file.lock()?;
+            Ok(MigrationLock { _file: file })
         });
         match locked.await {
-            Ok(turn) => turn.map_err(|e: std::io::Error| JobError::Unavailable(Box::new(e))),
+            Ok(lock) => lock.map_err(|e: std::io::Error| JobError::Unavailable(Box::new(e))),
             Err(join) => Err(JobError::Unavailable(Box::new(join))),
         }
     }
@@ -248,13 +274,13 @@ enum Link {
     Postgres(Option<PoolConnection<Postgres>>),
 }
 
-/// A connection in use, in a transaction or not.
+/// A connection taken from a pool, in a transaction or not.
 #[derive(Debug)]
 pub(super) struct Session {
     link: Link,
     /// A transaction is open.
     is_open: bool,
-    /// An answer is outstanding, or did not come in time.
+    /// A statement is unanswered: it still runs, or its answer did not come in time.
     is_broken: bool,
 }
 
@@ -263,7 +289,7 @@ impl Drop for Session {
         if !self.is_open && !self.is_broken {
             return;
         }
-        // Closing the connection rolls back.
+        // Not returned to the pool; closing the connection rolls back.
         match &mut self.link {
             Link::Sqlite(held) => drop(held.take().map(PoolConnection::detach)),
             Link::Postgres(held) => drop(held.take().map(PoolConnection::detach)),
@@ -271,7 +297,7 @@ impl Drop for Session {
     }
 }
 
-/// A value to be bound.
+/// A value bound to a parameter of a statement.
 #[derive(Debug, Clone)]
 pub(super) enum Argument {
     Text(Option<String>),
@@ -323,7 +349,7 @@ fn milliseconds(duration: Duration) -> i64 {
     i64::try_from(duration.as_millis()).unwrap_or(i64::MAX / 4)
 }
 
-/// Values for a statement, in order.
+/// The parameters of a statement, in order.
 macro_rules! bind {
     ($($value:expr),* $(,)?) => {
         vec![$($crate::store::sql::database::Argument::from($value)),*]
@@ -331,14 +357,14 @@ macro_rules! bind {
 }
 pub(super) use bind;
 
-/// A row of an answer.
+/// A row of a result set.
 #[derive(Debug)]
 pub(super) enum Row {
     Sqlite(SqliteRow),
     Postgres(PgRow),
 }
 
-/// What a column may be read as, in both databases.
+/// A Rust type as which a column can be read in both databases.
 pub(super) trait Column:
     for<'r> sqlx::Decode<'r, Sqlite> + sqlx::Type<Sqlite> + for<'r> sqlx::Decode<'r, Postgres> + sqlx::Type<Postgres>
 {
@@ -352,7 +378,7 @@ impl<T> Column for T where
 }
 
 impl Row {
-    /// A column by name or place.
+    /// The value of a column, by name or index.
     pub(super) fn get<T: Column>(
         &self,
         column: impl ColumnIndex<SqliteRow> + ColumnIndex<PgRow>,
@@ -364,10 +390,10 @@ impl Row {
         .map_err(|error| JobError::corrupt("a row", error))
     }
 
-    /// A column that counts something.
+    /// The value of a column that holds a count.
     pub(super) fn count(&self, column: impl ColumnIndex<SqliteRow> + ColumnIndex<PgRow>) -> Result<u32, JobError> {
         let value: i64 = self.get(column)?;
-        u32::try_from(value).map_err(|error| JobError::corrupt("a number", error))
+        u32::try_from(value).map_err(|error| JobError::corrupt("a count", error))
     }
 }
 
@@ -392,26 +418,26 @@ impl Session {
         }
     }
 
-    /// Does a statement; returns how many rows it changed.
+    /// Runs a statement and returns the number of rows that it changed.
     pub(super) async fn execute(&mut self, sql: &'static Sql, arguments: Vec<Argument>) -> Result<u64, JobError> {
         self.is_broken = true;
         let done = match &mut self.link {
             Link::Sqlite(Some(connection)) => {
                 let mut query = sqlx::query(sql.text(Dialect::Sqlite));
                 bound!(query, arguments);
-                in_time(SQLITE_PATIENCE, query.execute(&mut **connection)).await.map(|done| done.rows_affected())
+                in_time(SQLITE_TIMEOUT, query.execute(&mut **connection)).await.map(|done| done.rows_affected())
             }
             Link::Postgres(Some(connection)) => {
                 let mut query = sqlx::query(sql.text(Dialect::Postgres));
                 bound!(query, arguments);
-                in_time(POSTGRES_PATIENCE, query.execute(&mut **connection)).await.map(|done| done.rows_affected())
+                in_time(POSTGRES_TIMEOUT, query.execute(&mut **connection)).await.map(|done| done.rows_affected())
             }
             _ => Err(lost()),
         };
-        self.judge(done)
+        self.note_answer(done)
     }
 
-    /// Reads rows.
+    /// Runs a query and returns its rows.
     pub(super) async fn rows(&mut self, sql: &'static Sql, arguments: Vec<Argument>) -> Result<Vec<Row>, JobError> {
         let text = match &self.link {
             Link::Sqlite(_) => sql.text(Dialect::Sqlite),
@@ -420,33 +446,33 @@ impl Session {
         self.fetch(text.to_owned(), arguments).await
     }
 
-    /// Reads rows of a text made at run time, from constant parts only.
+    /// Runs a query whose text is put together at run time, from constant parts only, and returns its rows.
     pub(super) async fn fetch(&mut self, text: String, arguments: Vec<Argument>) -> Result<Vec<Row>, JobError> {
         self.is_broken = true;
         let rows = match &mut self.link {
             Link::Sqlite(Some(connection)) => {
                 let mut query = sqlx::query(AssertSqlSafe(text));
                 bound!(query, arguments);
-                let rows = in_time(SQLITE_PATIENCE, query.fetch_all(&mut **connection)).await;
+                let rows = in_time(SQLITE_TIMEOUT, query.fetch_all(&mut **connection)).await;
                 rows.map(|rows| rows.into_iter().map(Row::Sqlite).collect())
             }
             Link::Postgres(Some(connection)) => {
                 let mut query = sqlx::query(AssertSqlSafe(text));
                 bound!(query, arguments);
-                let rows = in_time(POSTGRES_PATIENCE, query.fetch_all(&mut **connection)).await;
+                let rows = in_time(POSTGRES_TIMEOUT, query.fetch_all(&mut **connection)).await;
                 rows.map(|rows| rows.into_iter().map(Row::Postgres).collect())
             }
             _ => Err(lost()),
         };
-        self.judge(rows)
+        self.note_answer(rows)
     }
 
-    /// Reads a row, if there is one.
+    /// Runs a query and returns its first row.
     pub(super) async fn row(&mut self, sql: &'static Sql, arguments: Vec<Argument>) -> Result<Option<Row>, JobError> {
         Ok(self.rows(sql, arguments).await?.into_iter().next())
     }
 
-    /// Reads the first column of a row, if there is one.
+    /// Runs a query and returns the first column of its first row.
     pub(super) async fn value<T: Column>(
         &mut self,
         sql: &'static Sql,
@@ -455,39 +481,39 @@ impl Session {
         self.row(sql, arguments).await?.map(|row| row.get(0)).transpose()
     }
 
-    /// Does a statement without parameters, unprepared.
+    /// Runs a statement without parameters, unprepared.
     async fn run(&mut self, text: &str) -> Result<(), JobError> {
         self.is_broken = true;
         let text = AssertSqlSafe(text.to_owned());
         let done = match &mut self.link {
             Link::Sqlite(Some(connection)) => {
-                in_time(SQLITE_PATIENCE + Duration::from_secs(2), sqlx::raw_sql(text).execute(&mut **connection))
+                in_time(SQLITE_TIMEOUT + Duration::from_secs(2), sqlx::raw_sql(text).execute(&mut **connection))
                     .await
                     .map(|_| ())
             }
             Link::Postgres(Some(connection)) => {
-                in_time(POSTGRES_PATIENCE, sqlx::raw_sql(text).execute(&mut **connection)).await.map(|_| ())
+                in_time(POSTGRES_TIMEOUT, sqlx::raw_sql(text).execute(&mut **connection)).await.map(|_| ())
             }
             _ => Err(lost()),
         };
-        self.judge(done)
+        self.note_answer(done)
     }
 
-    /// Ends the transaction: commits if all went well, else undoes it. Returns what was done.
-    pub(super) async fn end<T>(mut self, done: Result<T, JobError>) -> Result<T, JobError> {
+    /// Commits if `done` is `Ok`, else rolls back; returns `done`, or why the commit failed.
+    async fn end<T>(mut self, done: Result<T, JobError>) -> Result<T, JobError> {
         if self.is_broken {
-            return done; // dropped, and so closed
+            return done; // the drop closes the connection
         }
         self.run(if done.is_ok() { "COMMIT" } else { "ROLLBACK" }).await.or_else(|error| match &done {
             Ok(_) => Err(error),
-            Err(_) => Ok(()), // the first error says more
+            Err(_) => Ok(()), // the error of the work says more than that of the rollback
         })?;
         self.is_open = false;
         done
     }
 
-    /// Keeps the connection if the server answered, with whatever.
-    fn judge<T>(&mut self, answer: Result<T, sqlx::Error>) -> Result<T, JobError> {
+    /// Marks the connection as broken unless the server answered, be it with an error.
+    fn note_answer<T>(&mut self, answer: Result<T, sqlx::Error>) -> Result<T, JobError> {
         self.is_broken = matches!(
             &answer,
             Err(sqlx::Error::Io(_) | sqlx::Error::Protocol(_) | sqlx::Error::Tls(_) | sqlx::Error::WorkerCrashed)
@@ -496,18 +522,15 @@ impl Session {
     }
 }
 
-/// Whether the server said that it ends this session, as when it shuts down.
+/// Whether the server closes this session, as it does when it shuts down.
 fn is_end_of_session(error: &sqlx::Error) -> bool {
     // Class 57P: operator intervention; 25P03: idle in a transaction for too long; class 08: connection exceptions.
     let code = error.as_database_error().and_then(|e| e.code());
     code.is_some_and(|code| code.starts_with("57P") || code == "25P03" || code.starts_with("08"))
 }
 
-async fn in_time<T>(
-    patience: Duration,
-    answer: impl Future<Output = Result<T, sqlx::Error>>,
-) -> Result<T, sqlx::Error> {
-    match tokio::time::timeout(patience, answer).await {
+async fn in_time<T>(limit: Duration, answer: impl Future<Output = Result<T, sqlx::Error>>) -> Result<T, sqlx::Error> {
+    match tokio::time::timeout(limit, answer).await {
         Ok(answer) => answer,
         Err(_) => {
             Err(sqlx::Error::Io(std::io::Error::new(std::io::ErrorKind::TimedOut, "the database did not answer")))
@@ -519,7 +542,7 @@ fn lost() -> sqlx::Error {
     sqlx::Error::PoolClosed
 }
 
-/// What a failure of a driver means to jobs.
+/// The [`JobError`] for an error of a driver.
 pub(super) fn domain_error(error: sqlx::Error) -> JobError {
     // SQLITE_FULL, with or without an extended code in the higher bits; PostgreSQL's disk_full.
     const SQLITE_FULL: i64 = 13;
@@ -534,7 +557,71 @@ pub(super) fn domain_error(error: sqlx::Error) -> JobError {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::store::sql::dialect::sql;
     use std::collections::BTreeSet;
+
+    async fn sqlite() -> (tempfile::TempDir, Database) {
+        let folder = tempfile::tempdir().unwrap();
+        let database = Database::open(&DatabaseLocation::Folder(folder.path().to_owned())).await.unwrap();
+        (folder, database)
+    }
+
+    async fn insert_batch(session: &mut Session, id: &str) -> Result<u64, JobError> {
+        session.execute(sql!("insert_batch"), bind![id, "default", 1i64, "{}", None::<&str>]).await
+    }
+
+    async fn has_batch(database: &Database, id: &str) -> bool {
+        database.reader().await.unwrap().row(sql!("get_batch"), bind![id, "default"]).await.unwrap().is_some()
+    }
+
+    #[tokio::test]
+    async fn a_transaction_commits_on_ok_and_rolls_back_on_err() {
+        let (_folder, database) = sqlite().await;
+        database.transaction(async |session| insert_batch(session, "kept").await).await.unwrap();
+        let refused: Result<(), _> = database
+            .transaction(async |session| {
+                insert_batch(session, "undone").await?;
+                Err(JobError::BatchNotFound)
+            })
+            .await;
+        assert!(matches!(refused, Err(JobError::BatchNotFound)), "the error of the work is returned");
+        assert!(has_batch(&database, "kept").await);
+        assert!(!has_batch(&database, "undone").await);
+    }
+
+    #[tokio::test]
+    async fn a_transaction_that_is_dropped_closes_its_connection() {
+        let (_folder, database) = sqlite().await;
+        let Database::Sqlite { writer, .. } = &database else { unreachable!() };
+        assert_eq!(writer.size(), 1);
+        let stuck = database.transaction(async |session| {
+            insert_batch(session, "undone").await?;
+            std::future::pending::<Result<(), JobError>>().await
+        });
+        tokio::time::timeout(Duration::from_millis(100), stuck).await.unwrap_err();
+        assert_eq!(writer.size(), 0, "the connection is closed and not given back");
+        // The only writer is free again, and what was written is undone.
+        database.transaction(async |session| insert_batch(session, "kept").await).await.unwrap();
+        assert!(has_batch(&database, "kept").await);
+        assert!(!has_batch(&database, "undone").await);
+    }
+
+    #[tokio::test]
+    async fn a_read_sees_one_snapshot_and_cannot_write() {
+        let (_folder, database) = sqlite().await;
+        database
+            .read(async |session| {
+                assert!(session.row(sql!("get_batch"), bind!["late", "default"]).await?.is_none());
+                database.transaction(async |writing| insert_batch(writing, "late").await).await?;
+                assert!(session.row(sql!("get_batch"), bind!["late", "default"]).await?.is_none());
+                Ok(())
+            })
+            .await
+            .unwrap();
+        assert!(has_batch(&database, "late").await);
+        let written = database.read(async |session| insert_batch(session, "forbidden").await).await;
+        assert!(matches!(written, Err(JobError::Unavailable(_))), "{written:?}");
+    }
 
     #[test]
     fn every_migration_file_is_listed_with_the_version_and_description_of_its_name() {

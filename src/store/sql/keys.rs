@@ -32,23 +32,21 @@ impl KeyStore for SqlStore {
         valid_for: Option<Duration>,
     ) -> Result<(), JobError> {
         let scopes = rows::to_json("scopes", &scopes)?;
-        let mut session = self.database.begin().await?;
         let arguments = bind![key.id(), tenant, name, key.hash(), scopes, valid_for];
-        let done = session.execute(sql!("insert_key"), arguments).await;
-        session.end(done).await.map(|_| ())
+        let inserted = self.database.transaction(async |session| session.execute(sql!("insert_key"), arguments).await);
+        inserted.await.map(|_| ())
     }
 
     async fn get_key(&self, id: &str) -> Result<Option<ApiKey>, JobError> {
-        self.database.reading().await?.row(sql!("get_key"), bind![id]).await?.as_ref().map(api_key).transpose()
+        self.database.reader().await?.row(sql!("get_key"), bind![id]).await?.as_ref().map(api_key).transpose()
     }
 
     async fn list_keys(&self) -> Result<Vec<ApiKey>, JobError> {
-        self.database.reading().await?.rows(sql!("list_keys"), bind![]).await?.iter().map(api_key).collect()
+        self.database.reader().await?.rows(sql!("list_keys"), bind![]).await?.iter().map(api_key).collect()
     }
 
     async fn revoke_key(&self, id: &str) -> Result<bool, JobError> {
-        let mut session = self.database.begin().await?;
-        let done = session.execute(sql!("revoke_key"), bind![id]).await;
-        Ok(session.end(done).await? == 1)
+        let revoked = self.database.transaction(async |session| session.execute(sql!("revoke_key"), bind![id]).await);
+        Ok(revoked.await? == 1)
     }
 }

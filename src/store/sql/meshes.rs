@@ -1,4 +1,4 @@
-//! Records of uploads, and what checking them found.
+//! Records of uploads, and the outcomes of their checks.
 
 use super::database::{Row, bind};
 use super::dialect::sql;
@@ -25,19 +25,18 @@ impl MeshStore for SqlStore {
         name_hint: Option<&str>,
         holder: &str,
     ) -> Result<bool, JobError> {
-        let mut session = self.database.begin().await?;
-        let done = async {
-            let arguments = bind![&key.tenant, key.hash(), key.path(), n_bytes, name_hint];
-            let is_new = session.execute(sql!("insert_mesh"), arguments).await? == 1;
-            blobs::end_hold(&mut session, holder).await?;
-            Ok(is_new)
-        };
-        let done = done.await;
-        session.end(done).await
+        let arguments = bind![&key.tenant, key.hash(), key.path(), n_bytes, name_hint];
+        self.database
+            .transaction(async |session| {
+                let is_new = session.execute(sql!("insert_mesh"), arguments).await? == 1;
+                blobs::drop_hold(session, holder).await?;
+                Ok(is_new)
+            })
+            .await
     }
 
     async fn get_mesh(&self, tenant: &Tenant, hash: &str) -> Result<Mesh, JobError> {
-        let row = self.database.reading().await?.row(sql!("get_mesh"), bind![tenant, hash]).await?;
+        let row = self.database.reader().await?.row(sql!("get_mesh"), bind![tenant, hash]).await?;
         mesh(tenant, &row.ok_or(JobError::MeshNotFound)?)
     }
 
@@ -48,7 +47,7 @@ impl MeshStore for SqlStore {
         after: Option<(i64, String)>,
     ) -> Result<MeshPage, JobError> {
         let (time, hash) = after.unzip();
-        let mut session = self.database.reading().await?;
+        let mut session = self.database.reader().await?;
         let found = session.rows(sql!("list_meshes"), bind![tenant, time, hash, i64::from(size) + 1]).await?;
         let meshes: Vec<Mesh> =
             found.iter().take(size as usize).map(|row| mesh(tenant, row)).collect::<Result<_, _>>()?;
@@ -60,23 +59,27 @@ impl MeshStore for SqlStore {
 
     async fn delete_mesh(&self, tenant: &Tenant, hash: &str) -> Result<(), JobError> {
         let key = ArtifactKey::of_hash(tenant, hash).ok_or(JobError::MeshNotFound)?;
-        let mut session = self.database.begin().await?;
-        let done = async {
-            if session.row(sql!("lock_mesh"), bind![tenant, hash]).await?.is_none() {
-                return Err(JobError::MeshNotFound);
-            }
-            if session.value(sql!("mesh_is_used"), bind![tenant, key.path()]).await? == Some(true) {
-                return Err(JobError::MeshInUse);
-            }
-            session.execute(sql!("delete_mesh"), bind![tenant, hash]).await?;
-            session.execute(sql!("note_candidate"), bind![tenant, key.path()]).await.map(|_| ())
-        };
-        let done = done.await;
-        session.end(done).await
+        self.database
+            .transaction(async |session| {
+                if session.row(sql!("lock_mesh"), bind![tenant, hash]).await?.is_none() {
+                    return Err(JobError::MeshNotFound);
+                }
+                if session.value(sql!("mesh_is_used"), bind![tenant, key.path()]).await? == Some(true) {
+                    return Err(JobError::MeshInUse);
+                }
+                session.execute(sql!("delete_mesh"), bind![tenant, hash]).await?;
+                session.execute(sql!("note_candidate"), bind![tenant, key.path()]).await.map(|_| ())
+            })
+            .await
     }
 
-    async fn mesh_check(&self, tenant: &Tenant, hash: &str, input_key: &str) -> Result<Option<CheckOutcome>, JobError> {
-        let mut session = self.database.reading().await?;
+    async fn get_mesh_check(
+        &self,
+        tenant: &Tenant,
+        hash: &str,
+        input_key: &str,
+    ) -> Result<Option<CheckOutcome>, JobError> {
+        let mut session = self.database.reader().await?;
         let found: Option<String> = session.value(sql!("get_mesh_check"), bind![tenant, hash, input_key]).await?;
         found.map(|text| rows::json("a check", &text)).transpose()
     }
@@ -89,15 +92,14 @@ impl MeshStore for SqlStore {
         outcome: &CheckOutcome,
     ) -> Result<(), JobError> {
         let text = rows::to_json("a check", outcome)?;
-        let mut session = self.database.begin().await?;
-        let done = async {
-            // Deleted meanwhile: then there is nothing to remember.
-            if session.row(sql!("lock_mesh"), bind![tenant, hash]).await?.is_some() {
-                session.execute(sql!("set_mesh_check"), bind![tenant, hash, input_key, text]).await?;
-            }
-            Ok(())
-        };
-        let done = done.await;
-        session.end(done).await
+        self.database
+            .transaction(async |session| {
+                // If the upload was deleted meanwhile, its check is not stored.
+                if session.row(sql!("lock_mesh"), bind![tenant, hash]).await?.is_some() {
+                    session.execute(sql!("save_mesh_check"), bind![tenant, hash, input_key, text]).await?;
+                }
+                Ok(())
+            })
+            .await
     }
 }

@@ -1,19 +1,24 @@
-//! Jobs, their queue and all records beside them, in SQLite or PostgreSQL.
+//! The job store in SQLite or PostgreSQL.
 //!
-//! There is one implementation: queries stand once in `queries/`, a file a query, and [`dialect`] fills in what the two
-//! databases say differently; [`database`] hides whose connection it is. What one cannot rely on in PostgreSQL (that
-//! write transactions follow one another) the code does not rely on in SQLite either: rows are locked before they are
-//! decided on.
+//! There is one implementation for both databases: each query is written once, in a file of `queries/`; [`dialect`] fills
+//! in where the two differ, and [`database`] hides whose connection it is. The code relies on nothing that only one of
+//! them guarantees: on PostgreSQL write transactions run side by side, so rows are locked before anything is decided on
+//! them, on SQLite too.
 //!
-//! The folder's code: [`reading`] (jobs, lists, traces), [`writing`] (submission, cancel, delete), [`leasing`] (claim to
-//! finish), [`blobs`] (references), [`batches`], [`once`] (idempotency keys), [`changes`] (the feed), [`retention`],
-//! [`meshes`], [`keys`], [`webhooks`], [`rows`] (what a row means).
+//! An operation has one name: that of the port's method. If it is a single query, the query's file has the same name (a
+//! test below holds this).
+//!
+//! Each port of [`crate::jobs`] is implemented in one file: [`reading`] ([`crate::jobs::JobReader`]), [`writing`]
+//! ([`crate::jobs::JobWriter`]), [`leasing`] ([`crate::jobs::JobQueue`]), [`blobs`] ([`crate::jobs::BlobHolds`]),
+//! [`housekeeping`] ([`crate::jobs::Housekeeping`]), [`meshes`], [`keys`], [`webhooks`]. Beside them: [`batches`],
+//! [`changes`] (the feed), [`once`] (idempotency keys), [`retention`], [`rows`] (from rows to records).
 
 mod batches;
 mod blobs;
 mod changes;
 mod database;
 mod dialect;
+mod housekeeping;
 mod keys;
 mod leasing;
 mod meshes;
@@ -26,212 +31,138 @@ mod writing;
 
 pub use database::DatabaseLocation;
 
-use crate::jobs::{
-    Admission, ArtifactKey, ArtifactKind, ArtifactRef, ArtifactStore, Batch, BatchId, BatchPage, ChangePage, Job,
-    JobError, JobFilter, JobId, JobPage, JobState, JobStore, Lease, LeaseStatus, LeasedJob, Load, NewBatch, NewJob,
-    Once, OnceStatus, Outcome, Overdue, PageRequest, Purged, Recovered, Retention, Tenant, TraceChunk, TracePage,
-    WaitingJob, WorkerId, job::Cursor,
-};
+use crate::jobs::{JobError, JobStore};
 use async_trait::async_trait;
 use database::{Database, bind};
 use dialect::sql;
-use std::time::Duration;
 
-/// Jobs in a database.
+/// The store of jobs, uploads, API keys and webhooks in a database.
 #[derive(Debug, Clone)]
 pub struct SqlStore {
     database: Database,
 }
 
 impl SqlStore {
-    /// Connects to the database, makes it if it is a file that is not there, and brings its tables up to date.
+    /// Connects to the database, creates it if it is a file that does not exist, and runs the migrations that are missing.
     ///
     /// # Errors
-    /// [`JobError::Unavailable`]; also if a newer version of this program has changed the tables already.
+    /// [`JobError::Unavailable`]; also if a newer version of this program has migrated the database.
     pub async fn open(location: &DatabaseLocation) -> Result<Self, JobError> {
         Ok(SqlStore { database: Database::open(location).await? })
     }
 
-    /// Ends all connections.
+    /// Closes all connections.
     pub async fn close(&self) {
         self.database.close().await;
     }
 
-    /// `synchronous` and `journal_mode` as SQLite's writing connection has them; `fsync` and `synchronous_commit` of
-    /// PostgreSQL.
+    /// The settings on which durability depends: `synchronous` and `journal_mode` of SQLite's writing connection, `fsync`
+    /// and `synchronous_commit` of PostgreSQL.
     ///
     /// # Errors
-    /// [`JobError`].
+    /// [`JobError::Unavailable`].
     pub async fn durability(&self) -> Result<(String, String), JobError> {
-        let mut session = self.database.begin().await?;
         let texts = match self.database.dialect() {
             dialect::Dialect::Sqlite => ["PRAGMA synchronous", "PRAGMA journal_mode"],
             dialect::Dialect::Postgres => ["SHOW fsync", "SHOW synchronous_commit"],
         };
-        let mut values = Vec::new();
-        for text in texts {
-            let rows = session.fetch(text.to_owned(), Vec::new()).await?;
-            let row = rows.first().ok_or(JobError::Corrupt { what: "a setting", source: None })?;
-            values.push(row.get::<String>(0).or_else(|_| row.get::<i64>(0).map(|n| n.to_string()))?);
-        }
-        let second = values.pop().unwrap_or_default();
-        session.end(Ok((values.pop().unwrap_or_default(), second))).await
+        self.database
+            .transaction(async |session| {
+                let mut values = [String::new(), String::new()];
+                for (value, text) in values.iter_mut().zip(texts) {
+                    let rows = session.fetch(text.to_owned(), Vec::new()).await?;
+                    let row = rows.first().ok_or(JobError::Corrupt { what: "a setting", source: None })?;
+                    *value = row.get::<String>(0).or_else(|_| row.get::<i64>(0).map(|n| n.to_string()))?;
+                }
+                let [first, second] = values;
+                Ok((first, second))
+            })
+            .await
     }
 }
 
 #[async_trait]
 impl JobStore for SqlStore {
     async fn ping(&self) -> Result<(), JobError> {
-        self.database.reading().await?.execute(sql!("ping"), bind![]).await.map(|_| ())
+        self.database.reader().await?.execute(sql!("ping"), bind![]).await.map(|_| ())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::{BTreeMap, BTreeSet};
+    use std::fs;
+    use std::path::PathBuf;
+
+    fn folder() -> PathBuf {
+        PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("src/store/sql")
     }
 
-    async fn insert(&self, job: &NewJob, admission: &Admission) -> Result<Job, JobError> {
-        self.insert_one(job, admission).await
+    /// The files of a folder with this extension: name without it, and text.
+    fn files(folder: PathBuf, extension: &str) -> BTreeMap<String, String> {
+        let paths = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
+        let paths = paths.filter(|path| path.extension().is_some_and(|e| e == extension));
+        paths
+            .map(|path| (path.file_stem().unwrap().to_str().unwrap().to_owned(), fs::read_to_string(&path).unwrap()))
+            .collect()
     }
 
-    async fn insert_batch(&self, batch: &NewBatch, jobs: &[NewJob], admission: &Admission) -> Result<Batch, JobError> {
-        self.insert_many(batch, jobs, admission).await
+    /// The functions of this module's sources, tests excluded: name and text up to the next function.
+    fn functions() -> Vec<(String, String)> {
+        let mut functions = Vec::new();
+        for source in files(folder(), "rs").values() {
+            let code = source.split("\n#[cfg(test)]").next().unwrap();
+            for part in code.split("fn ").skip(1) {
+                let name: String = part.chars().take_while(|c| c.is_alphanumeric() || *c == '_').collect();
+                functions.push((name, part.to_owned()));
+            }
+        }
+        functions
     }
 
-    async fn get_batch(&self, tenant: &Tenant, id: BatchId) -> Result<Batch, JobError> {
-        self.read_batch(tenant, id).await
+    /// The queries that a text names: `sql!("…")`, and the one that is put together at run time.
+    fn queries(code: &str) -> Vec<&str> {
+        let named = code.split("sql!(\"").skip(1).map(|rest| rest.split('"').next().unwrap());
+        let included = code.split("include_str!(\"queries/").skip(1).map(|rest| rest.split('.').next().unwrap());
+        named.chain(included).collect()
     }
 
-    async fn list_batches(&self, tenant: &Tenant, size: u32, after: Option<Cursor>) -> Result<BatchPage, JobError> {
-        self.read_batches(tenant, size, after).await
+    #[test]
+    fn every_query_is_used_and_begins_with_its_name() {
+        let functions = functions();
+        let used: BTreeSet<&str> = functions.iter().flat_map(|(_, code)| queries(code)).collect();
+        let files = files(folder().join("queries"), "sql");
+        assert_eq!(used, files.keys().map(String::as_str).collect());
+        for (name, text) in &files {
+            assert_eq!(text.lines().next().unwrap(), format!("-- {name}"));
+        }
     }
 
-    async fn begin_once(&self, once: &Once, busy_for: Duration) -> Result<OnceStatus, JobError> {
-        self.take_once(once, busy_for).await
+    #[test]
+    fn a_function_that_runs_one_query_has_the_name_of_the_query() {
+        let mut n_equal = 0;
+        for (name, code) in functions() {
+            let [query] = queries(&code)[..] else { continue };
+            // A function that hands its session on runs further queries. `list_state` reads a part of `list_jobs`.
+            let hands_on = ["(session,", "(session)", "(&mut session,", "self.get_", "number_changes("];
+            if hands_on.iter().any(|call| code.contains(call)) || name == "list_state" {
+                continue;
+            }
+            assert_eq!(name, query, "one operation has two names");
+            n_equal += 1;
+        }
+        assert!(n_equal >= 25, "only {n_equal} functions were recognized");
     }
 
-    async fn give_up_once(&self, once: &Once) -> Result<(), JobError> {
-        self.drop_once(once).await
-    }
-
-    async fn queue_length(&self, tenant: &Tenant, at_most: u32) -> Result<u32, JobError> {
-        self.count_queue(tenant, at_most).await
-    }
-
-    async fn load(&self) -> Result<Load, JobError> {
-        self.read_load().await
-    }
-
-    async fn get(&self, tenant: &Tenant, id: JobId) -> Result<Job, JobError> {
-        self.get_job(tenant, id).await
-    }
-
-    async fn list(&self, tenant: &Tenant, filter: &JobFilter, page: &PageRequest) -> Result<JobPage, JobError> {
-        self.list_jobs(tenant, filter, page).await
-    }
-
-    async fn cancel(&self, tenant: &Tenant, id: JobId) -> Result<Job, JobError> {
-        self.cancel_job(tenant, id).await
-    }
-
-    async fn delete(&self, tenant: &Tenant, id: JobId) -> Result<(), JobError> {
-        self.delete_job(tenant, id).await
-    }
-
-    async fn trace(&self, tenant: &Tenant, id: JobId, after_seq: u64, limit: u32) -> Result<TracePage, JobError> {
-        self.read_trace(tenant, id, after_seq, limit).await
-    }
-
-    async fn artifact(
-        &self,
-        tenant: &Tenant,
-        id: JobId,
-        kind: ArtifactKind,
-    ) -> Result<(JobState, Option<ArtifactRef>), JobError> {
-        self.get_artifact(tenant, id, kind).await
-    }
-
-    async fn changes(&self, tenant: &Tenant, since: u64, limit: u32) -> Result<ChangePage, JobError> {
-        self.read_changes(tenant, since, limit).await
-    }
-
-    async fn hold_blobs(
-        &self,
-        holder: &str,
-        keys: &[ArtifactKey],
-        for_at_most: Duration,
-        fence: Option<&Lease>,
-    ) -> Result<(), JobError> {
-        self.hold(holder, keys, for_at_most, fence).await
-    }
-
-    async fn drop_hold(&self, holder: &str) -> Result<(), JobError> {
-        self.end_hold(holder).await
-    }
-
-    async fn remove_unreferenced_blobs(&self, artifacts: &dyn ArtifactStore) -> Result<u32, JobError> {
-        self.remove_unreferenced(artifacts).await
-    }
-
-    async fn claim(
-        &self,
-        worker: &WorkerId,
-        lease: Duration,
-        max_run: Duration,
-    ) -> Result<Option<LeasedJob>, JobError> {
-        self.claim_next(worker, lease, max_run).await
-    }
-
-    async fn front_of_queue(&self, limit: u32) -> Result<Vec<WaitingJob>, JobError> {
-        self.read_front(limit).await
-    }
-
-    async fn claim_one_of(
-        &self,
-        jobs: &[JobId],
-        worker: &WorkerId,
-        lease: Duration,
-        max_run: Duration,
-    ) -> Result<Option<LeasedJob>, JobError> {
-        self.claim_first_of(jobs, worker, lease, max_run).await
-    }
-
-    async fn heartbeat(&self, lease: &Lease, duration: Duration) -> Result<LeaseStatus, JobError> {
-        self.prolong(lease, duration).await
-    }
-
-    async fn lease_status(&self, lease: &Lease) -> Result<LeaseStatus, JobError> {
-        self.look_at(lease).await
-    }
-
-    async fn append_trace(&self, lease: &Lease, chunk: &TraceChunk) -> Result<(), JobError> {
-        self.append(lease, chunk).await
-    }
-
-    async fn finish(&self, lease: &Lease, outcome: &Outcome, keep: Option<Duration>) -> Result<(), JobError> {
-        self.finish_job(lease, outcome, keep).await
-    }
-
-    async fn release(&self, lease: &Lease) -> Result<(), JobError> {
-        self.release_job(lease).await
-    }
-
-    async fn recover_expired(&self) -> Result<Recovered, JobError> {
-        self.recover_expired_leases().await
-    }
-
-    async fn recover_worker(&self, worker: &WorkerId) -> Result<Recovered, JobError> {
-        self.recover_leases_of(worker).await
-    }
-
-    async fn end_overdue(&self, patience: Duration) -> Result<Overdue, JobError> {
-        self.end_overdue_jobs(patience).await
-    }
-
-    async fn purge(&self, retention: &Retention, limit: u32, dry_run: bool) -> Result<Purged, JobError> {
-        if dry_run { self.count_purge(retention).await } else { self.do_purge(retention, limit).await }
-    }
-
-    async fn follow_hints(&self, wake: &tokio::sync::Notify) {
-        self.database.follow_hints(wake).await;
-    }
-
-    async fn give_hint(&self) {
-        self.database.give_hint().await;
+    #[test]
+    fn a_query_with_the_name_of_a_function_is_run_by_that_function() {
+        let files = files(folder().join("queries"), "sql");
+        let functions = functions();
+        for query in files.keys() {
+            let of_this_name: Vec<_> = functions.iter().filter(|(name, _)| name == query).collect();
+            let runs_it = of_this_name.iter().any(|(_, code)| queries(code).contains(&query.as_str()));
+            // The text of `list_jobs` is put together in `list_state`.
+            assert!(of_this_name.is_empty() || runs_it || query == "list_jobs", "{query}");
+        }
     }
 }

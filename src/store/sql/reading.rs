@@ -1,24 +1,32 @@
-//! Jobs, lists, traces and references.
+//! Jobs, batches, traces and the feed of changes, as clients read them.
 
 use super::database::{Argument, Session, bind};
 use super::dialect::{sql, with_options};
-use super::{SqlStore, rows};
+use super::{SqlStore, batches, changes, rows};
 use crate::jobs::job::{Cursor, Order};
 use crate::jobs::{
-    ArtifactKey, ArtifactKind, ArtifactRef, Job, JobError, JobFilter, JobId, JobPage, JobState, Load, NumberedPoint,
-    PageRequest, Tenant, TracePage,
+    ArtifactKey, ArtifactKind, ArtifactRef, Batch, BatchId, BatchPage, ChangePage, Job, JobError, JobFilter, JobId,
+    JobPage, JobReader, JobState, Load, NumberedPoint, PageRequest, Tenant, TracePage,
 };
+use async_trait::async_trait;
 
-/// A job by its id, in any session.
-pub(super) async fn find_job(session: &mut Session, tenant: &Tenant, id: JobId) -> Result<Job, JobError> {
+/// A job by its id.
+pub(super) async fn get_job(session: &mut Session, tenant: &Tenant, id: JobId) -> Result<Job, JobError> {
     let row = session.row(sql!("get_job"), bind![id, tenant]).await?;
     rows::job(&row.ok_or(JobError::NotFound)?)
 }
 
-impl SqlStore {
-    pub(super) async fn get_job(&self, tenant: &Tenant, id: JobId) -> Result<Job, JobError> {
-        let mut session = self.database.reading().await?;
-        let mut job = find_job(&mut session, tenant, id).await?;
+/// The number of a tenant's queued jobs, counted up to `at_most`.
+pub(super) async fn queue_length(session: &mut Session, tenant: &Tenant, at_most: u32) -> Result<u32, JobError> {
+    let row = session.row(sql!("queue_length"), bind![tenant, at_most]).await?;
+    row.map_or(Ok(0), |row| row.count(0))
+}
+
+#[async_trait]
+impl JobReader for SqlStore {
+    async fn get_job(&self, tenant: &Tenant, id: JobId) -> Result<Job, JobError> {
+        let mut session = self.database.reader().await?;
+        let mut job = get_job(&mut session, tenant, id).await?;
         if job.state == JobState::Queued {
             let place = bind![job.priority, job.created_at.as_millisecond(), id];
             let position: Option<i64> = session.value(sql!("queue_position"), place).await?;
@@ -27,44 +35,22 @@ impl SqlStore {
         Ok(job)
     }
 
-    pub(super) async fn count_queue(&self, tenant: &Tenant, at_most: u32) -> Result<u32, JobError> {
-        let mut session = self.database.reading().await?;
-        let row = session.row(sql!("queue_length_of_tenant"), bind![tenant, at_most]).await?;
-        row.map_or(Ok(0), |row| row.count(0))
-    }
-
-    pub(super) async fn read_load(&self) -> Result<Load, JobError> {
-        let row = self.database.reading().await?.row(sql!("load"), bind![]).await?;
-        let row = row.ok_or(JobError::Corrupt { what: "the load", source: None })?;
-        let age: i64 = row.get("oldest_ms")?;
-        Ok(Load {
-            queued: row.count("queued")?,
-            running: row.count("running")?,
-            oldest_queued: std::time::Duration::from_millis(age.max(0).unsigned_abs()),
-        })
-    }
-
-    /// Each state is read by itself, along its index, and the pages are merged: whatever the filter, the cost is that
-    /// of a few pages, however many jobs there are.
-    pub(super) async fn list_jobs(
-        &self,
-        tenant: &Tenant,
-        filter: &JobFilter,
-        page: &PageRequest,
-    ) -> Result<JobPage, JobError> {
-        let mut session = self.database.snapshot().await?;
-        let read = async {
-            let mut jobs = Vec::new();
-            if filter.states.is_empty() {
-                jobs = list_state(&mut session, tenant, filter, None, page).await?;
-            }
-            for &state in &filter.states {
-                jobs.extend(list_state(&mut session, tenant, filter, Some(state), page).await?);
-            }
-            Ok(jobs)
-        };
-        let read = read.await;
-        let mut jobs = session.end(read).await?;
+    /// Reads each state by itself, along its index, and merges the pages: whatever the filter, the cost is that of a few
+    /// pages, however many jobs there are.
+    async fn list_jobs(&self, tenant: &Tenant, filter: &JobFilter, page: &PageRequest) -> Result<JobPage, JobError> {
+        let mut jobs = self
+            .database
+            .read(async |session| {
+                let mut jobs = Vec::new();
+                if filter.states.is_empty() {
+                    jobs = list_state(session, tenant, filter, None, page).await?;
+                }
+                for &state in &filter.states {
+                    jobs.extend(list_state(session, tenant, filter, Some(state), page).await?);
+                }
+                Ok(jobs)
+            })
+            .await?;
         let place = |job: &Job| (job.created_at, job.id);
         match page.order {
             Order::NewestFirst => jobs.sort_by_key(|job| std::cmp::Reverse(place(job))),
@@ -80,24 +66,31 @@ impl SqlStore {
         Ok(JobPage { jobs, next })
     }
 
-    pub(super) async fn read_trace(
-        &self,
-        tenant: &Tenant,
-        id: JobId,
-        after_seq: u64,
-        limit: u32,
-    ) -> Result<TracePage, JobError> {
-        // State and points of the same moment: `complete` must not hide a last chunk.
-        let mut session = self.database.snapshot().await?;
-        let read = async {
-            let state: Option<String> = session.value(sql!("job_state"), bind![id, tenant]).await?;
-            let state = rows::state(&state.ok_or(JobError::NotFound)?)?;
-            // A chunk has at least a point; the first may reach back before `after`.
-            let arguments = bind![id, after_seq, i64::from(limit) + 2];
-            Ok((state, session.rows(sql!("trace_chunks_after"), arguments).await?))
-        };
-        let read = read.await;
-        let (state, chunks) = session.end(read).await?;
+    async fn get_batch(&self, tenant: &Tenant, id: BatchId) -> Result<Batch, JobError> {
+        batches::get_batch(&mut self.database.reader().await?, tenant, id).await
+    }
+
+    async fn list_batches(&self, tenant: &Tenant, size: u32, after: Option<Cursor>) -> Result<BatchPage, JobError> {
+        batches::list_batches(&mut self.database.reader().await?, tenant, size, after).await
+    }
+
+    async fn list_changes(&self, tenant: &Tenant, since: u64, limit: u32) -> Result<ChangePage, JobError> {
+        changes::number_changes(&self.database).await?;
+        changes::list_changes(&self.database, tenant, since, limit).await
+    }
+
+    async fn get_trace(&self, tenant: &Tenant, id: JobId, after_seq: u64, limit: u32) -> Result<TracePage, JobError> {
+        // State and points of one snapshot: otherwise `complete` could be said before the last chunk is read.
+        let (state, chunks) = self
+            .database
+            .read(async |session| {
+                let state: Option<String> = session.value(sql!("job_state"), bind![id, tenant]).await?;
+                let state = rows::state(&state.ok_or(JobError::NotFound)?)?;
+                // A chunk has at least one point; the first chunk may begin before `after_seq`.
+                let arguments = bind![id, after_seq, i64::from(limit) + 2];
+                Ok((state, session.rows(sql!("trace_chunks_after"), arguments).await?))
+            })
+            .await?;
         let mut points: Vec<NumberedPoint> = Vec::new();
         for chunk in &chunks {
             points.extend(rows::json::<Vec<NumberedPoint>>("a trace chunk", &chunk.get::<String>(0)?)?);
@@ -109,13 +102,13 @@ impl SqlStore {
         Ok(TracePage { points, next_after_seq, complete: state.is_final() && !more })
     }
 
-    pub(super) async fn get_artifact(
+    async fn get_artifact(
         &self,
         tenant: &Tenant,
         id: JobId,
         kind: ArtifactKind,
     ) -> Result<(JobState, Option<ArtifactRef>), JobError> {
-        let mut session = self.database.reading().await?;
+        let mut session = self.database.reader().await?;
         let row = session.row(sql!("get_artifact"), bind![id, tenant, kind.name()]).await?;
         let row = row.ok_or(JobError::NotFound)?;
         if row.get::<Option<i64>>("purged_at")?.is_some() {
@@ -131,8 +124,24 @@ impl SqlStore {
         };
         Ok((rows::state(&row.get::<String>("state")?)?, artifact))
     }
+
+    async fn queue_length(&self, tenant: &Tenant, at_most: u32) -> Result<u32, JobError> {
+        queue_length(&mut self.database.reader().await?, tenant, at_most).await
+    }
+
+    async fn load(&self) -> Result<Load, JobError> {
+        let row = self.database.reader().await?.row(sql!("load"), bind![]).await?;
+        let row = row.ok_or(JobError::Corrupt { what: "the load", source: None })?;
+        let age: i64 = row.get("oldest_ms")?;
+        Ok(Load {
+            queued: row.count("queued")?,
+            running: row.count("running")?,
+            oldest_queued: std::time::Duration::from_millis(age.max(0).unsigned_abs()),
+        })
+    }
 }
 
+/// The jobs of one state (of all states if `None`) on a page, and one more if there is a next page.
 async fn list_state(
     session: &mut Session,
     tenant: &Tenant,
@@ -140,8 +149,8 @@ async fn list_state(
     state: Option<JobState>,
     page: &PageRequest,
 ) -> Result<Vec<Job>, JobError> {
-    // Along the first label's index, except where another index leads to fewer jobs: most jobs have succeeded, and few
-    // are in any other state.
+    // Read along the first label's index, unless another index selects fewer jobs: most jobs have succeeded, and few are
+    // in any other state.
     let by_label = !filter.labels.is_empty()
         && filter.external_ref.is_none()
         && filter.batch_id.is_none()
@@ -152,7 +161,7 @@ async fn list_state(
     let newest = page.order == Order::NewestFirst;
     let mut values: Vec<(&str, Argument)> = vec![
         ("tenant", tenant.into()),
-        // One more than asked for tells whether there is a next page.
+        // One more than the page holds tells whether there is a next page.
         ("size", (i64::from(page.size) + 1).into()),
     ];
     let mut wanted = vec![if newest { "newest" } else { "oldest" }, if by_label { "by_label" } else { "by_job" }];

@@ -1,93 +1,95 @@
-//! Removal of what outlived its retention.
+//! Removal of what has outlived its retention.
 //!
-//! Each job goes in a transaction of its own: a purge of thousands keeps nobody waiting, and what it was interrupted in
-//! goes on the next time.
+//! Each job is removed in a transaction of its own: the purge of thousands blocks nobody for long, and an interrupted purge
+//! is continued by the next one.
 
-use super::database::{Row, bind};
+use super::database::{Row, Session, bind};
 use super::dialect::sql;
 use super::{SqlStore, blobs, rows, writing};
-use crate::jobs::{JobError, MeshStore, Purged, Retention};
+use crate::jobs::{JobError, JobId, MeshStore, Purged, Retention};
+use std::time::Duration;
 
-fn n(row: Option<Row>) -> Result<u64, JobError> {
+fn number(row: Option<Row>) -> Result<u64, JobError> {
     Ok(row.map_or(Ok(0), |row| row.get::<i64>(0))?.unsigned_abs())
 }
 
-impl SqlStore {
-    pub(super) async fn count_purge(&self, retention: &Retention) -> Result<Purged, JobError> {
-        let mut session = self.database.snapshot().await?;
-        let done = async {
+/// Counts what a purge would remove.
+pub(super) async fn count_purge(store: &SqlStore, retention: &Retention) -> Result<Purged, JobError> {
+    store
+        .database
+        .read(async |session| {
             let mut purged = Purged {
-                results: n(session.row(sql!("count_results_to_purge"), bind![]).await?)?,
+                results: number(session.row(sql!("count_results_to_purge"), bind![]).await?)?,
                 ..Purged::default()
             };
             if let Some(keep) = retention.jobs {
-                purged.jobs = n(session.row(sql!("count_jobs_to_purge"), bind![keep]).await?)?;
-                purged.meshes = n(session.row(sql!("count_meshes_to_purge"), bind![keep]).await?)?;
-                purged.changes = n(session.row(sql!("count_old_changes"), bind![keep]).await?)?;
-                purged.deliveries = n(session.row(sql!("count_old_deliveries"), bind![keep]).await?)?;
+                purged.jobs = number(session.row(sql!("count_jobs_to_purge"), bind![keep]).await?)?;
+                purged.meshes = number(session.row(sql!("count_meshes_to_purge"), bind![keep]).await?)?;
+                purged.changes = number(session.row(sql!("count_old_changes"), bind![keep]).await?)?;
+                purged.deliveries = number(session.row(sql!("count_old_deliveries"), bind![keep]).await?)?;
             }
-            purged.idempotency_keys = n(session.row(sql!("count_old_once"), bind![]).await?)?;
+            purged.idempotency_keys = number(session.row(sql!("count_old_once"), bind![]).await?)?;
             Ok(purged)
-        };
-        let done = done.await;
-        session.end(done).await
-    }
+        })
+        .await
+}
 
-    pub(super) async fn do_purge(&self, retention: &Retention, limit: u32) -> Result<Purged, JobError> {
-        let mut purged = Purged::default();
-        for row in self.database.reading().await?.rows(sql!("results_to_purge"), bind![limit]).await? {
-            let id = rows::job_id(&row.get::<String>("id")?)?;
-            let mut session = self.database.begin().await?;
-            let done = async {
-                // Locked: a submission that takes this result as its own came before, or does not find it.
-                if session.row(sql!("lock_result_to_purge"), bind![id]).await?.is_none() {
-                    return Ok(false);
-                }
-                session.execute(sql!("mark_result_purged"), bind![id]).await?;
-                blobs::note_candidates_of_job(&mut session, id).await?;
-                for query in [sql!("delete_artifacts"), sql!("clear_trace")] {
-                    session.execute(query, bind![id]).await?;
-                }
-                Ok(true)
-            };
-            let done = done.await;
-            purged.results += u64::from(session.end(done).await?);
-        }
-        if let Some(keep) = retention.jobs {
-            for row in self.database.reading().await?.rows(sql!("jobs_to_purge"), bind![keep, limit]).await? {
-                let id = rows::job_id(&row.get::<String>("id")?)?;
-                let mut session = self.database.begin().await?;
-                let done = async {
-                    if session.row(sql!("lock_job_to_purge"), bind![id]).await?.is_none() {
-                        return Ok(false);
-                    }
-                    writing::remove_job(&mut session, id).await.map(|()| true)
-                };
-                let done = done.await;
-                purged.jobs += u64::from(session.end(done).await?);
-            }
-            for row in self.database.reading().await?.rows(sql!("meshes_to_purge"), bind![keep, limit]).await? {
-                let tenant = rows::tenant(&row.get::<String>("tenant")?)?;
-                match self.delete_mesh(&tenant, &row.get::<String>("hash")?).await {
-                    Ok(()) => purged.meshes += 1,
-                    // A job refers to it since, or somebody else removed it.
-                    Err(JobError::MeshInUse | JobError::MeshNotFound) => {}
-                    Err(error) => return Err(error),
-                }
-            }
-            let mut session = self.database.begin().await?;
-            let done = async {
-                let changes = session.execute(sql!("purge_changes"), bind![keep]).await?;
-                let deliveries = session.execute(sql!("purge_deliveries"), bind![keep]).await?;
-                session.execute(sql!("purge_empty_batches"), bind![keep]).await?;
-                Ok((changes, deliveries))
-            };
-            let done = done.await;
-            (purged.changes, purged.deliveries) = session.end(done).await?;
-        }
-        let mut session = self.database.begin().await?;
-        let done = session.execute(sql!("purge_once"), bind![]).await;
-        purged.idempotency_keys = session.end(done).await?;
-        Ok(purged)
+/// Removes the results, and then the records, that have outlived their retention: at most `limit` of each kind.
+pub(super) async fn purge(store: &SqlStore, retention: &Retention, limit: u32) -> Result<Purged, JobError> {
+    let database = &store.database;
+    let mut purged = Purged::default();
+    for row in database.reader().await?.rows(sql!("results_to_purge"), bind![limit]).await? {
+        let id = rows::job_id(&row.get::<String>("id")?)?;
+        purged.results += u64::from(database.transaction(async |session| purge_result(session, id).await).await?);
     }
+    if let Some(keep) = retention.jobs {
+        for row in database.reader().await?.rows(sql!("jobs_to_purge"), bind![keep, limit]).await? {
+            let id = rows::job_id(&row.get::<String>("id")?)?;
+            purged.jobs += u64::from(database.transaction(async |session| purge_job(session, id).await).await?);
+        }
+        for row in database.reader().await?.rows(sql!("meshes_to_purge"), bind![keep, limit]).await? {
+            let tenant = rows::tenant(&row.get::<String>("tenant")?)?;
+            match store.delete_mesh(&tenant, &row.get::<String>("hash")?).await {
+                Ok(()) => purged.meshes += 1,
+                // A job refers to it by now, or another process has removed it.
+                Err(JobError::MeshInUse | JobError::MeshNotFound) => {}
+                Err(error) => return Err(error),
+            }
+        }
+        let records = database.transaction(async |session| purge_records(session, keep).await);
+        (purged.changes, purged.deliveries) = records.await?;
+    }
+    let keys = database.transaction(async |session| session.execute(sql!("purge_once"), bind![]).await);
+    purged.idempotency_keys = keys.await?;
+    Ok(purged)
+}
+
+/// Removes a job's result and trace. `false` if it needs no purge any more.
+async fn purge_result(session: &mut Session, id: JobId) -> Result<bool, JobError> {
+    // Locked: a submission that shares this result either came first or does not find it.
+    if session.row(sql!("lock_result_to_purge"), bind![id]).await?.is_none() {
+        return Ok(false);
+    }
+    session.execute(sql!("mark_result_purged"), bind![id]).await?;
+    blobs::note_candidates_of_job(session, id).await?;
+    for query in [sql!("delete_artifacts"), sql!("clear_trace")] {
+        session.execute(query, bind![id]).await?;
+    }
+    Ok(true)
+}
+
+/// Removes a job's record. `false` if it needs no purge any more.
+async fn purge_job(session: &mut Session, id: JobId) -> Result<bool, JobError> {
+    if session.row(sql!("lock_job_to_purge"), bind![id]).await?.is_none() {
+        return Ok(false);
+    }
+    writing::delete_job(session, id).await.map(|()| true)
+}
+
+/// Removes changes, deliveries and empty batches that are older than `keep`. Returns the numbers of the first two.
+async fn purge_records(session: &mut Session, keep: Duration) -> Result<(u64, u64), JobError> {
+    let changes = session.execute(sql!("purge_changes"), bind![keep]).await?;
+    let deliveries = session.execute(sql!("purge_deliveries"), bind![keep]).await?;
+    session.execute(sql!("purge_empty_batches"), bind![keep]).await?;
+    Ok((changes, deliveries))
 }

@@ -1,4 +1,4 @@
-//! What the columns of a row mean.
+//! Conversion of rows to records.
 
 use super::database::Row;
 use crate::jobs::job::Cursor;
@@ -56,7 +56,7 @@ pub(super) fn job(row: &Row) -> Result<Job, JobError> {
     })
 }
 
-/// The waiting job in a row of `front_of_queue`.
+/// The queued job in a row of `front_of_queue`.
 pub(super) fn waiting_job(row: &Row) -> Result<WaitingJob, JobError> {
     let waited_ms: i64 = row.get("waited_ms")?;
     Ok(WaitingJob {
@@ -77,27 +77,27 @@ pub(super) fn maybe_time(row: &Row, column: &'static str) -> Result<Option<Times
     row.get::<Option<i64>>(column)?.map(time).transpose()
 }
 
-/// A place in a list. A cursor names what it stands at by a job's id; other ids have the same form.
+/// The position of an entry in a list. A cursor holds a job's id; ids of other entries have the same form.
 pub(super) fn cursor(created_at: Timestamp, id: &str) -> Option<Cursor> {
     JobId::parse(id).map(|id| Cursor { created_at_ms: created_at.as_millisecond(), id })
 }
 
-/// The job of this id.
+/// Parses the id of a job.
 pub(super) fn job_id(text: &str) -> Result<JobId, JobError> {
     JobId::parse(text).ok_or(JobError::Corrupt { what: "a job's id", source: None })
 }
 
-/// The batch of this id.
+/// Parses the id of a batch.
 pub(super) fn batch_id(text: &str) -> Result<BatchId, JobError> {
     BatchId::parse(text).ok_or(JobError::Corrupt { what: "a batch's id", source: None })
 }
 
-/// The tenant of this name.
+/// Parses the name of a tenant.
 pub(super) fn tenant(name: &str) -> Result<Tenant, JobError> {
     Tenant::new(name).ok_or(JobError::Corrupt { what: "a tenant", source: None })
 }
 
-/// The state of this name.
+/// Parses the name of a state.
 pub(super) fn state(name: &str) -> Result<JobState, JobError> {
     JobState::from_name(name).ok_or(JobError::Corrupt { what: "a job's state", source: None })
 }
@@ -106,7 +106,7 @@ fn phase(name: &str) -> Result<Phase, JobError> {
     serde_json::from_value(name.into()).map_err(|e| JobError::corrupt("a phase", e))
 }
 
-/// A time of the database.
+/// A time in the database, ms since 1970.
 pub(super) fn time(milliseconds: i64) -> Result<Timestamp, JobError> {
     Timestamp::from_millisecond(milliseconds).map_err(|e| JobError::corrupt("a time", e))
 }

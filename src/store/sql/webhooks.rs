@@ -1,8 +1,8 @@
-//! Records of webhooks and of deliveries.
+//! Records of webhooks and of their deliveries.
 
-use super::database::{Row, Session, bind};
+use super::database::{Argument, Row, Session, bind};
 use super::dialect::sql;
-use super::{SqlStore, rows};
+use super::{SqlStore, changes, rows};
 use crate::jobs::job::Cursor;
 use crate::jobs::{
     Attempted, Delivery, DeliveryPage, DeliveryState, DueDelivery, JobError, JobState, Tenant, Webhook, WebhookPage,
@@ -13,7 +13,7 @@ use serde_json::json;
 use std::collections::HashMap;
 use std::time::Duration;
 
-/// Changes turned into deliveries in one transaction.
+/// Changes for which deliveries are inserted in one transaction.
 const CHANGES_AT_ONCE: u32 = 500;
 
 fn webhook(row: &Row) -> Result<Webhook, JobError> {
@@ -45,11 +45,12 @@ fn delivery(row: &Row) -> Result<Delivery, JobError> {
     })
 }
 
-async fn find_webhook(session: &mut Session, tenant: &Tenant, id: &str) -> Result<Webhook, JobError> {
+async fn get_webhook(session: &mut Session, tenant: &Tenant, id: &str) -> Result<Webhook, JobError> {
     webhook(&session.row(sql!("get_webhook"), bind![id, tenant]).await?.ok_or(JobError::WebhookNotFound)?)
 }
 
-async fn add_delivery(
+/// Inserts a delivery and returns its id.
+async fn insert_delivery(
     session: &mut Session,
     webhook_id: &str,
     tenant: &str,
@@ -61,30 +62,34 @@ async fn add_delivery(
     Ok(id)
 }
 
+/// The delivery that is due next.
+async fn next_delivery(session: &mut Session) -> Result<Option<Row>, JobError> {
+    session.row(sql!("next_delivery"), bind![]).await
+}
+
 #[async_trait]
 impl WebhookStore for SqlStore {
     async fn insert_webhook(&self, new: &Webhook, at_most: u32) -> Result<Option<Webhook>, JobError> {
         let states = rows::to_json("states", &new.states)?;
-        let mut session = self.database.begin().await?;
-        let done = async {
-            let row = session.row(sql!("count_webhooks"), bind![&new.tenant]).await?;
-            if row.map_or(Ok(0), |row| row.count(0))? >= at_most {
-                return Ok(None);
-            }
-            let arguments = bind![&new.id, &new.tenant, &new.url, states, &new.secret];
-            session.execute(sql!("insert_webhook"), arguments).await?;
-            find_webhook(&mut session, &new.tenant, &new.id).await.map(Some)
-        };
-        let done = done.await;
-        session.end(done).await
+        self.database
+            .transaction(async |session| {
+                let row = session.row(sql!("count_webhooks"), bind![&new.tenant]).await?;
+                if row.map_or(Ok(0), |row| row.count(0))? >= at_most {
+                    return Ok(None);
+                }
+                let arguments = bind![&new.id, &new.tenant, &new.url, states, &new.secret];
+                session.execute(sql!("insert_webhook"), arguments).await?;
+                get_webhook(session, &new.tenant, &new.id).await.map(Some)
+            })
+            .await
     }
 
     async fn get_webhook(&self, tenant: &Tenant, id: &str) -> Result<Webhook, JobError> {
-        find_webhook(&mut self.database.reading().await?, tenant, id).await
+        get_webhook(&mut self.database.reader().await?, tenant, id).await
     }
 
     async fn list_webhooks(&self, tenant: &Tenant, size: u32, after: Option<Cursor>) -> Result<WebhookPage, JobError> {
-        let mut session = self.database.reading().await?;
+        let mut session = self.database.reader().await?;
         let (time, id) = (after.map(|c| c.created_at_ms), after.map(|c| c.id));
         let found = session.rows(sql!("list_webhooks"), bind![tenant, time, id, i64::from(size) + 1]).await?;
         let webhooks: Vec<Webhook> = found.iter().take(size as usize).map(webhook).collect::<Result<_, _>>()?;
@@ -102,19 +107,19 @@ impl WebhookStore for SqlStore {
         is_enabled: bool,
     ) -> Result<Webhook, JobError> {
         let states = rows::to_json("states", &states)?;
-        let mut session = self.database.begin().await?;
-        let done = async {
-            session.execute(sql!("update_webhook"), bind![id, tenant, url, states, is_enabled]).await?;
-            find_webhook(&mut session, tenant, id).await
-        };
-        let done = done.await;
-        session.end(done).await
+        self.database
+            .transaction(async |session| {
+                session.execute(sql!("update_webhook"), bind![id, tenant, url, states, is_enabled]).await?;
+                get_webhook(session, tenant, id).await
+            })
+            .await
     }
 
     async fn delete_webhook(&self, tenant: &Tenant, id: &str) -> Result<(), JobError> {
-        let mut session = self.database.begin().await?;
-        let done = session.execute(sql!("delete_webhook"), bind![id, tenant]).await;
-        match session.end(done).await? {
+        let arguments = bind![id, tenant];
+        let deleted =
+            self.database.transaction(async |session| session.execute(sql!("delete_webhook"), arguments).await);
+        match deleted.await? {
             0 => Err(JobError::WebhookNotFound),
             _ => Ok(()),
         }
@@ -127,8 +132,8 @@ impl WebhookStore for SqlStore {
         size: u32,
         after: Option<Cursor>,
     ) -> Result<DeliveryPage, JobError> {
-        let mut session = self.database.reading().await?;
-        find_webhook(&mut session, tenant, id).await?;
+        let mut session = self.database.reader().await?;
+        get_webhook(&mut session, tenant, id).await?;
         let (time, after) = (after.map(|c| c.created_at_ms), after.map(|c| c.id));
         let found = session.rows(sql!("list_deliveries"), bind![id, time, after, i64::from(size) + 1]).await?;
         let deliveries: Vec<Delivery> = found.iter().take(size as usize).map(delivery).collect::<Result<_, _>>()?;
@@ -144,104 +149,98 @@ impl WebhookStore for SqlStore {
         event: &str,
         payload: &str,
     ) -> Result<Delivery, JobError> {
-        let mut session = self.database.begin().await?;
-        let done = async {
-            find_webhook(&mut session, tenant, id).await?;
-            let made = add_delivery(&mut session, id, tenant.name(), event, payload).await?;
-            let row = session.row(sql!("get_delivery"), bind![made]).await?;
-            delivery(&row.ok_or(JobError::WebhookNotFound)?)
-        };
-        let done = done.await;
-        session.end(done).await
+        self.database
+            .transaction(async |session| {
+                get_webhook(session, tenant, id).await?;
+                let made = insert_delivery(session, id, tenant.name(), event, payload).await?;
+                let row = session.row(sql!("get_delivery"), bind![made]).await?;
+                delivery(&row.ok_or(JobError::WebhookNotFound)?)
+            })
+            .await
     }
 
-    async fn tell_changes(&self) -> Result<u32, JobError> {
-        self.number_changes().await?;
-        let mut told = 0;
+    async fn insert_due_deliveries(&self) -> Result<u32, JobError> {
+        changes::number_changes(&self.database).await?;
+        let mut inserted = 0;
         loop {
-            let mut reading = self.database.reading().await?;
-            let position: Option<i64> = reading.value(sql!("webhook_position"), bind![]).await?;
-            let last: Option<i64> = reading.value(sql!("last_change"), bind![]).await?;
-            drop(reading);
+            let mut session = self.database.reader().await?;
+            let position: Option<i64> = session.value(sql!("webhook_position"), bind![]).await?;
+            let last: Option<i64> = session.value(sql!("last_change"), bind![]).await?;
+            drop(session);
             if last <= position {
-                return Ok(told);
+                return Ok(inserted);
             }
-            let mut session = self.database.begin().await?;
-            let done = tell_some(&mut session).await;
-            told += session.end(done).await?;
+            inserted += self.database.transaction(insert_some_deliveries).await?;
         }
     }
 
-    async fn take_delivery(&self, busy_for: Duration) -> Result<Option<DueDelivery>, JobError> {
-        if self.database.reading().await?.row(sql!("next_delivery"), bind![]).await?.is_none() {
+    async fn claim_delivery(&self, busy_for: Duration) -> Result<Option<DueDelivery>, JobError> {
+        // Asked without a lock first: usually nothing is due.
+        if next_delivery(&mut self.database.reader().await?).await?.is_none() {
             return Ok(None);
         }
-        let mut session = self.database.begin().await?;
-        let done = async {
-            let Some(row) = session.row(sql!("next_delivery"), bind![]).await? else { return Ok(None) };
-            let id: String = row.get("id")?;
-            if session.row(sql!("lock_delivery"), bind![&id]).await?.is_none() {
-                return Ok(None); // another took it at this moment
-            }
-            session.execute(sql!("take_delivery"), bind![&id, busy_for]).await?;
-            Ok(Some(DueDelivery {
-                id,
-                webhook_id: row.get("webhook_id")?,
-                url: row.get("url")?,
-                secret: row.get("secret")?,
-                payload: row.get("payload")?,
-                attempt: row.count("attempts")? + 1,
-                is_wanted: row.get("is_enabled")?,
-            }))
-        };
-        let done = done.await;
-        session.end(done).await
+        self.database
+            .transaction(async |session| {
+                let Some(row) = next_delivery(session).await? else { return Ok(None) };
+                let id: String = row.get("id")?;
+                if session.row(sql!("lock_delivery"), bind![&id]).await?.is_none() {
+                    return Ok(None); // another process claimed it in this moment
+                }
+                session.execute(sql!("claim_delivery"), bind![&id, busy_for]).await?;
+                Ok(Some(DueDelivery {
+                    id,
+                    webhook_id: row.get("webhook_id")?,
+                    url: row.get("url")?,
+                    secret: row.get("secret")?,
+                    payload: row.get("payload")?,
+                    attempt: row.count("attempts")? + 1,
+                    is_wanted: row.get("is_enabled")?,
+                }))
+            })
+            .await
     }
 
     async fn end_attempt(&self, id: &str, attempted: &Attempted) -> Result<(), JobError> {
-        let mut session = self.database.begin().await?;
-        let done = match attempted {
-            Attempted::Delivered { status } => {
-                let arguments = bind![id, DeliveryState::Delivered.name(), Some(u32::from(*status)), None::<&str>];
-                session.execute(sql!("end_delivery"), arguments).await
-            }
+        let ended = |state: DeliveryState, status: Option<u16>, error: Option<&str>| {
+            (sql!("end_delivery"), bind![id, state.name(), status.map(u32::from), error])
+        };
+        let (query, arguments): (_, Vec<Argument>) = match attempted {
+            Attempted::Delivered { status } => ended(DeliveryState::Delivered, Some(*status), None),
+            Attempted::Failed { status, error } => ended(DeliveryState::Failed, *status, Some(error)),
             Attempted::Retry { after, status, error } => {
-                let arguments = bind![id, *after, status.map(u32::from), error];
-                session.execute(sql!("retry_delivery"), arguments).await
-            }
-            Attempted::Failed { status, error } => {
-                let arguments = bind![id, DeliveryState::Failed.name(), status.map(u32::from), error];
-                session.execute(sql!("end_delivery"), arguments).await
+                (sql!("retry_delivery"), bind![id, *after, status.map(u32::from), error])
             }
         };
-        session.end(done).await.map(|_| ())
+        self.database.transaction(async |session| session.execute(query, arguments).await).await.map(|_| ())
     }
 
     async fn disable_webhook(&self, id: &str, because: &str) -> Result<(), JobError> {
-        let mut session = self.database.begin().await?;
-        let done = session.execute(sql!("disable_webhook"), bind![id, because]).await;
-        session.end(done).await.map(|_| ())
+        let arguments = bind![id, because];
+        let disabled =
+            self.database.transaction(async |session| session.execute(sql!("disable_webhook"), arguments).await);
+        disabled.await.map(|_| ())
     }
 }
 
-/// Makes deliveries of some changes, and moves the position past them; who else does so waits.
-async fn tell_some(session: &mut Session) -> Result<u32, JobError> {
+/// Inserts the deliveries of at most [`CHANGES_AT_ONCE`] changes and advances the position past them; another process that
+/// does the same waits. Returns the number of deliveries.
+async fn insert_some_deliveries(session: &mut Session) -> Result<u32, JobError> {
     let position: Option<i64> = session.value(sql!("lock_webhook_position"), bind![]).await?;
     let position = position.ok_or(JobError::Corrupt { what: "the position of webhooks", source: None })?;
-    if session.value(sql!("any_webhooks"), bind![]).await? != Some(true) {
+    if session.value(sql!("has_webhooks"), bind![]).await? != Some(true) {
         let last: Option<i64> = session.value(sql!("last_change"), bind![]).await?;
         session.execute(sql!("set_webhook_position"), bind![last.unwrap_or(position).max(position)]).await?;
         return Ok(0);
     }
     let mut receivers: HashMap<String, Vec<(String, Vec<JobState>)>> = HashMap::new();
-    let mut told = 0;
+    let mut inserted = 0;
     let mut reached = position;
-    for change in session.rows(sql!("changes_to_tell"), bind![position, CHANGES_AT_ONCE]).await? {
+    for change in session.rows(sql!("undelivered_changes"), bind![position, CHANGES_AT_ONCE]).await? {
         let (seq, tenant): (i64, String) = (change.get("seq")?, change.get("tenant")?);
         reached = seq;
         if !receivers.contains_key(&tenant) {
             let mut of_tenant = Vec::new();
-            for row in session.rows(sql!("webhooks_to_tell"), bind![&tenant]).await? {
+            for row in session.rows(sql!("enabled_webhooks"), bind![&tenant]).await? {
                 of_tenant.push((row.get("id")?, rows::json("a webhook's states", &row.get::<String>("states")?)?));
             }
             receivers.insert(tenant.clone(), of_tenant);
@@ -252,7 +251,7 @@ async fn tell_some(session: &mut Session) -> Result<u32, JobError> {
             if !states.is_empty() && !states.contains(&state) {
                 continue;
             }
-            // Thin on purpose: what may say something about a patient is fetched with a key, not sent around.
+            // Minimal on purpose: whatever may concern a patient is fetched with an API key and not sent out.
             let payload = json!({
                 "type": event,
                 "timestamp": rows::time(change.get("at")?)?,
@@ -263,10 +262,10 @@ async fn tell_some(session: &mut Session) -> Result<u32, JobError> {
                     "seq": seq,
                 },
             });
-            add_delivery(session, webhook_id, &tenant, &event, &payload.to_string()).await?;
-            told += 1;
+            insert_delivery(session, webhook_id, &tenant, &event, &payload.to_string()).await?;
+            inserted += 1;
         }
     }
     session.execute(sql!("set_webhook_position"), bind![reached]).await?;
-    Ok(told)
+    Ok(inserted)
 }

@@ -1,16 +1,17 @@
-//! Submission, cancel and delete.
+//! What clients change: submissions, their idempotency keys, cancellation and deletion.
 
 use super::database::{Session, bind};
 use super::dialect::sql;
-use super::reading::find_job;
-use super::{SqlStore, blobs, once, rows};
+use super::reading::{get_job, queue_length};
+use super::{SqlStore, batches, blobs, once, rows};
 use crate::jobs::{
     Admission, ArtifactKey, ArtifactKind, ArtifactRef, Batch, CancelEffect, Failure, Job, JobError, JobId, JobState,
-    Made, NewBatch, NewJob, Tenant, cancel_effect,
+    JobWriter, Made, NewBatch, NewJob, Once, OnceStatus, Tenant, cancel_effect,
 };
+use async_trait::async_trait;
 use std::time::Duration;
 
-/// Ends a job that is not finished. `false` if it was.
+/// Moves a job to a final state. Returns `false`, and changes nothing, if it was in one already.
 pub(super) async fn end_job(
     session: &mut Session,
     id: JobId,
@@ -23,14 +24,14 @@ pub(super) async fn end_job(
 }
 
 /// Makes a job refer to a blob.
-pub(super) async fn refer(session: &mut Session, id: JobId, artifact: &ArtifactRef) -> Result<(), JobError> {
+pub(super) async fn insert_artifact(session: &mut Session, id: JobId, artifact: &ArtifactRef) -> Result<(), JobError> {
     let ArtifactRef { kind, key, n_bytes } = artifact;
     let arguments = bind![id, kind.name(), &key.tenant, key.path(), key.hash(), *n_bytes];
     session.execute(sql!("insert_artifact"), arguments).await.map(|_| ())
 }
 
-/// Adds a job as queued, or as succeeded where an equal job's result may be its own.
-async fn add_job(session: &mut Session, job: &NewJob, keep_result: Option<Duration>) -> Result<(), JobError> {
+/// Inserts a job as queued, or as succeeded if it may share the result of an equal job and there is one.
+async fn insert_job(session: &mut Session, job: &NewJob, keep_result: Option<Duration>) -> Result<(), JobError> {
     let arguments = bind![
         job.id,
         &job.tenant,
@@ -57,7 +58,7 @@ async fn add_job(session: &mut Session, job: &NewJob, keep_result: Option<Durati
     for (kind, input) in [(ArtifactKind::Source, &job.source), (ArtifactKind::Target, &job.target)] {
         let key = ArtifactKey::of_hash(&job.tenant, &input.hash);
         let key = key.ok_or(JobError::Corrupt { what: "an input's hash", source: None })?;
-        refer(session, job.id, &ArtifactRef { kind, key, n_bytes: input.n_bytes }).await?;
+        insert_artifact(session, job.id, &ArtifactRef { kind, key, n_bytes: input.n_bytes }).await?;
     }
     if let (true, Some(cache_key)) = (job.use_cache, &job.cache_key) {
         answer_from_cache(session, job, cache_key, keep_result).await?;
@@ -65,7 +66,7 @@ async fn add_job(session: &mut Session, job: &NewJob, keep_result: Option<Durati
     Ok(())
 }
 
-/// Gives a new job the result of an equal one, if there is one.
+/// Gives a new job the result of an equal job, if there is one.
 async fn answer_from_cache(
     session: &mut Session,
     job: &NewJob,
@@ -74,7 +75,7 @@ async fn answer_from_cache(
 ) -> Result<(), JobError> {
     let found: Option<String> = session.value(sql!("find_cached"), bind![&job.tenant, cache_key]).await?;
     let Some(first) = found else { return Ok(()) };
-    // Locked, so that a purge of it either came before or waits until its blobs have another who refers to them.
+    // Locked, so that a purge of that job either came first or waits until the new job refers to its blobs too.
     if session.row(sql!("lock_cached"), bind![&first]).await?.is_none() {
         return Ok(());
     }
@@ -84,79 +85,82 @@ async fn answer_from_cache(
     session.execute(sql!("answer_from_cache"), bind![job.id, keep]).await.map(|_| ())
 }
 
-impl SqlStore {
-    pub(super) async fn insert_one(&self, job: &NewJob, admission: &Admission) -> Result<Job, JobError> {
-        let mut session = self.database.begin().await?;
-        let done = async {
-            refuse_when_full(&mut session, &job.tenant, 1, admission).await?;
-            add_job(&mut session, job, admission.keep_result).await?;
-            admitted(&mut session, admission, Made::Job(job.id)).await?;
-            find_job(&mut session, &job.tenant, job.id).await
-        };
-        let done = done.await;
-        session.end(done).await
+#[async_trait]
+impl JobWriter for SqlStore {
+    async fn insert_job(&self, job: &NewJob, admission: &Admission) -> Result<Job, JobError> {
+        self.database
+            .transaction(async |session| {
+                refuse_when_full(session, &job.tenant, 1, admission).await?;
+                insert_job(session, job, admission.keep_result).await?;
+                end_submission(session, admission, Made::Job(job.id)).await?;
+                get_job(session, &job.tenant, job.id).await
+            })
+            .await
     }
 
-    pub(super) async fn insert_many(
-        &self,
-        batch: &NewBatch,
-        jobs: &[NewJob],
-        admission: &Admission,
-    ) -> Result<Batch, JobError> {
-        let mut session = self.database.begin().await?;
-        let done = async {
-            let n_jobs = u32::try_from(jobs.len()).unwrap_or(u32::MAX);
-            refuse_when_full(&mut session, &batch.tenant, n_jobs, admission).await?;
-            let labels = rows::to_json("labels", &batch.labels)?;
-            let arguments = bind![batch.id, &batch.tenant, n_jobs, labels, &batch.external_ref];
-            session.execute(sql!("insert_batch"), arguments).await?;
-            for job in jobs {
-                add_job(&mut session, job, admission.keep_result).await?;
-            }
-            admitted(&mut session, admission, Made::Batch(batch.id)).await?;
-            super::batches::find_batch(&mut session, &batch.tenant, batch.id).await
-        };
-        let done = done.await;
-        session.end(done).await
-    }
-
-    pub(super) async fn cancel_job(&self, tenant: &Tenant, id: JobId) -> Result<Job, JobError> {
-        let mut session = self.database.begin().await?;
-        let done = async {
-            let state = lock_job(&mut session, tenant, id).await?;
-            match cancel_effect(state) {
-                CancelEffect::AlreadyCancelled => {}
-                CancelEffect::AlreadyFinal => return Err(JobError::AlreadyFinal { state }),
-                CancelEffect::TellWorker => {
-                    session.execute(sql!("request_cancel"), bind![id]).await?;
+    async fn insert_batch(&self, batch: &NewBatch, jobs: &[NewJob], admission: &Admission) -> Result<Batch, JobError> {
+        let n_jobs = u32::try_from(jobs.len()).unwrap_or(u32::MAX);
+        let labels = rows::to_json("labels", &batch.labels)?;
+        self.database
+            .transaction(async |session| {
+                refuse_when_full(session, &batch.tenant, n_jobs, admission).await?;
+                let arguments = bind![batch.id, &batch.tenant, n_jobs, labels, &batch.external_ref];
+                session.execute(sql!("insert_batch"), arguments).await?;
+                for job in jobs {
+                    insert_job(session, job, admission.keep_result).await?;
                 }
-                CancelEffect::CancelNow => {
-                    session.execute(sql!("request_cancel"), bind![id]).await?;
-                    end_job(&mut session, id, JobState::Cancelled, None, None).await?;
-                }
-            }
-            find_job(&mut session, tenant, id).await
-        };
-        let done = done.await;
-        session.end(done).await
+                end_submission(session, admission, Made::Batch(batch.id)).await?;
+                batches::get_batch(session, &batch.tenant, batch.id).await
+            })
+            .await
     }
 
-    pub(super) async fn delete_job(&self, tenant: &Tenant, id: JobId) -> Result<(), JobError> {
-        let mut session = self.database.begin().await?;
-        let done = async {
-            let state = lock_job(&mut session, tenant, id).await?;
-            if !state.is_final() {
-                return Err(JobError::StillActive { state });
-            }
-            remove_job(&mut session, id).await
-        };
-        let done = done.await;
-        session.end(done).await
+    async fn begin_once(&self, once: &Once, busy_for: Duration) -> Result<OnceStatus, JobError> {
+        self.database.transaction(async |session| once::begin_once(session, once, busy_for).await).await
+    }
+
+    async fn give_up_once(&self, once: &Once) -> Result<(), JobError> {
+        let arguments = bind![&once.tenant, &once.name, &once.token];
+        let given_up =
+            self.database.transaction(async |session| session.execute(sql!("give_up_once"), arguments).await);
+        given_up.await.map(|_| ())
+    }
+
+    async fn cancel_job(&self, tenant: &Tenant, id: JobId) -> Result<Job, JobError> {
+        self.database
+            .transaction(async |session| {
+                let state = lock_job(session, tenant, id).await?;
+                match cancel_effect(state) {
+                    CancelEffect::AlreadyCancelled => {}
+                    CancelEffect::AlreadyFinal => return Err(JobError::AlreadyFinal { state }),
+                    CancelEffect::TellWorker => {
+                        session.execute(sql!("request_cancel"), bind![id]).await?;
+                    }
+                    CancelEffect::CancelNow => {
+                        session.execute(sql!("request_cancel"), bind![id]).await?;
+                        end_job(session, id, JobState::Cancelled, None, None).await?;
+                    }
+                }
+                get_job(session, tenant, id).await
+            })
+            .await
+    }
+
+    async fn delete_job(&self, tenant: &Tenant, id: JobId) -> Result<(), JobError> {
+        self.database
+            .transaction(async |session| {
+                let state = lock_job(session, tenant, id).await?;
+                if !state.is_final() {
+                    return Err(JobError::StillActive { state });
+                }
+                delete_job(session, id).await
+            })
+            .await
     }
 }
 
-/// Removes a job's row and all that hangs on it; its blobs become candidates for removal.
-pub(super) async fn remove_job(session: &mut Session, id: JobId) -> Result<(), JobError> {
+/// Deletes a job's row and everything that depends on it; its blobs become candidates for removal.
+pub(super) async fn delete_job(session: &mut Session, id: JobId) -> Result<(), JobError> {
     blobs::note_candidates_of_job(session, id).await?;
     for query in [sql!("delete_once_of_job"), sql!("delete_changes_of_job"), sql!("delete_job")] {
         session.execute(query, bind![id]).await?;
@@ -164,14 +168,14 @@ pub(super) async fn remove_job(session: &mut Session, id: JobId) -> Result<(), J
     Ok(())
 }
 
-/// The state of a job, which nobody changes until the transaction ends.
+/// Locks a job and returns its state, which then stays until the transaction ends.
 async fn lock_job(session: &mut Session, tenant: &Tenant, id: JobId) -> Result<JobState, JobError> {
     let state: Option<String> = session.value(sql!("lock_job"), bind![id, tenant]).await?;
     rows::state(&state.ok_or(JobError::NotFound)?)
 }
 
-/// Submissions at the same moment may together pass the limit by their own number, no more: in PostgreSQL they do not
-/// see one another, and making them wait for one another would cost far more than the limit is worth.
+/// Concurrent submissions may together exceed the limit by their own number, but no more: on PostgreSQL they do not see
+/// each other's jobs, and serializing them would cost far more than an exact limit is worth.
 async fn refuse_when_full(
     session: &mut Session,
     tenant: &Tenant,
@@ -179,16 +183,15 @@ async fn refuse_when_full(
     admission: &Admission,
 ) -> Result<(), JobError> {
     let limit = admission.max_queued;
-    let row = session.row(sql!("queue_length_of_tenant"), bind![tenant, limit]).await?;
-    let waiting = row.map_or(Ok(0), |row| row.count(0))?;
+    let waiting = queue_length(session, tenant, limit).await?;
     if waiting.saturating_add(n_new) > limit { Err(JobError::QueueFull { limit }) } else { Ok(()) }
 }
 
-/// What is done when the jobs are in: the hold of their inputs ends, and the idempotency key remembers them.
-async fn admitted(session: &mut Session, admission: &Admission, made: Made) -> Result<(), JobError> {
-    blobs::end_hold(session, &admission.holder).await?;
+/// Ends a submission whose jobs are stored: releases the hold on their inputs, and records them under the idempotency key.
+async fn end_submission(session: &mut Session, admission: &Admission, made: Made) -> Result<(), JobError> {
+    blobs::drop_hold(session, &admission.holder).await?;
     match &admission.once {
-        Some(once) => once::remember(session, once, made).await,
+        Some(once) => once::finish_once(session, once, made).await,
         None => Ok(()),
     }
 }

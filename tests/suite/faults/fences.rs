@@ -91,7 +91,7 @@ async fn a03_a_worker_restarted_under_its_name_inherits_no_lease(backend: Backen
     assert!(is_lost(queue.append(&before, 4..=4).await));
     assert!(is_lost(queue.finish(&before, "before").await));
     assert!(is_lost(queue.finish_cancelled(&before).await));
-    assert!(is_lost(queue.store.release(&before).await));
+    assert!(is_lost(queue.store.release_job(&before).await));
     assert_eq!(queue.state(id).await, JobState::Running);
     queue.append(&after, 1..=1).await.unwrap();
     queue.finish(&after, "after").await.unwrap();
@@ -124,7 +124,7 @@ async fn a08_no_job_is_claimed_twice_in_one_epoch(backend: Backend) {
             while let Some(lease) = queue.claim(&name, LONG).await.unwrap() {
                 // Given back now and then, so that there are later epochs too.
                 if lease.epoch == 1 && claimed.len() % 7 == 0 {
-                    queue.store.release(&lease).await.unwrap();
+                    queue.store.release_job(&lease).await.unwrap();
                 } else {
                     queue.finish(&lease, "done").await.unwrap();
                 }

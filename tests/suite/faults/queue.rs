@@ -23,12 +23,12 @@ pub struct Queue {
 impl Queue {
     /// Adds a job.
     pub async fn add(&self) -> Result<JobId, JobError> {
-        self.store.insert(&own_job(), &room(1_000_000)).await.map(|job| job.id)
+        self.store.insert_job(&own_job(), &room(1_000_000)).await.map(|job| job.id)
     }
 
     /// The next job for a worker of this name.
     pub async fn claim(&self, worker: &str, duration: Duration) -> Result<Option<Lease>, JobError> {
-        let claimed = self.store.claim(&WorkerId::from_name(worker), duration, LONG).await?;
+        let claimed = self.store.claim_next(&WorkerId::from_name(worker), duration, LONG).await?;
         Ok(claimed.map(|leased| leased.lease))
     }
 
@@ -40,11 +40,11 @@ impl Queue {
     pub async fn finish(&self, lease: &Lease, text: &str) -> Result<(), JobError> {
         let key = ArtifactKey::of_result(lease, text.as_bytes());
         let result = ArtifactRef { kind: ArtifactKind::Result, key, n_bytes: text.len() as u64 };
-        self.store.finish(lease, &Outcome::Succeeded(vec![result]), None).await
+        self.store.finish_job(lease, &Outcome::Succeeded(vec![result]), None).await
     }
 
     pub async fn finish_cancelled(&self, lease: &Lease) -> Result<(), JobError> {
-        self.store.finish(lease, &Outcome::Cancelled, None).await
+        self.store.finish_job(lease, &Outcome::Cancelled, None).await
     }
 
     pub async fn heartbeat(&self, lease: &Lease) -> Result<LeaseStatus, JobError> {
@@ -58,21 +58,21 @@ impl Queue {
     }
 
     pub async fn cancel(&self, id: JobId) -> Result<JobState, JobError> {
-        self.store.cancel(&Tenant::default(), id).await.map(|job| job.state)
+        self.store.cancel_job(&Tenant::default(), id).await.map(|job| job.state)
     }
 
     pub async fn state(&self, id: JobId) -> JobState {
-        self.store.get(&Tenant::default(), id).await.unwrap().state
+        self.store.get_job(&Tenant::default(), id).await.unwrap().state
     }
 
     /// The hash of the job's result.
     pub async fn result_hash(&self, id: JobId) -> String {
-        let (_, artifact) = self.store.artifact(&Tenant::default(), id, ArtifactKind::Result).await.unwrap();
+        let (_, artifact) = self.store.get_artifact(&Tenant::default(), id, ArtifactKind::Result).await.unwrap();
         artifact.unwrap().key.hash().to_owned()
     }
 
     pub async fn seqs(&self, id: JobId) -> Vec<u64> {
-        let page = self.store.trace(&Tenant::default(), id, 0, 10_000).await.unwrap();
+        let page = self.store.get_trace(&Tenant::default(), id, 0, 10_000).await.unwrap();
         page.points.iter().map(|point| point.seq).collect()
     }
 

@@ -1,4 +1,4 @@
--- changes_since
+-- list_changes
 SELECT seq, job_id, batch_id, state, at
 FROM changes
 WHERE tenant = $1 AND seq > $2

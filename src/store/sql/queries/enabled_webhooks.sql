@@ -1,2 +1,2 @@
--- webhooks_to_tell
+-- enabled_webhooks
 SELECT id, states FROM webhooks WHERE tenant = $1 AND is_enabled

@@ -1,7 +1,8 @@
-//! Webhooks go out: changes become deliveries, and deliveries are tried until the receiver takes them.
+//! Delivery of webhooks: state changes become deliveries, which are attempted until the receiver accepts them.
 //!
-//! Every process that answers HTTP has a courier; the store sees to it that each delivery is tried by one at a time. A
-//! delivery that was sent and whose success could not be noted is sent again, with the same id: receivers recognize it.
+//! Every process that serves HTTP delivers webhooks; the store ensures that only one process at a time attempts a delivery.
+//! A delivery that was sent but whose success could not be recorded is sent again, under the same id, by which the receiver
+//! can recognize it.
 
 use super::pool::with_sources;
 use crate::jobs::address::{check_url, is_public};
@@ -14,37 +15,37 @@ use std::sync::Arc;
 use std::time::Duration;
 use tokio_util::sync::CancellationToken;
 
-/// Between two looks for changes and deliveries.
-const LOOK: Duration = Duration::from_millis(500);
-/// Longest time for one attempt.
-const ATTEMPT: Duration = Duration::from_secs(15);
-/// Nobody else tries a delivery for so long; more than an attempt takes.
-const BUSY: Duration = Duration::from_secs(60);
-/// Attempts until a delivery is given up.
+/// Time between two looks for changes and deliveries.
+const ROUND: Duration = Duration::from_millis(500);
+/// Time limit of an attempt.
+const ATTEMPT_TIMEOUT: Duration = Duration::from_secs(15);
+/// For how long a claimed delivery is withheld from other processes; longer than an attempt takes.
+const CLAIM: Duration = Duration::from_secs(60);
+/// Attempts after which a delivery has failed.
 const MAX_ATTEMPTS: u32 = 10;
 /// Longest pause between two attempts.
 const MAX_PAUSE: Duration = Duration::from_secs(12 * 3600);
-/// Deliveries under way at once.
+/// Concurrent attempts.
 const AT_ONCE: usize = 8;
 
-/// How deliveries are made.
+/// Settings of the delivery of webhooks.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct CourierSettings {
+pub struct WebhookDeliverySettings {
     /// Whether receivers may have private addresses.
     pub allow_private: bool,
-    /// Pause after the first attempt; each further one is three times as long.
+    /// Pause after the first failed attempt; each further pause is three times as long.
     pub first_pause: Duration,
 }
 
-/// Delivers events.
+/// Delivers events to the receivers of webhooks.
 #[derive(Clone)]
-pub struct Courier {
+pub struct WebhookDelivery {
     store: Arc<dyn WebhookStore>,
     client: Client,
-    settings: CourierSettings,
+    settings: WebhookDeliverySettings,
 }
 
-/// Resolves names, and leaves out what nobody allowed.
+/// Resolves host names, and refuses private addresses unless they are allowed.
 #[derive(Debug, Clone, Copy)]
 struct PublicOnly {
     allow_private: bool,
@@ -55,33 +56,33 @@ impl Resolve for PublicOnly {
         let allow_private = self.allow_private;
         Box::pin(async move {
             let found: Vec<SocketAddr> = tokio::net::lookup_host((name.as_str(), 0)).await?.collect();
-            // One private address among public ones is reason enough: the name's owner chooses which is taken.
+            // One private address among public ones is enough to refuse: the owner of the name controls which one is used.
             if !allow_private && found.iter().any(|address| !is_public(address.ip())) {
-                return Err("the receiver's name leads to an address that is not public".into());
+                return Err("the receiver's host name resolves to an address that is not public".into());
             }
             Ok(Box::new(found.into_iter()) as Addrs)
         })
     }
 }
 
-impl Courier {
-    /// A courier over this store.
+impl WebhookDelivery {
+    /// Delivery of the webhooks in this store.
     ///
     /// # Errors
-    /// If no client can be made, which is a fault of the system's certificates.
-    pub fn new(store: Arc<dyn WebhookStore>, settings: CourierSettings) -> Result<Self, reqwest::Error> {
+    /// If the HTTP client cannot be created, for example because the system's certificates cannot be read.
+    pub fn new(store: Arc<dyn WebhookStore>, settings: WebhookDeliverySettings) -> Result<Self, reqwest::Error> {
         crate::tls::prepare();
         let client = Client::builder()
             .redirect(Policy::none())
-            .timeout(ATTEMPT)
+            .timeout(ATTEMPT_TIMEOUT)
             .no_proxy()
             .dns_resolver(Arc::new(PublicOnly { allow_private: settings.allow_private }))
             .user_agent(concat!("homolog/", env!("CARGO_PKG_VERSION")))
             .build()?;
-        Ok(Courier { store, client, settings })
+        Ok(WebhookDelivery { store, client, settings })
     }
 
-    /// Delivers until `stop`.
+    /// Delivers until `stop` is cancelled.
     pub async fn run(self, stop: CancellationToken) {
         loop {
             let round = tokio::select! {
@@ -89,28 +90,28 @@ impl Courier {
                 () = stop.cancelled() => return,
             };
             if let Err(error) = round {
-                tracing::warn!(error = %with_sources(&error), "webhooks are put off");
+                tracing::warn!(error = %with_sources(&error), "webhooks could not be delivered; tried again in the next round");
             }
             tokio::select! {
                 () = stop.cancelled() => return,
-                () = tokio::time::sleep(LOOK) => {}
+                () = tokio::time::sleep(ROUND) => {}
             }
         }
     }
 
     async fn round(&self) -> Result<(), JobError> {
-        self.store.tell_changes().await?;
-        let mut under_way = tokio::task::JoinSet::new();
-        while let Some(due) = self.store.take_delivery(BUSY).await? {
-            let courier = self.clone();
-            under_way.spawn(async move { courier.deliver(due).await });
-            if under_way.len() >= AT_ONCE
-                && let Some(Ok(done)) = under_way.join_next().await
+        self.store.insert_due_deliveries().await?;
+        let mut attempts = tokio::task::JoinSet::new();
+        while let Some(due) = self.store.claim_delivery(CLAIM).await? {
+            let delivery = self.clone();
+            attempts.spawn(async move { delivery.deliver(due).await });
+            if attempts.len() >= AT_ONCE
+                && let Some(Ok(done)) = attempts.join_next().await
             {
                 done?;
             }
         }
-        while let Some(done) = under_way.join_next().await {
+        while let Some(done) = attempts.join_next().await {
             if let Ok(done) = done {
                 done?;
             }
@@ -124,7 +125,7 @@ impl Courier {
         } else {
             Attempted::Failed { status: None, error: "the webhook is disabled".to_owned() }
         };
-        tracing::debug!(delivery = due.id, attempt = due.attempt, ?attempted, "a delivery was tried");
+        tracing::debug!(delivery = due.id, attempt = due.attempt, ?attempted, "a delivery was attempted");
         self.store.end_attempt(&due.id, &attempted).await
     }
 
@@ -132,18 +133,18 @@ impl Courier {
         let answer = self.send(due).await;
         Ok(match answer {
             Ok(status) if status.is_success() => Attempted::Delivered { status: status.as_u16() },
-            // The receiver says that it is gone for good.
+            // 410 means that the receiver is gone for good.
             Ok(StatusCode::GONE) => {
                 self.store.disable_webhook(&due.webhook_id, "the receiver answered 410 Gone").await?;
                 Attempted::Failed { status: Some(410), error: "the receiver answered 410 Gone".to_owned() }
             }
-            Ok(status) => self.again(due, Some(status.as_u16()), format!("the receiver answered {}", status.as_u16())),
-            Err(error) => self.again(due, None, error),
+            Ok(status) => self.retry(due, Some(status.as_u16()), format!("the receiver answered {}", status.as_u16())),
+            Err(error) => self.retry(due, None, error),
         })
     }
 
-    /// Another attempt later, unless there were enough.
-    fn again(&self, due: &DueDelivery, status: Option<u16>, error: String) -> Attempted {
+    /// A further attempt after a pause, unless this was the last one.
+    fn retry(&self, due: &DueDelivery, status: Option<u16>, error: String) -> Attempted {
         if due.attempt >= MAX_ATTEMPTS {
             return Attempted::Failed { status, error };
         }
@@ -151,12 +152,13 @@ impl Courier {
         Attempted::Retry { after: self.settings.first_pause.saturating_mul(factor).min(MAX_PAUSE), status, error }
     }
 
-    /// Sends it, signed after Standard Webhooks. An error is said in words that name no address.
+    /// Sends a delivery, signed according to Standard Webhooks. The text of an error contains no address.
     async fn send(&self, due: &DueDelivery) -> Result<StatusCode, String> {
-        // An address that is written out is not resolved, so it is judged here.
+        // A literal address is not resolved, so it is checked here.
         let url = check_url(&due.url, self.settings.allow_private).map_err(str::to_owned)?;
         let now = jiff::Timestamp::now().as_second();
-        let signer = standardwebhooks::Webhook::new(&due.secret).map_err(|_| "the secret is not right".to_owned())?;
+        let signer =
+            standardwebhooks::Webhook::new(&due.secret).map_err(|_| "the webhook's secret is invalid".to_owned())?;
         let signature = signer
             .sign(&due.id, now, due.payload.as_bytes())
             .map_err(|_| "the delivery could not be signed".to_owned())?;

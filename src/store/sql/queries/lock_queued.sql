@@ -1,4 +1,4 @@
--- lock_waiting
+-- lock_queued
 SELECT id
 FROM jobs
 WHERE id = $1 AND state = 'queued' AND scheduled_at <= {now} AND (deadline_at IS NULL OR deadline_at > {now})

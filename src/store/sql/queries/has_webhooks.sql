@@ -1,2 +1,2 @@
--- any_webhooks
+-- has_webhooks
 SELECT EXISTS (SELECT 1 FROM webhooks)

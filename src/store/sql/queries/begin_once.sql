@@ -1,4 +1,4 @@
--- take_once
+-- begin_once
 INSERT INTO idempotency_keys (tenant, name, fingerprint, token, expires_at)
 VALUES ($1, $2, $3, $4, {now} + $5)
 ON CONFLICT (tenant, name) DO UPDATE SET

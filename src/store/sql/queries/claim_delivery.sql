@@ -1,2 +1,2 @@
--- take_delivery
+-- claim_delivery
 UPDATE webhook_deliveries SET attempts = attempts + 1, next_at = {now} + $2 WHERE id = $1

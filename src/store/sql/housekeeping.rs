@@ -1,0 +1,115 @@
+//! What every process does from time to time: jobs of lost workers, overdue jobs, and what has outlived its retention.
+
+use super::database::{Row, Session, bind};
+use super::dialect::sql;
+use super::writing::end_job;
+use super::{SqlStore, retention, rows};
+use crate::jobs::{
+    Failure, Housekeeping, JobError, JobId, JobState, Overdue, Purged, Recovered, Retention, WorkerId,
+    state_after_crash,
+};
+use async_trait::async_trait;
+use std::time::Duration;
+
+/// The running jobs whose leases expired. In a transaction, rows that others have locked are passed over.
+async fn expired_leases(session: &mut Session) -> Result<Vec<Row>, JobError> {
+    session.rows(sql!("expired_leases"), bind![]).await
+}
+
+/// The running jobs of a worker; in a transaction their rows are locked.
+async fn leases_of_worker(session: &mut Session, worker: &WorkerId) -> Result<Vec<Row>, JobError> {
+    session.rows(sql!("leases_of_worker"), bind![worker.name()]).await
+}
+
+/// Jobs past their deadline, or past their run time by `tolerance`; in a transaction their rows are locked.
+async fn overdue_jobs(session: &mut Session, tolerance: Duration) -> Result<Vec<Row>, JobError> {
+    session.rows(sql!("overdue_jobs"), bind![tolerance]).await
+}
+
+#[async_trait]
+impl Housekeeping for SqlStore {
+    async fn recover_expired(&self) -> Result<Recovered, JobError> {
+        // Asked without a lock first: usually there is nothing to do. The same in `end_overdue`.
+        if expired_leases(&mut self.database.reader().await?).await?.is_empty() {
+            return Ok(Recovered::default());
+        }
+        self.database
+            .transaction(async |session| {
+                let orphans = expired_leases(session).await?;
+                recover(session, orphans).await
+            })
+            .await
+    }
+
+    async fn recover_worker(&self, worker: &WorkerId) -> Result<Recovered, JobError> {
+        self.database
+            .transaction(async |session| {
+                let orphans = leases_of_worker(session, worker).await?;
+                recover(session, orphans).await
+            })
+            .await
+    }
+
+    async fn end_overdue(&self, tolerance: Duration) -> Result<Overdue, JobError> {
+        if overdue_jobs(&mut self.database.reader().await?, tolerance).await?.is_empty() {
+            return Ok(Overdue::default());
+        }
+        self.database
+            .transaction(async |session| {
+                let mut overdue = Overdue::default();
+                for row in overdue_jobs(session, tolerance).await? {
+                    let id = rows::job_id(&row.get::<String>("id")?)?;
+                    let (state, failure) = match rows::state(&row.get::<String>("state")?)? {
+                        JobState::Queued => {
+                            overdue.expired += 1;
+                            let detail = "no worker was free before the job's deadline";
+                            (JobState::Expired, Failure::new("deadline-passed", detail))
+                        }
+                        _ => {
+                            overdue.stuck += 1;
+                            let detail = "the job exceeded its run time and its worker did not end it";
+                            (JobState::Failed, Failure::new("run-time-exceeded", detail))
+                        }
+                    };
+                    end_job(session, id, state, Some(&failure), None).await?;
+                }
+                Ok(overdue)
+            })
+            .await
+    }
+
+    async fn purge(&self, retention: &Retention, limit: u32, dry_run: bool) -> Result<Purged, JobError> {
+        if dry_run {
+            retention::count_purge(self, retention).await
+        } else {
+            retention::purge(self, retention, limit).await
+        }
+    }
+}
+
+/// Requeues or ends running jobs whose workers are lost; their rows are locked.
+async fn recover(session: &mut Session, orphans: Vec<Row>) -> Result<Recovered, JobError> {
+    let mut recovered = Recovered::default();
+    for row in orphans {
+        let id: JobId = rows::job_id(&row.get::<String>("id")?)?;
+        session.execute(sql!("count_crash"), bind![id]).await?;
+        let crashes = row.count("crashes")? + 1;
+        match state_after_crash(row.get("cancel_requested")?, crashes, row.count("max_attempts")?) {
+            JobState::Queued => {
+                session.execute(sql!("requeue_job"), bind![id]).await?;
+                recovered.queued += 1;
+            }
+            JobState::Dead => {
+                let detail = format!("{crashes} workers were lost while they ran this job");
+                let failure = Failure::new("crash-limit-reached", detail);
+                end_job(session, id, JobState::Dead, Some(&failure), None).await?;
+                recovered.dead += 1;
+            }
+            ended => {
+                end_job(session, id, ended, None, None).await?;
+                recovered.cancelled += 1;
+            }
+        }
+    }
+    Ok(recovered)
+}

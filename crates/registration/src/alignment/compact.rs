@@ -8,6 +8,8 @@ use super::{flat_density, mean_misfit, normal_agreements, squared_distances};
 use multiversion::multiversion;
 use nalgebra::{Point3, Vector3};
 
+/// Features of every point; a constant, so that the loop over them is unrolled.
+pub(crate) const N_FEATURES: usize = 4;
 /// A quarter of the precision `π` of features whose variance over the surface is 1. Of 40 warps of 8 % of the diagonal,
 /// real and synthetic, 38 ended within 10° with a precision of 1 and 34 with 0.3; pairs of real subjects, whose
 /// features differ, had a median error of 3.5° and 2.8° (measured with three features, before the fourth was added).
@@ -20,11 +22,10 @@ pub(crate) struct CompactTarget {
 }
 
 impl CompactTarget {
-    /// `points`: at least one, all with the same number of features, positions about the origin.
+    /// `points`: at least one, all with [`N_FEATURES`] features, positions about the origin.
     pub(crate) fn new(points: &[OrientedPoint<'_>]) -> Self {
-        let n_features = points.first().map_or(0, |p| p.features.len());
         CompactTarget {
-            packed: PackedPoints::new(points.len(), n_features, Vector3::zeros(), |j| points[j]),
+            packed: PackedPoints::new(points.len(), N_FEATURES, Vector3::zeros(), |j| points[j]),
             areas: points.iter().map(|p| p.area).collect(),
         }
     }
@@ -111,12 +112,14 @@ fn affinity_row(
     row: &mut [Lanes],
     target_density: &mut [Lanes],
 ) -> f32 {
+    let own: [f32; N_FEATURES] = std::array::from_fn(|f| point.features[f]);
     let mut sums = [0.0f32; LANES];
     for (b, ((block, row), density)) in target.blocks.iter().zip(row).zip(target_density).enumerate() {
         let squared = squared_distances(block, &point.position);
         let agreement = normal_agreements(block, &point.normal);
+        let others = &target.features(b)[..N_FEATURES];
         let mut unlike = [0.0f32; LANES];
-        for (others, own) in target.features(b).iter().zip(point.features) {
+        for (others, own) in others.iter().zip(&own) {
             for k in 0..LANES {
                 let difference = others[k] - own;
                 unlike[k] += difference * difference;

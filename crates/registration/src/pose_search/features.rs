@@ -10,7 +10,8 @@
 //! Source: integral invariants, Pottmann, Wallner, Huang, Yang, "Integral invariants for robust geometry processing",
 //! 2009; here of the patches of the surface instead of the volume.
 
-use super::patches::{N_FEATURES, Patch, Patches};
+use super::patches::{Patch, Patches};
+use crate::alignment::compact::N_FEATURES;
 use nalgebra::Vector3;
 
 /// Radii of the two balls in diagonals: wider than two patches, smaller than the structure.

@@ -4,13 +4,11 @@
 //! areas of faces that share edges depends only on the rim of the patch, so noise that tilts single normals at random
 //! leaves the normal of the patch nearly unchanged. The number of vertices of a patch does not matter.
 
+use crate::alignment::compact::N_FEATURES;
 use crate::alignment::{OrientedPoint, OrientedPoints};
 use crate::weighted_moments;
 use homolog_primitives::points::FarthestPoints;
 use nalgebra::{Matrix3, Point3, Vector3};
-
-/// Features of a patch, see [`super::features`].
-pub(super) const N_FEATURES: usize = 4;
 
 /// One piece of a surface.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -5,7 +5,7 @@
 
 use super::error::CliError;
 use super::output::print;
-use crate::http::openapi::openapi_json;
+use crate::http::openapi_json;
 use homolog_contract::parameters::{Method, preset, resolve};
 use serde_json::{Value, json};
 use std::collections::BTreeMap;

@@ -247,7 +247,7 @@ async fn read_changes(
     sender: watch::Sender<Arc<bool>>,
 ) {
     loop {
-        match store.changes(&tenant, since, 1).await {
+        match store.list_changes(&tenant, since, 1).await {
             Ok(page) if page.changes.is_empty() => {}
             Ok(_) => {
                 sender.send_replace(Arc::new(true));

@@ -18,6 +18,7 @@ pub(crate) struct Coarse<'a> {
 }
 
 /// How a pose is to be found.
+#[expect(clippy::large_enum_variant, reason = "there is one in a match")]
 pub(crate) enum Problem<'a> {
     /// By registration alone, as `registration.initial` says.
     Registration,

@@ -59,7 +59,8 @@ impl Schedule {
     }
 }
 
-/// What one round came to.
+/// The outcome of one round.
+#[expect(clippy::large_enum_variant, reason = "there are few in a match, and the labeling behind it is far larger")]
 enum Round {
     Supported(SupportedRound),
     /// No rigid transform has three inliers in its labeling.

@@ -27,7 +27,7 @@ impl SurfaceIndex {
 
     /// Memory of this index, bytes.
     #[cfg(test)]
-    pub fn heap_bytes(&self) -> usize {
+    pub(crate) fn heap_bytes(&self) -> usize {
         self.index.heap_bytes() + size_of_val(self.normals.as_slice())
     }
 }

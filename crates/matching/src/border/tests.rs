@@ -143,9 +143,9 @@ fn anterior(volume: &LabelVolume, mesh: &SurfaceMesh) -> Vec<bool> {
 fn the_border_of_real_hippocampi_is_where_raters_drew_it() {
     // Sections that differed from those of the training would part them elsewhere. The mean border of all parts
     // 0.974 of these vertices right.
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../shared/data/hippocampus");
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../shared/data/hippocampus");
     let Ok(files) = std::fs::read_dir(&folder) else {
-        println!("skipped: ../shared/data/hippocampus is absent");
+        println!("skipped: {} is absent", folder.display());
         return;
     };
     let mut files: Vec<_> = files.map(|file| file.unwrap().path()).collect();

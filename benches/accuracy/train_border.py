@@ -1,8 +1,8 @@
-"""Learns where raters part a hippocampus into anterior and posterior, from its form alone.
+"""Learns the anterior-posterior border of the hippocampus from its shape, from labels that raters drew.
 
-    python benches/accuracy/train_border.py --data ../shared/data --eval ../shared/eval > src/matching/border/weights.rs
-    python benches/accuracy/train_border.py --data ../shared/data --eval ../shared/eval --without-pairs 34 \
-        > src/matching/border/weights_left_out.rs
+    python benches/accuracy/train_border.py --data DATA --eval EVAL > crates/matching/src/border/weights.rs
+    python benches/accuracy/train_border.py --data DATA --eval EVAL --without-pairs 34 \
+        > crates/matching/src/border/weights_left_out.rs
 
 The second leaves out both subjects of the first pairs that the generator of evaluation cases makes; accuracy is measured
 with a build that uses it (feature `left-out`).
@@ -10,7 +10,7 @@ with a build that uses it (feature `left-out`).
 The border of each labelled volume is a plane in the frame of the surface's own principal axes, `s = p0 + p1 m + TILT h`
 (`s` along the long axis towards the head, `m` and `h` along the middle and the short one, mm). `p0` and `p1` are
 predicted by ridge regression from the moments of Gaussian sections; how well, for volumes left out of the training, goes
-to standard error. The sections and their moments are those of `src/matching/border/sections.rs`; a test there that
+to standard error. The sections and their moments are those of `crates/matching/src/border/sections.rs`; a test there that
 reads the same volumes notices if one of the two changes alone.
 """
 

@@ -1,4 +1,4 @@
-//! What the benchmarks of matches and of belief propagation share.
+//! Inputs and measurements shared by the benchmarks of matches and of belief propagation.
 
 use homolog_laboratory::phantom::{PairRecipe, PhantomPair};
 use homolog_mesh::SurfaceMesh;
@@ -17,12 +17,20 @@ pub fn pair(edge_mm: f64) -> (SurfaceMesh, SurfaceMesh) {
     (pair.source_surface(edge_mm).unwrap().mesh, pair.target_surface(edge_mm).unwrap().0.mesh)
 }
 
-/// What `work` gives with so many threads for it.
+/// The result of `work`, run on a pool of `threads` threads.
 pub fn with_threads<T: Send>(threads: usize, work: impl FnOnce() -> T + Send) -> T {
     rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap().install(work)
 }
 
-/// Most memory that this process ever held, MiB; `None` where the system does not tell.
+/// The commit of the checkout, or `unknown`.
+#[allow(dead_code, reason = "not every benchmark prints it")]
+pub fn commit() -> String {
+    let git = std::process::Command::new("git").args(["rev-parse", "--short=12", "HEAD"]).output();
+    let hash = git.ok().filter(|done| done.status.success()).and_then(|done| String::from_utf8(done.stdout).ok());
+    hash.map_or_else(|| "unknown".to_owned(), |hash| hash.trim().to_owned())
+}
+
+/// Peak resident memory of this process, MiB; `None` where the system does not report it.
 pub fn peak_mib() -> Option<f64> {
     let status = std::fs::read_to_string("/proc/self/status").ok()?;
     let line = status.lines().find(|l| l.starts_with("VmHWM:"))?;

@@ -1,6 +1,7 @@
 # make demo    build, start the service, match a pair over HTTP, show the result
 #              SOURCE=a.nii.gz TARGET=b.nii.gz: use your own pair; KEEP=1: leave the service running
-# make test    all tests; fault injection in a short form
+# make test    all tests that this machine can run, fault injection in a short form; it lists those that were skipped, and
+#              why; HOMOLOG_REAL_DATA=dir: the real data that some need
 # make faults  fault injection in full length, half an hour: processes killed, databases stopped, disks filled;
 #              TEST=a06: only the test of that name
 # make check   formatting, lints, documentation, unused dependencies
@@ -46,22 +47,13 @@ demo: build
 	target/release/homolog demo --out "$(DEMO_OUT)" $(if $(filter-out 0,$(KEEP)),--keep) \
 	  $(if $(SOURCE),"$(SOURCE)") $(if $(TARGET),"$(TARGET)")
 
-# nextest does not run doc tests. Without nextest, cargo runs everything, more slowly.
 test:
 	@scripts/setup test
-	@if $(CARGO) nextest --version >/dev/null 2>&1; then \
-	  set -x; $(CARGO) nextest run --workspace --locked --no-fail-fast; $(CARGO) test --workspace --locked --doc; \
-	else \
-	  set -x; $(CARGO) test --workspace --locked --no-fail-fast; \
-	fi
+	@CARGO="$(CARGO)" scripts/test
 
 faults:
 	@scripts/setup test
-	@export HOMOLOG_FAULTS=full; if $(CARGO) nextest --version >/dev/null 2>&1; then \
-	  set -x; $(CARGO) nextest run --locked --profile faults --no-fail-fast -E 'test(/^faults::.*$(TEST)/)'; \
-	else \
-	  set -x; $(CARGO) test --locked --no-fail-fast --test suite -- faults:: --test-threads 2; \
-	fi
+	@CARGO="$(CARGO)" scripts/test faults "$(TEST)"
 
 check:
 	@scripts/setup check
@@ -105,8 +97,8 @@ accuracy: build
 bench:
 	@scripts/setup build
 	mkdir -p benches/records
-	$(CARGO) bench --locked --bench matching -- | tee target/bench.md
-	$(CARGO) bench --locked --bench kernel -- | tee -a target/bench.md
+	$(CARGO) bench --locked -p homolog-laboratory --bench matching -- | tee target/bench.md
+	$(CARGO) bench --locked -p homolog-laboratory --bench kernel -- | tee -a target/bench.md
 	record="benches/records/$$(date -u +%Y-%m-%d)-$$(git rev-parse --short HEAD 2>/dev/null || echo unknown).md"; \
 	  { echo "# Benchmarks, $$(date -u +%Y-%m-%d); command: make bench"; echo; cat target/bench.md; } > "$$record"; \
 	  echo "record: $$record"

@@ -1,4 +1,4 @@
-"""Learns where raters part a hippocampus into anterior and posterior, from its form alone.
+"""Learns the anterior-posterior border of the hippocampus from its shape, from labels that raters drew.
 
     python benches/accuracy/train_border.py --data DIR --eval DIR > crates/matching/src/border/weights.rs
     python benches/accuracy/train_border.py --data DIR --eval DIR --without-pairs 34 \

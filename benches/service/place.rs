@@ -23,7 +23,7 @@ impl Place {
 
     /// `None` without PostgreSQL, which is said.
     pub fn postgres() -> Option<Self> {
-        let cluster = Cluster::start()?;
+        let cluster = Cluster::start().inspect_err(|reason| println!("no rows of PostgreSQL: {reason}")).ok()?;
         Some(Place { cluster: Some(cluster), ..Place::sqlite() })
     }
 

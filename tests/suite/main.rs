@@ -1,4 +1,4 @@
-//! All integration tests, in one binary.
+//! All tests of the program from outside, in one binary. Those of a library crate stand in its own `tests` folder.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::print_stderr, clippy::print_stdout)]
 
 mod api;
@@ -7,8 +7,6 @@ mod contract;
 mod deploy;
 mod docs;
 mod faults;
-mod formats;
-mod intake;
 mod jobs;
 mod jobs_support;
 mod keys;
@@ -17,9 +15,6 @@ mod metrics;
 mod numbering;
 mod phantom;
 mod process;
-mod real_data;
-mod real_pairs;
-mod real_structures;
 mod representations;
 mod scheduling;
 mod server;

@@ -2,12 +2,12 @@
 //!
 //! Source: "Arrow Columnar Format", section "Serialization and Interprocess Communication", and the schemas
 //! `Schema.fbs`, `Message.fbs` and `File.fbs`. The metadata are FlatBuffers; the few tables that plain columns
-//! need are laid out here by [`Flat`], because the Arrow library is larger than all of this crate.
+//! need are encoded here by [`Flat`], because the Arrow library is larger than all of this crate.
 
 use super::PairColumns;
 
 const MAGIC: &[u8] = b"ARROW1";
-/// Begins every message, before the length of its metadata.
+/// The marker at the start of every message, before the length of its metadata.
 const CONTINUATION: [u8; 4] = [0xff; 4];
 /// Alignment of messages, bodies and buffers within the file.
 const ALIGNMENT: usize = 8;
@@ -73,7 +73,7 @@ pub fn write_arrow(pairs: &PairColumns<'_>) -> Vec<u8> {
     file
 }
 
-/// Adds a message; returns the length of everything before its body.
+/// Appends a message; returns the length of everything before its body.
 fn message(file: &mut Vec<u8>, metadata: &[u8], body: &[u8]) -> usize {
     let padded = metadata.len().next_multiple_of(ALIGNMENT);
     file.extend(CONTINUATION);
@@ -172,7 +172,7 @@ fn footer(offset: usize, metadata_length: usize, body_length: usize) -> Vec<u8> 
     flat.bytes
 }
 
-/// A FlatBuffer written front to back: links point forward and are filled in when their goal is known.
+/// A FlatBuffer written front to back: offsets point forward and are filled in when their destination is known.
 #[derive(Default)]
 struct Flat {
     bytes: Vec<u8>,

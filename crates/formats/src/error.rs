@@ -1,18 +1,18 @@
-//! Why a file cannot be read: what, where, and what to do about it.
+//! Why a file cannot be read: what is wrong, where, and what to do about it.
 
 use homolog_mesh::MeshError;
 use homolog_mesh::volume::VolumeError;
 
-/// Why a file cannot be read. No text of the file is repeated, only places and numbers.
+/// Why a file cannot be read. Messages hold positions and numbers, never text of the file, which may name a patient.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum FormatError {
     /// No bytes.
-    #[error("the file is empty; write it again with the program that made it, or upload it again")]
+    #[error("the file is empty; export it again, or repeat the upload")]
     Empty,
-    /// None of the formats that are read.
-    #[error("the file is none of NIfTI-1, PLY, STL, legacy VTK; convert it to one of them")]
+    /// None of the supported formats.
+    #[error("the file format is not recognized; convert the file to NIfTI-1, PLY, STL or legacy VTK")]
     UnknownFormat,
-    /// A limit of the service is exceeded.
+    /// A limit on size is exceeded.
     #[error("the file has {found} {what}, but at most {limit} are accepted; send a smaller one")]
     TooLarge {
         /// What is counted, plural.
@@ -22,15 +22,20 @@ pub enum FormatError {
         /// How many are accepted.
         limit: u64,
     },
-    /// The compressed stream is damaged or cut off.
-    #[error("the gzip stream is damaged after {n_bytes} inflated bytes; compress and send the file again")]
+    /// The compressed stream is damaged or incomplete.
+    #[error(
+        "the gzip stream {fault} (after {n_bytes} inflated bytes); compress the file again, or repeat the transfer that cut it off"
+    )]
     Gzip {
-        /// Bytes that could be inflated.
+        /// What is wrong with it.
+        fault: GzipFault,
+        /// Bytes inflated before the fault was found.
         n_bytes: usize,
     },
-    /// The file ends too early for what it announces.
+    /// The file is shorter than its header says.
     #[error(
-        "{part} needs {needed} bytes, but only {available} are left in the file; it is cut off or its header is wrong"
+        "{part} needs {needed} bytes, but only {available} are left; the file is truncated or its header is wrong, so export \
+         it again or repeat the upload"
     )]
     Truncated {
         /// Which part.
@@ -40,15 +45,15 @@ pub enum FormatError {
         /// Bytes there are.
         available: u64,
     },
-    /// A text line is not what the format says.
-    #[error("line {line}: {expected} is expected here; write the file again with the program that made it")]
+    /// A line of text does not follow the format.
+    #[error("line {line}: expected {expected}; export the file again with the program that wrote it")]
     Syntax {
         /// The line, from 1.
         line: usize,
         /// What should be there.
         expected: &'static str,
     },
-    /// A part of the header has a value that is not valid.
+    /// A header field has an invalid value.
     #[error("the header's {field} is {value}; {advice}")]
     Header {
         /// Which field.
@@ -58,15 +63,15 @@ pub enum FormatError {
         /// What would be right.
         advice: &'static str,
     },
-    /// A variant of the format that is not read.
-    #[error("{what} is not read; {advice}")]
+    /// A variant of the format that is not supported.
+    #[error("{what} is not supported; {advice}")]
     Unsupported {
         /// Which variant.
         what: &'static str,
         /// What to do.
         advice: &'static str,
     },
-    /// A voxel holds no label.
+    /// The value of a voxel is not a label.
     #[error(
         "voxel ({}, {}, {}) has the value {value}, but labels are whole numbers from 0 to 4294967295; \
          send a label volume, not an image",
@@ -78,26 +83,55 @@ pub enum FormatError {
         /// Its value after scaling.
         value: f64,
     },
-    /// A face names a vertex by a negative number.
-    #[error("face {face} names vertex {vertex}; vertices are counted from 0")]
+    /// A face refers to a vertex by a negative index.
+    #[error("face {face} refers to vertex {vertex}, but vertex indices start at 0; export the file again")]
     NegativeIndex {
         /// Index of the face.
         face: usize,
-        /// The index it names.
+        /// The index that it refers to.
         vertex: i64,
     },
-    /// The parser of the format refused the payload.
-    #[error("the {format} payload is damaged{}; write the file again", line.map(|l| format!(" at line {l}")).unwrap_or_default())]
+    /// The parser of the format rejected the data.
+    #[error("the data of the {format} file are damaged{}; export the file again", line.map(|l| format!(" at line {l}")).unwrap_or_default())]
     Payload {
         /// Which format.
         format: &'static str,
         /// The line, from 1, of text files.
         line: Option<usize>,
     },
-    /// Vertices and faces make no mesh.
+    /// Vertices and faces do not form a mesh.
     #[error(transparent)]
     Mesh(#[from] MeshError),
-    /// Labels and affine make no volume.
+    /// Labels and affine do not form a volume.
     #[error(transparent)]
     Volume(#[from] VolumeError),
+}
+
+/// What is wrong with a gzip stream. It reads as the predicate of "the gzip stream".
+#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+pub enum GzipFault {
+    /// The header of a member has a compression method or flags that RFC 1952 does not define, or a wrong checksum.
+    #[error("is damaged: the header of a member is not valid")]
+    Header,
+    /// The bytes between header and trailer are no deflate stream.
+    #[error("is damaged: its compressed data are not valid")]
+    Data,
+    /// The CRC-32 in the trailer is not that of the inflated bytes.
+    #[error("is damaged: its checksum does not match")]
+    Checksum,
+    /// The length in the trailer is not that of the inflated bytes.
+    #[error("is damaged: its length does not match")]
+    Length,
+    /// The stream ends within the header of a member.
+    #[error("ends within a header")]
+    EndsInHeader,
+    /// The stream ends within the compressed data.
+    #[error("ends within its compressed data")]
+    EndsInData,
+    /// The compressed data are complete, but the eight bytes of checksum and length after them are not.
+    #[error("ends before its trailer")]
+    EndsBeforeTrailer,
+    /// Bytes other than zero follow the last member.
+    #[error("is followed by data that are not compressed")]
+    TrailingData,
 }

@@ -1,7 +1,7 @@
-//! GIFTI 1.0 (`.gii`): a surface, with arrays of values for its vertices in the same file.
+//! GIFTI 1.0 (`.gii`): a surface with per-vertex arrays in the same file.
 //!
 //! Source: "GIFTI Surface Data Format", version 1.0 (Geometry Data Format Working Group, 2011). The format has
-//! triangles and three number types, so quads are cut along their first diagonal and real numbers are written in
+//! triangles and three number types, so quads are split along their first diagonal and real numbers are written in
 //! single precision. `GZipBase64Binary` is, despite its name, a zlib stream.
 
 use super::vertex_arrays::{VertexArray, VertexValues, fitting};
@@ -12,9 +12,9 @@ use flate2::write::ZlibEncoder;
 use homolog_mesh::SurfaceMesh;
 use std::io::Write;
 
-/// The surface, then the arrays, each under its name. Vertices keep their numbers.
+/// The surface, then the arrays, each under its name. Vertices keep their indices.
 ///
-/// The space of the coordinates is stated as unknown: they are those of the input, unchanged, in millimetres.
+/// The coordinate system is declared as unknown: coordinates are those of the input, unchanged, in millimetres.
 pub fn write_gifti(mesh: &SurfaceMesh, arrays: &[VertexArray]) -> Vec<u8> {
     let arrays: Vec<_> = fitting(mesh, arrays).collect();
     let mut text = format!(

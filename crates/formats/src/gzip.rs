@@ -1,43 +1,164 @@
-//! Inflating under a hard cap.
+//! Decompressing gzip under a hard cap, with every checksum verified.
+//!
+//! Source: RFC 1952. A file is a sequence of members (one from `gzip`, many from `bgzip` or `cat a.gz b.gz`), each a
+//! header, a deflate stream and a trailer with the CRC-32 and the length of what was compressed. Only the trailer tells
+//! a whole file from a damaged or truncated one, so [`inflate`] and [`inflate_prefix`] always read to the last trailer.
+//!
+//! Zero bytes after the last member are padding, as for `gzip` and Python. Anything else there is refused: it is either
+//! a member whose header is damaged, or not part of what was compressed.
 
-use super::{FormatError, Plain};
-use flate2::read::MultiGzDecoder;
+use super::{FormatError, GzipFault, Plain};
+use flate2::{Crc, Decompress, FlushDecompress, Status};
 use std::borrow::Cow;
-use std::io::Read;
+use std::ops::ControlFlow;
 
-/// Whether `bytes` are a gzip stream.
+const MAGIC: [u8; 2] = [0x1f, 0x8b];
+/// Length of a member's header without its optional fields.
+const HEADER_BYTES: usize = 10;
+const TRAILER_BYTES: usize = 8;
+
+/// Whether `bytes` begin as a gzip stream does.
 pub(super) fn is_gzip(bytes: &[u8]) -> bool {
-    bytes.starts_with(&[0x1f, 0x8b])
+    bytes.starts_with(&MAGIC)
 }
 
-/// `bytes` inflated if they are compressed, as they are otherwise.
+/// `bytes` decompressed if they are a gzip stream, else as they are.
 ///
 /// # Errors
-/// `TooLarge` beyond `limit` bytes (found after inflating no more than that), `Gzip` if the stream is damaged.
+/// `TooLarge` beyond `limit` bytes (found after inflating little more than that), `Gzip` if the stream is damaged.
 pub(super) fn inflate(bytes: &[u8], limit: usize) -> Result<Plain<'_>, FormatError> {
-    let too_large = |found: usize| FormatError::TooLarge { what: "bytes", found: found as u64, limit: limit as u64 };
     if !is_gzip(bytes) {
-        return if bytes.len() > limit { Err(too_large(bytes.len())) } else { Ok(Cow::Borrowed(bytes)) };
+        let found = bytes.len();
+        return if found > limit { Err(too_large(found, limit)) } else { Ok(Cow::Borrowed(bytes)) };
     }
-    let mut inflated = Vec::new();
-    match MultiGzDecoder::new(bytes).take(limit as u64 + 1).read_to_end(&mut inflated) {
-        Ok(_) if inflated.len() > limit => Err(too_large(inflated.len())),
-        Ok(_) => Ok(Cow::Owned(inflated)),
-        Err(_) => Err(FormatError::Gzip { n_bytes: inflated.len() }),
-    }
+    inflate_prefix(bytes, usize::MAX, limit)
 }
 
-/// The first `n` bytes after inflating, or as many as there are; nothing after them is looked at.
+/// The first `n` bytes after decompression, or as many as there are. The rest of a gzip stream is inflated too, up to
+/// `limit` bytes in all, and dropped: its trailer decides whether those first bytes are what was compressed.
 ///
 /// # Errors
-/// `Gzip` if the stream is damaged before that.
-pub(super) fn inflated_head(bytes: &[u8], n: usize) -> Result<Plain<'_>, FormatError> {
+/// `TooLarge` if a gzip stream inflates to more than `limit` bytes, `Gzip` if it is damaged.
+pub(super) fn inflate_prefix(bytes: &[u8], n: usize, limit: usize) -> Result<Plain<'_>, FormatError> {
     if !is_gzip(bytes) {
         return Ok(Cow::Borrowed(&bytes[..n.min(bytes.len())]));
     }
-    let mut head = Vec::new();
-    match MultiGzDecoder::new(bytes).take(n as u64).read_to_end(&mut head) {
-        Ok(_) => Ok(Cow::Owned(head)),
-        Err(_) => Err(FormatError::Gzip { n_bytes: head.len() }),
+    let (mut kept, mut found) = (Vec::new(), 0usize);
+    let end = inflate_members(bytes, |piece| {
+        found = found.saturating_add(piece.len());
+        kept.extend_from_slice(&piece[..piece.len().min(n - kept.len())]);
+        if found > limit { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    })?;
+    match end {
+        ControlFlow::Break(()) => Err(too_large(found, limit)),
+        ControlFlow::Continue(()) => Ok(Cow::Owned(kept)),
     }
+}
+
+/// The first `n` bytes after decompression, or as many as there are, for a look at the header: nothing after them is
+/// read, so the checksum is **not** verified.
+///
+/// # Errors
+/// `Gzip` if the stream is damaged before that.
+pub(super) fn unverified_prefix(bytes: &[u8], n: usize) -> Result<Plain<'_>, FormatError> {
+    if !is_gzip(bytes) {
+        return Ok(Cow::Borrowed(&bytes[..n.min(bytes.len())]));
+    }
+    let mut kept = Vec::new();
+    let _ = inflate_members(bytes, |piece| {
+        kept.extend_from_slice(&piece[..piece.len().min(n - kept.len())]);
+        if kept.len() < n { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+    })?;
+    Ok(Cow::Owned(kept))
+}
+
+fn too_large(found: usize, limit: usize) -> FormatError {
+    FormatError::TooLarge { what: "bytes", found: found as u64, limit: limit as u64 }
+}
+
+/// Hands the inflated bytes to `take` piece by piece, in order, until it breaks or every member has been verified.
+fn inflate_members(
+    mut rest: &[u8],
+    mut take: impl FnMut(&[u8]) -> ControlFlow<()>,
+) -> Result<ControlFlow<()>, FormatError> {
+    let mut n_bytes = 0usize;
+    let mut buffer = vec![0u8; 1 << 16];
+    loop {
+        let fault = |fault, n_bytes| FormatError::Gzip { fault, n_bytes };
+        rest = after_header(rest).map_err(|f| fault(f, n_bytes))?;
+        let (mut deflate, mut crc) = (Decompress::new(false), Crc::new());
+        loop {
+            let (read, written) = (deflate.total_in(), deflate.total_out());
+            let status = deflate
+                .decompress(rest, &mut buffer, FlushDecompress::None)
+                .map_err(|_| fault(GzipFault::Data, n_bytes))?;
+            rest = &rest[(deflate.total_in() - read) as usize..];
+            let piece = &buffer[..(deflate.total_out() - written) as usize];
+            crc.update(piece);
+            n_bytes += piece.len();
+            if take(piece).is_break() {
+                return Ok(ControlFlow::Break(()));
+            }
+            if status == Status::StreamEnd {
+                break;
+            }
+            // The buffer has room, so whatever makes no progress lacks input.
+            if piece.is_empty() && deflate.total_in() == read {
+                return Err(fault(GzipFault::EndsInData, n_bytes));
+            }
+        }
+        let Some((trailer, after)) = rest.split_first_chunk::<TRAILER_BYTES>() else {
+            return Err(fault(GzipFault::EndsBeforeTrailer, n_bytes));
+        };
+        let [c0, c1, c2, c3, l0, l1, l2, l3] = *trailer;
+        if u32::from_le_bytes([c0, c1, c2, c3]) != crc.sum() {
+            return Err(fault(GzipFault::Checksum, n_bytes));
+        }
+        if u32::from_le_bytes([l0, l1, l2, l3]) != crc.amount() {
+            return Err(fault(GzipFault::Length, n_bytes));
+        }
+        if after.iter().all(|&b| b == 0) {
+            return Ok(ControlFlow::Continue(()));
+        }
+        if !is_gzip(after) {
+            return Err(fault(GzipFault::TrailingData, n_bytes));
+        }
+        rest = after;
+    }
+}
+
+/// What follows the header of a member.
+fn after_header(bytes: &[u8]) -> Result<&[u8], GzipFault> {
+    const DEFLATE: u8 = 8;
+    const CHECKSUM: u8 = 0x02;
+    const EXTRA: u8 = 0x04;
+    const NAME: u8 = 0x08;
+    const COMMENT: u8 = 0x10;
+    const RESERVED: u8 = 0xe0;
+    let (header, mut rest) = bytes.split_at_checked(HEADER_BYTES).ok_or(GzipFault::EndsInHeader)?;
+    let flags = header[3];
+    if header[2] != DEFLATE || flags & RESERVED != 0 {
+        return Err(GzipFault::Header);
+    }
+    if flags & EXTRA != 0 {
+        let (length, after) = rest.split_first_chunk::<2>().ok_or(GzipFault::EndsInHeader)?;
+        rest = after.get(usize::from(u16::from_le_bytes(*length))..).ok_or(GzipFault::EndsInHeader)?;
+    }
+    for text in [NAME, COMMENT] {
+        if flags & text != 0 {
+            let end = rest.iter().position(|&b| b == 0).ok_or(GzipFault::EndsInHeader)?;
+            rest = &rest[end + 1..];
+        }
+    }
+    if flags & CHECKSUM != 0 {
+        let (stored, after) = rest.split_first_chunk::<2>().ok_or(GzipFault::EndsInHeader)?;
+        let mut crc = Crc::new();
+        crc.update(&bytes[..bytes.len() - rest.len()]);
+        // The header's checksum is the lower half of the CRC-32.
+        if u16::from_le_bytes(*stored) != crc.sum() as u16 {
+            return Err(GzipFault::Header);
+        }
+        rest = after;
+    }
+    Ok(rest)
 }

@@ -1,10 +1,11 @@
-//! Untrusted bytes to meshes and label volumes, and back; a file a format. What a match leaves is written besides: pairs
-//! of vertices as tables ([`npy`], [`arrow`]), values of vertices beside their mesh, and transforms ([`transform`]).
+//! Readers and writers of meshes and label volumes, one module per format, and writers of the results of a match: pairs of
+//! vertices as tables ([`npy`], [`arrow`]), per-vertex values with their mesh, and transforms ([`transform`]).
 //!
-//! Readers take the whole file as a slice and [`ReadLimits`]. No allocation trusts a count that the length of the
-//! file does not back, so a small file cannot ask for much memory or time. [`read`] detects the format
-//! from the bytes; the file's name helps only where they do not tell. Errors carry places (lines, vertices, voxels),
-//! never text of the file, which may name a patient.
+//! Input is untrusted. Readers take the whole file as a slice, and [`ReadLimits`]; counts in a header are checked against
+//! the length of the file before anything is allocated, so a small file cannot cause a large allocation or a long
+//! computation. Compressed files are decompressed to their end, and every checksum is verified. [`read`] detects the format
+//! from the bytes and uses the file's name only where they do not decide. Errors carry positions (lines, vertices,
+//! voxels), never text of the file, which may name a patient.
 
 mod error;
 mod gzip;
@@ -22,7 +23,7 @@ pub mod stl;
 pub mod transform;
 pub mod vtk;
 
-pub use error::FormatError;
+pub use error::{FormatError, GzipFault};
 pub use homolog_contract::input::InputFormat;
 pub use nifti::{write_nifti, write_nifti_gz};
 pub use pairs::PairColumns;
@@ -35,10 +36,10 @@ pub use vtk::write_vtk;
 use homolog_mesh::volume::LabelVolume;
 use std::borrow::Cow;
 
-/// Bounds on what a reader makes.
+/// Bounds on the size of what is read.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct ReadLimits {
-    /// Largest file after decompression, bytes; also the most memory that the labels of a volume may take.
+    /// Largest size after decompression, bytes; also the most memory that the labels of a volume may take.
     pub max_inflated_bytes: usize,
     /// Most vertices of a mesh.
     pub max_vertices: usize,
@@ -50,7 +51,7 @@ impl Default for ReadLimits {
     }
 }
 
-/// What a file held.
+/// The content of a file.
 #[derive(Debug, Clone, PartialEq)]
 pub enum FileContent {
     /// A label volume.
@@ -62,7 +63,8 @@ pub enum FileContent {
 /// Reads a file of any of the [`InputFormat`]s, plain or compressed with gzip.
 ///
 /// # Errors
-/// [`FormatError::UnknownFormat`] if it is none of them; else what the format's reader says.
+/// [`FormatError::UnknownFormat`] if it is none of them; [`FormatError::Gzip`] if the compressed stream is damaged or
+/// incomplete; else those of the format's reader.
 ///
 /// # Cost
 /// Linear in the inflated size.
@@ -71,7 +73,7 @@ pub fn read(
     file_name: Option<&str>,
     limits: &ReadLimits,
 ) -> Result<(InputFormat, FileContent), FormatError> {
-    let head = gzip::inflated_head(bytes, nifti::HEADER_BYTES)?;
+    let head = gzip::unverified_prefix(bytes, nifti::HEADER_BYTES)?;
     if nifti::is_nifti(&head) {
         return Ok((InputFormat::Nifti, FileContent::Labels(nifti::read_nifti(bytes, limits)?)));
     }
@@ -114,10 +116,12 @@ fn format_of_name(name: &str) -> Option<InputFormat> {
     }
 }
 
-/// Plain bytes of a file that may be compressed.
+/// The decompressed bytes of a file, borrowed if it was not compressed.
 type Plain<'a> = Cow<'a, [u8]>;
 
 #[cfg(test)]
 mod export_tests;
+#[cfg(test)]
+mod gzip_tests;
 #[cfg(test)]
 mod tests;

@@ -4,7 +4,7 @@
 //! file before anything is allocated. The affine is the sform if its code is positive, else the qform, else the
 //! voxel sizes alone ("method 1"), scaled to millimetres.
 
-use super::gzip::inflated_head;
+use super::gzip::{inflate_prefix, unverified_prefix};
 use super::{FormatError, ReadLimits};
 use flate2::{Compression, GzBuilder};
 use homolog_mesh::volume::LabelVolume;
@@ -14,7 +14,7 @@ use std::io::Write;
 /// Length of the header with the extension flag.
 pub(super) const HEADER_BYTES: usize = 352;
 
-/// How far a value may lie from a whole number and still be a label: single-precision rounding of scaled values.
+/// How far a value may be from an integer and still count as a label: rounding of scaled single-precision values.
 const LABEL_TOLERANCE: f64 = 1e-3;
 
 /// Whether these are the first bytes of a NIfTI file of either version or of its predecessor ANALYZE.
@@ -27,13 +27,14 @@ pub(super) fn is_nifti(head: &[u8]) -> bool {
 /// Reads a label volume; `bytes` may be compressed.
 ///
 /// # Errors
-/// [`FormatError`]: two-file or NIfTI-2 variants, more than three dimensions, an element type that is no number,
-/// values that are no labels, a file shorter than its header says, an affine that is singular or not finite.
+/// [`FormatError`]: two-file or NIfTI-2 variants, more than three dimensions, an element type that is not a number,
+/// values that are not labels, a file shorter than its header says, an affine that is singular or not finite, a gzip
+/// stream that is damaged or incomplete, even after the last voxel.
 ///
 /// # Cost
-/// Linear in the number of voxels; inflates no more than the header asks for.
+/// Linear in the inflated size, which `limits` bound; keeps no more of it than the header asks for.
 pub fn read_nifti(bytes: &[u8], limits: &ReadLimits) -> Result<LabelVolume, FormatError> {
-    let head = inflated_head(bytes, HEADER_BYTES)?;
+    let head = unverified_prefix(bytes, HEADER_BYTES)?;
     let header = Header::parse(&head)?;
     let n_voxels = header.n_voxels();
     let limit = limits.max_inflated_bytes as u64;
@@ -43,7 +44,7 @@ pub fn read_nifti(bytes: &[u8], limits: &ReadLimits) -> Result<LabelVolume, Form
     if needed.max(kept) > limit {
         return Err(FormatError::TooLarge { what: "bytes of voxels", found: needed.max(kept), limit });
     }
-    let plain = inflated_head(bytes, needed as usize)?;
+    let plain = inflate_prefix(bytes, needed as usize, limits.max_inflated_bytes)?;
     if (plain.len() as u64) < needed {
         return Err(FormatError::Truncated { part: "the voxel array", needed, available: plain.len() as u64 });
     }
@@ -52,7 +53,7 @@ pub fn read_nifti(bytes: &[u8], limits: &ReadLimits) -> Result<LabelVolume, Form
     Ok(LabelVolume::new(header.dims, labels, header.affine)?)
 }
 
-/// What the header says, checked.
+/// The fields of the header that are used, validated.
 #[derive(Debug)]
 struct Header {
     dims: [usize; 3],
@@ -105,8 +106,8 @@ impl Element {
         }
     }
 
-    /// The value of one voxel; `b` has the bytes in little-endian order, zero behind. 64-bit integers round, which
-    /// no label notices.
+    /// The value of one voxel; `b` has the bytes in little-endian order, padded with zeros. 64-bit integers are rounded,
+    /// but labels are small enough to be exact.
     fn value(self, b: [u8; 8]) -> f64 {
         let low = u32::from_le_bytes([b[0], b[1], b[2], b[3]]);
         match self {
@@ -153,11 +154,11 @@ impl Header {
         let element = Element::from_code(code).ok_or_else(|| FormatError::Header {
             field: "data type code",
             value: code.to_string(),
-            advice: "store labels as integers or real numbers",
+            advice: "save the labels as integers or real numbers",
         })?;
         let offset = f.f32(108);
         if offset.is_nan() || !(offset == 0.0 || (348.0..=1e9).contains(&offset)) || offset.fract() != 0.0 {
-            let advice = "it must be a whole number of bytes from 352";
+            let advice = "it must be an integer of at least 348, as a rule 352; write the file again";
             return Err(FormatError::Header { field: "voxel offset", value: offset.to_string(), advice });
         }
         let offset = if offset == 0.0 { HEADER_BYTES as u64 } else { offset as u64 };
@@ -178,7 +179,7 @@ impl Header {
         let mut previous: Option<(&[u8], u32)> = None;
         for raw in voxels.chunks_exact(size) {
             let label = match previous {
-                // Labels come in runs.
+                // Neighbouring voxels mostly have the same label.
                 Some((same, label)) if same == raw => label,
                 _ => self.label(raw, labels.len())?,
             };
@@ -243,7 +244,7 @@ impl Fields<'_> {
             return fault("every dimension must be at least 1");
         }
         if used.iter().skip(3).any(|&d| d != 1) {
-            return fault("only three dimensions are read; send one volume of the series");
+            return fault("only three dimensions are supported; send one volume of the series");
         }
         Ok([0, 1, 2].map(|k| used.get(k).map_or(1, |&d| d as usize)))
     }
@@ -258,7 +259,7 @@ impl Fields<'_> {
         } else {
             Matrix4::from_diagonal(&self.spacing().push(1.0))
         };
-        // Bits 0 to 2: 1 metre, 2 millimetre, 3 micrometre; 0 says nothing and means millimetre in practice.
+        // Bits 0 to 2: 1 metre, 2 millimetre, 3 micrometre; 0 is unknown, in practice millimetre.
         let to_mm = match self.bytes[123] & 7 {
             1 => 1000.0,
             3 => 0.001,

@@ -6,7 +6,7 @@
 use super::PairColumns;
 
 const MAGIC: &[u8] = b"\x93NUMPY\x01\x00";
-/// What the header is padded to, so that the data begin aligned.
+/// The header is padded to a multiple of this, so that the data are aligned.
 const ALIGNMENT: usize = 64;
 
 /// The columns as a one-dimensional structured array with the fields `source` and `target` (`<u4`), `confidence` (`<f8`),

@@ -1,37 +1,37 @@
-//! Pairs of vertices in columns, as tables hold them.
+//! Corresponding vertices as columns of a table.
 
 /// A correspondence in columns of equal length.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PairColumns<'a> {
     /// Source vertex.
     pub source: &'a [u32],
-    /// Its target vertex.
+    /// The corresponding target vertex.
     pub target: &'a [u32],
-    /// Belief in it, in `[0, 1]`.
+    /// Confidence, in `[0, 1]`.
     pub confidence: &'a [f64],
-    /// Whether it supports the transform.
+    /// Whether it is an inlier of the transform.
     pub inlier: &'a [bool],
     /// Spread of the belief on the target, mm.
     pub spread_mm: &'a [f64],
-    /// Why it is an outlier: 0 it is none, 1 its residual, 2 its neighbourhood, 3 both, 4 it has no counterpart.
+    /// Why it is an outlier: 0 it is not one, 1 residual, 2 neighbourhood, 3 both, 4 no counterpart.
     pub outlier: &'a [u8],
-    /// The target triangle on which the image lies, by its vertices.
+    /// The vertices of the target triangle that contains the corresponding point.
     pub triangle: &'a [[u32; 3]],
-    /// Where on it: the weights of its vertices, of sum 1.
+    /// Barycentric coordinates of the corresponding point in that triangle, of sum 1.
     pub barycentric: &'a [[f64; 3]],
 }
 
 /// One row of [`PairColumns`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct PairRow {
-    pub source: u32,
-    pub target: u32,
-    pub confidence: f64,
-    pub inlier: bool,
-    pub spread_mm: f64,
-    pub outlier: u8,
-    pub triangle: [u32; 3],
-    pub barycentric: [f64; 3],
+    pub(super) source: u32,
+    pub(super) target: u32,
+    pub(super) confidence: f64,
+    pub(super) inlier: bool,
+    pub(super) spread_mm: f64,
+    pub(super) outlier: u8,
+    pub(super) triangle: [u32; 3],
+    pub(super) barycentric: [f64; 3],
 }
 
 impl PairColumns<'_> {

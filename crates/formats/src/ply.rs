@@ -14,10 +14,10 @@ use ply_rs_bw::ply::{
 use std::io::Cursor;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-/// Names under which programs store the corners of faces.
+/// Names of the property that lists the vertices of a face.
 const FACE_LISTS: [&str; 2] = ["vertex_indices", "vertex_index"];
 
-/// Reads a mesh. Quads stay quads if there is nothing else; other polygons become triangles.
+/// Reads a mesh. A file of quads alone gives a quad mesh; otherwise all polygons are split into triangles.
 ///
 /// # Errors
 /// [`FormatError`].
@@ -25,7 +25,7 @@ const FACE_LISTS: [&str; 2] = ["vertex_indices", "vertex_index"];
 /// # Cost
 /// Linear in the file's length.
 pub fn read_ply(bytes: &[u8], limits: &ReadLimits) -> Result<MeshFile, FormatError> {
-    // The parser is not ours: should it panic on some file, only that file is refused.
+    // A panic of the third-party parser must only reject this file.
     catch_unwind(AssertUnwindSafe(|| parse(bytes, limits)))
         .unwrap_or(Err(FormatError::Payload { format: "PLY", line: None }))
 }
@@ -58,17 +58,19 @@ fn parse(bytes: &[u8], limits: &ReadLimits) -> Result<MeshFile, FormatError> {
     polygons.into_mesh()
 }
 
-/// Refuses headers without positions or faces, and counts that the file is too short for.
+/// Rejects headers without positions or faces, and counts for which the file is too short.
 fn check(header: &Header, file_bytes: usize, limits: &ReadLimits) -> Result<(), FormatError> {
-    let needs =
-        |what: &'static str| FormatError::Unsupported { what, advice: "a surface needs vertices x, y, z and faces" };
+    let needs = |what: &'static str| FormatError::Unsupported {
+        what,
+        advice: "export a surface with vertices x, y, z and faces",
+    };
     let vertex = header.elements.get("vertex").ok_or_else(|| needs("a PLY file without vertices"))?;
     let face = header.elements.get("face").ok_or_else(|| needs("a PLY file without faces"))?;
     let scalar = |e: &ElementDef, name: &str| {
         e.properties.get(name).is_some_and(|p| matches!(p.data_type, PropertyType::Scalar(_)))
     };
     if !["x", "y", "z"].iter().all(|name| scalar(vertex, name)) {
-        return Err(needs("a PLY file whose vertices lack x, y or z"));
+        return Err(needs("a PLY file whose vertices have no x, y or z"));
     }
     let is_list = |name: &&str| {
         let kind = face.properties.get(*name).map(|p| &p.data_type);
@@ -103,7 +105,7 @@ fn least_bytes(kind: &PropertyType) -> usize {
     }
 }
 
-/// Takes no memory: what is not needed is parsed and forgotten.
+/// An element whose values are parsed and dropped.
 struct Skipped;
 
 impl PropertyAccess for Skipped {
@@ -174,7 +176,7 @@ pub fn write_ply(mesh: &SurfaceMesh) -> Vec<u8> {
     write_ply_with(mesh, &[])
 }
 
-/// The same with further properties of the vertices: `int`, `double` and `uchar`.
+/// As [`write_ply`], with further vertex properties of type `int`, `double` and `uchar`.
 pub fn write_ply_with(mesh: &SurfaceMesh, arrays: &[VertexArray]) -> Vec<u8> {
     let arrays: Vec<_> = fitting(mesh, arrays).collect();
     let mut header = format!(

@@ -1,15 +1,15 @@
-//! From polygons, as files hold them, to a mesh of one arity.
+//! From the polygons of a file to a triangle or quad mesh.
 
 use super::{FormatError, ReadLimits};
 use homolog_mesh::{FaceArity, MeshError, SurfaceMesh};
 use nalgebra::Point3;
 
-/// A mesh as a file held it.
+/// The mesh of a file.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MeshFile {
     /// The mesh, without degenerate faces; vertices as in the file.
     pub mesh: SurfaceMesh,
-    /// The first face that named a vertex twice, and that vertex.
+    /// The first face that uses a vertex twice, and that vertex.
     pub first_degenerate: Option<(usize, u32)>,
     /// How many such faces were left out.
     pub n_degenerate: usize,
@@ -20,23 +20,23 @@ pub struct MeshFile {
 /// Vertices and polygons of any number of corners.
 #[derive(Debug, Default)]
 pub(super) struct Polygons {
-    pub vertices: Vec<Point3<f64>>,
+    pub(super) vertices: Vec<Point3<f64>>,
     corners: Vec<u32>,
     ends: Vec<usize>,
 }
 
 impl Polygons {
-    /// Refuses more vertices than the limit allows, before they are read.
-    pub fn check_count(found: u64, limits: &ReadLimits) -> Result<(), FormatError> {
+    /// Rejects more vertices than the limit allows, before they are read.
+    pub(super) fn check_count(found: u64, limits: &ReadLimits) -> Result<(), FormatError> {
         let limit = limits.max_vertices as u64;
         if found > limit { Err(FormatError::TooLarge { what: "vertices", found, limit }) } else { Ok(()) }
     }
 
-    /// Adds a face; all vertices must be known by now.
+    /// Adds a face; its vertices must have been added before.
     ///
     /// # Errors
-    /// A corner that names no vertex.
-    pub fn push(&mut self, face: impl IntoIterator<Item = i64>) -> Result<(), FormatError> {
+    /// A corner that refers to no vertex.
+    pub(super) fn push(&mut self, face: impl IntoIterator<Item = i64>) -> Result<(), FormatError> {
         let n_vertices = self.vertices.len();
         for vertex in face {
             let face = self.ends.len();
@@ -57,11 +57,11 @@ impl Polygons {
         starts.zip(&self.ends).map(|(start, &end)| &self.corners[start..end])
     }
 
-    /// A quad mesh if every face is a quad; else triangles, larger polygons cut to fans from their first corner.
+    /// A quad mesh if every face is a quad; else triangles, larger polygons split into fans from their first corner.
     ///
     /// # Errors
     /// [`MeshError`] if nothing is left or a coordinate is not finite.
-    pub fn into_mesh(self) -> Result<MeshFile, FormatError> {
+    pub(super) fn into_mesh(self) -> Result<MeshFile, FormatError> {
         let all_quads = self.faces().all(|f| f.len() == 4);
         let arity = if all_quads { FaceArity::Quad } else { FaceArity::Triangle };
         let mut indices = Vec::with_capacity(self.corners.len());
@@ -93,7 +93,7 @@ impl Polygons {
     }
 }
 
-/// A vertex that occurs twice among the corners. Polygons of many corners are sorted, so a hostile one costs little.
+/// A vertex that occurs twice among the corners. Large polygons are sorted, so that a malicious one costs little.
 fn repeated(face: &[u32]) -> Option<u32> {
     if face.len() <= 8 {
         return (1..face.len()).find(|&k| face[..k].contains(&face[k])).map(|k| face[k]);

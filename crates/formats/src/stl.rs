@@ -1,6 +1,6 @@
 //! STL, ASCII and binary. The format has no shared vertices, so they are welded on reading.
 //!
-//! A binary file is told by its length (84 bytes and 50 a facet): its free text may well begin with "solid".
+//! A binary file is recognized by its length (84 bytes, and 50 per facet), since its free text may begin with "solid" too.
 
 use super::polygons::{MeshFile, Polygons};
 use super::text::Scanner;
@@ -30,7 +30,7 @@ fn starts_with_solid(bytes: &[u8]) -> bool {
     bytes.trim_ascii_start().get(..5).is_some_and(|head| head.eq_ignore_ascii_case(b"solid"))
 }
 
-/// Reads a mesh of triangles, welded; normals are not read, the order of corners decides.
+/// Reads a mesh of triangles, welded. Normals are ignored: the order of the corners gives the orientation.
 ///
 /// # Errors
 /// [`FormatError`].
@@ -107,7 +107,7 @@ fn corner(scanner: &mut Scanner<'_>, corners: &mut Vec<Point3<f64>>) -> Result<(
     Ok(())
 }
 
-/// A binary STL file, single precision; quads are cut along their first diagonal.
+/// A binary STL file, single precision; quads are split along their first diagonal.
 pub fn write_stl(mesh: &SurfaceMesh) -> Vec<u8> {
     let triangles = mesh.triangles();
     let mut file = b"binary STL, millimetres".to_vec();

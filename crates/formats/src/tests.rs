@@ -283,7 +283,7 @@ fn samples() -> Vec<(&'static str, Vec<u8>)> {
 }
 
 #[test]
-fn files_cut_anywhere_neither_panic_nor_linger() {
+fn truncated_files_neither_panic_nor_hang() {
     let start = std::time::Instant::now();
     for (name, bytes) in samples() {
         assert!(read(&bytes, Some(name), &limits()).is_ok(), "{name}");
@@ -298,7 +298,7 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(3000))]
 
     #[test]
-    fn flipped_bytes_neither_panic_nor_linger(
+    fn flipped_bytes_neither_panic_nor_hang(
         which in 0..9usize, flips in proptest::collection::vec((any::<prop::sample::Index>(), any::<u8>()), 1..6),
     ) {
         let (name, mut bytes) = samples().swap_remove(which);

@@ -1,7 +1,7 @@
-//! Rigid and affine transforms as files that other programs apply.
+//! Writers of rigid and affine transforms in the conventions of other programs.
 //!
-//! The matrix taken is `target_from_source`, 4×4, row by row: it moves points of the source, in RAS millimetres as in
-//! NIfTI, onto the target. What a file holds is what its program expects, which is not always that matrix.
+//! The input is `target_from_source`, 4×4, row by row: it maps points of the source, in RAS millimetres as in NIfTI, onto
+//! the target. A file may hold another matrix, where the program that reads it expects that.
 
 use nalgebra::Matrix4;
 
@@ -12,8 +12,8 @@ pub fn write_matrix_text(target_from_source: &[[f64; 4]; 4]) -> String {
 
 /// An ITK transform file (`.tfm`), as ITK, ANTs and 3D Slicer read it. `None` if the matrix has no inverse.
 ///
-/// ITK counts in LPS and transforms points of the fixed image to the moving one, because resampling asks for each
-/// fixed voxel where in the moving image it comes from. With the target fixed and the source moving, the file
+/// ITK uses LPS coordinates and maps points of the fixed image to the moving one, because resampling looks up each fixed
+/// voxel in the moving image. With the target fixed and the source moving, the file
 /// therefore holds `F · target_from_source⁻¹ · F`, where `F = diag(−1, −1, 1, 1)` swaps RAS and LPS. To resample the
 /// source image onto the grid of the target it is used as it is; in 3D Slicer it is applied to the source node.
 ///
@@ -36,8 +36,8 @@ pub fn write_itk_transform(target_from_source: &[[f64; 4]; 4]) -> Option<String>
 
 /// A FreeSurfer linear transform array (`.lta`) of type 1 (RAS to RAS), source to target: the matrix as it is.
 ///
-/// The geometry of the two volumes is not known here. It is written as invalid, with the values that FreeSurfer itself
-/// gives an unknown volume; programs that need it take `--src` and `--trg` (`lta_convert`) or `--mov` and `--targ`.
+/// The geometry of the two volumes is not known here. It is written as invalid, with the values that FreeSurfer writes for
+/// an unknown volume; programs that need it take `--src` and `--trg` (`lta_convert`) or `--mov` and `--targ`.
 ///
 /// # Source
 /// FreeSurfer, `LTAwrite` and `VOL_GEOM::write`.

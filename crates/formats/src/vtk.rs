@@ -11,10 +11,10 @@ use super::{FormatError, ReadLimits};
 use homolog_mesh::SurfaceMesh;
 use nalgebra::Point3;
 
-/// Reads a mesh. Quads stay quads if there is nothing else; strips and other polygons become triangles.
+/// Reads a mesh. A file of quads alone gives a quad mesh; otherwise strips and polygons are split into triangles.
 ///
 /// # Errors
-/// [`FormatError`]; data sets other than `POLYDATA` are not read.
+/// [`FormatError`]; data sets other than `POLYDATA` are not supported.
 ///
 /// # Cost
 /// Linear in the file's length.
@@ -34,7 +34,7 @@ pub fn read_vtk(bytes: &[u8], limits: &ReadLimits) -> Result<MeshFile, FormatErr
     if !scanner.word().unwrap_or_default().eq_ignore_ascii_case(b"POLYDATA") {
         return Err(FormatError::Unsupported {
             what: "a VTK data set other than POLYDATA",
-            advice: "extract its surface",
+            advice: "extract its surface and save that as POLYDATA",
         });
     }
     let mut reader = VtkReader { scanner, binary, polygons: Polygons::default(), limits };
@@ -115,7 +115,7 @@ impl VtkReader<'_> {
         Element::from_name(name).ok_or_else(|| self.scanner.expected("a number type such as float or int"))
     }
 
-    /// Refuses a count of numbers that the rest of the file cannot hold.
+    /// Rejects a count of numbers for which the rest of the file is too short.
     fn check(&self, n: u64, element: Element, part: &'static str) -> Result<(), FormatError> {
         // In text a number takes a digit and a blank; the last may do without.
         let needed = n.saturating_mul(if self.binary { element.size() as u64 } else { 2 });
@@ -173,11 +173,11 @@ impl VtkReader<'_> {
         let mut rest = list.as_slice();
         for _ in 0..first {
             let Some((&count, after)) = rest.split_first() else {
-                return Err(self.scanner.expected("as many cells as announced"));
+                return Err(self.scanner.expected("as many cells as the section announces"));
             };
             let cell = usize::try_from(count).ok().and_then(|n| after.split_at_checked(n));
             let Some((cell, after)) = cell else {
-                return Err(self.scanner.expected("a cell that fits into its list"));
+                return Err(self.scanner.expected("a cell that ends within its list"));
             };
             self.cell(kind, cell)?;
             rest = after;
@@ -198,7 +198,7 @@ impl VtkReader<'_> {
             let range = usize::try_from(pair[0]).ok().zip(usize::try_from(pair[1]).ok());
             let cell = range.and_then(|(start, end)| corners.get(start..end));
             let Some(cell) = cell else {
-                return Err(self.scanner.expected("offsets that ascend within the list of corners"));
+                return Err(self.scanner.expected("ascending offsets within the connectivity array"));
             };
             self.cell(kind, cell)?;
         }
@@ -210,7 +210,7 @@ impl VtkReader<'_> {
             Cells::Skipped => Ok(()),
             Cells::Polygons => self.polygons.push(cell.iter().copied()),
             Cells::Strips => cell.windows(3).enumerate().try_for_each(|(k, t)| {
-                // Every second triangle of a strip runs the other way; strips turn corners by empty triangles.
+                // Every second triangle of a strip has the opposite orientation; degenerate ones only join strips.
                 let t = if k % 2 == 0 { [t[0], t[1], t[2]] } else { [t[1], t[0], t[2]] };
                 let empty = t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
                 if empty { Ok(()) } else { self.polygons.push(t) }
@@ -252,7 +252,7 @@ fn numbers<const N: usize, T>(raw: &[u8], value: impl Fn([u8; N]) -> T) -> Vec<T
     raw.as_chunks::<N>().0.iter().map(|&b| value(b)).collect()
 }
 
-/// Whole numbers; reals are cut, indices beyond `i64` become the largest, which no mesh has.
+/// As integers; reals are truncated, and indices beyond `i64` become the largest, which is out of range in any mesh.
 fn integers(raw: &[u8], element: Element) -> Vec<i64> {
     match element {
         Element::I8 => numbers(raw, |b| i8::from_be_bytes(b).into()),
@@ -273,7 +273,7 @@ pub fn write_vtk(mesh: &SurfaceMesh) -> Vec<u8> {
     write_vtk_with(mesh, &[])
 }
 
-/// The same with `POINT_DATA`: a field of arrays of `int`, `double` and `unsigned_char`.
+/// As [`write_vtk`], with `POINT_DATA`: a field of arrays of `int`, `double` and `unsigned_char`.
 pub fn write_vtk_with(mesh: &SurfaceMesh, arrays: &[VertexArray]) -> Vec<u8> {
     let arrays: Vec<_> = fitting(mesh, arrays).collect();
     let mut file = b"# vtk DataFile Version 3.0\nsurface, millimetres\nBINARY\nDATASET POLYDATA\n".to_vec();

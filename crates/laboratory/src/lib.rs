@@ -1,7 +1,7 @@
-//! What each method is worth: synthetic subjects with known deformations and poses ([`phantom`]), and experiments with
-//! their report ([`experiment`]).
+//! Evaluation: synthetic subjects with known deformations and poses ([`phantom`]), and experiments that measure the
+//! accuracy of every method, with their report ([`experiment`]).
 //!
-//! This crate knows no service: no runtime, no database, no HTTP.
+//! This crate knows nothing of the service: no runtime, no database, no HTTP.
 
 pub mod experiment;
 pub mod phantom;

@@ -14,7 +14,7 @@ on_both!(
 );
 
 async fn a01_the_job_of_a_killed_worker_runs_again(backend: Backend) {
-    let Some(site) = Site::open(backend) else { return };
+    let site = Site::open(backend);
     let front = site.serve(&["--workers", "0"]);
     let client = site.client(&front);
     let database = site.database().await;
@@ -35,7 +35,7 @@ async fn a01_the_job_of_a_killed_worker_runs_again(backend: Backend) {
 }
 
 async fn a04_a_job_that_kills_its_workers_is_dead_and_the_others_go_on(backend: Backend) {
-    let Some(site) = Site::open(backend) else { return };
+    let site = Site::open(backend);
     let front = site.serve(&["--workers", "0", "--max-attempts", "3"]);
     let client = site.client(&front);
     let poison = client.submit(json!({"abort": 1, "points": 2, "step_ms": 20})).await;
@@ -70,7 +70,7 @@ async fn a04_a_job_that_kills_its_workers_is_dead_and_the_others_go_on(backend: 
 }
 
 async fn a10_a_worker_whose_heartbeats_fail_fetches_nothing_and_gives_up(backend: Backend) {
-    let Some(site) = Site::open(backend) else { return };
+    let site = Site::open(backend);
     let node = site.serve(&["--workers", "2", "--lease-ms", "3000"]);
     let client = site.client(&node);
     let database = site.database().await;
@@ -100,7 +100,7 @@ async fn a10_a_worker_whose_heartbeats_fail_fetches_nothing_and_gives_up(backend
 }
 
 async fn a17_a_computation_that_ignores_its_end_gives_its_slot_back(backend: Backend) {
-    let Some(site) = Site::open(backend) else { return };
+    let site = Site::open(backend);
     let node = site.serve(&["--workers", "1"]);
     let client = site.client(&node);
     let deaf = client.submit(json!({"deaf": 1, "points": 1200, "step_ms": 50})).await;

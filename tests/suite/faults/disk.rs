@@ -1,6 +1,7 @@
 //! A15: small disks that can be filled.
 
 use super::client::{Client, id_of, steps};
+use super::on_postgres;
 use super::site::{Backend, SOON, Site};
 use serde_json::json;
 use std::fs::{self, File};
@@ -17,8 +18,8 @@ struct Disk {
 }
 
 impl Disk {
-    /// `None` where mounting is not allowed, which is said.
-    fn of_mib(size: u32) -> Option<Self> {
+    /// Panics where mounting is not allowed.
+    fn of_mib(size: u32) -> Self {
         let folder = tempfile::tempdir().unwrap();
         let script = format!(
             "trap '' INT TERM HUP; mount -t tmpfs -o size={size}m,mode=1777 tmpfs \"$1\" || exit 1; \
@@ -34,12 +35,8 @@ impl Disk {
             .unwrap();
         let mut answer = String::new();
         BufReader::new(keeper.stdout.take().unwrap()).read_line(&mut answer).unwrap();
-        if answer.trim() == "mounted" {
-            return Some(Disk { folder, keeper });
-        }
-        let _ = keeper.wait();
-        println!("skipped: no small disk can be mounted here; that takes root");
-        None
+        assert_eq!(answer.trim(), "mounted", "no small disk can be mounted here; that takes root");
+        Disk { folder, keeper }
     }
 
     fn path(&self) -> &Path {
@@ -96,9 +93,10 @@ async fn all_of(client: &Client, acknowledged: &[String]) {
 }
 
 #[tokio::test]
+#[ignore = "needs root, to mount a small disk"]
 async fn a15_sqlite() {
-    let Some(disk) = Disk::of_mib(16) else { return };
-    let Some(site) = Site::open_on(Backend::Sqlite, disk.path(), disk.path()) else { return };
+    let disk = Disk::of_mib(16);
+    let site = Site::open_on(Backend::Sqlite, disk.path(), disk.path());
     let node = site.serve(&["--workers", "1"]);
     let client = site.client(&node);
     let database = site.database().await;
@@ -134,10 +132,14 @@ async fn a15_sqlite() {
     client.until_succeeded(&id, SOON).await;
 }
 
-#[tokio::test]
-async fn a15_postgres_database() {
-    let Some(disk) = Disk::of_mib(160) else { return };
-    let Some(mut site) = Site::open_on(Backend::Postgres, disk.path(), &std::env::temp_dir()) else { return };
+on_postgres!(needs "needs PostgreSQL, and root to mount a small disk":
+    a15_the_disk_of_the_database_is_full,
+    a15_the_disk_of_the_blobs_is_full,
+);
+
+async fn a15_the_disk_of_the_database_is_full() {
+    let disk = Disk::of_mib(160);
+    let mut site = Site::open_on(Backend::Postgres, disk.path(), &std::env::temp_dir());
     let node = site.serve(&["--workers", "1", "--max-attempts", "20"]);
     let client = site.client(&node);
     let database = site.database().await;
@@ -177,10 +179,9 @@ async fn a15_postgres_database() {
     assert_eq!(jobs, results);
 }
 
-#[tokio::test]
-async fn a15_postgres_blobs() {
-    let Some(disk) = Disk::of_mib(8) else { return };
-    let Some(site) = Site::open_on(Backend::Postgres, &std::env::temp_dir(), disk.path()) else { return };
+async fn a15_the_disk_of_the_blobs_is_full() {
+    let disk = Disk::of_mib(8);
+    let site = Site::open_on(Backend::Postgres, &std::env::temp_dir(), disk.path());
     let node = site.serve(&["--workers", "1"]);
     let client = site.client(&node);
     let database = site.database().await;

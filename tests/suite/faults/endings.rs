@@ -17,7 +17,7 @@ on_both!(
 const ENDING: Duration = Duration::from_secs(8);
 
 async fn a05_a_job_that_ends_within_the_grace_is_ended(backend: Backend) {
-    let Some(site) = Site::open(backend) else { return };
+    let site = Site::open(backend);
     let mut node = site.serve(&["--shutdown-grace-ms", "20000"]);
     let client = site.client(&node);
     let id = client.submit(steps(60, 25)).await;
@@ -43,7 +43,7 @@ async fn a05_a_second_signal_gives_back_at_once(backend: Backend) {
 }
 
 async fn ends_and_gives_back(backend: Backend, grace_ms: &str, n_signals: u32, at_least: Duration) {
-    let Some(site) = Site::open(backend) else { return };
+    let site = Site::open(backend);
     let mut node = site.serve(&["--shutdown-grace-ms", grace_ms]);
     let client = site.client(&node);
     let id = client.submit(steps(1_000, 25)).await;
@@ -63,7 +63,7 @@ async fn ends_and_gives_back(backend: Backend, grace_ms: &str, n_signals: u32, a
 }
 
 async fn a18_idle_followers_do_not_hold_up_the_end(backend: Backend) {
-    let Some(site) = Site::open(backend) else { return };
+    let site = Site::open(backend);
     let mut node = site.serve(&["--workers", "0", "--shutdown-grace-ms", "1000"]);
     let client = site.client(&node);
     let id = client.submit(steps(1, 1)).await;

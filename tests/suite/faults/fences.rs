@@ -20,7 +20,7 @@ on_both!(
 );
 
 async fn a02_a_worker_that_slept_past_its_lease_changes_nothing(backend: Backend) {
-    let Some(site) = Site::open(backend) else { return };
+    let site = Site::open(backend);
     let front = site.serve(&["--workers", "0"]);
     let client = site.client(&front);
     let database = site.database().await;
@@ -49,7 +49,7 @@ async fn a02_a_worker_that_slept_past_its_lease_changes_nothing(backend: Backend
 }
 
 async fn a02_without_the_fence_a_result_would_be_accepted_twice(backend: Backend) {
-    let Some(site) = Site::open(backend) else { return };
+    let site = Site::open(backend);
     let queue = Queue { store: site.store().await };
     let database = site.database().await;
     database.watch().await;
@@ -78,7 +78,7 @@ async fn a02_without_the_fence_a_result_would_be_accepted_twice(backend: Backend
 }
 
 async fn a03_a_worker_restarted_under_its_name_inherits_no_lease(backend: Backend) {
-    let Some(site) = Site::open(backend) else { return };
+    let site = Site::open(backend);
     let queue = Queue { store: site.store().await };
     let id = queue.add().await.unwrap();
     let before = queue.claim("worker-0", SHORT).await.unwrap().unwrap();
@@ -100,7 +100,7 @@ async fn a03_a_worker_restarted_under_its_name_inherits_no_lease(backend: Backen
 }
 
 async fn a08_no_job_is_claimed_twice_in_one_epoch(backend: Backend) {
-    let Some(site) = Site::open(backend) else { return };
+    let site = Site::open(backend);
     let queue = Queue { store: site.store().await };
     let database = site.database().await;
     database.watch().await;
@@ -143,7 +143,7 @@ async fn a08_no_job_is_claimed_twice_in_one_epoch(backend: Backend) {
 
 /// Nothing but its lease tells that a worker is stuck: there is no limit on the run, and no process that is gone.
 async fn a16_one_stuck_among_many_running_jobs_is_rescued(backend: Backend) {
-    let Some(site) = Site::open(backend) else { return };
+    let site = Site::open(backend);
     let queue = Queue { store: site.store().await };
     for _ in 0..500 {
         queue.add().await.unwrap();
@@ -168,7 +168,7 @@ async fn a16_one_stuck_among_many_running_jobs_is_rescued(backend: Backend) {
 
 /// One heart keeps all leases of a worker that runs many jobs at once.
 async fn a16_many_running_jobs_keep_their_leases(backend: Backend) {
-    let Some(site) = Site::open(backend) else { return };
+    let site = Site::open(backend);
     let slots = length(40, 100);
     let node = site.serve(&["--workers", &slots.to_string(), "--lease-ms", "4000", "--heartbeat-ms", "1000"]);
     let client = site.client(&node);

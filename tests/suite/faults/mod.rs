@@ -1,7 +1,8 @@
 //! What the service promises when something breaks, shown by breaking it.
 //!
 //! Each test is named after its point, `a01` to `a23`, and after what it runs on: `sqlite` (with a folder of blobs) or
-//! `postgres` (with an S3 server). `make test` runs them short, `make faults` in full length.
+//! `postgres` (with an S3 server). `make test` runs them short, `make faults` in full length. Those that need PostgreSQL,
+//! libfaketime or root are `#[ignore]`d, and both commands run them where `scripts/test` finds that there is such a thing.
 //!
 //! What they stand on: [`node`] (the service as processes that can be killed), [`postgres`], [`s3`] (servers that end
 //! with the test), [`proxy`] (a network that fails), [`disk`] (one that is full), [`site`] (all of them together, and
@@ -55,6 +56,7 @@ macro_rules! on_both {
             }
 
             #[tokio::test]
+            #[ignore = "needs PostgreSQL"]
             async fn postgres() {
                 super::$name(Backend::Postgres).await;
             }
@@ -65,9 +67,11 @@ use on_both;
 
 /// Makes a test of `async fn name()` on PostgreSQL, for what has no meaning on SQLite: `name::postgres`.
 macro_rules! on_postgres {
-    ($($name:ident),+ $(,)?) => {$(
+    ($($name:ident),+ $(,)?) => { on_postgres!(needs "needs PostgreSQL": $($name),+); };
+    (needs $reason:literal: $($name:ident),+ $(,)?) => {$(
         mod $name {
             #[tokio::test]
+            #[ignore = $reason]
             async fn postgres() {
                 super::$name().await;
             }

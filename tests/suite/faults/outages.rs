@@ -23,8 +23,8 @@ on_postgres!(
     a06_connections_to_the_database_are_cut,
     a06_the_blob_store_refuses,
     a06_connections_to_the_blob_store_are_half_open,
-    a21_a_workers_wrong_clock_moves_no_lease,
 );
+on_postgres!(needs "needs PostgreSQL and faketime": a21_a_workers_wrong_clock_moves_no_lease);
 
 /// Longest that a submission may take when what it needs is away: what one request to the blob store may, and some.
 const NO_HANG: Duration = Duration::from_secs(45);
@@ -59,8 +59,8 @@ struct Answer {
 }
 
 impl Outage {
-    async fn prepare() -> Option<Self> {
-        let site = Site::open(Backend::Postgres)?;
+    async fn prepare() -> Self {
+        let site = Site::open(Backend::Postgres);
         let database = Proxy::to(site.cluster.as_ref().unwrap().port());
         let blobs = Proxy::to(site.s3.as_ref().unwrap().port());
         let mut environment = S3Server::environment(blobs.port());
@@ -74,7 +74,7 @@ impl Outage {
         let submissions = Arc::<Submissions>::default();
         let submitting = tokio::spawn(keep_submitting(client.clone(), Arc::clone(&submissions)));
         tokio::time::sleep(Duration::from_secs(1)).await;
-        Some(Outage { site, database, blobs, node, client, witness, long, submissions, submitting })
+        Outage { site, database, blobs, node, client, witness, long, submissions, submitting }
     }
 
     /// Waits through the outage and sees that the service says so, refuses, and lives.
@@ -135,7 +135,7 @@ async fn keep_submitting(client: Client, submissions: Arc<Submissions>) -> Vec<A
 }
 
 async fn a06_the_database_is_stopped() {
-    let Some(mut outage) = Outage::prepare().await else { return };
+    let mut outage = Outage::prepare().await;
     outage.site.cluster.as_mut().unwrap().stop_fast();
     outage.endure(seconds(5, 60), "job_store").await;
     outage.site.cluster.as_mut().unwrap().start_again();
@@ -143,7 +143,7 @@ async fn a06_the_database_is_stopped() {
 }
 
 async fn a06_the_database_crashes() {
-    let Some(mut outage) = Outage::prepare().await else { return };
+    let mut outage = Outage::prepare().await;
     outage.site.cluster.as_mut().unwrap().kill();
     outage.endure(seconds(1, 10), "job_store").await;
     outage.site.cluster.as_mut().unwrap().start_again();
@@ -151,7 +151,7 @@ async fn a06_the_database_crashes() {
 }
 
 async fn a06_the_database_hangs() {
-    let Some(outage) = Outage::prepare().await else { return };
+    let outage = Outage::prepare().await;
     outage.site.cluster.as_ref().unwrap().freeze();
     outage.endure(seconds(3, 60), "job_store").await;
     outage.site.cluster.as_ref().unwrap().thaw();
@@ -159,7 +159,7 @@ async fn a06_the_database_hangs() {
 }
 
 async fn a06_connections_to_the_database_are_half_open() {
-    let Some(outage) = Outage::prepare().await else { return };
+    let outage = Outage::prepare().await;
     outage.database.set(Network::Silent);
     outage.endure(seconds(5, 60), "job_store").await;
     outage.database.set(Network::Up);
@@ -167,7 +167,7 @@ async fn a06_connections_to_the_database_are_half_open() {
 }
 
 async fn a06_connections_to_the_database_are_cut() {
-    let Some(outage) = Outage::prepare().await else { return };
+    let outage = Outage::prepare().await;
     for _ in 0..seconds(5, 60).as_secs() {
         outage.database.cut();
         tokio::time::sleep(Duration::from_secs(1)).await;
@@ -181,7 +181,7 @@ async fn a06_connections_to_the_database_are_cut() {
 }
 
 async fn a06_the_blob_store_refuses() {
-    let Some(outage) = Outage::prepare().await else { return };
+    let outage = Outage::prepare().await;
     outage.blobs.set(Network::Refusing);
     outage.blobs.cut();
     outage.endure(seconds(5, 60), "artifact_store").await;
@@ -190,7 +190,7 @@ async fn a06_the_blob_store_refuses() {
 }
 
 async fn a06_connections_to_the_blob_store_are_half_open() {
-    let Some(outage) = Outage::prepare().await else { return };
+    let outage = Outage::prepare().await;
     outage.blobs.set(Network::Silent);
     outage.endure(seconds(5, 60), "artifact_store").await;
     outage.blobs.set(Network::Up);
@@ -198,7 +198,7 @@ async fn a06_connections_to_the_blob_store_are_half_open() {
 }
 
 async fn a07_without_hints_a_job_runs_within_the_poll_interval(backend: Backend) {
-    let Some(site) = Site::open(backend) else { return };
+    let site = Site::open(backend);
     // Between processes on SQLite there are no hints.
     let silent: &[&str] = if backend == Backend::Postgres { &["--notify", "false"] } else { &[] };
     let front = site.serve(&[&["--workers", "0"], silent].concat());
@@ -227,16 +227,13 @@ fn wrong_clock(offset: &str) -> Option<Vec<(&'static str, String)>> {
 
 /// On SQLite the database's clock is the machine's own, and a worker has no other.
 async fn a21_a_workers_wrong_clock_moves_no_lease() {
-    let Some(site) = Site::open(Backend::Postgres) else { return };
+    let site = Site::open(Backend::Postgres);
     let front = site.serve(&["--workers", "0"]);
     let client = site.client(&front);
     let database = site.database().await;
     database.watch().await;
     for offset in ["+1h", "-1h"] {
-        let Some(clock) = wrong_clock(offset) else {
-            println!("skipped: no libfaketime; apt-get install faketime");
-            return;
-        };
+        let clock = wrong_clock(offset).expect("libfaketime; apt-get install faketime");
         // A worker of the wrong time keeps its lease for several times its length, beside one of the right time.
         let mut wrong = site.node("worker", &[], &clock).unwrap();
         let id = client.submit(steps(120, 50)).await;

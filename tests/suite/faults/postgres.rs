@@ -39,20 +39,14 @@ struct Account {
 }
 
 impl Cluster {
-    /// A new cluster whose server runs. `None` without PostgreSQL, which is said.
-    pub fn start() -> Option<Self> {
+    /// A new cluster whose server runs, or the reason why there cannot be one.
+    pub fn start() -> Result<Self, String> {
         Cluster::start_under(&std::env::temp_dir())
     }
 
     /// The same in a folder under `parent`, which may be a small disk.
-    pub fn start_under(parent: &Path) -> Option<Self> {
-        let installed = match Installed::find() {
-            Ok(installed) => installed,
-            Err(reason) => {
-                println!("skipped: {reason}");
-                return None;
-            }
-        };
+    pub fn start_under(parent: &Path) -> Result<Self, String> {
+        let installed = Installed::find()?;
         let folder = tempfile::tempdir_in(parent).unwrap();
         installed.own(folder.path());
         let data = folder.path().join("cluster");
@@ -62,7 +56,7 @@ impl Cluster {
         for _ in 0..5 {
             cluster.port = TcpListener::bind("127.0.0.1:0").unwrap().local_addr().unwrap().port();
             if cluster.try_start() {
-                return Some(cluster);
+                return Ok(cluster);
             }
         }
         panic!("PostgreSQL does not start: {}", cluster.log());
@@ -303,8 +297,9 @@ fn account_in(accounts: &str) -> Option<Account> {
 }
 
 #[test]
+#[ignore = "needs PostgreSQL"]
 fn a_cluster_comes_back_on_its_port_however_it_ended() {
-    let Some(mut cluster) = Cluster::start() else { return };
+    let mut cluster = Cluster::start().unwrap();
     let port = cluster.port();
     for end in [Cluster::stop_fast, Cluster::stop_immediately, Cluster::kill] {
         assert!(cluster.is_running());

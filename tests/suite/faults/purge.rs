@@ -10,7 +10,7 @@ use std::time::{Duration, Instant};
 on_both!(a22_what_is_purged_is_gone_from_everywhere);
 
 async fn a22_what_is_purged_is_gone_from_everywhere(backend: Backend) {
-    let Some(site) = Site::open(backend) else { return };
+    let site = Site::open(backend);
     let node = site.serve(&[]);
     let client = site.client(&node);
     let parameters = json!({"points": 5, "sign": 1, "seed": 22});

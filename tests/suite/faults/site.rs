@@ -37,19 +37,23 @@ pub struct Site {
 }
 
 impl Site {
-    /// An empty one. `None` if this machine cannot have it, which is said.
-    pub fn open(backend: Backend) -> Option<Self> {
+    /// An empty one. Panics where the backend cannot be had; tests that need PostgreSQL are therefore `#[ignore]`d,
+    /// and `scripts/test` runs them where it is installed.
+    pub fn open(backend: Backend) -> Self {
         Site::open_on(backend, &std::env::temp_dir(), &std::env::temp_dir())
     }
 
     /// One whose database and whose S3 objects are on these disks; on SQLite both are on the first.
-    pub fn open_on(backend: Backend, database_disk: &Path, s3_disk: &Path) -> Option<Self> {
+    pub fn open_on(backend: Backend, database_disk: &Path, s3_disk: &Path) -> Self {
         let (cluster, s3) = match backend {
             Backend::Sqlite => (None, None),
-            Backend::Postgres => (Some(Cluster::start_under(database_disk)?), Some(S3Server::start_under(s3_disk))),
+            Backend::Postgres => {
+                let cluster = Cluster::start_under(database_disk).unwrap_or_else(|reason| panic!("{reason}"));
+                (Some(cluster), Some(S3Server::start_under(s3_disk)))
+            }
         };
         let folder = if cluster.is_none() { tempfile::tempdir_in(database_disk) } else { tempfile::tempdir() };
-        Some(Site { folder: folder.unwrap(), cluster, s3 })
+        Site { folder: folder.unwrap(), cluster, s3 }
     }
 
     /// The folder that nodes are told to use.

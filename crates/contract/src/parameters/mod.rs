@@ -9,6 +9,7 @@ mod inference;
 mod input;
 mod landmarks;
 mod presets;
+#[cfg(feature = "serde")]
 mod ranges;
 mod registration;
 #[cfg(feature = "serde")]

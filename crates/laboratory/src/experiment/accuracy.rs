@@ -1,7 +1,6 @@
-//! The accuracy table beside the peers, taken over from what `make accuracy` wrote.
+//! The accuracy table with other tools for comparison, taken over from what `make accuracy` wrote.
 //!
-//! The peers are Python packages, so that table is not made of units here; the report repeats it with where it comes
-//! from, so that one page has everything.
+//! Those tools are Python packages, so the table is not made of units here; the report repeats it with its provenance.
 
 use super::ExperimentError;
 use super::document::{Cell, Column, Section, Table};
@@ -75,10 +74,10 @@ const FIGURES: [Figure; 10] = [
     mean("real_warp4", "err_mm", "warp 4 %: error", "mm", 2),
     mean("real_warp8", "w1", "warp 8 %: within one edge", "", 3),
     mean("real_warp8", "err_mm", "warp 8 %: error", "mm", 2),
-    mean("real_cross", "label", "two subjects: label agreement", "", 3),
-    Figure { median: true, ..mean("real_resample", "rot_deg", "copy: rotation error, median", "°", 2) },
+    mean("real_cross", "label", "different subjects: label agreement", "", 3),
+    Figure { median: true, ..mean("real_resample", "rot_deg", "copies: rotation error, median", "°", 2) },
     mean("real_resample", "within_10_deg", "copies within 10°", "", 2),
-    mean("real_cross", "within_10_deg", "two subjects within 10°", "", 2),
+    mean("real_cross", "within_10_deg", "different subjects within 10°", "", 2),
     Figure { median: true, ..mean("real_warp4", "seconds", "time, median", "s", 2) },
     Figure { median: true, factor: 1e-6, ..mean("real_warp4", "peak_bytes", "peak memory, median", "MB", 0) },
 ];
@@ -115,22 +114,22 @@ fn written(accuracy: &Accuracy) -> Section {
     let Provenance { date, program, command, machine, cases_a_set } = &accuracy.provenance;
     Section {
         id: "accuracy".to_owned(),
-        title: "Accuracy beside the peers".to_owned(),
-        question: "How accurate is a match, and how do other tools do on the same pairs?".to_owned(),
+        title: "Accuracy compared with other methods".to_owned(),
+        question: "How accurate are correspondence and pose, compared with other methods on the same pairs?".to_owned(),
         varied:
-            "The method; the pairs are held: real hippocampi re-sampled, warped by 4 % and 8 % of the diagonal, and \
-                 of different subjects, each in an arbitrary pose."
+            "The method. The pairs are fixed: real hippocampi, resampled, warped by 4 % and 8 % of the diagonal, and of \
+                 different subjects, each target in an arbitrary pose."
                 .to_owned(),
-        pairs: format!("{cases_a_set} pairs a set, three times as many copies and pairs of two subjects"),
+        pairs: format!("{cases_a_set} pairs per set; three times as many resampled copies and pairs of different subjects"),
         finding: finding(accuracy),
         notes: vec![
             format!("Measured on {date} by {program}, {machine}."),
-            "Brackets are bootstrap intervals of 95 % of the mean over pairs; within 10° is the rotation against the \
-             truth; an edge is the mean edge length of the target. Our times are those of whole commands, the peers' \
-             begin when the surfaces are in their memory."
+            "Brackets: 95 % bootstrap confidence interval of the mean over pairs. Within 10°: rotation error against the \
+             reference. Edge: mean edge length of the target. The times of homolog are those of the whole command; for the \
+             other methods reading the surfaces is not counted."
                 .to_owned(),
         ],
-        tables: vec![Table { id: "peers".to_owned(), title: "Ours and the peers".to_owned(), columns, rows }],
+        tables: vec![Table { id: "peers".to_owned(), title: "Comparison of methods".to_owned(), columns, rows }],
         plots: Vec::new(),
         command: command.clone(),
     }
@@ -164,15 +163,15 @@ fn finding(accuracy: &Accuracy) -> String {
             .max_by(|a, b| a.1.total_cmp(&b.1));
         Some(match peer {
             Some((name, theirs)) => {
-                format!("{what} {ours:.3} with {}, {theirs:.3} with {name}, the best peer.", OURS[0])
+                format!("{what} {ours:.3} with {}, {theirs:.3} with {name}, the best other method.", OURS[0])
             }
             None => format!("{what} {ours:.3} with {}.", OURS[0]),
         })
     };
     [
-        sentence("real_warp4", "w1", "Within one edge on 4 % warps:"),
-        sentence("real_warp8", "w1", "Within one edge on 8 % warps:"),
-        sentence("real_cross", "label", "Labels of two subjects that agree:"),
+        sentence("real_warp4", "w1", "Correct match rate within one edge on 4 % warps:"),
+        sentence("real_warp8", "w1", "Correct match rate within one edge on 8 % warps:"),
+        sentence("real_cross", "label", "Label agreement between different subjects:"),
     ]
     .into_iter()
     .flatten()
@@ -190,7 +189,7 @@ mod tests {
     }
 
     #[test]
-    fn the_table_is_that_of_the_file_with_the_best_peer_named() {
+    fn the_table_is_that_of_the_file_with_the_best_other_method_named() {
         let folder = tempfile::tempdir().unwrap();
         let file = json!({
             "provenance": {"date": "2026-01-31", "program": "homolog 0.1.0", "command": "make accuracy CASES=10",
@@ -207,7 +206,7 @@ mod tests {
         let section = section(folder.path()).unwrap();
         assert_eq!(
             section.finding,
-            "Within one edge on 4 % warps: 0.900 with balanced, 0.800 with bcpd, the best peer."
+            "Correct match rate within one edge on 4 % warps: 0.900 with balanced, 0.800 with bcpd, the best other method."
         );
         let rows = &section.tables[0].rows;
         assert_eq!(rows.len(), 3);

@@ -1,4 +1,4 @@
-//! What a report is made of: sections with tables and plots, every number with its unit.
+//! The parts of a report: sections with tables and plots, every number with its unit.
 
 use super::statistics::Summary;
 use serde::{Deserialize, Serialize};
@@ -6,17 +6,17 @@ use serde::{Deserialize, Serialize};
 /// The whole report; `report.json` is this.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct ReportDocument {
-    /// What made it.
+    /// Version, commit, date and machine.
     pub provenance: ReportProvenance,
     /// Whether it is the quick form: coarse surfaces, few pairs.
     pub quick: bool,
-    /// Work and time of every section.
+    /// Number of units and computing time of every section.
     pub budget: Table,
     /// One for each question.
     pub sections: Vec<Section>,
 }
 
-/// What made a report; the caller knows, the experiments ask no machine and no calendar.
+/// Provenance of a report. The caller supplies it: the experiments read no clock and no system information.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct ReportProvenance {
     /// Version of homolog.
@@ -36,21 +36,21 @@ pub struct Section {
     pub id: String,
     /// Its heading.
     pub title: String,
-    /// What is asked.
+    /// The question it answers.
     pub question: String,
-    /// What was varied, and what was held.
+    /// What was varied, and what was fixed.
     pub varied: String,
-    /// On how many pairs or problems of which kind.
+    /// Number and kind of pairs or problems.
     pub pairs: String,
     /// One sentence with the numbers that answer the question.
     pub finding: String,
-    /// What the reader should know beside it, such as data that are absent.
+    /// Remarks, such as data that are absent.
     pub notes: Vec<String>,
     /// The numbers.
     pub tables: Vec<Table>,
     /// The numbers, drawn.
     pub plots: Vec<Plot>,
-    /// The command that makes this section again.
+    /// The command that reproduces this section.
     pub command: String,
 }
 
@@ -108,20 +108,20 @@ pub(super) fn with_unit(name: &str, unit: Option<&str>) -> String {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(untagged)]
 pub enum Cell {
-    /// How often.
+    /// A count.
     Count(u64),
     /// One number.
     Number(f64),
-    /// Many numbers.
+    /// A sample, summarized.
     Spread(Summary),
-    /// Words.
+    /// Text.
     Text(String),
     /// Nothing was measured.
     Missing(()),
 }
 
 impl Cell {
-    /// Words.
+    /// Text.
     pub fn text(words: impl Into<String>) -> Self {
         Cell::Text(words.into())
     }
@@ -137,7 +137,7 @@ impl Cell {
     }
 }
 
-/// A drawing of numbers.
+/// A plot.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Plot {
     /// What it shows.

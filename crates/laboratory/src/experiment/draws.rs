@@ -8,22 +8,22 @@ use rand_xoshiro::Xoshiro256PlusPlus;
 pub(super) struct Draws(Xoshiro256PlusPlus);
 
 impl Draws {
-    pub fn new(seed: u64) -> Self {
+    pub(super) fn new(seed: u64) -> Self {
         Draws(Xoshiro256PlusPlus::seed_from_u64(seed))
     }
 
     /// Uniform in `[0, 1)`.
-    pub fn unit(&mut self) -> f64 {
+    pub(super) fn unit(&mut self) -> f64 {
         (self.0.next_u64() >> 11) as f64 / (1u64 << 53) as f64
     }
 
     /// Uniform in `0..n`.
-    pub fn below(&mut self, n: usize) -> usize {
+    pub(super) fn below(&mut self, n: usize) -> usize {
         ((self.unit() * n as f64) as usize).min(n.saturating_sub(1))
     }
 
     /// Three independent standard normals, by Box and Muller.
-    pub fn normals(&mut self) -> Vector3<f64> {
+    pub(super) fn normals(&mut self) -> Vector3<f64> {
         Vector3::from_fn(|_, _| {
             let radius = (-2.0 * (1.0 - self.unit()).ln()).sqrt();
             radius * (std::f64::consts::TAU * self.unit()).cos()
@@ -31,7 +31,7 @@ impl Draws {
     }
 
     /// Every point moved by isotropic normal noise of standard deviation `sigma_mm` an axis.
-    pub fn jitter(&mut self, points: &[Point3<f64>], sigma_mm: f64) -> Vec<Point3<f64>> {
+    pub(super) fn jitter(&mut self, points: &[Point3<f64>], sigma_mm: f64) -> Vec<Point3<f64>> {
         points.iter().map(|p| p + sigma_mm * self.normals()).collect()
     }
 }

@@ -1,4 +1,4 @@
-//! Real hippocampi: label volumes of a folder, as surfaces with a part for every vertex.
+//! Real hippocampi: the label volumes of a folder, as surfaces with the label of the nearest voxel at every vertex.
 
 use homolog_contract::parameters::{Method, preset};
 use homolog_formats::ReadLimits;
@@ -11,7 +11,7 @@ use rayon::prelude::*;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// The label volumes of a folder, by name. They are numbered, never named, in reports.
+/// The label volumes of a folder, by name. Reports number subjects and never name files.
 pub(super) struct Hippocampi {
     files: Vec<PathBuf>,
 }
@@ -19,15 +19,15 @@ pub(super) struct Hippocampi {
 /// One hippocampus.
 #[derive(Debug, Clone)]
 pub(super) struct Subject {
-    /// In the pose in which the scanner saw it, mm.
-    pub mesh: SurfaceMesh,
+    /// In the coordinates of the scanner, mm.
+    pub(super) mesh: SurfaceMesh,
     /// Label (1 anterior, 2 posterior) of the voxel nearest to every vertex.
-    pub parts: Vec<u32>,
+    pub(super) parts: Vec<u32>,
 }
 
 impl Hippocampi {
     /// Those of `data/hippocampus`; none if there are no label volumes.
-    pub fn open(data: &Path) -> Option<Self> {
+    pub(super) fn open(data: &Path) -> Option<Self> {
         let is_volume = |path: &PathBuf| path.to_string_lossy().ends_with(".nii.gz");
         let entries = fs::read_dir(data.join("hippocampus")).ok()?;
         let mut files: Vec<PathBuf> = entries.filter_map(|e| Some(e.ok()?.path())).filter(is_volume).collect();
@@ -35,17 +35,17 @@ impl Hippocampi {
         (!files.is_empty()).then_some(Hippocampi { files })
     }
 
-    pub fn len(&self) -> usize {
+    pub(super) fn len(&self) -> usize {
         self.files.len()
     }
 
-    /// Hash of the content of a file, and of a file that cannot be read.
-    pub fn hash(&self, index: usize) -> String {
+    /// Hash of the content of a file, or the error of reading it.
+    pub(super) fn hash(&self, index: usize) -> String {
         fs::read(&self.files[index]).map_or_else(|e| e.to_string(), |bytes| blake3::hash(&bytes).to_hex().to_string())
     }
 
-    /// Reads a volume and makes a smooth surface of it, as the service does.
-    pub fn subject(&self, index: usize) -> Result<Subject, String> {
+    /// Reads a volume and extracts its smooth surface, as the service does.
+    pub(super) fn subject(&self, index: usize) -> Result<Subject, String> {
         let bytes = fs::read(&self.files[index]).map_err(|e| format!("subject {index} cannot be read: {e}"))?;
         let input = preset(Method::Balanced).input;
         let refused = |e: &dyn std::fmt::Display| format!("subject {index}: {e}");

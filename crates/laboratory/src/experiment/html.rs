@@ -1,4 +1,4 @@
-//! The report as one page of HTML that needs nothing else: style and drawings inside, no script, no link outwards.
+//! The report as one self-contained page of HTML: style and plots inside, no script, no external link.
 
 use super::document::{Cell, Column, ReportDocument, Section, Table};
 use super::svg::{escaped, svg};
@@ -41,10 +41,10 @@ pub(super) fn page(report: &ReportDocument) -> String {
         out,
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
-         <title>homolog: experiments</title>\n<style>{STYLE}</style>\n</head>\n<body>\n<header>\n\
-         <h1>What each method is worth</h1>\n"
+         <title>homolog: evaluation</title>\n<style>{STYLE}</style>\n</head>\n<body>\n<header>\n\
+         <h1>Evaluation of surface matching and registration</h1>\n"
     );
-    let form = if report.quick { "quick: coarse surfaces and few pairs" } else { "full" };
+    let form = if report.quick { "quick (coarse surfaces, few pairs)" } else { "full" };
     let made = &report.provenance;
     out.push_str("<dl>\n");
     for (name, value) in
@@ -52,11 +52,12 @@ pub(super) fn page(report: &ReportDocument) -> String {
     {
         term(&mut out, name, value);
     }
-    term(&mut out, "Form", form);
+    term(&mut out, "Scope", form);
     out.push_str(
-        "</dl>\n<p>Surfaces are matched by minimising an energy over dense correspondences and registered by what agrees \
-         with one rigid transform. Energies have no unit; lower is better. Cells with ± are mean and standard deviation \
-         over pairs; the files beside this page hold medians and quartiles too.</p>\n</header>\n",
+        "</dl>\n<p>Dense correspondence between two surfaces is found by minimising the energy of a Markov random field, and \
+         a rigid transform is estimated from the corresponding points by RANSAC. Energies have no unit; lower is better. \
+         Values with ± are mean ± standard deviation over pairs; the CSV files beside this page also hold the number of \
+         pairs, medians and quartiles.</p>\n</header>\n",
     );
     out.push_str("<nav>\n<h2>Findings</h2>\n<ol>\n");
     for s in &report.sections {
@@ -67,7 +68,7 @@ pub(super) fn page(report: &ReportDocument) -> String {
     for s in &report.sections {
         section(&mut out, s);
     }
-    out.push_str("<section id=\"budget\">\n<h2>What it cost</h2>\n");
+    out.push_str("<section id=\"budget\">\n<h2>Computing time</h2>\n");
     table(&mut out, &report.budget);
     out.push_str("</section>\n</main>\n</body>\n</html>\n");
     out
@@ -80,9 +81,9 @@ fn term(out: &mut String, name: &str, value: &str) {
 fn section(out: &mut String, s: &Section) {
     let _ = writeln!(out, "<section id=\"{}\">\n<h2>{}</h2>", escaped(&s.id), escaped(&s.title));
     let _ = writeln!(out, "<p>{}</p>\n<p class=\"finding\">{}</p>\n<dl>", escaped(&s.question), escaped(&s.finding));
-    term(out, "Varied", &s.varied);
-    term(out, "On", &s.pairs);
-    let _ = writeln!(out, "<dt>Again</dt><dd><code>{}</code></dd>\n</dl>", escaped(&s.command));
+    term(out, "Design", &s.varied);
+    term(out, "Sample", &s.pairs);
+    let _ = writeln!(out, "<dt>Reproduce with</dt><dd><code>{}</code></dd>\n</dl>", escaped(&s.command));
     for note in &s.notes {
         let _ = writeln!(out, "<p class=\"note\">{}</p>", escaped(note));
     }
@@ -114,7 +115,7 @@ fn table(out: &mut String, t: &Table) {
     out.push_str("</tbody>\n</table>\n</div>\n");
 }
 
-/// A cell as people read it.
+/// A cell as it is printed.
 fn shown(cell: &Cell, column: &Column) -> String {
     match cell {
         Cell::Count(n) => n.to_string(),
@@ -128,7 +129,7 @@ fn shown(cell: &Cell, column: &Column) -> String {
     }
 }
 
-/// With `digits` after the point, or with a power of ten where these would all be 0.
+/// With `digits` decimals, or in scientific notation where all of these would be 0.
 fn rounded(value: f64, digits: usize) -> String {
     let smallest = 0.5 * 10f64.powi(-(digits as i32));
     if value != 0.0 && value.abs() < smallest { format!("{value:.1e}") } else { format!("{value:.digits$}") }

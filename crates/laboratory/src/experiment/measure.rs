@@ -1,4 +1,4 @@
-//! One match of one pair, and everything that is measured on it.
+//! One match of one pair, and the metrics computed from it.
 
 use super::Clock;
 use super::pairs::Pair;
@@ -12,25 +12,25 @@ use rayon::prelude::*;
 use serde_json::Value;
 use std::sync::{Mutex, PoisonError};
 
-/// Points of a curve at most; a trace of thousands of sweeps says no more.
+/// Most points of a curve; a trace of thousands of sweeps is thinned to this.
 const CURVE_POINTS: usize = 200;
-/// A registration within this angle of the truth counts as right, degrees.
-const RIGHT_DEG: f64 = 10.0;
+/// A registration within this angle of the reference counts as successful, degrees.
+const SUCCESS_DEG: f64 = 10.0;
 
-/// Writes down the trace with times.
+/// Records the trace with times.
 struct Recorder<'a> {
     clock: &'a Clock,
-    seen: Mutex<Seen>,
+    seen: Mutex<Recorded>,
 }
 
 #[derive(Default)]
-struct Seen {
+struct Recorded {
     points: Vec<(f64, TracePoint)>,
     phases: Vec<(f64, Phase)>,
 }
 
 impl Recorder<'_> {
-    fn note(&self, write: impl FnOnce(&mut Seen, f64)) {
+    fn record(&self, write: impl FnOnce(&mut Recorded, f64)) {
         let now = (self.clock)().as_secs_f64();
         write(&mut self.seen.lock().unwrap_or_else(PoisonError::into_inner), now);
     }
@@ -38,24 +38,24 @@ impl Recorder<'_> {
 
 impl Observer for Recorder<'_> {
     fn phase(&self, phase: Phase) {
-        self.note(|seen, now| seen.phases.push((now, phase)));
+        self.record(|seen, now| seen.phases.push((now, phase)));
     }
 
     fn trace(&self, point: &TracePoint) {
-        self.note(|seen, now| seen.points.push((now, point.clone())));
+        self.record(|seen, now| seen.points.push((now, point.clone())));
     }
 }
 
 /// Matches the pair as `request` says. Shares are in `[0, 1]`; the names of the others say their unit.
 ///
 /// # Errors
-/// In one line, why there is no match.
+/// One line that says why there is no match.
 pub(super) fn measure_match(pair: &Pair, request: &Value, clock: &Clock) -> Result<Measurement, String> {
     observed_match(pair, request, clock).map(|(measurement, _)| measurement)
 }
 
-/// The effective parameters of `request`. One that names no method studies the energy itself: every vertex is a
-/// variable, and the labeling is the answer.
+/// The effective parameters of `request`. A request that names no method is an experiment on the energy itself: every
+/// vertex is a variable, and the labeling is the result.
 pub(super) fn studied(request: &Value) -> Result<MatchParameters, String> {
     let named = |faults: Vec<ParameterError>| {
         let faults: Vec<_> = faults.iter().map(|f| format!("{}: {}", f.pointer, f.detail)).collect();
@@ -83,14 +83,14 @@ pub(super) fn observed_match(
     let seen = recorder.seen.into_inner().unwrap_or_else(PoisonError::into_inner);
     trace(&mut m, &seen);
     documents(&mut m, &outcome);
-    truth(&mut m, pair, &outcome);
+    ground_truth_errors(&mut m, pair, &outcome);
     m.set("n_source", pair.source.n_vertices() as f64);
     m.set("n_target", pair.target.n_vertices() as f64);
     Ok((m, outcome))
 }
 
 /// Energy by iteration and by second of the first round, and the time of its inference.
-fn trace(m: &mut Measurement, seen: &Seen) {
+fn trace(m: &mut Measurement, seen: &Recorded) {
     let mut phases = seen.phases.iter().skip_while(|(_, phase)| *phase != Phase::Inference);
     let Some((begin, _)) = phases.next() else { return };
     if let Some((end, _)) = phases.next() {
@@ -111,7 +111,7 @@ fn trace(m: &mut Measurement, seen: &Seen) {
     m.set("iterations", seen.points.iter().filter(|(_, p)| p.phase == Phase::Inference).count() as f64);
 }
 
-/// The numbers that the result documents hold, by the names that they have there.
+/// The numbers of the result documents, under their names there.
 fn documents(m: &mut Measurement, outcome: &MatchOutcome) {
     let parts = [
         ("", serde_json::to_value(&outcome.topology)),
@@ -142,8 +142,8 @@ pub(super) fn found_pose(outcome: &MatchOutcome) -> RigidTransform {
     RigidTransform { rotation: Matrix3::from_fn(|i, j| rows[i][j]), translation: Vector3::from_fn(|i, _| rows[i][3]) }
 }
 
-/// What the truth says of an outcome.
-fn truth(m: &mut Measurement, pair: &Pair, outcome: &MatchOutcome) {
+/// Errors against the ground truth.
+fn ground_truth_errors(m: &mut Measurement, pair: &Pair, outcome: &MatchOutcome) {
     let c = &outcome.correspondences;
     let n = c.source.len().max(1) as f64;
     let couples = || c.source.iter().zip(&c.target).map(|(&i, &x)| (i as usize, x as usize));
@@ -166,7 +166,7 @@ fn truth(m: &mut Measurement, pair: &Pair, outcome: &MatchOutcome) {
     if let Some(pose) = &pair.pose {
         let angle = found_pose(outcome).angle_to(pose).to_degrees();
         m.set("rotation_error_deg", angle);
-        m.set("within_10_deg", f64::from(u8::from(angle <= RIGHT_DEG)));
+        m.set("within_10_deg", f64::from(u8::from(angle <= SUCCESS_DEG)));
     }
 }
 

@@ -1,11 +1,11 @@
-//! The experiments: what each method is worth, measured on phantoms and on real hippocampi, in one report.
+//! The evaluation: how accurate each method is on phantoms and on real hippocampi, in one report.
 //!
 //! A section asks one question. It plans **units** (a setting on a pair), which are computed one after another and
-//! kept, so that a report that was stopped goes on where it was; from the finished units it makes tables, plots and a
-//! sentence. [`run`] writes `report.html` (one page that needs nothing else), `report.json` (all numbers), a CSV file a
+//! stored, so that an interrupted report resumes where it stopped; from the finished units it makes tables, plots and a
+//! finding in words. [`run`] writes `report.html` (one page that needs nothing else), `report.json` (all numbers), a CSV file a
 //! table, and `units.jsonl` (the finished units).
 //!
-//! Order and seeds are fixed: the same program on the same inputs gives the same numbers, but for times, which come
+//! Order and seeds are fixed: the same program on the same inputs gives the same numbers, except for times, which come
 //! from the caller's clock.
 
 mod accuracy;
@@ -54,22 +54,22 @@ pub struct ExperimentOptions {
     pub sections: Vec<String>,
     /// Folder that `make accuracy` wrote; its table becomes the last section.
     pub accuracy: Option<PathBuf>,
-    /// What the report says of its making. Version and commit also decide which finished units still hold.
+    /// Provenance printed in the report. Finished units of another version or commit are computed again.
     pub provenance: ReportProvenance,
-    /// Where times come from.
+    /// The clock that units are timed with.
     pub clock: Clock,
 }
 
-/// How far the report is.
+/// Progress of the report.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Progress<'a> {
-    /// Units that are finished.
+    /// Finished units.
     pub done: usize,
-    /// Units in all.
+    /// All units.
     pub total: usize,
-    /// Title of the section at work.
+    /// Title of the current section.
     pub section: &'a str,
-    /// The unit that begins now.
+    /// The unit that starts now.
     pub unit: &'a str,
 }
 
@@ -80,11 +80,11 @@ pub struct ExperimentReport {
     pub document: ReportDocument,
     /// The page, the numbers as JSON, and the tables, in this order.
     pub files: Vec<PathBuf>,
-    /// Units that were computed now.
+    /// Units computed in this run.
     pub computed: usize,
-    /// Units that were there already.
+    /// Units found from an earlier run.
     pub reused: usize,
-    /// Units, of both, that have no numbers.
+    /// Units of either kind that failed.
     pub failed: usize,
 }
 
@@ -100,7 +100,7 @@ pub enum ExperimentError {
         source: io::Error,
     },
     /// No section has this id.
-    #[error("there is no section {id}; there are {known}")]
+    #[error("there is no section {id}; the sections are {known}")]
     UnknownSection {
         /// Asked for.
         id: String,
@@ -114,7 +114,7 @@ pub fn section_ids() -> impl Iterator<Item = &'static str> {
     sections::ALL.iter().map(|section| section.about().id)
 }
 
-/// Computes what is not yet computed and writes the report. A unit that fails is kept with its reason and counted.
+/// Computes the units that are missing and writes the report. A unit that fails is stored with its reason and counted.
 ///
 /// # Errors
 /// [`ExperimentError`].
@@ -170,7 +170,7 @@ pub fn run(
             done += 1;
         }
         // Pairs of one section seldom serve another, and there are many.
-        study.forget_pairs();
+        study.clear_pairs();
         finished_sections.push((section, Results::new(finished)));
     }
     progress(&Progress { done, total, section: "Report", unit: "writing" });
@@ -205,7 +205,7 @@ fn written(section: &dyn Experiment, study: &Study, options: &ExperimentOptions,
     let body = section.report(study, results);
     let mut notes = body.notes;
     for (reason, n) in results.failures() {
-        notes.push(format!("Failed {n} times: {reason}."));
+        notes.push(format!("Failed on {n} pairs: {reason}."));
     }
     let quick = if options.quick { " --quick" } else { "" };
     Section {
@@ -231,10 +231,10 @@ fn budget(sections: &[(&dyn Experiment, Results)]) -> Table {
         sections.iter().map(|(s, r)| row(s.about().title, r.n_units(), r.n_failed(), r.seconds())).collect();
     let sum = |count: fn(&Results) -> usize| sections.iter().map(|(_, r)| count(r)).sum();
     let seconds = sections.iter().map(|(_, r)| r.seconds()).sum();
-    rows.push(row("All", sum(Results::n_units), sum(Results::n_failed), seconds));
+    rows.push(row("total", sum(Results::n_units), sum(Results::n_failed), seconds));
     Table {
         id: "budget".to_owned(),
-        title: "Units of work and their time when they were computed".to_owned(),
+        title: "Number of units and computing time by section".to_owned(),
         columns: vec![
             Column::plain("section"),
             Column::plain("units"),

@@ -1,4 +1,4 @@
-//! Pairs of surfaces with what is known of the truth between them.
+//! Pairs of surfaces with their ground truth, as far as it is known.
 
 use super::draws::Draws;
 use super::hippocampi::Subject;
@@ -12,35 +12,35 @@ use homolog_registration::{
 use nalgebra::{Isometry3, Matrix3, Point3, Vector3};
 use serde::Serialize;
 
-/// A source, a target, and the truth as far as it is known.
+/// A source, a target, and the ground truth as far as it is known.
 #[derive(Debug, Clone)]
 pub(super) struct Pair {
-    pub source: SurfaceMesh,
-    pub target: SurfaceMesh,
+    pub(super) source: SurfaceMesh,
+    pub(super) target: SurfaceMesh,
     /// Where every source vertex belongs on the target, mm.
-    pub truth: Option<Vec<Point3<f64>>>,
+    pub(super) truth: Option<Vec<Point3<f64>>>,
     /// The transform that a registration should find.
-    pub pose: Option<RigidTransform>,
+    pub(super) pose: Option<RigidTransform>,
     /// Part of every source vertex and of every target vertex.
-    pub parts: Option<(Vec<u32>, Vec<u32>)>,
+    pub(super) parts: Option<(Vec<u32>, Vec<u32>)>,
 }
 
 /// How a pair is made; equal recipes give equal pairs.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub(super) struct PhantomRecipe {
     /// Number of the pair, from which all seeds come.
-    pub number: u64,
-    /// Mean edge of the source, mm; the target is a tenth coarser, so that no vertex has a twin.
-    pub edge_mm: f64,
+    pub(super) number: u64,
+    /// Mean edge of the source, mm; the target is a tenth coarser, so that no vertex has an exact counterpart.
+    pub(super) edge_mm: f64,
     /// RMS of the smooth deformation, as a share of the diagonal.
-    pub deform_share: f64,
+    pub(super) deform_share: f64,
     /// Standard deviation, an axis, of the noise on all vertices, as a share of the diagonal.
-    pub noise_share: f64,
+    pub(super) noise_share: f64,
 }
 
 const COARSER: f64 = 1.1;
 
-/// A phantom and its deformed, turned, re-sampled and shuffled copy.
+/// A phantom and its deformed, rotated, resampled and permuted copy.
 pub(super) fn phantom_pair(recipe: &PhantomRecipe) -> Result<Pair, String> {
     let k = recipe.number;
     let pair = PhantomPair::new(PairRecipe {
@@ -75,15 +75,15 @@ pub(super) fn phantom_pair(recipe: &PhantomRecipe) -> Result<Pair, String> {
 /// How a pair of solids is made.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub(super) struct SolidRecipe {
-    pub form: Form,
+    pub(super) form: Form,
     /// Number of the pair, from which all seeds come.
-    pub number: u64,
+    pub(super) number: u64,
     /// How often the triangles of an icosahedron are cut.
-    pub levels: u32,
+    pub(super) levels: u32,
 }
 
-/// A bumped solid and its turned copy, whose triangles lie elsewhere and which has small bumps of its own. The truth is
-/// that of the points before these.
+/// A bumped solid and its rotated copy, which is triangulated differently and has small bumps of its own. The ground
+/// truth is that of the points before these bumps.
 pub(super) fn solid_pair(recipe: &SolidRecipe) -> Result<Pair, String> {
     let k = recipe.number;
     let (still, frame, motion) = (Isometry3::identity(), random_pose(900 + k), random_pose(1000 + k));
@@ -100,20 +100,20 @@ pub(super) fn solid_pair(recipe: &SolidRecipe) -> Result<Pair, String> {
     })
 }
 
-/// A surface and its turned and shuffled copy.
+/// A surface and its rotated and permuted copy.
 pub(super) fn copy_pair(subject: &Subject, seed: u64) -> Result<Pair, String> {
     let motion = random_pose(seed);
-    let (target, order) = turned(&subject.mesh, &motion, seed)?;
+    let (target, order) = moved_and_permuted(&subject.mesh, &motion, seed)?;
     Ok(Pair {
         truth: Some(subject.mesh.vertices().iter().map(|p| motion * p).collect()),
         pose: Some(rigid(&motion)),
-        parts: Some((subject.parts.clone(), shuffled(&subject.parts, &order))),
+        parts: Some((subject.parts.clone(), permuted(&subject.parts, &order))),
         source: subject.mesh.clone(),
         target,
     })
 }
 
-/// Two subjects, the second one turned and shuffled. The reference pose is trimmed ICP from where the scanner put them.
+/// Two subjects, the second one rotated and permuted. The reference pose is that of trimmed ICP from the scanner's frame.
 pub(super) fn cross_pair(source: &Subject, target: &Subject, seed: u64) -> Result<Pair, String> {
     let start =
         RigidTransform { rotation: Matrix3::identity(), translation: target.mesh.centroid() - source.mesh.centroid() };
@@ -123,13 +123,13 @@ pub(super) fn cross_pair(source: &Subject, target: &Subject, seed: u64) -> Resul
         .map_err(|e| e.to_string())?
         .target_from_source;
     let motion = random_pose(seed);
-    let (moved, order) = turned(&target.mesh, &motion, seed)?;
+    let (moved, order) = moved_and_permuted(&target.mesh, &motion, seed)?;
     Ok(Pair {
         source: source.mesh.clone(),
         target: moved,
         truth: None,
         pose: Some(rigid(&motion).after(&reference)),
-        parts: Some((source.parts.clone(), shuffled(&target.parts, &order))),
+        parts: Some((source.parts.clone(), permuted(&target.parts, &order))),
     })
 }
 
@@ -138,7 +138,11 @@ fn rigid(motion: &Isometry3<f64>) -> RigidTransform {
 }
 
 /// The surface moved, vertex `k` of it put at `order[k]`.
-fn turned(mesh: &SurfaceMesh, motion: &Isometry3<f64>, seed: u64) -> Result<(SurfaceMesh, Vec<u32>), String> {
+fn moved_and_permuted(
+    mesh: &SurfaceMesh,
+    motion: &Isometry3<f64>,
+    seed: u64,
+) -> Result<(SurfaceMesh, Vec<u32>), String> {
     let order = random_permutation(mesh.n_vertices(), seed);
     let mut vertices = vec![Point3::origin(); mesh.n_vertices()];
     for (p, &new) in mesh.vertices().iter().zip(&order) {
@@ -149,7 +153,7 @@ fn turned(mesh: &SurfaceMesh, motion: &Isometry3<f64>, seed: u64) -> Result<(Sur
     Ok((mesh, order))
 }
 
-fn shuffled(parts: &[u32], order: &[u32]) -> Vec<u32> {
+fn permuted(parts: &[u32], order: &[u32]) -> Vec<u32> {
     let mut moved = vec![0; parts.len()];
     for (&part, &new) in parts.iter().zip(order) {
         moved[new as usize] = part;
@@ -157,7 +161,7 @@ fn shuffled(parts: &[u32], order: &[u32]) -> Vec<u32> {
     moved
 }
 
-/// Closest points for ICP from point to point, which asks for no normals.
+/// Closest points for point-to-point ICP, which uses no normals.
 struct Surface(ClosestPointIndex);
 
 impl ClosestSurfacePoint for Surface {

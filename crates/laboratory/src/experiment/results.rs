@@ -1,4 +1,4 @@
-//! What the units of a section measured, and the tables and curves that most sections make of them.
+//! The measurements of a section, and the tables and curves that most sections make of them.
 
 use super::document::{Cell, Column, PlotPoint, Series, Table};
 use super::statistics::Summary;
@@ -8,25 +8,25 @@ use super::units::{Ending, FinishedUnit, Measurement};
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Metric {
     /// Name in the measurement.
-    pub key: &'static str,
+    pub(super) key: &'static str,
     /// Heading.
-    pub name: &'static str,
+    pub(super) name: &'static str,
     /// Unit as printed.
-    pub unit: &'static str,
+    pub(super) unit: &'static str,
     /// From the measured to the printed unit.
-    pub factor: f64,
+    pub(super) factor: f64,
     /// Digits after the point.
-    pub digits: usize,
+    pub(super) digits: usize,
 }
 
 impl Metric {
     /// A share that is printed in percent.
-    pub const fn percent(key: &'static str, name: &'static str) -> Self {
+    pub(super) const fn percent(key: &'static str, name: &'static str) -> Self {
         Metric { key, name, unit: "%", factor: 100.0, digits: 1 }
     }
 
     /// A number printed as it is measured.
-    pub const fn number(key: &'static str, name: &'static str, unit: &'static str, digits: usize) -> Self {
+    pub(super) const fn number(key: &'static str, name: &'static str, unit: &'static str, digits: usize) -> Self {
         Metric { key, name, unit, factor: 1.0, digits }
     }
 }
@@ -42,28 +42,28 @@ pub(super) struct Group<'a> {
 }
 
 impl Results {
-    pub fn new(units: Vec<FinishedUnit>) -> Self {
+    pub(super) fn new(units: Vec<FinishedUnit>) -> Self {
         Results { units }
     }
 
-    pub fn group(&self, name: &str) -> Group<'_> {
+    pub(super) fn group(&self, name: &str) -> Group<'_> {
         Group { units: self.units.iter().filter(|u| u.group == name).collect() }
     }
 
-    pub fn n_units(&self) -> usize {
+    pub(super) fn n_units(&self) -> usize {
         self.units.len()
     }
 
-    pub fn n_failed(&self) -> usize {
+    pub(super) fn n_failed(&self) -> usize {
         self.units.iter().filter(|u| matches!(u.ending, Ending::Failed(_))).count()
     }
 
-    pub fn seconds(&self) -> f64 {
+    pub(super) fn seconds(&self) -> f64 {
         self.units.iter().map(|u| u.seconds).sum()
     }
 
     /// Every different reason for which a unit failed, with how often, in order.
-    pub fn failures(&self) -> Vec<(String, usize)> {
+    pub(super) fn failures(&self) -> Vec<(String, usize)> {
         let mut reasons: Vec<(String, usize)> = Vec::new();
         for unit in &self.units {
             let Ending::Failed(reason) = &unit.ending else { continue };
@@ -78,17 +78,17 @@ impl Results {
 }
 
 impl<'a> Group<'a> {
-    pub fn is_empty(&self) -> bool {
+    pub(super) fn is_empty(&self) -> bool {
         self.units.is_empty()
     }
 
     /// Settings, in the order of the plan.
-    pub fn configurations(&self) -> Vec<&'a str> {
+    pub(super) fn configurations(&self) -> Vec<&'a str> {
         self.names(|u| &u.configuration)
     }
 
     /// Pairs or problems, in the order of the plan.
-    pub fn cases(&self) -> Vec<&'a str> {
+    pub(super) fn cases(&self) -> Vec<&'a str> {
         self.names(|u| &u.case)
     }
 
@@ -103,7 +103,7 @@ impl<'a> Group<'a> {
     }
 
     /// Measurements of one setting, by case.
-    pub fn measured(&self, configuration: &str) -> Vec<(&'a str, &'a Measurement)> {
+    pub(super) fn measured(&self, configuration: &str) -> Vec<(&'a str, &'a Measurement)> {
         let of = |u: &&'a FinishedUnit| match &u.ending {
             Ending::Measured(m) if u.configuration == configuration => Some((u.case.as_str(), m)),
             _ => None,
@@ -112,23 +112,23 @@ impl<'a> Group<'a> {
     }
 
     /// One number of one case.
-    pub fn value(&self, configuration: &str, case: &str, key: &str) -> Option<f64> {
+    pub(super) fn value(&self, configuration: &str, case: &str, key: &str) -> Option<f64> {
         let measured = self.measured(configuration);
         measured.iter().find(|(c, _)| *c == case).and_then(|(_, m)| m.values.get(key).copied())
     }
 
     /// A number of all cases of a setting.
-    pub fn summary(&self, configuration: &str, key: &str) -> Option<Summary> {
+    pub(super) fn summary(&self, configuration: &str, key: &str) -> Option<Summary> {
         Summary::of(self.measured(configuration).iter().filter_map(|(_, m)| m.values.get(key).copied()))
     }
 
     /// Its mean.
-    pub fn mean(&self, configuration: &str, key: &str) -> Option<f64> {
+    pub(super) fn mean(&self, configuration: &str, key: &str) -> Option<f64> {
         self.summary(configuration, key).map(|s| s.mean)
     }
 
     /// The setting with the largest mean, or with the smallest; the earlier where two are equal.
-    pub fn best(&self, key: &str, largest: bool) -> Option<(&'a str, Summary)> {
+    pub(super) fn best(&self, key: &str, largest: bool) -> Option<(&'a str, Summary)> {
         let all = self.configurations().into_iter().filter_map(|c| Some((c, self.summary(c, key)?)));
         all.reduce(|best, next| {
             let better = if largest { next.1.mean > best.1.mean } else { next.1.mean < best.1.mean };
@@ -137,7 +137,7 @@ impl<'a> Group<'a> {
     }
 
     /// A table with a row for each setting: cases measured and failed, then the metrics.
-    pub fn table(&self, id: &str, title: &str, setting: &str, metrics: &[Metric]) -> Table {
+    pub(super) fn table(&self, id: &str, title: &str, setting: &str, metrics: &[Metric]) -> Table {
         let mut columns = vec![Column::plain(setting), Column::plain("pairs"), Column::plain("failed")];
         columns.extend(metrics.iter().map(|m| Column::new(m.name, m.unit, m.digits)));
         let rows = self.configurations().into_iter().map(|configuration| {
@@ -154,7 +154,7 @@ impl<'a> Group<'a> {
     }
 
     /// Settings along the horizontal axis at the places `x` gives them, means of one metric with their spread.
-    pub fn series(&self, name: &str, metric: &Metric, x: impl Fn(&str) -> Option<f64>) -> Series {
+    pub(super) fn series(&self, name: &str, metric: &Metric, x: impl Fn(&str) -> Option<f64>) -> Series {
         let point = |configuration: &str| {
             let summary = self.summary(configuration, metric.key)?.scaled(metric.factor);
             Some(PlotPoint::of(x(configuration)?, &summary))
@@ -164,18 +164,18 @@ impl<'a> Group<'a> {
     }
 
     /// A bar for each setting, in order.
-    pub fn bars(&self, name: &str, metric: &Metric) -> Series {
+    pub(super) fn bars(&self, name: &str, metric: &Metric) -> Series {
         let settings = self.configurations();
         self.series(name, metric, |c| settings.iter().position(|s| *s == c).map(|k| k as f64))
     }
 
     /// The settings as names of bars.
-    pub fn categories(&self) -> Vec<String> {
+    pub(super) fn categories(&self) -> Vec<String> {
         self.configurations().into_iter().map(str::to_owned).collect()
     }
 
     /// A curve that one case of a setting measured.
-    pub fn curve(&self, name: &str, configuration: &str, case: &str, curve: &str) -> Option<Series> {
+    pub(super) fn curve(&self, name: &str, configuration: &str, case: &str, curve: &str) -> Option<Series> {
         let measured = self.measured(configuration);
         let (_, m) = measured.iter().find(|(c, _)| *c == case)?;
         let points = m.curves.get(curve)?.iter().map(|[x, y]| PlotPoint::at(*x, *y)).collect();

@@ -12,7 +12,7 @@ pub(super) struct Scale {
 
 impl Scale {
     /// Around all finite `values`, which are positive if `log`; none without values.
-    pub fn new(values: impl Iterator<Item = f64>, log: bool) -> Option<Self> {
+    pub(super) fn new(values: impl Iterator<Item = f64>, log: bool) -> Option<Self> {
         let empty = (f64::INFINITY, f64::NEG_INFINITY);
         let (low, high) = values.filter(|v| v.is_finite()).fold(empty, |(l, h), v| (l.min(v), h.max(v)));
         if low > high {
@@ -30,22 +30,22 @@ impl Scale {
     }
 
     /// A linear axis with exactly these ends.
-    pub fn exact(low: f64, high: f64) -> Self {
+    pub(super) fn exact(low: f64, high: f64) -> Self {
         Scale { low, high, step: 1.0, log: false }
     }
 
-    pub fn is_log(&self) -> bool {
+    pub(super) fn is_log(&self) -> bool {
         self.log
     }
 
     /// Place of `value` along the axis, 0 at its beginning and 1 at its end.
-    pub fn place(&self, value: f64) -> f64 {
+    pub(super) fn place(&self, value: f64) -> f64 {
         let value = if self.log { value.max(f64::MIN_POSITIVE).log10() } else { value };
         (value - self.low) / (self.high - self.low)
     }
 
     /// Where ticks stand.
-    pub fn ticks(&self) -> Vec<f64> {
+    pub(super) fn ticks(&self) -> Vec<f64> {
         let n = ((self.high - self.low) / self.step).round() as i32;
         // Over many decades every tick would be too many.
         let every = if self.log { (n / 8 + 1) as usize } else { 1 };

@@ -80,7 +80,7 @@ fn around(levels: u32, place: impl Fn(&Vector3<f64>) -> Vector3<f64>) -> Result<
     SurfaceMesh::new(vertices, FaceArity::Triangle, triangles.concat()).map_err(|e| e.to_string())
 }
 
-/// The ellipsoid with these half axes, mm.
+/// The ellipsoid with these semi-axes, mm.
 pub(super) fn ellipsoid(axes: Vector3<f64>, levels: u32) -> Result<SurfaceMesh, String> {
     around(levels, |u| u.component_mul(&axes))
 }
@@ -102,24 +102,24 @@ pub(super) fn torus(radius: f64, tube: f64, around: u32, across: u32) -> Result<
     SurfaceMesh::new(vertices, FaceArity::Triangle, indices).map_err(|e| e.to_string())
 }
 
-/// A form on which bumps are put, so that it has no symmetry.
+/// A shape to which bumps are added, so that it has no symmetry.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub(super) enum Form {
-    /// Half axes 15, 10 and 6.5 mm.
+    /// Semi-axes 15, 10 and 6.5 mm.
     Ellipsoid,
     /// Radius 10 mm.
     Sphere,
     /// Between a sphere and a cube: `x⁸ + y⁸ + z⁸ = 9⁸` mm.
     Cube,
-    /// Half axes 16, 8 and 8 mm.
+    /// Semi-axes 16, 8 and 8 mm.
     Spindle,
 }
 
 impl Form {
-    pub const ALL: [Form; 4] = [Form::Ellipsoid, Form::Spindle, Form::Sphere, Form::Cube];
+    pub(super) const ALL: [Form; 4] = [Form::Ellipsoid, Form::Spindle, Form::Sphere, Form::Cube];
 
-    pub fn name(self) -> &'static str {
+    pub(super) fn name(self) -> &'static str {
         match self {
             Form::Ellipsoid => "ellipsoid-like",
             Form::Sphere => "near-spherical",
@@ -153,16 +153,16 @@ fn bumps(seed: u64, height: f64) -> Vec<(Vector3<f64>, f64)> {
     (0..N_BUMPS).map(|_| (draws.normals().normalize(), height * (2.0 * draws.unit() - 1.0))).collect()
 }
 
-/// How a solid differs from the others of its form.
+/// How a solid differs from the others of its shape.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Individual {
-    /// Seed of the bumps that make it one of a kind.
-    pub seed: u64,
-    /// Seed of smaller bumps that only this copy of it has.
-    pub own_seed: Option<u64>,
+    /// Seed of the bumps that distinguish it from others of its shape.
+    pub(super) seed: u64,
+    /// Seed of smaller bumps that only this copy has.
+    pub(super) own_seed: Option<u64>,
 }
 
-/// The form with the bumps of `of`, its triangles turned by `frame` under it and the whole moved by `motion`.
+/// The shape with the bumps of `of`, triangulated in a frame rotated by `frame`, then moved by `motion`.
 pub(super) fn bumped(
     form: Form,
     levels: u32,
@@ -187,7 +187,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_solids_are_closed_and_look_outwards() {
+    fn the_solids_are_closed_and_oriented_outwards() {
         let sphere = ellipsoid(Vector3::repeat(10.0), 4).unwrap();
         assert_eq!(sphere.n_vertices(), 2562);
         let volume = 4.0 / 3.0 * std::f64::consts::PI * 1000.0;

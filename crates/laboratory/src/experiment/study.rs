@@ -16,7 +16,7 @@ use std::rc::Rc;
 pub(super) const SYNTHETIC: &str = "synthetic";
 /// Name of the kind of pair made of different real subjects.
 pub(super) const REAL: &str = "real";
-/// Name of the kind of pair made of real subjects and their turned copies.
+/// Name of the kind of pair made of real subjects and their rotated copies.
 pub(super) const COPIES: &str = "copies";
 /// Name of the kind of pair made of bumped solids.
 pub(super) const SOLIDS: &str = "solids";
@@ -37,9 +37,9 @@ pub(super) enum PairRecipe {
 /// A pair with a name.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Case {
-    pub group: &'static str,
-    pub name: String,
-    pub recipe: PairRecipe,
+    pub(super) group: &'static str,
+    pub(super) name: String,
+    pub(super) recipe: PairRecipe,
 }
 
 /// A setting with a name: what a request for a match would say.
@@ -47,15 +47,15 @@ pub(super) type Setting = (String, Value);
 
 pub(super) struct Study<'o> {
     /// Whether the quick form is made.
-    pub quick: bool,
-    pub clock: &'o Clock,
+    pub(super) quick: bool,
+    pub(super) clock: &'o Clock,
     hippocampi: Option<Hippocampi>,
     pairs: RefCell<BTreeMap<String, Rc<Pair>>>,
     subjects: RefCell<BTreeMap<usize, Rc<Subject>>>,
 }
 
 impl<'o> Study<'o> {
-    pub fn new(options: &'o ExperimentOptions) -> Self {
+    pub(super) fn new(options: &'o ExperimentOptions) -> Self {
         Study {
             quick: options.quick,
             clock: &options.clock,
@@ -66,22 +66,22 @@ impl<'o> Study<'o> {
     }
 
     /// `quick` in the quick form, else `full`.
-    pub fn either<T>(&self, quick: T, full: T) -> T {
+    pub(super) fn either<T>(&self, quick: T, full: T) -> T {
         if self.quick { quick } else { full }
     }
 
     /// Mean edge of phantoms, mm: about 300 vertices in the quick form, 800 in the full one.
-    pub fn edge_mm(&self) -> f64 {
+    pub(super) fn edge_mm(&self) -> f64 {
         self.either(2.2, 1.4)
     }
 
-    /// So many synthetic pairs, two in the quick form.
-    pub fn phantoms(&self, full: u64) -> Vec<Case> {
+    /// Synthetic pairs, at most two in the quick form.
+    pub(super) fn phantoms(&self, full: u64) -> Vec<Case> {
         self.phantoms_with(full, self.edge_mm(), 0.0)
     }
 
     /// The same with other edges, mm, and noise as a share of the diagonal.
-    pub fn phantoms_with(&self, full: u64, edge_mm: f64, noise_share: f64) -> Vec<Case> {
+    pub(super) fn phantoms_with(&self, full: u64, edge_mm: f64, noise_share: f64) -> Vec<Case> {
         let recipe = |number| PhantomRecipe { number, edge_mm, deform_share: DEFORM_SHARE, noise_share };
         (1..=self.either(full.min(2), full))
             .map(|number| Case {
@@ -92,8 +92,8 @@ impl<'o> Study<'o> {
             .collect()
     }
 
-    /// So many bumped solids of a form and their turned copies.
-    pub fn solids(&self, form: Form, full: u64) -> Vec<Case> {
+    /// Bumped solids of a shape with their rotated copies.
+    pub(super) fn solids(&self, form: Form, full: u64) -> Vec<Case> {
         // 162 vertices hold no bump, 642 do.
         let recipe = |number| SolidRecipe { form, number, levels: 3 };
         (1..=self.either(full.min(2), full))
@@ -105,8 +105,8 @@ impl<'o> Study<'o> {
             .collect()
     }
 
-    /// So many pairs of different real subjects, spread over the folder; none without data or in the quick form.
-    pub fn real(&self, full: usize) -> Vec<Case> {
+    /// Pairs of different real subjects, spread over the folder; none without data or in the quick form.
+    pub(super) fn real(&self, full: usize) -> Vec<Case> {
         let Some(data) = self.hippocampi.as_ref().filter(|_| !self.quick) else { return Vec::new() };
         let n = full.min(data.len() / 2);
         let step = data.len() / (2 * n).max(1);
@@ -123,8 +123,8 @@ impl<'o> Study<'o> {
             .collect()
     }
 
-    /// So many real subjects against their turned copies.
-    pub fn copies(&self, full: usize) -> Vec<Case> {
+    /// Real subjects with their rotated copies.
+    pub(super) fn copies(&self, full: usize) -> Vec<Case> {
         let Some(data) = self.hippocampi.as_ref().filter(|_| !self.quick) else { return Vec::new() };
         let n = full.min(data.len());
         let step = data.len() / n.max(1);
@@ -138,16 +138,16 @@ impl<'o> Study<'o> {
     }
 
     /// Why there are no real pairs, if there are none.
-    pub fn real_absent(&self) -> Option<String> {
+    pub(super) fn real_absent(&self) -> Option<String> {
         if self.quick {
-            return Some("Real pairs are left out of the quick form.".to_owned());
+            return Some("The quick report has no real data.".to_owned());
         }
-        let absent = "Real pairs are left out: the data folder has no hippocampus/*.nii.gz.";
+        let absent = "No real data: the data folder has no hippocampus/*.nii.gz.";
         self.hippocampi.is_none().then(|| absent.to_owned())
     }
 
     /// The pair of a recipe; made once.
-    pub fn pair(&self, recipe: &PairRecipe) -> Result<Rc<Pair>, String> {
+    pub(super) fn pair(&self, recipe: &PairRecipe) -> Result<Rc<Pair>, String> {
         let name = json!(recipe).to_string();
         if let Some(pair) = self.pairs.borrow().get(&name) {
             return Ok(Rc::clone(pair));
@@ -165,7 +165,7 @@ impl<'o> Study<'o> {
     }
 
     /// Frees the pairs made so far.
-    pub fn forget_pairs(&self) {
+    pub(super) fn clear_pairs(&self) {
         self.pairs.borrow_mut().clear();
     }
 
@@ -180,7 +180,7 @@ impl<'o> Study<'o> {
     }
 
     /// A unit that does `work` on the pair of `case`. `inputs` is what beside the pair decides the numbers.
-    pub fn unit<'a>(
+    pub(super) fn unit<'a>(
         &'a self,
         case: &Case,
         configuration: &str,
@@ -199,8 +199,8 @@ impl<'o> Study<'o> {
         }
     }
 
-    /// A match of every case with every setting, case by case, so that each setting sees the same pairs.
-    pub fn matches<'a>(&'a self, cases: &[Case], settings: &[Setting]) -> Vec<Unit<'a>> {
+    /// A match of every case with every setting, case by case; each setting is run on the same pairs.
+    pub(super) fn matches<'a>(&'a self, cases: &[Case], settings: &[Setting]) -> Vec<Unit<'a>> {
         let mut units = Vec::new();
         for case in cases {
             for (name, request) in settings {

@@ -147,7 +147,7 @@ fn the_tables_hold_the_numbers_of_the_json() {
 fn one_section_alone_and_no_unknown_one() {
     let folder = tempfile::tempdir().unwrap();
     let error = run(&options(folder.path(), &["magic"]), &mut |_| ()).unwrap_err();
-    assert!(error.to_string().contains("there is no section magic; there are minimisers, products"));
+    assert!(error.to_string().contains("there is no section magic; the sections are minimisers, products"));
     assert!(fs::read_dir(folder.path()).unwrap().next().is_none());
     let mut ids = BTreeMap::new();
     for id in section_ids() {

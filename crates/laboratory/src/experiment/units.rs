@@ -1,4 +1,4 @@
-//! Units of work: what is computed once and kept, so that an interrupted report goes on where it stopped.
+//! Units of work: each is computed once and stored, so that an interrupted report resumes where it stopped.
 //!
 //! A finished unit is one line of JSON in `units.jsonl`. Its key is a hash of everything that decides its numbers; a
 //! unit whose key is there is not computed again. A line that cannot be read, such as the last one of a program that
@@ -16,15 +16,15 @@ use std::path::{Path, PathBuf};
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub(super) struct Measurement {
     /// Numbers by name; the name says the unit where there is one.
-    pub values: BTreeMap<String, f64>,
+    pub(super) values: BTreeMap<String, f64>,
     /// Curves by name.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
-    pub curves: BTreeMap<String, Vec<[f64; 2]>>,
+    pub(super) curves: BTreeMap<String, Vec<[f64; 2]>>,
 }
 
 impl Measurement {
     /// Adds a number; what is not finite has no place in JSON and is left out.
-    pub fn set(&mut self, name: &str, value: f64) {
+    pub(super) fn set(&mut self, name: &str, value: f64) {
         if value.is_finite() {
             self.values.insert(name.to_owned(), value);
         }
@@ -32,27 +32,27 @@ impl Measurement {
 
     /// With one more number.
     #[must_use]
-    pub fn with(mut self, name: &str, value: f64) -> Self {
+    pub(super) fn with(mut self, name: &str, value: f64) -> Self {
         self.set(name, value);
         self
     }
 }
 
-/// What a unit does; the error says in one line why there is no measurement.
+/// The computation of a unit; the error says in one line why there is no measurement.
 pub(super) type Work<'a> = Box<dyn Fn() -> Result<Measurement, String> + 'a>;
 
-/// A piece of work that is done whole or not at all.
+/// A piece of work that is finished as a whole or not at all.
 pub(super) struct Unit<'a> {
     /// Which kind of pair or problem.
-    pub group: String,
+    pub(super) group: String,
     /// Which setting.
-    pub configuration: String,
+    pub(super) configuration: String,
     /// Which pair or problem.
-    pub case: String,
+    pub(super) case: String,
     /// Everything, beside the section and the program, that decides the numbers.
-    pub inputs: Value,
+    pub(super) inputs: Value,
     /// The work.
-    pub work: Work<'a>,
+    pub(super) work: Work<'a>,
 }
 
 /// How a unit ended.
@@ -68,13 +68,13 @@ pub(super) enum Ending {
 /// A finished unit as it is kept.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(super) struct FinishedUnit {
-    pub key: String,
-    pub section: String,
-    pub group: String,
-    pub configuration: String,
-    pub case: String,
-    pub seconds: f64,
-    pub ending: Ending,
+    pub(super) key: String,
+    pub(super) section: String,
+    pub(super) group: String,
+    pub(super) configuration: String,
+    pub(super) case: String,
+    pub(super) seconds: f64,
+    pub(super) ending: Ending,
 }
 
 /// The key of a unit: `blake3` of section, version of the program, and inputs.
@@ -93,7 +93,7 @@ pub(super) struct UnitStore {
 
 impl UnitStore {
     /// Opens or makes the file and reads what is there.
-    pub fn open(path: &Path) -> Result<Self, ExperimentError> {
+    pub(super) fn open(path: &Path) -> Result<Self, ExperimentError> {
         let fault = |source| ExperimentError::File { path: path.to_owned(), source };
         let text = match fs::read(path) {
             Ok(bytes) => String::from_utf8_lossy(&bytes).into_owned(),
@@ -113,12 +113,12 @@ impl UnitStore {
         Ok(UnitStore { path: path.to_owned(), file, finished })
     }
 
-    pub fn find(&self, key: &str) -> Option<&FinishedUnit> {
+    pub(super) fn find(&self, key: &str) -> Option<&FinishedUnit> {
         self.finished.get(key)
     }
 
     /// Keeps a unit, with one write, so that no reader sees two lines mixed.
-    pub fn keep(&mut self, unit: &FinishedUnit) -> Result<(), ExperimentError> {
+    pub(super) fn keep(&mut self, unit: &FinishedUnit) -> Result<(), ExperimentError> {
         let fault = |source| ExperimentError::File { path: self.path.clone(), source };
         let mut line = serde_json::to_string(unit).map_err(|e| fault(e.into()))?;
         line.push('\n');
@@ -146,7 +146,7 @@ mod tests {
     }
 
     #[test]
-    fn a_line_that_was_cut_off_is_not_there_and_the_rest_is() {
+    fn a_truncated_line_is_ignored_and_the_others_are_read() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("units.jsonl");
         let mut store = UnitStore::open(&path).unwrap();

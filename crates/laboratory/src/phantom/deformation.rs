@@ -1,4 +1,4 @@
-//! Known deformations and poses: what takes a phantom to the other phantom of a pair, point by point.
+//! Known deformations and poses: the map from a phantom to the other phantom of its pair, point by point.
 
 use super::PhantomError;
 use super::random::{Draws, Stream};
@@ -6,7 +6,7 @@ use nalgebra::{Isometry3, Matrix3, Point3, Quaternion, Translation3, UnitQuatern
 
 /// Gaussian bumps in a deformation.
 const N_BUMPS: usize = 12;
-/// A map counts as injective enough while its Jacobian determinant stays above this everywhere it is looked at.
+/// Least Jacobian determinant of a deformation wherever it is sampled, so that it does not come close to folding.
 pub const MIN_JACOBIAN: f64 = 0.1;
 /// Largest RMS displacement, as a share of the diagonal of the bounding box.
 pub const MAX_RMS_SHARE: f64 = 0.15;

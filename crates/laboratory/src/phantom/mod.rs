@@ -2,7 +2,7 @@
 //!
 //! A [`Phantom`] is one subject, made from a seed: a bent, tapered, bumpy tube of genus 0 with a larger head in front
 //! and a thin, curved tail. It gives itself as a closed triangle surface ([`Phantom::surface`]) or as a label volume
-//! with an anterior and a posterior part ([`Phantom::volume`]), both of the same formula. A [`PhantomPair`] adds the
+//! with an anterior and a posterior part ([`Phantom::volume`]), both from the same formula. A [`PhantomPair`] adds the
 //! second surface of a pair, deformed by a known smooth field and put into a known pose. Nothing here reads a file or
 //! a clock; the same seeds give the same shapes.
 
@@ -29,34 +29,34 @@ pub const DEFAULT_EDGE_MM: f64 = 0.8;
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum PhantomError {
     /// The edge length is not one that makes a usable surface.
-    #[error("edges of {edge_mm} mm are asked for; from 0.2 to 4 mm can be made")]
+    #[error("an edge length of {edge_mm} mm is out of range; choose one from 0.2 to 4 mm")]
     EdgeOutOfRange {
-        /// Asked for, mm.
+        /// The requested length, mm.
         edge_mm: f64,
     },
     /// The voxel spacing is not one that shows the shape.
-    #[error("a spacing of {spacing_mm} mm is asked for; from 0.2 to 3 mm can be made")]
+    #[error("a voxel spacing of {spacing_mm} mm is out of range; choose one from 0.2 to 3 mm")]
     SpacingOutOfRange {
-        /// Asked for, mm.
+        /// The requested length, mm.
         spacing_mm: f64,
     },
     /// The deformation asked for is too strong, or negative.
-    #[error("a deformation of {rms_share} of the diagonal is asked for; from 0 to {MAX_RMS_SHARE} can be made")]
+    #[error("a deformation of {rms_share} of the diagonal is out of range; choose one from 0 to {MAX_RMS_SHARE}")]
     ShareOutOfRange {
-        /// RMS displacement asked for, as a share of the diagonal.
+        /// The requested RMS displacement, as a share of the diagonal.
         rms_share: f64,
     },
     /// No deformation of this strength and seed keeps the orientation.
-    #[error("no deformation of {rms_share} of the diagonal with this seed keeps the orientation; take another seed")]
+    #[error("no deformation of {rms_share} of the diagonal with this seed is free of folds; choose another seed")]
     Folds {
-        /// RMS displacement asked for, as a share of the diagonal.
+        /// The requested RMS displacement, as a share of the diagonal.
         rms_share: f64,
     },
     /// There is nothing to deform or to fill.
     #[error("the surface has no vertices")]
     NoVertices,
     /// The volume would not fit.
-    #[error("the volume would have {n_voxels} voxels; at most {max} can be made")]
+    #[error("the volume would have {n_voxels} voxels, more than {max}; choose a larger spacing")]
     TooManyVoxels {
         /// Voxels needed.
         n_voxels: usize,

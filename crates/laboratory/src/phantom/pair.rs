@@ -1,4 +1,4 @@
-//! Two phantoms with the truth between them: how the target comes from the source.
+//! Two phantoms with their ground truth: the map from the source to the target.
 
 use super::deformation::{Deformation, random_permutation, random_pose};
 use super::raster::PhantomVolume;
@@ -13,7 +13,7 @@ use nalgebra::{Isometry3, Point3};
 pub struct PairRecipe {
     /// Seed of the source's subject.
     pub subject: u64,
-    /// Seed of the target's subject; the same one gives a pair with a point-to-point truth.
+    /// Seed of the target's subject; the same seed gives a pair with point-to-point ground truth.
     pub target_subject: u64,
     /// RMS displacement of the deformation as a share of the diagonal; 0 for none.
     pub deform_share: f64,

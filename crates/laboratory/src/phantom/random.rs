@@ -23,7 +23,7 @@ pub(crate) enum Stream {
 }
 
 impl Stream {
-    /// Digits of pi, e, the square root of two and of three: constants with nothing to hide.
+    /// Digits of pi, e, the square roots of two and of three.
     fn constant(self) -> u64 {
         match self {
             Stream::Shape => 0x3141_5926_5358_9793,
@@ -53,7 +53,7 @@ impl Draws {
         low + (high - low) * self.unit()
     }
 
-    /// Uniform in `0..n`, by rejection, so that no value is preferred; `n > 0`.
+    /// Uniform in `0..n` without bias, by rejection; `n > 0`.
     pub(crate) fn below(&mut self, n: u64) -> u64 {
         let limit = u64::MAX - u64::MAX % n.max(1);
         loop {

@@ -5,8 +5,9 @@
 //! `|E→| · n` times as many operations as one value of a message needs: three products of messages, and with max-product
 //! and `β = 0` one maximum for each member of `N_1`, `r` times over, else a few operations for each member of `N_r`. The
 //! bytes over the rate at which memory is changed in place, or the operations over the rate of the vector units, whichever
-//! is longer, is the time below which no iteration can go; `benches/kernel.rs` measures all in one run. On top come the
-//! transposes between rows and lanes, and scaling, damping and comparing, seven operations a value; in half precision also the
+//! is longer, is the time below which no iteration can go; `crates/laboratory/benches/kernel.rs` measures all in one run. On
+//! top come the transposes between rows and lanes, and scaling, damping and comparing, seven operations a value; in half
+//! precision also the
 //! conversions: a value is converted three times when it is read, and twice when it is written.
 //!
 //! That floor is far below what is reached without a distance term, and no wait for memory is why: with all messages in

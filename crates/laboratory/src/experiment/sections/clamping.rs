@@ -1,4 +1,4 @@
-//! Feedback from registration, and whether a larger neighbourhood does the same.
+//! Ablation: feedback from registration (clamping), and whether a larger neighbourhood has the same effect.
 
 use super::{
     About, Body, Experiment, INLIERS, MATCHED, PARTS, WITHIN_1, against, match_tables, on, pairs_of, sentences,
@@ -36,10 +36,11 @@ impl Experiment for Clamping {
     fn about(&self) -> About {
         About {
             id: "clamping",
-            title: "Matching with and without clamping",
-            question: "What does feedback from registration add, and can a larger neighbourhood replace it?",
-            varied: "The feedback (none; hard: inliers are fixed, as in the thesis; soft: distance and normals after \
-                     registration enter the unary potentials; three rounds at most) and the neighbourhood radius r.",
+            title: "Ablation: feedback from registration (clamping)",
+            question: "Does feedback from registration improve the correspondence, and can a larger neighbourhood replace it?",
+            varied: "Clamping (none; hard: inliers of the registration are fixed, as in the thesis; soft: distances and \
+                     normals after registration are added to the unary potentials; at most three rounds) and the \
+                     neighbourhood radius r.",
         }
     }
 
@@ -54,15 +55,18 @@ impl Experiment for Clamping {
         Body {
             pairs: pairs_of(results, &MATCHED),
             finding: sentences([
-                on("synthetic", compared(&synthetic, "the correct match rate within one edge was", &WITHIN_1)),
+                on(
+                    "synthetic",
+                    compared(&synthetic, "the correct match rate within one mean edge length was", &WITHIN_1),
+                ),
                 on("real", compared(&real, "the inlier ratio was", &INLIERS)),
-                on("real", compared(&real, "the agreement of parts was", &PARTS)),
+                on("real", compared(&real, "the agreement of anterior and posterior labels was", &PARTS)),
             ]),
             notes: study.real_absent().into_iter().collect(),
-            tables: match_tables(results, "feedback and radius"),
+            tables: match_tables(results, "clamping and radius"),
             plots: vec![
-                by_radius("Phantoms: matched within one edge", &synthetic, &WITHIN_1),
-                by_radius("Real subjects: inlier ratio", &real, &INLIERS),
+                by_radius("Phantoms: correct match rate within one edge", &synthetic, &WITHIN_1),
+                by_radius("Different subjects: inlier ratio", &real, &INLIERS),
             ]
             .into_iter()
             .filter(|plot| plot.series.iter().any(|s| !s.points.is_empty()))
@@ -71,7 +75,7 @@ impl Experiment for Clamping {
     }
 }
 
-/// Both ways of feedback against none, at the default radius.
+/// Soft and hard clamping against none, at the default radius.
 fn compared(group: &Group<'_>, what: &str, metric: &Metric) -> Option<String> {
     let [none, hard, soft] = MODES.map(|(mode, _)| name(mode, 2));
     let n = group.measured(&soft).len();

@@ -1,4 +1,4 @@
-//! Curvature estimators against what analysis knows of spheres, ellipsoids and tori.
+//! Curvature estimators against closed-form curvature of spheres, ellipsoids and tori.
 
 use super::{About, Body, Experiment, sentences};
 use crate::experiment::document::{Axis, Plot, PlotKind};
@@ -16,16 +16,16 @@ pub(in crate::experiment) struct Curvature;
 
 const CLEAN: &str = "clean";
 const NOISY: &str = "noisy";
-/// Standard deviation of the noise, an axis, in mean edge lengths.
+/// Standard deviation of the noise per axis, in mean edge lengths.
 const NOISE_EDGES: f64 = 0.03;
-/// Half axes of the ellipsoid, and radii of sphere and torus, mm.
+/// Semi-axes of the ellipsoid, and radii of sphere and torus, mm.
 const AXES: [f64; 3] = [12.0, 8.0, 6.0];
 const SPHERE_MM: f64 = 10.0;
 const TORUS_MM: (f64, f64) = (10.0, 4.0);
 
 const ESTIMATORS: [&str; 3] = ["angle defect", "covariance", "quadric"];
 
-/// A surface whose curvatures have a formula.
+/// A surface whose curvatures have a closed form.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Shape {
     Sphere,
@@ -120,11 +120,12 @@ impl Experiment for Curvature {
     fn about(&self) -> About {
         About {
             id: "curvature",
-            title: "Curvature estimators against analysis",
-            question: "How exact are the three estimators of curvature, do they converge, and what does noise do to them?",
+            title: "Accuracy of the curvature estimators",
+            question: "How accurate are the three curvature estimators, do they converge under refinement, and how sensitive are they to noise?",
             varied: "The estimator (angle defect; covariance of normals and quadric in a ball of 2.5 mean edges), the \
-                     refinement, and normal noise of 3 % of the mean edge an axis. Surfaces: a sphere of 10 mm, an ellipsoid \
-                     with half axes 12, 8 and 6 mm, a torus of 10 and 4 mm.",
+                     refinement level, and Gaussian noise with a standard deviation of 3 % of the mean edge length per axis. \
+                     Surfaces with closed-form curvature: a sphere of radius 10 mm, an ellipsoid with semi-axes 12, 8 and \
+                     6 mm, a torus with radii 10 and 4 mm.",
         }
     }
 
@@ -137,7 +138,7 @@ impl Experiment for Curvature {
                         units.push(Unit {
                             group: group.to_owned(),
                             configuration: name(shape, estimator, level),
-                            case: noise.map_or("as it is".to_owned(), |seed| format!("noise {seed}")),
+                            case: noise.map_or("without noise".to_owned(), |seed| format!("noise {seed}")),
                             inputs: json!([shape.name(), estimator, level, noise]),
                             work: Box::new(move || measure(shape, estimator, level, noise)),
                         });
@@ -154,12 +155,12 @@ impl Experiment for Curvature {
 
     fn report(&self, study: &Study<'_>, results: &Results) -> Body {
         let (clean, noisy) = (results.group(CLEAN), results.group(NOISY));
-        let gaussian = Metric::percent("gaussian_error", "error of K");
+        let gaussian = Metric::percent("gaussian_error", "relative error of K");
         let metrics = [
             Metric::number("vertices", "vertices", "", 0),
-            Metric::number("edge_mm", "mean edge", "mm", 2),
+            Metric::number("edge_mm", "mean edge length", "mm", 2),
             gaussian,
-            Metric::percent("mean_error", "error of H"),
+            Metric::percent("mean_error", "relative error of H"),
         ];
         let finest = *levels(study).end();
         let finding = || {
@@ -177,13 +178,13 @@ impl Experiment for Curvature {
                     percent(&noisy, Shape::Torus)?,
                 ));
             }
-            Some(format!("Relative error of Gaussian curvature at the finest level: {}.", parts.join("; ")))
+            Some(format!("Relative error of Gaussian curvature at the finest refinement level: {}.", parts.join("; ")))
         };
         let plot = |group: &crate::experiment::results::Group<'_>, title: &str| Plot {
             title: title.to_owned(),
             kind: PlotKind::Lines,
-            x: Axis::logarithmic("mean edge", "mm"),
-            y: Axis::logarithmic("error of K", "%"),
+            x: Axis::logarithmic("mean edge length", "mm"),
+            y: Axis::logarithmic("relative error of K", "%"),
             categories: Vec::new(),
             series: ESTIMATORS
                 .iter()
@@ -197,14 +198,14 @@ impl Experiment for Curvature {
                 .collect(),
         };
         Body {
-            pairs: format!("{} surfaces, {} draws of noise each", Shape::ALL.len(), noisy.cases().len()),
+            pairs: format!("{} surfaces, {} noise realizations each", Shape::ALL.len(), noisy.cases().len()),
             finding: sentences([finding()]),
-            notes: vec!["Errors are root mean squares over the vertices, relative to that of the truth.".to_owned()],
+            notes: vec!["Relative error: root mean square error over the vertices, divided by the root mean square of the true curvature.".to_owned()],
             tables: vec![
-                clean.table("clean", "Surfaces as they are", "surface and estimator", &metrics),
-                noisy.table("noisy", "With noise of 3 % of the mean edge", "surface and estimator", &metrics),
+                clean.table("clean", "Without noise", "surface and estimator", &metrics),
+                noisy.table("noisy", "With noise of 3 % of the mean edge length", "surface and estimator", &metrics),
             ],
-            plots: vec![plot(&clean, "Ellipsoid as it is: error by refinement"), plot(&noisy, "Ellipsoid with noise")],
+            plots: vec![plot(&clean, "Ellipsoid without noise: error versus edge length"), plot(&noisy, "Ellipsoid with noise: error versus edge length")],
         }
     }
 }

@@ -1,4 +1,4 @@
-//! The limits of first-order ellipsoids: forms whose axes tell nothing.
+//! Limits of first-order ellipsoids: shapes whose principal axes do not determine the pose.
 
 use super::{About, Body, Experiment, INLIERS, ROTATION, sentences};
 use crate::experiment::document::{Axis, Plot, PlotKind, Series};
@@ -14,15 +14,15 @@ use serde_json::json;
 pub(in crate::experiment) struct Ellipsoid;
 
 const METHODS: [(&str, &str); 3] =
-    [("first-order ellipsoids", "foe"), ("axes and closest points", "rigid"), ("this project", "balanced")];
+    [("first-order ellipsoids", "foe"), ("principal axes and ICP", "rigid"), ("homolog (balanced)", "balanced")];
 const WITHIN_10: Metric = Metric::percent("within_10_deg", "within 10°");
-const FOLDED: Metric = Metric::percent("folded_within_10_deg", "within 10° up to half turns");
+const FOLDED: Metric = Metric::percent("folded_within_10_deg", "within 10° modulo axis flips");
 
 fn name(form: Form, method: &str) -> String {
     format!("{}, {method}", form.name())
 }
 
-/// The registration error, and what is left of it when half turns about the axes of the form are free.
+/// The rotation error, and the same modulo half turns about the principal axes of the shape.
 fn measure(pair: &Pair, method: &str, study: &Study<'_>) -> Result<Measurement, String> {
     let (mut m, outcome) = observed_match(pair, &json!({"method": method}), study.clock)?;
     let source = pair.source.vertices();
@@ -42,10 +42,10 @@ impl Experiment for Ellipsoid {
         About {
             id: "ellipsoid",
             title: "Limits of first-order ellipsoids",
-            question: "Where do the axes of an ellipsoid not tell the pose, and does a dense correspondence?",
-            varied: "The form (ellipsoid-like, spindle, near-spherical, near-cubic), each with twelve random bumps of up to \
-                     8 % of the radius so that it has one right pose only, and the method. Targets are turned and \
-                     re-sampled copies with twelve bumps of up to 2 % of their own.",
+            question: "For which shapes do the axes of the first-order ellipsoid not determine the pose, and does dense correspondence?",
+            varied: "The shape (ellipsoid-like, spindle, near-spherical, near-cubic), each with twelve random bumps of up to \
+                     8 % of the radius so that exactly one pose is correct, and the method. Targets are rotated and \
+                     resampled copies with twelve additional bumps of up to 2 %.",
         }
     }
 
@@ -64,7 +64,7 @@ impl Experiment for Ellipsoid {
 
     fn report(&self, _study: &Study<'_>, results: &Results) -> Body {
         let group = results.group(SOLIDS);
-        let folded = Metric::number("folded_error_deg", "rotation error up to half turns", "°", 2);
+        let folded = Metric::number("folded_error_deg", "rotation error modulo axis flips", "°", 2);
         let metrics = [WITHIN_10, FOLDED, ROTATION, folded, INLIERS];
         let bars = |label: &str, metric: &Metric, word: &str| {
             let place = |setting: &str| Form::ALL.iter().position(|f| name(*f, label) == setting).map(|k| k as f64);
@@ -84,26 +84,26 @@ impl Experiment for Ellipsoid {
                 let (foe, ours) = (METHODS[0].0, METHODS[2].0);
                 let n = group.measured(&name(form, ours)).len();
                 let baseline = match (of(form, foe, &WITHIN_10), of(form, foe, &FOLDED)) {
-                    (Some(right), Some(folded)) => format!("{foe} {right} of {n} ({folded} up to half turns), "),
+                    (Some(right), Some(folded)) => format!("{foe} {right} of {n} ({folded} modulo axis flips), "),
                     _ => String::new(),
                 };
                 Some(format!("{}: {baseline}{ours} {} of {n}", form.name(), of(form, ours, &WITHIN_10)?))
             };
             let all: Vec<_> = Form::ALL.into_iter().filter_map(sentence).collect();
-            (!all.is_empty()).then(|| format!("Poses within 10°: {}.", all.join("; ")))
+            (!all.is_empty()).then(|| format!("Poses recovered within 10°: {}.", all.join("; ")))
         };
         Body {
-            pairs: format!("{} turned copies of each form", group.cases().len() / Form::ALL.len().max(1)),
+            pairs: format!("{} rotated copies of each shape", group.cases().len() / Form::ALL.len().max(1)),
             finding: sentences([finding()]),
-            tables: vec![group.table("forms", "Registration by form and method", "form and method", &metrics)],
+            tables: vec![group.table("forms", "Registration by shape and method", "shape and method", &metrics)],
             plots: vec![Plot {
-                title: "Share of poses found within 10°".to_owned(),
+                title: "Share of poses recovered within 10°".to_owned(),
                 kind: PlotKind::Bars,
-                x: Axis::linear("form", ""),
+                x: Axis::linear("shape", ""),
                 y: Axis::linear("within 10°", "%"),
                 categories: Form::ALL.map(|f| f.name().to_owned()).into(),
                 series: vec![
-                    bars(METHODS[0].0, &FOLDED, ", up to half turns"),
+                    bars(METHODS[0].0, &FOLDED, ", modulo axis flips"),
                     bars(METHODS[0].0, &WITHIN_10, ""),
                     bars(METHODS[1].0, &WITHIN_10, ""),
                     bars(METHODS[2].0, &WITHIN_10, ""),

@@ -1,4 +1,4 @@
-//! Verification of the transform estimators: agreement, noise, and what they refuse.
+//! Verification of the rigid-transform estimators: agreement, sensitivity to noise, degenerate input.
 
 use super::{About, Body, Experiment, mean, sentences};
 use crate::experiment::document::{Axis, Plot, PlotKind};
@@ -17,7 +17,7 @@ pub(in crate::experiment) struct Estimators;
 const NOISE: &str = "noise";
 const DEGENERATE: &str = "degenerate";
 
-/// Standard deviations an axis, mm.
+/// Standard deviations of the noise per axis, mm.
 const LEVELS: [f64; 6] = [0.0, 0.01, 0.1, 0.3, 1.0, 3.0];
 /// Pairs of an absolute orientation.
 const N_PAIRS: usize = 50;
@@ -66,7 +66,7 @@ impl Problem {
     }
 }
 
-/// Rotation errors of both estimators and of all solvers, and how far the solvers are apart, over `n` problems.
+/// Rotation errors of both minimal estimators and of all solvers, and the largest difference between solvers, over `n` problems.
 fn noise(surface: &[Point3<f64>], sigma_mm: f64, first: u64, n: u64) -> Measurement {
     let mut errors: Vec<(&str, Vec<f64>)> = ESTIMATORS
         .iter()
@@ -108,14 +108,14 @@ fn noise(surface: &[Point3<f64>], sigma_mm: f64, first: u64, n: u64) -> Measurem
     m
 }
 
-/// Kinds of pairs that leave the transform open, or look as if they did.
+/// Point pairs that do not determine the transform, or resemble such.
 const KINDS: [&str; 6] = [
-    "points on a line",
-    "points at one place",
-    "two pairs",
-    "a coordinate that is no number",
-    "points in a plane",
-    "a mirrored copy",
+    "collinear points",
+    "coincident points",
+    "two pairs only",
+    "a non-finite coordinate",
+    "coplanar points",
+    "a reflected copy",
 ];
 
 fn degenerate(kind: &str, surface: &[Point3<f64>], seed: u64) -> (Vec<Point3<f64>>, Vec<Point3<f64>>) {
@@ -123,27 +123,27 @@ fn degenerate(kind: &str, surface: &[Point3<f64>], seed: u64) -> (Vec<Point3<f64
     let along = Draws::new(seed).normals().normalize();
     let across = along.cross(&Vector3::new(0.3, 0.5, 0.8)).normalize();
     let place = |p: &Point3<f64>| match kind {
-        "points on a line" => Point3::from(along * p.coords.dot(&along)),
-        "points at one place" => Point3::from(along),
-        "points in a plane" => Point3::from(p.coords - along * p.coords.dot(&along)),
+        "collinear points" => Point3::from(along * p.coords.dot(&along)),
+        "coincident points" => Point3::from(along),
+        "coplanar points" => Point3::from(p.coords - along * p.coords.dot(&along)),
         _ => *p,
     };
     problem.source = problem.source.iter().map(place).collect();
     let mirror = |p: &Point3<f64>| {
-        if kind == "a mirrored copy" { p - 2.0 * across * p.coords.dot(&across) } else { *p }
+        if kind == "a reflected copy" { p - 2.0 * across * p.coords.dot(&across) } else { *p }
     };
     problem.target = problem.source.iter().map(|p| problem.truth.apply(&mirror(p))).collect();
-    if kind == "two pairs" {
+    if kind == "two pairs only" {
         problem.source.truncate(2);
         problem.target.truncate(2);
     }
-    if kind == "a coordinate that is no number" {
+    if kind == "a non-finite coordinate" {
         problem.target[1].y = f64::NAN;
     }
     (problem.source, problem.target)
 }
 
-/// Who refuses, and whether what is answered is a proper rotation.
+/// Which solvers reject the input, and whether what the others return is a proper rotation.
 fn refused(kind: &str, surface: &[Point3<f64>], seed: u64) -> Measurement {
     let (source, target) = degenerate(kind, surface, seed);
     let mut m = Measurement::default();
@@ -161,11 +161,11 @@ impl Experiment for Estimators {
     fn about(&self) -> About {
         About {
             id: "estimators",
-            title: "Verification of the transform estimators",
-            question: "Do the estimators agree, how does noise pass through them, and do they name what cannot be solved?",
-            varied: "The noise on the target points, and the kind of degenerate input; two estimators from three pairs \
-                     (orthonormal frames; axis of rotation), three from 50 pairs (singular values; unit quaternion; \
-                     orthonormal matrix by eigenvalues).",
+            title: "Verification of the rigid-transform estimators",
+            question: "Do the estimators agree, how sensitive are they to noise, and do they detect degenerate input?",
+            varied: "The noise on the target points and the kind of degenerate input. Two minimal estimators from three \
+                     pairs (orthonormal frame; rotation axis) and three absolute-orientation solvers on 50 pairs (SVD; \
+                     unit quaternion; orthonormal matrix).",
         }
     }
 
@@ -206,18 +206,18 @@ impl Experiment for Estimators {
         let error = |key, name| Metric::number(key, name, "°", 3);
         let errors = [
             error("frame_deg", "frame, 3 pairs"),
-            error("rotation_axis_deg", "axis, 3 pairs"),
-            error("svd_deg", "singular values, 50 pairs"),
+            error("rotation_axis_deg", "rotation axis, 3 pairs"),
+            error("svd_deg", "SVD, 50 pairs"),
             error("quaternion_deg", "quaternion, 50 pairs"),
             error("orthonormal_matrix_deg", "orthonormal matrix, 50 pairs"),
         ];
         let mut metrics = errors.to_vec();
-        metrics.push(Metric::number("solver_difference", "largest difference of solvers", "", 12));
+        metrics.push(Metric::number("solver_difference", "largest difference between solvers", "", 12));
         let refusals = [
-            Metric::percent("svd", "refused by singular values"),
-            Metric::percent("quaternion", "by quaternion"),
-            Metric::percent("orthonormal_matrix", "by orthonormal matrix"),
-            Metric::percent("proper", "all answer a proper rotation"),
+            Metric::percent("svd", "rejected by SVD"),
+            Metric::percent("quaternion", "rejected by quaternion"),
+            Metric::percent("orthonormal_matrix", "rejected by orthonormal matrix"),
+            Metric::percent("proper", "all return a proper rotation"),
         ];
         let sigma = |setting: &str| LEVELS.into_iter().find(|&s| level_name(s) == setting);
         let finding = || {
@@ -232,8 +232,9 @@ impl Experiment for Estimators {
             let one = level_name(1.0);
             let n = study.either(100, 500) * noise.cases().len() * noise.configurations().len();
             Some(format!(
-                "The three solvers differ by at most {worst:.1e} in any entry of the rotation over {n} problems; at 1 mm of \
-                 noise the median error is {} from three pairs by frames, {} by the axis, and {} from 50 pairs.",
+                "The three solvers differ by at most {worst:.1e} in any entry of the rotation matrix over {n} problems; at 1 mm \
+                 of noise the median rotation error is {} from three pairs with the frame estimator, {} with the rotation-axis \
+                 estimator, and {} from 50 pairs with SVD.",
                 mean(&noise, &one, &errors[0])?,
                 mean(&noise, &one, &errors[1])?,
                 mean(&noise, &one, &errors[2])?,
@@ -244,22 +245,24 @@ impl Experiment for Estimators {
             let none = |kind: &str| refusals[..3].iter().all(|m| degenerate.mean(kind, m.key) == Some(0.0));
             let (by_all, by_none) = (KINDS.into_iter().filter(|k| all(k)), KINDS.into_iter().filter(|k| none(k)));
             let (by_all, by_none): (Vec<_>, Vec<_>) = (by_all.collect(), by_none.collect());
-            (!by_all.is_empty()).then(|| format!("All refuse {}; all solve {}.", by_all.join(", "), by_none.join(", ")))
+            (!by_all.is_empty()).then(|| {
+                format!("All three solvers reject {}; all three solve {}.", by_all.join(", "), by_none.join(", "))
+            })
         };
         Body {
             pairs: format!(
-                "{} blocks of {} random problems a noise level",
+                "{} blocks of {} random problems per noise level",
                 noise.cases().len(),
                 study.either(100, 500)
             ),
             finding: sentences([finding(), named()]),
-            notes: vec!["Errors are medians of a block; the spread is that over blocks.".to_owned()],
+            notes: vec!["Errors are medians within a block, given as mean ± SD over blocks.".to_owned()],
             tables: vec![
-                noise.table("noise", "Rotation error by noise", "noise", &metrics),
-                degenerate.table("degenerate", "Degenerate and awkward inputs", "input", &refusals),
+                noise.table("noise", "Rotation error versus noise", "noise", &metrics),
+                degenerate.table("degenerate", "Degenerate input", "input", &refusals),
             ],
             plots: vec![Plot {
-                title: "Median rotation error by noise".to_owned(),
+                title: "Median rotation error versus noise".to_owned(),
                 kind: PlotKind::Lines,
                 x: Axis::logarithmic("noise", "mm"),
                 y: Axis::logarithmic("rotation error", "°"),

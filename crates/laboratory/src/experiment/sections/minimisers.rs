@@ -1,4 +1,4 @@
-//! Who finds the lowest energy: belief propagation, the dual method, annealing with two samplers, Las Vegas.
+//! Energy minimisation: belief propagation, tree-reweighted messages, annealing with two samplers, Las Vegas.
 
 use super::{About, Body, Experiment, MATCHED, WITHIN_1, pairs_of, sentences};
 use crate::experiment::document::{Axis, Cell, Column, Plot, PlotKind, PlotPoint, Series, Table};
@@ -40,11 +40,11 @@ impl Experiment for Minimisers {
     fn about(&self) -> About {
         About {
             id: "minimisers",
-            title: "Las Vegas against annealing, Gibbs against Metropolis, all against message passing",
-            question: "Which minimiser finds the lowest energy, in which time, and how far from the optimum can it be at \
-                       most?",
-            varied: "The minimiser and the cooling schedule; the energy, the seed and the budget of sweeps are held, \
-                     without feedback from registration.",
+            title: "Energy minimisation: message passing, simulated annealing and Las Vegas",
+            question: "Which minimiser reaches the lowest energy, how long does it take, and how far above the lower bound \
+                       does it end?",
+            varied: "The minimiser and the cooling schedule; the energy, the seed and the budget of sweeps are fixed, and \
+                     clamping is off.",
         }
     }
 
@@ -56,7 +56,7 @@ impl Experiment for Minimisers {
     }
 
     fn report(&self, study: &Study<'_>, results: &Results) -> Body {
-        let kinds = [(SYNTHETIC, "Phantoms"), (REAL, "Different real subjects")];
+        let kinds = [(SYNTHETIC, "Phantoms"), (REAL, "Pairs of different subjects")];
         let groups: Vec<_> =
             kinds.iter().map(|(id, title)| (*id, *title, results.group(id))).filter(|g| !g.2.is_empty()).collect();
         Body {
@@ -72,7 +72,7 @@ impl Experiment for Minimisers {
     }
 }
 
-/// How much more than belief propagation a setting left, pair by pair, in percent of what that left.
+/// Relative excess of the final energy over that of belief propagation on the same pair, percent.
 fn excess(group: &Group<'_>, setting: &str) -> Option<Summary> {
     Summary::of(group.measured(setting).iter().filter_map(|(case, m)| {
         let reference = group.value(BP, case, "energy_final")?;
@@ -80,7 +80,7 @@ fn excess(group: &Group<'_>, setting: &str) -> Option<Summary> {
     }))
 }
 
-/// How far above the lower bound, in percent of the bound.
+/// Relative gap of the final energy to the lower bound, percent.
 fn gap(group: &Group<'_>, setting: &str) -> Option<Summary> {
     Summary::of(group.measured(setting).iter().filter_map(|(case, m)| {
         let bound = group.value(BP, case, "energy_lower_bound")?;
@@ -93,8 +93,8 @@ fn table(id: &str, title: &str, group: &Group<'_>) -> Table {
         Column::plain("minimiser"),
         Column::plain("pairs"),
         Column::new("energy", "", 1),
-        Column::new("more than belief propagation", "%", 1),
-        Column::new("above the lower bound at most", "%", 1),
+        Column::new("excess over belief propagation", "%", 1),
+        Column::new("gap to the lower bound", "%", 1),
         Column::new("iterations or sweeps", "", 0),
         Column::new("time of inference", "s", 2),
         Column::new(WITHIN_1.name, "%", 1),
@@ -114,7 +114,7 @@ fn table(id: &str, title: &str, group: &Group<'_>) -> Table {
     Table { id: id.to_owned(), title: title.to_owned(), rows: rows.collect(), columns }
 }
 
-/// The energy of the first pair, by sweeps and by time.
+/// The energy trace of the first pair, by sweep and by time.
 fn plots(title: &str, group: &Group<'_>) -> Vec<Plot> {
     let Some(case) = group.cases().first().copied() else { return Vec::new() };
     let axes = [
@@ -134,7 +134,7 @@ fn plots(title: &str, group: &Group<'_>) -> Vec<Plot> {
                 series.push(Series { name: "lower bound".to_owned(), points });
             }
             Plot {
-                title: format!("{title}: energy of {case}"),
+                title: format!("{title}: energy trace of {case}"),
                 kind: PlotKind::Lines,
                 x,
                 y: Axis::logarithmic("energy", ""),
@@ -154,10 +154,12 @@ fn finding(kind: &str, group: &Group<'_>) -> Option<String> {
         .filter(|s| *s != BP)
         .filter_map(|s| Some(format!("{s} {:+.0} %", excess(group, s)?.mean)))
         .collect();
-    let bound = gap(group, BP).map_or(String::new(), |g| format!(", at most {:.1} % above the optimum", g.mean));
-    let against = if others.is_empty() { String::new() } else { format!("; against it {}", others.join(", ")) };
+    let bound = gap(group, BP).map_or(String::new(), |g| {
+        format!(", {:.1} % above the lower bound and hence at most that far above the optimum", g.mean)
+    });
+    let against = if others.is_empty() { String::new() } else { format!("; relative to it, {}", others.join(", ")) };
     Some(format!(
-        "On {n} {kind} pairs belief propagation ended at an energy of {:.0} on average{bound}{against}.",
+        "On {n} {kind} pairs, the mean final energy of belief propagation was {:.0}{bound}{against}.",
         reference.mean
     ))
 }

@@ -1,4 +1,4 @@
-//! The sections of the report, one file each: a question, its units, and what is said of their numbers.
+//! The sections of the report, one file each: a question, the units that answer it, and the finding.
 
 mod clamping;
 mod curvature;
@@ -38,54 +38,54 @@ pub(super) const ALL: [&dyn Experiment; 14] = [
     &ellipsoid::Ellipsoid,
 ];
 
-/// A question that units can answer.
+/// One section: a question and the units that answer it.
 pub(super) trait Experiment: Sync {
-    /// What is asked.
+    /// The question and what is varied to answer it.
     fn about(&self) -> About;
-    /// The work, in order.
+    /// The units to compute, in order.
     fn units<'a>(&self, study: &'a Study<'_>) -> Vec<Unit<'a>>;
-    /// What the numbers say.
+    /// Tables, plots and the finding, from the finished units.
     fn report(&self, study: &Study<'_>, results: &Results) -> Body;
 }
 
-/// What a section asks, in words that do not depend on numbers.
+/// The fixed text of a section.
 pub(super) struct About {
-    pub id: &'static str,
-    pub title: &'static str,
-    pub question: &'static str,
-    pub varied: &'static str,
+    pub(super) id: &'static str,
+    pub(super) title: &'static str,
+    pub(super) question: &'static str,
+    pub(super) varied: &'static str,
 }
 
-/// What a section found.
+/// The results of a section.
 #[derive(Default)]
 pub(super) struct Body {
-    pub pairs: String,
-    pub finding: String,
-    pub notes: Vec<String>,
-    pub tables: Vec<Table>,
-    pub plots: Vec<Plot>,
+    pub(super) pairs: String,
+    pub(super) finding: String,
+    pub(super) notes: Vec<String>,
+    pub(super) tables: Vec<Table>,
+    pub(super) plots: Vec<Plot>,
 }
 
 const WITHIN_1: Metric = Metric::percent("within_1_edges", "within 1 edge");
 const WITHIN_2: Metric = Metric::percent("within_2_edges", "within 2 edges");
 const ERROR: Metric = Metric::number("error_mm", "mean error", "mm", 2);
-const PARTS: Metric = Metric::percent("part_agreement", "parts agree");
+const PARTS: Metric = Metric::percent("part_agreement", "label agreement");
 const ROTATION: Metric = Metric::number("rotation_error_deg", "rotation error", "°", 2);
 const INLIERS: Metric = Metric::percent("support_ratio", "inlier ratio");
-const CONSISTENCY: Metric = Metric::percent("consistency", "edges kept");
+const CONSISTENCY: Metric = Metric::percent("consistency", "edges preserved");
 const SECONDS: Metric = Metric::number("seconds", "time", "s", 2);
 
-/// What is measured where the truth is known at every vertex.
+/// Reported where the ground truth is known at every vertex.
 const ON_PHANTOMS: [Metric; 7] = [WITHIN_1, WITHIN_2, ERROR, ROTATION, INLIERS, CONSISTENCY, SECONDS];
-/// What is measured between different subjects.
+/// Reported between different subjects, where only anterior and posterior labels are known.
 const ON_SUBJECTS: [Metric; 5] = [PARTS, ROTATION, INLIERS, CONSISTENCY, SECONDS];
 
 /// The tables of the kinds of pair that were matched, a row for each setting.
 fn match_tables(results: &Results, setting: &str) -> Vec<Table> {
     let kinds = [
-        (SYNTHETIC, "Phantoms, deformed, turned and re-sampled", ON_PHANTOMS.as_slice()),
-        (REAL, "Different real subjects, turned", ON_SUBJECTS.as_slice()),
-        (COPIES, "Real subjects and their turned copies", ON_PHANTOMS.as_slice()),
+        (SYNTHETIC, "Phantoms: deformed, rotated and resampled copies", ON_PHANTOMS.as_slice()),
+        (REAL, "Pairs of different subjects, target rotated", ON_SUBJECTS.as_slice()),
+        (COPIES, "Real subjects and their rotated copies", ON_PHANTOMS.as_slice()),
     ];
     kinds
         .into_iter()
@@ -94,7 +94,7 @@ fn match_tables(results: &Results, setting: &str) -> Vec<Table> {
         .collect()
 }
 
-/// How many pairs of which kind.
+/// The number of pairs of each kind.
 fn pairs_of(results: &Results, kinds: &[(&str, &str)]) -> String {
     let counted = kinds.iter().filter_map(|(group, noun)| {
         let n = results.group(group).cases().len();
@@ -104,22 +104,21 @@ fn pairs_of(results: &Results, kinds: &[(&str, &str)]) -> String {
 }
 
 /// The usual kinds.
-const MATCHED: [(&str, &str); 3] =
-    [(SYNTHETIC, "synthetic pairs"), (REAL, "pairs of real subjects"), (COPIES, "real subjects with their copies")];
+const MATCHED: [(&str, &str); 3] = [
+    (SYNTHETIC, "synthetic pairs"),
+    (REAL, "pairs of different subjects"),
+    (COPIES, "real subjects with rotated copies"),
+];
 
-/// The sentences that could be computed, or that none could.
+/// The sentences whose numbers were measured, or that there are none.
 fn sentences<const N: usize>(found: [Option<String>; N]) -> String {
     let found: Vec<_> = found.into_iter().flatten().collect();
-    if found.is_empty() {
-        "Nothing was measured: no unit of this section finished.".to_owned()
-    } else {
-        found.join(" ")
-    }
+    if found.is_empty() { "No results: no unit of this section finished.".to_owned() } else { found.join(" ") }
 }
 
-/// One metric of two settings in words: `78 ± 5 % against 42 ± 7 %`.
+/// One metric of two settings in words: `78 ± 5 % with A versus 42 ± 7 % with B`.
 fn against(group: &Group<'_>, one: &str, other: &str, metric: &Metric) -> Option<String> {
-    Some(format!("{} with {one} against {} with {other}", mean(group, one, metric)?, mean(group, other, metric)?))
+    Some(format!("{} with {one} versus {} with {other}", mean(group, one, metric)?, mean(group, other, metric)?))
 }
 
 /// A metric of a setting in words: `78 ± 5 %`.
@@ -133,17 +132,17 @@ fn mean(group: &Group<'_>, setting: &str, metric: &Metric) -> Option<String> {
     Some(format!("{:.d$} ± {:.d$}{unit}", s.mean, s.sd).trim_end().to_owned())
 }
 
-/// The best setting by a metric against all others: `best: r = 2 with 93 %, worst: r = 1 with 71 %`.
+/// The best and the worst setting by a metric: `label agreement: best for r = 2 (93 ± 2 %), worst for r = 1 (71 ± 4 %), …`.
 fn range(group: &Group<'_>, metric: &Metric, largest: bool) -> Option<String> {
     let (best, _) = group.best(metric.key, largest)?;
     let (worst, _) = group.best(metric.key, !largest)?;
     let n = group.measured(best).len();
     let noun = if n == 1 { "pair" } else { "pairs" };
     let (first, last) = (mean(group, best, metric)?, mean(group, worst, metric)?);
-    Some(format!("{}: best with {best} ({first}), worst with {worst} ({last}) on {n} {noun}.", metric.name))
+    Some(format!("{}: best for {best} ({first}), worst for {worst} ({last}), mean ± SD over {n} {noun}.", metric.name))
 }
 
-/// Begins a sentence with the kind of pair.
+/// A sentence that begins with the kind of pair.
 fn on(kind: &str, sentence: Option<String>) -> Option<String> {
     sentence.map(|s| format!("On {kind} pairs, {s}"))
 }

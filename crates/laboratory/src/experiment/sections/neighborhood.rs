@@ -1,4 +1,4 @@
-//! The size of the neighbourhood: how far the images of neighbours may lie apart.
+//! Neighbourhood radius: how far apart the images of adjacent vertices may lie.
 
 use super::{
     About, Body, Experiment, MATCHED, PARTS, WITHIN_1, WITHIN_2, match_tables, on, pairs_of, range, sentences,
@@ -22,7 +22,7 @@ fn settings() -> Vec<Setting> {
     all
 }
 
-/// The radius that a setting's name says, of the soft constraint.
+/// The radius in the name of a setting with the truncated potential.
 fn radius(setting: &str) -> Option<f64> {
     setting.strip_prefix("r = ")?.parse().ok()
 }
@@ -31,10 +31,10 @@ impl Experiment for Neighborhood {
     fn about(&self) -> About {
         About {
             id: "neighborhood",
-            title: "Size of the neighbourhood",
-            question: "How many edges apart may the images of two neighbours lie before it costs the truncation?",
-            varied: "The radius r in edges, and the hard constraint (truncation to infinity) of the thesis; without \
-                     feedback from registration, so that the energy alone answers.",
+            title: "Neighbourhood radius",
+            question: "How far apart, in edges, may the images of adjacent vertices lie before the pairwise potential is truncated?",
+            varied: "The radius r in edges, with the truncated potential and with the hard constraint of the thesis (infinite \
+                     truncation); clamping is off, so that the energy alone determines the result.",
         }
     }
 
@@ -51,7 +51,7 @@ impl Experiment for Neighborhood {
             synthetic.series("phantoms, within 2 edges", &WITHIN_2, radius),
         ];
         if !real.is_empty() {
-            series.push(real.series("real subjects, parts agree", &PARTS, radius));
+            series.push(real.series("different subjects, label agreement", &PARTS, radius));
         }
         Body {
             pairs: pairs_of(results, &MATCHED),
@@ -62,7 +62,7 @@ impl Experiment for Neighborhood {
             notes: study.real_absent().into_iter().collect(),
             tables: match_tables(results, "neighbourhood"),
             plots: vec![Plot {
-                title: "Matched vertices by neighbourhood radius".to_owned(),
+                title: "Correct match rate and label agreement versus neighbourhood radius".to_owned(),
                 kind: PlotKind::Lines,
                 x: Axis::linear("radius r", "edges"),
                 y: Axis::linear("share of vertices", "%"),

@@ -1,4 +1,4 @@
-//! Noise on the vertices, which curvature amplifies.
+//! Robustness to noise on the vertices, which curvature amplifies.
 
 use super::{About, Body, Experiment, MATCHED, WITHIN_1, match_tables, mean, pairs_of, sentences};
 use crate::experiment::document::{Axis, Plot, PlotKind};
@@ -33,11 +33,11 @@ impl Experiment for Noise {
     fn about(&self) -> About {
         About {
             id: "noise",
-            title: "Curvature noise",
-            question: "How much noise on the vertices does a match bear, and does scale space help?",
-            varied: "Isotropic normal noise on every vertex of both surfaces (standard deviation an axis, in percent of \
-                     the diagonal of the bounding box), and the scales of curvature (none, or 1.4, 2.8 and 4.5 mm); all \
-                     else as in the default method.",
+            title: "Robustness to vertex noise",
+            question: "How robust is the correspondence to noise on the vertices, and does the scale space help?",
+            varied: "Isotropic Gaussian noise on every vertex of both surfaces (standard deviation per axis, in percent of \
+                     the diagonal of the bounding box), and the curvature scales (no smoothing, or σ = 1.4, 2.8 and \
+                     4.5 mm); everything else as in the default method.",
         }
     }
 
@@ -61,8 +61,8 @@ impl Experiment for Noise {
         let finding = || {
             let at = |scales, level| mean(&group, &name(scales, level), &WITHIN_1);
             Some(format!(
-                "Three scales matched {} of the vertices within one edge without noise, {} at 0.5 % and {} at 2 %; \
-                 curvature of the surface as it is {}, {} and {}.",
+                "With three scales the correct match rate within one edge was {} without noise, {} at 0.5 % and {} at 2 % \
+                 noise; without smoothing {}, {} and {}.",
                 at("three scales", 0.0)?,
                 at("three scales", 0.5)?,
                 at("three scales", 2.0)?,
@@ -74,11 +74,11 @@ impl Experiment for Noise {
         Body {
             pairs: pairs_of(results, &MATCHED),
             finding: sentences([finding()]),
-            tables: match_tables(results, "scales and noise"),
+            tables: match_tables(results, "scales and noise level"),
             plots: vec![Plot {
-                title: "Matched within one edge by noise".to_owned(),
+                title: "Correct match rate within one edge versus noise".to_owned(),
                 kind: PlotKind::Lines,
-                x: Axis::linear("noise, share of the diagonal", "%"),
+                x: Axis::linear("noise, percent of the diagonal", "%"),
                 y: Axis::linear("within 1 edge", "%"),
                 categories: Vec::new(),
                 series: series.into(),

@@ -1,4 +1,4 @@
-//! Outlier identification: planted bumps that have no counterpart, and what is flagged between real subjects.
+//! Outlier detection: synthetic bumps without a counterpart, and what is flagged between real subjects.
 
 use super::{About, Body, Experiment, MATCHED, mean, pairs_of, sentences};
 use crate::experiment::document::{Axis, Plot, PlotKind};
@@ -14,11 +14,11 @@ use serde_json::{Value, json};
 
 pub(in crate::experiment) struct Outliers;
 
-/// Radius of a planted bump along straight lines, mm.
+/// Radius of the synthetic bump, as Euclidean distance, mm.
 const RADIUS_MM: f64 = 6.0;
 /// Heights of the bumps, mm.
 const HEIGHTS: [f64; 4] = [2.0, 4.0, 6.0, 8.0];
-/// A vertex that was lifted by more than this has no counterpart, mm: the tolerance of the registration.
+/// A vertex displaced by more than this has no counterpart, mm: the tolerance of the registration.
 const TOLERANCE_MM: f64 = 3.0;
 
 const REASONS: [&str; 3] = ["residual", "neighborhood", "both"];
@@ -54,7 +54,7 @@ fn shares(m: &mut Measurement, reasons: &[String]) {
     }
 }
 
-/// Lifts a round patch of the source along its normals, smoothly, and sees whether what was lifted is flagged.
+/// Displaces a round patch of the source smoothly along its normals and measures how well it is flagged.
 fn planted(pair: &Pair, height_mm: f64, seed: u64, study: &Study<'_>) -> Result<Measurement, String> {
     let vertices = pair.source.vertices();
     let center = vertices[Draws::new(800 + seed).below(vertices.len())];
@@ -74,7 +74,7 @@ fn planted(pair: &Pair, height_mm: f64, seed: u64, study: &Study<'_>) -> Result<
     let count = |wanted: &dyn Fn(usize) -> bool| (0..planted.len()).filter(|&i| wanted(i)).count() as f64;
     let both = count(&|i| planted[i] && flagged[i]);
     m.set("planted", count(&|i| planted[i]) / planted.len().max(1) as f64);
-    // Where nothing is planted there is nothing to find, and where nothing is flagged nothing is flagged wrongly.
+    // Without synthetic outliers recall is undefined, without flags precision is; both are then left out.
     m.set("recall", both / count(&|i| planted[i]));
     m.set("precision", both / count(&|i| flagged[i]));
     m.set("false_alarms", count(&|i| !planted[i] && flagged[i]) / count(&|i| !planted[i]));
@@ -85,11 +85,12 @@ impl Experiment for Outliers {
     fn about(&self) -> About {
         About {
             id: "outliers",
-            title: "Outlier identification",
-            question: "Are vertices without a counterpart flagged, and only they?",
-            varied: "The height of a smooth bump of 6 mm radius lifted out of the source; a vertex lifted by more than the \
-                     tolerance of 3 mm is a planted outlier. Between real subjects, the share flagged by reason: residual \
-                     (too far after registration), neighborhood (most neighbours' images are no neighbours), both.",
+            title: "Outlier detection",
+            question: "With which precision and recall are vertices without a counterpart flagged?",
+            varied: "The height of a smooth bump of 6 mm radius added to the source; a vertex displaced by more than the \
+                     tolerance of 3 mm is a synthetic outlier. Between different subjects, the share flagged by reason: \
+                     residual (too far away after registration), neighbourhood (the images of most neighbours are not \
+                     neighbours), or both.",
         }
     }
 
@@ -117,21 +118,21 @@ impl Experiment for Outliers {
         let recall = Metric::percent("recall", "recall");
         let flagged = [
             Metric::percent("flagged", "flagged"),
-            Metric::percent("residual", "for their residual"),
-            Metric::percent("neighborhood", "for their neighbourhood"),
-            Metric::percent("both", "for both"),
+            Metric::percent("residual", "by residual"),
+            Metric::percent("neighborhood", "by neighbourhood"),
+            Metric::percent("both", "by both"),
         ];
         let mut metrics = vec![
-            Metric::percent("planted", "planted"),
+            Metric::percent("planted", "synthetic outliers"),
             precision,
             recall,
-            Metric::percent("false_alarms", "false alarms"),
+            Metric::percent("false_alarms", "false positive rate"),
         ];
         metrics.extend(flagged);
         let planted = || {
             let (best, _) = synthetic.best(recall.key, true)?;
             Some(format!(
-                "Of the vertices lifted beyond the tolerance by a {best}, {} were flagged, with a precision of {} ({} pairs).",
+                "For a {best}, recall was {} and precision {} ({} pairs).",
                 mean(&synthetic, best, &recall)?,
                 mean(&synthetic, best, &precision)?,
                 synthetic.measured(best).len()
@@ -141,8 +142,8 @@ impl Experiment for Outliers {
             let setting = real.configurations().first().copied()?;
             let of = |k: usize| mean(&real, setting, &flagged[k]);
             Some(format!(
-                "Between {} real subjects {} of the vertices were flagged: {} for their residual alone, {} for their \
-                 neighbourhood alone, {} for both.",
+                "On {} pairs of different subjects {} of the vertices were flagged: {} by the residual alone, {} by the \
+                 neighbourhood alone, {} by both.",
                 real.measured(setting).len(),
                 of(0)?,
                 of(1)?,
@@ -151,9 +152,9 @@ impl Experiment for Outliers {
             ))
         };
         let height = |setting: &str| HEIGHTS.into_iter().find(|&h| name(h) == setting);
-        let mut tables = vec![synthetic.table("planted", "Planted bumps on phantoms", "bump", &metrics)];
+        let mut tables = vec![synthetic.table("planted", "Synthetic bumps on phantoms", "bump", &metrics)];
         if !real.is_empty() {
-            tables.push(real.table("real", "Different real subjects", "setting", &flagged));
+            tables.push(real.table("real", "Pairs of different subjects", "setting", &flagged));
         }
         Body {
             pairs: pairs_of(results, &MATCHED),
@@ -161,9 +162,9 @@ impl Experiment for Outliers {
             notes: study.real_absent().into_iter().collect(),
             tables,
             plots: vec![Plot {
-                title: "Planted outliers found, by the height of the bump".to_owned(),
+                title: "Precision and recall versus bump height".to_owned(),
                 kind: PlotKind::Lines,
-                x: Axis::linear("height of the bump", "mm"),
+                x: Axis::linear("bump height", "mm"),
                 y: Axis::linear("share", "%"),
                 categories: Vec::new(),
                 series: vec![

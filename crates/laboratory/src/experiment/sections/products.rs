@@ -11,7 +11,7 @@ pub(in crate::experiment) struct Products;
 
 fn settings() -> Vec<Setting> {
     let mut all = Vec::new();
-    for (name, mode) in [("without feedback", "none"), ("with soft clamping", "soft")] {
+    for (name, mode) in [("without clamping", "none"), ("with soft clamping", "soft")] {
         for (product, algorithm) in [("max-product", "max_product"), ("sum-product", "sum_product")] {
             let request = json!({"inference": {"algorithm": algorithm}, "clamping": {"mode": mode}});
             all.push((format!("{product} {name}"), request));
@@ -25,9 +25,9 @@ impl Experiment for Products {
         About {
             id: "products",
             title: "Max-product against sum-product",
-            question: "Do messages that head for the lowest energy match better than messages that head for the marginals?",
-            varied: "The product of belief propagation, without feedback and with soft clamping; all else as in the \
-                     default method.",
+            question: "Do max-product messages (minimum energy) give better correspondences than sum-product messages (marginals)?",
+            varied: "The messages of belief propagation, with and without soft clamping; everything else as in the default \
+                     method.",
         }
     }
 
@@ -46,11 +46,11 @@ impl Experiment for Products {
                 on("real", range(&real, &PARTS, true)),
             ]),
             notes: study.real_absent().into_iter().collect(),
-            tables: match_tables(results, "product"),
+            tables: match_tables(results, "messages"),
             plots: vec![Plot {
-                title: "Phantoms: share of vertices matched within one edge".to_owned(),
+                title: "Phantoms: correct match rate within one edge".to_owned(),
                 kind: PlotKind::Bars,
-                x: Axis::linear("product", ""),
+                x: Axis::linear("messages", ""),
                 y: Axis::linear("within 1 edge", "%"),
                 categories: synthetic.categories(),
                 series: vec![synthetic.bars("mean ± standard deviation", &WITHIN_1)],

@@ -1,4 +1,4 @@
-//! The parameters of RANSAC, on pairs of points of which a known share is right.
+//! Parameters of RANSAC, on point pairs with a known inlier ratio.
 
 use super::{About, Body, Experiment, sentences};
 use crate::experiment::document::{Axis, Plot, PlotKind};
@@ -16,16 +16,16 @@ pub(in crate::experiment) struct Ransac;
 const GROUP: &str = "planted";
 /// Mean edge of the phantom whose vertices are the points, mm: about 600.
 const EDGE_MM: f64 = 1.6;
-/// Standard deviation of the noise on right pairs, an axis, mm.
+/// Standard deviation of the noise on inliers per axis, mm.
 const NOISE_MM: f64 = 0.5;
-/// A rotation within this angle of the planted one is a success, degrees.
+/// A rotation within this angle of the true one is a success, degrees.
 const SUCCESS_DEG: f64 = 2.0;
 
 const RATIOS: [f64; 6] = [0.03, 0.05, 0.1, 0.2, 0.4, 0.8];
 const TOLERANCES: [f64; 5] = [0.5, 1.0, 2.0, 4.0, 8.0];
 const CONFIDENCES: [f64; 4] = [0.5, 0.9, 0.99, 0.999];
 
-/// What one problem is set up with.
+/// The parameters of one problem.
 #[derive(Debug, Clone, Copy)]
 struct Setup {
     ratio: f64,
@@ -36,7 +36,7 @@ struct Setup {
 const USUAL: Setup = Setup { ratio: 0.2, tolerance_mm: 2.0, confidence: 0.999 };
 
 fn ratio_name(ratio: f64) -> String {
-    format!("{} % right", 100.0 * ratio)
+    format!("inlier ratio {} %", 100.0 * ratio)
 }
 
 fn tolerance_name(tolerance_mm: f64) -> String {
@@ -54,7 +54,7 @@ fn setups() -> Vec<(String, Setup)> {
     ratios.into_iter().chain(tolerances).chain(confidences).collect()
 }
 
-/// Plants a pose among wrong pairs and looks for it.
+/// Recovers a known pose from inliers among outliers.
 fn solve(setup: &Setup, problem: u64) -> Result<Measurement, String> {
     let phantom = Phantom::new(problem).surface(EDGE_MM).map_err(|e| e.to_string())?;
     let source = phantom.mesh.vertices();
@@ -97,10 +97,10 @@ impl Experiment for Ransac {
         About {
             id: "ransac",
             title: "Parameters of RANSAC",
-            question: "How few right pairs are enough, and how do tolerance and confidence trade trials for success?",
-            varied: "The share of right pairs, the tolerance and the confidence, one at a time from 20 %, 2 mm and 0.999; \
-                     right pairs carry noise of 0.5 mm an axis, wrong ones join random vertices; success is a rotation \
-                     within 2° of the planted one.",
+            question: "Which inlier ratio is sufficient, and how do tolerance and confidence trade the number of trials against success?",
+            varied: "The inlier ratio, the tolerance and the confidence, one at a time, the others at 20 %, 2 mm and 0.999. \
+                     Inliers carry Gaussian noise of 0.5 mm per axis, outliers join random vertices; success is a rotation \
+                     error of at most 2°.",
         }
     }
 
@@ -123,14 +123,14 @@ impl Experiment for Ransac {
 
     fn report(&self, _study: &Study<'_>, results: &Results) -> Body {
         let group = results.group(GROUP);
-        let success = Metric::percent("success", "success");
+        let success = Metric::percent("success", "success rate");
         let trials = Metric::number("trials", "trials", "", 0);
         let metrics = [
             success,
             Metric::number("error_deg", "rotation error", "°", 2),
             trials,
-            Metric::percent("recall", "right pairs found"),
-            Metric::percent("precision", "found pairs right"),
+            Metric::percent("recall", "inlier recall"),
+            Metric::percent("precision", "inlier precision"),
             Metric::percent("confidence_reached", "confidence reached"),
         ];
         let ratio = |setting: &str| RATIOS.into_iter().find(|&r| ratio_name(r) == setting).map(|r| 100.0 * r);
@@ -140,13 +140,13 @@ impl Experiment for Ransac {
             let always = RATIOS.into_iter().find(|&r| rate(&ratio_name(r)).is_some_and(|s| s >= 1.0));
             let usual = ratio_name(USUAL.ratio);
             let enough = match always {
-                Some(r) => format!("All problems were solved from {} % right pairs on", 100.0 * r),
-                None => "No share of right pairs solved all problems".to_owned(),
+                Some(r) => format!("All problems were solved at inlier ratios from {} % upwards", 100.0 * r),
+                None => "No inlier ratio was sufficient for all problems".to_owned(),
             };
             let (few, many) = (confidence_name(CONFIDENCES[0]), confidence_name(CONFIDENCES[3]));
             Some(format!(
-                "{enough} ({} problems each); at {} % the usual setting took {:.0} trials, and confidence {} solved {:.0} % \
-                 with {:.0} trials where {} solved {:.0} % with {:.0}.",
+                "{enough} ({} problems each). At {} % inliers the default took {:.0} trials on average; confidence {} solved \
+                 {:.0} % of the problems with {:.0} trials, confidence {} solved {:.0} % with {:.0}.",
                 group.cases().len(),
                 100.0 * USUAL.ratio,
                 group.mean(&usual, trials.key)?,
@@ -166,26 +166,26 @@ impl Experiment for Ransac {
             categories: Vec::new(),
             series: vec![series],
         };
-        let rate = || Axis::linear("success", "%");
+        let rate = || Axis::linear("success rate", "%");
         Body {
-            pairs: format!("{} problems a setting, 600 point pairs each", group.cases().len()),
+            pairs: format!("{} problems per setting, 600 point pairs each", group.cases().len()),
             finding: sentences([finding()]),
-            tables: vec![group.table("settings", "One parameter at a time", "setting", &metrics)],
+            tables: vec![group.table("settings", "One parameter varied at a time", "setting", &metrics)],
             plots: vec![
                 plot(
-                    "Success by the share of right pairs",
-                    Axis::logarithmic("right pairs", "%"),
+                    "Success rate versus inlier ratio",
+                    Axis::logarithmic("inlier ratio", "%"),
                     rate(),
                     group.series("mean ± standard deviation", &success, ratio),
                 ),
                 plot(
-                    "Trials by the share of right pairs",
-                    Axis::logarithmic("right pairs", "%"),
+                    "Trials versus inlier ratio",
+                    Axis::logarithmic("inlier ratio", "%"),
                     Axis::logarithmic("trials", ""),
                     group.series("mean ± standard deviation", &trials, ratio),
                 ),
                 plot(
-                    "Success by tolerance, at 20 % right pairs",
+                    "Success rate versus tolerance, at an inlier ratio of 20 %",
                     Axis::logarithmic("tolerance", "mm"),
                     rate(),
                     group.series("mean ± standard deviation", &success, tolerance),

@@ -1,4 +1,4 @@
-//! Registration from arbitrary orientation: this project against first-order ellipsoids and closest points.
+//! Registration from arbitrary orientation: the presets against first-order ellipsoids and ICP.
 
 use super::{About, Body, Experiment, MATCHED, PARTS, ROTATION, SECONDS, pairs_of, sentences};
 use crate::experiment::document::{Axis, Plot, PlotKind, Table};
@@ -32,10 +32,10 @@ impl Experiment for Registration {
         About {
             id: "registration",
             title: "Registration from arbitrary orientation",
-            question: "Which method finds the pose of a surface that was turned arbitrarily?",
-            varied: "The method: the presets of this project, first-order ellipsoids (foe), iterative closest points from \
-                     the centroids (icp), closest points from principal axes (rigid). Every target is turned by a random \
-                     rotation. Between different subjects the reference is closest points from the pose of the scanner.",
+            question: "Which methods recover the pose of a surface from an arbitrary orientation?",
+            varied: "The method: the presets of homolog; first-order ellipsoids (foe); ICP from aligned centroids (icp); ICP \
+                     from aligned principal axes (rigid). Every target is rotated by a uniformly random rotation. For \
+                     different subjects the reference pose is that of trimmed ICP from the scanner's frame.",
         }
     }
 
@@ -49,9 +49,9 @@ impl Experiment for Registration {
 
     fn report(&self, study: &Study<'_>, results: &Results) -> Body {
         let kinds = [
-            (SYNTHETIC, "Phantoms, deformed, turned and re-sampled"),
-            (REAL, "Different real subjects, turned"),
-            (COPIES, "Real subjects and their turned copies"),
+            (SYNTHETIC, "Phantoms: deformed, rotated and resampled copies"),
+            (REAL, "Pairs of different subjects, target rotated"),
+            (COPIES, "Real subjects and their rotated copies"),
         ];
         let present: Vec<_> = kinds.iter().filter(|(group, _)| !results.group(group).is_empty()).collect();
         let table =
@@ -67,7 +67,7 @@ impl Experiment for Registration {
             notes: study.real_absent().into_iter().collect(),
             tables: present.iter().map(table).collect(),
             plots: vec![Plot {
-                title: "Share of pairs registered within 10° of the truth".to_owned(),
+                title: "Share of pairs registered within 10° of the reference".to_owned(),
                 kind: PlotKind::Bars,
                 x: Axis::linear("method", ""),
                 y: Axis::linear("within 10°", "%"),
@@ -78,7 +78,7 @@ impl Experiment for Registration {
     }
 }
 
-/// The spread of yes and no says nothing beside their share.
+/// The standard deviation of a success rate adds nothing to the rate.
 fn without_spread(mut series: Vec<crate::experiment::document::Series>) -> Vec<crate::experiment::document::Series> {
     for point in series.iter_mut().flat_map(|s| &mut s.points) {
         (point.low, point.high) = (None, None);
@@ -91,8 +91,8 @@ fn finding(kind: &str, group: &Group<'_>) -> Option<String> {
         let n = group.measured(method).len();
         let right = group.mean(method, WITHIN_10.key)? * n as f64;
         let median = group.summary(method, ROTATION.key)?.median;
-        Some(format!("{method} {right:.0} of {n} (median {median:.1}°)"))
+        Some(format!("{method} {right:.0} of {n} (median error {median:.1}°)"))
     };
     let all: Vec<_> = group.configurations().into_iter().filter_map(of).collect();
-    (!all.is_empty()).then(|| format!("Within 10° on {kind} pairs: {}.", all.join(", ")))
+    (!all.is_empty()).then(|| format!("Registered within 10° on {kind} pairs: {}.", all.join(", ")))
 }

@@ -1,4 +1,4 @@
-//! The scale at which curvature is measured.
+//! The scale at which curvature is computed.
 
 use super::{About, Body, Experiment, MATCHED, PARTS, WITHIN_1, match_tables, on, pairs_of, range, sentences};
 use crate::experiment::document::{Axis, Plot, PlotKind};
@@ -38,11 +38,10 @@ impl Experiment for CurvatureScale {
     fn about(&self) -> About {
         About {
             id: "scale",
-            title: "Scale of curvature",
-            question: "At which scale is curvature the best feature, and are several scales better than one?",
-            varied: "The scales of Gaussian curvature K and mean curvature H (the standard deviation, in mm, of the \
-                     smoothing before they are measured; three scales are 1.4, 2.8 and 4.5 mm); without feedback from \
-                     registration.",
+            title: "Curvature scale",
+            question: "At which scale is curvature most discriminative, and are several scales better than one?",
+            varied: "The scales σ of Gaussian curvature K and mean curvature H (heat-flow smoothing of the surface with \
+                     standard deviation σ; the three scales are 1.4, 2.8 and 4.5 mm); clamping is off.",
         }
     }
 
@@ -56,7 +55,7 @@ impl Experiment for CurvatureScale {
         let (synthetic, real) = (results.group(SYNTHETIC), results.group(REAL));
         let mut series = vec![synthetic.series("phantoms, within 1 edge", &WITHIN_1, scale_of)];
         if !real.is_empty() {
-            series.push(real.series("real subjects, parts agree", &PARTS, scale_of));
+            series.push(real.series("different subjects, label agreement", &PARTS, scale_of));
         }
         Body {
             pairs: pairs_of(results, &MATCHED),
@@ -67,7 +66,7 @@ impl Experiment for CurvatureScale {
             notes: study.real_absent().into_iter().collect(),
             tables: match_tables(results, "feature"),
             plots: vec![Plot {
-                title: "Matched vertices by the single scale of Gaussian curvature".to_owned(),
+                title: "Correct match rate and label agreement versus the scale of Gaussian curvature".to_owned(),
                 kind: PlotKind::Lines,
                 x: Axis::linear("scale", "mm"),
                 y: Axis::linear("share of vertices", "%"),

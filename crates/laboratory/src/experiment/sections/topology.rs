@@ -1,4 +1,4 @@
-//! Topology consistency: whether a labeling is a map of surfaces.
+//! Topological consistency: whether a labeling is a continuous map between surfaces.
 
 use super::{About, Body, CONSISTENCY, Experiment, MATCHED, WITHIN_1, on, pairs_of, range, sentences};
 use crate::experiment::document::{Axis, Plot, PlotKind};
@@ -11,9 +11,9 @@ pub(in crate::experiment) struct Topology;
 
 const METRICS: [Metric; 5] = [
     CONSISTENCY,
-    Metric::percent("flipped_share", "triangles flipped"),
-    Metric::percent("degenerate_share", "triangles without area"),
-    Metric::percent("coverage", "target vertices hit"),
+    Metric::percent("flipped_share", "flipped triangles"),
+    Metric::percent("degenerate_share", "degenerate triangles"),
+    Metric::percent("coverage", "coverage of the target"),
     WITHIN_1,
 ];
 
@@ -21,10 +21,10 @@ const METRICS: [Metric; 5] = [
 fn settings() -> Vec<Setting> {
     let free = json!({"mode": "none"});
     vec![
-        ("unary alone".to_owned(), json!({"energy": {"truncation": 1e-6}, "clamping": free})),
+        ("unary terms only".to_owned(), json!({"energy": {"truncation": 1e-6}, "clamping": free})),
         ("one iteration".to_owned(), json!({"inference": {"max_iterations": 1}, "clamping": free})),
         ("no clamping".to_owned(), json!({"clamping": free})),
-        ("no clamping, distances too".to_owned(), json!({"energy": {"beta": 0.5}, "clamping": free})),
+        ("no clamping, β = 0.5".to_owned(), json!({"energy": {"beta": 0.5}, "clamping": free})),
         ("hard clamping".to_owned(), json!({"clamping": {"mode": "hard"}})),
         ("soft clamping".to_owned(), json!({})),
     ]
@@ -34,10 +34,11 @@ impl Experiment for Topology {
     fn about(&self) -> About {
         About {
             id: "topology",
-            title: "Topology consistency",
-            question: "Do neighbours stay neighbours, and do triangles keep their side?",
-            varied: "What holds neighbours together: nothing (truncation 0), one iteration of messages, all iterations, \
-                     differences of distances beside (β = 0.5), hard and soft clamping; two edges count as neighbours.",
+            title: "Topological consistency",
+            question: "Are adjacent vertices mapped to adjacent vertices, and do triangles keep their orientation?",
+            varied: "The regularization: none (truncation 0), one iteration of belief propagation, all iterations, an \
+                     additional distance term (β = 0.5), hard and soft clamping. Vertices within two edges count as \
+                     adjacent.",
         }
     }
 
@@ -50,8 +51,11 @@ impl Experiment for Topology {
 
     fn report(&self, study: &Study<'_>, results: &Results) -> Body {
         let (synthetic, real) = (results.group(SYNTHETIC), results.group(REAL));
-        let kinds =
-            [(SYNTHETIC, "Phantoms"), (REAL, "Different real subjects"), (COPIES, "Real subjects and their copies")];
+        let kinds = [
+            (SYNTHETIC, "Phantoms"),
+            (REAL, "Pairs of different subjects"),
+            (COPIES, "Real subjects and their rotated copies"),
+        ];
         let tables = kinds.iter().filter(|(group, _)| !results.group(group).is_empty());
         Body {
             pairs: pairs_of(results, &MATCHED),
@@ -61,17 +65,17 @@ impl Experiment for Topology {
             ]),
             notes: study.real_absent().into_iter().collect(),
             tables: tables
-                .map(|(group, title)| results.group(group).table(group, title, "what holds neighbours", &METRICS))
+                .map(|(group, title)| results.group(group).table(group, title, "regularization", &METRICS))
                 .collect(),
             plots: vec![Plot {
-                title: "Share of edges kept and of target vertices hit, phantoms".to_owned(),
+                title: "Phantoms: edges preserved and coverage of the target".to_owned(),
                 kind: PlotKind::Bars,
-                x: Axis::linear("what holds neighbours", ""),
+                x: Axis::linear("regularization", ""),
                 y: Axis::linear("share", "%"),
                 categories: synthetic.categories(),
                 series: vec![
-                    synthetic.bars("edges kept", &CONSISTENCY),
-                    synthetic.bars("target vertices hit", &METRICS[3]),
+                    synthetic.bars("edges preserved", &CONSISTENCY),
+                    synthetic.bars("coverage of the target", &METRICS[3]),
                 ],
             }],
         }

@@ -18,8 +18,8 @@ const ITERATIONS: u32 = 5;
 /// Vertices of a phantom with the default edge.
 const DEFAULT_VERTICES: f64 = 2400.0;
 
-const SPARSE: Metric = Metric::number("sparse_ms", "sparse update", "ms an iteration", 1);
-const FULL: Metric = Metric::number("full_ms", "full update", "ms an iteration", 1);
+const SPARSE: Metric = Metric::number("sparse_ms", "sparse update", "ms per iteration", 1);
+const FULL: Metric = Metric::number("full_ms", "full update", "ms per iteration", 1);
 
 fn request(update: &str, product: &str) -> Value {
     json!({
@@ -63,10 +63,10 @@ impl Experiment for Update {
         About {
             id: "update",
             title: "Sparse against full update",
-            question: "Is a message update over neighbouring labels the same as one over all pairs of labels, and what \
+            question: "Is the sparse message update (neighbouring labels only) equivalent to the full one (all label pairs), and what \
                        does it save?",
-            varied: "The update, the product and the size of the surfaces; 5 iterations from flat messages, times of \
-                     inference alone.",
+            varied: "The update, the messages (max- or sum-product) and the number of vertices; 5 iterations from uniform \
+                     messages, time of inference only.",
         }
     }
 
@@ -91,13 +91,13 @@ impl Experiment for Update {
             Metric::number("vertices", "vertices", "", 0),
             SPARSE,
             FULL,
-            Metric::number("ratio", "full over sparse", "×", 1),
-            Metric::percent("equal_labels", "equal labels"),
-            Metric::number("energy_difference", "difference of energies", "", 3),
-            Metric::number("neighbors", "labels in a neighbourhood", "", 1),
+            Metric::number("ratio", "full / sparse", "×", 1),
+            Metric::percent("equal_labels", "identical labels"),
+            Metric::number("energy_difference", "energy difference", "", 3),
+            Metric::number("neighbors", "mean neighbourhood size", "", 1),
             Metric::number("messages_mib", "memory of messages", "MiB", 1),
             Metric::number("neighbors_mib", "memory of neighbourhoods", "MiB", 2),
-            Metric::number("pairs_mib", "a table of all pairs would take", "MiB", 2),
+            Metric::number("pairs_mib", "memory of a full pairwise table", "MiB", 2),
         ];
         let series = |product: &str, metric: &Metric| {
             let of_product =
@@ -109,8 +109,8 @@ impl Experiment for Update {
             let settings = group.configurations();
             let equal = settings.iter().filter_map(|s| group.mean(s, "equal_labels")).fold(f64::INFINITY, f64::min);
             Some(format!(
-                "With {largest}, the sparse update took {:.1} ms an iteration and the full one {:.1} ms, {:.0} times as \
-                 long; in every setting at least {:.2} % of the labels were the same.",
+                "For {largest}, an iteration took {:.1} ms with the sparse update and {:.1} ms with the full one, {:.0} times \
+                 as long; in every setting at least {:.2} % of the labels were identical.",
                 group.mean(largest, "sparse_ms")?,
                 group.mean(largest, "full_ms")?,
                 group.mean(largest, "ratio")?,
@@ -118,18 +118,18 @@ impl Experiment for Update {
             ))
         };
         Body {
-            pairs: format!("{} synthetic pairs of every size", group.cases().len()),
+            pairs: format!("{} synthetic pairs per size", group.cases().len()),
             finding: sentences([finding()]),
             notes: vec![
-                "Both updates keep the same messages and no table of potentials; memory is computed from the sizes."
+                "Both updates store the same messages and no table of potentials; memory is computed from the sizes."
                     .to_owned(),
             ],
-            tables: vec![group.table("sizes", "Time, memory and equality", "update", &metrics)],
+            tables: vec![group.table("sizes", "Time, memory and agreement", "update", &metrics)],
             plots: vec![Plot {
-                title: "Time of an iteration by size".to_owned(),
+                title: "Time per iteration versus number of vertices".to_owned(),
                 kind: PlotKind::Lines,
                 x: Axis::logarithmic("source vertices", ""),
-                y: Axis::logarithmic("time of an iteration", "ms"),
+                y: Axis::logarithmic("time per iteration", "ms"),
                 categories: Vec::new(),
                 series: vec![
                     series("max-product", &SPARSE),

@@ -1,8 +1,8 @@
 //! Time and memory of a match on generated surfaces.
 //!
-//! `make bench` runs this and `kernel.rs` and keeps what they print as a dated record under `benches/records/`. Every
-//! figure is a median over runs with the spread beside it; thread counts are compared within the run, since machines
-//! differ and drift. A word (`large`, `whole`, `template`) runs one part. No test depends on it.
+//! `make bench` runs this and `kernel.rs` and stores their output as a dated record under `benches/records/`. Every
+//! figure is a median over runs with its range; thread counts are compared within one run, since machines differ and
+//! drift. A word (`large`, `whole`, `template`) runs one part. No test depends on it.
 #![allow(clippy::unwrap_used, clippy::print_stdout, missing_docs)]
 
 mod common;
@@ -51,7 +51,7 @@ fn machine() -> String {
 fn main() {
     let cores = std::thread::available_parallelism().map_or(1, usize::from);
     println!("machine: {}", machine());
-    println!("commit: {}", option_env!("HOMOLOG_COMMIT").unwrap_or("unknown"));
+    println!("commit: {}", common::commit());
     let words: Vec<String> = std::env::args().skip(1).filter(|a| !a.starts_with("--")).collect();
     let wanted = |name: &str| words.is_empty() || words.iter().any(|w| w == name);
     if wanted("large") {
@@ -89,8 +89,8 @@ fn whole_match(cores: usize) {
     }
 }
 
-/// `mesh` with every triangle cut in four.
-pub fn cut_in_four(mesh: &SurfaceMesh) -> SurfaceMesh {
+/// `mesh` with every triangle split into four.
+pub(crate) fn split_triangles(mesh: &SurfaceMesh) -> SurfaceMesh {
     let mut vertices = mesh.vertices().to_vec();
     let mut middles = HashMap::new();
     let mut faces = Vec::new();
@@ -107,8 +107,8 @@ pub fn cut_in_four(mesh: &SurfaceMesh) -> SurfaceMesh {
     SurfaceMesh::new(vertices, FaceArity::Triangle, faces).unwrap()
 }
 
-/// The default on surfaces of one shape and ever more vertices, and where its time goes. Peak memory only grows, so small
-/// ones come first.
+/// The default method on one shape with more and more vertices, and the share of each stage. Peak memory never falls, so
+/// small surfaces come first.
 fn large_matches(cores: usize) {
     println!("\n## The default on ever finer surfaces, {cores} threads (median, least, most of 3)\n");
     println!("From files in memory to the result document.\n");
@@ -119,7 +119,7 @@ fn large_matches(cores: usize) {
     let mut stages = Vec::new();
     for level in 0..4 {
         if level > 0 {
-            (source, target) = (cut_in_four(&source), cut_in_four(&target));
+            (source, target) = (split_triangles(&source), split_triangles(&target));
         }
         let files = [write_ply(&source), write_ply(&target)];
         let [of_source, of_target] = files.each_ref().map(|bytes| InputFile { bytes, name: None });

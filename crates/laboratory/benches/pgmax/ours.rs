@@ -1,10 +1,10 @@
-//! Our side of the comparison with PGMax: an energy both minimise, written for it, and the time that we take.
+//! The homolog side of the comparison with PGMax: exports the energy that both minimise, and times its minimisation.
 //!
 //! `export DIR` writes the energy as `.npy`; `measure sparse|full THREADS ITERATIONS` minimises it and prints a row.
-//! `benches/peers/pgmax/run` calls both and then the peer. No test depends on it.
+//! `benches/pgmax/run` calls both and then the peer. No test depends on it.
 #![allow(clippy::unwrap_used, clippy::print_stdout, clippy::panic)]
 
-#[path = "../../common/mod.rs"]
+#[path = "../common/mod.rs"]
 mod common;
 
 use common::{pair, peak_mib, with_threads};

@@ -1,18 +1,18 @@
-//! An iteration of belief propagation against the time below which this machine cannot do it.
+//! Time of an iteration of belief propagation, beside a lower bound on that time for this machine.
 //!
-//! The floor is the longer of two times, both from rates measured in the same run on as many threads:
-//! - every message read once and written once, 8 bytes a value or 4 where messages are stored in 16 bits, at the rate at
-//!   which a plain loop over far more memory than the caches hold reads, changes and writes it in place;
-//! - the operations of a value on numbers that lie in the fastest cache: its maxima, minima and sums at the rate at which
-//!   the cores take maxima, or the products of it and of the messages that go into it at the rate at which they multiply,
-//!   or all of them at the rate at which they do both side by side; again whichever is longer. Not counted: turning
-//!   between rows and lanes, and what scales, floors and damps a message and compares it with the one before (seven
-//!   operations a value).
+//! The lower bound is the longer of two times, both from rates measured in the same run with as many threads:
+//! - memory traffic: every message is read once and written once, 8 bytes per value or 4 where messages are stored in 16
+//!   bits, at the rate at which a plain loop reads, changes and writes an array in place that is far larger than the caches;
+//! - arithmetic on data in the first-level cache: the maxima, minima and sums of a value at the rate of maxima, its
+//!   products (those of the incoming messages included) at the rate of products, or all of them at the rate of both
+//!   together; the longest of the three. Not counted: transposing between rows and lanes, and normalizing, flooring and
+//!   damping a message and comparing it with the one before (seven operations per value).
 //!
-//! Beside it stands what an iteration takes where nothing waits for memory: the same iteration of a patch of the source,
-//! whose messages the caches hold, a value, times the values of the whole.
+//! For comparison, the table also has the time of an iteration that does not wait for memory: the iteration is run on a
+//! patch of the source whose messages fit into the caches, and its time per value is multiplied by the number of values.
 //!
-//! `cargo bench --bench kernel` prints a table for surfaces of 2,300 and 10,000 vertices, which takes 3 GiB.
+//! `cargo bench -p homolog-laboratory --bench kernel` prints a table for surfaces of 2,300 and 10,000 vertices and needs
+//! 3 GiB of memory.
 #![allow(clippy::unwrap_used, clippy::print_stdout, unsafe_code)]
 
 mod common;
@@ -242,8 +242,8 @@ fn measure(surfaces: &[SurfaceMesh; 2], rings: &[usize], threads: usize, size: &
     }
 }
 
-/// Lets [`peak_mib`] begin anew, on Linux; elsewhere it goes on telling the most that the process ever held.
-fn forget_peak() {
+/// Resets the peak that [`peak_mib`] reports, on Linux; elsewhere that stays the peak since the start of the process.
+fn reset_peak() {
     // See proc(5): 5 sets the peak to what is held now.
     let _ = std::fs::write("/proc/self/clear_refs", "5");
 }
@@ -256,7 +256,7 @@ struct Iteration {
 }
 
 fn iteration(model: &MrfModel, product: Product, storage: MessageStorage, runs: usize, iterations: u32) -> Iteration {
-    forget_peak();
+    reset_peak();
     // A tolerance that no change is below: small energies settle to the bit, and would stop.
     let options = BpOptions { product, damping: 0.5, floor: 1e-5, tolerance: -1.0 };
     let mut bp = BeliefPropagation::with_method(model, options, BpMethod { storage, ..BpMethod::default() });
@@ -275,7 +275,7 @@ fn every_pair() {
          |---|---|---|---|---|"
     );
     for edge_mm in [2.2, 1.21] {
-        forget_peak();
+        reset_peak();
         let model = model(&surfaces(edge_mm), 2, 0.5);
         let options = BpOptions { product: Product::Max, damping: 0.5, floor: 1e-5, tolerance: 0.0 };
         let sweep = |update| {
@@ -308,7 +308,7 @@ fn active_labels() {
     let evidence = Evidence { unary: &potentials, bias: None };
     let (n, n_labels) = (parts.variables.n_vertices(), parts.labels.n_labels());
     for active in [64, 128, 256] {
-        forget_peak();
+        reset_peak();
         let sets = ActiveSets {
             initial: active,
             kept: active,

@@ -1,7 +1,7 @@
-//! What keeping prepared surfaces is worth to a study: a template against subjects, with and without.
+//! The time saved by caching prepared surfaces when one template is matched with many subjects.
 
 use crate::common::with_threads;
-use crate::cut_in_four;
+use crate::split_triangles;
 use homolog_contract::parameters::{MatchParameters, resolve};
 use homolog_formats::nifti::write_nifti_gz;
 use homolog_formats::ply::write_ply;
@@ -15,15 +15,15 @@ use std::time::Instant;
 /// The files of the subject of this number and of the template.
 type Inputs = fn(u64) -> [Vec<u8>; 2];
 
-/// Of few vertices and of many.
+/// Number of subjects, for small surfaces and for large ones.
 const N_SUBJECTS: [u64; 2] = [10, 4];
-/// Bytes that are kept, as the service does unless told otherwise.
+/// Size of the cache, bytes: the default of the service.
 const KEPT_BYTES: u64 = 256 << 20;
 
-/// The subject of this number and the template as PLY, every triangle cut in four so many times.
+/// The subject of this number and the template as PLY, every triangle split into four `n_cuts` times.
 fn surfaces(number: u64, n_cuts: u32) -> [Vec<u8>; 2] {
     let meshes = PhantomPair::against_template(number).unwrap().meshes(0.8).unwrap();
-    meshes.map(|mesh| write_ply(&(0..n_cuts).fold(mesh, |mesh, _| cut_in_four(&mesh))))
+    meshes.map(|mesh| write_ply(&(0..n_cuts).fold(mesh, |mesh, _| split_triangles(&mesh))))
 }
 
 /// The same as label volumes with voxels of this size.
@@ -33,15 +33,19 @@ fn volumes(number: u64, voxel_mm: f64) -> [Vec<u8>; 2] {
     volumes.map(|volume| write_nifti_gz(&volume.into_label_volume().unwrap()))
 }
 
-/// On one thread, as matches of a batch run in the service: on two the other surface is prepared meanwhile.
-pub fn template() {
+/// On one thread, as the service runs the matches of a batch; with two, both surfaces would be prepared in parallel.
+pub(crate) fn template() {
     println!(
-        "\n## A template against {} subjects ({} of the largest), prepared surfaces kept or not, one thread\n",
+        "\n## A template against {} subjects ({} of the largest), with and without a cache of prepared surfaces, one thread\n",
         N_SUBJECTS[0], N_SUBJECTS[1]
     );
-    println!("From files in memory to the result document. Every match runs both ways in turn; sums, the ratio of the");
-    println!("sums, and the least, the median and the most of the ratios of the matches.\n");
-    println!("| inputs | vertices | method | anew s | kept s | kept / anew | least | median | most | kept MiB |");
+    println!(
+        "From files in memory to the result document. Every match runs without and with the cache; totals, their ratio,"
+    );
+    println!("and the minimum, median and maximum of the ratios of single matches.\n");
+    println!(
+        "| inputs | vertices | method | uncached s | cached s | cached / uncached | min | median | max | cache MiB |"
+    );
     println!("|---|---|---|---|---|---|---|---|---|---|");
     let sets: [(&str, u64, Inputs); 4] = [
         ("meshes", N_SUBJECTS[0], |number| surfaces(number, 0)),
@@ -49,7 +53,7 @@ pub fn template() {
         ("label volumes, 0.5 mm", N_SUBJECTS[0], |number| volumes(number, 0.5)),
         ("meshes", N_SUBJECTS[1], |number| surfaces(number, 2)),
     ];
-    // Made one after another: those of large surfaces take memory.
+    // One set at a time: large surfaces take much memory.
     for (inputs, n_subjects, of) in sets {
         let files: Vec<_> = (0..n_subjects).map(of).collect();
         for method in ["rigid", "balanced"] {
@@ -60,13 +64,13 @@ pub fn template() {
 
 fn row(inputs: &str, files: &[[Vec<u8>; 2]], method: &str) {
     let parameters: MatchParameters = resolve(&json!({"method": method})).unwrap();
-    let (kept, anew) = (SurfaceCache::new(KEPT_BYTES), SurfaceCache::none());
+    let (cached, uncached) = (SurfaceCache::new(KEPT_BYTES), SurfaceCache::none());
     let mut seconds = [0.0, 0.0];
     let mut ratios = Vec::new();
     let mut n_vertices = 0;
     for pair in files {
         let [source, target] = pair.each_ref().map(|bytes| InputFile { bytes, name: None });
-        let taken = [&anew, &kept].map(|surfaces| {
+        let taken = [&uncached, &cached].map(|surfaces| {
             let began = Instant::now();
             let run = || run_match_with(surfaces, source, target, &parameters, &IntakeLimits::default(), &Silent);
             n_vertices = with_threads(1, run).unwrap().document.provenance.target.n_vertices;
@@ -84,6 +88,6 @@ fn row(inputs: &str, files: &[[Vec<u8>; 2]], method: &str) {
         ratios[0],
         ratios[ratios.len() / 2],
         ratios[ratios.len() - 1],
-        kept.bytes() as f64 / (1 << 20) as f64
+        cached.bytes() as f64 / (1 << 20) as f64
     );
 }

@@ -19,6 +19,7 @@ use std::f64::consts::TAU;
 ///
 /// # Panics
 /// If a half axis is not finite.
+#[allow(clippy::unwrap_used)] // the faces are valid for any finite half axes
 pub fn ellipsoid(axes: Vector3<f64>, levels: u32) -> SurfaceMesh {
     let g = (1.0 + 5.0f64.sqrt()) / 2.0;
     let mut vertices: Vec<Vector3<f64>> = Vec::new();
@@ -61,6 +62,7 @@ pub fn ellipsoid(axes: Vector3<f64>, levels: u32) -> SurfaceMesh {
 ///
 /// # Panics
 /// If a radius is not finite, or `around` or `across` is less than 3.
+#[allow(clippy::unwrap_used)] // the faces are valid for any finite radii and enough quads
 pub fn torus(radius: f64, tube: f64, around: u32, across: u32, arity: FaceArity) -> SurfaceMesh {
     let mut vertices = Vec::new();
     let mut indices = Vec::new();

@@ -90,7 +90,7 @@ fn whole_match(cores: usize) {
 }
 
 /// `mesh` with every triangle split into four.
-pub fn split_triangles(mesh: &SurfaceMesh) -> SurfaceMesh {
+pub(crate) fn split_triangles(mesh: &SurfaceMesh) -> SurfaceMesh {
     let mut vertices = mesh.vertices().to_vec();
     let mut middles = HashMap::new();
     let mut faces = Vec::new();

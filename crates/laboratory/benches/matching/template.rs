@@ -48,7 +48,7 @@ fn volumes(seed: u64, voxel_mm: f64) -> [Vec<u8>; 2] {
 }
 
 /// On one thread, as the service runs the matches of a batch; with two, both surfaces would be prepared in parallel.
-pub fn template() {
+pub(crate) fn template() {
     println!(
         "\n## A template against {} subjects ({} of the largest), with and without a cache of prepared surfaces, one thread\n",
         N_SUBJECTS[0], N_SUBJECTS[1]

@@ -163,17 +163,11 @@ fn agreement(volumes: &[Vec<u8>]) -> f64 {
     mean
 }
 
-/// Phantoms are shaped roughly like hippocampi, but not like those of the training, so no border is predicted on them.
+/// A phantom that is close enough to the training to be taken for a hippocampus.
 #[test]
-fn phantoms_are_too_far_from_the_training_for_a_border() {
-    let input = preset(Method::Balanced).input;
-    for name in ["subject-1.nii.gz", "subject-2.nii.gz"] {
-        let bytes = fixtures::fixture(name);
-        let mesh = prepare_surface(&bytes, None, &input, &IntakeLimits::default()).unwrap().mesh;
-        let sections = Sections::new(&mesh).unwrap();
-        let distances = ORIENTATIONS.map(|signs| Reading::new(&sections, signs).distance);
-        assert!(distances.iter().all(|d| *d > MAX_DISTANCE), "{name}: {distances:?}");
-    }
+fn the_border_of_a_phantom_is_near_where_its_parts_meet() {
+    let mean = agreement(&[fixtures::fixture("subject-1.nii.gz")]);
+    assert!(mean > 0.9, "{mean}");
 }
 
 mod real_data {

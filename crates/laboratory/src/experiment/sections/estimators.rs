@@ -113,7 +113,7 @@ const KINDS: [&str; 6] = [
     "collinear points",
     "coincident points",
     "two pairs only",
-    "a NaN coordinate",
+    "a non-finite coordinate",
     "coplanar points",
     "a reflected copy",
 ];
@@ -137,7 +137,7 @@ fn degenerate(kind: &str, surface: &[Point3<f64>], seed: u64) -> (Vec<Point3<f64
         problem.source.truncate(2);
         problem.target.truncate(2);
     }
-    if kind == "a NaN coordinate" {
+    if kind == "a non-finite coordinate" {
         problem.target[1].y = f64::NAN;
     }
     (problem.source, problem.target)

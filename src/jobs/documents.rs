@@ -4,4 +4,4 @@
 pub use homolog_contract::parameters::MatchParameters;
 pub use homolog_contract::result::{Correspondences, ResultDocument, TransformDocument};
 pub use homolog_mesh::topology::TopologyReport;
-pub use homolog_run::intake::InputReport;
+pub use homolog_contract::input::InputReport;

@@ -7,7 +7,7 @@
 use crate::cli::{homolog, read_json};
 use base64::Engine as _;
 use homolog::jobs::engine::Product;
-use homolog::jobs::{ArtifactKind, ComputeTask, Engine, PartFormat, ResultPart};
+use homolog::jobs::{ArtifactKind, ComputeInputs, Engine, PartFormat, ResultPart};
 use homolog::worker::match_engine::MatchEngine;
 use homolog::worker::presentation::NO_TARGET;
 use homolog_contract::result::{Correspondences, ResultDocument};
@@ -205,9 +205,9 @@ fn engine() -> MatchEngine {
 }
 
 fn matched(source: Vec<u8>, target: Vec<u8>, request: &Value) -> Stored {
-    let parameters = engine().resolve(request).unwrap().parameters;
-    let task = ComputeTask { parameters, source, source_hint: None, target, target_hint: None };
-    let products = engine().compute(&task, &Silent).unwrap();
+    let computation = engine().resolve(request).unwrap().computation;
+    let inputs = ComputeInputs { source, source_hint: None, target, target_hint: None };
+    let products = computation.compute(&inputs, &Silent).unwrap();
     let of = |kind| products.iter().find(|p: &&Product| p.kind == kind).unwrap().bytes.clone();
     let document = serde_json::from_slice(&of(ArtifactKind::Result)).unwrap();
     let columns = serde_json::from_slice(&of(ArtifactKind::Correspondences)).unwrap();

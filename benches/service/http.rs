@@ -17,19 +17,19 @@ const POLLERS: u64 = 50;
 const POLL: Duration = Duration::from_millis(200);
 
 /// A connection that stays open. As thin as can be: it shares the cores with the service that it measures.
-pub struct Client {
+pub(crate) struct Client {
     stream: BufReader<TcpStream>,
 }
 
 impl Client {
-    pub async fn connect(address: &str) -> Self {
+    pub(crate) async fn connect(address: &str) -> Self {
         let stream = TcpStream::connect(address).await.unwrap();
         stream.set_nodelay(true).unwrap();
         Client { stream: BufReader::new(stream) }
     }
 
     /// Asks, and returns status and body.
-    pub async fn ask(&mut self, method: &str, path: &str, media_type: &str, body: &[u8]) -> (u16, Vec<u8>) {
+    pub(crate) async fn ask(&mut self, method: &str, path: &str, media_type: &str, body: &[u8]) -> (u16, Vec<u8>) {
         let mut request = head(method, path, media_type, body.len() as u64);
         request.extend_from_slice(body);
         self.stream.write_all(&request).await.unwrap();
@@ -40,7 +40,7 @@ impl Client {
     }
 
     /// Sends `n` times `part`.
-    pub async fn send_parts(&mut self, path: &str, part: &[u8], n: u64) -> (u16, Vec<u8>) {
+    pub(crate) async fn send_parts(&mut self, path: &str, part: &[u8], n: u64) -> (u16, Vec<u8>) {
         let request = head("POST", path, "application/octet-stream", part.len() as u64 * n);
         self.stream.write_all(&request).await.unwrap();
         for _ in 0..n {
@@ -82,7 +82,7 @@ impl Client {
     }
 
     /// Submits a job that is computed in any case, and returns it when it has ended, as soon as the service says so.
-    pub async fn submit_and_wait(&mut self, source: &[u8], target: &[u8], parameters: &Value) -> Value {
+    pub(crate) async fn submit_and_wait(&mut self, source: &[u8], target: &[u8], parameters: &Value) -> Value {
         let mut body = Vec::new();
         for (name, file, content) in [
             ("source", "; filename=\"s.ply\"", source),
@@ -129,7 +129,7 @@ fn head(method: &str, path: &str, media_type: &str, length: u64) -> Vec<u8> {
     (head + "\r\n").into_bytes()
 }
 
-pub async fn submissions(scale: Scale) {
+pub(crate) async fn submissions(scale: Scale) {
     println!("\n## Durable submissions over HTTP\n");
     println!(
         "`POST /v1/jobs` as a form of two files of 20 bytes, {CLIENTS} clients, {:?} each; files in a",
@@ -171,7 +171,7 @@ pub async fn submissions(scale: Scale) {
     }
 }
 
-pub async fn polling(scale: Scale) {
+pub(crate) async fn polling(scale: Scale) {
     println!("\n## Polling while all cores compute\n");
     println!(
         "`GET /v1/jobs/{{id}}` of one job by {POLLERS} clients, each every {POLL:?}, over {:?}, on",
@@ -236,7 +236,7 @@ pub async fn polling(scale: Scale) {
     }
 }
 
-pub async fn followers(scale: Scale) {
+pub(crate) async fn followers(scale: Scale) {
     let points = scale.pick(10, 200);
     println!("\n## Followers of one job\n");
     println!(

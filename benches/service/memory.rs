@@ -7,7 +7,7 @@ use crate::place::Place;
 use crate::s3::S3Server;
 use std::time::{Duration, Instant};
 
-pub async fn idle(scale: Scale) {
+pub(crate) async fn idle(scale: Scale) {
     println!("\n## Memory of an idle `homolog serve`\n");
     println!(
         "VmRSS of the process {:?} after its start, and after every page of its documents was read.\n",
@@ -32,7 +32,7 @@ fn wait(scale: Scale) -> Duration {
     scale.pick(Duration::from_millis(500), Duration::from_secs(10))
 }
 
-pub async fn upload(scale: Scale) {
+pub(crate) async fn upload(scale: Scale) {
     let mib = scale.pick(20, 200);
     println!("\n## An upload of {mib} MiB\n");
     println!(

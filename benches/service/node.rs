@@ -19,10 +19,10 @@ use std::time::{Duration, Instant};
 /// Set in a process that is a node.
 const IS_NODE: &str = "SERVICE_BENCH_NODE";
 /// Threads that compute beside the service, at the priority of all other threads.
-pub const SPINNERS: &str = "SERVICE_BENCH_SPINNERS";
+pub(crate) const SPINNERS: &str = "SERVICE_BENCH_SPINNERS";
 
 /// A process of the service; killed when dropped.
-pub struct Node {
+pub(crate) struct Node {
     process: Child,
     /// `127.0.0.1:port`.
     pub address: String,
@@ -30,14 +30,14 @@ pub struct Node {
 
 impl Node {
     /// This program, with the engine below.
-    pub fn start(environment: &[(&'static str, String)]) -> Self {
+    pub(crate) fn start(environment: &[(&'static str, String)]) -> Self {
         let mut command = Command::new(std::env::current_exe().unwrap());
         command.env(IS_NODE, "1");
         Node::spawn(command, environment)
     }
 
     /// `homolog serve`.
-    pub fn program(environment: &[(&'static str, String)]) -> Self {
+    pub(crate) fn program(environment: &[(&'static str, String)]) -> Self {
         // The kernel ends it with this process, also when that is killed.
         let mut command = Command::new("setpriv");
         command.args(["--pdeathsig", "KILL", "--", env!("CARGO_BIN_EXE_homolog"), "serve"]);
@@ -60,7 +60,7 @@ impl Node {
     }
 
     /// A line of `/proc/<pid>/status` in kB, as MiB.
-    pub fn status_mib(&self, name: &str) -> f64 {
+    pub(crate) fn status_mib(&self, name: &str) -> f64 {
         let status = std::fs::read_to_string(format!("/proc/{}/status", self.process.id())).unwrap();
         let line = status.lines().find(|l| l.starts_with(&format!("{name}:"))).unwrap();
         line.split_whitespace().nth(1).unwrap().parse::<f64>().unwrap() / 1024.0
@@ -75,7 +75,7 @@ impl Drop for Node {
 }
 
 /// Whether this process is to be a node.
-pub fn is_wanted() -> bool {
+pub(crate) fn is_wanted() -> bool {
     std::env::var_os(IS_NODE).is_some()
 }
 
@@ -88,7 +88,7 @@ struct Arguments {
 }
 
 /// As `homolog serve`, with the engine below.
-pub fn run() {
+pub(crate) fn run() {
     rustix::process::set_parent_process_death_signal(Some(Signal::KILL)).unwrap();
     homolog::tls::prepare();
     let Arguments { http, service } = clap::Parser::parse_from(["node"]);

@@ -9,7 +9,7 @@ use crate::{Latencies, Scale};
 use serde_json::{Value, json};
 use std::time::Instant;
 
-pub async fn overhead(scale: Scale) {
+pub(crate) async fn overhead(scale: Scale) {
     println!("\n## Overhead of the service over the command line\n");
     println!(
         "`homolog match --out` against `POST /v1/jobs` of the same two files with `Prefer: wait=30`, an empty queue,"

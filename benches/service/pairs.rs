@@ -13,12 +13,12 @@ const VERTICES_MM2: f64 = 1_480.0;
 const PAGE: usize = 500;
 
 /// Parameters of the matches; the service's defaults unless the environment says otherwise.
-pub fn parameters() -> Value {
+pub(crate) fn parameters() -> Value {
     std::env::var("SERVICE_BENCH_PARAMETERS").map_or_else(|_| json!({}), |text| serde_json::from_str(&text).unwrap())
 }
 
 /// Says which parameters those are.
-pub fn say_parameters() {
+pub(crate) fn say_parameters() {
     match parameters() {
         Value::Object(none) if none.is_empty() => println!("Default parameters.\n"),
         told => println!("Parameters: `{told}`.\n"),
@@ -26,12 +26,12 @@ pub fn say_parameters() {
 }
 
 /// Source and target, two subjects of about `n_vertices` each in different poses, as PLY.
-pub fn pair(n_vertices: usize) -> [Vec<u8>; 2] {
+pub(crate) fn pair(n_vertices: usize) -> [Vec<u8>; 2] {
     subject(1, n_vertices)
 }
 
 /// The subject of this number and the template, which is the same for all, as PLY.
-pub fn subject(number: u64, n_vertices: usize) -> [Vec<u8>; 2] {
+pub(crate) fn subject(number: u64, n_vertices: usize) -> [Vec<u8>; 2] {
     let edge_mm = (VERTICES_MM2 / n_vertices as f64).sqrt();
     let meshes = PhantomPair::against_template(number).unwrap().meshes(edge_mm).unwrap();
     meshes.map(|mesh| write_ply(&mesh))
@@ -39,7 +39,7 @@ pub fn subject(number: u64, n_vertices: usize) -> [Vec<u8>; 2] {
 
 /// When a job was accepted, began and ended, and how large it was.
 #[derive(Debug, Clone, Copy)]
-pub struct Times {
+pub(crate) struct Times {
     pub created: Timestamp,
     pub started: Timestamp,
     pub finished: Timestamp,
@@ -47,24 +47,24 @@ pub struct Times {
 }
 
 impl Times {
-    pub fn waited_s(&self) -> f64 {
+    pub(crate) fn waited_s(&self) -> f64 {
         self.started.duration_since(self.created).as_secs_f64()
     }
 
-    pub fn ran_s(&self) -> f64 {
+    pub(crate) fn ran_s(&self) -> f64 {
         self.finished.duration_since(self.started).as_secs_f64()
     }
 }
 
 /// From the first acceptance to the last end, s.
-pub fn makespan_s(times: &[Times]) -> f64 {
+pub(crate) fn makespan_s(times: &[Times]) -> f64 {
     let began = times.iter().map(|t| t.created).min().unwrap();
     let ended = times.iter().map(|t| t.finished).max().unwrap();
     ended.duration_since(began).as_secs_f64()
 }
 
 /// Uploads a surface and returns its id.
-pub async fn upload(client: &mut Client, ply: &[u8]) -> String {
+pub(crate) async fn upload(client: &mut Client, ply: &[u8]) -> String {
     let path = "/v1/meshes?file_name=s.ply";
     let (status, body) = client.ask("POST", path, "application/octet-stream", ply).await;
     assert!(status == 200 || status == 201, "{}", String::from_utf8_lossy(&body));
@@ -72,7 +72,7 @@ pub async fn upload(client: &mut Client, ply: &[u8]) -> String {
 }
 
 /// Submits a batch, returns when all of its jobs have ended, and says when each did what.
-pub async fn run_batch(client: &mut Client, batch: &Value) -> Vec<Times> {
+pub(crate) async fn run_batch(client: &mut Client, batch: &Value) -> Vec<Times> {
     let (status, body) = client.ask("POST", "/v1/batches", "application/json", batch.to_string().as_bytes()).await;
     let answer: Value = serde_json::from_slice(&body).unwrap();
     assert!((200..300).contains(&status), "{answer}");

@@ -9,43 +9,43 @@ use std::time::Duration;
 use tempfile::TempDir;
 
 /// A database and a folder, empty at first and gone when dropped.
-pub struct Place {
+pub(crate) struct Place {
     folder: TempDir,
     pub cluster: Option<Cluster>,
 }
 
 impl Place {
-    pub fn sqlite() -> Self {
+    pub(crate) fn sqlite() -> Self {
         let folder = tempfile::tempdir().unwrap();
         std::fs::create_dir(folder.path().join("data")).unwrap();
         Place { folder, cluster: None }
     }
 
     /// `None` without PostgreSQL, which is said.
-    pub fn postgres() -> Option<Self> {
+    pub(crate) fn postgres() -> Option<Self> {
         let cluster = Cluster::start().inspect_err(|reason| println!("no rows of PostgreSQL: {reason}")).ok()?;
         Some(Place { cluster: Some(cluster), ..Place::sqlite() })
     }
 
     /// One of each kind that this machine can have.
-    pub fn all() -> Vec<Place> {
+    pub(crate) fn all() -> Vec<Place> {
         std::iter::once(Place::sqlite()).chain(Place::postgres()).collect()
     }
 
-    pub fn name(&self) -> &'static str {
+    pub(crate) fn name(&self) -> &'static str {
         if self.cluster.is_some() { "PostgreSQL" } else { "SQLite" }
     }
 
-    pub fn is_postgres(&self) -> bool {
+    pub(crate) fn is_postgres(&self) -> bool {
         self.cluster.is_some()
     }
 
-    pub fn data_dir(&self) -> PathBuf {
+    pub(crate) fn data_dir(&self) -> PathBuf {
         self.folder.path().join("data")
     }
 
     /// What a process of the service has to be told.
-    pub fn environment(&self) -> Vec<(&'static str, String)> {
+    pub(crate) fn environment(&self) -> Vec<(&'static str, String)> {
         let mut environment = vec![
             ("HOMOLOG_LISTEN", "127.0.0.1:0".to_owned()),
             ("HOMOLOG_DATA_DIR", self.data_dir().to_str().unwrap().to_owned()),
@@ -55,7 +55,7 @@ impl Place {
     }
 
     /// The store, with as many connections as the service has by default.
-    pub async fn store(&self) -> SqlStore {
+    pub(crate) async fn store(&self) -> SqlStore {
         let location = match &self.cluster {
             None => DatabaseLocation::Folder(self.data_dir()),
             Some(cluster) => DatabaseLocation::Postgres { url: cluster.url(), max_connections: 8, notify: true },
@@ -68,7 +68,7 @@ impl Place {
     }
 
     /// The database past the store.
-    pub async fn database(&self) -> Database {
+    pub(crate) async fn database(&self) -> Database {
         match &self.cluster {
             Some(cluster) => Database::Postgres(PgPool::connect(&cluster.url()).await.unwrap()),
             None => {
@@ -83,13 +83,13 @@ impl Place {
 }
 
 /// A database past the store.
-pub enum Database {
+pub(crate) enum Database {
     Sqlite(SqlitePool),
     Postgres(PgPool),
 }
 
 impl Database {
-    pub async fn execute(&self, text: &str) {
+    pub(crate) async fn execute(&self, text: &str) {
         let text = AssertSqlSafe(text.to_owned());
         match self {
             Database::Sqlite(pool) => drop(sqlx::raw_sql(text).execute(pool).await.unwrap()),
@@ -97,7 +97,7 @@ impl Database {
         }
     }
 
-    pub async fn number(&self, text: &str) -> i64 {
+    pub(crate) async fn number(&self, text: &str) -> i64 {
         let text = AssertSqlSafe(text.to_owned());
         match self {
             Database::Sqlite(pool) => sqlx::query_scalar(text).fetch_one(pool).await.unwrap(),
@@ -107,7 +107,7 @@ impl Database {
 }
 
 /// A thousand followers are a thousand sockets.
-pub fn allow_many_files() {
+pub(crate) fn allow_many_files() {
     use rustix::process::{Resource, getrlimit, setrlimit};
     let mut limit = getrlimit(Resource::Nofile);
     limit.current = limit.maximum.map(|most| most.min(65_536)).or(Some(65_536));

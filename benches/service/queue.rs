@@ -20,7 +20,7 @@ const WORKERS: usize = 8;
 const MAX_QUEUE: u32 = 1_000;
 
 /// A job with a label, of a tenant.
-pub fn new_job(tenant: &Tenant, priority: i32, label: &str) -> NewJob {
+pub(crate) fn new_job(tenant: &Tenant, priority: i32, label: &str) -> NewJob {
     let input = |hash: char| JobInput {
         hash: hash.to_string().repeat(64),
         n_bytes: 1,
@@ -52,12 +52,12 @@ pub fn new_job(tenant: &Tenant, priority: i32, label: &str) -> NewJob {
 }
 
 /// What surrounds a submission.
-pub fn admission() -> Admission {
+pub(crate) fn admission() -> Admission {
     Admission { max_queued: MAX_QUEUE, holder: String::new(), keep_result: None, once: None }
 }
 
 /// A success with a result.
-pub fn outcome(tenant: &Tenant) -> Outcome {
+pub(crate) fn outcome(tenant: &Tenant) -> Outcome {
     let key = ArtifactKey::of_hash(tenant, &"c".repeat(64)).unwrap();
     Outcome::Succeeded(vec![ArtifactRef { kind: ArtifactKind::Result, key, n_bytes: 1 }])
 }
@@ -80,7 +80,7 @@ fn flushes_per_second(scale: Scale) -> f64 {
     n as f64 / began.elapsed().as_secs_f64()
 }
 
-pub async fn submissions(scale: Scale) {
+pub(crate) async fn submissions(scale: Scale) {
     println!("\n## Durable submissions at the store\n");
     println!(
         "`JobQueue, JobReader, JobWriter::insert`, each its own transaction; {:?} each. Floor: the same disk takes",
@@ -125,7 +125,7 @@ async fn insert_for(
     (all.count() as f64 / began.elapsed().as_secs_f64(), all)
 }
 
-pub async fn claims(scale: Scale) {
+pub(crate) async fn claims(scale: Scale) {
     println!("\n## Claims with {WORKERS} workers\n");
     println!(
         "Claim and finish with a result, until the queue is empty. Floor: {:.0} flushes per second,",

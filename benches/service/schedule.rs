@@ -15,10 +15,10 @@ const MIDDLE: usize = 2_500;
 const LARGE: usize = 10_000;
 
 /// The parts of this comparison, a workload each.
-pub const PARTS: [&str; 3] = ["schedule-small", "schedule-middle", "schedule-mixed"];
+pub(crate) const PARTS: [&str; 3] = ["schedule-small", "schedule-middle", "schedule-mixed"];
 
 /// Jobs to run, by the vertices of their surfaces, in the order of the queue.
-pub struct Workload {
+pub(crate) struct Workload {
     name: &'static str,
     jobs: Vec<usize>,
 }
@@ -30,7 +30,7 @@ fn count(scale: Scale, full: usize) -> usize {
 }
 
 /// The workload of a part.
-pub fn workload(part: &str, scale: Scale) -> Workload {
+pub(crate) fn workload(part: &str, scale: Scale) -> Workload {
     match part {
         "schedule-small" => Workload { name: "small pairs", jobs: vec![SMALL; count(scale, 40)] },
         "schedule-middle" => {
@@ -46,7 +46,7 @@ pub fn workload(part: &str, scale: Scale) -> Workload {
 }
 
 /// What one more core is worth to a match that is alone: what the prediction of cores rests on.
-pub fn gains(scale: Scale) {
+pub(crate) fn gains(scale: Scale) {
     println!("\n## One match on one core and on all\n");
     println!("`homolog match`, median of the runs, reading and writing included.");
     pairs::say_parameters();
@@ -66,7 +66,7 @@ pub fn gains(scale: Scale) {
 }
 
 /// Files of a pair in a folder.
-pub fn write_pair(folder: &std::path::Path, pair: [Vec<u8>; 2]) -> [std::path::PathBuf; 2] {
+pub(crate) fn write_pair(folder: &std::path::Path, pair: [Vec<u8>; 2]) -> [std::path::PathBuf; 2] {
     let files = ["source.ply", "target.ply"].map(|name| folder.join(name));
     for (file, ply) in files.iter().zip(pair) {
         std::fs::write(file, ply).unwrap();
@@ -75,7 +75,7 @@ pub fn write_pair(folder: &std::path::Path, pair: [Vec<u8>; 2]) -> [std::path::P
 }
 
 /// Seconds of a `homolog match`; "0" threads are all that there are.
-pub fn timed_match(files: &[std::path::PathBuf; 2], out: &std::path::Path, threads: &str) -> f64 {
+pub(crate) fn timed_match(files: &[std::path::PathBuf; 2], out: &std::path::Path, threads: &str) -> f64 {
     let mut command = Command::new(env!("CARGO_BIN_EXE_homolog"));
     let stated = out.with_extension("json");
     std::fs::write(&stated, parameters().to_string()).unwrap();
@@ -88,7 +88,7 @@ pub fn timed_match(files: &[std::path::PathBuf; 2], out: &std::path::Path, threa
 }
 
 /// Prints what the rows of the workloads mean.
-pub fn explain() {
+pub(crate) fn explain() {
     println!("\n## Jobs an hour by how cores are shared\n");
     println!(
         "A batch over uploads, from its acceptance to the end of its last job. \"One after another\": one worker,"
@@ -103,7 +103,7 @@ pub fn explain() {
 }
 
 /// Rows of one workload.
-pub async fn compare(workload: &Workload) {
+pub(crate) async fn compare(workload: &Workload) {
     let cores = std::thread::available_parallelism().map_or(1, usize::from).to_string();
     let ways = [("one after another", Some("1")), ("side by side", Some(cores.as_str())), ("by prediction", None)];
     for (way, workers) in ways {
@@ -144,7 +144,7 @@ fn row(workload: &Workload, way: &str, times: &[Times], most_mib: f64) {
 }
 
 /// Pairs an hour of a template against many subjects, prepared surfaces kept between jobs or not.
-pub async fn template(scale: Scale) {
+pub(crate) async fn template(scale: Scale) {
     let (n_subjects, n_vertices) = (count(scale, 100), scale.pick(SMALL, MIDDLE));
     println!("\n## A template against {n_subjects} subjects\n");
     println!(

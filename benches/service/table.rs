@@ -12,7 +12,7 @@ const LEASE: Duration = Duration::from_secs(60);
 const COLUMNS: &str = "method, method_version, parameters, source, target, labels, max_attempts, attempt, lease_epoch, \
                        started_at, finished_at, cached, cancel_requested, crashes";
 
-pub async fn latencies(scale: Scale) {
+pub(crate) async fn latencies(scale: Scale) {
     let (sizes, repeats): (&[u64], usize) =
         scale.pick((&[1_000, 2_000], 5), (&[1_000, 10_000, 100_000, 1_000_000], 100));
     println!("\n## Latency by the number of jobs in the table, ms\n");

@@ -20,7 +20,7 @@ const KEYS: [&str; 9] = ["points", "step_ms", "fail", "panic", "abort", "deaf", 
 
 /// Does what the parameters say.
 #[derive(Debug, Default)]
-pub struct ObedientEngine {
+pub(crate) struct ObedientEngine {
     /// Number of computations.
     pub computed: Arc<AtomicU32>,
     /// Number of stored jobs whose parameters were read.
@@ -164,7 +164,7 @@ struct Arguments {
 }
 
 /// A service in this process.
-pub struct TestService {
+pub(crate) struct TestService {
     pub base: String,
     pub client: reqwest::Client,
     pub engine: Arc<ObedientEngine>,
@@ -174,23 +174,27 @@ pub struct TestService {
 }
 
 /// A process that only runs jobs, within this one.
-pub struct WorkerProcess {
+pub(crate) struct WorkerProcess {
     pub shutdown: Shutdown,
     pub engine: Arc<ObedientEngine>,
     pub running: tokio::task::JoinHandle<()>,
 }
 
 impl TestService {
-    pub async fn start(more: &[&str]) -> Self {
+    pub(crate) async fn start(more: &[&str]) -> Self {
         TestService::start_in(Arc::new(tempfile::tempdir().unwrap()), more).await
     }
 
-    pub async fn start_in(folder: Arc<tempfile::TempDir>, more: &[&str]) -> Self {
+    pub(crate) async fn start_in(folder: Arc<tempfile::TempDir>, more: &[&str]) -> Self {
         TestService::start_with(folder, more, None).await
     }
 
     /// With another engine than the obedient one, which then only stands by.
-    pub async fn start_with(folder: Arc<tempfile::TempDir>, more: &[&str], other: Option<Arc<dyn Engine>>) -> Self {
+    pub(crate) async fn start_with(
+        folder: Arc<tempfile::TempDir>,
+        more: &[&str],
+        other: Option<Arc<dyn Engine>>,
+    ) -> Self {
         let data_dir = folder.path().to_str().unwrap().to_owned();
         let mut arguments = vec!["test", "--data-dir", &data_dir, "--poll-ms", "20"];
         if !more.contains(&"--listen") {
@@ -210,7 +214,7 @@ impl TestService {
     }
 
     /// Another process on the same folder that runs jobs and answers nobody.
-    pub async fn worker(&self, more: &[&str]) -> WorkerProcess {
+    pub(crate) async fn worker(&self, more: &[&str]) -> WorkerProcess {
         let data_dir = self.folder.path().to_str().unwrap().to_owned();
         let Arguments { service, .. } = clap::Parser::parse_from(["test", "--data-dir", &data_dir].iter().chain(more));
         let (shutdown, engine) = (Shutdown::default(), Arc::new(ObedientEngine::default()));
@@ -221,42 +225,42 @@ impl TestService {
     }
 
     /// Ends as after a signal; the folder stays with who holds it.
-    pub async fn end(self) -> Arc<tempfile::TempDir> {
+    pub(crate) async fn end(self) -> Arc<tempfile::TempDir> {
         self.shutdown.stop.cancel();
         self.shutdown.give_back.cancel();
         self.running.await.unwrap();
         self.folder
     }
 
-    pub async fn get(&self, path: &str) -> reqwest::Response {
+    pub(crate) async fn get(&self, path: &str) -> reqwest::Response {
         self.client.get(format!("{}{path}", self.base)).send().await.unwrap()
     }
 
-    pub async fn json(&self, path: &str) -> Value {
+    pub(crate) async fn json(&self, path: &str) -> Value {
         self.get(path).await.json().await.unwrap()
     }
 
-    pub async fn post(&self, path: &str) -> reqwest::Response {
+    pub(crate) async fn post(&self, path: &str) -> reqwest::Response {
         self.client.post(format!("{}{path}", self.base)).send().await.unwrap()
     }
 
-    pub async fn delete(&self, path: &str) -> reqwest::Response {
+    pub(crate) async fn delete(&self, path: &str) -> reqwest::Response {
         self.client.delete(format!("{}{path}", self.base)).send().await.unwrap()
     }
 
-    pub async fn send(&self, form: Form) -> reqwest::Response {
+    pub(crate) async fn send(&self, form: Form) -> reqwest::Response {
         self.client.post(format!("{}/v1/jobs", self.base)).multipart(form).send().await.unwrap()
     }
 
     /// Submits and returns the id.
-    pub async fn submit(&self, parameters: Value) -> String {
+    pub(crate) async fn submit(&self, parameters: Value) -> String {
         let response = self.send(form("source", "target", &parameters)).await;
         assert_eq!(response.status(), 202, "{}", response.text().await.unwrap());
         response.json::<Value>().await.unwrap()["id"].as_str().unwrap().to_owned()
     }
 
     /// The job once `done` says so.
-    pub async fn until(&self, id: &str, done: impl Fn(&Value) -> bool) -> Value {
+    pub(crate) async fn until(&self, id: &str, done: impl Fn(&Value) -> bool) -> Value {
         let began = Instant::now();
         loop {
             let job = self.json(&format!("/v1/jobs/{id}")).await;
@@ -268,17 +272,17 @@ impl TestService {
         }
     }
 
-    pub async fn until_final(&self, id: &str) -> Value {
+    pub(crate) async fn until_final(&self, id: &str) -> Value {
         self.until(id, |job| !["queued", "running"].contains(&job["state"].as_str().unwrap())).await
     }
 
-    pub async fn until_running(&self, id: &str) -> Value {
+    pub(crate) async fn until_running(&self, id: &str) -> Value {
         self.until(id, |job| job["state"] == "running").await
     }
 }
 
 /// The form of a submission.
-pub fn form(source: &str, target: &str, parameters: &Value) -> Form {
+pub(crate) fn form(source: &str, target: &str, parameters: &Value) -> Form {
     let file = |content: &str, name: &str| Part::bytes(content.as_bytes().to_vec()).file_name(name.to_owned());
     Form::new()
         .part("source", file(source, "Doe^Jane.nii.gz"))
@@ -287,7 +291,7 @@ pub fn form(source: &str, target: &str, parameters: &Value) -> Form {
 }
 
 /// A problem of this status and type, as every error has to be.
-pub async fn problem(response: reqwest::Response, status: u16, slug: &str) -> Value {
+pub(crate) async fn problem(response: reqwest::Response, status: u16, slug: &str) -> Value {
     let got = response.status().as_u16();
     let media_type = response.headers().get("content-type").cloned();
     let id = response.headers().get("x-request-id").unwrap().to_str().unwrap().to_owned();

@@ -14,10 +14,10 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 use std::time::Duration;
 
-pub const LONG: Duration = Duration::from_secs(60);
-pub const SHORT: Duration = Duration::from_millis(30);
+pub(crate) const LONG: Duration = Duration::from_secs(60);
+pub(crate) const SHORT: Duration = Duration::from_millis(30);
 
-pub struct Fixture {
+pub(crate) struct Fixture {
     pub store: Arc<SqlStore>,
     pub artifacts: Arc<dyn ArtifactStore>,
     pub worker: WorkerId,
@@ -26,7 +26,7 @@ pub struct Fixture {
 }
 
 impl Fixture {
-    pub async fn open(backend: Backend) -> Self {
+    pub(crate) async fn open(backend: Backend) -> Self {
         let site = Site::open(backend);
         std::fs::create_dir_all(site.data_dir()).unwrap();
         let store = Arc::new(SqlStore::open(&site.location()).await.unwrap());
@@ -35,19 +35,19 @@ impl Fixture {
     }
 
     /// Connections of another process.
-    pub async fn another(&self) -> SqlStore {
+    pub(crate) async fn another(&self) -> SqlStore {
         SqlStore::open(&self.site.location()).await.unwrap()
     }
 
-    pub async fn add(&self, priority: i32) -> Job {
+    pub(crate) async fn add(&self, priority: i32) -> Job {
         self.store.insert_job(&new_job(priority), &room(1000)).await.unwrap()
     }
 
-    pub async fn claim(&self, duration: Duration) -> Lease {
+    pub(crate) async fn claim(&self, duration: Duration) -> Lease {
         self.store.claim_next(&self.worker, duration, LONG).await.unwrap().unwrap().lease
     }
 
-    pub async fn state(&self, id: JobId) -> JobState {
+    pub(crate) async fn state(&self, id: JobId) -> JobState {
         self.store.get_job(&self.tenant, id).await.unwrap().state
     }
 
@@ -56,18 +56,18 @@ impl Fixture {
         self.store.recover_expired().await.unwrap()
     }
 
-    pub async fn seqs(&self, id: JobId, after: u64, limit: u32) -> Vec<u64> {
+    pub(crate) async fn seqs(&self, id: JobId, after: u64, limit: u32) -> Vec<u64> {
         let page = self.store.get_trace(&self.tenant, id, after, limit).await.unwrap();
         page.points.iter().map(|p| p.seq).collect()
     }
 }
 
 /// A queue for so many.
-pub fn room(max_queued: u32) -> Admission {
+pub(crate) fn room(max_queued: u32) -> Admission {
     Admission { max_queued, holder: String::new(), keep_result: None, once: None }
 }
 
-pub fn new_job(priority: i32) -> NewJob {
+pub(crate) fn new_job(priority: i32) -> NewJob {
     let input = |hash: char| JobInput {
         hash: hash.to_string().repeat(64),
         n_bytes: 1,
@@ -98,7 +98,7 @@ pub fn new_job(priority: i32) -> NewJob {
     }
 }
 
-pub fn chunk(seqs: std::ops::RangeInclusive<u64>) -> TraceChunk {
+pub(crate) fn chunk(seqs: std::ops::RangeInclusive<u64>) -> TraceChunk {
     let last = *seqs.end();
     let points =
         seqs.map(|seq| NumberedPoint { seq, point: TracePoint::new(0, Phase::Inference, seq as u32), elapsed_ms: seq });
@@ -107,12 +107,12 @@ pub fn chunk(seqs: std::ops::RangeInclusive<u64>) -> TraceChunk {
     TraceChunk { points: points.collect(), progress }
 }
 
-pub fn result(hash: char) -> Outcome {
+pub(crate) fn result(hash: char) -> Outcome {
     let key = ArtifactKey::of_hash(&Tenant::default(), &hash.to_string().repeat(64)).unwrap();
     Outcome::Succeeded(vec![ArtifactRef { kind: ArtifactKind::Result, key, n_bytes: 1 }])
 }
 
-pub fn is_lost<T: std::fmt::Debug>(answer: Result<T, JobError>) -> bool {
+pub(crate) fn is_lost<T: std::fmt::Debug>(answer: Result<T, JobError>) -> bool {
     matches!(answer, Err(JobError::LeaseLost))
 }
 

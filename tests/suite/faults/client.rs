@@ -8,38 +8,38 @@ use std::time::{Duration, Instant};
 
 /// Speaks to one node.
 #[derive(Debug, Clone)]
-pub struct Client {
+pub(crate) struct Client {
     pub base: String,
     pub http: reqwest::Client,
 }
 
 impl Client {
     /// A client of the node at `base`.
-    pub fn of(base: &str) -> Self {
+    pub(crate) fn of(base: &str) -> Self {
         // The service has no default of its own; a process chooses once.
         let _ = rustls::crypto::ring::default_provider().install_default();
         let http = reqwest::Client::builder().timeout(Duration::from_secs(60)).no_proxy().build().unwrap();
         Client { base: base.to_owned(), http }
     }
 
-    pub async fn get(&self, path: &str) -> reqwest::Result<Response> {
+    pub(crate) async fn get(&self, path: &str) -> reqwest::Result<Response> {
         self.http.get(format!("{}{path}", self.base)).send().await
     }
 
-    pub async fn post(&self, path: &str) -> reqwest::Result<Response> {
+    pub(crate) async fn post(&self, path: &str) -> reqwest::Result<Response> {
         self.http.post(format!("{}{path}", self.base)).send().await
     }
 
-    pub async fn delete(&self, path: &str) -> reqwest::Result<Response> {
+    pub(crate) async fn delete(&self, path: &str) -> reqwest::Result<Response> {
         self.http.delete(format!("{}{path}", self.base)).send().await
     }
 
     /// The status and, if there is one, the JSON of an answer.
-    pub async fn try_submit(&self, parameters: &Value) -> reqwest::Result<(u16, Value)> {
+    pub(crate) async fn try_submit(&self, parameters: &Value) -> reqwest::Result<(u16, Value)> {
         self.try_submit_files("source", "target", parameters).await
     }
 
-    pub async fn try_submit_files(
+    pub(crate) async fn try_submit_files(
         &self,
         source: &str,
         target: &str,
@@ -53,25 +53,25 @@ impl Client {
     }
 
     /// Submits and returns the id.
-    pub async fn submit(&self, parameters: Value) -> String {
+    pub(crate) async fn submit(&self, parameters: Value) -> String {
         let (status, body) = self.try_submit(&parameters).await.unwrap();
         assert_eq!(status, 202, "{body}");
         id_of(&body)
     }
 
     /// What a path answers, which has to be 200.
-    pub async fn json(&self, path: &str) -> Value {
+    pub(crate) async fn json(&self, path: &str) -> Value {
         let response = self.get(path).await.unwrap();
         assert_eq!(response.status(), 200, "{path}");
         response.json().await.unwrap()
     }
 
-    pub async fn job(&self, id: &str) -> Value {
+    pub(crate) async fn job(&self, id: &str) -> Value {
         self.json(&format!("/v1/jobs/{id}")).await
     }
 
     /// The job once `done` says so. An answer that does not come or is no 200 is asked for again.
-    pub async fn until(&self, id: &str, patience: Duration, done: impl Fn(&Value) -> bool) -> Value {
+    pub(crate) async fn until(&self, id: &str, patience: Duration, done: impl Fn(&Value) -> bool) -> Value {
         let began = Instant::now();
         let mut last = Value::Null;
         loop {
@@ -89,28 +89,28 @@ impl Client {
         }
     }
 
-    pub async fn until_running(&self, id: &str, patience: Duration) -> Value {
+    pub(crate) async fn until_running(&self, id: &str, patience: Duration) -> Value {
         self.until(id, patience, |job| job["state"] == "running").await
     }
 
     /// The job once it traced `n` points.
-    pub async fn until_traced(&self, id: &str, n: u64, patience: Duration) -> Value {
+    pub(crate) async fn until_traced(&self, id: &str, n: u64, patience: Duration) -> Value {
         self.until(id, patience, |job| job["progress"]["iteration"].as_u64() >= Some(n)).await
     }
 
-    pub async fn until_final(&self, id: &str, patience: Duration) -> Value {
+    pub(crate) async fn until_final(&self, id: &str, patience: Duration) -> Value {
         self.until(id, patience, is_final).await
     }
 
     /// The job, which has to end with a result.
-    pub async fn until_succeeded(&self, id: &str, patience: Duration) -> Value {
+    pub(crate) async fn until_succeeded(&self, id: &str, patience: Duration) -> Value {
         let job = self.until_final(id, patience).await;
         assert_eq!(job["state"], "succeeded", "{job}");
         job
     }
 
     /// The numbers of all trace points, in the order of the pages.
-    pub async fn seqs(&self, id: &str) -> Vec<u64> {
+    pub(crate) async fn seqs(&self, id: &str) -> Vec<u64> {
         let mut seqs: Vec<u64> = Vec::new();
         loop {
             let after = seqs.last().copied().unwrap_or(0);
@@ -124,7 +124,7 @@ impl Client {
     }
 
     /// The ids and states of all jobs.
-    pub async fn list(&self) -> Vec<(String, String)> {
+    pub(crate) async fn list(&self) -> Vec<(String, String)> {
         let (mut found, mut token) = (Vec::new(), String::new());
         loop {
             let page = self.json(&format!("/v1/jobs?page_size=500&page_token={token}")).await;
@@ -154,16 +154,16 @@ fn unlike_others(parameters: &Value) -> Value {
 }
 
 /// Whether a job has ended.
-pub fn is_final(job: &Value) -> bool {
+pub(super) fn is_final(job: &Value) -> bool {
     job["state"] != "queued" && job["state"] != "running"
 }
 
 /// The id of a job.
-pub fn id_of(job: &Value) -> String {
+pub(super) fn id_of(job: &Value) -> String {
     job["id"].as_str().unwrap_or_else(|| panic!("no id in {job}")).to_owned()
 }
 
 /// Parameters of a job that traces `points` points, `step_ms` apart.
-pub fn steps(points: u64, step_ms: u64) -> Value {
+pub(super) fn steps(points: u64, step_ms: u64) -> Value {
     json!({"points": points, "step_ms": step_ms})
 }

@@ -23,7 +23,7 @@ mod queue;
 mod races;
 mod s3;
 mod schema;
-pub mod site;
+pub(crate) mod site;
 mod tenants;
 mod witness;
 

@@ -26,7 +26,7 @@ const READY: &str = "node-is-ready";
 const PATIENCE: Duration = Duration::from_secs(60);
 
 /// A node; killed when dropped.
-pub struct Node {
+pub(crate) struct Node {
     process: Child,
     /// Where it answers; empty for a worker.
     pub base: String,
@@ -35,17 +35,17 @@ pub struct Node {
 
 /// Why a node did not begin: what it said.
 #[derive(Debug)]
-pub struct NotStarted(pub String);
+pub(crate) struct NotStarted(pub String);
 
 /// A node that was started and may not be ready yet.
-pub struct Starting {
+pub(crate) struct Starting {
     node: Node,
     base: Receiver<String>,
 }
 
 impl Starting {
     /// Starts a node whose log goes to `log`. Only from the thread of the test: with it, the node ends.
-    pub fn new(role: &str, arguments: &[String], environment: &[(&str, String)], log: &Path) -> Self {
+    pub(crate) fn new(role: &str, arguments: &[String], environment: &[(&str, String)], log: &Path) -> Self {
         let file = std::fs::File::create(log).unwrap();
         let mut command = Command::new(std::env::current_exe().unwrap());
         command.args(["--exact", "faults::node::node_process", "--ignored", "--nocapture"]);
@@ -72,7 +72,7 @@ impl Starting {
     }
 
     /// Waits until it answers, or says why it does not.
-    pub fn ready(self) -> Result<Node, NotStarted> {
+    pub(crate) fn ready(self) -> Result<Node, NotStarted> {
         let Starting { mut node, base } = self;
         match base.recv_timeout(PATIENCE) {
             Ok(base) => {
@@ -89,28 +89,28 @@ impl Starting {
 
 impl Node {
     /// SIGKILL.
-    pub fn kill(&mut self) {
+    pub(crate) fn kill(&mut self) {
         let _ = self.process.kill();
         let _ = self.process.wait();
     }
 
     /// SIGSTOP: it sleeps, its connections and locks stay.
-    pub fn freeze(&self) {
+    pub(crate) fn freeze(&self) {
         self.signal(Signal::STOP);
     }
 
     /// SIGCONT.
-    pub fn thaw(&self) {
+    pub(crate) fn thaw(&self) {
         self.signal(Signal::CONT);
     }
 
     /// SIGTERM: asks to end; a second time insists.
-    pub fn terminate(&self) {
+    pub(crate) fn terminate(&self) {
         self.signal(Signal::TERM);
     }
 
     /// Waits for its end. Returns how it ended and how long that took.
-    pub async fn ended(&mut self) -> (ExitStatus, Duration) {
+    pub(crate) async fn ended(&mut self) -> (ExitStatus, Duration) {
         let began = Instant::now();
         loop {
             if let Some(status) = self.process.try_wait().unwrap() {
@@ -122,17 +122,17 @@ impl Node {
     }
 
     /// Whether it runs.
-    pub fn is_running(&mut self) -> bool {
+    pub(crate) fn is_running(&mut self) -> bool {
         self.process.try_wait().unwrap().is_none()
     }
 
     /// What it logged.
-    pub fn log(&self) -> String {
+    pub(crate) fn log(&self) -> String {
         std::fs::read_to_string(&self.log).unwrap_or_default()
     }
 
     /// Waits until its log holds `text`.
-    pub async fn until_logged(&self, text: &str, patience: Duration) {
+    pub(crate) async fn until_logged(&self, text: &str, patience: Duration) {
         let began = Instant::now();
         while !self.log().contains(text) {
             assert!(began.elapsed() < patience, "no '{text}' in {}", self.log());

@@ -16,7 +16,7 @@ use tempfile::TempDir;
 const PATIENCE: Duration = Duration::from_secs(60);
 
 /// A cluster with its server.
-pub struct Cluster {
+pub(crate) struct Cluster {
     installed: Installed,
     data: PathBuf,
     port: u16,
@@ -40,12 +40,12 @@ struct Account {
 
 impl Cluster {
     /// A new cluster whose server runs, or the reason why there cannot be one.
-    pub fn start() -> Result<Self, String> {
+    pub(crate) fn start() -> Result<Self, String> {
         Cluster::start_under(&std::env::temp_dir())
     }
 
     /// The same in a folder under `parent`, which may be a small disk.
-    pub fn start_under(parent: &Path) -> Result<Self, String> {
+    pub(crate) fn start_under(parent: &Path) -> Result<Self, String> {
         let installed = Installed::find()?;
         let folder = tempfile::tempdir_in(parent).unwrap();
         installed.own(folder.path());
@@ -62,22 +62,22 @@ impl Cluster {
         panic!("PostgreSQL does not start: {}", cluster.log());
     }
 
-    pub fn port(&self) -> u16 {
+    pub(crate) fn port(&self) -> u16 {
         self.port
     }
 
     /// The address of the cluster's one database.
-    pub fn url(&self) -> String {
+    pub(crate) fn url(&self) -> String {
         Cluster::url_at(self.port)
     }
 
     /// The same through another port.
-    pub fn url_at(port: u16) -> String {
+    pub(crate) fn url_at(port: u16) -> String {
         format!("postgres://homolog@127.0.0.1:{port}/postgres")
     }
 
     /// Starts the server again, on the same port and data.
-    pub fn start_again(&mut self) {
+    pub(crate) fn start_again(&mut self) {
         // After a kill, its orphaned processes hold the shared memory for a moment.
         let began = Instant::now();
         while !self.try_start() {
@@ -87,37 +87,37 @@ impl Cluster {
     }
 
     /// Ends the server; transactions are rolled back.
-    pub fn stop_fast(&mut self) {
+    pub(crate) fn stop_fast(&mut self) {
         self.end(Signal::INT);
     }
 
     /// Ends it as after a crash: the next start recovers from the log.
-    pub fn stop_immediately(&mut self) {
+    pub(crate) fn stop_immediately(&mut self) {
         self.end(Signal::QUIT);
     }
 
     /// SIGKILL to the server's first process; the others notice and end.
-    pub fn kill(&mut self) {
+    pub(crate) fn kill(&mut self) {
         self.end(Signal::KILL);
     }
 
     /// SIGSTOP to all its processes: connections stay, nobody answers.
-    pub fn freeze(&self) {
+    pub(crate) fn freeze(&self) {
         self.signal_all(Signal::STOP);
     }
 
     /// SIGCONT to all.
-    pub fn thaw(&self) {
+    pub(crate) fn thaw(&self) {
         self.signal_all(Signal::CONT);
     }
 
     /// Whether the server runs.
-    pub fn is_running(&mut self) -> bool {
+    pub(crate) fn is_running(&mut self) -> bool {
         self.server.as_mut().is_some_and(|server| server.try_wait().unwrap().is_none())
     }
 
     /// The end of what the server logged.
-    pub fn log(&self) -> String {
+    pub(crate) fn log(&self) -> String {
         let text = fs::read_to_string(self.log_path()).unwrap_or_default();
         let lines: Vec<_> = text.lines().collect();
         lines[lines.len().saturating_sub(20)..].join("\n")

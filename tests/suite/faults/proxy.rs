@@ -8,7 +8,7 @@ use tokio::sync::watch;
 
 /// What becomes of bytes and of new connections.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Network {
+pub(super) enum Network {
     /// They pass.
     Up,
     /// Nobody listens; connections there are stay as they are.
@@ -24,7 +24,7 @@ struct State {
 }
 
 /// A proxy in front of a port; it ends when this is dropped.
-pub struct Proxy {
+pub(super) struct Proxy {
     port: u16,
     state: watch::Sender<State>,
     runtime: Option<Runtime>,
@@ -32,7 +32,7 @@ pub struct Proxy {
 
 impl Proxy {
     /// A proxy in front of `target`.
-    pub fn to(target: u16) -> Self {
+    pub(super) fn to(target: u16) -> Self {
         let (state, seen) = watch::channel(State { network: Network::Up, n_cuts: 0 });
         let runtime = tokio::runtime::Builder::new_multi_thread().worker_threads(1).enable_all().build().unwrap();
         let listener = std::net::TcpListener::bind("127.0.0.1:0").unwrap();
@@ -42,17 +42,17 @@ impl Proxy {
         Proxy { port: address.port(), state, runtime: Some(runtime) }
     }
 
-    pub fn port(&self) -> u16 {
+    pub(super) fn port(&self) -> u16 {
         self.port
     }
 
     /// From now on.
-    pub fn set(&self, network: Network) {
+    pub(super) fn set(&self, network: Network) {
         self.state.send_modify(|state| state.network = network);
     }
 
     /// Ends all connections there are, with a reset.
-    pub fn cut(&self) {
+    pub(super) fn cut(&self) {
         self.state.send_modify(|state| state.n_cuts += 1);
     }
 }

@@ -13,12 +13,12 @@ use tokio::net::TcpListener;
 use tokio::runtime::Runtime;
 
 /// The one bucket there is.
-pub const BUCKET: &str = "faults";
+pub(crate) const BUCKET: &str = "faults";
 const KEY: &str = "test-key";
 const SECRET: &str = "test-secret";
 
 /// The server; it ends when this is dropped.
-pub struct S3Server {
+pub(crate) struct S3Server {
     port: u16,
     root: PathBuf,
     // Of its own, so that it answers while a test waits or blocks.
@@ -27,12 +27,12 @@ pub struct S3Server {
 }
 
 impl S3Server {
-    pub fn start() -> Self {
+    pub(crate) fn start() -> Self {
         S3Server::start_under(&std::env::temp_dir())
     }
 
     /// A server that keeps its objects under `parent`, which may be a small disk.
-    pub fn start_under(parent: &Path) -> Self {
+    pub(crate) fn start_under(parent: &Path) -> Self {
         let folder = tempfile::tempdir_in(parent).unwrap();
         let root = folder.path().to_owned();
         fs::create_dir(root.join(BUCKET)).unwrap();
@@ -60,12 +60,12 @@ impl S3Server {
         S3Server { port, root, runtime: Some(runtime), _folder: folder }
     }
 
-    pub fn port(&self) -> u16 {
+    pub(crate) fn port(&self) -> u16 {
         self.port
     }
 
     /// What a process has to be told to reach the server through `port`.
-    pub fn environment(port: u16) -> Vec<(&'static str, String)> {
+    pub(crate) fn environment(port: u16) -> Vec<(&'static str, String)> {
         vec![
             ("HOMOLOG_ARTIFACTS_URL", format!("s3://{BUCKET}/blobs")),
             ("AWS_ENDPOINT_URL", format!("http://127.0.0.1:{port}")),
@@ -77,7 +77,7 @@ impl S3Server {
     }
 
     /// The folder of the bucket's objects.
-    pub fn bucket(&self) -> PathBuf {
+    pub(crate) fn bucket(&self) -> PathBuf {
         self.root.join(BUCKET)
     }
 }

@@ -16,13 +16,13 @@ use std::time::Duration;
 use tempfile::TempDir;
 
 /// The lease of all nodes unless a test says otherwise.
-pub const LEASE: Duration = Duration::from_secs(2);
+pub(crate) const LEASE: Duration = Duration::from_secs(2);
 /// How long what happens within a lease, a poll and a round of housekeeping may take on a loaded machine.
-pub const SOON: Duration = Duration::from_secs(20);
+pub(crate) const SOON: Duration = Duration::from_secs(20);
 
 /// What a node keeps jobs and blobs in.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Backend {
+pub(crate) enum Backend {
     /// SQLite and a folder.
     Sqlite,
     /// PostgreSQL and S3.
@@ -30,7 +30,7 @@ pub enum Backend {
 }
 
 /// A database, a store of blobs, and nothing that runs on them yet.
-pub struct Site {
+pub(crate) struct Site {
     pub folder: TempDir,
     pub cluster: Option<Cluster>,
     pub s3: Option<S3Server>,
@@ -39,12 +39,12 @@ pub struct Site {
 impl Site {
     /// An empty one. Panics where the backend cannot be had; tests that need PostgreSQL are therefore `#[ignore]`d,
     /// and `scripts/test` runs them where it is installed.
-    pub fn open(backend: Backend) -> Self {
+    pub(crate) fn open(backend: Backend) -> Self {
         Site::open_on(backend, &std::env::temp_dir(), &std::env::temp_dir())
     }
 
     /// One whose database and whose S3 objects are on these disks; on SQLite both are on the first.
-    pub fn open_on(backend: Backend, database_disk: &Path, s3_disk: &Path) -> Self {
+    pub(crate) fn open_on(backend: Backend, database_disk: &Path, s3_disk: &Path) -> Self {
         let (cluster, s3) = match backend {
             Backend::Sqlite => (None, None),
             Backend::Postgres => {
@@ -57,12 +57,12 @@ impl Site {
     }
 
     /// The folder that nodes are told to use.
-    pub fn data_dir(&self) -> PathBuf {
+    pub(crate) fn data_dir(&self) -> PathBuf {
         self.folder.path().join("data")
     }
 
     /// What nodes are told by default; what a test passes as arguments outweighs it.
-    pub fn environment(&self) -> Vec<(&'static str, String)> {
+    pub(crate) fn environment(&self) -> Vec<(&'static str, String)> {
         let mut environment: Vec<_> = [
             ("HOMOLOG_LISTEN", "127.0.0.1:0"),
             ("HOMOLOG_POLL_MS", "50"),
@@ -82,22 +82,27 @@ impl Site {
     }
 
     /// A node that answers HTTP and, unless told otherwise, runs jobs.
-    pub fn serve(&self, arguments: &[&str]) -> Node {
+    pub(crate) fn serve(&self, arguments: &[&str]) -> Node {
         self.node("serve", arguments, &[]).unwrap_or_else(|NotStarted(log)| panic!("{log}"))
     }
 
     /// A node that only runs jobs.
-    pub fn worker(&self, arguments: &[&str]) -> Node {
+    pub(crate) fn worker(&self, arguments: &[&str]) -> Node {
         self.node("worker", arguments, &[]).unwrap_or_else(|NotStarted(log)| panic!("{log}"))
     }
 
     /// A node with further variables, which may outweigh those of the site.
-    pub fn node(&self, role: &str, arguments: &[&str], more: &[(&'static str, String)]) -> Result<Node, NotStarted> {
+    pub(crate) fn node(
+        &self,
+        role: &str,
+        arguments: &[&str],
+        more: &[(&'static str, String)],
+    ) -> Result<Node, NotStarted> {
         self.begin_node(role, arguments, more).ready()
     }
 
     /// A node that is not waited for.
-    pub fn begin_node(&self, role: &str, arguments: &[&str], more: &[(&'static str, String)]) -> Starting {
+    pub(crate) fn begin_node(&self, role: &str, arguments: &[&str], more: &[(&'static str, String)]) -> Starting {
         static N_NODES: AtomicU32 = AtomicU32::new(0);
         let n = N_NODES.fetch_add(1, Ordering::Relaxed);
         // The log is not on the disk that a test may have filled.
@@ -109,12 +114,12 @@ impl Site {
     }
 
     /// Who speaks to a node.
-    pub fn client(&self, node: &Node) -> Client {
+    pub(crate) fn client(&self, node: &Node) -> Client {
         Client::of(&node.base)
     }
 
     /// Where jobs are.
-    pub fn location(&self) -> DatabaseLocation {
+    pub(crate) fn location(&self) -> DatabaseLocation {
         match &self.cluster {
             None => DatabaseLocation::Folder(self.data_dir()),
             Some(cluster) => DatabaseLocation::Postgres { url: cluster.url(), max_connections: 8, notify: true },
@@ -122,7 +127,7 @@ impl Site {
     }
 
     /// A blob store as nodes have it.
-    pub fn artifacts(&self) -> Arc<dyn ArtifactStore> {
+    pub(crate) fn artifacts(&self) -> Arc<dyn ArtifactStore> {
         match &self.s3 {
             None => Arc::new(FolderArtifacts::open(&self.data_dir()).unwrap()),
             Some(s3) => {
@@ -135,13 +140,13 @@ impl Site {
     }
 
     /// Connections of one's own to the job store, as another process would have.
-    pub async fn store(&self) -> Arc<dyn JobStore> {
+    pub(crate) async fn store(&self) -> Arc<dyn JobStore> {
         std::fs::create_dir_all(self.data_dir()).unwrap();
         Arc::new(SqlStore::open(&self.location()).await.unwrap())
     }
 
     /// A look into the database past the service. It has to have its tables already.
-    pub async fn database(&self) -> Database {
+    pub(crate) async fn database(&self) -> Database {
         match &self.cluster {
             None => Database::sqlite(&self.data_dir().join("homolog.sqlite")).await,
             Some(cluster) => Database::postgres(&cluster.url()).await,
@@ -149,7 +154,7 @@ impl Site {
     }
 
     /// The names of all blobs that are stored, sorted.
-    pub fn blobs(&self) -> Vec<String> {
+    pub(crate) fn blobs(&self) -> Vec<String> {
         let root = match &self.s3 {
             None => self.data_dir().join("blobs"),
             Some(s3) => s3.bucket(),

@@ -9,13 +9,13 @@ use std::time::Duration;
 
 /// The database of a site.
 #[derive(Debug, Clone)]
-pub enum Database {
+pub(crate) enum Database {
     Sqlite(SqlitePool),
     Postgres(PgPool),
 }
 
 impl Database {
-    pub async fn sqlite(file: &Path) -> Self {
+    pub(crate) async fn sqlite(file: &Path) -> Self {
         let options = SqliteConnectOptions::new()
             .filename(file)
             .journal_mode(SqliteJournalMode::Wal)
@@ -23,12 +23,12 @@ impl Database {
         Database::Sqlite(SqlitePool::connect_with(options).await.unwrap())
     }
 
-    pub async fn postgres(url: &str) -> Self {
+    pub(crate) async fn postgres(url: &str) -> Self {
         Database::Postgres(PgPool::connect(url).await.unwrap())
     }
 
     /// Runs a statement.
-    pub async fn execute(&self, text: &str) {
+    pub(crate) async fn execute(&self, text: &str) {
         let text = AssertSqlSafe(text.to_owned());
         match self {
             Database::Sqlite(pool) => drop(sqlx::raw_sql(text).execute(pool).await.unwrap()),
@@ -37,7 +37,7 @@ impl Database {
     }
 
     /// Runs a statement that may fail.
-    pub async fn try_execute(&self, text: &str) {
+    pub(crate) async fn try_execute(&self, text: &str) {
         let text = AssertSqlSafe(text.to_owned());
         let _ = match self {
             Database::Sqlite(pool) => sqlx::raw_sql(text).execute(pool).await.is_ok(),
@@ -46,7 +46,7 @@ impl Database {
     }
 
     /// A transaction that has read and stays open until the answer is dropped.
-    pub async fn hold_open(&self) -> Box<dyn std::any::Any + Send> {
+    pub(crate) async fn hold_open(&self) -> Box<dyn std::any::Any + Send> {
         match self {
             Database::Sqlite(pool) => {
                 let mut held = pool.begin().await.unwrap();
@@ -62,13 +62,13 @@ impl Database {
     }
 
     /// The one right to write to SQLite, held until the answer is dropped.
-    pub async fn hold_lock(&self) -> Transaction<'static, Sqlite> {
+    pub(crate) async fn hold_lock(&self) -> Transaction<'static, Sqlite> {
         let Database::Sqlite(pool) = self else { panic!("PostgreSQL has no such lock") };
         pool.begin_with("BEGIN IMMEDIATE").await.unwrap()
     }
 
     /// The one number that a query answers.
-    pub async fn number(&self, text: &str) -> i64 {
+    pub(crate) async fn number(&self, text: &str) -> i64 {
         let text = AssertSqlSafe(text.to_owned());
         match self {
             Database::Sqlite(pool) => sqlx::query_scalar(text).fetch_one(pool).await.unwrap(),
@@ -77,7 +77,7 @@ impl Database {
     }
 
     /// The texts of the one column that a query answers.
-    pub async fn texts(&self, text: &str) -> Vec<String> {
+    pub(crate) async fn texts(&self, text: &str) -> Vec<String> {
         let text = AssertSqlSafe(text.to_owned());
         match self {
             Database::Sqlite(pool) => sqlx::query_scalar(text).fetch_all(pool).await.unwrap(),
@@ -86,7 +86,7 @@ impl Database {
     }
 
     /// Every table in which some column of some row holds `text`, with the number of such rows.
-    pub async fn tables_with(&self, text: &str) -> Vec<(String, i64)> {
+    pub(crate) async fn tables_with(&self, text: &str) -> Vec<(String, i64)> {
         let mut found = Vec::new();
         let tables = match self {
             Database::Sqlite(_) => "SELECT name FROM sqlite_master WHERE type = 'table'",
@@ -110,7 +110,7 @@ impl Database {
     }
 
     /// From now on every accepted result and every claim is noted.
-    pub async fn watch(&self) {
+    pub(crate) async fn watch(&self) {
         self.execute(
             "CREATE TABLE seen_results (job_id TEXT NOT NULL, epoch BIGINT NOT NULL);
              CREATE TABLE seen_claims (job_id TEXT NOT NULL, epoch BIGINT NOT NULL);",
@@ -143,7 +143,7 @@ impl Database {
     }
 
     /// From now on no lease can be prolonged, while all else works.
-    pub async fn fail_heartbeats(&self) {
+    pub(crate) async fn fail_heartbeats(&self) {
         match self {
             Database::Sqlite(_) => {
                 self.execute(
@@ -167,7 +167,7 @@ impl Database {
     }
 
     /// Ends that.
-    pub async fn allow_heartbeats(&self) {
+    pub(crate) async fn allow_heartbeats(&self) {
         match self {
             Database::Sqlite(_) => self.execute("DROP TRIGGER fail_heartbeat").await,
             Database::Postgres(_) => self.execute("DROP TRIGGER fail_heartbeat ON jobs").await,
@@ -176,7 +176,7 @@ impl Database {
 
     /// SIGSTOP to a node, at a moment when it holds no lock: what a sleeping holder of a lock does to the others is
     /// another question.
-    pub async fn freeze(&self, node: &Node) {
+    pub(crate) async fn freeze(&self, node: &Node) {
         for _ in 0..100 {
             node.freeze();
             if !self.is_locked().await {
@@ -208,18 +208,18 @@ impl Database {
     }
 
     /// How often a result of the job was accepted.
-    pub async fn n_results(&self, id: &str) -> i64 {
+    pub(crate) async fn n_results(&self, id: &str) -> i64 {
         self.number(&format!("SELECT COUNT(*) FROM seen_results WHERE job_id = '{id}'")).await
     }
 
     /// Jobs of which a result was accepted, and results: equal if each was accepted once.
-    pub async fn jobs_and_results(&self) -> (i64, i64) {
+    pub(crate) async fn jobs_and_results(&self) -> (i64, i64) {
         let jobs = self.number("SELECT COUNT(DISTINCT job_id) FROM seen_results").await;
         (jobs, self.number("SELECT COUNT(*) FROM seen_results").await)
     }
 
     /// Claims, and claims that differ in job or epoch: equal if none was made twice.
-    pub async fn claims(&self) -> (i64, i64) {
+    pub(crate) async fn claims(&self) -> (i64, i64) {
         let all = self.number("SELECT COUNT(*) FROM seen_claims").await;
         let distinct =
             self.number("SELECT COUNT(*) FROM (SELECT DISTINCT job_id, epoch FROM seen_claims) AS each_once").await;

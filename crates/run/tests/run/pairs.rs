@@ -70,13 +70,6 @@ fn moved_and_permuted(mesh: &SurfaceMesh, pose: &RigidTransform, order: &[u32]) 
     SurfaceMesh::new(vertices, mesh.arity(), indices).unwrap()
 }
 
-/// The surface of a volume in a random pose and order, as PLY.
-pub(crate) fn moved_and_permuted_copy(volume: &[u8], seed: u64) -> Vec<u8> {
-    let (mesh, mut draw) = (surface_of(volume), Draw::new(seed));
-    let (pose, order) = (draw.pose(), draw.permutation(mesh.n_vertices()));
-    write_ply(&moved_and_permuted(&mesh, &pose, &order))
-}
-
 fn found(output: &RunOutput) -> RigidTransform {
     let m = output.document.transform.matrix;
     RigidTransform {

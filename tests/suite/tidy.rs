@@ -20,10 +20,7 @@ const MEMBERS: &[(&str, &[&str])] = &[
     ("matching", &["primitives", "mesh", "geometry", "mrf", "registration", "contract"]),
     ("formats", &["mesh", "contract"]),
     ("run", &["primitives", "mesh", "contract", "formats", "matching"]),
-    (
-        "laboratory",
-        &["primitives", "mesh", "geometry", "mrf", "registration", "contract", "matching", "formats", "run"],
-    ),
+    ("laboratory", &["primitives", "mesh", "geometry", "registration", "contract", "matching", "formats", "run"]),
 ];
 
 /// Members that only compute: bytes and numbers in, numbers out.

@@ -13,13 +13,15 @@
 #              volumes in dir/hippocampus
 # make accuracy  measure accuracy beside other programs; DATA=dir: label volumes in dir/hippocampus; EVAL=dir: the folder
 #              of real_cases.py; CASES=10: pairs a set; OURS_ONLY=1: without the other programs
+# make answers compare the answers of this build with tests/answers.tsv, to the bit, on 20 real pairs and all methods;
+#              DATA=dir: label volumes in dir/hippocampus
 # make bench   benchmarks of a match
 # make bench-service  benchmarks of the service; PART=poll: one part of them
 
 SHELL := /usr/bin/env bash
 .SHELLFLAGS := -eu -o pipefail -c
 .DEFAULT_GOAL := help
-.PHONY: help demo test faults check contract build api picture experiment accuracy bench bench-service
+.PHONY: help demo test faults check contract build api picture experiment accuracy answers bench bench-service
 
 CARGO ?= cargo
 SOURCE ?=
@@ -93,6 +95,9 @@ accuracy: build
 	$(CARGO) build --release --locked
 	benches/accuracy/run --binary target/left-out/homolog --data "$(DATA)" --eval "$(EVAL)" $(if $(CASES),--cases "$(CASES)") \
 	  $(if $(filter-out 0,$(OURS_ONLY)),--ours-only)
+
+answers: build
+	scripts/answers target/release/homolog --data "$(DATA)" --against tests/answers.tsv
 
 bench:
 	@scripts/setup build

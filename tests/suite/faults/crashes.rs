@@ -112,7 +112,7 @@ async fn a17_a_computation_that_ignores_its_end_gives_its_slot_back(backend: Bac
     assert_eq!(job["state"], "cancelled");
     assert!(asked.elapsed() < Duration::from_secs(5), "{:?}", asked.elapsed());
     client.until_succeeded(&next, Duration::from_secs(30)).await;
-    assert!(node.log().contains("its thread is given up"), "{}", node.log());
+    assert!(node.log().contains("its thread is abandoned"), "{}", node.log());
     let points = client.seqs(&deaf).await.len();
     tokio::time::sleep(Duration::from_millis(500)).await;
     assert_eq!(client.seqs(&deaf).await.len(), points, "what it still traces is not stored");

@@ -225,7 +225,7 @@ fn an_unwelded_surface_says_which_repair_it_needs() {
 /// Faces with vertices of their own, and several pieces: what programs that extract surfaces often write.
 fn check_unwelded(bytes: &[u8]) {
     let error = prepare(bytes, &defaults()).unwrap_err().to_string();
-    assert!(error.contains("\"repair\": [\"weld\""), "{error}");
+    assert!(error.contains("set input.repair to [\"weld\""), "{error}");
     let prepared = prepare(bytes, &with_repair(&[Repair::Weld, Repair::LargestComponent])).unwrap();
     assert_eq!(prepared.numbering.n_vertices(), prepared.mesh.n_vertices());
     // The surface that goes with the answer has the file's numbering.

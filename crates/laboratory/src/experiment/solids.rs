@@ -5,7 +5,6 @@ use homolog_mesh::{FaceArity, SurfaceMesh};
 use nalgebra::{Isometry3, Point3, Vector3};
 use serde::Serialize;
 use std::collections::HashMap;
-use std::f64::consts::TAU;
 
 /// Corners of a regular icosahedron around the origin, times the golden ratio on one axis.
 const CORNERS: [[f64; 3]; 12] = {
@@ -83,23 +82,6 @@ fn around(levels: u32, place: impl Fn(&Vector3<f64>) -> Vector3<f64>) -> Result<
 /// The ellipsoid with these semi-axes, mm.
 pub(super) fn ellipsoid(axes: Vector3<f64>, levels: u32) -> Result<SurfaceMesh, String> {
     around(levels, |u| u.component_mul(&axes))
-}
-
-/// The torus with these radii, mm, of `2 · around · across` triangles.
-pub(super) fn torus(radius: f64, tube: f64, around: u32, across: u32) -> Result<SurfaceMesh, String> {
-    let mut vertices = Vec::new();
-    let mut indices = Vec::new();
-    for i in 0..around {
-        for j in 0..across {
-            let (u, v) = (TAU * f64::from(i) / f64::from(around), TAU * f64::from(j) / f64::from(across));
-            let ring = radius + tube * v.cos();
-            vertices.push(Point3::new(ring * u.cos(), ring * u.sin(), tube * v.sin()));
-            let at = |i: u32, j: u32| (i % around) * across + j % across;
-            let (a, b, c, d) = (at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1));
-            indices.extend([a, b, c, a, c, d]);
-        }
-    }
-    SurfaceMesh::new(vertices, FaceArity::Triangle, indices).map_err(|e| e.to_string())
 }
 
 /// A shape to which bumps are added, so that it has no symmetry.
@@ -185,6 +167,8 @@ pub(super) fn bumped(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use homolog_mesh::shapes::torus;
+    use std::f64::consts::TAU;
 
     #[test]
     fn the_solids_are_closed_and_oriented_outwards() {
@@ -192,7 +176,7 @@ mod tests {
         assert_eq!(sphere.n_vertices(), 2562);
         let volume = 4.0 / 3.0 * std::f64::consts::PI * 1000.0;
         assert!((sphere.signed_volume() / volume - 1.0).abs() < 0.01);
-        let ring = torus(10.0, 4.0, 60, 30).unwrap();
+        let ring = torus(10.0, 4.0, 60, 30, FaceArity::Triangle);
         assert!((ring.signed_volume() / (TAU * 10.0 * std::f64::consts::PI * 16.0) - 1.0).abs() < 0.02);
         for form in Form::ALL {
             let still = Isometry3::identity();

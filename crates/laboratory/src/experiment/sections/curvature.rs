@@ -4,11 +4,12 @@ use super::{About, Body, Experiment, sentences};
 use crate::experiment::document::{Axis, Plot, PlotKind};
 use crate::experiment::draws::Draws;
 use crate::experiment::results::{Metric, Results};
-use crate::experiment::solids::{ellipsoid, torus};
+use crate::experiment::solids::ellipsoid;
 use crate::experiment::study::Study;
 use crate::experiment::units::{Measurement, Unit};
 use homolog_geometry::curvature::{Estimator, curvatures, default_radius_mm};
-use homolog_mesh::SurfaceMesh;
+use homolog_mesh::shapes::torus;
+use homolog_mesh::{FaceArity, SurfaceMesh};
 use nalgebra::{Point3, Vector3};
 use serde_json::json;
 
@@ -49,7 +50,10 @@ impl Shape {
         match self {
             Shape::Sphere => ellipsoid(Vector3::repeat(SPHERE_MM), level),
             Shape::Ellipsoid => ellipsoid(Vector3::from(AXES), level),
-            Shape::Torus => torus(TORUS_MM.0, TORUS_MM.1, 10 << (level - 1), 5 << (level - 1)),
+            Shape::Torus => {
+                let (around, across) = (10 << (level - 1), 5 << (level - 1));
+                Ok(torus(TORUS_MM.0, TORUS_MM.1, around, across, FaceArity::Triangle))
+            }
         }
     }
 

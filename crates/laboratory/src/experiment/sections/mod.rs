@@ -15,9 +15,9 @@ mod scale;
 mod topology;
 mod update;
 
-use super::document::{Plot, Table};
+use super::document::{Plot, Series, Table};
 use super::results::{Group, Metric, Results};
-use super::study::{COPIES, REAL, SYNTHETIC, Study};
+use super::study::{COPIES, REAL, SYNTHETIC, Setting, Study};
 use super::units::Unit;
 
 /// All sections, in the order of the report.
@@ -109,6 +109,40 @@ const MATCHED: [(&str, &str); 3] = [
     (REAL, "pairs of different subjects"),
     (COPIES, "real subjects with rotated copies"),
 ];
+
+/// The matches of a section that compares `settings` by [`matched`]: 8 synthetic pairs and 6 pairs of different subjects.
+fn both_kinds<'a>(study: &'a Study<'_>, settings: &[Setting]) -> Vec<Unit<'a>> {
+    let mut units = study.matches(&study.phantoms(8), settings);
+    units.extend(study.matches(&study.real(6), settings));
+    units
+}
+
+/// A report that compares settings by the match rate of synthetic pairs and the label agreement of different subjects.
+/// `setting` is the heading of the settings in the tables.
+fn matched(study: &Study<'_>, results: &Results, setting: &str, plot: Plot) -> Body {
+    Body {
+        pairs: pairs_of(results, &MATCHED),
+        finding: sentences([
+            on("synthetic", range(&results.group(SYNTHETIC), &WITHIN_1, true)),
+            on("real", range(&results.group(REAL), &PARTS, true)),
+        ]),
+        notes: study.real_absent().into_iter().collect(),
+        tables: match_tables(results, setting),
+        plots: vec![plot],
+    }
+}
+
+/// The `rates` of synthetic pairs, and the label agreement of different subjects if there are any, as curves over settings
+/// with the horizontal position `x`.
+fn rate_series(results: &Results, rates: &[Metric], x: impl Fn(&str) -> Option<f64> + Copy) -> Vec<Series> {
+    let (synthetic, real) = (results.group(SYNTHETIC), results.group(REAL));
+    let mut series: Vec<_> =
+        rates.iter().map(|rate| synthetic.series(&format!("phantoms, {}", rate.name), rate, x)).collect();
+    if !real.is_empty() {
+        series.push(real.series("different subjects, label agreement", &PARTS, x));
+    }
+    series
+}
 
 /// The sentences whose numbers were measured, or that there are none.
 fn sentences<const N: usize>(found: [Option<String>; N]) -> String {

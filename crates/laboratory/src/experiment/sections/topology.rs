@@ -1,6 +1,6 @@
 //! Topological consistency: whether a labeling is a continuous map between surfaces.
 
-use super::{About, Body, CONSISTENCY, Experiment, MATCHED, WITHIN_1, on, pairs_of, range, sentences};
+use super::{About, Body, CONSISTENCY, Experiment, MATCHED, WITHIN_1, both_kinds, on, pairs_of, range, sentences};
 use crate::experiment::document::{Axis, Plot, PlotKind};
 use crate::experiment::results::{Metric, Results};
 use crate::experiment::study::{COPIES, REAL, SYNTHETIC, Setting, Study};
@@ -43,8 +43,7 @@ impl Experiment for Topology {
     }
 
     fn units<'a>(&self, study: &'a Study<'_>) -> Vec<Unit<'a>> {
-        let mut units = study.matches(&study.phantoms(8), &settings());
-        units.extend(study.matches(&study.real(6), &settings()));
+        let mut units = both_kinds(study, &settings());
         units.extend(study.matches(&study.copies(2), &settings()));
         units
     }

@@ -35,8 +35,8 @@ impl JobReader for SqlStore {
         Ok(job)
     }
 
-    /// Reads each state by itself, along its index, and merges the pages: whatever the filter, the cost is that of a few
-    /// pages, however many jobs there are.
+    /// Reads each state separately, along its index, and merges the pages: whatever the filter, the cost is that of a few
+    /// pages, regardless of the number of jobs.
     async fn list_jobs(&self, tenant: &Tenant, filter: &JobFilter, page: &PageRequest) -> Result<JobPage, JobError> {
         let mut jobs = self
             .database
@@ -80,7 +80,7 @@ impl JobReader for SqlStore {
     }
 
     async fn get_trace(&self, tenant: &Tenant, id: JobId, after_seq: u64, limit: u32) -> Result<TracePage, JobError> {
-        // State and points of one snapshot: otherwise `complete` could be said before the last chunk is read.
+        // State and points from one snapshot: otherwise `complete` could be reported before the last chunk is read.
         let (state, chunks) = self
             .database
             .read(async |session| {

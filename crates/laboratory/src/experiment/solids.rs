@@ -49,16 +49,16 @@ impl Form {
     }
 }
 
-/// Bumps on a form.
+/// Number of bumps on a solid.
 const N_BUMPS: usize = 12;
-/// Height of a bump as a share of the radius, to either side.
+/// Largest height or depth of a bump, as a share of the radius.
 const HEIGHT: f64 = 0.08;
-/// The same of the bumps that a copy does not share.
+/// The same for the additional bumps of a copy.
 const OWN_HEIGHT: f64 = 0.02;
 /// Width of a bump, radians.
 const WIDTH: f64 = 0.35;
 
-/// Bumps in random directions, each with a height as a share of the radius.
+/// Bumps in random directions, each with its height as a share of the radius.
 fn bumps(seed: u64, height: f64) -> Vec<(Vector3<f64>, f64)> {
     let mut draws = Draws::new(seed);
     (0..N_BUMPS).map(|_| (draws.normals().normalize(), height * (2.0 * draws.unit() - 1.0))).collect()

@@ -82,7 +82,7 @@ fn name(shape: Shape, estimator: &str, level: u32) -> String {
     format!("{}, {estimator}, level {level}", shape.name())
 }
 
-/// Root mean square error over root mean square truth, of both curvatures.
+/// Root mean square error of both curvatures, divided by the root mean square of the true curvature.
 fn measure(shape: Shape, estimator: &str, level: u32, noise: Option<u64>) -> Result<Measurement, String> {
     let clean = shape.mesh(level);
     let edge_mm = clean.mean_edge_length();

@@ -103,14 +103,15 @@ fn pairs_of(results: &Results, kinds: &[(&str, &str)]) -> String {
     counted.collect::<Vec<_>>().join(", ")
 }
 
-/// The usual kinds.
+/// The kinds of pairs that are matched.
 const MATCHED: [(&str, &str); 3] = [
     (SYNTHETIC, "synthetic pairs"),
     (REAL, "pairs of different subjects"),
     (COPIES, "real subjects with rotated copies"),
 ];
 
-/// The matches of a section that compares `settings` by [`matched`]: 8 synthetic pairs and 6 pairs of different subjects.
+/// The matches of a section that compares `settings` by [`matched`]: 8 synthetic pairs and 6 pairs of different
+/// subjects.
 fn both_kinds<'a>(study: &'a Study<'_>, settings: &[Setting]) -> Vec<Unit<'a>> {
     let mut units = study.matches(&study.phantoms(8), settings);
     units.extend(study.matches(&study.real(6), settings));
@@ -132,8 +133,8 @@ fn matched(study: &Study<'_>, results: &Results, setting: &str, plot: Plot) -> B
     }
 }
 
-/// The `rates` of synthetic pairs, and the label agreement of different subjects if there are any, as curves over settings
-/// with the horizontal position `x`.
+/// The `rates` of synthetic pairs, and the label agreement of different subjects if there are any, as curves over
+/// settings with the horizontal position `x`.
 fn rate_series(results: &Results, rates: &[Metric], x: impl Fn(&str) -> Option<f64> + Copy) -> Vec<Series> {
     let (synthetic, real) = (results.group(SYNTHETIC), results.group(REAL));
     let mut series: Vec<_> =
@@ -144,7 +145,7 @@ fn rate_series(results: &Results, rates: &[Metric], x: impl Fn(&str) -> Option<f
     series
 }
 
-/// The sentences whose numbers were measured, or that there are none.
+/// The sentences whose numbers were measured; if there are none, a sentence that says so.
 fn sentences<const N: usize>(found: [Option<String>; N]) -> String {
     let found: Vec<_> = found.into_iter().flatten().collect();
     if found.is_empty() { "No results: no unit of this section finished.".to_owned() } else { found.join(" ") }
@@ -176,7 +177,7 @@ fn range(group: &Group<'_>, metric: &Metric, largest: bool) -> Option<String> {
     Some(format!("{}: best for {best} ({first}), worst for {worst} ({last}), mean ± SD over {n} {noun}.", metric.name))
 }
 
-/// A sentence that begins with the kind of pair.
+/// The sentence, introduced by the kind of pair.
 fn on(kind: &str, sentence: Option<String>) -> Option<String> {
     sentence.map(|s| format!("On {kind} pairs, {s}"))
 }

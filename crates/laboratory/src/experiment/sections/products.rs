@@ -1,4 +1,4 @@
-//! Max-product against sum-product.
+//! Max-product compared with sum-product.
 
 use super::{About, Body, Experiment, WITHIN_1, both_kinds, matched};
 use crate::experiment::document::{Axis, Plot, PlotKind};
@@ -24,7 +24,7 @@ impl Experiment for Products {
     fn about(&self) -> About {
         About {
             id: "products",
-            title: "Max-product against sum-product",
+            title: "Max-product versus sum-product",
             question: "Do max-product messages (minimum energy) give better correspondences than sum-product messages (marginals)?",
             varied: "The messages of belief propagation, with and without soft clamping; everything else as in the default \
                      method.",

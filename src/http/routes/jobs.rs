@@ -110,7 +110,7 @@ async fn take(
     let idempotency_key = idempotency_key(headers)?;
     state.service.refuse_when_full(&tenant).await?;
     // Held until the job is stored, to limit the number of submissions in memory.
-    let _place = state.place_for_upload().await?;
+    let _permit = state.upload_permit().await?;
     let reading = submission::read(request, tap, &state.limits, state.service.limits());
     let reading = tokio::time::timeout(state.limits.upload_timeout, reading);
     let Submitted { source, target, parameters, mut details } =

@@ -11,8 +11,8 @@
 # make picture redraw docs/match.png
 # make experiment  measure every method and write a report that includes the newest accuracy table; DATA=dir: real label
 #              volumes in dir/hippocampus
-# make accuracy  measure accuracy beside other programs; DATA=dir: label volumes in dir/hippocampus; EVAL=dir: the folder
-#              of real_cases.py; CASES=10: pairs a set; OURS_ONLY=1: without the other programs
+# make accuracy  measure accuracy and compare it with other programs; DATA=dir: label volumes in dir/hippocampus;
+#              EVAL=dir: the folder of real_cases.py; CASES=10: pairs per set; OURS_ONLY=1: without the other programs
 # make answers compare the answers of this build with tests/answers.tsv, to the bit, on 20 real pairs and all methods;
 #              DATA=dir: label volumes in dir/hippocampus
 # make bench   benchmarks of a match
@@ -108,7 +108,7 @@ bench:
 	  { echo "# Benchmarks, $$(date -u +%Y-%m-%d); command: make bench"; echo; cat target/bench.md; } > "$$record"; \
 	  echo "record: $$record"
 
-# The program that is compared is a package of its own, since nothing of it is a dependency of homolog. If it cannot be
+# The program that is compared is a separate package, so that homolog does not depend on it. If it cannot be
 # built, its row says so.
 bench-service:
 	@scripts/setup test

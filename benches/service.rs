@@ -1,11 +1,11 @@
 //! The service under load: submissions, claims, polling while all cores compute, large tables, followers, memory.
 //!
-//! `make bench-service` runs this and keeps what it prints as a dated record under `benches/records/`. `--quick` is a
-//! smoke run whose figures mean nothing; a word (`submit`, `claim`, `poll`, `follow`, `idle`, `upload`, `table`,
+//! `make bench-service` runs this and stores the output as a dated record under `benches/records/`. `--quick` is a
+//! smoke run whose figures mean nothing. An argument (`submit`, `claim`, `poll`, `follow`, `idle`, `upload`, `table`,
 //! `overhead`, `schedule`, `template`) runs one part, and `schedule-gain`, `schedule-small`, `schedule-middle` or
-//! `schedule-mixed` one of `schedule`. SERVICE_BENCH_PARAMETERS (JSON) and SERVICE_BENCH_JOBS set the parameters of these
-//! matches and the number of jobs of each workload. PostgreSQL is a private cluster as in the tests of faults; where there
-//! is none, its rows are missing. No test depends on it.
+//! `schedule-mixed` one part of `schedule`. SERVICE_BENCH_PARAMETERS (JSON) and SERVICE_BENCH_JOBS set the parameters
+//! of these matches and the number of jobs of each workload. PostgreSQL is a private cluster as in the fault tests;
+//! where it is not installed, its rows are missing. No test depends on this benchmark.
 #![allow(clippy::unwrap_used, clippy::print_stdout, clippy::panic, missing_docs)]
 
 #[path = "service/http.rs"]
@@ -35,14 +35,14 @@ mod table;
 
 use std::time::Duration;
 
-/// How long and how large.
+/// Duration and size of the measurements.
 #[derive(Debug, Clone, Copy)]
 pub struct Scale {
     pub quick: bool,
 }
 
 impl Scale {
-    /// How long to measure a rate.
+    /// Time for which a rate is measured.
     pub fn time(self) -> Duration {
         if self.quick { Duration::from_millis(500) } else { Duration::from_secs(5) }
     }
@@ -99,9 +99,9 @@ fn main() {
     println!("machine: {}, shared with other work", machine());
     println!("commit: {}", option_env!("HOMOLOG_COMMIT").unwrap_or("unknown"));
     if scale.quick {
-        println!("a smoke run: its figures mean nothing");
+        println!("smoke run: the figures mean nothing");
     }
-    // On this thread, with which the processes it starts end.
+    // On the main thread: child processes are killed when the thread that started them ends.
     let runtime = tokio::runtime::Builder::new_multi_thread().worker_threads(2).enable_all().build().unwrap();
     runtime.block_on(async {
         if wanted("submit") {

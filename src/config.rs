@@ -161,7 +161,7 @@ fn jobs_memory_bytes() -> u64 {
     machine::memory_bytes().map_or(u64::MAX, |bytes| bytes / 4 * 3)
 }
 
-/// A retention of so many days; zero days are for ever.
+/// A retention time from days; zero means forever.
 fn retained(days: f64) -> Option<Duration> {
     (days > 0.0).then(|| Duration::from_secs_f64(days * 86_400.0))
 }
@@ -222,7 +222,7 @@ impl ServiceSettings {
         WorkerSettings {
             cores: self.cores.map_or_else(machine::cores, usize::from),
             memory_bytes: self.memory_for_jobs() - self.prepared_bytes(),
-            places: self.workers,
+            slots: self.workers,
             patience: Duration::from_millis(self.patience_ms),
             lease,
             // A lease survives two failed heartbeats.

@@ -1,6 +1,6 @@
 //! homolog finds homologous points of two anatomical surfaces: a dense correspondence and a rigid transform.
 //!
-//! This package is the program: the service and the command line. What it computes stands in the members under `crates/`;
+//! This package is the program: the service and the command line. The computation is in the members under `crates/`;
 //! a Rust program that matches surfaces takes `homolog-matching` alone. ARCHITECTURE.md is the map.
 //!
 //! The modules in reading order:

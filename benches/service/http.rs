@@ -13,10 +13,10 @@ use tokio::task::JoinSet;
 
 const CLIENTS: usize = 8;
 const POLLERS: u64 = 50;
-/// Between two questions of a poller.
+/// Time between two requests of a poller.
 const POLL: Duration = Duration::from_millis(200);
 
-/// A connection that stays open. As thin as can be: it shares the cores with the service that it measures.
+/// A persistent connection. As little code as possible: it shares the cores with the service that it measures.
 pub(crate) struct Client {
     stream: BufReader<TcpStream>,
 }
@@ -28,8 +28,8 @@ impl Client {
         Client { stream: BufReader::new(stream) }
     }
 
-    /// Asks, and returns status and body.
-    pub(crate) async fn ask(&mut self, method: &str, path: &str, media_type: &str, body: &[u8]) -> (u16, Vec<u8>) {
+    /// Sends a request and returns status and body.
+    pub(crate) async fn request(&mut self, method: &str, path: &str, media_type: &str, body: &[u8]) -> (u16, Vec<u8>) {
         let mut request = head(method, path, media_type, body.len() as u64);
         request.extend_from_slice(body);
         self.stream.write_all(&request).await.unwrap();
@@ -39,7 +39,7 @@ impl Client {
         (status, answer)
     }
 
-    /// Sends `n` times `part`.
+    /// Sends a body of `n` repetitions of `part`.
     pub(crate) async fn send_parts(&mut self, path: &str, part: &[u8], n: u64) -> (u16, Vec<u8>) {
         let request = head("POST", path, "application/octet-stream", part.len() as u64 * n);
         self.stream.write_all(&request).await.unwrap();
@@ -76,12 +76,13 @@ impl Client {
             + &part("target", "; filename=\"t.ply\"", target)
             + &part("parameters", "", &parameters.to_string())
             + "--b--\r\n";
-        let (status, answer) = self.ask("POST", "/v1/jobs", "multipart/form-data; boundary=b", body.as_bytes()).await;
+        let (status, answer) =
+            self.request("POST", "/v1/jobs", "multipart/form-data; boundary=b", body.as_bytes()).await;
         assert_eq!(status, 202, "{}", String::from_utf8_lossy(&answer));
         serde_json::from_slice::<Value>(&answer).unwrap()["id"].as_str().unwrap().to_owned()
     }
 
-    /// Submits a job that is computed in any case, and returns it when it has ended, as soon as the service says so.
+    /// Submits a job that is computed even if it equals an earlier one, and returns it as soon as it has finished.
     pub(crate) async fn submit_and_wait(&mut self, source: &[u8], target: &[u8], parameters: &Value) -> Value {
         let mut body = Vec::new();
         for (name, file, content) in [
@@ -97,7 +98,7 @@ impl Client {
         }
         body.extend_from_slice(b"--b--\r\n");
         let form = "multipart/form-data; boundary=b\r\nPrefer: wait=30";
-        let (mut status, mut answer) = self.ask("POST", "/v1/jobs", form, &body).await;
+        let (mut status, mut answer) = self.request("POST", "/v1/jobs", form, &body).await;
         loop {
             assert!(status < 300, "{}", String::from_utf8_lossy(&answer));
             let job: Value = serde_json::from_slice(&answer).unwrap();
@@ -105,13 +106,13 @@ impl Client {
                 return job;
             }
             let path = format!("/v1/jobs/{}?wait=30", job["id"].as_str().unwrap());
-            (status, answer) = self.ask("GET", &path, "", b"").await;
+            (status, answer) = self.request("GET", &path, "", b"").await;
         }
     }
 
     async fn until_state(&mut self, id: &str, wanted: &[&str]) {
         loop {
-            let (_, body) = self.ask("GET", &format!("/v1/jobs/{id}"), "", b"").await;
+            let (_, body) = self.request("GET", &format!("/v1/jobs/{id}"), "", b"").await;
             let job: Value = serde_json::from_slice(&body).unwrap();
             if wanted.contains(&job["state"].as_str().unwrap()) {
                 return;
@@ -132,10 +133,10 @@ fn head(method: &str, path: &str, media_type: &str, length: u64) -> Vec<u8> {
 pub(crate) async fn submissions(scale: Scale) {
     println!("\n## Durable submissions over HTTP\n");
     println!(
-        "`POST /v1/jobs` as a form of two files of 20 bytes, {CLIENTS} clients, {:?} each; files in a",
+        "`POST /v1/jobs` as a form with two files of 20 bytes, {CLIENTS} clients, {:?} each; files in a",
         scale.time()
     );
-    println!("folder with fsync. New files: written before the job is; held files: known by their content.\n");
+    println!("folder with fsync. New files are written before the job; held files are already stored.\n");
     println!("| store | files | workers | submissions/s | p50 ms | p99 ms |\n|---|---|---|---|---|---|");
     for postgres in [false, true] {
         for (files, workers) in [("new", "0"), ("new", "1"), ("held", "0")] {
@@ -178,10 +179,12 @@ pub(crate) async fn polling(scale: Scale) {
         scale.time() * 2
     );
     println!(
-        "the same cores. \"A job\": the service runs one that keeps rayon's threads busy. \"Unyielding\": as many"
+        "the same cores. \"A job\": the service runs a job that keeps rayon's threads busy. \"Unyielding\": as many"
     );
-    println!("threads as cores compute in the process at ordinary priority, as a match would without its own.\n");
-    println!("| store | computing | questions | p50 ms | p90 ms | p99 ms | most ms | target p99 |");
+    println!(
+        "threads as cores compute in the process at normal priority, as a match would without its own priority.\n"
+    );
+    println!("| store | computing | requests | p50 ms | p90 ms | p99 ms | max ms | target p99 |");
     println!("|---|---|---|---|---|---|---|---|");
     let cores = std::thread::available_parallelism().map_or(1, usize::from);
     for place in Place::all() {
@@ -208,7 +211,7 @@ pub(crate) async fn polling(scale: Scale) {
                     while began.elapsed() < time {
                         ticks.tick().await;
                         let one = Instant::now();
-                        let (status, _) = client.ask("GET", &path, "", b"").await;
+                        let (status, _) = client.request("GET", &path, "", b"").await;
                         taken.push(one.elapsed().as_secs_f64());
                         assert_eq!(status, 200);
                     }
@@ -227,9 +230,9 @@ pub(crate) async fn polling(scale: Scale) {
                 all.ms(1.0)
             );
             if burn_ms > 0 {
-                // Else the next process would run it again. The first connection idled for too long.
+                // Otherwise the next process would run it again. The first connection has been closed as idle.
                 let mut first = Client::connect(&node.address).await;
-                first.ask("POST", &format!("{path}/cancel"), "application/json", b"").await;
+                first.request("POST", &format!("{path}/cancel"), "application/json", b"").await;
                 first.until_state(&id, &["cancelled"]).await;
             }
         }
@@ -240,12 +243,12 @@ pub(crate) async fn followers(scale: Scale) {
     let points = scale.pick(10, 200);
     println!("\n## Followers of one job\n");
     println!(
-        "`GET /v1/jobs/{{id}}/events` of a job that makes {points} points of the trace in {} s. Late: from",
+        "`GET /v1/jobs/{{id}}/events` of a job that writes {points} trace points in {} s. Delay: from the last event of",
         points * 25 / 1000
     );
-    println!("the end of the job, as the first who heard of it did, to the last follower's last event. Transactions:");
-    println!("of the database meanwhile, those of the worker included.\n");
-    println!("| store | followers | all events | late ms | transactions | memory before MiB | most MiB |");
+    println!("the first follower to the last event of the last one. Transactions: those of the database in that time,");
+    println!("including the worker's.\n");
+    println!("| store | followers | all events | delay ms | transactions | memory before MiB | max MiB |");
     println!("|---|---|---|---|---|---|---|");
     for place in Place::all() {
         for n_followers in [1, scale.pick(20, 1_000)] {
@@ -254,7 +257,7 @@ pub(crate) async fn followers(scale: Scale) {
             let node = Node::start(&environment);
             let mut first = Client::connect(&node.address).await;
             let before = node.status_mib("VmRSS");
-            // Another job first, so that all can come before theirs begins.
+            // Another job runs first, so that all followers can connect before theirs starts.
             let blocker = first.submit("s", "t", &json!({"points": 1, "step_ms": 2_000, "seed": n_followers})).await;
             first.until_state(&blocker, &["running"]).await;
             let transactions = n_transactions(&place).await;
@@ -298,12 +301,12 @@ pub(crate) async fn followers(scale: Scale) {
     }
 }
 
-/// Transactions so far, as PostgreSQL counts them; SQLite does not.
+/// Number of transactions so far, as counted by PostgreSQL; SQLite has no such counter.
 async fn n_transactions(place: &Place) -> Option<i64> {
     if !place.is_postgres() {
         return None;
     }
-    // Sessions report what they did with a delay of up to a second or so.
+    // Sessions report their statistics with a delay of about a second.
     tokio::time::sleep(Duration::from_millis(1_500)).await;
     Some(place.database().await.number("SELECT SUM(xact_commit)::BIGINT FROM pg_stat_database").await)
 }

@@ -1,4 +1,4 @@
-//! Resident memory of the program: idle, and while it takes a large file.
+//! Resident memory of the program: idle, and while it receives a large file.
 
 use crate::Scale;
 use crate::http::Client;
@@ -10,17 +10,17 @@ use std::time::{Duration, Instant};
 pub(crate) async fn idle(scale: Scale) {
     println!("\n## Memory of an idle `homolog serve`\n");
     println!(
-        "VmRSS of the process {:?} after its start, and after every page of its documents was read.\n",
+        "VmRSS of the process {:?} after its start, and after a request for each of six read-only resources.\n",
         wait(scale)
     );
-    println!("| store | at rest MiB | after questions MiB | target 50 MiB |\n|---|---|---|---|");
+    println!("| store | at rest MiB | after requests MiB | target 50 MiB |\n|---|---|---|---|");
     for place in Place::all() {
         let node = Node::program(&place.environment());
         tokio::time::sleep(wait(scale)).await;
         let at_rest = node.status_mib("VmRSS");
         let mut client = Client::connect(&node.address).await;
         for path in ["/healthz", "/readyz", "/metrics", "/v1/jobs", "/v1/methods", "/v1/openapi.json"] {
-            client.ask("GET", path, "", b"").await;
+            client.request("GET", path, "", b"").await;
         }
         let after = node.status_mib("VmRSS");
         let verdict = if at_rest.max(after) < 50.0 { "met" } else { "missed" };
@@ -48,7 +48,7 @@ pub(crate) async fn upload(scale: Scale) {
         environment.extend(s3.iter().flat_map(|s3| S3Server::environment(s3.port())));
         let node = Node::program(&environment);
         let mut client = Client::connect(&node.address).await;
-        client.ask("GET", "/readyz", "", b"").await;
+        client.request("GET", "/readyz", "", b"").await;
         let before = node.status_mib("VmHWM");
         let part: Vec<u8> = (0..1_u32 << 20).map(|i| (i.wrapping_mul(2_654_435_761) >> 24) as u8).collect();
         let began = Instant::now();

@@ -1,4 +1,5 @@
-//! The service in a process of its own: the program itself, or this one with an engine that does as it is told.
+//! The service in a separate process: the program itself, or this benchmark with an engine whose work the parameters
+//! set.
 
 use homolog::app::{self, App, Shutdown};
 use homolog::config::{HttpSettings, ServiceSettings};
@@ -16,9 +17,9 @@ use std::process::{Child, Command, Stdio};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-/// Set in a process that is a node.
+/// Environment variable that is set in a process that is to run as a node.
 const IS_NODE: &str = "SERVICE_BENCH_NODE";
-/// Threads that compute beside the service, at the priority of all other threads.
+/// Environment variable: number of threads that compute beside the service, at normal priority.
 pub(crate) const SPINNERS: &str = "SERVICE_BENCH_SPINNERS";
 
 /// A process of the service; killed when dropped.
@@ -38,7 +39,7 @@ impl Node {
 
     /// `homolog serve`.
     pub(crate) fn program(environment: &[(&'static str, String)]) -> Self {
-        // The kernel ends it with this process, also when that is killed.
+        // The kernel kills it when this process ends, even if this process is killed.
         let mut command = Command::new("setpriv");
         command.args(["--pdeathsig", "KILL", "--", env!("CARGO_BIN_EXE_homolog"), "serve"]);
         Node::spawn(command, environment)
@@ -74,7 +75,7 @@ impl Drop for Node {
     }
 }
 
-/// Whether this process is to be a node.
+/// Whether this process is to run as a node.
 pub(crate) fn is_wanted() -> bool {
     std::env::var_os(IS_NODE).is_some()
 }
@@ -87,7 +88,7 @@ struct Arguments {
     service: ServiceSettings,
 }
 
-/// As `homolog serve`, with the engine below.
+/// Runs the service as `homolog serve` does, with the engine below.
 pub(crate) fn run() {
     rustix::process::set_parent_process_death_signal(Some(Signal::KILL)).unwrap();
     homolog::tls::prepare();
@@ -117,7 +118,7 @@ fn burn(until: Instant) -> f64 {
     x
 }
 
-/// Takes anything. Computes on all cores for `burn_ms`, or makes `points` points of the trace, `step_ms` apart.
+/// Accepts any input. Computes on all cores for `burn_ms`, or emits `points` trace points at intervals of `step_ms`.
 struct Told;
 
 impl Engine for Told {
@@ -125,7 +126,7 @@ impl Engine for Told {
         vec![MethodDescription {
             name: "told".to_owned(),
             version: "1".to_owned(),
-            description: "Does what it is told.".to_owned(),
+            description: "Does what its parameters say.".to_owned(),
             defaults: json!({}),
             parameters_schema: json!({"type": "object"}),
         }]
@@ -167,7 +168,7 @@ impl Computation for ToldComputation {
         observer.phase(Phase::Inference);
         let end = Instant::now() + Duration::from_millis(number("burn_ms"));
         while Instant::now() < end && !observer.is_cancelled() {
-            // As a match does it: short pieces on rayon's threads, one on each core.
+            // As a match does: short pieces of work on rayon's threads, one on each core.
             let slice = (Instant::now() + Duration::from_millis(50)).min(end);
             let sum: f64 = (0..rayon::current_num_threads()).into_par_iter().map(|_| burn(slice)).sum();
             std::hint::black_box(sum);

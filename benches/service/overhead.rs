@@ -1,4 +1,4 @@
-//! What the service takes beyond the match itself: the same pair by the command line and over HTTP.
+//! Overhead of the service over the match itself: the same pair on the command line and over HTTP.
 
 use crate::http::Client;
 use crate::node::Node;
@@ -12,11 +12,11 @@ use std::time::Instant;
 pub(crate) async fn overhead(scale: Scale) {
     println!("\n## Overhead of the service over the command line\n");
     println!(
-        "`homolog match --out` against `POST /v1/jobs` of the same two files with `Prefer: wait=30`, an empty queue,"
+        "`homolog match --out` versus `POST /v1/jobs` of the same two files with `Prefer: wait=30`, an empty queue, and the"
     );
-    println!("result stored on disk with fsync; in turns, every match computed. Both on all cores.");
+    println!("result stored on disk with fsync. Alternating runs, nothing cached, both on all cores.");
     pairs::say_parameters();
-    println!("| vertices | runs | command line p50 ms | service p50 ms | more ms | more % | target |");
+    println!("| vertices | runs | command line p50 ms | service p50 ms | overhead ms | overhead % | target |");
     println!("|---|---|---|---|---|---|---|");
     for (n_vertices, n_runs) in [(160, 15), (600, 11), (2_500, 5)] {
         let n_runs = scale.pick(2, n_runs);

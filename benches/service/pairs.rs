@@ -7,9 +7,9 @@ use jiff::Timestamp;
 use serde_json::{Value, json};
 use std::time::Duration;
 
-/// Vertices of a phantom times the square of its edge length in mm, about.
+/// Approximate number of vertices of a phantom times the square of its edge length in mm.
 const VERTICES_MM2: f64 = 1_480.0;
-/// Most jobs of a page.
+/// Maximum number of jobs on a page.
 const PAGE: usize = 500;
 
 /// Parameters of the matches; the service's defaults unless the environment says otherwise.
@@ -17,7 +17,7 @@ pub(crate) fn parameters() -> Value {
     std::env::var("SERVICE_BENCH_PARAMETERS").map_or_else(|_| json!({}), |text| serde_json::from_str(&text).unwrap())
 }
 
-/// Says which parameters those are.
+/// Prints these parameters.
 pub(crate) fn say_parameters() {
     match parameters() {
         Value::Object(none) if none.is_empty() => println!("Default parameters.\n"),
@@ -37,7 +37,7 @@ pub(crate) fn subject(number: u64, n_vertices: usize) -> [Vec<u8>; 2] {
     meshes.map(|mesh| write_ply(&mesh))
 }
 
-/// When a job was accepted, began and ended, and how large it was.
+/// When a job was accepted, started and finished, and how large it was.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Times {
     pub created: Timestamp,
@@ -56,7 +56,7 @@ impl Times {
     }
 }
 
-/// From the first acceptance to the last end, s.
+/// Time from the first acceptance to the last end, s.
 pub(crate) fn makespan_s(times: &[Times]) -> f64 {
     let began = times.iter().map(|t| t.created).min().unwrap();
     let ended = times.iter().map(|t| t.finished).max().unwrap();
@@ -66,20 +66,20 @@ pub(crate) fn makespan_s(times: &[Times]) -> f64 {
 /// Uploads a surface and returns its id.
 pub(crate) async fn upload(client: &mut Client, ply: &[u8]) -> String {
     let path = "/v1/meshes?file_name=s.ply";
-    let (status, body) = client.ask("POST", path, "application/octet-stream", ply).await;
+    let (status, body) = client.request("POST", path, "application/octet-stream", ply).await;
     assert!(status == 200 || status == 201, "{}", String::from_utf8_lossy(&body));
     serde_json::from_slice::<Value>(&body).unwrap()["id"].as_str().unwrap().to_owned()
 }
 
-/// Submits a batch, returns when all of its jobs have ended, and says when each did what.
+/// Submits a batch, waits until all of its jobs have finished, and returns their times.
 pub(crate) async fn run_batch(client: &mut Client, batch: &Value) -> Vec<Times> {
-    let (status, body) = client.ask("POST", "/v1/batches", "application/json", batch.to_string().as_bytes()).await;
+    let (status, body) = client.request("POST", "/v1/batches", "application/json", batch.to_string().as_bytes()).await;
     let answer: Value = serde_json::from_slice(&body).unwrap();
     assert!((200..300).contains(&status), "{answer}");
     let path = format!("/v1/batches/{}/jobs?page_size={PAGE}", answer["id"].as_str().unwrap());
     loop {
         tokio::time::sleep(Duration::from_millis(200)).await;
-        let (_, body) = client.ask("GET", &path, "", b"").await;
+        let (_, body) = client.request("GET", &path, "", b"").await;
         let page: Value = serde_json::from_slice(&body).unwrap();
         let jobs = page["jobs"].as_array().unwrap();
         let of = |state: &str| jobs.iter().filter(|job| job["state"] == state).count();

@@ -1,4 +1,4 @@
-//! Where jobs are kept during a benchmark.
+//! Where jobs are stored during a benchmark.
 
 use crate::postgres::Cluster;
 use homolog::store::sql::{DatabaseLocation, SqlStore};
@@ -21,13 +21,13 @@ impl Place {
         Place { folder, cluster: None }
     }
 
-    /// `None` without PostgreSQL, which is said.
+    /// `None`, with a message, if PostgreSQL is not installed.
     pub(crate) fn postgres() -> Option<Self> {
         let cluster = Cluster::start().inspect_err(|reason| println!("no rows of PostgreSQL: {reason}")).ok()?;
         Some(Place { cluster: Some(cluster), ..Place::sqlite() })
     }
 
-    /// One of each kind that this machine can have.
+    /// One of each kind that is available on this machine.
     pub(crate) fn all() -> Vec<Place> {
         std::iter::once(Place::sqlite()).chain(Place::postgres()).collect()
     }
@@ -44,7 +44,7 @@ impl Place {
         self.folder.path().join("data")
     }
 
-    /// What a process of the service has to be told.
+    /// The environment of a process of the service.
     pub(crate) fn environment(&self) -> Vec<(&'static str, String)> {
         let mut environment = vec![
             ("HOMOLOG_LISTEN", "127.0.0.1:0".to_owned()),
@@ -63,11 +63,11 @@ impl Place {
         let store = SqlStore::open(&location).await.unwrap();
         let durability = store.durability().await.unwrap();
         let expected = if self.is_postgres() { ("on", "on") } else { ("2", "wal") };
-        assert_eq!((durability.0.as_str(), durability.1.as_str()), expected, "a store that survives loss of power");
+        assert_eq!((durability.0.as_str(), durability.1.as_str()), expected, "the store must survive a loss of power");
         store
     }
 
-    /// The database past the store.
+    /// Direct access to the database, bypassing the store.
     pub(crate) async fn database(&self) -> Database {
         match &self.cluster {
             Some(cluster) => Database::Postgres(PgPool::connect(&cluster.url()).await.unwrap()),
@@ -82,7 +82,7 @@ impl Place {
     }
 }
 
-/// A database past the store.
+/// Direct access to a database, bypassing the store.
 pub(crate) enum Database {
     Sqlite(SqlitePool),
     Postgres(PgPool),
@@ -106,7 +106,7 @@ impl Database {
     }
 }
 
-/// A thousand followers are a thousand sockets.
+/// Raises the limit of open files: a thousand followers are a thousand sockets.
 pub(crate) fn allow_many_files() {
     use rustix::process::{Resource, getrlimit, setrlimit};
     let mut limit = getrlimit(Resource::Nofile);

@@ -1,4 +1,4 @@
-//! Submissions and claims at the store, beside the disk's own limit and graphile_worker.
+//! Submissions and claims at the store, compared with the limit of the disk and with graphile_worker.
 
 use crate::place::Place;
 use crate::{Latencies, Scale};
@@ -16,7 +16,7 @@ use std::time::{Duration, Instant};
 
 const LEASE: Duration = Duration::from_secs(60);
 const WORKERS: usize = 8;
-/// The service's default: so many jobs of a tenant may wait.
+/// Maximum number of queued jobs of a tenant; the service's default.
 const MAX_QUEUE: u32 = 1_000;
 
 /// A job with a label, of a tenant.
@@ -51,23 +51,23 @@ pub(crate) fn new_job(tenant: &Tenant, priority: i32, label: &str) -> NewJob {
     }
 }
 
-/// What surrounds a submission.
+/// The limits under which jobs are submitted.
 pub(crate) fn admission() -> Admission {
     Admission { max_queued: MAX_QUEUE, holder: String::new(), keep_result: None, once: None }
 }
 
-/// A success with a result.
+/// The outcome of a successful job, with a result.
 pub(crate) fn outcome(tenant: &Tenant) -> Outcome {
     let key = ArtifactKey::of_hash(tenant, &"c".repeat(64)).unwrap();
     Outcome::Succeeded(vec![ArtifactRef { kind: ArtifactKind::Result, key, n_bytes: 1 }])
 }
 
-/// A tenant of the many among whom jobs are spread, so that none has more waiting than it may.
+/// One of many tenants, over which jobs are spread so that none exceeds its queue limit.
 fn tenant_of(number: u64) -> Tenant {
     Tenant::new(&format!("t{}", number / 500)).unwrap()
 }
 
-/// Writes of 4 KiB per second that are on the disk when they return: the most that one who commits after each can do.
+/// Durable writes of 4 KiB per second: an upper bound on commits per second if every commit is flushed.
 fn flushes_per_second(scale: Scale) -> f64 {
     let mut file = tempfile::tempfile().unwrap();
     let block = [7_u8; 4096];
@@ -83,10 +83,10 @@ fn flushes_per_second(scale: Scale) -> f64 {
 pub(crate) async fn submissions(scale: Scale) {
     println!("\n## Durable submissions at the store\n");
     println!(
-        "`JobQueue, JobReader, JobWriter::insert`, each its own transaction; {:?} each. Floor: the same disk takes",
+        "`JobWriter::insert_job`, each in its own transaction; {:?} per row. For comparison, the disk does",
         scale.time()
     );
-    println!("{:.0} writes of 4 KiB with `fdatasync` per second, one after another.\n", flushes_per_second(scale));
+    println!("{:.0} sequential writes of 4 KiB with `fdatasync` per second.\n", flushes_per_second(scale));
     println!("| store | writers | submissions/s | p50 ms | p99 ms |\n|---|---|---|---|---|");
     for place in Place::all() {
         let store = Arc::new(place.store().await);
@@ -128,11 +128,11 @@ async fn insert_for(
 pub(crate) async fn claims(scale: Scale) {
     println!("\n## Claims with {WORKERS} workers\n");
     println!(
-        "Claim and finish with a result, until the queue is empty. Floor: {:.0} flushes per second,",
+        "Claim and finish with a result, until the queue is empty. The disk does {:.0} flushes per second;",
         flushes_per_second(scale)
     );
-    println!("of which each job needs two, fewer where commits share them. graphile_worker on the same cluster:");
-    println!("jobs that do nothing; it deletes a finished job, and keeps no result and no record of its states.\n");
+    println!("each job needs two, or fewer where commits share a flush. graphile_worker on the same cluster runs");
+    println!("jobs that do nothing, deletes finished jobs, and keeps neither results nor a history of states.\n");
     println!("| queue | jobs | jobs/s | claim p50 ms | claim p99 ms | finish p50 ms | finish p99 ms |");
     println!("|---|---|---|---|---|---|---|");
     let n_jobs = scale.pick(100, 3_000);
@@ -179,7 +179,7 @@ pub(crate) async fn claims(scale: Scale) {
     }
 }
 
-/// Queues a hundred jobs in one transaction, which is the quickest way.
+/// Queues a hundred jobs in one transaction, which is fastest.
 async fn fill(place: &Place, store: &SqlStore, number: u64) {
     use homolog::jobs::{BatchId, NewBatch};
     let tenant = tenant_of(number * 100);
@@ -189,7 +189,7 @@ async fn fill(place: &Place, store: &SqlStore, number: u64) {
     store.insert_batch(&batch, &jobs, &admission()).await.unwrap();
 }
 
-/// The row of graphile_worker, if `make bench-service` has built it and says where.
+/// The row of graphile_worker, if `make bench-service` has built it and set its path.
 fn peer(url: &str, n_jobs: u64) {
     let Some(program) = std::env::var_os("HOMOLOG_BENCH_PEER") else {
         println!("| graphile_worker on PostgreSQL | not built; `make bench-service` does | | | | | |");

@@ -1,4 +1,5 @@
-//! Jobs an hour by how a process shares its cores, against both extremes, and for a template against many subjects.
+//! Throughput by how a process divides its cores among jobs, compared with both extremes, and for a template with many
+//! subjects.
 
 use crate::http::Client;
 use crate::node::Node;
@@ -14,7 +15,7 @@ const SMALL: usize = 600;
 const MIDDLE: usize = 2_500;
 const LARGE: usize = 10_000;
 
-/// The parts of this comparison, a workload each.
+/// The parts of this comparison, one for each workload.
 pub(crate) const PARTS: [&str; 3] = ["schedule-small", "schedule-middle", "schedule-mixed"];
 
 /// Jobs to run, by the vertices of their surfaces, in the order of the queue.
@@ -23,7 +24,7 @@ pub(crate) struct Workload {
     jobs: Vec<usize>,
 }
 
-/// As many as the measurement wants, or as the environment says.
+/// The number of jobs: `full`, a few in a quick run, or the number set in the environment.
 fn count(scale: Scale, full: usize) -> usize {
     let told = std::env::var("SERVICE_BENCH_JOBS").ok().map(|n| n.parse().unwrap());
     told.unwrap_or(scale.pick(4, full))
@@ -45,7 +46,7 @@ pub(crate) fn workload(part: &str, scale: Scale) -> Workload {
     }
 }
 
-/// What one more core is worth to a match that is alone: what the prediction of cores rests on.
+/// Speedup of a single match by a further core, on which the prediction of cores is based.
 pub(crate) fn gains(scale: Scale) {
     println!("\n## One match on one core and on all\n");
     println!("`homolog match`, median of the runs, reading and writing included.");
@@ -74,7 +75,7 @@ pub(crate) fn write_pair(folder: &std::path::Path, pair: [Vec<u8>; 2]) -> [std::
     files
 }
 
-/// Seconds of a `homolog match`; "0" threads are all that there are.
+/// Seconds of a `homolog match`; "0" threads means all cores.
 pub(crate) fn timed_match(files: &[std::path::PathBuf; 2], out: &std::path::Path, threads: &str) -> f64 {
     let mut command = Command::new(env!("CARGO_BIN_EXE_homolog"));
     let stated = out.with_extension("json");
@@ -87,17 +88,19 @@ pub(crate) fn timed_match(files: &[std::path::PathBuf; 2], out: &std::path::Path
     began.elapsed().as_secs_f64()
 }
 
-/// Prints what the rows of the workloads mean.
+/// Prints the meaning of the rows of the workloads.
 pub(crate) fn explain() {
-    println!("\n## Jobs an hour by how cores are shared\n");
+    println!("\n## Jobs per hour by how cores are divided\n");
     println!(
-        "A batch over uploads, from its acceptance to the end of its last job. \"One after another\": one worker,"
+        "A batch of uploaded surfaces, from its acceptance to the end of its last job. \"One after another\": one"
     );
-    println!("each job on all cores. \"Side by side\": as many workers as cores, each job on one, also the large one.");
-    println!("\"By prediction\": the default.");
+    println!(
+        "worker, each job on all cores. \"Side by side\": as many workers as cores, each job on one core, including"
+    );
+    println!("the large one. \"By prediction\": the default.");
     pairs::say_parameters();
     println!(
-        "| jobs | shared | seconds | jobs an hour | large waited s | large ran s | small waited s, mean | most MiB |"
+        "| jobs | cores | seconds | jobs per hour | large waited s | large ran s | small waited s, mean | max MiB |"
     );
     println!("|---|---|---|---|---|---|---|---|");
 }
@@ -143,17 +146,17 @@ fn row(workload: &Workload, way: &str, times: &[Times], most_mib: f64) {
     );
 }
 
-/// Pairs an hour of a template against many subjects, prepared surfaces kept between jobs or not.
+/// Pairs per hour of a template with many subjects, with and without a cache of prepared surfaces.
 pub(crate) async fn template(scale: Scale) {
     let (n_subjects, n_vertices) = (count(scale, 100), scale.pick(SMALL, MIDDLE));
     println!("\n## A template against {n_subjects} subjects\n");
     println!(
-        "Surfaces of about {n_vertices} vertices, uploaded before; one batch, default settings, but that in one row"
+        "Surfaces of about {n_vertices} vertices, uploaded before; one batch with default settings, except that the cache"
     );
-    println!("no prepared surface is kept between jobs.");
+    println!("of prepared surfaces is off in one row.");
     pairs::say_parameters();
-    println!("| prepared surfaces | seconds | pairs an hour | most MiB |\n|---|---|---|---|");
-    for (way, bytes) in [("anew", Some("0")), ("kept", None)] {
+    println!("| prepared surfaces | seconds | pairs per hour | max MiB |\n|---|---|---|---|");
+    for (way, bytes) in [("not cached", Some("0")), ("cached", None)] {
         let place = Place::sqlite();
         let mut environment = place.environment();
         environment.extend(bytes.map(|n| ("HOMOLOG_PREPARED_BYTES", n.to_owned())));

@@ -17,15 +17,15 @@ pub(crate) async fn latencies(scale: Scale) {
         scale.pick((&[1_000, 2_000], 5), (&[1_000, 10_000, 100_000, 1_000_000], 100));
     println!("\n## Latency by the number of jobs in the table, ms\n");
     println!(
-        "p50 / p99 of {repeats} calls at the store, one after another; pages of 50. Three quarters of the jobs are"
+        "p50 / p99 of {repeats} sequential calls of the store; pages of 50. Three quarters of the jobs are finished jobs of"
     );
     println!(
-        "finished and the tenant's, with the label `study=all`; a quarter waits, of another tenant and with a lower"
+        "the tenant with the label `study=all`; a quarter are queued jobs of another tenant with a lower priority than"
     );
     println!(
-        "priority than the jobs that are claimed. Ten jobs failed, and ten have the label `study=few`. The rows are"
+        "the jobs that are claimed. Ten jobs failed, and ten have the label `study=few`. The rows are copies of one job,"
     );
-    println!("copies of one job, made by SQL; the planner's statistics are fresh.\n");
+    println!("made by SQL; the planner's statistics are up to date.\n");
     println!(
         "| store | jobs | first page | second | 10 failed | 10 labelled | most labelled | labelled and failed | job | position in queue | submit | claim | finish |"
     );
@@ -34,7 +34,7 @@ pub(crate) async fn latencies(scale: Scale) {
         let store = place.store().await;
         let database = place.database().await;
         let tenant = Tenant::default();
-        // The row that the others are copies of, with its trace through the queue.
+        // The row of which the others are copies.
         store.insert_job(&new_job(&tenant, 0, "all"), &admission()).await.unwrap();
         let leased = store.claim_next(&WorkerId::random(), LEASE, LEASE).await.unwrap().unwrap();
         store.finish_job(&leased.lease, &outcome(&tenant), None).await.unwrap();
@@ -48,7 +48,7 @@ pub(crate) async fn latencies(scale: Scale) {
     }
 }
 
-/// Adds jobs up to number `to`; the special ones are among the first hundred, and so the oldest.
+/// Adds jobs up to number `to`; the failed and specially labelled ones are among the first hundred, that is, the oldest.
 async fn fill(database: &Database, from: u64, to: u64) {
     let (id, series, analyze) = match database {
         Database::Postgres(_) => (
@@ -82,7 +82,7 @@ async fn fill(database: &Database, from: u64, to: u64) {
          FROM model, {series};"
     );
     database.execute(&text).await;
-    // By itself: it cannot stand in a transaction.
+    // A separate statement, because it cannot run in a transaction.
     database.execute(analyze).await;
 }
 
@@ -108,7 +108,7 @@ async fn row(place: &Place, store: &SqlStore, size: u64, repeats: usize) {
     ] {
         let mut taken = Vec::new();
         let began = Instant::now();
-        // What is slow needs no great number to show it.
+        // A few calls are enough where each is slow.
         while taken.len() < repeats && (taken.len() < 5 || began.elapsed() < Duration::from_secs(5)) {
             let one = Instant::now();
             let jobs = store.list_jobs(&tenant, &filter, page).await.unwrap().jobs;

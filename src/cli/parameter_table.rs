@@ -11,7 +11,7 @@ use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
-/// Where the enumerations of the parameters stand. The OpenAPI document has their values but not what each means.
+/// The sources that define the enumerations of the parameters. The OpenAPI document has their values without meanings.
 const ENUMERATIONS: [&str; 5] = [
     include_str!("../../crates/contract/src/parameters/displacement.rs"),
     include_str!("../../crates/contract/src/parameters/energy.rs"),
@@ -20,7 +20,7 @@ const ENUMERATIONS: [&str; 5] = [
     include_str!("../../crates/contract/src/parameters/registration.rs"),
 ];
 
-/// Sections of the page, in the order of the pipeline. Parameters of none of them stand in the first table.
+/// Sections of the page, in the order of the pipeline. Parameters of no section are in the first table.
 const SECTIONS: [&str; 8] =
     ["input", "features", "energy", "inference", "clamping", "registration", "displacement", "landmarks"];
 

@@ -23,7 +23,7 @@ pub(super) struct ServeArgs {
 /// Arguments of `homolog worker`.
 #[derive(Debug, Clone, clap::Args)]
 pub(super) struct WorkerArgs {
-    /// How long it lives.
+    /// When the process exits.
     #[command(flatten)]
     pub(super) process: WorkerProcessSettings,
     /// Everything else.

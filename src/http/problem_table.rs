@@ -183,7 +183,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn slugs_are_unique_and_lead_back() {
+    fn slugs_are_unique_and_parse_back() {
         for &kind in ProblemKind::ALL {
             let slug = kind.entry().slug;
             assert_eq!(ProblemKind::from_slug(slug), Some(kind));

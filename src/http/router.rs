@@ -83,10 +83,10 @@ impl HttpState {
     ///
     /// # Errors
     /// `busy` if no slot becomes free in time.
-    pub(super) async fn place_for_upload(&self) -> Result<OwnedSemaphorePermit, Problem> {
-        let place = Arc::clone(&self.uploads).acquire_owned();
-        match tokio::time::timeout(self.limits.max_upload_wait, place).await {
-            Ok(Ok(place)) => Ok(place),
+    pub(super) async fn upload_permit(&self) -> Result<OwnedSemaphorePermit, Problem> {
+        let permit = Arc::clone(&self.uploads).acquire_owned();
+        match tokio::time::timeout(self.limits.max_upload_wait, permit).await {
+            Ok(Ok(permit)) => Ok(permit),
             _ => Err(Problem::new(ProblemKind::Busy).retry_after(5)),
         }
     }

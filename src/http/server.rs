@@ -33,7 +33,7 @@ pub struct ConnectionLimits {
 /// Serves until `stop`. Then no connection is accepted any more, idle connections are closed at once, and requests in
 /// progress are completed. Dropping the future closes all connections.
 pub async fn serve(listener: TcpListener, router: Router, limits: ConnectionLimits, stop: CancellationToken) {
-    let places = Arc::new(Semaphore::new(limits.max_connections.clamp(1, Semaphore::MAX_PERMITS)));
+    let permits = Arc::new(Semaphore::new(limits.max_connections.clamp(1, Semaphore::MAX_PERMITS)));
     let mut connections = JoinSet::new();
     let mut http = http1::Builder::new();
     http.timer(TokioTimer::new()).header_read_timeout(limits.header_timeout);
@@ -41,17 +41,17 @@ pub async fn serve(listener: TcpListener, router: Router, limits: ConnectionLimi
         let accepted = tokio::select! {
             accepted = async {
                 // The slot comes first: a connection that is not accepted costs this process nothing.
-                let place = Arc::clone(&places).acquire_owned().await.ok();
-                (accept(&listener).await, place)
+                let permit = Arc::clone(&permits).acquire_owned().await.ok();
+                (accept(&listener).await, permit)
             } => accepted,
             () = stop.cancelled() => break,
         };
-        let (stream, place) = accepted;
+        let (stream, permit) = accepted;
         // Finished tasks are removed, so that the set is no larger than the number of open connections.
         while connections.try_join_next().is_some() {}
         let (http, router, stop) = (http.clone(), router.clone(), stop.clone());
         connections.spawn(async move {
-            let _place = place;
+            let _permit = permit;
             serve_connection(stream, &http, router, stop).await;
         });
     }

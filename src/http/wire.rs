@@ -178,7 +178,7 @@ pub(crate) struct ResultLinks {
     pub(crate) transform: String,
     /// The matched source surface, whose vertices the correspondences refer to: PLY, VTK, GIFTI or STL.
     pub(crate) source_surface: String,
-    /// The matched target surface, likewise.
+    /// The matched target surface, in the same formats.
     pub(crate) target_surface: String,
     /// The dense correspondence: JSON, CSV, NumPy or Arrow; or the source surface with arrays: PLY, VTK or GIFTI.
     pub(crate) correspondences: String,

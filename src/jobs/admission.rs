@@ -63,7 +63,7 @@ impl Made {
         }
     }
 
-    /// What a text from the database stands for.
+    /// Parses the form in the database.
     pub fn from_text(text: &str) -> Option<Self> {
         match text.split_once(':')? {
             ("job", id) => JobId::parse(id).map(Made::Job),

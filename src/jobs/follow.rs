@@ -1,9 +1,9 @@
-//! Following jobs, batches and the feed of changes: one reader of the store for each thing that is followed, however many
-//! clients follow it.
+//! Following jobs, batches and the feed of changes: one reader of the store for each resource that is followed, however
+//! many clients follow it.
 //!
 //! A reader queries the store at intervals, and at once when this process signals a change of state, and publishes what it
-//! found. It ends when nobody follows any more or nothing can change any more. So a thousand dashboards cost the store as
-//! much as one.
+//! finds. It ends when the last follower leaves or when nothing can change any more. A thousand dashboards thus cost the
+//! store as much as one.
 
 use super::batch::{Batch, BatchId};
 use super::error::JobError;
@@ -28,10 +28,10 @@ const POLL_MANY: Duration = Duration::from_millis(250);
 const LEAST_MANY: Duration = Duration::from_millis(50);
 /// Interval between queries while the store fails.
 const POLL_FAILING: Duration = Duration::from_secs(1);
-/// Most trace points of one query.
+/// Maximum number of trace points of one query.
 const POINTS: u32 = 5_000;
 
-/// What is known of a followed job.
+/// The last published view of a followed job.
 #[derive(Debug, Clone)]
 pub struct Seen {
     /// The job.
@@ -55,7 +55,7 @@ impl Seen {
     }
 }
 
-/// Something that is followed. Its reader works as long as somebody holds the feed.
+/// A resource that is followed. Its reader runs as long as the feed is referenced.
 #[derive(Debug)]
 pub struct Feed<T> {
     seen: watch::Receiver<Arc<T>>,

@@ -306,7 +306,7 @@ impl Cursor {
         format!("{:x}.{}", self.created_at_ms, self.id)
     }
 
-    /// The position that a token stands for.
+    /// The position that a token encodes.
     pub fn from_token(token: &str) -> Option<Self> {
         let (time, id) = token.split_once('.')?;
         let created_at_ms = i64::from_str_radix(time, 16).ok()?;

@@ -151,7 +151,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn keys_are_read_back_and_say_nothing_in_logs() {
+    fn keys_are_parsed_and_redacted_in_logs() {
         let key = SecretKey::random();
         let again = SecretKey::parse(&key.reveal()).unwrap();
         assert_eq!(again, key);

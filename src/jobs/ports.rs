@@ -194,7 +194,7 @@ pub trait JobWriter: Send + Sync {
     /// Stores a batch with all of its jobs, or nothing; otherwise as [`JobWriter::insert_job`].
     async fn insert_batch(&self, batch: &NewBatch, jobs: &[NewJob], admission: &Admission) -> Result<Batch, JobError>;
 
-    /// Reserves an idempotency key for `busy_for`, unless it stands for a request already.
+    /// Reserves an idempotency key for `busy_for`, unless a request has used it already.
     async fn begin_once(&self, once: &Once, busy_for: Duration) -> Result<OnceStatus, JobError>;
 
     /// Frees an idempotency key for which nothing was made.

@@ -19,7 +19,7 @@ pub enum ResultPart {
     Transform,
     /// The source surface to whose vertices the correspondences refer.
     SourceSurface,
-    /// The target surface, likewise.
+    /// The target surface to which the correspondences refer.
     TargetSurface,
     /// The source surface moved onto the target.
     Aligned,
@@ -187,8 +187,8 @@ impl JobService {
     pub async fn present(&self, wanted: &Presentation) -> Result<Bytes, JobError> {
         let &Presentation { part, format, .. } = wanted;
         // The wait for a permit ends with the time limit of the request.
-        let place = Arc::clone(&self.presentations).acquire_owned().await;
-        let place = place.map_err(|error| JobError::Unavailable(Box::new(error)))?;
+        let permit = Arc::clone(&self.presentations).acquire_owned().await;
+        let permit = permit.map_err(|error| JobError::Unavailable(Box::new(error)))?;
         let mut blobs = Vec::new();
         for blob in &wanted.blobs {
             blobs.push(self.read(blob).await?);
@@ -198,7 +198,7 @@ impl JobService {
         }
         let engine: Arc<dyn Engine> = Arc::clone(&self.engine);
         let made = tokio::task::spawn_blocking(move || {
-            let _place = place;
+            let _permit = permit;
             let stored: Vec<&[u8]> = blobs.iter().map(AsRef::as_ref).collect();
             engine.present(part, format, &stored)
         });

@@ -68,7 +68,7 @@ pub struct JobService {
     pub(super) engine: Arc<dyn Engine>,
     pub(super) limits: SubmissionLimits,
     pub(super) checks: Arc<Semaphore>,
-    /// Permits to convert parts of results; each part is in memory twice meanwhile.
+    /// Permits to convert parts of results; during a conversion the part is in memory twice.
     pub(super) presentations: Arc<Semaphore>,
     /// Wakes the workers of this process. Only makes them faster: they also poll.
     pub(super) signals: Arc<Signals>,
@@ -138,7 +138,7 @@ impl JobService {
         self.feeds.follow(tenant, id).await
     }
 
-    /// Follows a batch and its counts, likewise.
+    /// Follows a batch and its counts; its followers in this process share one reader too.
     ///
     /// # Errors
     /// [`JobError::BatchNotFound`].
@@ -172,7 +172,7 @@ impl JobService {
                     match self.stores.jobs.cancel_job(tenant, job.id).await {
                         Ok(job) if job.state == JobState::Cancelled => done.cancelled += 1,
                         Ok(_) => done.told += 1,
-                        // It ended or was deleted meanwhile.
+                        // It has ended or was deleted in the meantime.
                         Err(JobError::AlreadyFinal { .. } | JobError::NotFound) => {}
                         Err(error) => return Err(error),
                     }

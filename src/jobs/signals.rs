@@ -1,4 +1,4 @@
-//! Signals between the parts of one process, so that nobody has to wait for the next query of the store.
+//! Signals between the parts of one process, so that they need not wait for the next query of the store.
 //!
 //! They are hints only. The store is the truth, and every follower also queries it at intervals, which is all that connects
 //! one process with another.

@@ -4,7 +4,7 @@
 
 use serde::{Deserialize, Serialize};
 
-/// Where a job stands. A finished state never changes.
+/// The state of a job. A final state never changes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize, utoipa::ToSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum JobState {
@@ -16,7 +16,7 @@ pub enum JobState {
     Succeeded,
     /// Ended without a result; `error` says why.
     Failed,
-    /// Ended because somebody asked.
+    /// Cancelled on request.
     Cancelled,
     /// Its deadline passed, or its result was removed when its time was over.
     Expired,
@@ -65,7 +65,7 @@ impl JobState {
 pub enum CancelEffect {
     /// It is queued: it is cancelled at once.
     CancelNow,
-    /// A worker holds it and is told through its heartbeat.
+    /// A worker is running it and learns of the request through its heartbeat.
     TellWorker,
     /// It is cancelled already: nothing changes.
     AlreadyCancelled,
@@ -108,7 +108,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn names_lead_back() {
+    fn names_parse_back() {
         for state in JobState::ALL {
             assert_eq!(JobState::from_name(state.name()), Some(state));
             assert_eq!(serde_json::to_value(state).unwrap(), state.name());
@@ -116,7 +116,7 @@ mod tests {
     }
 
     #[test]
-    fn a_final_state_is_never_left_by_cancel() {
+    fn cancellation_never_changes_a_final_state() {
         for state in JobState::ALL {
             let changes = matches!(cancel_effect(state), CancelEffect::CancelNow | CancelEffect::TellWorker);
             assert_eq!(changes, !state.is_final(), "{state:?}");

@@ -456,7 +456,7 @@ impl JobService {
                 }
             }
             if let Some(first) = job.retry_of {
-                // Likewise: its blobs exist as long as it refers to them.
+                // The hold protects its blobs too; they exist as long as the job refers to them.
                 let kind = super::ports::ArtifactKind::Source;
                 self.stores.jobs.get_artifact(&job.tenant, first, kind).await?;
             }

@@ -7,7 +7,7 @@ use utoipa::ToSchema;
 /// A point of the energy trace with its number and time.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, ToSchema)]
 pub struct NumberedPoint {
-    /// From 1, without a gap. Computation is deterministic: a rerun numbers the same points alike.
+    /// From 1, without a gap. Computation is deterministic: a rerun gives the same points the same numbers.
     pub seq: u64,
     /// The point.
     #[serde(flatten)]

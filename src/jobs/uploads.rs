@@ -148,7 +148,7 @@ impl JobService {
         let Ok(Ok(permit)) = permit.await else { return Err(SubmitError::Busy) };
         let computation = Arc::clone(&resolved.computation);
         let checked = tokio::task::spawn_blocking(move || {
-            let _permit = permit; // given back when the check ends, also if nobody waits for it any more
+            let _permit = permit; // released when the check ends, even if its request has ended
             let bytes = InputBytes { bytes: &file.bytes, name_hint: file.name_hint.as_deref() };
             computation.check_input(&bytes)
         });

@@ -38,15 +38,15 @@ pub struct WebhookPage {
     pub next: Option<Cursor>,
 }
 
-/// Where a delivery stands.
+/// The state of a delivery.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, utoipa::ToSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum DeliveryState {
-    /// Is tried, or tried again.
+    /// Waiting for its first or next attempt, or in progress.
     Pending,
     /// The receiver answered 2xx.
     Delivered,
-    /// It did not, and is not asked again.
+    /// All attempts failed; there will be no further one.
     Failed,
 }
 

@@ -34,7 +34,7 @@ impl ProcessRecord {
     pub(crate) fn create(data_dir: &Path, worker: &WorkerId) -> io::Result<Self> {
         let folder = data_dir.join("processes");
         fs::create_dir_all(&folder)?;
-        // Locked before it gets the name that others look for, so that nobody can find it unlocked.
+        // Locked before it gets the name that others look for, so that no process can find it unlocked.
         let draft = folder.join(format!("{}.draft", worker.name()));
         let own = folder.join(format!("{}.lock", worker.name()));
         let lock = File::create_new(&draft)?;
@@ -53,7 +53,7 @@ impl Processes for ProcessRecord {
                 continue;
             }
             let Some(name) = path.file_stem().and_then(|s| s.to_str()).map(str::to_owned) else { continue };
-            // Another process may have removed the record meanwhile.
+            // Another process may have removed the record in the meantime.
             let Ok(lock) = File::open(&path) else { continue };
             match lock.try_lock() {
                 Ok(()) => ended.push(Box::new(Departed { worker: WorkerId::from_name(&name), path, _lock: lock })),

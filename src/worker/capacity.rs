@@ -7,27 +7,27 @@ use crate::jobs::Demand;
 /// How a process divides its cores and its memory among jobs.
 ///
 /// By default by prediction: each job takes as many cores as it benefits from, and jobs run side by side while cores are
-/// free. Or in a fixed number of places: each job takes one place with an equal share of the cores. In both cases memory
+/// free. Or in a fixed number of slots: each job takes one slot with an equal share of the cores. In both cases memory
 /// is divided by prediction.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Capacity {
-    /// The whole of it. If the places are fixed, they are counted as cores here.
+    /// The total. With a fixed number of slots, `cores` is that number.
     pub(crate) budget: Room,
     n_cores: usize,
-    n_places: Option<usize>,
+    n_slots: Option<usize>,
 }
 
 impl Capacity {
     /// The capacity that the settings state.
     pub(crate) fn new(settings: &WorkerSettings) -> Self {
         let n_cores = settings.cores.max(1);
-        let cores = settings.places.unwrap_or(n_cores);
-        Capacity { budget: Room { cores, memory_bytes: settings.memory_bytes }, n_cores, n_places: settings.places }
+        let cores = settings.slots.unwrap_or(n_cores);
+        Capacity { budget: Room { cores, memory_bytes: settings.memory_bytes }, n_cores, n_slots: settings.slots }
     }
 
     /// The room to reserve for a job with this demand.
     pub(crate) fn need(&self, demand: Demand) -> Room {
-        let cores = if self.n_places.is_some() { 1 } else { demand.cores.max(1) };
+        let cores = if self.n_slots.is_some() { 1 } else { demand.cores.max(1) };
         Room { cores, memory_bytes: demand.memory_bytes }.at_most(self.budget)
     }
 
@@ -37,9 +37,9 @@ impl Capacity {
     /// be idle otherwise. The additional cores are not reserved: the next job still starts at once, and until the first
     /// one ends the operating system divides the cores among their threads, fewer than two for each core.
     pub(crate) fn n_threads(&self, need: Room, is_alone: bool) -> usize {
-        match self.n_places {
+        match self.n_slots {
             _ if is_alone => self.n_cores,
-            Some(places) => (self.n_cores / places.max(1)).max(1),
+            Some(slots) => (self.n_cores / slots.max(1)).max(1),
             None => need.cores,
         }
     }
@@ -49,8 +49,8 @@ impl Capacity {
 mod tests {
     use super::*;
 
-    fn capacity(cores: usize, places: Option<usize>) -> Capacity {
-        Capacity::new(&WorkerSettings { cores, places, memory_bytes: 1_000, ..WorkerSettings::default() })
+    fn capacity(cores: usize, slots: Option<usize>) -> Capacity {
+        Capacity::new(&WorkerSettings { cores, slots, memory_bytes: 1_000, ..WorkerSettings::default() })
     }
 
     #[test]
@@ -65,13 +65,13 @@ mod tests {
     }
 
     #[test]
-    fn with_fixed_places_every_job_gets_an_equal_share() {
-        for (places, threads) in [(1, 8), (2, 4), (3, 2), (8, 1), (100, 1)] {
-            let fixed = capacity(8, Some(places));
+    fn with_fixed_slots_every_job_gets_an_equal_share() {
+        for (slots, threads) in [(1, 8), (2, 4), (3, 2), (8, 1), (100, 1)] {
+            let fixed = capacity(8, Some(slots));
             let need = fixed.need(Demand::UNKNOWN);
-            assert_eq!((fixed.budget.cores, need.cores), (places, 1));
+            assert_eq!((fixed.budget.cores, need.cores), (slots, 1));
             assert_eq!(fixed.n_threads(need, false), threads);
         }
-        assert_eq!(capacity(8, Some(0)).budget.cores, 0, "a process without places runs nothing");
+        assert_eq!(capacity(8, Some(0)).budget.cores, 0, "a process without slots runs nothing");
     }
 }

@@ -209,7 +209,7 @@ async fn follow(
 fn decide(computed: Option<Computed>, cause: Option<StopCause>) -> Ending {
     match (computed, cause) {
         (_, Some(StopCause::LeaseLost)) => Ending::Abandon,
-        // A result that exists counts, whatever was requested meanwhile.
+        // A finished result is accepted, whatever was requested in the meantime.
         (Some(Ok(products)), _) => Ending::Publish(products),
         (Some(Err(ComputeError::Failed(failure))), _) => Ending::Fail(failure),
         (_, Some(StopCause::CancelRequested)) => Ending::Cancel,

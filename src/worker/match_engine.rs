@@ -1,6 +1,6 @@
 //! The engine of this service: it checks surfaces and matches pairs of them.
 //!
-//! The only place where jobs meet [`homolog_run`], [`homolog_run::intake`] and [`homolog_matching`].
+//! The only module that connects jobs with [`homolog_run`], [`homolog_run::intake`] and [`homolog_matching`].
 
 use super::{prediction, presentation};
 use crate::jobs::engine::{MethodDescription, Product, Resolved};

@@ -33,7 +33,7 @@ pub struct WorkerSettings {
     pub memory_bytes: u64,
     /// Jobs run at the same time, each with an equal share of the cores; `None`: as many as the cores and the memory are
     /// predicted to suffice for.
-    pub places: Option<usize>,
+    pub slots: Option<usize>,
     /// How long later jobs may overtake a job for which not enough cores or memory are free.
     pub patience: Duration,
     /// Duration of a lease.
@@ -59,7 +59,7 @@ impl Default for WorkerSettings {
         WorkerSettings {
             cores: machine::cores(),
             memory_bytes: u64::MAX,
-            places: None,
+            slots: None,
             patience: Duration::from_secs(10),
             lease: Duration::from_secs(15),
             heartbeat: Duration::from_secs(3),
@@ -105,10 +105,10 @@ pub(crate) struct Pool {
 }
 
 impl Pool {
-    /// Starts to run jobs; with 0 places it runs none.
+    /// Starts to run jobs; with 0 slots it runs none.
     pub(crate) fn start(parts: &PoolParts) -> Self {
         priority::lower_priority_of_global_pool();
-        let runs_jobs = parts.settings.places != Some(0);
+        let runs_jobs = parts.settings.slots != Some(0);
         Pool { dispatcher: runs_jobs.then(|| tokio::spawn(Dispatcher::new(parts.clone()).run())) }
     }
 
@@ -212,8 +212,8 @@ impl Dispatcher {
     async fn try_claim(&mut self, free: Room) -> Result<Attempt, JobError> {
         let PoolParts { store, engine, worker, settings, .. } = &self.parts;
         let (lease, max_run) = (settings.lease, settings.max_run);
-        if settings.places == Some(1) {
-            // The only place is free, so the next job can start whatever its demand.
+        if settings.slots == Some(1) {
+            // The only slot is free, so the next job can start whatever its demand.
             let Some(leased) = store.claim_next(worker, lease, max_run).await? else { return Ok(Attempt::Nothing) };
             let computation = engine.restore(&leased.job.parameters);
             let room = self.capacity.need(Demand::UNKNOWN);
@@ -227,14 +227,14 @@ impl Dispatcher {
             let known = self.known.entry(job.id).or_insert_with(|| Known::new(engine.as_ref(), job));
             candidates.push(Candidate { need: self.capacity.need(known.demand), waited: job.waited });
         }
-        let places = startable(free, &candidates, settings.patience);
-        if places.is_empty() {
+        let positions = startable(free, &candidates, settings.patience);
+        if positions.is_empty() {
             return Ok(Attempt::Nothing);
         }
-        let jobs: Vec<_> = places.iter().map(|&place| waiting[place].id).collect();
+        let jobs: Vec<_> = positions.iter().map(|&position| waiting[position].id).collect();
         let Some(leased) = store.claim_one_of(&jobs, worker, lease, max_run).await? else { return Ok(Attempt::Missed) };
-        let place = waiting.iter().position(|job| job.id == leased.job.id);
-        let room = place.map_or(self.capacity.budget, |place| candidates[place].need);
+        let position = waiting.iter().position(|job| job.id == leased.job.id);
+        let room = position.map_or(self.capacity.budget, |position| candidates[position].need);
         let computation = match self.known.remove(&leased.job.id) {
             Some(known) => known.computation,
             None => engine.restore(&leased.job.parameters),

@@ -3,7 +3,7 @@
 //! Jobs start in the order of the queue. A job that needs more than is free may be overtaken by later ones that fit, so
 //! that no core idles while there is work for it. Once it has waited for `patience`, no later job starts before it, and
 //! the running jobs finish until there is room. A large job therefore waits at most for `patience` and the longest job
-//! that is then running; the price is cores that idle meanwhile. Processes that share a queue apply the rule
+//! that is then running; the price is cores that are idle until then. Processes that share a queue apply the rule
 //! independently; the first that has room claims the job.
 
 use std::time::Duration;
@@ -66,13 +66,13 @@ pub(crate) struct Candidate {
 /// # Cost
 /// `O(n)` for `n` waiting jobs.
 pub(crate) fn startable(free: Room, waiting: &[Candidate], patience: Duration) -> Vec<usize> {
-    let mut places = Vec::new();
-    for (place, candidate) in waiting.iter().enumerate() {
+    let mut positions = Vec::new();
+    for (position, candidate) in waiting.iter().enumerate() {
         if free.holds(candidate.need) {
-            places.push(place);
+            positions.push(position);
         } else if candidate.waited >= patience {
             break;
         }
     }
-    places
+    positions
 }

@@ -85,11 +85,11 @@ fn simulate(jobs: &[Arrival], patience: u64, mut check: impl FnMut(u64, Room, &[
                 .iter()
                 .map(|&job| Candidate { need: jobs[job].need, waited: seconds(now - jobs[job].at) })
                 .collect();
-            let Some(&place) = startable(BUDGET.minus(used), &candidates, seconds(patience)).first() else {
+            let Some(&position) = startable(BUDGET.minus(used), &candidates, seconds(patience)).first() else {
                 check(now, BUDGET.minus(used), &waiting);
                 break;
             };
-            let job = waiting.remove(place);
+            let job = waiting.remove(position);
             running.push((job, now + jobs[job].takes));
             starts.push(Start { job, at: now });
         }
@@ -136,8 +136,8 @@ proptest! {
     #[test]
     fn no_later_job_overtakes_one_that_has_waited_for_the_patience(jobs in arrivals(), patience in 0..20u64) {
         let starts = simulate(&jobs, patience, |_, _, _| {});
-        for (place, late) in starts.iter().enumerate() {
-            for early in &starts[..place] {
+        for (position, late) in starts.iter().enumerate() {
+            for early in &starts[..position] {
                 let passed = early.job > late.job && early.at >= jobs[late.job].at;
                 prop_assert!(!passed || early.at < jobs[late.job].at + patience, "{:?} passed {:?}", early, late);
             }

@@ -361,8 +361,8 @@ async fn the_service_describes_itself() {
     let ready = service.json("/readyz").await;
     assert_eq!(ready["dependencies"], json!({"job_store": "ok", "artifact_store": "ok"}));
     assert_eq!(service.json("/openapi.json").await["openapi"], "3.1.0");
-    assert_eq!(service.json("/v1/methods").await["methods"][0]["name"], "obedient");
-    assert_eq!(service.json("/v1/methods/obedient").await["version"], "1");
+    assert_eq!(service.json("/v1/methods").await["methods"][0]["name"], "scripted");
+    assert_eq!(service.json("/v1/methods/scripted").await["version"], "1");
     assert_eq!(service.json("/problems/queue-full").await["status"], 429);
     let request = service.client.get(format!("{}/healthz", service.base)).header("x-request-id", "mine-1");
     assert_eq!(request.send().await.unwrap().headers()["x-request-id"], "mine-1");

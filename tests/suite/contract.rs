@@ -21,7 +21,7 @@ fn problems_md_is_up_to_date() {
 }
 
 #[test]
-fn every_reference_in_openapi_json_leads_somewhere() {
+fn every_reference_in_openapi_json_resolves() {
     let document: Value = serde_json::from_str(&committed("openapi.json")).unwrap();
     let mut references = Vec::new();
     collect(&document, &mut references);
@@ -53,7 +53,7 @@ fn operations(document: &Value) -> Vec<(String, Value)> {
 }
 
 #[test]
-fn every_body_has_an_example_that_its_schema_allows() {
+fn every_body_has_an_example_that_matches_its_schema() {
     let document: Value = serde_json::from_str(&committed("openapi.json")).unwrap();
     let mut faults = Vec::new();
     let mut n_checked = 0;
@@ -62,7 +62,7 @@ fn every_body_has_an_example_that_its_schema_allows() {
         let bodies = answers.map(|(status, answer)| (status.as_str(), &answer["content"]));
         for (place, content) in bodies.chain([("request", &operation["requestBody"]["content"])]) {
             for (media_type, body) in content.as_object().into_iter().flatten() {
-                // Files have no example, nor has the OpenAPI document itself.
+                // Neither files nor the OpenAPI document itself have an example.
                 let is_text = media_type.contains("json") || media_type.starts_with("text/");
                 if name == "openapi" && place == "200" || !is_text && place != "request" {
                     continue;

@@ -1,5 +1,5 @@
-//! The files of `deploy/`, the Dockerfile, README and `docs/` name only what there is: settings, commands and flags as the
-//! program itself lists them, its port, its paths and its metrics.
+//! The files of `deploy/`, the Dockerfile, README and `docs/` mention only settings, commands and flags that the program
+//! lists in its help, and its actual port, paths and metrics.
 
 use crate::cli::homolog;
 use serde_json::{Map, Value};
@@ -7,7 +7,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// How long a process may take for open answers after the grace, as in `src/app.rs`, s.
+/// How long a process may take to complete open answers after the grace period, as in `src/app.rs`, s.
 const LAST_ANSWERS_S: u64 = 5;
 
 fn root() -> &'static Path {
@@ -100,7 +100,7 @@ fn list_of<'a>(object: &'a Map<String, Value>, key: &str) -> &'a [Value] {
     object.get(key).and_then(Value::as_array).map(Vec::as_slice).unwrap_or_default()
 }
 
-/// What the program is called with: `args` in a pod, `command` in a compose file.
+/// The arguments of the program: `args` in a pod, `command` in a compose file.
 fn arguments(container: &Map<String, Value>) -> Vec<&str> {
     let key = if container.contains_key("args") { "args" } else { "command" };
     list_of(container, key).iter().filter_map(Value::as_str).collect()
@@ -116,12 +116,12 @@ fn port_in(address: &str) -> Option<u64> {
     address.rsplit(':').next().and_then(|port| port.parse().ok())
 }
 
-/// What the program says of itself.
+/// The settings and commands in the program's help.
 #[derive(Default)]
 struct Program {
     /// Environment variables of its settings.
     settings: BTreeSet<String>,
-    /// Flags of each command, as `keys create`; the program itself has the empty name.
+    /// Flags of each command, such as `keys create`; the program itself has the empty name.
     flags: BTreeMap<String, BTreeSet<String>>,
 }
 
@@ -134,14 +134,14 @@ impl Program {
         program
     }
 
-    /// Reads the help of `command` and of those below it.
+    /// Reads the help of `command` and of its subcommands.
     fn describe(&mut self, command: &str) {
         let done = homolog().args(command.split_whitespace()).arg("--help").output().unwrap();
         assert!(done.status.success(), "homolog {command} --help");
         let help = String::from_utf8(done.stdout).unwrap();
         let mut flags = BTreeSet::new();
         for line in help.lines().map(str::trim_start).filter(|line| line.starts_with('-')) {
-            // Flags and their values stand before the first wide gap, the description after it.
+            // Flags and their values come before the first wide gap, the description after it.
             let left = line.split("  ").next().unwrap_or_default();
             let words = left.split([' ', ',', '=', '[', '<']).filter(|word| word.starts_with("--"));
             flags.extend(words.map(str::to_owned));
@@ -160,7 +160,7 @@ impl Program {
         }
     }
 
-    /// What is wrong with these words after the program's name.
+    /// The errors in these arguments of the program.
     fn faults_of_call(&self, words: &[&str]) -> Vec<String> {
         let mut command = String::new();
         let mut n_read = 0;
@@ -192,8 +192,8 @@ impl Program {
         faults
     }
 
-    /// What is wrong with the calls of the program in one line of a shell. In `docker run IMAGE` and `docker compose run
-    /// SERVICE` the name of the image or the service stands for the program.
+    /// The errors in the calls of the program in one shell command line. In `docker run IMAGE` and `docker compose run
+    /// SERVICE`, the name of the image or the service counts as the program.
     fn faults_of_line(&self, line: &str) -> Vec<String> {
         let words: Vec<&str> = line.split_whitespace().take_while(|word| !word.starts_with('#')).collect();
         let mut faults = Vec::new();
@@ -204,7 +204,7 @@ impl Program {
                 faults.extend(self.faults_of_call(rest));
             }
         }
-        // A flag alone, as prose names it: of any command.
+        // A flag alone, as in prose, may be of any command.
         if let Some(flag) = words.first().filter(|word| word.starts_with("--") && word.len() > 2) {
             let flag = flag.split('=').next().unwrap_or_default();
             if !self.flags.values().any(|flags| flags.contains(flag)) {
@@ -225,7 +225,7 @@ fn name_at_start(text: &str) -> &str {
     &text[..end]
 }
 
-/// The environment variables of this program that a text names.
+/// The environment variables of this program that a text mentions.
 fn settings_named(text: &str) -> BTreeSet<String> {
     let mut names = BTreeSet::new();
     for (at, prefix) in text.match_indices("HOMOLOG_") {
@@ -238,7 +238,7 @@ fn settings_named(text: &str) -> BTreeSet<String> {
     names
 }
 
-/// The lines of shell in a file, and what its prose puts between backticks. In Markdown, shell stands in fences;
+/// The shell lines in a file, and the text between backticks in its prose. In Markdown, shell is in fenced blocks;
 /// elsewhere, in comments that are indented by three spaces.
 fn snippets(file: &TextFile) -> Vec<String> {
     let mut lines = Vec::new();
@@ -273,7 +273,7 @@ fn snippets(file: &TextFile) -> Vec<String> {
     lines
 }
 
-/// What stands between backticks.
+/// The text between backticks.
 fn spans(prose: &str) -> impl Iterator<Item = String> {
     prose.split('`').skip(1).step_by(2).map(str::to_owned)
 }
@@ -287,7 +287,7 @@ fn sources() -> String {
     paths.iter().filter(is_rust).map(|path| fs::read_to_string(path).unwrap()).collect()
 }
 
-/// The instruction of the Dockerfile that begins with `keyword`; the last one, which is the one that counts.
+/// The last instruction of the Dockerfile that begins with `keyword`, which is the one that takes effect.
 fn instruction(keyword: &str) -> String {
     let text = fs::read_to_string(root().join("Dockerfile")).unwrap();
     let found = text.lines().rev().find_map(|line| line.strip_prefix(keyword).and_then(|rest| rest.strip_prefix(' ')));
@@ -300,9 +300,9 @@ fn image_port() -> u64 {
 }
 
 #[test]
-fn every_setting_that_is_named_exists() {
+fn every_setting_that_is_mentioned_exists() {
     let mut known = Program::ask().settings;
-    // Not settings: arguments of the image's build.
+    // Build arguments of the image, not settings.
     let dockerfile = fs::read_to_string(root().join("Dockerfile")).unwrap();
     known.extend(dockerfile.lines().filter_map(|line| line.strip_prefix("ARG ")).map(|a| name_at_start(a).to_owned()));
     let mut faults = Vec::new();
@@ -314,7 +314,7 @@ fn every_setting_that_is_named_exists() {
 }
 
 #[test]
-fn every_command_and_flag_that_is_named_exists() {
+fn every_command_and_flag_that_is_mentioned_exists() {
     let program = Program::ask();
     let mut faults = Vec::new();
     for file in files() {
@@ -335,7 +335,7 @@ fn every_command_and_flag_that_is_named_exists() {
 }
 
 #[test]
-fn the_image_asks_for_keys_and_calls_what_there_is() {
+fn the_image_requires_keys_and_runs_existing_commands() {
     let program = Program::ask();
     let list = |text: &str| -> Vec<String> { serde_json::from_str(text).unwrap() };
     assert_eq!(list(&instruction("ENTRYPOINT")), ["homolog"]);
@@ -347,14 +347,14 @@ fn the_image_asks_for_keys_and_calls_what_there_is() {
         let words: Vec<&str> = call.iter().map(String::as_str).collect();
         assert_eq!(program.faults_of_call(&words), Vec::<String>::new());
     }
-    assert!(!command.contains(&"--insecure".to_owned()), "the image alone is open to all: {command:?}");
+    assert!(!command.contains(&"--insecure".to_owned()), "the image must not run without authentication: {command:?}");
     let listen = instruction("ENV");
     let listen = listen.split_whitespace().find_map(|pair| pair.strip_prefix("HOMOLOG_LISTEN=")).unwrap();
     assert_eq!(port_in(listen), Some(image_port()));
 }
 
 #[test]
-fn only_a_port_of_this_machine_is_open_without_keys() {
+fn without_keys_only_loopback_ports_are_open() {
     for (name, document) in documents() {
         for container in containers(&document) {
             if arguments(container).contains(&"--insecure") {
@@ -397,8 +397,8 @@ fn ports_and_paths_are_those_of_the_image_and_the_router() {
                 };
                 n_probes += 1;
                 let (path, port) = (text_of(get, "path").unwrap(), text_of(get, "port").unwrap());
-                assert!(is_route(path), "{name}: {probe} asks {path}");
-                assert!(own_names.contains(port), "{name}: {probe} asks the port {port}");
+                assert!(is_route(path), "{name}: {probe} requests {path}");
+                assert!(own_names.contains(port), "{name}: {probe} uses the port {port}");
             }
             let check: Vec<&str> = container
                 .get("healthcheck")
@@ -426,7 +426,7 @@ fn ports_and_paths_are_those_of_the_image_and_the_router() {
 }
 
 #[test]
-fn processes_are_given_more_time_to_end_than_their_grace() {
+fn stop_timeouts_exceed_the_grace_period() {
     let all = documents();
     let grace_s = |settings: &Map<String, Value>| {
         text_of(settings, "HOMOLOG_SHUTDOWN_GRACE_MS").map(|ms| ms.parse::<u64>().unwrap() / 1_000)
@@ -466,7 +466,7 @@ fn the_metrics_of_the_runbook_exist() {
 }
 
 #[test]
-fn files_that_others_name_exist() {
+fn referenced_files_exist() {
     for (name, document) in documents() {
         let folder = root().join(&name).parent().unwrap().to_owned();
         for object in objects(&document) {
@@ -480,7 +480,7 @@ fn files_that_others_name_exist() {
 }
 
 #[test]
-fn the_readers_of_calls_and_settings_find_what_is_wrong() {
+fn wrong_calls_and_settings_are_detected() {
     let mut program = Program::default();
     let flags = |names: &[&str]| names.iter().map(|name| (*name).to_owned()).collect::<BTreeSet<_>>();
     program.flags.insert(String::new(), flags(&["--version"]));

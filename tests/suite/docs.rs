@@ -1,5 +1,5 @@
-//! The page at `/docs` is served with everything it loads, and the documents of the repository fit the program and each
-//! other.
+//! The page at `/docs` is served with everything it loads, and the documents of the repository agree with the program
+//! and with each other.
 
 use super::cli::homolog;
 use super::jobs_support::{TestService, problem};
@@ -13,7 +13,7 @@ fn references(page: &str) -> Vec<String> {
 }
 
 #[tokio::test]
-async fn the_page_and_its_files_come_from_the_service() {
+async fn the_api_page_loads_only_files_of_the_service() {
     let service = TestService::start(&["--workers", "0"]).await;
     let client = reqwest::Client::builder().redirect(reqwest::redirect::Policy::none()).build().unwrap();
     let redirect = client.get(format!("{}/docs", service.base)).send().await.unwrap();
@@ -27,7 +27,7 @@ async fn the_page_and_its_files_come_from_the_service() {
     let references = references(&page);
     assert!(references.len() >= 5, "{references:?}");
     for reference in references {
-        assert!(!reference.contains("//") && !reference.starts_with("data:"), "{reference} leads elsewhere");
+        assert!(!reference.contains("//") && !reference.starts_with("data:"), "{reference} refers to another host");
         let file = service.get(&format!("/docs/{reference}")).await;
         assert_eq!(file.status(), 200, "{reference}");
         let media_type = file.headers()["content-type"].to_str().unwrap().to_owned();
@@ -55,7 +55,7 @@ fn the_table_of_parameters_is_up_to_date() {
 }
 
 #[test]
-fn links_between_documents_lead_somewhere() {
+fn links_between_documents_resolve() {
     let mut n_links = 0;
     let mut broken = Vec::new();
     for path in documents() {
@@ -76,7 +76,7 @@ fn links_between_documents_lead_somewhere() {
 }
 
 #[test]
-fn the_readers_of_links_and_anchors_find_them() {
+fn links_and_anchors_are_parsed() {
     let text = "# A title: *with* `code`/marks\n```sh\n# no [heading](here)\n```\nSee ![x](a.png), [y](b.md#a-b) and <http://c>.";
     assert_eq!(links(text), ["a.png", "b.md#a-b"]);
     assert_eq!(anchors(text), ["a-title-with-codemarks"]);
@@ -112,7 +112,7 @@ fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
 }
 
-/// The Markdown files for readers. Records of measurements stay as they were written.
+/// The Markdown documents, except records of measurements, which are not updated.
 fn documents() -> Vec<PathBuf> {
     let folders = ["", "docs", "docs/experiments", "deploy", "benches/accuracy", "crates/laboratory/benches/pgmax"];
     let entries = folders.iter().flat_map(|folder| fs::read_dir(root().join(folder)).unwrap());

@@ -1,4 +1,4 @@
-//! What becomes of running jobs when their process ends, and how processes share a data directory.
+//! Running jobs when their process shuts down, and processes that share a data directory.
 
 use super::jobs_support::{TestService, WorkerProcess};
 use serde_json::json;
@@ -6,7 +6,7 @@ use std::sync::atomic::Ordering;
 use std::time::{Duration, Instant};
 
 #[tokio::test]
-async fn a_shutdown_gives_running_jobs_back_and_they_finish_after_a_restart() {
+async fn a_shutdown_requeues_running_jobs_and_they_finish_after_a_restart() {
     let service = TestService::start(&[]).await;
     let running = service.submit(json!({"points": 40, "step_ms": 20})).await;
     let waiting = service.submit(json!({"points": 2})).await;
@@ -18,7 +18,11 @@ async fn a_shutdown_gives_running_jobs_back_and_they_finish_after_a_restart() {
     let service = TestService::start_in(folder, &[]).await;
     for id in [&running, &waiting] {
         let job = service.until_final(id).await;
-        assert_eq!((&job["state"], &job["attempt"]), (&json!("succeeded"), &json!(1)), "a shutdown is no attempt");
+        assert_eq!(
+            (&job["state"], &job["attempt"]),
+            (&json!("succeeded"), &json!(1)),
+            "a shutdown does not count as an attempt"
+        );
     }
     let trace = service.json(&format!("/v1/jobs/{running}/trace")).await;
     let seqs: Vec<_> = trace["points"].as_array().unwrap().iter().map(|p| p["seq"].as_u64().unwrap()).collect();
@@ -27,7 +31,7 @@ async fn a_shutdown_gives_running_jobs_back_and_they_finish_after_a_restart() {
 }
 
 #[tokio::test]
-async fn jobs_that_end_within_the_grace_are_not_given_back() {
+async fn jobs_that_finish_within_the_grace_period_are_not_requeued() {
     let service = TestService::start(&[]).await;
     let id = service.submit(json!({"points": 20, "step_ms": 20})).await;
     service.until_running(&id).await;
@@ -63,7 +67,7 @@ async fn a_worker_process_runs_jobs_that_another_process_accepts() {
 }
 
 #[tokio::test]
-async fn a_busy_heart_keeps_short_leases() {
+async fn heartbeats_renew_short_leases_during_a_computation() {
     let service = TestService::start(&["--lease-ms", "300", "--heartbeat-ms", "50"]).await;
     let id = service.submit(json!({"points": 100, "step_ms": 15})).await;
     let job = service.until_final(&id).await;

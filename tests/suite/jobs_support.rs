@@ -1,4 +1,4 @@
-//! An engine whose parameters say what it does, and a service with this engine on a port and in a folder of its own.
+//! A scripted engine, whose parameters say what it does, and a service with this engine on a separate port and folder.
 
 use homolog::app::{self, App, Shutdown};
 use homolog::config::{HttpSettings, ServiceSettings};
@@ -20,14 +20,14 @@ const KEYS: [&str; 9] = ["points", "step_ms", "fail", "panic", "abort", "deaf", 
 
 /// Does what the parameters say.
 #[derive(Debug, Default)]
-pub(crate) struct ObedientEngine {
+pub(crate) struct ScriptedEngine {
     /// Number of computations.
     pub computed: Arc<AtomicU32>,
     /// Number of stored jobs whose parameters were read.
     pub restored: AtomicU32,
 }
 
-/// A computation of the obedient engine: the numbers of its parameters.
+/// A computation of the scripted engine: the numbers of its parameters.
 #[derive(Debug)]
 struct Obedience {
     numbers: BTreeMap<String, u64>,
@@ -40,19 +40,19 @@ impl Obedience {
     }
 }
 
-impl ObedientEngine {
+impl ScriptedEngine {
     fn computation(&self, parameters: &Value) -> Arc<dyn Computation> {
         let numbers = serde_json::from_value(parameters.clone()).unwrap();
         Arc::new(Obedience { numbers, computed: Arc::clone(&self.computed) })
     }
 }
 
-impl Engine for ObedientEngine {
+impl Engine for ScriptedEngine {
     fn methods(&self) -> Vec<MethodDescription> {
         vec![MethodDescription {
-            name: "obedient".to_owned(),
+            name: "scripted".to_owned(),
             version: "1".to_owned(),
-            description: "Does what it is told.".to_owned(),
+            description: "Does what its parameters say.".to_owned(),
             defaults: json!({}),
             parameters_schema: json!({"type": "object"}),
         }]
@@ -74,7 +74,7 @@ impl Engine for ObedientEngine {
             return Err(faults);
         }
         Ok(Resolved {
-            method: "obedient".to_owned(),
+            method: "scripted".to_owned(),
             method_version: "1".to_owned(),
             parameters: request.clone(),
             computation: self.computation(request),
@@ -96,7 +96,7 @@ impl Engine for ObedientEngine {
 impl Computation for Obedience {
     fn check_input(&self, input: &InputBytes<'_>) -> Result<InputSummary, InputRefusal> {
         if input.bytes.starts_with(b"panic") {
-            panic!("told to");
+            panic!("as requested");
         }
         if input.bytes.starts_with(b"bad") {
             let topology = Some(json!({"n_components": 2}));
@@ -133,10 +133,10 @@ impl Computation for Obedience {
             std::process::abort();
         }
         if number("panic") != 0 {
-            panic!("told to, with Jane Doe in the message");
+            panic!("as requested, with Jane Doe in the message");
         }
         if number("fail") != 0 {
-            return Err(ComputeError::Failed(Failure::new("no-registration", "told to")));
+            return Err(ComputeError::Failed(Failure::new("no-registration", "as requested")));
         }
         let mut result = json!({"transform": {"matrix": [[1.5]]}, "points": points});
         if number("sign") != 0 {
@@ -167,7 +167,7 @@ struct Arguments {
 pub(crate) struct TestService {
     pub base: String,
     pub client: reqwest::Client,
-    pub engine: Arc<ObedientEngine>,
+    pub engine: Arc<ScriptedEngine>,
     pub shutdown: Shutdown,
     pub folder: Arc<tempfile::TempDir>,
     running: tokio::task::JoinHandle<()>,
@@ -176,7 +176,7 @@ pub(crate) struct TestService {
 /// A process that only runs jobs, within this one.
 pub(crate) struct WorkerProcess {
     pub shutdown: Shutdown,
-    pub engine: Arc<ObedientEngine>,
+    pub engine: Arc<ScriptedEngine>,
     pub running: tokio::task::JoinHandle<()>,
 }
 
@@ -189,7 +189,7 @@ impl TestService {
         TestService::start_with(folder, more, None).await
     }
 
-    /// With another engine than the obedient one, which then only stands by.
+    /// With another engine instead of the scripted one.
     pub(crate) async fn start_with(
         folder: Arc<tempfile::TempDir>,
         more: &[&str],
@@ -205,7 +205,7 @@ impl TestService {
         let shutdown = Shutdown::default();
         let listener = app::listen(&http).await.unwrap();
         let base = format!("http://{}", listener.local_addr().unwrap());
-        let engine = Arc::new(ObedientEngine::default());
+        let engine = Arc::new(ScriptedEngine::default());
         let used = other.unwrap_or_else(|| Arc::clone(&engine) as Arc<dyn Engine>);
         let app = App::open(&service, used, &shutdown, true).await.unwrap();
         let ends = shutdown.clone();
@@ -213,18 +213,18 @@ impl TestService {
         TestService { base, client: reqwest::Client::new(), engine, shutdown, folder, running }
     }
 
-    /// Another process on the same folder that runs jobs and answers nobody.
+    /// Another process on the same folder that runs jobs and serves no HTTP.
     pub(crate) async fn worker(&self, more: &[&str]) -> WorkerProcess {
         let data_dir = self.folder.path().to_str().unwrap().to_owned();
         let Arguments { service, .. } = clap::Parser::parse_from(["test", "--data-dir", &data_dir].iter().chain(more));
-        let (shutdown, engine) = (Shutdown::default(), Arc::new(ObedientEngine::default()));
+        let (shutdown, engine) = (Shutdown::default(), Arc::new(ScriptedEngine::default()));
         let app = App::open(&service, Arc::clone(&engine) as Arc<dyn Engine>, &shutdown, false).await.unwrap();
         let ends = shutdown.clone();
         let running = tokio::spawn(async move { app.run(None, &ends).await });
         WorkerProcess { shutdown, engine, running }
     }
 
-    /// Ends as after a signal; the folder stays with who holds it.
+    /// Shuts down as after a signal and returns the folder.
     pub(crate) async fn end(self) -> Arc<tempfile::TempDir> {
         self.shutdown.stop.cancel();
         self.shutdown.give_back.cancel();
@@ -259,7 +259,7 @@ impl TestService {
         response.json::<Value>().await.unwrap()["id"].as_str().unwrap().to_owned()
     }
 
-    /// The job once `done` says so.
+    /// The job once `done` holds.
     pub(crate) async fn until(&self, id: &str, done: impl Fn(&Value) -> bool) -> Value {
         let began = Instant::now();
         loop {
@@ -290,7 +290,7 @@ pub(crate) fn form(source: &str, target: &str, parameters: &Value) -> Form {
         .text("parameters", parameters.to_string())
 }
 
-/// A problem of this status and type, as every error has to be.
+/// Asserts that an answer is a problem document of this status and type, and returns it.
 pub(crate) async fn problem(response: reqwest::Response, status: u16, slug: &str) -> Value {
     let got = response.status().as_u16();
     let media_type = response.headers().get("content-type").cloned();

@@ -80,7 +80,7 @@ fn a_folder_without_a_service_is_refused_and_left_as_it_is() {
 }
 
 #[test]
-fn a_first_key_is_created_before_the_service_starts() {
+fn the_first_key_is_created_before_the_service_starts() {
     let folder = tempfile::tempdir().unwrap();
     let (by_flag, by_migration) = (folder.path().join("a"), folder.path().join("b"));
     let (code, key, stderr) = run(&by_flag, &["keys", "create", "--init"]);

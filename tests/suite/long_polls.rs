@@ -56,7 +56,7 @@ async fn a_loop_on_a_busy_job_makes_one_request_a_second_and_sees_the_end_at_onc
 }
 
 #[tokio::test]
-async fn an_estimate_that_changes_ends_no_wait() {
+async fn a_changed_estimate_does_not_end_a_wait() {
     let service = TestService::start(&[]).await;
     let id = service.submit(json!({"points": 3, "step_ms": 6000})).await;
     let path = format!("/v1/jobs/{id}");

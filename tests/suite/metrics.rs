@@ -37,7 +37,7 @@ async fn send_made_up(service: &TestService, made_up: &str) {
 }
 
 #[tokio::test]
-async fn made_up_requests_make_no_new_series() {
+async fn made_up_requests_create_no_new_series() {
     let service = TestService::start(&["--auth", "keys"]).await;
     let key = async |tenant: &str| {
         let mut command = homolog();
@@ -53,7 +53,7 @@ async fn made_up_requests_make_no_new_series() {
             request.multipart(form("a", "b", &json!({}))).send().await.unwrap().json().await.unwrap();
         assert!(job["id"].is_string(), "{job}");
     };
-    // What such requests count as, each once.
+    // The series in which such requests are counted, each once.
     send_made_up(&service, "madeup-0").await;
     submit("tenant-0").await;
     service.get("/metrics").await;
@@ -64,13 +64,13 @@ async fn made_up_requests_make_no_new_series() {
     }
     let text = service.get("/metrics").await.text().await.unwrap();
     let after = all_series(&text);
-    // Those about requests; others appear when a job first ends in some way or housekeeping first runs.
+    // Only the series on requests; others appear when a job first ends in some way or housekeeping first runs.
     let new: Vec<_> = after.difference(&before).filter(|(_, labels)| labels.contains_key("route")).collect();
     assert!(new.is_empty(), "{new:?}");
     assert!(!text.to_lowercase().contains("madeup") && !text.contains("tenant"), "{text}");
     assert!(text.contains("method=\"other\",route=\"none\""), "{text}");
 
-    // The whole vocabulary: a new label needs a closed set of values, and a line here.
+    // All labels and their values: a new label needs a closed set of values, and a line here.
     let document = service.json("/openapi.json").await;
     let mut routes: BTreeSet<String> = document["paths"].as_object().unwrap().keys().cloned().collect();
     routes.extend(["/docs", "/docs/", "/docs/{*path}", "none"].map(str::to_owned));

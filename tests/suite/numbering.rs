@@ -23,17 +23,17 @@ use std::collections::BTreeSet;
 use std::io::Read;
 use std::sync::LazyLock;
 
-/// What is done to an upload.
+/// How an upload is mangled.
 #[derive(Debug, Clone)]
 struct Mangling {
     /// Vertices that no face uses, some of them far away, some where a vertex of the surface is.
     n_unused: usize,
-    /// Vertices split in two, with a part of the faces each.
+    /// Vertices split in two, each with a part of the faces.
     n_split: usize,
     /// A small tetrahedron beside the surface.
     stray_piece: bool,
     inside_out: bool,
-    /// Order of vertices and faces; `None` leaves them as they are, what is added behind them.
+    /// Seed of a new order of vertices and faces; `None` keeps the order and appends what is added.
     order: Option<u64>,
 }
 
@@ -96,7 +96,7 @@ impl Upload {
             }
             match mesh.arity().n_corners() {
                 3 => faces.extend([[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]].map(|f| f.map(|v| first + v).to_vec())),
-                // A pillow of two quads, twice: closed, and it encloses nothing.
+                // Two pairs of opposite quads: closed surfaces without volume.
                 _ => faces.extend([[0, 1, 2, 3], [3, 2, 1, 0]].map(|f| f.map(|v| first + v).to_vec())),
             }
         }
@@ -117,7 +117,7 @@ impl Upload {
             faces.iter_mut().enumerate().for_each(|(k, face)| face.rotate_left(k % 3));
         }
         let mesh = SurfaceMesh::new(placed, mesh.arity(), faces.concat()).unwrap();
-        // Of split vertices the first stands for both, among those that a face uses.
+        // Of the copies of a split vertex, the first that a face uses represents all.
         let mut seen = BTreeSet::new();
         let clean = placed_of.into_iter().map(|v| v.filter(|&v| seen.insert(v))).collect();
         Upload { mesh, clean }
@@ -149,7 +149,7 @@ fn read_back(columns: &Correspondences, source: &Upload, target: &Upload) -> Cor
     }
 }
 
-/// Points of the rows on the surface that `triangle` counts, from the uploaded coordinates alone.
+/// The points of the rows on the surface whose faces `triangle` numbers, from the uploaded coordinates alone.
 fn assert_points_on_upload(columns: &Correspondences, target: &Upload, faces: &BTreeSet<Vec<u32>>, edge_mm: f64) {
     let at = |v: u32| target.mesh.vertices()[v as usize].coords;
     for row in 0..columns.source.len() {
@@ -170,13 +170,13 @@ fn triangles(mesh: &SurfaceMesh) -> BTreeSet<Vec<u32>> {
         triangle.sort_unstable();
         triangle
     };
-    // The diagonal along which a quad is cut depends on its first corner: both are right.
+    // The diagonal along which a quad is split depends on its first corner; both are valid.
     let quads = mesh.faces().filter(|f| f.len() == 4);
     let other = quads.flat_map(|f| [[f[1], f[2], f[3]], [f[1], f[3], f[0]]]);
     mesh.triangles().iter().map(sorted).chain(other.map(|t| sorted(&t))).collect()
 }
 
-/// What a job stored.
+/// The stored results of a job.
 struct Stored {
     document: ResultDocument,
     columns: Correspondences,
@@ -245,7 +245,7 @@ fn of_npy(bytes: &[u8]) -> Indices {
 fn of_arrow(bytes: &[u8], n: usize) -> Indices {
     let sizes = [4 * n, 4 * n, 8 * n, n.div_ceil(8), 8 * n, n, 4 * n, 4 * n, 4 * n, 8 * n, 8 * n, 8 * n];
     let padded = sizes.map(|size| size.next_multiple_of(8));
-    // Behind the body: the end of the stream, the footer, its length and the magic word.
+    // After the body: the end of the stream, the footer, its length and the magic bytes.
     let footer = u32_at(bytes, bytes.len() - 10) as usize;
     let begin = bytes.len() - 10 - footer - 8 - padded.iter().sum::<usize>();
     let column = |k: usize, row: usize| u32_at(bytes, begin + padded[..k].iter().sum::<usize>() + 4 * row);
@@ -279,7 +279,7 @@ fn target_array(format: PartFormat, bytes: &[u8], n: usize) -> Vec<i32> {
     }
 }
 
-/// Every export says what the stored columns say, over the uploaded vertices.
+/// Asserts that every export equals the stored columns, in the numbering of the upload.
 fn assert_exports(stored: &Stored, n_source: usize) {
     let columns = stored.bytes(ArtifactKind::Correspondences);
     let surface = stored.bytes(ArtifactKind::SourceSurface);
@@ -298,7 +298,7 @@ fn assert_exports(stored: &Stored, n_source: usize) {
     }
 }
 
-/// A clean pair: what was uploaded, the surfaces that its vertices are counted on, and the answer.
+/// A clean pair: the uploads, the surfaces that number its vertices, and the answer.
 struct Clean {
     files: [Vec<u8>; 2],
     request: Value,
@@ -327,7 +327,7 @@ impl Clean {
         let [source, target] = &uploads;
 
         assert_eq!(read_back(&found.columns, source, target), self.answer.columns);
-        // But for the times and for what the files were, the documents are equal too.
+        // Except for times and descriptions of the files, the documents are equal too.
         let mut document = found.document.clone();
         document.timings_ms.clone_from(&self.answer.document.timings_ms);
         document.provenance = self.answer.document.provenance.clone();
@@ -351,8 +351,8 @@ impl Clean {
     }
 }
 
-/// Meshes by three ways to an answer (a displacement field, from a coarse level; labels that are vertices; registration
-/// alone), and label volumes with smooth and with voxel surfaces, whose faces are quads.
+/// Meshes matched in three ways (with a displacement field from a coarse level; with vertices as labels; by registration
+/// alone), and label volumes with smooth surfaces and with voxel surfaces, whose faces are quads.
 static PAIRS: LazyLock<Vec<Clean>> = LazyLock::new(|| {
     let pair = PhantomPair::against_template(0).unwrap();
     let meshes = pair.meshes(2.0).unwrap().map(|mesh| write_ply(&mesh));
@@ -378,7 +378,7 @@ proptest! {
     }
 }
 
-/// The case in which this was found: `target` counted the unused vertices, `triangle` and `inverse` did not.
+/// Regression: `target` counted unused vertices, but `triangle` and `inverse` did not.
 #[test]
 fn unused_vertices_before_the_target_are_counted_by_every_column() {
     let clean = &PAIRS[0];

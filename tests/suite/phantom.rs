@@ -4,7 +4,7 @@ use crate::cli::{homolog, read_json};
 use std::fs;
 
 #[test]
-fn a_surface_pair_comes_with_its_truth() {
+fn a_surface_pair_has_its_ground_truth() {
     let folder = tempfile::tempdir().unwrap();
     let out = folder.path().join("a");
     let arguments = ["phantom", "--kind", "surface", "--subject", "3", "--deform", "0.04", "--rotate-seed", "5"];
@@ -42,7 +42,7 @@ fn the_same_seeds_write_the_same_bytes() {
 }
 
 #[test]
-fn two_subjects_have_no_point_to_point_truth() {
+fn two_subjects_have_no_point_to_point_ground_truth() {
     let folder = tempfile::tempdir().unwrap();
     let done = homolog()
         .args(["phantom", "--kind", "surface", "--edge", "2", "--target-subject", "9", "--out"])

@@ -1,4 +1,4 @@
-//! The real program in a process of its own: killed, terminated, and sent malformed requests.
+//! The real program in a separate process: killed, terminated, and sent malformed requests.
 
 use super::cli::homolog;
 use homolog_formats::{write_nifti, write_nifti_gz, write_ply, write_stl, write_vtk};
@@ -110,7 +110,7 @@ fn a_job_survives_the_death_of_its_process() {
     let server = Server::start(&data_dir, &["--workers", "1"]);
     let running = server.submit(&source, &target);
     let waiting = server.submit(&target, &source);
-    // Killed with a part of the trace on disk, so that a double would show.
+    // Killed with a part of the trace on disk, so that duplicates would be detected.
     server.until(&running, |job| {
         assert_ne!(job["state"], "succeeded", "too fast to be killed");
         job["state"] == "running" && job["progress"]["iteration"].as_u64() > Some(1)
@@ -212,7 +212,7 @@ fn well_formed() -> Vec<(&'static str, Vec<u8>)> {
     ]
 }
 
-/// A wrong submission of the kind `n`.
+/// A malformed submission of kind `n`.
 fn malformed(
     client: &Client,
     url: &str,
@@ -225,7 +225,7 @@ fn malformed(
     let (name, whole) = &files[below(files.len())];
     let mut bytes = whole.clone();
     let file = |bytes: Vec<u8>, name: &str| Part::bytes(bytes).file_name(name.to_owned());
-    // The target is nonsense in each, so that a source that survives its flips is no submission either.
+    // The target is always invalid, so that the submission is refused even if the source is still valid.
     let with_source = |bytes: Vec<u8>, name: &str| {
         Form::new().part("source", file(bytes, name)).part("target", file(b"nonsense".to_vec(), "t.ply"))
     };

@@ -1,4 +1,4 @@
-//! Results of a real match in every format: chosen by query or `Accept`, named, validated, and right to the number.
+//! Results of a real match in every format: chosen by query or `Accept`, named, valid, and with the same numbers.
 
 use super::jobs_support::{TestService, problem};
 use homolog::worker::match_engine::MatchEngine;
@@ -58,10 +58,10 @@ fn mesh_of(bytes: &[u8]) -> SurfaceMesh {
     }
 }
 
-/// A format, its media type, and the ending of its file.
+/// A format, its media type, and its file extension.
 type Offered = (&'static str, &'static str, Option<&'static str>);
 
-/// Parts, their formats with media type and ending; the first is what is answered unasked.
+/// Parts and their formats; the first format is the default.
 const PARTS: [(&str, &[Offered]); 5] = [
     (
         "correspondences",
@@ -107,8 +107,8 @@ async fn every_part_comes_in_every_format_it_has() {
     let mut etags = Vec::new();
     for (part, formats) in PARTS {
         let path = format!("{job}/{part}");
-        let unasked = service.get(&path).await;
-        assert_eq!(unasked.headers()["content-type"], formats[0].1);
+        let default = service.get(&path).await;
+        assert_eq!(default.headers()["content-type"], formats[0].1);
         for &(format, media_type, ending) in formats {
             let by_query = accepting(&service, &format!("{path}?format={format}"), "image/png").await;
             assert_eq!(by_query.status(), 200, "{path} {format}: the query goes before Accept");
@@ -145,7 +145,7 @@ async fn every_part_comes_in_every_format_it_has() {
     let unknown = accepting(&service, "/v1/jobs/00000000-0000-0000-0000-000000000000/aligned", "image/png").await;
     problem(unknown, 404, "job-not-found").await;
 
-    // The numbers of all formats are those of the JSON.
+    // All formats have the numbers of the JSON.
     let columns = service.json(&format!("{job}/correspondences")).await;
     let column = |name: &str| columns[name].as_array().unwrap().clone();
     let n = column("source").len();
@@ -177,7 +177,7 @@ async fn every_part_comes_in_every_format_it_has() {
     let stl = mesh_of(&bytes(&service, &format!("{job}/surfaces/source?format=stl")).await);
     assert_eq!((stl.n_faces(), stl.n_vertices()), (2 * source.n_faces(), source.n_vertices()));
 
-    // All forms of the transform say the same.
+    // All formats of the transform describe the same transform.
     let transform = service.json(&format!("{job}/transform")).await;
     assert_eq!(transform, service.json(&format!("{job}/result?correspondences=false")).await["transform"]);
     let matrix = Matrix4::from_fn(|r, c| transform["matrix"][r][c].as_f64().unwrap());
@@ -204,7 +204,7 @@ fn column_u64(columns: &Value, name: &str, row: usize) -> u64 {
 
 #[tokio::test]
 async fn a_stored_part_that_cannot_be_read_is_an_internal_error() {
-    // The obedient engine stores words in the place of surfaces.
+    // The scripted engine stores text instead of surfaces.
     let service = TestService::start(&[]).await;
     let id = service.submit(json!({})).await;
     service.until_final(&id).await;

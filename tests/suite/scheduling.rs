@@ -5,12 +5,12 @@ use serde_json::{Value, json};
 use std::sync::atomic::Ordering;
 use std::time::Duration;
 
-/// A job with a demand of so many cores that runs for 1.5 s unless it is cancelled.
+/// A job that demands `cores` cores and runs for 1.5 s unless it is cancelled.
 fn on_cores(cores: u64) -> Value {
     json!({"cores": cores, "points": 75, "step_ms": 20, "sign": 1})
 }
 
-/// A patience that no job of these tests exceeds.
+/// A patience that no job in these tests reaches.
 const PATIENT: [&str; 2] = ["--patience-ms", "600000"];
 
 async fn state(service: &TestService, id: &str) -> Value {
@@ -75,7 +75,7 @@ async fn a_job_that_cannot_start_here_is_left_to_other_processes() {
 }
 
 #[tokio::test]
-async fn with_fixed_places_each_job_gets_an_equal_share_of_the_cores() {
+async fn with_fixed_slots_each_job_gets_an_equal_share_of_the_cores() {
     let service = TestService::start(&["--cores", "4", "--workers", "2"]).await;
     let first = service.submit(on_cores(4)).await;
     service.until_running(&first).await;

@@ -106,7 +106,7 @@ async fn requests_in_progress_are_answered_before_shutdown() {
     service.end().await;
     let answer = String::from_utf8(until_closed(&mut waiting).await).unwrap();
     assert!(answer.starts_with("HTTP/1.1 200") && answer.contains(&id), "{answer}");
-    assert!(TcpStream::connect(base.strip_prefix("http://").unwrap()).await.is_err(), "nobody listens any more");
+    assert!(TcpStream::connect(base.strip_prefix("http://").unwrap()).await.is_err(), "the port is closed");
 }
 
 #[tokio::test]

@@ -28,7 +28,7 @@ async fn upload(service: &TestService, content: &str) -> String {
 }
 
 #[tokio::test]
-async fn an_upload_is_held_once_and_named_by_its_content() {
+async fn an_upload_is_stored_once_under_its_hash() {
     let service = TestService::start(&["--max-file-bytes", "1000"]).await;
     let send = |content: String| service.client.post(format!("{}/v1/meshes", service.base)).body(content).send();
     let first = send("mesh".to_owned()).await.unwrap();
@@ -68,7 +68,7 @@ async fn an_upload_is_held_once_and_named_by_its_content() {
 }
 
 #[tokio::test]
-async fn jobs_name_uploads_or_hold_small_files() {
+async fn jobs_refer_to_uploads_or_contain_small_files() {
     let service = TestService::start(&[]).await;
     let (source, target) = (upload(&service, "source").await, upload(&service, "target").await);
     let by_name = json!({"source": {"mesh_id": source}, "target": {"mesh_id": target}, "parameters": {"seed": 3}});
@@ -107,7 +107,7 @@ async fn jobs_name_uploads_or_hold_small_files() {
 }
 
 #[tokio::test]
-async fn a_submission_can_be_tried_and_makes_nothing() {
+async fn a_submission_can_be_validated_without_creating_a_job() {
     let service = TestService::start(&[]).await;
     let send = async |parameters: Value, target: &str| {
         let url = format!("{}/v1/jobs?validate_only=true", service.base);
@@ -125,7 +125,7 @@ async fn a_submission_can_be_tried_and_makes_nothing() {
 }
 
 #[tokio::test]
-async fn a_submission_can_wait_for_its_end() {
+async fn a_submission_can_wait_for_the_finished_job() {
     let service = TestService::start(&[]).await;
     let send = |parameters: Value, prefer: &'static str| {
         let request = service.client.post(format!("{}/v1/jobs", service.base)).header("prefer", prefer);
@@ -143,7 +143,7 @@ async fn a_submission_can_wait_for_its_end() {
 }
 
 #[tokio::test]
-async fn an_idempotency_key_makes_one_job() {
+async fn an_idempotency_key_creates_one_job() {
     let service = TestService::start(&["--workers", "0"]).await;
     let send = |key: &'static str, seed: u64| {
         let request = service.client.post(format!("{}/v1/jobs", service.base)).header("idempotency-key", key);
@@ -152,7 +152,7 @@ async fn an_idempotency_key_makes_one_job() {
     let first = send("one", 1).await.unwrap();
     assert!(!first.headers().contains_key("idempotency-replayed"));
     let first = body(first).await;
-    // Changed since; the answer is the first one all the same.
+    // The job has changed since, but the first answer is repeated.
     service.post(&format!("/v1/jobs/{}/cancel", first["id"].as_str().unwrap())).await;
     let again = send("one", 1).await.unwrap();
     assert_eq!((again.status().as_u16(), &again.headers()["idempotency-replayed"]), (202, &"true".parse().unwrap()));
@@ -161,7 +161,7 @@ async fn an_idempotency_key_makes_one_job() {
     assert_ne!(body(send("two", 1).await.unwrap()).await["id"], first["id"]);
     problem(send("two words", 1).await.unwrap(), 400, "bad-request").await;
 
-    // A request that made nothing may be sent again, corrected.
+    // A request that created nothing may be corrected and sent again with the same key.
     let wrong = service.client.post(format!("{}/v1/jobs", service.base)).header("idempotency-key", "three");
     problem(wrong.multipart(form("bad", "b", &json!({}))).send().await.unwrap(), 422, "unsuitable-surface").await;
     assert_eq!(send("three", 1).await.unwrap().status(), 202);
@@ -192,7 +192,7 @@ async fn equal_requests_are_answered_from_the_first_result() {
     let texts = async |path: &str| service.get(path).await.text().await.unwrap();
     assert_eq!(texts(&format!("{a}/correspondences")).await, texts(&format!("{b}/correspondences")).await);
     assert_eq!(texts(&format!("{a}/trace")).await, texts(&format!("{b}/trace")).await);
-    // The first may go.
+    // The first job may be deleted.
     assert_eq!(service.delete(&a).await.status(), 204);
     assert_eq!(service.get(&format!("{b}/result")).await.status(), 200);
     let forced = form("source", "target", &json!({"seed": 1, "points": 3})).text("use_cache", "false");
@@ -203,7 +203,7 @@ async fn equal_requests_are_answered_from_the_first_result() {
 }
 
 #[tokio::test]
-async fn finished_jobs_can_be_tried_again() {
+async fn finished_jobs_can_be_retried() {
     let service = TestService::start(&[]).await;
     let failed = service.submit(json!({"fail": 1})).await;
     service.until_final(&failed).await;
@@ -241,7 +241,7 @@ async fn many_jobs_are_cancelled_at_once() {
 }
 
 #[tokio::test]
-async fn a_batch_is_one_thing_to_follow_and_to_cancel() {
+async fn a_batch_is_followed_and_cancelled_as_a_whole() {
     let service = TestService::start(&["--workers", "0", "--max-batch", "3"]).await;
     let template = upload(&service, "template").await;
     let mut subjects = Vec::new();
@@ -279,7 +279,7 @@ async fn a_batch_is_one_thing_to_follow_and_to_cancel() {
         problem(post_json(&service, "/v1/batches", &wrong).await, 422, "invalid-request").await;
     }
     problem(service.get("/v1/batches/x").await, 404, "batch-not-found").await;
-    assert_eq!(service.json("/v1/jobs").await["jobs"].as_array().unwrap().len(), 3, "no half-made batch");
+    assert_eq!(service.json("/v1/jobs").await["jobs"].as_array().unwrap().len(), 3, "no partially created batch");
     service.end().await;
 }
 
@@ -303,7 +303,7 @@ async fn events(response: Response) -> Vec<(String, Option<u64>, Value)> {
 }
 
 #[tokio::test]
-async fn events_tell_a_job_from_its_beginning_to_its_end() {
+async fn events_cover_a_job_from_start_to_end() {
     let service = TestService::start(&[]).await;
     let id = service.submit(json!({"points": 12, "step_ms": 60})).await;
     let url = format!("{}/v1/jobs/{id}/events", service.base);
@@ -321,7 +321,7 @@ async fn events_tell_a_job_from_its_beginning_to_its_end() {
     let later = service.client.get(&url).header("last-event-id", "9").send().await.unwrap();
     let rest = tokio::time::timeout(Duration::from_secs(20), events(later)).await.unwrap();
     let seqs: Vec<_> = rest.iter().filter(|event| event.0 == "trace").map(|event| event.1.unwrap()).collect();
-    assert_eq!(seqs, [10, 11, 12], "no gap and no repeat");
+    assert_eq!(seqs, [10, 11, 12], "no gap and no repetition");
     let wrong = service.client.get(&url).header("last-event-id", "x").send().await.unwrap();
     problem(wrong, 400, "bad-request").await;
     problem(service.get(&format!("/v1/jobs/{}/events", uuid::Uuid::now_v7())).await, 404, "job-not-found").await;
@@ -337,7 +337,7 @@ async fn events_tell_a_job_from_its_beginning_to_its_end() {
 }
 
 #[tokio::test]
-async fn the_feed_of_changes_is_read_on_from_where_one_was() {
+async fn the_feed_of_changes_resumes_after_a_given_change() {
     let service = TestService::start(&[]).await;
     let first = service.submit(json!({})).await;
     service.until_final(&first).await;
@@ -356,7 +356,7 @@ async fn the_feed_of_changes_is_read_on_from_where_one_was() {
 }
 
 #[tokio::test]
-async fn deadlines_and_run_times_of_a_submission_hold() {
+async fn deadlines_and_run_time_limits_of_a_submission_are_enforced() {
     let service = TestService::start(&[]).await;
     let running = service.submit(json!({"points": 1000, "step_ms": 20})).await;
     service.until_running(&running).await;
@@ -373,7 +373,7 @@ async fn deadlines_and_run_times_of_a_submission_hold() {
 }
 
 #[tokio::test]
-async fn metrics_count_and_name_nobody() {
+async fn metrics_contain_no_identifiers() {
     let service = TestService::start(&[]).await;
     let labels = json!({"patient": "Jane Doe"}).to_string();
     let sent = form("a", "b", &json!({})).text("labels", labels).text("external_ref", "Jane Doe");

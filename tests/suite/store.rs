@@ -1,4 +1,4 @@
-//! One suite for every job store and every blob store: SQLite with a folder, PostgreSQL with an S3 server.
+//! One suite for all job stores and blob stores: SQLite with a folder, and PostgreSQL with an S3 server.
 
 use super::faults::site::{Backend, Site};
 use homolog::jobs::job::Order;
@@ -34,7 +34,7 @@ impl Fixture {
         Fixture { store, artifacts, worker: WorkerId::random(), tenant: Tenant::default(), site }
     }
 
-    /// Connections of another process.
+    /// A store with separate connections, as another process has.
     pub(crate) async fn another(&self) -> SqlStore {
         SqlStore::open(&self.site.location()).await.unwrap()
     }
@@ -62,7 +62,7 @@ impl Fixture {
     }
 }
 
-/// A queue for so many.
+/// Admission to a queue of at most `max_queued` jobs.
 pub(crate) fn room(max_queued: u32) -> Admission {
     Admission { max_queued, holder: String::new(), keep_result: None, once: None }
 }
@@ -116,7 +116,7 @@ pub(crate) fn is_lost<T: std::fmt::Debug>(answer: Result<T, JobError>) -> bool {
     matches!(answer, Err(JobError::LeaseLost))
 }
 
-async fn claims_go_by_priority_then_age(f: Fixture) {
+async fn jobs_are_claimed_by_priority_then_age(f: Fixture) {
     let jobs = [f.add(0).await, f.add(5).await, f.add(0).await, f.add(-1).await, f.add(5).await];
     let mut order = Vec::new();
     while let Some(leased) = f.store.claim_next(&f.worker, LONG, LONG).await.unwrap() {
@@ -125,7 +125,7 @@ async fn claims_go_by_priority_then_age(f: Fixture) {
     assert_eq!(order, [1, 4, 0, 2, 3].map(|i: usize| jobs[i].id));
 }
 
-async fn the_front_of_the_queue_is_what_claims_take(f: Fixture) {
+async fn the_front_of_the_queue_is_in_the_order_of_claims(f: Fixture) {
     let jobs = [f.add(0).await, f.add(5).await, f.add(0).await, f.add(-1).await];
     let order = [1, 0, 2, 3].map(|i: usize| jobs[i].id);
     let ids = |front: &[WaitingJob]| front.iter().map(|job| job.id).collect::<Vec<_>>();
@@ -140,14 +140,14 @@ async fn the_front_of_the_queue_is_what_claims_take(f: Fixture) {
     let claim = async |jobs: &[JobId]| f.store.claim_one_of(jobs, &f.worker, LONG, LONG).await.unwrap();
     let leased = claim(&[order[2], order[0]]).await.unwrap();
     assert_eq!((leased.job.id, leased.lease.epoch, leased.job.state), (order[2], 1, JobState::Running));
-    assert_eq!(claim(&[order[2], order[0]]).await.unwrap().job.id, order[0], "the first that still waits");
+    assert_eq!(claim(&[order[2], order[0]]).await.unwrap().job.id, order[0], "the first job that is still queued");
     assert!(claim(&[order[2], order[0]]).await.is_none());
     f.store.release_job(&leased.lease).await.unwrap();
     assert_eq!(ids(&f.store.front_of_queue(10).await.unwrap()), [order[1], order[2], order[3]]);
     assert_eq!(claim(&order[2..3]).await.unwrap().lease.epoch, 2);
 }
 
-async fn of_claimers_that_see_the_same_queue_each_gets_another_job(f: Fixture) {
+async fn claimers_that_see_the_same_queue_get_different_jobs(f: Fixture) {
     for _ in 0..40 {
         f.add(0).await;
     }
@@ -178,7 +178,7 @@ async fn no_job_is_claimed_twice(f: Fixture) {
     }
     let mut claimers = tokio::task::JoinSet::new();
     for _ in 0..8 {
-        // Each with connections of its own, as if in another process.
+        // Each with separate connections, as in another process.
         let store = f.another().await;
         claimers.spawn(async move {
             let worker = WorkerId::random();
@@ -220,14 +220,14 @@ async fn a_stale_worker_changes_nothing(f: Fixture) {
     assert_eq!(artifact.unwrap().key.hash(), "d".repeat(64));
 }
 
-async fn a_heartbeat_keeps_a_lease(f: Fixture) {
+async fn a_heartbeat_renews_the_lease(f: Fixture) {
     f.add(0).await;
     let lease = f.claim(SHORT).await;
     f.store.heartbeat(&lease, LONG).await.unwrap();
     assert_eq!(f.expire().await, Recovered::default());
 }
 
-async fn crashes_end_in_dead_and_others_go_on(f: Fixture) {
+async fn a_job_that_keeps_crashing_becomes_dead_and_others_run(f: Fixture) {
     let poison = f.add(9).await;
     let other = f.add(0).await;
     for _ in 0..2 {
@@ -243,7 +243,7 @@ async fn crashes_end_in_dead_and_others_go_on(f: Fixture) {
     assert_eq!(f.claim(LONG).await.job_id, other.id);
 }
 
-async fn a_lost_process_gives_up_its_jobs_at_once_and_others_keep_theirs(f: Fixture) {
+async fn jobs_of_a_lost_process_are_requeued_at_once_and_others_keep_theirs(f: Fixture) {
     let (first, second) = (f.add(0).await, f.add(0).await);
     let gone = WorkerId::random();
     f.store.claim_next(&gone, LONG, LONG).await.unwrap().unwrap();
@@ -253,7 +253,7 @@ async fn a_lost_process_gives_up_its_jobs_at_once_and_others_keep_theirs(f: Fixt
     assert_eq!(f.state(second.id).await, JobState::Running);
 }
 
-async fn a_shutdown_is_no_attempt(f: Fixture) {
+async fn a_shutdown_does_not_count_as_an_attempt(f: Fixture) {
     let job = f.add(0).await;
     for _ in 0..5 {
         let lease = f.claim(LONG).await;
@@ -268,7 +268,7 @@ async fn readers_of_a_trace_see_every_point_once(f: Fixture) {
     let lease = f.claim(SHORT).await;
     f.store.append_trace(&lease, &chunk(1..=4)).await.unwrap();
     f.store.append_trace(&lease, &chunk(5..=5)).await.unwrap();
-    // Written, but the answer was lost: the worker sends it again.
+    // The chunk was written but the answer was lost, so the worker sends it again.
     f.store.append_trace(&lease, &chunk(5..=5)).await.unwrap();
     f.expire().await;
     let lease = f.claim(LONG).await;
@@ -286,7 +286,7 @@ async fn readers_of_a_trace_see_every_point_once(f: Fixture) {
     assert!(!f.store.get_trace(&f.tenant, job.id, 0, 7).await.unwrap().complete);
 }
 
-async fn progress_never_goes_back_within_an_attempt(f: Fixture) {
+async fn progress_never_decreases_within_an_attempt(f: Fixture) {
     let job = f.add(0).await;
     let lease = f.claim(LONG).await;
     for end in [50, 20] {
@@ -296,22 +296,22 @@ async fn progress_never_goes_back_within_an_attempt(f: Fixture) {
     }
 }
 
-async fn cancel_leads_to_exactly_one_end_from_every_state(f: Fixture) {
+async fn cancellation_leads_to_exactly_one_final_state_from_every_state(f: Fixture) {
     let queued = f.add(9).await;
     assert_eq!(f.store.cancel_job(&f.tenant, queued.id).await.unwrap().state, JobState::Cancelled);
     assert!(f.store.claim_next(&f.worker, LONG, LONG).await.unwrap().is_none());
 
     let running = f.add(0).await;
     let lease = f.claim(LONG).await;
-    let told = f.store.cancel_job(&f.tenant, running.id).await.unwrap();
-    assert_eq!((told.state, told.cancel_requested), (JobState::Running, true));
+    let requested = f.store.cancel_job(&f.tenant, running.id).await.unwrap();
+    assert_eq!((requested.state, requested.cancel_requested), (JobState::Running, true));
     assert_eq!(f.store.lease_status(&lease).await.unwrap(), LeaseStatus::CancelRequested);
     f.store.finish_job(&lease, &Outcome::Cancelled, None).await.unwrap();
     assert!(is_lost(f.store.finish_job(&lease, &result('c'), None).await));
     assert_eq!(f.state(running.id).await, JobState::Cancelled);
     assert_eq!(f.store.cancel_job(&f.tenant, running.id).await.unwrap().state, JobState::Cancelled);
 
-    // A result that was ready when the request came counts.
+    // A result that was ready when cancellation was requested is accepted.
     let finishing = f.add(0).await;
     let lease = f.claim(LONG).await;
     f.store.cancel_job(&f.tenant, finishing.id).await.unwrap();
@@ -319,7 +319,7 @@ async fn cancel_leads_to_exactly_one_end_from_every_state(f: Fixture) {
     assert_eq!(f.state(finishing.id).await, JobState::Succeeded);
     assert!(matches!(f.store.cancel_job(&f.tenant, finishing.id).await, Err(JobError::AlreadyFinal { .. })));
 
-    // The worker is lost, or gives back, after the request.
+    // The worker is lost, or releases the job, after the request.
     for lost in [true, false] {
         let job = f.add(0).await;
         let lease = f.claim(SHORT).await;
@@ -359,7 +359,7 @@ async fn other_tenants_see_nothing(f: Fixture) {
     assert!(f.store.list_jobs(&other, &JobFilter::default(), &page).await.unwrap().jobs.is_empty());
 }
 
-async fn shared_blobs_stay_until_nobody_needs_them(f: Fixture) {
+async fn shared_blobs_are_kept_until_they_are_no_longer_needed(f: Fixture) {
     let bytes = |text: &'static str| bytes::Bytes::from_static(text.as_bytes());
     let [source, target] = ["one", "two"].map(|text| ArtifactKey::of(&f.tenant, text.as_bytes()));
     let mut jobs = Vec::new();
@@ -386,14 +386,14 @@ async fn shared_blobs_stay_until_nobody_needs_them(f: Fixture) {
     assert!(f.artifacts.get(&target).await.is_err());
     f.store.drop_hold("z").await.unwrap();
     assert_eq!(f.store.remove_unreferenced_blobs(f.artifacts.as_ref()).await.unwrap(), 1);
-    // A hold whose holder died lapses.
+    // A hold expires if its holder has died.
     f.store.hold_blobs("dead", std::slice::from_ref(&source), Duration::ZERO, None).await.unwrap();
     f.artifacts.put(&source, bytes("one")).await.unwrap();
     tokio::time::sleep(SHORT).await;
     assert_eq!(f.store.remove_unreferenced_blobs(f.artifacts.as_ref()).await.unwrap(), 1);
 }
 
-async fn a_blob_that_is_not_what_its_name_says_is_refused(f: Fixture) {
+async fn a_blob_whose_content_differs_from_its_hash_is_refused(f: Fixture) {
     let key = ArtifactKey::of(&f.tenant, b"one");
     f.artifacts.put(&key, bytes::Bytes::from_static(b"one")).await.unwrap();
     let root = f.site.s3.as_ref().map_or_else(|| f.site.data_dir(), |s3| s3.bucket().join("blobs"));
@@ -405,7 +405,7 @@ async fn a_blob_that_is_not_what_its_name_says_is_refused(f: Fixture) {
     }
 }
 
-async fn a_blob_in_parts_gets_its_name_at_the_end(f: Fixture) {
+async fn a_blob_written_in_parts_is_named_when_complete(f: Fixture) {
     // Larger than a part of a multipart upload, and not a multiple of it.
     let whole: Vec<u8> = (0..20_000_003u32).map(|i| (i % 251) as u8).collect();
     let key = ArtifactKey::of(&f.tenant, &whole);
@@ -422,7 +422,7 @@ async fn a_blob_in_parts_gets_its_name_at_the_end(f: Fixture) {
     assert_eq!(f.site.blobs().len(), 1);
 }
 
-async fn the_store_is_set_to_be_durable(f: Fixture) {
+async fn the_store_has_durable_settings(f: Fixture) {
     let expected = match f.site.cluster {
         None => ("2", "wal"), // FULL
         Some(_) => ("on", "on"),
@@ -431,13 +431,13 @@ async fn the_store_is_set_to_be_durable(f: Fixture) {
     assert_eq!((first.as_str(), second.as_str()), expected);
 }
 
-async fn what_is_stored_stays_after_all_connections_ended(f: Fixture) {
+async fn stored_data_survive_the_end_of_all_connections(f: Fixture) {
     let id = f.add(0).await.id;
     f.store.close().await;
     assert_eq!(f.another().await.get_job(&f.tenant, id).await.unwrap().id, id);
 }
 
-/// Makes a test of each on SQLite with a folder and on PostgreSQL with an S3 server.
+/// Defines a test of each function on SQLite with a folder and on PostgreSQL with an S3 server.
 macro_rules! on_every_store {
     ($($name:ident,)+) => {
         mod sqlite {
@@ -458,23 +458,23 @@ macro_rules! on_every_store {
 pub(crate) use on_every_store;
 
 on_every_store! {
-    claims_go_by_priority_then_age,
-    the_front_of_the_queue_is_what_claims_take,
-    of_claimers_that_see_the_same_queue_each_gets_another_job,
+    jobs_are_claimed_by_priority_then_age,
+    the_front_of_the_queue_is_in_the_order_of_claims,
+    claimers_that_see_the_same_queue_get_different_jobs,
     no_job_is_claimed_twice,
     a_stale_worker_changes_nothing,
-    a_heartbeat_keeps_a_lease,
-    crashes_end_in_dead_and_others_go_on,
-    a_lost_process_gives_up_its_jobs_at_once_and_others_keep_theirs,
-    a_shutdown_is_no_attempt,
+    a_heartbeat_renews_the_lease,
+    a_job_that_keeps_crashing_becomes_dead_and_others_run,
+    jobs_of_a_lost_process_are_requeued_at_once_and_others_keep_theirs,
+    a_shutdown_does_not_count_as_an_attempt,
     readers_of_a_trace_see_every_point_once,
-    progress_never_goes_back_within_an_attempt,
-    cancel_leads_to_exactly_one_end_from_every_state,
+    progress_never_decreases_within_an_attempt,
+    cancellation_leads_to_exactly_one_final_state_from_every_state,
     the_queue_has_a_limit,
     other_tenants_see_nothing,
-    shared_blobs_stay_until_nobody_needs_them,
-    a_blob_that_is_not_what_its_name_says_is_refused,
-    a_blob_in_parts_gets_its_name_at_the_end,
-    the_store_is_set_to_be_durable,
-    what_is_stored_stays_after_all_connections_ended,
+    shared_blobs_are_kept_until_they_are_no_longer_needed,
+    a_blob_whose_content_differs_from_its_hash_is_refused,
+    a_blob_written_in_parts_is_named_when_complete,
+    the_store_has_durable_settings,
+    stored_data_survive_the_end_of_all_connections,
 }

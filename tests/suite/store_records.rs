@@ -1,4 +1,4 @@
-//! The suite of stores, continued: what is kept beside jobs, on SQLite with a folder and on PostgreSQL with an S3 server.
+//! The suite of stores, continued: records other than jobs, on SQLite with a folder and on PostgreSQL with an S3 server.
 
 use super::store::{Fixture, LONG, SHORT, chunk, is_lost, new_job, on_every_store, result, room};
 use homolog::jobs::job::Order;
@@ -26,7 +26,7 @@ async fn an_equal_job_is_answered_from_the_first_result(f: Fixture) {
     assert_eq!(f.seqs(second.id, 0, 10).await, [1, 2, 3]);
     f.store.delete_job(&f.tenant, first.id).await.unwrap();
     let (_, artifact) = f.store.get_artifact(&f.tenant, second.id, ArtifactKind::Result).await.unwrap();
-    assert_eq!(artifact.unwrap().key.hash(), "c".repeat(64), "it does not need the first any more");
+    assert_eq!(artifact.unwrap().key.hash(), "c".repeat(64), "it no longer depends on the first job");
 
     for other in [
         NewJob { use_cache: false, ..with_key() },
@@ -38,7 +38,7 @@ async fn an_equal_job_is_answered_from_the_first_result(f: Fixture) {
     }
 }
 
-async fn a_deadline_and_a_run_time_are_kept(f: Fixture) {
+async fn deadlines_and_run_time_limits_are_enforced(f: Fixture) {
     let now = jiff::Timestamp::now();
     let late = NewJob { deadline_at: Some(now), ..new_job(9) };
     let late = f.store.insert_job(&late, &room(10)).await.unwrap().id;
@@ -46,7 +46,7 @@ async fn a_deadline_and_a_run_time_are_kept(f: Fixture) {
     let in_time = f.store.insert_job(&in_time, &room(10)).await.unwrap().id;
     tokio::time::sleep(SHORT).await;
     let lease = f.claim(LONG).await;
-    assert_eq!(lease.job_id, in_time, "what is too late is not begun");
+    assert_eq!(lease.job_id, in_time, "a job past its deadline is not started");
     tokio::time::sleep(SHORT).await;
     assert_eq!(f.store.end_overdue(LONG).await.unwrap(), Overdue { expired: 1, stuck: 0 });
     let job = f.store.get_job(&f.tenant, late).await.unwrap();
@@ -72,7 +72,7 @@ async fn changes_come_in_order_and_none_is_missed(f: Fixture) {
             }
         });
     }
-    // Read while they write.
+    // Read while the writers run.
     let (mut seen, mut since) = (Vec::new(), 0);
     loop {
         let done = writers.is_empty();
@@ -96,7 +96,7 @@ async fn changes_come_in_order_and_none_is_missed(f: Fixture) {
     assert!(f.store.list_changes(&other, 0, 10).await.unwrap().changes.is_empty());
 }
 
-async fn an_idempotency_key_makes_one_thing(f: Fixture) {
+async fn an_idempotency_key_is_used_once(f: Fixture) {
     let once = |fingerprint: &str| Once {
         tenant: Tenant::default(),
         name: "key".to_owned(),
@@ -108,16 +108,16 @@ async fn an_idempotency_key_makes_one_thing(f: Fixture) {
     assert_eq!(f.store.begin_once(&first, LONG).await.unwrap(), OnceStatus::Begun);
     assert_eq!(f.store.begin_once(&once("a"), LONG).await.unwrap(), OnceStatus::InProgress);
     assert_eq!(f.store.begin_once(&once("b"), LONG).await.unwrap(), OnceStatus::OtherRequest);
-    f.store.give_up_once(&once("a")).await.unwrap(); // another's token: nothing happens
+    f.store.give_up_once(&once("a")).await.unwrap(); // another request's token: no effect
     assert_eq!(f.store.begin_once(&once("a"), LONG).await.unwrap(), OnceStatus::InProgress);
     let admission = |once: &Once| Admission { once: Some(once.clone()), ..room(10) };
     let made = f.store.insert_job(&new_job(0), &admission(&first)).await.unwrap();
     let again = f.store.begin_once(&once("a"), LONG).await.unwrap();
     assert_eq!(again, OnceStatus::Made(Made::Job(made.id)));
-    f.store.give_up_once(&first).await.unwrap(); // too late
+    f.store.give_up_once(&first).await.unwrap(); // too late: no effect
     assert_eq!(f.store.begin_once(&once("a"), LONG).await.unwrap(), again);
 
-    // Whoever lost the key makes nothing.
+    // A request that has lost the key creates nothing.
     let slow = Once { name: "slow".to_owned(), ..once("a") };
     assert_eq!(f.store.begin_once(&slow, Duration::ZERO).await.unwrap(), OnceStatus::Begun);
     tokio::time::sleep(SHORT).await;
@@ -164,7 +164,7 @@ async fn lists_are_filtered_in_every_way(f: Fixture) {
     assert_eq!(find(JobFilter { created_before: Some(later), ..all }).await.len(), 6);
 }
 
-async fn a_batch_is_made_whole_or_not_at_all(f: Fixture) {
+async fn a_batch_is_created_as_a_whole_or_not_at_all(f: Fixture) {
     let id = BatchId::random();
     let batch = NewBatch { id, tenant: f.tenant.clone(), labels: BTreeMap::new(), external_ref: None };
     let jobs: Vec<_> = (0..3).map(|_| NewJob { batch_id: Some(id), ..new_job(0) }).collect();
@@ -210,13 +210,13 @@ async fn retention_removes_results_then_records(f: Fixture) {
     assert!(f.artifacts.get(&key).await.is_err());
     assert!(f.seqs(job.id, 0, 10).await.is_empty());
     assert!(matches!(f.store.get_artifact(&f.tenant, job.id, ArtifactKind::Result).await, Err(JobError::Gone)));
-    assert_eq!(f.state(job.id).await, JobState::Succeeded, "the record stays");
+    assert_eq!(f.state(job.id).await, JobState::Succeeded, "the record is kept");
 
     let forget = Retention { results: Some(SHORT), jobs: Some(SHORT) };
     let purged = f.store.purge(&forget, 10, false).await.unwrap();
     assert_eq!((purged.results, purged.jobs), (0, 1));
     assert!(matches!(f.store.get_job(&f.tenant, job.id).await, Err(JobError::NotFound)));
-    assert_eq!(f.state(young.id).await, JobState::Queued, "what is not finished stays");
+    assert_eq!(f.state(young.id).await, JobState::Queued, "unfinished jobs are kept");
 }
 
 async fn meshes_are_kept_while_jobs_refer_to_them(f: Fixture) {
@@ -241,7 +241,7 @@ async fn meshes_are_kept_while_jobs_refer_to_them(f: Fixture) {
     f.store.delete_mesh(&f.tenant, key.hash()).await.unwrap();
     assert_eq!(f.store.remove_unreferenced_blobs(f.artifacts.as_ref()).await.unwrap(), 1);
 
-    // One that nobody used for as long as records are kept goes too.
+    // An upload that has not been used for the retention time is removed too.
     f.store.insert_mesh(&key, 4, None, "").await.unwrap();
     tokio::time::sleep(SHORT * 2).await;
     let keep = Retention { results: None, jobs: Some(SHORT) };
@@ -250,7 +250,7 @@ async fn meshes_are_kept_while_jobs_refer_to_them(f: Fixture) {
     assert!(matches!(f.store.get_mesh(&f.tenant, key.hash()).await, Err(JobError::MeshNotFound)));
 }
 
-async fn keys_end_when_revoked_or_expired(f: Fixture) {
+async fn keys_are_invalid_once_revoked_or_expired(f: Fixture) {
     let (lasting, brief) = (SecretKey::random(), SecretKey::random());
     f.store.insert_key(&lasting, &f.tenant, "one", &[Scope::Read], None).await.unwrap();
     f.store.insert_key(&brief, &f.tenant, "two", &[Scope::Submit], Some(SHORT)).await.unwrap();
@@ -265,7 +265,7 @@ async fn keys_end_when_revoked_or_expired(f: Fixture) {
     assert!(f.store.get_key("none").await.unwrap().is_none());
 }
 
-async fn webhooks_are_told_once_of_each_change(f: Fixture) {
+async fn a_webhook_gets_one_delivery_for_each_change(f: Fixture) {
     let hook = |states: Vec<JobState>| Webhook {
         id: uuid::Uuid::now_v7().to_string(),
         tenant: Tenant::default(),
@@ -283,7 +283,7 @@ async fn webhooks_are_told_once_of_each_change(f: Fixture) {
     assert!(f.store.insert_webhook(&hook(Vec::new()), 2).await.unwrap().is_none(), "at most two");
     let job = f.add(0).await;
     f.store.cancel_job(&f.tenant, job.id).await.unwrap();
-    // Two processes at the same time.
+    // Two processes concurrently.
     let other = f.another().await;
     let (a, b) = tokio::join!(f.store.insert_due_deliveries(), other.insert_due_deliveries());
     assert_eq!(a.unwrap() + b.unwrap(), 3, "queued and cancelled to one, cancelled to the other");
@@ -294,7 +294,7 @@ async fn webhooks_are_told_once_of_each_change(f: Fixture) {
     while let Some(due) = f.store.claim_delivery(LONG).await.unwrap() {
         taken.push(due);
     }
-    assert_eq!(taken.len(), 3, "each once while somebody is busy with it");
+    assert_eq!(taken.len(), 3, "each is claimed once while an attempt is in progress");
     let again = taken.iter().find(|d| d.webhook_id == ends.id).unwrap();
     assert!(again.payload.contains(&job.id.to_string()));
     let retry = Attempted::Retry { after: Duration::ZERO, status: Some(500), error: "HTTP 500".to_owned() };
@@ -312,13 +312,13 @@ async fn webhooks_are_told_once_of_each_change(f: Fixture) {
 
 on_every_store! {
     an_equal_job_is_answered_from_the_first_result,
-    a_deadline_and_a_run_time_are_kept,
+    deadlines_and_run_time_limits_are_enforced,
     changes_come_in_order_and_none_is_missed,
-    an_idempotency_key_makes_one_thing,
+    an_idempotency_key_is_used_once,
     lists_are_filtered_in_every_way,
-    a_batch_is_made_whole_or_not_at_all,
+    a_batch_is_created_as_a_whole_or_not_at_all,
     retention_removes_results_then_records,
     meshes_are_kept_while_jobs_refer_to_them,
-    keys_end_when_revoked_or_expired,
-    webhooks_are_told_once_of_each_change,
+    keys_are_invalid_once_revoked_or_expired,
+    a_webhook_gets_one_delivery_for_each_change,
 }

@@ -1,15 +1,15 @@
 //! The rules of the source tree that no compiler checks: which module of the program may use which, what members may
 //! depend on, and how files look.
 //!
-//! Between members the compiler holds the arrows: what is not in a member's `Cargo.toml` cannot be used. ARCHITECTURE.md
-//! shows both tables below; tests hold them equal.
+//! Between members the compiler enforces the dependencies: what is not in a member's `Cargo.toml` cannot be used.
+//! ARCHITECTURE.md shows both tables below; tests check that they are equal.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// Which members each member depends on, in reading order. The compiler holds this; here it is held equal to the graph in
-/// ARCHITECTURE.md and to the `Cargo.toml` files.
+/// The members on which each member depends, in reading order. A test checks that this table equals the graph in
+/// ARCHITECTURE.md and the `Cargo.toml` files.
 const MEMBERS: &[(&str, &[&str])] = &[
     ("primitives", &[]),
     ("mesh", &["primitives"]),
@@ -26,16 +26,16 @@ const MEMBERS: &[(&str, &[&str])] = &[
 /// Members that only compute: bytes and numbers in, numbers out.
 const NUMERICS: &[&str] = &["primitives", "mesh", "geometry", "mrf", "registration", "contract", "matching", "formats"];
 
-/// What those never name: networks, files, clocks, the environment, the terminal. Runtimes and databases are not among
-/// their dependencies, which the compiler holds.
+/// What those never use: networks, files, clocks, the environment, the terminal. Runtimes and databases are not among
+/// their dependencies, which the compiler enforces.
 const NOT_IN_NUMERICS: &[&str] =
     &["std::fs", "std::net", "std::env", "std::process", "std::time", "Instant", "SystemTime"];
 
-/// What no member depends on: only the program has a runtime, a database, a network and a terminal.
+/// Crates on which no member depends: only the program has a runtime, a database, a network and a terminal.
 const NOT_IN_MEMBERS: &[&str] =
     &["tokio", "sqlx", "axum", "hyper", "tower", "reqwest", "ureq", "clap", "indicatif", "tracing", "jiff", "uuid"];
 
-/// Which modules and members each module of the program may use; an entry may name a part. Itself is always allowed.
+/// The modules and members that each module of the program may use; an entry may name a part. A module may use itself.
 const ARROWS: &[(&str, &[&str])] = &[
     ("jobs", &["homolog_contract", "homolog_mesh::topology", "homolog_primitives"]),
     ("tls", &[]),
@@ -77,7 +77,7 @@ const ARROWS: &[(&str, &[&str])] = &[
     ),
 ];
 
-/// Crates that a module of the program does not know.
+/// Crates that a module of the program must not use.
 const NOT_IN: &[(&str, &[&str])] = &[
     ("jobs", &["sqlx", "axum", "tower", "tower_http", "http", "nalgebra", "std::fs"]),
     ("http", &["sqlx", "nalgebra"]),
@@ -103,7 +103,7 @@ fn files_under(folder: &Path, extension: &str, into: &mut Vec<PathBuf>) {
 }
 
 struct SourceFile {
-    /// From the root of the checkout.
+    /// Path from the root of the repository.
     name: String,
     /// The member it belongs to; none for the program.
     member: Option<&'static str>,
@@ -147,7 +147,7 @@ fn sources_under(folder: &str, member: Option<&'static str>) -> Vec<SourceFile> 
         .collect()
 }
 
-/// The code without comments, strings and tests, whose arrows are free. Tests stand at the end of a file, or in one
+/// The code without comments, strings and tests, which may use any module. Tests are at the end of a file, or in a file
 /// whose name says so.
 fn production_code(file: &SourceFile) -> String {
     if file.module.last().is_some_and(|m| m == "tests" || m.ends_with("_tests") || m == "testing") {
@@ -157,7 +157,7 @@ fn production_code(file: &SourceFile) -> String {
     let mut lines = file.text.lines().peekable();
     while let Some(line) = lines.next() {
         if line.trim() == "#[cfg(test)]" {
-            // A test module in its own file, or in a block to the end of this one.
+            // A test module in its own file, or in a block at the end of this one.
             while lines.peek().is_some_and(|l| l.trim().starts_with("#[")) {
                 lines.next();
             }
@@ -272,7 +272,7 @@ fn names(code: &str, path: &str) -> bool {
         let after = code[at + path.len()..].chars().next();
         let word = |c: Option<char>| c.is_some_and(|c| c.is_alphanumeric() || c == '_');
         let begins = !word(before) && before != Some(':') && before != Some('.');
-        // A lone crate name counts only as the head of a path or of a `use`; a variable may well be called `http`.
+        // A lone crate name counts only as the head of a path or of a `use`, because a variable may be called `http`.
         let is_type = path.starts_with(char::is_uppercase) || path.contains("::");
         let heads = code[at + path.len()..].starts_with("::") || code[..at].ends_with("use ");
         begins && !word(after) && (is_type || heads)
@@ -284,7 +284,7 @@ fn allowed(arrows: &[&str], path: &str) -> bool {
 }
 
 #[test]
-fn no_arrow_points_where_it_must_not() {
+fn modules_use_only_what_the_table_allows() {
     let table: BTreeMap<_, _> = ARROWS.iter().copied().collect();
     let mut faults = Vec::new();
     for file in program() {
@@ -331,7 +331,7 @@ fn members_depend_on_what_the_table_says() {
 }
 
 #[test]
-fn numerics_know_no_files_and_no_clock() {
+fn numerics_use_no_files_and_no_clock() {
     let mut faults = Vec::new();
     for file in sources() {
         let code = production_code(&file);
@@ -393,8 +393,8 @@ fn the_library_prints_nothing() {
                 faults.push(format!("{}: {banned}", file.name));
             }
         }
-        let speaks = file.member.is_none() && file.module.first().is_none_or(|m| m == "cli");
-        if !speaks && names(&code, "std::io::stdout") {
+        let may_print = file.member.is_none() && file.module.first().is_none_or(|m| m == "cli");
+        if !may_print && names(&code, "std::io::stdout") {
             faults.push(format!("{}: writes to the standard output", file.name));
         }
     }
@@ -402,9 +402,9 @@ fn the_library_prints_nothing() {
 }
 
 #[test]
-fn sql_stands_in_sql_files() {
+fn sql_is_in_sql_files() {
     let verbs = ["SELECT ", "INSERT INTO", "UPDATE ", "DELETE FROM", "CREATE TABLE", "BEGIN IMMEDIATE"];
-    // How a transaction begins and how rows are locked is not a query: it is what the two databases differ in.
+    // Beginning a transaction and locking rows are not queries: there the two databases differ.
     let sessions = ["src/store/sql/database.rs", "src/store/sql/dialect.rs"];
     let mut faults = Vec::new();
     for file in sources().into_iter().filter(|file| !sessions.contains(&file.name.as_str())) {
@@ -415,12 +415,12 @@ fn sql_stands_in_sql_files() {
             }
         }
     }
-    // One statement is text by its nature: a transaction is begun by the driver, not by a query file.
+    // The statement that begins a transaction is sent by the driver, not from a query file.
     faults.retain(|fault| !fault.contains("begin_with(\"BEGIN IMMEDIATE\")"));
     assert!(faults.is_empty(), "SQL outside .sql files:\n{}", faults.join("\n"));
 }
 
-/// Holds a marked table of ARCHITECTURE.md equal to one of the tables above.
+/// Asserts that a marked table of ARCHITECTURE.md equals one of the tables above.
 fn assert_table_in_architecture(marker: &str, table: &[(&str, &[&str])]) {
     let text = fs::read_to_string(root().join("ARCHITECTURE.md")).unwrap();
     let row = |(module, arrows): &(&str, &[&str])| {
@@ -435,7 +435,7 @@ fn assert_table_in_architecture(marker: &str, table: &[(&str, &[&str])]) {
 }
 
 #[test]
-fn the_tables_of_arrows_are_those_in_the_architecture() {
+fn the_tables_equal_those_in_architecture_md() {
     assert_table_in_architecture("<!-- members: held equal to tests/suite/tidy.rs -->", MEMBERS);
     assert_table_in_architecture("<!-- arrows: held equal to tests/suite/tidy.rs -->", ARROWS);
 }
@@ -461,7 +461,7 @@ fn every_copy_source_of_the_dockerfile_exists() {
 }
 
 #[test]
-fn what_the_sources_include_is_copied_into_the_container_build() {
+fn included_files_are_copied_into_the_container_build() {
     let docker = fs::read_to_string(root().join("Dockerfile")).unwrap();
     for file in sources() {
         for (at, _) in file.text.match_indices("CARGO_MANIFEST_DIR\"), \"/") {
@@ -474,7 +474,7 @@ fn what_the_sources_include_is_copied_into_the_container_build() {
 }
 
 #[test]
-fn the_reader_of_paths_reads_paths() {
+fn paths_in_sources_are_parsed() {
     let code = "use crate::a::{self, b, c::{d, e as f}, g};\nlet x = crate::h::i(1); super::super::j::k();";
     let module = ["m".to_owned(), "n".to_owned()];
     let found = crate_paths(code, &module);

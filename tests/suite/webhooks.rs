@@ -11,7 +11,7 @@ use std::time::{Duration, Instant};
 
 const SETTINGS: [&str; 3] = ["--allow-private-webhooks", "--webhook-pause-ms", "50"];
 
-/// A receiver that answers as it is told, and keeps what came.
+/// A receiver that answers with given statuses and records requests.
 #[derive(Clone, Default)]
 struct Receiver {
     answers: Arc<Mutex<Vec<u16>>>,
@@ -59,7 +59,7 @@ async fn made(service: &TestService, body: &Value) -> Value {
     response.json().await.unwrap()
 }
 
-/// The log of a webhook once `done` says so.
+/// The log of a webhook once `done` holds.
 async fn log(service: &TestService, id: &str, done: impl Fn(&[Value]) -> bool) -> Vec<Value> {
     let began = Instant::now();
     loop {
@@ -144,7 +144,7 @@ async fn private_addresses_are_refused_unless_allowed() {
     .await;
     service.end().await;
 
-    // Allowed when it was made, and not any more: judged again at every delivery.
+    // Allowed when the webhook was created but no longer: the address is checked at every delivery.
     let service = TestService::start(&SETTINGS).await;
     let (receiver, url) = Receiver::start(&[]).await;
     let webhook = made(&service, &json!({"url": url})).await;

@@ -288,7 +288,7 @@ fn an_itk_transform_takes_target_points_to_source_points_in_lps() {
 }
 
 #[test]
-fn a_shift_shows_which_way_each_file_counts() {
+fn a_translation_has_the_documented_direction_in_each_file() {
     let mut shift: [[f64; 4]; 4] = std::array::from_fn(|r| std::array::from_fn(|c| f64::from(u8::from(r == c))));
     (shift[0][3], shift[1][3], shift[2][3]) = (1.0, 2.0, 3.0);
     // To the source from the target: −1, −2, −3 in RAS, so 1, 2, −3 in LPS.

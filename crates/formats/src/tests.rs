@@ -156,7 +156,7 @@ fn the_affine_is_sform_then_qform_then_voxel_sizes() {
 }
 
 #[test]
-fn counts_that_the_file_does_not_back_cost_nothing() {
+fn counts_larger_than_the_file_allocate_nothing() {
     let huge = nifti_with(2, &[], |h| h[42..48].copy_from_slice(&[0xff, 0x7f, 0xff, 0x7f, 1, 0]));
     assert!(matches!(labels_of(&huge), Err(FormatError::TooLarge { .. })));
     let large = nifti_with(2, &[], |h| h[42..48].copy_from_slice(&[0, 1, 0, 1, 0, 1]));
@@ -255,7 +255,7 @@ fn errors_repeat_no_text_of_the_file() {
 }
 
 #[test]
-fn names_help_only_where_bytes_do_not() {
+fn the_file_name_decides_only_where_the_content_does_not() {
     assert_eq!(read(b"hello", None, &limits()), Err(FormatError::UnknownFormat));
     assert_eq!(read(b"hello", Some("x.txt"), &limits()), Err(FormatError::UnknownFormat));
     assert!(matches!(read(b"hello", Some("x.NII.gz"), &limits()), Err(FormatError::Truncated { .. })));

@@ -32,12 +32,12 @@ use rayon::prelude::*;
 use std::hint::black_box;
 use std::time::Instant;
 
-/// Surfaces of the tables: the length of their edges, mm, and how often a row is measured how.
+/// Surfaces of a table and how its rows are measured. Edge length in mm.
 struct Size {
     edge_mm: f64,
     iterations: u32,
     runs: usize,
-    /// How messages are stored, with the bits of a value.
+    /// Storage of messages, with the number of bits per value.
     storages: &'static [(MessageStorage, u32)],
 }
 
@@ -48,7 +48,7 @@ fn surfaces(edge_mm: f64) -> [SurfaceMesh; 2] {
     <[SurfaceMesh; 2]>::from(pair(edge_mm)).map(|mesh| canonicalize(&mesh).mesh)
 }
 
-/// What an energy of two surfaces is made of.
+/// The parts of an energy of two surfaces.
 struct Parts {
     feature: Feature,
     variables: EdgeGraph,
@@ -92,7 +92,7 @@ fn model(surfaces: &[SurfaceMesh; 2], rings: usize, beta: f64) -> MrfModel {
     }
 }
 
-/// Variables of a patch.
+/// Number of variables of a patch.
 const PATCH: usize = 64;
 
 /// The energy of the first `n` variables, which lie side by side, and of the edges between them.
@@ -109,7 +109,7 @@ fn patch(model: &MrfModel, n: usize) -> MrfModel {
     }
 }
 
-/// Seconds of the fastest of `runs`: what others do on the machine only ever adds.
+/// Seconds of the fastest of `runs`, since other load on the machine can only slow a run down.
 fn fastest(runs: usize, mut work: impl FnMut()) -> f64 {
     let seconds = (0..runs).map(|_| {
         let start = Instant::now();
@@ -139,7 +139,7 @@ const LANES: usize = 16;
 #[repr(align(64))]
 struct Rows([[f32; LANES]; 64]);
 
-/// Maxima of rows of numbers, or of their products with one, in as many chains as hide their latency.
+/// Maxima of rows of numbers, or of their products with a factor, in as many chains as hide their latency.
 #[multiversion(targets("x86_64+avx512f+avx512vl+avx512bw+avx512dq", "x86_64+avx2"))]
 fn maxima<const SCALED: bool>(rows: &Rows, factor: f32, times: usize) -> [[f32; LANES]; 4] {
     let mut best = [[0.0f32; LANES]; 4];
@@ -156,7 +156,7 @@ fn maxima<const SCALED: bool>(rows: &Rows, factor: f32, times: usize) -> [[f32; 
     best
 }
 
-/// Products of rows of numbers, likewise.
+/// Products of rows of numbers, in as many chains as hide their latency.
 #[multiversion(targets("x86_64+avx512f+avx512vl+avx512bw+avx512dq", "x86_64+avx2"))]
 fn products(rows: &Rows, times: usize) -> [[f32; LANES]; 4] {
     let mut product = [[1.0f32; LANES]; 4];
@@ -172,7 +172,7 @@ fn products(rows: &Rows, times: usize) -> [[f32; LANES]; 4] {
     product
 }
 
-/// Numbers a second of all threads that go through such a loop.
+/// Numbers per second of all threads together in such a loop.
 fn rate(work: impl Fn(&Rows, usize) -> [[f32; LANES]; 4] + Sync) -> f64 {
     const TIMES: usize = 40_000;
     let rows = Rows([[1.0f32; LANES]; 64]);
@@ -185,17 +185,17 @@ fn rate(work: impl Fn(&Rows, usize) -> [[f32; LANES]; 4] + Sync) -> f64 {
     (threads * TIMES * 64 * LANES) as f64 / seconds
 }
 
-/// Operations for one value of a message: maxima, minima and sums; and products, those of the messages included, of which
-/// there are three: with those before, with those after, and both together.
+/// Operations per value of a message: `[maxima, minima and sums, products]`. Three of the products are those of the
+/// incoming messages: of those before, of those after, and of both.
 fn operations(model: &MrfModel, product: Product) -> [f64; 2] {
     let neighbors = model.labels.mean_size();
     let degree = model.labels.graph().n_directed_edges() as f64 / model.n_labels() as f64;
     match (product, model.pairwise.beta == 0.0) {
         (Product::Max, true) => [model.labels.rings() as f64 * (1.0 + degree), 3.0],
         (Product::Sum, true) => [neighbors, 3.0],
-        // The smaller of two products, times the cavity, and the maximum.
+        // The minimum of two products, a product with the cavity, and the maximum.
         (Product::Max, false) => [2.0 * neighbors, 3.0 * neighbors + 3.0],
-        // Likewise, with the truncation as a lower limit, taken off, and added up.
+        // As above, plus a maximum with the truncation, a subtraction and a sum.
         (Product::Sum, false) => [4.0 * neighbors, 3.0 * neighbors + 3.0],
     }
 }
@@ -244,30 +244,30 @@ fn measure(surfaces: &[SurfaceMesh; 2], rings: &[usize], threads: usize, size: &
 
 /// Resets the peak that [`peak_mib`] reports, on Linux; elsewhere that stays the peak since the start of the process.
 fn reset_peak() {
-    // See proc(5): 5 sets the peak to what is held now.
+    // See proc(5): writing 5 resets the peak to the current size.
     let _ = std::fs::write("/proc/self/clear_refs", "5");
 }
 
-/// What an iteration takes.
+/// Cost of an iteration.
 struct Iteration {
     seconds: f64,
-    /// Most memory that the process held meanwhile, the model included, MiB.
+    /// Peak memory of the process, including the model, MiB.
     peak_mib: f64,
 }
 
 fn iteration(model: &MrfModel, product: Product, storage: MessageStorage, runs: usize, iterations: u32) -> Iteration {
     reset_peak();
-    // A tolerance that no change is below: small energies settle to the bit, and would stop.
+    // A tolerance that is never reached: on small energies messages become constant to the bit, which would end the run.
     let options = BpOptions { product, damping: 0.5, floor: 1e-5, tolerance: -1.0 };
     let mut bp = BeliefPropagation::with_method(model, options, BpMethod { storage, ..BpMethod::default() });
     bp.run(1, &Silent, |_| ()).unwrap();
-    // Every run ends with a pass that only decodes: the difference of two runs is made of iterations alone.
+    // Every run ends with a pass that only decodes; the difference of two runs contains only iterations.
     let mut run = |iterations| fastest(runs, || drop(bp.run(iterations, &Silent, |_| ()).unwrap()));
     let seconds = (run(1 + iterations) - run(1)) / f64::from(iterations);
     Iteration { seconds, peak_mib: peak_mib().unwrap_or(f64::NAN) }
 }
 
-/// A sweep over all label pairs, as general engines do, beside one over those that a truncation leaves.
+/// A sweep over all label pairs, as in general engines, compared with one over the pairs below the truncation.
 fn every_pair() {
     println!("\n## A sweep over every pair of labels, one thread, max-product with a distance term, r = 2\n");
     println!(
@@ -299,7 +299,8 @@ fn every_pair() {
     }
 }
 
-/// An iteration in which every variable holds its best labels by feature, on surfaces of about 10,000 vertices.
+/// An iteration in which every variable has its best labels by feature as candidates, on surfaces of about 10,000
+/// vertices.
 fn active_labels() {
     println!("\n## An iteration over active labels, one thread, max-product, r = 2\n");
     println!("| variables x labels | active labels | ms | peak memory of the process, MiB |\n|---|---|---|---|");
@@ -340,10 +341,10 @@ fn main() {
         Size { edge_mm: 0.8, iterations: 6, runs: 3, storages: &[SINGLE, HALF] },
         Size { edge_mm: 0.39, iterations: 1, runs: 3, storages: &[SINGLE] },
     ];
-    println!("\n## An iteration over all labels against its floor (fastest of {})\n", sizes[0].runs);
+    println!("\n## An iteration over all labels and its lower bound (fastest of {})\n", sizes[0].runs);
     println!(
-        "| algorithm | beta | r | bits | vertices | threads | memory, GB/s | maxima, 1e9/s | products, 1e9/s | both, 1e9/s | floor by bytes, ms \
-         | by operations, ms | all in cache, ms | iteration, ms | share of the floor | messages, GB/s | label pairs, 1e9/s a core | peak memory, MiB |\n\
+        "| algorithm | beta | r | bits | vertices | threads | memory, GB/s | maxima, 1e9/s | products, 1e9/s | both, 1e9/s | bound by bytes, ms \
+         | by operations, ms | all in cache, ms | iteration, ms | bound / iteration | messages, GB/s | label pairs, 1e9/s per core | peak memory, MiB |\n\
          |---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|"
     );
     for size in &sizes {

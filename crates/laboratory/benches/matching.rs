@@ -2,7 +2,7 @@
 //!
 //! `make bench` runs this and `kernel.rs` and stores their output as a dated record under `benches/records/`. Every
 //! figure is a median over runs with its range; thread counts are compared within one run, since machines differ and
-//! drift. A word (`large`, `whole`, `template`) runs one part. No test depends on it.
+//! drift. An argument (`large`, `whole`, `template`) runs one part. No test depends on this benchmark.
 #![allow(clippy::unwrap_used, clippy::print_stdout, missing_docs)]
 
 mod common;
@@ -21,11 +21,11 @@ use serde_json::json;
 use std::collections::{BTreeMap, HashMap};
 use std::time::Instant;
 
-/// The steps of a match as results time them, in their order.
+/// The stages of a match that the result document times, in order.
 const STAGES: [&str; 7] =
     ["reading", "features", "inference", "registration", "refinement", "displacement", "reporting"];
 
-/// Median, least and most of `runs` timings, seconds.
+/// Median, minimum and maximum of `runs` timings, seconds.
 fn timed(runs: usize, mut work: impl FnMut()) -> [f64; 3] {
     let mut times: Vec<f64> = (0..runs)
         .map(|_| {
@@ -66,7 +66,7 @@ fn main() {
 }
 
 fn whole_match(cores: usize) {
-    println!("\n## A pair of phantoms, defaults, from surfaces to outcome (median, least, most of 5)\n");
+    println!("\n## A pair of phantoms, defaults, from surfaces to outcome (median, minimum, maximum of 5)\n");
     println!("| method | vertices | threads | seconds | | |\n|---|---|---|---|---|---|");
     let (source, target) = pair(0.8);
     for method in ["balanced", "fast", "rigid", "thesis"] {
@@ -107,10 +107,10 @@ pub(crate) fn split_triangles(mesh: &SurfaceMesh) -> SurfaceMesh {
     SurfaceMesh::new(vertices, FaceArity::Triangle, faces).unwrap()
 }
 
-/// The default method on one shape with more and more vertices, and the share of each stage. Peak memory never falls, so
-/// small surfaces come first.
+/// The default method on one shape with an increasing number of vertices, and the share of each stage. Small surfaces
+/// come first, because the reported peak memory never decreases.
 fn large_matches(cores: usize) {
-    println!("\n## The default on ever finer surfaces, {cores} threads (median, least, most of 3)\n");
+    println!("\n## The default on increasingly fine surfaces, {cores} threads (median, minimum, maximum of 3)\n");
     println!("From files in memory to the result document.\n");
     println!("| vertices | seconds | | | peak memory, MiB | slope on a log-log plot |\n|---|---|---|---|---|---|");
     let parameters: MatchParameters = resolve(&json!({})).unwrap();
@@ -150,7 +150,7 @@ fn large_matches(cores: usize) {
     }
 }
 
-/// The median over the runs of the share of each stage in the whole, %.
+/// The share of each stage in the total time, median over the runs, %.
 fn shares(runs: &[BTreeMap<String, f64>]) -> [f64; STAGES.len()] {
     STAGES.map(|stage| {
         let mut of_runs: Vec<f64> =

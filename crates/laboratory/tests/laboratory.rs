@@ -1,4 +1,4 @@
-//! The committed fixtures are what the phantoms give, and are made anew from here.
+//! The committed fixtures equal what the phantoms generate; with `UPDATE_FIXTURES=1` the test rewrites them.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 #[path = "../../../tests/fixtures/mod.rs"]
@@ -11,11 +11,11 @@ use homolog_mesh::volume::LabelVolume;
 use homolog_mesh::{FaceArity, SurfaceMesh};
 use nalgebra::{Matrix4, Point3, Vector3};
 
-/// Edges of the surfaces, mm: coarse, so that the files are small.
+/// Edge length of the surfaces, mm: coarse, so that the files are small.
 const EDGE_MM: f64 = 2.5;
-/// All fixtures together, bytes.
+/// Maximum total size of the fixtures, bytes.
 const MAX_BYTES: usize = 100_000;
-/// The mathematical library of another platform may round the last bits of a coordinate otherwise.
+/// Math libraries of different platforms may round the last bits of a coordinate differently.
 const TOLERANCE_MM: f64 = 1e-5;
 
 fn subject(seed: u64) -> LabelVolume {
@@ -41,7 +41,7 @@ fn ring() -> LabelVolume {
     LabelVolume::new(dims, (0..24 * 20 * 12).map(label).collect(), affine).unwrap()
 }
 
-/// A coarse surface of which every face has vertices of its own, and a small tetrahedron, likewise, beside it.
+/// A coarse surface and a small tetrahedron beside it, both with separate vertices for every face.
 fn unwelded() -> SurfaceMesh {
     let mesh = Phantom::new(1).surface(3.5).unwrap().mesh;
     let mut vertices: Vec<_> = mesh.triangles().into_iter().flatten().map(|v| mesh.vertices()[v as usize]).collect();
@@ -70,7 +70,7 @@ fn content(bytes: &[u8]) -> FileContent {
 }
 
 #[test]
-fn fixtures_are_what_the_phantoms_give() {
+fn fixtures_are_what_the_phantoms_generate() {
     let files = all();
     if std::env::var_os("UPDATE_FIXTURES").is_some() {
         for (name, bytes) in &files {
@@ -83,16 +83,16 @@ fn fixtures_are_what_the_phantoms_give() {
         n_bytes += committed.len();
         match (content(&committed), content(bytes)) {
             (FileContent::Labels(committed), FileContent::Labels(made)) => {
-                // Inflated, so that another version of the compressor makes no difference.
-                assert!(write_nifti(&committed) == write_nifti(&made), "{name} holds other voxels");
+                // Compared uncompressed, so that the version of the compressor makes no difference.
+                assert!(write_nifti(&committed) == write_nifti(&made), "{name} has different voxels");
             }
             (FileContent::Mesh(committed), FileContent::Mesh(made)) => {
-                assert_eq!(committed.mesh.indices(), made.mesh.indices(), "{name} has other faces");
+                assert_eq!(committed.mesh.indices(), made.mesh.indices(), "{name} has different faces");
                 let pairs = committed.mesh.vertices().iter().zip(made.mesh.vertices());
                 let farthest = pairs.map(|(a, b)| (a - b).norm()).fold(0.0, f64::max);
                 assert!(farthest < TOLERANCE_MM, "{name}: a vertex moved by {farthest} mm");
             }
-            _ => panic!("{name} is of another kind"),
+            _ => panic!("{name} has another format"),
         }
     }
     assert!(n_bytes < MAX_BYTES, "the fixtures have {n_bytes} bytes");

@@ -9,11 +9,11 @@ use rayon::prelude::*;
 /// Labels of a variable once a registration restricts them. On seven pairs of subjects 99.91 % of the labels and 99.98 % of
 /// the energy were those over all labels.
 const WITH_FEEDBACK: usize = 64;
-/// Without feedback any label may be the best: a variable begins with one in so many labels, and with so many at least.
+/// Without feedback any label may be the best: a variable begins with one `SHARE`th of the labels, at least `AT_LEAST`.
 const SHARE: usize = 5;
 const AT_LEAST: usize = 256;
-/// Sets without feedback are revised every so many iterations: labels whose energy exceeds the best by more than the margin
-/// are dropped, and those around the best two of each neighbour are added.
+/// Sets without feedback are revised every `EVERY` iterations: labels whose energy exceeds the best by more than
+/// `MARGIN` are dropped, and those around the best `DEMANDED` labels of each neighbour are added.
 const EVERY: u32 = 20;
 const MARGIN: f32 = 20.0;
 const DEMANDED: usize = 2;

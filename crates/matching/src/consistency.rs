@@ -249,7 +249,7 @@ mod tests {
     }
 
     #[test]
-    fn two_neighbors_that_change_places_flip_or_flatten_the_triangles_between_them() {
+    fn two_swapped_neighbors_flip_or_flatten_the_triangles_between_them() {
         let mesh = ellipsoid(Vector3::repeat(6.0), 3);
         let mut labeling: Vec<u32> = (0..mesh.n_vertices() as u32).collect();
         let [a, b] = mesh.edges()[500];

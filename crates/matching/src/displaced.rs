@@ -144,7 +144,7 @@ fn rigid(coarse: &Coarse<'_>, posed: &Posed<'_>, starts: &Starts) -> Result<Disp
     Ok(Displaced { transform, labeling, confidence, spread_mm, poses, images: Images::OnVertices })
 }
 
-/// The images of a smooth displacement field, from whichever start fits best after the deformation. `None` where no field
+/// The images of a smooth displacement field, from the start that fits best after the deformation. `None` if no field
 /// can be fitted.
 fn by_field(coarse: &Coarse<'_>, posed: &Posed<'_>, starts: &Starts) -> Result<Option<Displaced>, MatchError> {
     let (scene, source, target) = (&coarse.full, coarse.source, coarse.target);
@@ -178,7 +178,7 @@ fn by_field(coarse: &Coarse<'_>, posed: &Posed<'_>, starts: &Starts) -> Result<O
     Ok(Some(displaced))
 }
 
-/// The answer of a displacement field, its confidences lowered where `reliability` speaks against it.
+/// The answer of a displacement field, with confidences lowered where `reliability` is low.
 fn answered(
     scene: &Scene<'_>,
     starts: &Starts,

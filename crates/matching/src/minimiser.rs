@@ -22,7 +22,7 @@ const MESSAGE_FLOOR: f32 = 1e-5;
 const GAP_TOLERANCE: f64 = 1e-6;
 /// The dual method ends when an iteration raises the bound by less than this share.
 const PROGRESS_TOLERANCE: f64 = 1e-5;
-/// An annealer is frozen when no label has changed for so many sweeps.
+/// An annealer is frozen when no label has changed for this number of sweeps.
 const FROZEN_SWEEPS: u32 = 20;
 
 /// A labeling, and how the minimiser came to it.

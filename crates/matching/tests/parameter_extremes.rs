@@ -50,7 +50,7 @@ fn factors() -> Vec<Factor> {
         }
         let mut pointers = expanded(bounds.name);
         if bounds.name.ends_with("_mm[]") && bounds.name.starts_with("landmarks") {
-            // One coordinate of one landmark: if all were alike, they would say nothing of the orientation.
+            // One coordinate of one landmark: identical landmarks would not determine the orientation.
             pointers.truncate(1);
         }
         factors.push(Factor { name: bounds.name.to_owned(), pointers, values });
@@ -248,7 +248,7 @@ fn extremes_of_all_parameters_in_pairs_give_finite_answers_or_errors() {
                     faults.push(format!("not finite: {:?} of {request}", &not_finite[..not_finite.len().min(6)]));
                 }
             }
-            Ok(Err(MatchError::Cancelled(_))) => faults.push(format!("cancelled by nobody: {request}")),
+            Ok(Err(MatchError::Cancelled(_))) => faults.push(format!("cancelled without a request: {request}")),
             Ok(Err(error)) => println!("refused: {error}"),
             Err(_) => faults.push(format!("panic with {request}")),
         }

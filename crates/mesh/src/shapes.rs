@@ -81,3 +81,23 @@ pub fn torus(radius: f64, tube: f64, around: u32, across: u32, arity: FaceArity)
     }
     SurfaceMesh::new(vertices, arity, indices).unwrap()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::f64::consts::PI;
+
+    #[test]
+    fn the_shapes_face_outwards_and_enclose_the_volumes_of_their_formulas() {
+        let relative = |mesh: SurfaceMesh, volume: f64| mesh.signed_volume() / volume;
+        let sphere = ellipsoid(Vector3::repeat(10.0), 4);
+        assert_eq!(sphere.n_vertices(), 2562);
+        assert!((relative(sphere, 4.0 / 3.0 * PI * 1000.0) - 1.0).abs() < 0.01);
+        let flat = ellipsoid(Vector3::new(12.0, 8.0, 2.0), 4);
+        assert!((relative(flat, 4.0 / 3.0 * PI * 192.0) - 1.0).abs() < 0.01);
+        for arity in [FaceArity::Triangle, FaceArity::Quad] {
+            let ring = torus(10.0, 4.0, 60, 30, arity);
+            assert!((relative(ring, TAU * 10.0 * PI * 16.0) - 1.0).abs() < 0.02);
+        }
+    }
+}

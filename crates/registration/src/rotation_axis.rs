@@ -142,7 +142,7 @@ mod tests {
         }
 
         #[test]
-        fn a_little_noise_turns_the_answer_a_little(seed in any::<u64>()) {
+        fn a_little_noise_rotates_the_result_a_little(seed in any::<u64>()) {
             let Some(source) = triple(seed) else { return Ok(()) };
             prop_assume!(triangle_normal(&source).unwrap().norm() > 100.0);
             let (truth, noise) = (pose(seed ^ 1), cloud(seed ^ 2, 3));

@@ -66,7 +66,7 @@ pub struct RunOutput {
     /// The source surface whose vertices the correspondences count: all vertices of the uploaded mesh, with the faces that
     /// were matched; or the surface made from the uploaded volume.
     pub source: SurfaceMesh,
-    /// The target surface, likewise.
+    /// The target surface to which the correspondences refer, in the same numbering of the upload.
     pub target: SurfaceMesh,
 }
 

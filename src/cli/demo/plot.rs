@@ -74,13 +74,13 @@ mod tests {
 
     #[test]
     fn a_wide_range_is_drawn_on_a_logarithmic_scale() {
-        // Equal ratios are a straight line: the middle value stands in the middle row.
+        // Equal ratios are a straight line: the middle value is in the middle row.
         let lines = plot(&[10_000.0, 100.0, 1.0], &[], 3, 3);
         assert!(lines[1].chars().any(|c| ('\u{2801}'..='\u{28ff}').contains(&c)), "{lines:?}");
     }
 
     #[test]
-    fn a_constant_and_gaps_are_drawn_and_nothing_is_not() {
+    fn constants_and_gaps_are_drawn_and_an_empty_line_is_not() {
         assert_eq!(plot(&[2.0; 40], &[], 10, 3).len(), 4);
         assert_eq!(plot(&[2.0, f64::NAN, 3.0], &[7], 10, 3).len(), 4);
         assert!(plot(&[], &[], 10, 3).is_empty());

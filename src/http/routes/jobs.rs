@@ -22,6 +22,9 @@ use axum::http::{HeaderMap, StatusCode, header};
 use axum::response::{IntoResponse, Response};
 use std::sync::Arc;
 use std::time::Duration;
+use utoipa::openapi::Required;
+use utoipa::openapi::path::{Parameter, ParameterBuilder, ParameterIn};
+use utoipa::{IntoParams, PartialSchema};
 
 /// Submit a job
 ///
@@ -107,7 +110,7 @@ async fn take(
     let idempotency_key = idempotency_key(headers)?;
     state.service.refuse_when_full(&tenant).await?;
     // Held until the job is stored, to limit the number of submissions in memory.
-    let _place = state.place_for_upload().await?;
+    let _permit = state.upload_permit().await?;
     let reading = submission::read(request, tap, &state.limits, state.service.limits());
     let reading = tokio::time::timeout(state.limits.upload_timeout, reading);
     let Submitted { source, target, parameters, mut details } =
@@ -149,6 +152,32 @@ async fn after_wait(state: &HttpState, tenant: &Tenant, made: Job, wait: Duratio
         response.headers_mut().insert("preference-applied", applied);
     }
     Ok(response)
+}
+
+/// The query parameters that [`filter`] reads, except `state`, which each operation describes itself.
+struct FilterParameters;
+
+impl IntoParams for FilterParameters {
+    fn into_params(_: impl Fn() -> Option<ParameterIn>) -> Vec<Parameter> {
+        let documented = [
+            ("method", "Only jobs of this method"),
+            ("external_ref", "Only jobs with this external reference"),
+            ("batch", "Only jobs of this batch"),
+            ("label", "Only jobs with this label, as `name:value`; may be repeated, at most 4 labels"),
+            ("created_from", "Only jobs created at this RFC 3339 time or later"),
+            ("created_before", "Only jobs created before this RFC 3339 time"),
+        ];
+        let parameter = |(name, description)| {
+            ParameterBuilder::new()
+                .name(name)
+                .parameter_in(ParameterIn::Query)
+                .required(Required::False)
+                .description(Some(description))
+                .schema(Some(String::schema()))
+                .build()
+        };
+        documented.map(parameter).into()
+    }
 }
 
 /// The filter in a query string.
@@ -198,12 +227,7 @@ fn filter(query: &mut QueryString) -> JobFilter {
     get, path = "/v1/jobs", tag = "jobs", operation_id = "list_jobs",
     params(
         ("state" = Option<String>, Query, description = "Only jobs in these states; separated by commas, or repeated"),
-        ("method" = Option<String>, Query, description = "Only jobs of this method"),
-        ("external_ref" = Option<String>, Query, description = "Only jobs with this external reference"),
-        ("batch" = Option<String>, Query, description = "Only jobs of this batch"),
-        ("label" = Option<String>, Query, description = "Only jobs with this label, as `name:value`; may be repeated, at most 4 labels"),
-        ("created_from" = Option<String>, Query, description = "Only jobs created at this RFC 3339 time or later"),
-        ("created_before" = Option<String>, Query, description = "Only jobs created before this RFC 3339 time"),
+        FilterParameters,
         ("order" = Option<String>, Query, description = "`desc` (newest first, the default) or `asc`"),
         ("page_size" = Option<u32>, Query, minimum = 1, maximum = 500, description = "Maximum number of jobs; 50 if absent"),
         ("page_token" = Option<String>, Query, description = "`next_page_token` of the previous page"),
@@ -234,12 +258,7 @@ pub(crate) async fn list(
     post, path = "/v1/jobs/cancel", tag = "jobs", operation_id = "cancel_jobs",
     params(
         ("state" = Option<String>, Query, description = "Only jobs in this state: `queued` or `running`"),
-        ("method" = Option<String>, Query, description = "Only jobs of this method"),
-        ("external_ref" = Option<String>, Query, description = "Only jobs with this external reference"),
-        ("batch" = Option<String>, Query, description = "Only jobs of this batch"),
-        ("label" = Option<String>, Query, description = "Only jobs with this label, as `name:value`; may be repeated, at most 4 labels"),
-        ("created_from" = Option<String>, Query, description = "Only jobs created at this RFC 3339 time or later"),
-        ("created_before" = Option<String>, Query, description = "Only jobs created before this RFC 3339 time"),
+        FilterParameters,
         ("all" = Option<bool>, Query, description = "`true` to cancel all jobs of the tenant"),
     ),
     responses(

@@ -91,7 +91,7 @@ async fn store(
     request: Request,
     tap: &Tap,
 ) -> Result<(Mesh, bool), Problem> {
-    let _place = state.place_for_upload().await?;
+    let _permit = state.upload_permit().await?;
     let reading = async {
         match media_type(&request).as_str() {
             "multipart/form-data" => store_form(state, tenant, request, tap).await,

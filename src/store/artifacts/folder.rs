@@ -55,7 +55,7 @@ impl FolderArtifacts {
 
     fn write(&self, path: &Path, bytes: &[u8]) -> io::Result<()> {
         if fs::metadata(path).is_ok_and(|m| m.len() == bytes.len() as u64) {
-            return Ok(()); // the name says the content, and only whole blobs get names
+            return Ok(()); // the name is the hash of the content, and only complete blobs get their name
         }
         let temporary = self.temporary.join(uuid::Uuid::new_v4().to_string());
         let written = (|| {

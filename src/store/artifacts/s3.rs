@@ -181,7 +181,7 @@ impl ArtifactWriter for S3Writer {
         }
         self.upload = None;
         let copied = self.store.client.copy(&self.incoming, &self.store.path(key)).await.map_err(domain_error);
-        let _ = self.store.client.delete(&self.incoming).await; // else the sweep finds it
+        let _ = self.store.client.delete(&self.incoming).await; // if this fails, the sweep removes it
         copied
     }
 }

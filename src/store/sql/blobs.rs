@@ -1,9 +1,9 @@
 //! Which blobs are in use: references of jobs and uploads, and holds of processes that are about to refer to them.
 //!
-//! Equal uploads share a blob, so the removal of a blob must not interleave with a submission of the same bytes. Each blob
-//! has a row, which both sides lock: whoever writes a blob first places a hold on it; a removal looks for references and
-//! holds, marks the row, removes the blob outside of any transaction, and then deletes the row. A hold that finds the mark
-//! waits until the row is deleted, and the blob is then written again.
+//! Equal uploads share a blob, so the removal of a blob must not interleave with a submission of the same bytes. Each
+//! blob has a row, which both sides lock: a writer places a hold on a blob before it writes it; a removal checks for
+//! references and holds, marks the row, removes the blob outside of any transaction, and then deletes the row. A writer
+//! that finds the mark waits until the row is deleted and then writes the blob again.
 
 use super::SqlStore;
 use super::database::{Session, bind};
@@ -36,7 +36,7 @@ pub(super) async fn note_candidates_of_job(session: &mut Session, id: JobId) -> 
     Ok(())
 }
 
-/// Places a hold on blobs. [`JobError::BeingRemoved`] if one of them is just being removed.
+/// Places a hold on blobs. [`JobError::BeingRemoved`] if one of them is being removed.
 async fn hold_blobs(
     session: &mut Session,
     holder: &str,
@@ -57,8 +57,8 @@ async fn hold_blobs(
     Ok(())
 }
 
-/// Decides on some candidates: those in use stop being candidates, the others are marked. Returns the number of candidates
-/// and the marked ones, each with the time of its mark.
+/// Examines some candidates: those in use stop being candidates, the others are marked for removal. Returns the number
+/// of candidates and the marked ones, each with the time of its mark.
 async fn mark_unreferenced(session: &mut Session) -> Result<(usize, Vec<(ArtifactKey, i64)>), JobError> {
     for holder in session.rows(sql!("lapsed_holders"), bind![]).await? {
         drop_hold(session, &holder.get::<String>(0)?).await?;
@@ -67,8 +67,8 @@ async fn mark_unreferenced(session: &mut Session) -> Result<(usize, Vec<(Artifac
     let mut unreferenced = Vec::new();
     for row in &candidates {
         let (tenant, path): (String, String) = (row.get("tenant")?, row.get("path")?);
-        // Asked after the row was locked: whoever began to refer before has committed. A blob that is held becomes a
-        // candidate again when the hold is released.
+        // Checked after the row was locked: every transaction that added a reference before has committed. A blob that
+        // is held becomes a candidate again when the hold is released.
         if session.value(sql!("blob_is_needed"), bind![&tenant, &path]).await? == Some(true) {
             session.execute(sql!("keep_blob"), bind![&tenant, &path]).await?;
             continue;
@@ -90,7 +90,7 @@ impl BlobHolds for SqlStore {
         for_at_most: Duration,
         fence: Option<&Lease>,
     ) -> Result<(), JobError> {
-        // All holders lock in one order, so that two of them never deadlock.
+        // All holders lock in the same order, so that two of them never deadlock.
         let mut keys: Vec<&ArtifactKey> = keys.iter().collect();
         keys.sort_by_key(|key| key.path());
         keys.dedup();
@@ -116,7 +116,7 @@ impl BlobHolds for SqlStore {
     async fn remove_unreferenced_blobs(&self, artifacts: &dyn ArtifactStore) -> Result<u32, JobError> {
         let mut removed = 0;
         loop {
-            // Asked without a lock first: usually there is nothing to do.
+            // Checked without a lock first: usually there is nothing to do.
             let work: Option<bool> = self.database.reader().await?.value(sql!("has_candidates"), bind![]).await?;
             if work != Some(true) {
                 return Ok(removed);

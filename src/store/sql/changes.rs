@@ -14,7 +14,7 @@ use crate::jobs::{ChangePage, JobError, Tenant};
 /// Numbers the changes that are committed and have no number yet.
 pub(super) async fn number_changes(database: &Database) -> Result<(), JobError> {
     loop {
-        // Asked without a lock first: usually there is nothing to number.
+        // Checked without a lock first: usually there is nothing to number.
         let waiting: Option<bool> = database.reader().await?.value(sql!("has_unnumbered_changes"), bind![]).await?;
         if waiting != Some(true) {
             return Ok(());

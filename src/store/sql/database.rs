@@ -3,7 +3,7 @@
 //! [`Database::transaction`] is the only way to write and [`Database::read`] the only way to run several reads on one
 //! snapshot: both take the work as a closure, commit when it returns `Ok` and roll back when it returns `Err`.
 //!
-//! No statement waits for ever: a server that disappears without closing its connections would otherwise block its
+//! No statement waits forever: a server that disappears without closing its connections would otherwise block its
 //! clients. A statement that is not answered in time, and a transaction whose future is dropped before its end, close
 //! their connection instead of returning it to the pool, so that no later caller receives a connection in an unknown
 //! state.
@@ -41,8 +41,8 @@ const CONNECT_TIMEOUT: Duration = Duration::from_secs(5);
 const READERS: u32 = 4;
 /// A process that stalls inside a transaction keeps rows locked; PostgreSQL ends such a transaction after this time.
 const IDLE_IN_TRANSACTION: &str = "SET idle_in_transaction_session_timeout = '30s'";
-/// The NOTIFY channel on which processes announce queued jobs. Its name stays: processes of two versions share it during
-/// a rolling update.
+/// The NOTIFY channel on which processes announce queued jobs. The name must not change: processes of two versions share
+/// it during a rolling update.
 const CHANNEL: &str = "homolog_queued";
 
 fn migrator(migrations: &[(i64, &'static str, &'static str)]) -> Migrator {
@@ -52,7 +52,7 @@ fn migrator(migrations: &[(i64, &'static str, &'static str)]) -> Migrator {
     Migrator::with_migrations(migrations.iter().map(migration).collect())
 }
 
-/// Where the database is.
+/// Location of the database.
 #[derive(Debug, Clone)]
 pub enum DatabaseLocation {
     /// `homolog.sqlite` in this folder.
@@ -72,7 +72,7 @@ pub enum DatabaseLocation {
 const SQLITE_FILE: &str = "homolog.sqlite";
 
 impl DatabaseLocation {
-    /// Whether the folder holds a database. A server is taken to have one: only connecting to it can tell.
+    /// Whether the folder contains a database. A server is assumed to have one, since only a connection could tell.
     pub fn is_there(&self) -> bool {
         match self {
             DatabaseLocation::Folder(folder) => folder.join(SQLITE_FILE).is_file(),
@@ -91,7 +91,7 @@ pub(super) enum Database {
 }
 
 impl Database {
-    /// Connects, and runs the migrations that are missing.
+    /// Connects and runs pending migrations.
     pub(super) async fn open(location: &DatabaseLocation) -> Result<Self, JobError> {
         match location {
             DatabaseLocation::Folder(folder) => open_sqlite(folder).await,
@@ -136,7 +136,8 @@ impl Database {
             Database::Sqlite { writer, .. } => Link::Sqlite(Some(writer.acquire().await.map_err(domain_error)?)),
             Database::Postgres { pool, .. } => Link::Postgres(Some(acquire(pool).await?)),
         };
-        // A transaction that SQLite began for reading would fail at its first write if another process writes meanwhile.
+        // A SQLite transaction that began with a read would fail at its first write if another process had written
+        // since.
         let begin = if matches!(link, Link::Sqlite(_)) { "BEGIN IMMEDIATE" } else { "BEGIN" };
         in_transaction(link, begin, work).await
     }
@@ -176,7 +177,8 @@ impl Database {
         }
     }
 
-    /// Notifies `wake` whenever another process announces a queued job. Never returns, also where nobody announces.
+    /// Notifies `wake` whenever another process announces a queued job. Never returns, even where announcements are
+    /// disabled.
     pub(super) async fn follow_queued(&self, wake: &tokio::sync::Notify) {
         let Database::Postgres { pool, notify: true } = self else { return std::future::pending().await };
         loop {
@@ -196,7 +198,8 @@ impl Database {
         }
     }
 
-    /// Announces a queued job to other processes. Outside of any transaction: commits that notify wait for one another.
+    /// Announces a queued job to other processes. Not in a transaction, because PostgreSQL serializes commits that
+    /// notify.
     pub(super) async fn announce_queued(&self) {
         let Database::Postgres { notify: true, .. } = self else { return };
         if let Ok(mut session) = self.reader().await {
@@ -214,7 +217,7 @@ async fn in_transaction<T>(
     begin: &'static str,
     work: impl AsyncFnOnce(&mut Session) -> Result<T, JobError>,
 ) -> Result<T, JobError> {
-    // Open from before the statement is sent: if it is dropped while waiting, the server may have begun it.
+    // Marked as open before the statement is sent: if the future is dropped while waiting, the server may have begun it.
     let mut session = Session { link, is_open: true, is_broken: false };
     session.run(begin).await?;
     let done = work(&mut session).await;
@@ -280,7 +283,7 @@ pub(super) struct Session {
     link: Link,
     /// A transaction is open.
     is_open: bool,
-    /// A statement is unanswered: it still runs, or its answer did not come in time.
+    /// A statement is unanswered: it is still running, or its answer did not arrive in time.
     is_broken: bool,
 }
 
@@ -344,7 +347,7 @@ arguments_from! {
     Option<jiff::Timestamp> => |v| Argument::Integer(v.map(jiff::Timestamp::as_millisecond));
 }
 
-/// A duration in the database's unit.
+/// A duration in ms, as stored in the database.
 fn milliseconds(duration: Duration) -> i64 {
     i64::try_from(duration.as_millis()).unwrap_or(i64::MAX / 4)
 }
@@ -364,7 +367,7 @@ pub(super) enum Row {
     Postgres(PgRow),
 }
 
-/// A Rust type as which a column can be read in both databases.
+/// A Rust type into which a column of either database can be read.
 pub(super) trait Column:
     for<'r> sqlx::Decode<'r, Sqlite> + sqlx::Type<Sqlite> + for<'r> sqlx::Decode<'r, Postgres> + sqlx::Type<Postgres>
 {
@@ -446,7 +449,7 @@ impl Session {
         self.fetch(text.to_owned(), arguments).await
     }
 
-    /// Runs a query whose text is put together at run time, from constant parts only, and returns its rows.
+    /// Runs a query whose text is assembled at run time, from constant parts only, and returns its rows.
     pub(super) async fn fetch(&mut self, text: String, arguments: Vec<Argument>) -> Result<Vec<Row>, JobError> {
         self.is_broken = true;
         let rows = match &mut self.link {
@@ -499,20 +502,20 @@ impl Session {
         self.note_answer(done)
     }
 
-    /// Commits if `done` is `Ok`, else rolls back; returns `done`, or why the commit failed.
+    /// Commits if `done` is `Ok`, else rolls back. Returns `done`, or the error of the commit.
     async fn end<T>(mut self, done: Result<T, JobError>) -> Result<T, JobError> {
         if self.is_broken {
-            return done; // the drop closes the connection
+            return done; // dropping `self` closes the connection
         }
         self.run(if done.is_ok() { "COMMIT" } else { "ROLLBACK" }).await.or_else(|error| match &done {
             Ok(_) => Err(error),
-            Err(_) => Ok(()), // the error of the work says more than that of the rollback
+            Err(_) => Ok(()), // the error in `done` says more than one of the rollback
         })?;
         self.is_open = false;
         done
     }
 
-    /// Marks the connection as broken unless the server answered, be it with an error.
+    /// Marks the connection as broken unless the server answered, even if with an error.
     fn note_answer<T>(&mut self, answer: Result<T, sqlx::Error>) -> Result<T, JobError> {
         self.is_broken = matches!(
             &answer,
@@ -600,7 +603,7 @@ mod tests {
         });
         tokio::time::timeout(Duration::from_millis(100), stuck).await.unwrap_err();
         assert_eq!(writer.size(), 0, "the connection is closed and not given back");
-        // The only writer is free again, and what was written is undone.
+        // The only writer is free again, and its changes were rolled back.
         database.transaction(async |session| insert_batch(session, "kept").await).await.unwrap();
         assert!(has_batch(&database, "kept").await);
         assert!(!has_batch(&database, "undone").await);

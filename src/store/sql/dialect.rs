@@ -1,9 +1,9 @@
-//! One text for each query, and what the two databases say differently in it.
+//! One text for each query, and the parts of it that differ between SQLite and PostgreSQL.
 //!
-//! A query stands once, in `queries/`, with these marks: `{now}` is the database's clock in ms, at the beginning of
-//! the statement (a clock that moved meanwhile could not be looked up in an index), `{for_update}` locks the
-//! rows read until the transaction ends, `{skip_locked}` does so and leaves out rows that another has locked. SQLite
-//! needs neither lock: its write transactions follow one another.
+//! Each query is written once, in `queries/`, with placeholders: `{now}` is the database's clock in ms at the beginning
+//! of the statement (constant during the statement, so that an index can be used for comparisons with it),
+//! `{for_update}` locks the selected rows until the transaction ends, `{skip_locked}` also skips rows that another
+//! transaction has locked. SQLite needs neither lock, because it runs write transactions one at a time.
 
 use std::sync::LazyLock;
 
@@ -21,7 +21,7 @@ pub(super) struct Sql {
 }
 
 impl Sql {
-    /// Fills the marks of a query's text.
+    /// Replaces the placeholders in a query's text.
     pub(super) fn new(text: &str) -> Self {
         let filled = |now, for_update, skip_locked| {
             text.replace("{now}", now).replace("{for_update}", for_update).replace("{skip_locked}", skip_locked)
@@ -45,7 +45,7 @@ impl Sql {
     }
 }
 
-/// A query that is made at its first use.
+/// A query that is created when it is first used.
 pub(super) type LazySql = LazyLock<Sql>;
 
 /// The query in `queries/` of this name.
@@ -59,10 +59,10 @@ macro_rules! sql {
 }
 pub(super) use sql;
 
-/// The text of a query with only those optional lines whose name is wanted, and its parameters numbered anew.
+/// The text of a query, with only those optional lines whose name is in `wanted`, and with numbered parameters.
 ///
 /// An optional line ends in `-- when NAME`. Parameters are written `:name` and replaced by `$1`, `$2`, … in the order
-/// of their first use; their names come back in that order.
+/// of their first use; their names are returned in that order.
 pub(super) fn with_options(text: &str, wanted: &[&str]) -> (String, Vec<String>) {
     let mut kept = String::new();
     let mut names: Vec<String> = Vec::new();

@@ -1,4 +1,5 @@
-//! What every process does from time to time: jobs of lost workers, overdue jobs, and what has outlived its retention.
+//! Periodic work of every process: requeue jobs of lost workers, end overdue jobs, and purge what has outlived its
+//! retention.
 
 use super::database::{Row, Session, bind};
 use super::dialect::sql;
@@ -11,7 +12,7 @@ use crate::jobs::{
 use async_trait::async_trait;
 use std::time::Duration;
 
-/// The running jobs whose leases expired. In a transaction, rows that others have locked are passed over.
+/// The running jobs whose leases expired. In a transaction, rows that other transactions have locked are skipped.
 async fn expired_leases(session: &mut Session) -> Result<Vec<Row>, JobError> {
     session.rows(sql!("expired_leases"), bind![]).await
 }
@@ -29,7 +30,7 @@ async fn overdue_jobs(session: &mut Session, tolerance: Duration) -> Result<Vec<
 #[async_trait]
 impl Housekeeping for SqlStore {
     async fn recover_expired(&self) -> Result<Recovered, JobError> {
-        // Asked without a lock first: usually there is nothing to do. The same in `end_overdue`.
+        // Checked without a lock first: usually there is nothing to do. The same in `end_overdue`.
         if expired_leases(&mut self.database.reader().await?).await?.is_empty() {
             return Ok(Recovered::default());
         }

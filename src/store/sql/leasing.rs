@@ -11,8 +11,8 @@ use crate::jobs::{
 use async_trait::async_trait;
 use std::time::Duration;
 
-/// The fence: returns [`JobError::LeaseLost`] unless the job is running under exactly this epoch, and keeps it so until
-/// the transaction ends. Returns whether its cancellation was requested.
+/// The fence: returns [`JobError::LeaseLost`] unless the job is running under exactly this epoch; its row stays locked
+/// until the transaction ends. Returns whether its cancellation was requested.
 pub(super) async fn lock_lease(session: &mut Session, lease: &Lease) -> Result<bool, JobError> {
     let held: Option<bool> = session.value(sql!("lock_lease"), bind![lease.job_id, lease.epoch]).await?;
     held.ok_or(JobError::LeaseLost)
@@ -26,7 +26,7 @@ fn status(cancel_requested: Option<bool>) -> LeaseStatus {
     }
 }
 
-/// The next job to run. On PostgreSQL its row is locked, and rows that other transactions have locked are passed over.
+/// The next job to run. On PostgreSQL its row is locked, and rows that other transactions have locked are skipped.
 async fn next_queued(session: &mut Session) -> Result<Option<String>, JobError> {
     session.value(sql!("next_queued"), bind![]).await
 }

@@ -94,7 +94,7 @@ impl MeshStore for SqlStore {
         let text = rows::to_json("a check", outcome)?;
         self.database
             .transaction(async |session| {
-                // If the upload was deleted meanwhile, its check is not stored.
+                // If the upload has been deleted in the meantime, its check is not stored.
                 if session.row(sql!("lock_mesh"), bind![tenant, hash]).await?.is_some() {
                     session.execute(sql!("save_mesh_check"), bind![tenant, hash, input_key, text]).await?;
                 }

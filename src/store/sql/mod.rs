@@ -1,12 +1,12 @@
 //! The job store in SQLite or PostgreSQL.
 //!
-//! There is one implementation for both databases: each query is written once, in a file of `queries/`; [`dialect`] fills
-//! in where the two differ, and [`database`] hides whose connection it is. The code relies on nothing that only one of
-//! them guarantees: on PostgreSQL write transactions run side by side, so rows are locked before anything is decided on
-//! them, on SQLite too.
+//! There is one implementation for both databases: each query is written once, in a file of `queries/`; [`dialect`]
+//! fills in the parts that differ, and [`database`] hides which database a connection belongs to. The code relies on
+//! nothing that only one of them guarantees: PostgreSQL runs write transactions concurrently, so rows are locked before
+//! a decision depends on them.
 //!
 //! An operation has one name: that of the port's method. If it is a single query, the query's file has the same name (a
-//! test below holds this).
+//! test below checks this).
 //!
 //! Each port of [`crate::jobs`] is implemented in one file: [`reading`] ([`crate::jobs::JobReader`]), [`writing`]
 //! ([`crate::jobs::JobWriter`]), [`leasing`] ([`crate::jobs::JobQueue`]), [`blobs`] ([`crate::jobs::BlobHolds`]),
@@ -43,7 +43,7 @@ pub struct SqlStore {
 }
 
 impl SqlStore {
-    /// Connects to the database, creates it if it is a file that does not exist, and runs the migrations that are missing.
+    /// Connects to the database, creates it if it is a file that does not exist, and runs pending migrations.
     ///
     /// # Errors
     /// [`JobError::Unavailable`]; also if a newer version of this program has migrated the database.
@@ -98,7 +98,7 @@ mod tests {
         PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("src/store/sql")
     }
 
-    /// The files of a folder with this extension: name without it, and text.
+    /// The files of a folder with this extension: name without the extension, and text.
     fn files(folder: PathBuf, extension: &str) -> BTreeMap<String, String> {
         let paths = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
         let paths = paths.filter(|path| path.extension().is_some_and(|e| e == extension));
@@ -120,7 +120,7 @@ mod tests {
         functions
     }
 
-    /// The queries that a text names: `sql!("…")`, and the one that is put together at run time.
+    /// The queries that a text names: `sql!("…")`, and the one that is assembled at run time.
     fn queries(code: &str) -> Vec<&str> {
         let named = code.split("sql!(\"").skip(1).map(|rest| rest.split('"').next().unwrap());
         let included = code.split("include_str!(\"queries/").skip(1).map(|rest| rest.split('.').next().unwrap());
@@ -143,7 +143,7 @@ mod tests {
         let mut n_equal = 0;
         for (name, code) in functions() {
             let [query] = queries(&code)[..] else { continue };
-            // A function that hands its session on runs further queries. `list_state` reads a part of `list_jobs`.
+            // A function that passes its session on runs further queries. `list_state` runs a part of `list_jobs`.
             let hands_on = ["(session,", "(session)", "(&mut session,", "self.get_", "number_changes("];
             if hands_on.iter().any(|call| code.contains(call)) || name == "list_state" {
                 continue;
@@ -161,7 +161,7 @@ mod tests {
         for query in files.keys() {
             let of_this_name: Vec<_> = functions.iter().filter(|(name, _)| name == query).collect();
             let runs_it = of_this_name.iter().any(|(_, code)| queries(code).contains(&query.as_str()));
-            // The text of `list_jobs` is put together in `list_state`.
+            // The text of `list_jobs` is assembled in `list_state`.
             assert!(of_this_name.is_empty() || runs_it || query == "list_jobs", "{query}");
         }
     }

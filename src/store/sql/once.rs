@@ -5,15 +5,15 @@ use super::dialect::sql;
 use crate::jobs::{JobError, Made, Once, OnceStatus};
 use std::time::Duration;
 
-/// Reserves a key, or returns what it stands for.
+/// Reserves a key, or returns what an earlier request made under it.
 pub(super) async fn begin_once(session: &mut Session, once: &Once, busy_for: Duration) -> Result<OnceStatus, JobError> {
     let arguments = bind![&once.tenant, &once.name, &once.fingerprint, &once.token, busy_for];
-    // Succeeds if the key is free or has lapsed; waits for a transaction that is just reserving it.
+    // Succeeds if the key is free or has expired; waits for a concurrent transaction that is reserving it.
     if session.execute(sql!("begin_once"), arguments).await? == 1 {
         return Ok(OnceStatus::Begun);
     }
     let row = session.row(sql!("get_once"), bind![&once.tenant, &once.name]).await?;
-    // Given up in this very moment: the next request finds it free.
+    // Released by another request since the statement above: the next request finds it free.
     let Some(row) = row else { return Ok(OnceStatus::InProgress) };
     if row.get::<String>("fingerprint")? != once.fingerprint {
         return Ok(OnceStatus::OtherRequest);
@@ -22,12 +22,12 @@ pub(super) async fn begin_once(session: &mut Session, once: &Once, busy_for: Dur
         None => Ok(OnceStatus::InProgress),
         Some(made) => Made::from_text(&made)
             .map(OnceStatus::Made)
-            .ok_or(JobError::Corrupt { what: "what an idempotency key stands for", source: None }),
+            .ok_or(JobError::Corrupt { what: "the record of an idempotency key", source: None }),
     }
 }
 
-/// Records what was made for a key. [`JobError::LeaseLost`] if another request has taken the key meanwhile: then nothing
-/// may be made.
+/// Records what was made for a key. [`JobError::LeaseLost`] if another request has taken the key in the meantime: then
+/// nothing may be made.
 pub(super) async fn finish_once(session: &mut Session, once: &Once, made: Made) -> Result<(), JobError> {
     let arguments = bind![&once.tenant, &once.name, &once.token, made.to_text(), once.keep_for];
     match session.execute(sql!("finish_once"), arguments).await? {

@@ -28,15 +28,15 @@ impl JobReader for SqlStore {
         let mut session = self.database.reader().await?;
         let mut job = get_job(&mut session, tenant, id).await?;
         if job.state == JobState::Queued {
-            let place = bind![job.priority, job.created_at.as_millisecond(), id];
-            let position: Option<i64> = session.value(sql!("queue_position"), place).await?;
+            let position_key = bind![job.priority, job.created_at.as_millisecond(), id];
+            let position: Option<i64> = session.value(sql!("queue_position"), position_key).await?;
             job.queue_position = position.map(i64::unsigned_abs);
         }
         Ok(job)
     }
 
-    /// Reads each state by itself, along its index, and merges the pages: whatever the filter, the cost is that of a few
-    /// pages, however many jobs there are.
+    /// Reads each state separately, along its index, and merges the pages: whatever the filter, the cost is that of a
+    /// few pages, regardless of the number of jobs.
     async fn list_jobs(&self, tenant: &Tenant, filter: &JobFilter, page: &PageRequest) -> Result<JobPage, JobError> {
         let mut jobs = self
             .database
@@ -51,10 +51,10 @@ impl JobReader for SqlStore {
                 Ok(jobs)
             })
             .await?;
-        let place = |job: &Job| (job.created_at, job.id);
+        let sort_key = |job: &Job| (job.created_at, job.id);
         match page.order {
-            Order::NewestFirst => jobs.sort_by_key(|job| std::cmp::Reverse(place(job))),
-            Order::OldestFirst => jobs.sort_by_key(place),
+            Order::NewestFirst => jobs.sort_by_key(|job| std::cmp::Reverse(sort_key(job))),
+            Order::OldestFirst => jobs.sort_by_key(sort_key),
         }
         jobs.dedup_by_key(|job| job.id);
         let more = jobs.len() > page.size as usize;
@@ -80,7 +80,7 @@ impl JobReader for SqlStore {
     }
 
     async fn get_trace(&self, tenant: &Tenant, id: JobId, after_seq: u64, limit: u32) -> Result<TracePage, JobError> {
-        // State and points of one snapshot: otherwise `complete` could be said before the last chunk is read.
+        // State and points from one snapshot: otherwise `complete` could be reported before the last chunk is read.
         let (state, chunks) = self
             .database
             .read(async |session| {

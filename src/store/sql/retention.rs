@@ -1,7 +1,7 @@
 //! Removal of what has outlived its retention.
 //!
-//! Each job is removed in a transaction of its own: the purge of thousands blocks nobody for long, and an interrupted purge
-//! is continued by the next one.
+//! Each job is removed in its own transaction: a purge of thousands holds no lock for long, and the next purge
+//! continues an interrupted one.
 
 use super::database::{Row, Session, bind};
 use super::dialect::sql;
@@ -51,7 +51,7 @@ pub(super) async fn purge(store: &SqlStore, retention: &Retention, limit: u32) -
             let tenant = rows::tenant(&row.get::<String>("tenant")?)?;
             match store.delete_mesh(&tenant, &row.get::<String>("hash")?).await {
                 Ok(()) => purged.meshes += 1,
-                // A job refers to it by now, or another process has removed it.
+                // A job refers to it in the meantime, or another process has removed it.
                 Err(JobError::MeshInUse | JobError::MeshNotFound) => {}
                 Err(error) => return Err(error),
             }
@@ -66,7 +66,7 @@ pub(super) async fn purge(store: &SqlStore, retention: &Retention, limit: u32) -
 
 /// Removes a job's result and trace. `false` if it needs no purge any more.
 async fn purge_result(session: &mut Session, id: JobId) -> Result<bool, JobError> {
-    // Locked: a submission that shares this result either came first or does not find it.
+    // Locked: a submission that shares this result has either committed before, or will not find it.
     if session.row(sql!("lock_result_to_purge"), bind![id]).await?.is_none() {
         return Ok(false);
     }

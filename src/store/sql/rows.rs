@@ -77,7 +77,7 @@ pub(super) fn maybe_time(row: &Row, column: &'static str) -> Result<Option<Times
     row.get::<Option<i64>>(column)?.map(time).transpose()
 }
 
-/// The position of an entry in a list. A cursor holds a job's id; ids of other entries have the same form.
+/// The position of an entry in a list. A cursor contains a job's id; ids of other entries have the same form.
 pub(super) fn cursor(created_at: Timestamp, id: &str) -> Option<Cursor> {
     JobId::parse(id).map(|id| Cursor { created_at_ms: created_at.as_millisecond(), id })
 }

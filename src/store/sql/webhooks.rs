@@ -175,7 +175,7 @@ impl WebhookStore for SqlStore {
     }
 
     async fn claim_delivery(&self, busy_for: Duration) -> Result<Option<DueDelivery>, JobError> {
-        // Asked without a lock first: usually nothing is due.
+        // Checked without a lock first: usually nothing is due.
         if next_delivery(&mut self.database.reader().await?).await?.is_none() {
             return Ok(None);
         }
@@ -184,7 +184,7 @@ impl WebhookStore for SqlStore {
                 let Some(row) = next_delivery(session).await? else { return Ok(None) };
                 let id: String = row.get("id")?;
                 if session.row(sql!("lock_delivery"), bind![&id]).await?.is_none() {
-                    return Ok(None); // another process claimed it in this moment
+                    return Ok(None); // another process has claimed it in the meantime
                 }
                 session.execute(sql!("claim_delivery"), bind![&id, busy_for]).await?;
                 Ok(Some(DueDelivery {
@@ -222,8 +222,8 @@ impl WebhookStore for SqlStore {
     }
 }
 
-/// Inserts the deliveries of at most [`CHANGES_AT_ONCE`] changes and advances the position past them; another process that
-/// does the same waits. Returns the number of deliveries.
+/// Inserts the deliveries of at most [`CHANGES_AT_ONCE`] changes and advances the position past them, under a lock
+/// against other processes that do the same. Returns the number of deliveries.
 async fn insert_some_deliveries(session: &mut Session) -> Result<u32, JobError> {
     let position: Option<i64> = session.value(sql!("lock_webhook_position"), bind![]).await?;
     let position = position.ok_or(JobError::Corrupt { what: "the position of webhooks", source: None })?;
@@ -251,7 +251,7 @@ async fn insert_some_deliveries(session: &mut Session) -> Result<u32, JobError> 
             if !states.is_empty() && !states.contains(&state) {
                 continue;
             }
-            // Minimal on purpose: whatever may concern a patient is fetched with an API key and not sent out.
+            // Minimal on purpose: data that may concern a patient are fetched with an API key and never sent out.
             let payload = json!({
                 "type": event,
                 "timestamp": rows::time(change.get("at")?)?,

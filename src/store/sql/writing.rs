@@ -1,4 +1,4 @@
-//! What clients change: submissions, their idempotency keys, cancellation and deletion.
+//! Writes on behalf of clients: submissions, their idempotency keys, cancellation and deletion.
 
 use super::database::{Session, bind};
 use super::dialect::sql;
@@ -23,7 +23,7 @@ pub(super) async fn end_job(
     Ok(session.execute(sql!("end_job"), bind![id, state, error, keep]).await? == 1)
 }
 
-/// Makes a job refer to a blob.
+/// Adds a reference from a job to a blob.
 pub(super) async fn insert_artifact(session: &mut Session, id: JobId, artifact: &ArtifactRef) -> Result<(), JobError> {
     let ArtifactRef { kind, key, n_bytes } = artifact;
     let arguments = bind![id, kind.name(), &key.tenant, key.path(), key.hash(), *n_bytes];
@@ -75,7 +75,7 @@ async fn answer_from_cache(
 ) -> Result<(), JobError> {
     let found: Option<String> = session.value(sql!("find_cached"), bind![&job.tenant, cache_key]).await?;
     let Some(first) = found else { return Ok(()) };
-    // Locked, so that a purge of that job either came first or waits until the new job refers to its blobs too.
+    // Locked: a purge of that job has either finished, or waits until the new job refers to its blobs too.
     if session.row(sql!("lock_cached"), bind![&first]).await?.is_none() {
         return Ok(());
     }
@@ -168,7 +168,7 @@ pub(super) async fn delete_job(session: &mut Session, id: JobId) -> Result<(), J
     Ok(())
 }
 
-/// Locks a job and returns its state, which then stays until the transaction ends.
+/// Locks a job and returns its state, which cannot change until the transaction ends.
 async fn lock_job(session: &mut Session, tenant: &Tenant, id: JobId) -> Result<JobState, JobError> {
     let state: Option<String> = session.value(sql!("lock_job"), bind![id, tenant]).await?;
     rows::state(&state.ok_or(JobError::NotFound)?)

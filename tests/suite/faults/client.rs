@@ -1,4 +1,4 @@
-//! A client of a node, patient with nodes that come and go.
+//! A client of a node that tolerates nodes being down for a while.
 
 use crate::jobs_support::form;
 use reqwest::Response;
@@ -6,7 +6,7 @@ use serde_json::{Value, json};
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::{Duration, Instant};
 
-/// Speaks to one node.
+/// An HTTP client of one node.
 #[derive(Debug, Clone)]
 pub(crate) struct Client {
     pub base: String,
@@ -16,7 +16,7 @@ pub(crate) struct Client {
 impl Client {
     /// A client of the node at `base`.
     pub(crate) fn of(base: &str) -> Self {
-        // The service has no default of its own; a process chooses once.
+        // The library has no default provider; each process sets one once.
         let _ = rustls::crypto::ring::default_provider().install_default();
         let http = reqwest::Client::builder().timeout(Duration::from_secs(60)).no_proxy().build().unwrap();
         Client { base: base.to_owned(), http }
@@ -34,7 +34,7 @@ impl Client {
         self.http.delete(format!("{}{path}", self.base)).send().await
     }
 
-    /// The status and, if there is one, the JSON of an answer.
+    /// Submits a job; returns the status and the JSON body, if there is one.
     pub(crate) async fn try_submit(&self, parameters: &Value) -> reqwest::Result<(u16, Value)> {
         self.try_submit_files("source", "target", parameters).await
     }
@@ -59,7 +59,7 @@ impl Client {
         id_of(&body)
     }
 
-    /// What a path answers, which has to be 200.
+    /// The JSON at a path; the status must be 200.
     pub(crate) async fn json(&self, path: &str) -> Value {
         let response = self.get(path).await.unwrap();
         assert_eq!(response.status(), 200, "{path}");
@@ -70,7 +70,7 @@ impl Client {
         self.json(&format!("/v1/jobs/{id}")).await
     }
 
-    /// The job once `done` says so. An answer that does not come or is no 200 is asked for again.
+    /// The job once `done` holds. Failed requests and statuses other than 200 are retried.
     pub(crate) async fn until(&self, id: &str, patience: Duration, done: impl Fn(&Value) -> bool) -> Value {
         let began = Instant::now();
         let mut last = Value::Null;
@@ -93,7 +93,7 @@ impl Client {
         self.until(id, patience, |job| job["state"] == "running").await
     }
 
-    /// The job once it traced `n` points.
+    /// The job once it has `n` trace points.
     pub(crate) async fn until_traced(&self, id: &str, n: u64, patience: Duration) -> Value {
         self.until(id, patience, |job| job["progress"]["iteration"].as_u64() >= Some(n)).await
     }
@@ -102,14 +102,14 @@ impl Client {
         self.until(id, patience, is_final).await
     }
 
-    /// The job, which has to end with a result.
+    /// The job once it has finished; it must have succeeded.
     pub(crate) async fn until_succeeded(&self, id: &str, patience: Duration) -> Value {
         let job = self.until_final(id, patience).await;
         assert_eq!(job["state"], "succeeded", "{job}");
         job
     }
 
-    /// The numbers of all trace points, in the order of the pages.
+    /// Sequence numbers of all trace points, in the order of the pages.
     pub(crate) async fn seqs(&self, id: &str) -> Vec<u64> {
         let mut seqs: Vec<u64> = Vec::new();
         loop {
@@ -143,7 +143,7 @@ impl Client {
     }
 }
 
-/// The parameters with a seed that no other job has: an equal job would be answered from an earlier one's result.
+/// The parameters with a unique seed, because an equal job would be answered with the result of an earlier one.
 fn unlike_others(parameters: &Value) -> Value {
     static NEXT: AtomicU64 = AtomicU64::new(1);
     let mut parameters = parameters.clone();
@@ -163,7 +163,7 @@ pub(super) fn id_of(job: &Value) -> String {
     job["id"].as_str().unwrap_or_else(|| panic!("no id in {job}")).to_owned()
 }
 
-/// Parameters of a job that traces `points` points, `step_ms` apart.
+/// Parameters of a job that emits `points` trace points at intervals of `step_ms`.
 pub(super) fn steps(points: u64, step_ms: u64) -> Value {
     json!({"points": points, "step_ms": step_ms})
 }

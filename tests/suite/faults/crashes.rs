@@ -1,4 +1,4 @@
-//! A1, A4, A10, A17: workers that die, abort, lose their heartbeat, or never end.
+//! A1, A4, A10, A17: workers that die, abort, lose their heartbeat, or do not stop.
 
 use super::client::steps;
 use super::on_both;
@@ -8,9 +8,9 @@ use std::time::{Duration, Instant};
 
 on_both!(
     a01_the_job_of_a_killed_worker_runs_again,
-    a04_a_job_that_kills_its_workers_is_dead_and_the_others_go_on,
-    a10_a_worker_whose_heartbeats_fail_fetches_nothing_and_gives_up,
-    a17_a_computation_that_ignores_its_end_gives_its_slot_back,
+    a04_a_job_that_kills_its_workers_becomes_dead_and_others_run,
+    a10_a_worker_whose_heartbeats_fail_claims_nothing_and_drops_its_job,
+    a17_a_computation_that_ignores_cancellation_frees_its_slot,
 );
 
 async fn a01_the_job_of_a_killed_worker_runs_again(backend: Backend) {
@@ -26,7 +26,7 @@ async fn a01_the_job_of_a_killed_worker_runs_again(backend: Backend) {
     doomed.kill();
     let killed = Instant::now();
     client.until(&id, SOON, |job| job["attempt"] == 2 && job["state"] != "queued").await;
-    // The lease, the poll, a round of housekeeping; the rest is for a loaded machine.
+    // Lease, poll interval and a round of housekeeping, plus a margin for a loaded machine.
     assert!(killed.elapsed() < LEASE + Duration::from_secs(6), "{:?}", killed.elapsed());
     client.until_succeeded(&id, SOON).await;
     assert_eq!(client.seqs(&id).await, (1..=60).collect::<Vec<_>>(), "no point twice, none missing");
@@ -34,7 +34,7 @@ async fn a01_the_job_of_a_killed_worker_runs_again(backend: Backend) {
     assert_eq!(database.n_results(&id).await, 1);
 }
 
-async fn a04_a_job_that_kills_its_workers_is_dead_and_the_others_go_on(backend: Backend) {
+async fn a04_a_job_that_kills_its_workers_becomes_dead_and_others_run(backend: Backend) {
     let site = Site::open(backend);
     let front = site.serve(&["--workers", "0", "--max-attempts", "3"]);
     let client = site.client(&front);
@@ -43,7 +43,7 @@ async fn a04_a_job_that_kills_its_workers_is_dead_and_the_others_go_on(backend: 
     for _ in 0..6 {
         others.push(client.submit(steps(3, 20)).await);
     }
-    // A supervisor: workers that end are started again.
+    // As a supervisor does, workers that exit are restarted.
     let start = || site.worker(&["--lease-ms", "1000"]);
     let mut workers = [start(), start()];
     let (began, mut n_crashes) = (Instant::now(), 0);
@@ -69,7 +69,7 @@ async fn a04_a_job_that_kills_its_workers_is_dead_and_the_others_go_on(backend: 
     assert!(workers.iter_mut().all(super::node::Node::is_running));
 }
 
-async fn a10_a_worker_whose_heartbeats_fail_fetches_nothing_and_gives_up(backend: Backend) {
+async fn a10_a_worker_whose_heartbeats_fail_claims_nothing_and_drops_its_job(backend: Backend) {
     let site = Site::open(backend);
     let node = site.serve(&["--workers", "2", "--lease-ms", "3000"]);
     let client = site.client(&node);
@@ -86,11 +86,15 @@ async fn a10_a_worker_whose_heartbeats_fail_fetches_nothing_and_gives_up(backend
         if node.log().contains("lease lost") {
             break;
         }
-        assert_eq!(job["state"], "queued", "a worker that cannot keep leases takes one");
-        assert!(failing.elapsed() < SOON, "it goes on without a lease");
+        assert_eq!(job["state"], "queued", "a worker that cannot renew leases claimed a job");
+        assert!(failing.elapsed() < SOON, "the worker continues without a lease");
         tokio::time::sleep(Duration::from_millis(20)).await;
     }
-    assert!(failing.elapsed() > Duration::from_secs(1), "it waits for its lease to end: {:?}", failing.elapsed());
+    assert!(
+        failing.elapsed() > Duration::from_secs(1),
+        "the worker dropped the job before its lease had expired: {:?}",
+        failing.elapsed()
+    );
     database.allow_heartbeats().await;
     for id in [&running, &waiting] {
         client.until_succeeded(id, SOON * 2).await;
@@ -99,7 +103,7 @@ async fn a10_a_worker_whose_heartbeats_fail_fetches_nothing_and_gives_up(backend
     assert_eq!(client.seqs(&running).await, (1..=400).collect::<Vec<_>>());
 }
 
-async fn a17_a_computation_that_ignores_its_end_gives_its_slot_back(backend: Backend) {
+async fn a17_a_computation_that_ignores_cancellation_frees_its_slot(backend: Backend) {
     let site = Site::open(backend);
     let node = site.serve(&["--workers", "1"]);
     let client = site.client(&node);
@@ -115,5 +119,5 @@ async fn a17_a_computation_that_ignores_its_end_gives_its_slot_back(backend: Bac
     assert!(node.log().contains("its thread is abandoned"), "{}", node.log());
     let points = client.seqs(&deaf).await.len();
     tokio::time::sleep(Duration::from_millis(500)).await;
-    assert_eq!(client.seqs(&deaf).await.len(), points, "what it still traces is not stored");
+    assert_eq!(client.seqs(&deaf).await.len(), points, "trace points after the cancellation are not stored");
 }

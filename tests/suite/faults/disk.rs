@@ -11,7 +11,8 @@ use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 use tempfile::TempDir;
 
-/// A disk of a few MiB, in memory. A shell keeps it mounted, and unmounts it when this, or the test's process, ends.
+/// A disk of a few MiB, in memory. A shell keeps it mounted and unmounts it when this value is dropped or the process
+/// ends.
 struct Disk {
     folder: TempDir,
     keeper: Child,
@@ -43,7 +44,7 @@ impl Disk {
         self.folder.path()
     }
 
-    /// Takes all room but `left` bytes.
+    /// Fills the disk except for `left` bytes.
     fn fill(&self, left: u64) {
         self.empty();
         let mut file = File::create(self.filler()).unwrap();
@@ -55,7 +56,7 @@ impl Disk {
         file.set_len(n_bytes.saturating_sub(left)).unwrap();
     }
 
-    /// Gives the room back.
+    /// Frees the space again.
     fn empty(&self) {
         let _ = fs::remove_file(self.filler());
     }
@@ -72,7 +73,7 @@ impl Drop for Disk {
     }
 }
 
-/// A submission that meets a full disk: refused as such, within a while.
+/// Asserts that a submission is refused because of the full disk, and in time.
 async fn is_refused(client: &Client, source: &str) {
     let asked = Instant::now();
     let (status, body) = client.try_submit_files(source, "target", &steps(1, 1)).await.unwrap();
@@ -80,7 +81,7 @@ async fn is_refused(client: &Client, source: &str) {
     assert!(asked.elapsed() < Duration::from_secs(40), "{:?}", asked.elapsed());
 }
 
-/// Everything that is listed runs: nothing was published half.
+/// Asserts that all listed jobs succeed, so that none was stored partially.
 async fn all_of(client: &Client, acknowledged: &[String]) {
     let listed = client.list().await;
     for id in acknowledged {
@@ -104,7 +105,7 @@ async fn a15_sqlite() {
     let mut acknowledged = vec![client.submit(steps(1, 1)).await];
     client.until_succeeded(&acknowledged[0], SOON).await;
 
-    // Room for rows, and none for the file.
+    // Space for rows, but not for the file.
     let large = "s".repeat(2 << 20);
     disk.fill(512 << 10);
     let before = (client.list().await, site.blobs());
@@ -115,7 +116,7 @@ async fn a15_sqlite() {
     disk.empty();
     acknowledged.push(id_of(&client.try_submit_files(&large, "target", &steps(1, 1)).await.unwrap().1));
 
-    // No room at all, while a job runs: its end waits for room.
+    // No space at all while a job runs: storing its result waits for space.
     let running = client.submit(steps(60, 25)).await;
     client.until_traced(&running, 3, SOON).await;
     disk.fill(0);
@@ -148,7 +149,7 @@ async fn a15_the_disk_of_the_database_is_full() {
     client.until_traced(&acknowledged[0], 3, SOON).await;
     disk.fill(0);
     let (began, mut n_refused) = (Instant::now(), 0);
-    // What is written goes into room taken earlier, until that is full; then every submission is refused.
+    // Writes go into preallocated space until that is full; then every submission is refused.
     while n_refused < 5 {
         let (status, body) = client.try_submit(&steps(1, 1)).await.unwrap();
         match status {
@@ -166,7 +167,7 @@ async fn a15_the_disk_of_the_database_is_full() {
     disk.empty();
     let cluster = site.cluster.as_mut().unwrap();
     if !cluster.is_running() {
-        // Without room for its log the server ends itself; somebody has to start it.
+        // Without space for its log the server shuts down and has to be restarted.
         cluster.start_again();
     }
     let began = Instant::now();

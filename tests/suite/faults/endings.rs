@@ -1,4 +1,4 @@
-//! A5, A18: processes that are asked to end.
+//! A5, A18: shutdown of processes.
 
 use super::client::steps;
 use super::on_both;
@@ -7,16 +7,16 @@ use serde_json::json;
 use std::time::Duration;
 
 on_both!(
-    a05_a_job_that_ends_within_the_grace_is_ended,
-    a05_a_job_that_outlasts_the_grace_is_given_back,
-    a05_a_second_signal_gives_back_at_once,
-    a18_idle_followers_do_not_hold_up_the_end,
+    a05_a_job_that_finishes_within_the_grace_period_succeeds,
+    a05_a_job_that_outlasts_the_grace_period_is_requeued,
+    a05_a_second_signal_requeues_at_once,
+    a18_idle_followers_do_not_delay_shutdown,
 );
 
-/// How long an ending may take besides its grace, on a loaded machine.
+/// How long a shutdown may take beyond its grace period, on a loaded machine.
 const ENDING: Duration = Duration::from_secs(8);
 
-async fn a05_a_job_that_ends_within_the_grace_is_ended(backend: Backend) {
+async fn a05_a_job_that_finishes_within_the_grace_period_succeeds(backend: Backend) {
     let site = Site::open(backend);
     let mut node = site.serve(&["--shutdown-grace-ms", "20000"]);
     let client = site.client(&node);
@@ -26,23 +26,23 @@ async fn a05_a_job_that_ends_within_the_grace_is_ended(backend: Backend) {
     node.terminate();
     let (status, took) = node.ended().await;
     assert!(status.success(), "{status}");
-    assert!(took < Duration::from_secs(12), "it waits for the job, not for the whole grace: {took:?}");
+    assert!(took < Duration::from_secs(12), "it waits for the job, not for the whole grace period: {took:?}");
     let later = site.serve(&["--workers", "0"]);
     let client = site.client(&later);
     let job = client.job(&id).await;
     assert_eq!((&job["state"], &job["attempt"]), (&json!("succeeded"), &json!(1)));
-    assert_eq!(client.job(&waiting).await["state"], "queued", "it claims nothing more");
+    assert_eq!(client.job(&waiting).await["state"], "queued", "it claims no further job");
 }
 
-async fn a05_a_job_that_outlasts_the_grace_is_given_back(backend: Backend) {
-    ends_and_gives_back(backend, "1000", 1, Duration::from_secs(1)).await;
+async fn a05_a_job_that_outlasts_the_grace_period_is_requeued(backend: Backend) {
+    ends_and_requeues(backend, "1000", 1, Duration::from_secs(1)).await;
 }
 
-async fn a05_a_second_signal_gives_back_at_once(backend: Backend) {
-    ends_and_gives_back(backend, "60000", 2, Duration::ZERO).await;
+async fn a05_a_second_signal_requeues_at_once(backend: Backend) {
+    ends_and_requeues(backend, "60000", 2, Duration::ZERO).await;
 }
 
-async fn ends_and_gives_back(backend: Backend, grace_ms: &str, n_signals: u32, at_least: Duration) {
+async fn ends_and_requeues(backend: Backend, grace_ms: &str, n_signals: u32, at_least: Duration) {
     let site = Site::open(backend);
     let mut node = site.serve(&["--shutdown-grace-ms", grace_ms]);
     let client = site.client(&node);
@@ -50,7 +50,7 @@ async fn ends_and_gives_back(backend: Backend, grace_ms: &str, n_signals: u32, a
     client.until_traced(&id, 5, SOON).await;
     for _ in 0..n_signals {
         node.terminate();
-        // Signals that come together are one.
+        // Signals in quick succession are merged into one.
         tokio::time::sleep(Duration::from_millis(300)).await;
     }
     let (status, took) = node.ended().await;
@@ -59,10 +59,14 @@ async fn ends_and_gives_back(backend: Backend, grace_ms: &str, n_signals: u32, a
     assert!(took < at_least + ENDING, "{took:?}");
     let later = site.serve(&["--workers", "0"]);
     let job = site.client(&later).job(&id).await;
-    assert_eq!((&job["state"], &job["attempt"]), (&json!("queued"), &json!(0)), "a shutdown is no attempt");
+    assert_eq!(
+        (&job["state"], &job["attempt"]),
+        (&json!("queued"), &json!(0)),
+        "a shutdown does not count as an attempt"
+    );
 }
 
-async fn a18_idle_followers_do_not_hold_up_the_end(backend: Backend) {
+async fn a18_idle_followers_do_not_delay_shutdown(backend: Backend) {
     let site = Site::open(backend);
     let mut node = site.serve(&["--workers", "0", "--shutdown-grace-ms", "1000"]);
     let client = site.client(&node);
@@ -72,7 +76,7 @@ async fn a18_idle_followers_do_not_hold_up_the_end(backend: Backend) {
         let response = client.get(&format!("/v1/jobs/{id}/events")).await.unwrap();
         assert_eq!(response.status(), 200);
         assert!(response.headers()["content-type"].to_str().unwrap().starts_with("text/event-stream"));
-        // Read to its end, which has to come.
+        // The stream must end.
         followers.spawn(response.text());
     }
     tokio::time::sleep(Duration::from_secs(1)).await;

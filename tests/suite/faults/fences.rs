@@ -1,4 +1,4 @@
-//! A2, A3, A8, A16: leases and their fence.
+//! A2, A3, A8, A16: leases and their fencing.
 
 use super::client::steps;
 use super::queue::{LONG, Queue, SHORT};
@@ -26,7 +26,7 @@ async fn a02_a_worker_that_slept_past_its_lease_changes_nothing(backend: Backend
     let database = site.database().await;
     database.watch().await;
     let stale = site.worker(&[]);
-    // Signed: the result names its process, so that two workers' results are two blobs.
+    // The result contains the identity of its process, so that results of two workers are different blobs.
     let id = client.submit(json!({"points": 80, "step_ms": 25, "sign": 1})).await;
     client.until_traced(&id, 20, SOON).await;
     database.freeze(&stale).await;
@@ -38,7 +38,7 @@ async fn a02_a_worker_that_slept_past_its_lease_changes_nothing(backend: Backend
 
     stale.thaw();
     stale.until_logged("lease lost", SOON).await;
-    // Whatever it still wants to write would be written by now.
+    // Time for any late write of the worker.
     tokio::time::sleep(Duration::from_secs(1)).await;
     assert_eq!(client.job(&id).await, accepted);
     assert_eq!(client.json(&format!("/v1/jobs/{id}/result")).await, result);
@@ -72,7 +72,7 @@ async fn a02_without_the_fence_a_result_would_be_accepted_twice(backend: Backend
     assert_eq!(queue.result_hash(id).await, blake3::hash(b"fresh").to_hex().to_string());
     assert_eq!(database.n_results(&id.to_string()).await, 1);
 
-    // The control: what a store without the fence would do. The witness sees it.
+    // Control experiment: without the fence a second result is accepted, and the witness detects it.
     database.execute(&format!("UPDATE jobs SET state = 'succeeded' WHERE id = '{id}'")).await;
     assert_eq!(database.n_results(&id.to_string()).await, 2);
 }
@@ -117,12 +117,12 @@ async fn a08_no_job_is_claimed_twice_in_one_epoch(backend: Backend) {
     adding.join_all().await;
     let mut claiming = tokio::task::JoinSet::new();
     for n in 0..8 {
-        // Each with connections of its own, as in another process.
+        // Each with separate connections, as in another process.
         let queue = Queue { store: site.store().await };
         claiming.spawn(async move {
             let (name, mut claimed) = (format!("worker-{n}"), Vec::new());
             while let Some(lease) = queue.claim(&name, LONG).await.unwrap() {
-                // Given back now and then, so that there are later epochs too.
+                // Released from time to time, so that there are later epochs too.
                 if lease.epoch == 1 && claimed.len() % 7 == 0 {
                     queue.store.release_job(&lease).await.unwrap();
                 } else {
@@ -141,7 +141,7 @@ async fn a08_no_job_is_claimed_twice_in_one_epoch(backend: Backend) {
     assert_eq!(database.jobs_and_results().await, (n_jobs as i64, n_jobs as i64));
 }
 
-/// Nothing but its lease tells that a worker is stuck: there is no limit on the run, and no process that is gone.
+/// Only the lease shows that a worker is stuck: there is no run time limit, and its process is still alive.
 async fn a16_one_stuck_among_many_running_jobs_is_rescued(backend: Backend) {
     let site = Site::open(backend);
     let queue = Queue { store: site.store().await };
@@ -166,7 +166,7 @@ async fn a16_one_stuck_among_many_running_jobs_is_rescued(backend: Backend) {
     assert_eq!(states.iter().filter(|(_, state)| state == "running").count(), 500);
 }
 
-/// One heart keeps all leases of a worker that runs many jobs at once.
+/// A single heartbeat thread renews all leases of a worker that runs many jobs at once.
 async fn a16_many_running_jobs_keep_their_leases(backend: Backend) {
     let site = Site::open(backend);
     let slots = length(40, 100);

@@ -10,15 +10,15 @@ use rand_xoshiro::Xoshiro256PlusPlus;
 use rand_xoshiro::rand_core::{Rng, SeedableRng};
 use std::time::{Duration, Instant};
 
-on_both!(a13_a_transaction_held_open_slows_no_claim, a23_nodes_killed_at_random_lose_nothing);
+on_both!(a13_an_open_transaction_does_not_slow_claims, a23_nodes_killed_at_random_lose_nothing);
 
-async fn a13_a_transaction_held_open_slows_no_claim(backend: Backend) {
+async fn a13_an_open_transaction_does_not_slow_claims(backend: Backend) {
     let site = Site::open(backend);
     let queue = Queue { store: site.store().await };
     for _ in 0..50 {
         queue.add().await.unwrap();
     }
-    // Somebody's report, begun and forgotten: nothing that changes from now on can be cleared away.
+    // A reporting transaction that was never closed: rows replaced from now on cannot be vacuumed.
     let database = site.database().await;
     let held = database.hold_open().await;
     let until = Instant::now() + seconds(15, 180);
@@ -53,7 +53,7 @@ async fn a13_a_transaction_held_open_slows_no_claim(backend: Backend) {
 }
 
 /// On PostgreSQL processes do not wait for each other's transactions.
-mod a14_a_second_process_that_writes_is_waited_for {
+mod a14_processes_wait_for_each_others_writes {
     use super::*;
 
     #[tokio::test]
@@ -66,7 +66,7 @@ mod a14_a_second_process_that_writes_is_waited_for {
         client.until_traced(&first, 2, SOON).await;
         let database = site.database().await;
 
-        // For a while: everybody waits, nobody is refused.
+        // A short lock: all requests wait and none is refused.
         let lock = database.hold_lock().await;
         let mut waiting = tokio::task::JoinSet::new();
         for _ in 0..8 {
@@ -81,7 +81,7 @@ mod a14_a_second_process_that_writes_is_waited_for {
             client.until_succeeded(&id_of(&body), SOON).await;
         }
 
-        // For longer than anybody waits: an honest refusal, and no hang.
+        // A lock beyond the time limit: the request is refused and does not hang.
         let lock = database.hold_lock().await;
         let asked = Instant::now();
         let (status, body) = client.try_submit(&steps(1, 1)).await.unwrap();
@@ -96,7 +96,7 @@ mod a14_a_second_process_that_writes_is_waited_for {
 
 async fn a23_nodes_killed_at_random_lose_nothing(backend: Backend) {
     let site = Site::open(backend);
-    // What survives takes the submissions; the two others are killed and started again.
+    // One node stays up and takes the submissions; the two others are killed and restarted.
     let arguments = ["--workers", "2", "--max-attempts", "100"];
     let front = site.serve(&[&arguments[2..], &["--workers", "1"]].concat());
     let client = site.client(&front);
@@ -106,7 +106,7 @@ async fn a23_nodes_killed_at_random_lose_nothing(backend: Backend) {
     let mut rng = Xoshiro256PlusPlus::seed_from_u64(23);
     let mut below = |bound: u64| rng.next_u64() % bound;
     let start = |victim: usize| match backend {
-        // One process may answer HTTP on SQLite.
+        // On SQLite only one process may serve HTTP.
         Backend::Sqlite => site.worker(&arguments),
         Backend::Postgres if victim == 0 => site.serve(&arguments),
         Backend::Postgres => site.worker(&arguments),
@@ -118,7 +118,7 @@ async fn a23_nodes_killed_at_random_lose_nothing(backend: Backend) {
         tokio::time::sleep(Duration::from_millis(300 + below(2_500))).await;
         let victim = below(2) as usize;
         if below(4) == 0 {
-            // Not every end is a kill: some sleep past their lease first.
+            // Some nodes are suspended past their lease before they are killed.
             database.freeze(&victims[victim]).await;
             tokio::time::sleep(Duration::from_millis(below(4_000))).await;
             victims[victim].thaw();

@@ -1,12 +1,13 @@
-//! What the service promises when something breaks, shown by breaking it.
+//! Fault injection: what the service guarantees when something breaks.
 //!
-//! Each test is named after its point, `a01` to `a23`, and after what it runs on: `sqlite` (with a folder of blobs) or
-//! `postgres` (with an S3 server). `make test` runs them short, `make faults` in full length. Those that need PostgreSQL,
-//! libfaketime or root are `#[ignore]`d, and both commands run them where `scripts/test` finds that there is such a thing.
+//! The name of each test begins with its number, `a01` to `a23`, and ends with its backend: `sqlite` (with a folder of
+//! blobs) or `postgres` (with an S3 server). `make test` runs them in a short form, `make faults` in full length. Those
+//! that need PostgreSQL, libfaketime or root are `#[ignore]`d; both commands run them if `scripts/test` finds what they
+//! need.
 //!
-//! What they stand on: [`node`] (the service as processes that can be killed), [`postgres`], [`s3`] (servers that end
-//! with the test), [`proxy`] (a network that fails), [`disk`] (one that is full), [`site`] (all of them together, and
-//! an independent witness of what the database accepted).
+//! Infrastructure: [`node`] (the service as processes that can be killed), [`postgres`] and [`s3`] (servers that stop
+//! with the test), [`proxy`] (a network that fails), [`disk`] (a disk that can be filled), [`site`] (all of them
+//! together), and [`witness`] (an independent record of what the database accepted).
 
 mod client;
 mod crashes;
@@ -29,7 +30,7 @@ mod witness;
 
 use std::time::Duration;
 
-/// Whether the tests have the time that `make faults` gives them.
+/// Whether the tests run in full length, as in `make faults`.
 fn full_length() -> bool {
     std::env::var("HOMOLOG_FAULTS").is_ok_and(|value| value == "full")
 }
@@ -44,7 +45,7 @@ fn seconds(short: u64, long: u64) -> Duration {
     Duration::from_secs(length(short, long))
 }
 
-/// Makes a test on each backend of `async fn name(Backend)`: `name::sqlite` and `name::postgres`.
+/// Defines a test of `async fn name(Backend)` on each backend: `name::sqlite` and `name::postgres`.
 macro_rules! on_both {
     ($($name:ident),+ $(,)?) => {$(
         mod $name {
@@ -65,7 +66,7 @@ macro_rules! on_both {
 }
 use on_both;
 
-/// Makes a test of `async fn name()` on PostgreSQL, for what has no meaning on SQLite: `name::postgres`.
+/// Defines a test of `async fn name()` on PostgreSQL only, for behavior that SQLite does not have: `name::postgres`.
 macro_rules! on_postgres {
     ($($name:ident),+ $(,)?) => { on_postgres!(needs "needs PostgreSQL": $($name),+); };
     (needs $reason:literal: $($name:ident),+ $(,)?) => {$(

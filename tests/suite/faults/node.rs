@@ -1,9 +1,9 @@
-//! Nodes: the service in processes of their own, with the obedient engine, to be killed, stopped and asked to end.
+//! Nodes: the service in separate processes, with the scripted engine, which tests can kill, suspend and shut down.
 //!
-//! A node is this test binary once more, told to run the one ignored test below. It ends with the test that started
-//! it, also when that is killed.
+//! A node is a second process of this test binary that runs only the ignored test below. It ends with the test that
+//! started it, even if that test is killed.
 
-use crate::jobs_support::ObedientEngine;
+use crate::jobs_support::ScriptedEngine;
 use homolog::app::{self, App, Shutdown};
 use homolog::config::{HttpSettings, ServiceSettings};
 use homolog::jobs::Engine;
@@ -16,24 +16,24 @@ use std::sync::Arc;
 use std::sync::mpsc::{Receiver, channel};
 use std::time::{Duration, Instant};
 
-/// Says what a node is: `serve` or `worker`.
+/// Environment variable with the role of a node: `serve` or `worker`.
 const ROLE: &str = "FAULTS_NODE_ROLE";
-/// Its arguments, a line each.
+/// Environment variable with its arguments, one per line.
 const ARGUMENTS: &str = "FAULTS_NODE_ARGUMENTS";
-/// What it prints, followed by its address, when it is ready.
+/// Prefix of the line with its address that a node prints when it is ready.
 const READY: &str = "node-is-ready";
-/// Longest wait for a node to begin or to end, on a loaded machine.
+/// Maximum time for a node to start or to exit, on a loaded machine.
 const PATIENCE: Duration = Duration::from_secs(60);
 
 /// A node; killed when dropped.
 pub(crate) struct Node {
     process: Child,
-    /// Where it answers; empty for a worker.
+    /// Its base URL; empty for a worker.
     pub base: String,
     log: PathBuf,
 }
 
-/// Why a node did not begin: what it said.
+/// The output of a node that did not start.
 #[derive(Debug)]
 pub(crate) struct NotStarted(pub String);
 
@@ -44,7 +44,8 @@ pub(crate) struct Starting {
 }
 
 impl Starting {
-    /// Starts a node whose log goes to `log`. Only from the thread of the test: with it, the node ends.
+    /// Starts a node whose log goes to `log`. Call it on the test's main thread: the node is killed when that thread
+    /// ends.
     pub(crate) fn new(role: &str, arguments: &[String], environment: &[(&str, String)], log: &Path) -> Self {
         let file = std::fs::File::create(log).unwrap();
         let mut command = Command::new(std::env::current_exe().unwrap());
@@ -71,7 +72,7 @@ impl Starting {
         Starting { node: Node { process, base: String::new(), log: log.to_owned() }, base: receiver }
     }
 
-    /// Waits until it answers, or says why it does not.
+    /// Waits until the node is ready; otherwise returns its output.
     pub(crate) fn ready(self) -> Result<Node, NotStarted> {
         let Starting { mut node, base } = self;
         match base.recv_timeout(PATIENCE) {
@@ -94,7 +95,7 @@ impl Node {
         let _ = self.process.wait();
     }
 
-    /// SIGSTOP: it sleeps, its connections and locks stay.
+    /// SIGSTOP: suspends the process; its connections and locks remain.
     pub(crate) fn freeze(&self) {
         self.signal(Signal::STOP);
     }
@@ -104,12 +105,12 @@ impl Node {
         self.signal(Signal::CONT);
     }
 
-    /// SIGTERM: asks to end; a second time insists.
+    /// SIGTERM: shuts down gracefully; a second one at once.
     pub(crate) fn terminate(&self) {
         self.signal(Signal::TERM);
     }
 
-    /// Waits for its end. Returns how it ended and how long that took.
+    /// Waits until the process exits. Returns its exit status and the time this took.
     pub(crate) async fn ended(&mut self) -> (ExitStatus, Duration) {
         let began = Instant::now();
         loop {
@@ -126,12 +127,12 @@ impl Node {
         self.process.try_wait().unwrap().is_none()
     }
 
-    /// What it logged.
+    /// Its log so far.
     pub(crate) fn log(&self) -> String {
         std::fs::read_to_string(&self.log).unwrap_or_default()
     }
 
-    /// Waits until its log holds `text`.
+    /// Waits until its log contains `text`.
     pub(crate) async fn until_logged(&self, text: &str, patience: Duration) {
         let began = Instant::now();
         while !self.log().contains(text) {
@@ -180,15 +181,15 @@ fn node_process() {
         eprintln!("not started: {error}");
     }
     runtime.shutdown_background();
-    // Not back to the test harness, which would print.
+    // Exit here, because the test harness would print its summary.
     std::process::exit(i32::from(begun.is_err()));
 }
 
-/// As `homolog serve` and `homolog worker`, with another engine.
+/// Runs `homolog serve` or `homolog worker` with the scripted engine.
 async fn serve(role: &str, http: HttpSettings, service: ServiceSettings) -> Result<(), app::AppError> {
     let shutdown = Shutdown::default();
     shutdown.follow_signals(Duration::from_millis(service.shutdown_grace_ms));
-    let engine = Arc::new(ObedientEngine::default()) as Arc<dyn Engine>;
+    let engine = Arc::new(ScriptedEngine::default()) as Arc<dyn Engine>;
     if role == "worker" {
         let app = App::open(&service, engine, &shutdown, false).await?;
         say_ready("");

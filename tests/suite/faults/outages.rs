@@ -1,4 +1,4 @@
-//! A6, A7, A21: databases and blob stores that are away, hints that do not come, clocks that are wrong.
+//! A6, A7, A21: outages of databases and blob stores, missing notifications, wrong clocks.
 
 use super::client::{Client, id_of, steps};
 use super::node::Node;
@@ -14,7 +14,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 use tokio::task::JoinHandle;
 
-on_both!(a07_without_hints_a_job_runs_within_the_poll_interval);
+on_both!(a07_without_notifications_a_job_runs_within_the_poll_interval);
 on_postgres!(
     a06_the_database_is_stopped,
     a06_the_database_crashes,
@@ -24,14 +24,14 @@ on_postgres!(
     a06_the_blob_store_refuses,
     a06_connections_to_the_blob_store_are_half_open,
 );
-on_postgres!(needs "needs PostgreSQL and faketime": a21_a_workers_wrong_clock_moves_no_lease);
+on_postgres!(needs "needs PostgreSQL and faketime": a21_a_workers_wrong_clock_does_not_affect_leases);
 
-/// Longest that a submission may take when what it needs is away: what one request to the blob store may, and some.
+/// Maximum duration of a submission during an outage: that of one request to the blob store, with a margin.
 const NO_HANG: Duration = Duration::from_secs(45);
-/// Longest that readiness may take: a supervisor asks often and does not wait long.
+/// Maximum duration of a readiness check: supervisors poll often and have short timeouts.
 const READY: Duration = Duration::from_secs(10);
 
-/// A node behind a network that can fail, and somebody who submits all the time.
+/// A node behind a network that can fail, and a client that submits continuously.
 struct Outage {
     site: Site,
     database: Proxy,
@@ -44,14 +44,14 @@ struct Outage {
     submitting: JoinHandle<Vec<Answer>>,
 }
 
-/// What is known of the submissions under way.
+/// Shared state of the client that submits.
 #[derive(Default)]
 struct Submissions {
     refused: AtomicBool,
     end: AtomicBool,
 }
 
-/// What a submission was answered, and how long that took.
+/// The answer to a submission, and the time it took.
 struct Answer {
     status: u16,
     body: Value,
@@ -77,7 +77,7 @@ impl Outage {
         Outage { site, database, blobs, node, client, witness, long, submissions, submitting }
     }
 
-    /// Waits through the outage and sees that the service says so, refuses, and lives.
+    /// Waits during the outage and asserts that the service reports it, refuses submissions, and stays alive.
     async fn endure(&self, length: Duration, what: &str) {
         let began = Instant::now();
         let mut said = false;
@@ -94,7 +94,7 @@ impl Outage {
         }
     }
 
-    /// The outage is over: submissions are taken again, and nothing that was acknowledged is lost.
+    /// Asserts that after the outage submissions are accepted again and no acknowledged job is lost.
     async fn recovered(mut self) {
         let over = Instant::now();
         loop {
@@ -172,7 +172,7 @@ async fn a06_connections_to_the_database_are_cut() {
         outage.database.cut();
         tokio::time::sleep(Duration::from_secs(1)).await;
     }
-    // Whether a request was under way at the moment of a cut is chance; now none gets through.
+    // Whether a request is in progress when connections are cut is random; with the network down, every request fails.
     outage.database.set(Network::Refusing);
     outage.database.cut();
     outage.endure(Duration::from_secs(1), "job_store").await;
@@ -197,9 +197,9 @@ async fn a06_connections_to_the_blob_store_are_half_open() {
     outage.recovered().await;
 }
 
-async fn a07_without_hints_a_job_runs_within_the_poll_interval(backend: Backend) {
+async fn a07_without_notifications_a_job_runs_within_the_poll_interval(backend: Backend) {
     let site = Site::open(backend);
-    // Between processes on SQLite there are no hints.
+    // Processes on SQLite do not notify each other.
     let silent: &[&str] = if backend == Backend::Postgres { &["--notify", "false"] } else { &[] };
     let front = site.serve(&[&["--workers", "0"], silent].concat());
     let client = site.client(&front);
@@ -212,7 +212,7 @@ async fn a07_without_hints_a_job_runs_within_the_poll_interval(backend: Backend)
     }
 }
 
-/// Only the wall clock is wrong: the other one measures intervals, and no fault sets it back.
+/// Environment in which only the wall clock is wrong. The monotonic clock measures intervals and is never set back.
 fn wrong_clock(offset: &str) -> Option<Vec<(&'static str, String)>> {
     let mut libraries =
         std::fs::read_dir("/usr/lib").ok()?.flatten().map(|d| d.path().join("faketime/libfaketime.so.1"));
@@ -225,8 +225,8 @@ fn wrong_clock(offset: &str) -> Option<Vec<(&'static str, String)>> {
     ])
 }
 
-/// On SQLite the database's clock is the machine's own, and a worker has no other.
-async fn a21_a_workers_wrong_clock_moves_no_lease() {
+/// PostgreSQL only, because on SQLite the database and the workers share the machine's clock.
+async fn a21_a_workers_wrong_clock_does_not_affect_leases() {
     let site = Site::open(Backend::Postgres);
     let front = site.serve(&["--workers", "0"]);
     let client = site.client(&front);
@@ -234,7 +234,7 @@ async fn a21_a_workers_wrong_clock_moves_no_lease() {
     database.watch().await;
     for offset in ["+1h", "-1h"] {
         let clock = wrong_clock(offset).expect("libfaketime; apt-get install faketime");
-        // A worker of the wrong time keeps its lease for several times its length, beside one of the right time.
+        // A worker with a wrong clock keeps its lease for several times its duration, beside one with a correct clock.
         let mut wrong = site.node("worker", &[], &clock).unwrap();
         let id = client.submit(steps(120, 50)).await;
         client.until_traced(&id, 5, SOON).await;
@@ -243,7 +243,8 @@ async fn a21_a_workers_wrong_clock_moves_no_lease() {
         assert_eq!(job["attempt"], 1, "{job}");
         assert_eq!(client.seqs(&id).await, (1..=120).collect::<Vec<_>>());
         drop(right);
-        // When it dies, its job is rescued neither an hour late nor at once by another of the wrong time.
+        // When it dies, another worker with a wrong clock takes over its job, neither an hour late nor before the lease
+        // expires.
         let id = client.submit(steps(100, 25)).await;
         client.until_traced(&id, 5, SOON).await;
         wrong.kill();

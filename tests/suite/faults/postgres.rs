@@ -1,8 +1,8 @@
-//! A private PostgreSQL cluster in a temporary folder, on a loopback port of its own, gone when the test is.
+//! A private PostgreSQL cluster in a temporary folder, on a separate loopback port, removed after the test.
 //!
 //! `initdb` runs once, into a template under `target/tmp`; a copy of it takes a third of the time. The server refuses
-//! to run as root, so there it runs as an account without rights, which owns the folder. `setpriv` has the kernel end
-//! the server with the thread that started it: also a killed test leaves nothing behind.
+//! to run as root, in which case it runs as an unprivileged account that owns the folder. With `setpriv` the kernel
+//! kills the server when the thread that started it ends, so that even a killed test leaves no server behind.
 
 use rustix::process::{Pid, Signal, kill_process};
 use std::fs;
@@ -12,7 +12,7 @@ use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 use tempfile::TempDir;
 
-/// Longest wait for the server to begin or to end, on a loaded machine and after a crash.
+/// Maximum time for the server to start or to stop, on a loaded machine and after a crash.
 const PATIENCE: Duration = Duration::from_secs(60);
 
 /// A cluster with its server.
@@ -24,14 +24,14 @@ pub(crate) struct Cluster {
     _folder: TempDir,
 }
 
-/// Where the programs are, and who may run them.
+/// The folder of PostgreSQL's programs, and the account that runs them.
 struct Installed {
     programs: PathBuf,
     account: Option<Account>,
     version: String,
 }
 
-/// An account without rights.
+/// An unprivileged account.
 struct Account {
     name: &'static str,
     uid: u32,
@@ -39,12 +39,12 @@ struct Account {
 }
 
 impl Cluster {
-    /// A new cluster whose server runs, or the reason why there cannot be one.
+    /// A new cluster with a running server, or the reason why it cannot be started.
     pub(crate) fn start() -> Result<Self, String> {
         Cluster::start_under(&std::env::temp_dir())
     }
 
-    /// The same in a folder under `parent`, which may be a small disk.
+    /// As [`Cluster::start`], in a folder under `parent`, for example on a small disk.
     pub(crate) fn start_under(parent: &Path) -> Result<Self, String> {
         let installed = Installed::find()?;
         let folder = tempfile::tempdir_in(parent).unwrap();
@@ -52,7 +52,7 @@ impl Cluster {
         let data = folder.path().join("cluster");
         copy(&installed.template(), &data);
         let mut cluster = Cluster { installed, data, port: 0, server: None, _folder: folder };
-        // Somebody else may take the free port before the server does.
+        // Another process may take the free port before the server does.
         for _ in 0..5 {
             cluster.port = TcpListener::bind("127.0.0.1:0").unwrap().local_addr().unwrap().port();
             if cluster.try_start() {
@@ -66,17 +66,17 @@ impl Cluster {
         self.port
     }
 
-    /// The address of the cluster's one database.
+    /// The URL of the cluster's only database.
     pub(crate) fn url(&self) -> String {
         Cluster::url_at(self.port)
     }
 
-    /// The same through another port.
+    /// The URL through another port.
     pub(crate) fn url_at(port: u16) -> String {
         format!("postgres://homolog@127.0.0.1:{port}/postgres")
     }
 
-    /// Starts the server again, on the same port and data.
+    /// Restarts the server on the same port and data.
     pub(crate) fn start_again(&mut self) {
         // After a kill, its orphaned processes hold the shared memory for a moment.
         let began = Instant::now();
@@ -86,22 +86,22 @@ impl Cluster {
         }
     }
 
-    /// Ends the server; transactions are rolled back.
+    /// Stops the server; transactions are rolled back.
     pub(crate) fn stop_fast(&mut self) {
         self.end(Signal::INT);
     }
 
-    /// Ends it as after a crash: the next start recovers from the log.
+    /// Stops the server as in a crash: the next start recovers from the log.
     pub(crate) fn stop_immediately(&mut self) {
         self.end(Signal::QUIT);
     }
 
-    /// SIGKILL to the server's first process; the others notice and end.
+    /// SIGKILL to the server's main process; the others notice and exit.
     pub(crate) fn kill(&mut self) {
         self.end(Signal::KILL);
     }
 
-    /// SIGSTOP to all its processes: connections stay, nobody answers.
+    /// SIGSTOP to all its processes: connections stay open, without answers.
     pub(crate) fn freeze(&self) {
         self.signal_all(Signal::STOP);
     }
@@ -145,7 +145,7 @@ impl Cluster {
         let mut server = command.spawn().unwrap();
         let began = Instant::now();
         loop {
-            // The server writes its number into the first line of this file and its status into the eighth.
+            // The server writes its process id into the first line of this file and its status into the eighth.
             let status = fs::read_to_string(&pid_file).unwrap_or_default();
             let mut lines = status.lines();
             let is_its_own = lines.next() == Some(&server.id().to_string());
@@ -179,7 +179,7 @@ impl Cluster {
             let Some(id) = entry.unwrap().file_name().to_str().and_then(|name| name.parse::<i32>().ok()) else {
                 continue;
             };
-            // The parent is the second field after the name, which stands in parentheses and may hold anything.
+            // The parent is the second field after the name, which is in parentheses and may contain any character.
             let stat = fs::read_to_string(format!("/proc/{id}/stat")).unwrap_or_default();
             let parent = stat.rsplit(')').next().and_then(|rest| rest.split_whitespace().nth(1));
             if parent == Some(&server.id().to_string()) {
@@ -211,7 +211,7 @@ impl Installed {
         packaged.sort_by_key(|version| std::cmp::Reverse(version.file_name()));
         folders.extend(packaged.iter().map(|version| version.path().join("bin")));
         let missing = "no PostgreSQL server (initdb) found; scripts/setup test installs it";
-        // A link may stand for one program alone; where it leads, all of them are.
+        // The program may be a symbolic link; all programs are in the folder of its target.
         let initdb = folders.iter().find_map(|folder| folder.join("initdb").canonicalize().ok()).ok_or(missing)?;
         let programs = initdb.parent().filter(|p| p.join("postgres").exists()).ok_or(missing)?.to_owned();
         let account = if rustix::process::geteuid().is_root() {
@@ -225,7 +225,7 @@ impl Installed {
         Ok(Installed { programs, account, version })
     }
 
-    /// A program of PostgreSQL, run by who may, and ended with its parent.
+    /// A program of PostgreSQL, run by the account and killed with its parent.
     fn command(&self, program: &str) -> Command {
         let program = self.programs.join(program);
         let mut command = Command::new("setpriv");
@@ -252,7 +252,7 @@ impl Installed {
         }
     }
 
-    /// The folder of an empty cluster, made by the first who asks.
+    /// The folder of an empty cluster, created on first use.
     fn template(&self) -> PathBuf {
         let owner = self.account.as_ref().map_or("self", |account| account.name);
         let template =
@@ -275,7 +275,7 @@ impl Installed {
         fs::create_dir_all(env!("CARGO_TARGET_TMPDIR")).unwrap();
         let draft = template.with_extension(std::process::id().to_string());
         copy(&made, &draft);
-        // Another test may have been faster; then its template is as good.
+        // Another test may have created the template first; either can be used.
         if fs::rename(&draft, &template).is_err() {
             let _ = fs::remove_dir_all(&draft);
         }
@@ -283,7 +283,7 @@ impl Installed {
     }
 }
 
-/// Copies a folder with its owner.
+/// Copies a folder and keeps its owner.
 fn copy(from: &Path, to: &Path) {
     assert!(Command::new("cp").arg("-a").arg(from).arg(to).status().unwrap().success());
 }
@@ -298,7 +298,7 @@ fn account_in(accounts: &str) -> Option<Account> {
 
 #[test]
 #[ignore = "needs PostgreSQL"]
-fn a_cluster_comes_back_on_its_port_however_it_ended() {
+fn a_cluster_restarts_on_its_port_however_it_ended() {
     let mut cluster = Cluster::start().unwrap();
     let port = cluster.port();
     for end in [Cluster::stop_fast, Cluster::stop_immediately, Cluster::kill] {

@@ -1,4 +1,4 @@
-//! A network that fails: a TCP proxy on a loopback port that passes, refuses, cuts, or swallows.
+//! A network that fails: a TCP proxy on a loopback port that forwards, refuses, cuts, or swallows.
 
 use std::net::SocketAddr;
 use tokio::io::{AsyncReadExt, AsyncWriteExt};
@@ -6,14 +6,14 @@ use tokio::net::{TcpListener, TcpStream};
 use tokio::runtime::Runtime;
 use tokio::sync::watch;
 
-/// What becomes of bytes and of new connections.
+/// State of the network.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Network {
-    /// They pass.
+    /// Bytes and new connections are forwarded.
     Up,
-    /// Nobody listens; connections there are stay as they are.
+    /// New connections are refused; existing ones are unaffected.
     Refusing,
-    /// Connections are taken, and nothing goes through them until the network is up again: half-open.
+    /// Half-open: connections are accepted, and no byte is forwarded until the network is up again.
     Silent,
 }
 
@@ -46,12 +46,12 @@ impl Proxy {
         self.port
     }
 
-    /// From now on.
+    /// Sets the state of the network.
     pub(super) fn set(&self, network: Network) {
         self.state.send_modify(|state| state.network = network);
     }
 
-    /// Ends all connections there are, with a reset.
+    /// Resets all existing connections.
     pub(super) fn cut(&self) {
         self.state.send_modify(|state| state.n_cuts += 1);
     }
@@ -91,7 +91,7 @@ async fn listen(first: std::net::TcpListener, address: SocketAddr, target: u16, 
 
 async fn connect(near: TcpStream, target: u16, mut state: watch::Receiver<State>) {
     let n_cuts = state.borrow().n_cuts;
-    // Closed by a reset, as by a router that forgot the connection.
+    // Closed by a reset, as by a router that has lost its connection table.
     let _ = near.set_zero_linger();
     let mut moving = state.clone();
     let carry = async {
@@ -111,7 +111,7 @@ async fn connect(near: TcpStream, target: u16, mut state: watch::Receiver<State>
     }
 }
 
-/// Carries bytes one way while the network is up; what is under way when it falls silent arrives later.
+/// Forwards bytes in one direction while the network is up; bytes in transit when it goes down are delivered later.
 async fn pump(
     mut from: tokio::net::tcp::OwnedReadHalf,
     mut to: tokio::net::tcp::OwnedWriteHalf,

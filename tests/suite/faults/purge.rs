@@ -1,4 +1,4 @@
-//! A22: what is purged is gone from everywhere, and stays so.
+//! A22: purged jobs are removed everywhere, permanently.
 
 use super::client::{Client, id_of, steps};
 use super::on_both;
@@ -7,9 +7,9 @@ use super::witness::Database;
 use serde_json::json;
 use std::time::{Duration, Instant};
 
-on_both!(a22_what_is_purged_is_gone_from_everywhere);
+on_both!(a22_purged_jobs_are_removed_everywhere);
 
-async fn a22_what_is_purged_is_gone_from_everywhere(backend: Backend) {
+async fn a22_purged_jobs_are_removed_everywhere(backend: Backend) {
     let site = Site::open(backend);
     let node = site.serve(&[]);
     let client = site.client(&node);
@@ -22,7 +22,7 @@ async fn a22_what_is_purged_is_gone_from_everywhere(backend: Backend) {
     assert!(!database.tables_with(&id).await.is_empty());
     assert!(site.blobs().len() >= 3, "{:?}", site.blobs());
     let first = client.json(&format!("/v1/jobs/{id}/result")).await;
-    // A neighbor that must stay whole.
+    // Another job, which must not be affected.
     let other = client.submit(steps(3, 1)).await;
     client.until_succeeded(&other, SOON).await;
     let neighbor = client.json(&format!("/v1/jobs/{other}/result")).await;
@@ -30,7 +30,7 @@ async fn a22_what_is_purged_is_gone_from_everywhere(backend: Backend) {
     assert_eq!(client.delete(&format!("/v1/jobs/{id}")).await.unwrap().status(), 204);
     let hash = |text: &str| blake3::hash(text.as_bytes()).to_hex().to_string();
     let began = Instant::now();
-    // Blobs are removed soon after, by housekeeping if not at once.
+    // Blobs are removed soon after, by housekeeping at the latest.
     while site.blobs().iter().any(|name| *name == hash("its source") || *name == hash("its target")) {
         assert!(began.elapsed() < SOON, "{:?}", site.blobs());
         tokio::time::sleep(Duration::from_millis(100)).await;
@@ -42,7 +42,7 @@ async fn a22_what_is_purged_is_gone_from_everywhere(backend: Backend) {
     let client = site.client(&node);
     is_gone(&client, &database, &id).await;
     assert_eq!(client.json(&format!("/v1/jobs/{other}/result")).await, neighbor);
-    // Nor does a cache remember it: an equal request is computed anew.
+    // Nor is the result cached: an equal request is computed again.
     let (status, job) = client.try_submit_files("its source", "its target", &parameters).await.unwrap();
     assert_eq!(status, 202, "{job}");
     let again = client.until_succeeded(&id_of(&job), SOON).await;

@@ -1,4 +1,4 @@
-//! The job store as workers use it, past HTTP and past processes.
+//! The job store as workers use it, without HTTP and without processes.
 
 use crate::store::{chunk, new_job, room};
 use homolog::jobs::{
@@ -11,7 +11,7 @@ use std::time::Duration;
 
 /// A lease that outlives every test.
 pub(super) const LONG: Duration = Duration::from_secs(3600);
-/// A lease that is over soon.
+/// A lease that expires soon.
 pub(super) const SHORT: Duration = Duration::from_millis(100);
 
 /// Connections to a job store.
@@ -76,14 +76,14 @@ impl Queue {
         page.points.iter().map(|point| point.seq).collect()
     }
 
-    /// Takes back what ran out, after short leases had the time to.
+    /// Waits until short leases have expired and recovers their jobs.
     pub(super) async fn expire(&self) -> Recovered {
         tokio::time::sleep(SHORT * 2).await;
         self.store.recover_expired().await.unwrap()
     }
 }
 
-/// A job whose inputs are its own.
+/// A job with unique inputs.
 fn own_job() -> NewJob {
     let mut job = new_job(0);
     for (input, side) in [(&mut job.source, "source"), (&mut job.target, "target")] {

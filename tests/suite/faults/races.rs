@@ -1,4 +1,4 @@
-//! A9, A11, A20: requests that meet each other, and what several nodes say of one job.
+//! A9, A11, A20: concurrent requests, and consistency between nodes.
 
 use super::client::{Client, id_of, is_final, steps};
 use super::queue::{LONG, Queue};
@@ -12,16 +12,16 @@ use std::collections::BTreeSet;
 use std::time::Duration;
 
 on_both!(
-    a09_one_idempotency_key_makes_one_job,
-    a11_a_job_that_is_cancelled_at_any_moment_ends_once,
-    a11_cancel_and_finish_at_the_same_moment_agree,
+    a09_one_idempotency_key_creates_one_job,
+    a11_a_job_cancelled_at_any_moment_ends_once,
+    a11_simultaneous_cancel_and_finish_agree,
 );
 on_postgres!(a20_every_node_knows_every_job);
 
-async fn a09_one_idempotency_key_makes_one_job(backend: Backend) {
+async fn a09_one_idempotency_key_creates_one_job(backend: Backend) {
     let site = Site::open(backend);
     let first = site.serve(&["--workers", "0"]);
-    // On SQLite one process answers; on PostgreSQL the requests meet in the database only.
+    // On SQLite one process answers; on PostgreSQL the requests go to different nodes and meet only in the database.
     let second = (backend == Backend::Postgres).then(|| site.serve(&["--workers", "0"]));
     let mut clients = vec![site.client(&first)];
     clients.extend(second.iter().map(|node| site.client(node)));
@@ -34,7 +34,7 @@ async fn a09_one_idempotency_key_makes_one_job(backend: Backend) {
     let answers = requests.join_all().await;
     assert!(answers.iter().any(|(status, _)| *status == 202), "{answers:?}");
     for (status, body) in &answers {
-        // The same answer, or that the first is still being made.
+        // Either the same answer, or the problem that the first request is still in progress.
         assert!([202, 409].contains(status), "{status}: {body}");
     }
     let again = submit_with_key(&clients[0], "the-key", &parameters).await;
@@ -54,14 +54,14 @@ async fn submit_with_key(client: &Client, key: &str, parameters: &Value) -> (u16
     (response.status().as_u16(), response.json().await.unwrap_or(Value::Null))
 }
 
-async fn a11_a_job_that_is_cancelled_at_any_moment_ends_once(backend: Backend) {
+async fn a11_a_job_cancelled_at_any_moment_ends_once(backend: Backend) {
     let site = Site::open(backend);
     let node = site.serve(&["--workers", "4"]);
     let client = site.client(&node);
     let n_jobs = length(48, 400);
     let mut ended = Vec::new();
     for n in 0..n_jobs {
-        // From before its claim to after its end; some end at once, some not before they are told.
+        // From before the claim to after the end of the job.
         let id = client.submit([steps(1, 1), steps(8, 10), steps(60, 10)][n as usize % 3].clone()).await;
         tokio::time::sleep(Duration::from_millis(n % 24 * 5)).await;
         let response = client.post(&format!("/v1/jobs/{id}/cancel")).await.unwrap();
@@ -91,7 +91,7 @@ async fn a11_a_job_that_is_cancelled_at_any_moment_ends_once(backend: Backend) {
     assert!(cancelled > 0 && cancelled < ended.len(), "{cancelled} of {}: the moments do not differ", ended.len());
 }
 
-async fn a11_cancel_and_finish_at_the_same_moment_agree(backend: Backend) {
+async fn a11_simultaneous_cancel_and_finish_agree(backend: Backend) {
     let site = Site::open(backend);
     let (worker, user) = (Queue { store: site.store().await }, Queue { store: site.store().await });
     let database = site.database().await;

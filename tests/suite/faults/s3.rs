@@ -1,4 +1,4 @@
-//! An S3 server in the test's own process, over a temporary folder, on a loopback port.
+//! An S3 server in the test's process, on a temporary folder and a loopback port.
 
 use hyper_util::rt::TokioIo;
 use s3s::auth::SimpleAuth;
@@ -12,7 +12,7 @@ use tempfile::TempDir;
 use tokio::net::TcpListener;
 use tokio::runtime::Runtime;
 
-/// The one bucket there is.
+/// The only bucket.
 pub(crate) const BUCKET: &str = "faults";
 const KEY: &str = "test-key";
 const SECRET: &str = "test-secret";
@@ -21,7 +21,7 @@ const SECRET: &str = "test-secret";
 pub(crate) struct S3Server {
     port: u16,
     root: PathBuf,
-    // Of its own, so that it answers while a test waits or blocks.
+    // A separate runtime, so that it answers while a test waits or blocks.
     runtime: Option<Runtime>,
     _folder: TempDir,
 }
@@ -38,7 +38,7 @@ impl S3Server {
         fs::create_dir(root.join(BUCKET)).unwrap();
         let mut builder = S3ServiceBuilder::new(FileSystem::new(&root).unwrap());
         builder.set_auth(SimpleAuth::from_single(KEY, SECRET));
-        // S3 refuses clients whose clocks are off by a quarter of an hour; the tests have workers that are.
+        // S3 refuses clients whose clocks are off by 15 minutes; some tests have such workers.
         let mut config = S3Config::default();
         config.presigned_url_max_skew_time_secs = 7_200;
         builder.set_config(Arc::new(StaticConfigProvider::new(Arc::new(config))));
@@ -64,7 +64,7 @@ impl S3Server {
         self.port
     }
 
-    /// What a process has to be told to reach the server through `port`.
+    /// Environment of a process that reaches the server through `port`.
     pub(crate) fn environment(port: u16) -> Vec<(&'static str, String)> {
         vec![
             ("HOMOLOG_ARTIFACTS_URL", format!("s3://{BUCKET}/blobs")),
@@ -98,7 +98,7 @@ mod tests {
     use object_store::{ObjectStore, ObjectStoreExt, PutMode, PutOptions};
 
     #[tokio::test]
-    async fn the_server_does_what_a_store_of_blobs_needs() {
+    async fn the_server_supports_what_the_blob_store_needs() {
         let _ = rustls::crypto::ring::default_provider().install_default();
         let server = S3Server::start();
         let store = AmazonS3Builder::new()

@@ -1,12 +1,12 @@
-//! A12: tables that are made by many at once, and tables from a newer program.
+//! A12: concurrent migrations, and a schema from a newer program.
 
 use super::client::steps;
 use super::site::{Backend, SOON, Site};
 use super::{node::NotStarted, on_both};
 
-on_both!(a12_eight_processes_bring_one_database_up_to_date, a12_an_old_program_refuses_newer_tables);
+on_both!(a12_eight_processes_migrate_one_database, a12_an_older_program_refuses_a_newer_schema);
 
-async fn a12_eight_processes_bring_one_database_up_to_date(backend: Backend) {
+async fn a12_eight_processes_migrate_one_database(backend: Backend) {
     let site = Site::open(backend);
     let starting: Vec<_> = (0..8).map(|_| site.begin_node("worker", &[], &[])).collect();
     let mut nodes = Vec::new();
@@ -24,7 +24,7 @@ async fn a12_eight_processes_bring_one_database_up_to_date(backend: Backend) {
     client.until_succeeded(&id, SOON).await;
 }
 
-async fn a12_an_old_program_refuses_newer_tables(backend: Backend) {
+async fn a12_an_older_program_refuses_a_newer_schema(backend: Backend) {
     let site = Site::open(backend);
     let node = site.serve(&["--workers", "0"]);
     let id = site.client(&node).submit(steps(1, 1)).await;
@@ -41,7 +41,7 @@ async fn a12_an_old_program_refuses_newer_tables(backend: Backend) {
         let Err(NotStarted(log)) = site.node(role, &[], &[]) else { panic!("an old program runs on newer tables") };
         assert!(log.contains("database") && log.contains("99999999"), "it says why: {log}");
     }
-    // Refused without touching anything: the newer program goes on.
+    // Nothing was changed: the newer program continues to work.
     database.execute("DELETE FROM _sqlx_migrations WHERE version = 99999999").await;
     let node = site.serve(&[]);
     site.client(&node).until_succeeded(&id, SOON).await;

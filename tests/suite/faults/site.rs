@@ -1,5 +1,5 @@
-//! A place where the service runs: a database and a store of blobs of their own, nodes on them, and who looks at them
-//! from outside.
+//! An installation of the service for a test: a separate database and blob store, the nodes on them, and direct access
+//! to both for checks.
 
 use super::client::Client;
 use super::node::{Node, NotStarted, Starting};
@@ -17,10 +17,10 @@ use tempfile::TempDir;
 
 /// The lease of all nodes unless a test says otherwise.
 pub(crate) const LEASE: Duration = Duration::from_secs(2);
-/// How long what happens within a lease, a poll and a round of housekeeping may take on a loaded machine.
+/// Maximum time for something that takes a lease, a poll and a round of housekeeping, on a loaded machine.
 pub(crate) const SOON: Duration = Duration::from_secs(20);
 
-/// What a node keeps jobs and blobs in.
+/// Where a node stores jobs and blobs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Backend {
     /// SQLite and a folder.
@@ -29,7 +29,7 @@ pub(crate) enum Backend {
     Postgres,
 }
 
-/// A database, a store of blobs, and nothing that runs on them yet.
+/// A database and a blob store, at first without nodes.
 pub(crate) struct Site {
     pub folder: TempDir,
     pub cluster: Option<Cluster>,
@@ -37,13 +37,13 @@ pub(crate) struct Site {
 }
 
 impl Site {
-    /// An empty one. Panics where the backend cannot be had; tests that need PostgreSQL are therefore `#[ignore]`d,
+    /// An empty site. Panics if the backend is not available; tests that need PostgreSQL are therefore `#[ignore]`d,
     /// and `scripts/test` runs them where it is installed.
     pub(crate) fn open(backend: Backend) -> Self {
         Site::open_on(backend, &std::env::temp_dir(), &std::env::temp_dir())
     }
 
-    /// One whose database and whose S3 objects are on these disks; on SQLite both are on the first.
+    /// A site with its database and its S3 objects on these disks; on SQLite both are on the first.
     pub(crate) fn open_on(backend: Backend, database_disk: &Path, s3_disk: &Path) -> Self {
         let (cluster, s3) = match backend {
             Backend::Sqlite => (None, None),
@@ -56,12 +56,12 @@ impl Site {
         Site { folder: folder.unwrap(), cluster, s3 }
     }
 
-    /// The folder that nodes are told to use.
+    /// The data folder of the nodes.
     pub(crate) fn data_dir(&self) -> PathBuf {
         self.folder.path().join("data")
     }
 
-    /// What nodes are told by default; what a test passes as arguments outweighs it.
+    /// Default settings of the nodes; arguments of a test take precedence.
     pub(crate) fn environment(&self) -> Vec<(&'static str, String)> {
         let mut environment: Vec<_> = [
             ("HOMOLOG_LISTEN", "127.0.0.1:0"),
@@ -81,7 +81,7 @@ impl Site {
         environment
     }
 
-    /// A node that answers HTTP and, unless told otherwise, runs jobs.
+    /// A node that serves HTTP and, by default, runs jobs.
     pub(crate) fn serve(&self, arguments: &[&str]) -> Node {
         self.node("serve", arguments, &[]).unwrap_or_else(|NotStarted(log)| panic!("{log}"))
     }
@@ -91,7 +91,7 @@ impl Site {
         self.node("worker", arguments, &[]).unwrap_or_else(|NotStarted(log)| panic!("{log}"))
     }
 
-    /// A node with further variables, which may outweigh those of the site.
+    /// A node with further environment variables, which take precedence over those of the site.
     pub(crate) fn node(
         &self,
         role: &str,
@@ -101,7 +101,7 @@ impl Site {
         self.begin_node(role, arguments, more).ready()
     }
 
-    /// A node that is not waited for.
+    /// Starts a node without waiting until it is ready.
     pub(crate) fn begin_node(&self, role: &str, arguments: &[&str], more: &[(&'static str, String)]) -> Starting {
         static N_NODES: AtomicU32 = AtomicU32::new(0);
         let n = N_NODES.fetch_add(1, Ordering::Relaxed);
@@ -113,12 +113,12 @@ impl Site {
         Starting::new(role, &arguments, &environment, &log)
     }
 
-    /// Who speaks to a node.
+    /// A client of a node.
     pub(crate) fn client(&self, node: &Node) -> Client {
         Client::of(&node.base)
     }
 
-    /// Where jobs are.
+    /// Location of the database.
     pub(crate) fn location(&self) -> DatabaseLocation {
         match &self.cluster {
             None => DatabaseLocation::Folder(self.data_dir()),
@@ -126,7 +126,7 @@ impl Site {
         }
     }
 
-    /// A blob store as nodes have it.
+    /// The blob store of the nodes.
     pub(crate) fn artifacts(&self) -> Arc<dyn ArtifactStore> {
         match &self.s3 {
             None => Arc::new(FolderArtifacts::open(&self.data_dir()).unwrap()),
@@ -139,13 +139,13 @@ impl Site {
         }
     }
 
-    /// Connections of one's own to the job store, as another process would have.
+    /// The job store through separate connections, as in another process.
     pub(crate) async fn store(&self) -> Arc<dyn JobStore> {
         std::fs::create_dir_all(self.data_dir()).unwrap();
         Arc::new(SqlStore::open(&self.location()).await.unwrap())
     }
 
-    /// A look into the database past the service. It has to have its tables already.
+    /// Direct access to the database, bypassing the service. The tables must exist already.
     pub(crate) async fn database(&self) -> Database {
         match &self.cluster {
             None => Database::sqlite(&self.data_dir().join("homolog.sqlite")).await,
@@ -153,7 +153,7 @@ impl Site {
         }
     }
 
-    /// The names of all blobs that are stored, sorted.
+    /// The names of all stored blobs, sorted.
     pub(crate) fn blobs(&self) -> Vec<String> {
         let root = match &self.s3 {
             None => self.data_dir().join("blobs"),

@@ -1,4 +1,4 @@
-//! A19: what one tenant can learn of another's by any route: nothing.
+//! A19: no route reveals anything about another tenant's resources.
 
 use super::client::{Client, id_of, steps};
 use super::on_both;
@@ -6,9 +6,9 @@ use super::site::{Backend, SOON, Site};
 use serde_json::{Value, json};
 use std::process::Command;
 
-on_both!(a19_another_tenants_things_are_not_there);
+on_both!(a19_resources_of_another_tenant_are_not_found);
 
-/// A new key of this tenant, for everything.
+/// A new key of this tenant, with all scopes.
 fn key(site: &Site, tenant: &str) -> String {
     let mut command = Command::new(env!("CARGO_BIN_EXE_homolog"));
     command.args(["keys", "create", "--tenant", tenant, "--scope", "submit", "--scope", "read", "--scope", "admin"]);
@@ -24,7 +24,7 @@ fn client_with(base: &str, key: &str) -> Client {
     Client { base: base.to_owned(), http }
 }
 
-async fn a19_another_tenants_things_are_not_there(backend: Backend) {
+async fn a19_resources_of_another_tenant_are_not_found(backend: Backend) {
     let site = Site::open(backend);
     let node = site.serve(&["--auth", "keys"]);
     let openapi = site.client(&node).json("/openapi.json").await;
@@ -42,7 +42,7 @@ async fn a19_another_tenants_things_are_not_there(backend: Backend) {
     };
     let batch = post("/v1/batches", json!({"pairs": [{"source": mesh, "target": mesh}]})).await;
     let webhook = post("/v1/webhooks", json!({"url": "https://example.org/", "states": ["dead"]})).await;
-    // The other has a job too, so that lists are not merely empty.
+    // The other tenant has a job too, so that its lists are not empty.
     let own = other.submit(steps(1, 1)).await;
     other.until_succeeded(&own, SOON).await;
 
@@ -85,14 +85,14 @@ async fn a19_another_tenants_things_are_not_there(backend: Backend) {
                 }
             }
             let text = body.to_string();
-            let told = [&job, &mesh, &batch, &webhook].into_iter().any(|id| text.contains(id.as_str()));
-            assert!(!told, "{method} {path} tells of another's: {text}");
+            let reveals = [&job, &mesh, &batch, &webhook].into_iter().any(|id| text.contains(id.as_str()));
+            assert!(!reveals, "{method} {path} reveals a resource of another tenant: {text}");
             n_asked += 1;
         }
     }
     assert!(n_asked > 15, "{n_asked} routes");
-    // By its content too: the same bytes are the other's own mesh, new to it.
+    // Nor through content addresses: uploading the same bytes creates a new mesh of the other tenant.
     let again = other.http.post(format!("{}/v1/meshes", node.base)).body("ply mesh of the owner").send().await.unwrap();
-    assert_eq!(again.status(), 201, "that somebody has these bytes is not told");
+    assert_eq!(again.status(), 201, "the answer does not reveal that another tenant has these bytes");
     assert_eq!(owner.job(&job).await["state"], "succeeded");
 }

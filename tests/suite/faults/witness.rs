@@ -1,5 +1,5 @@
-//! A look into the database past the service, and a witness in it: triggers that note what was accepted, whatever the
-//! service says.
+//! Direct access to the database, bypassing the service, and a witness in it: triggers that record what was accepted,
+//! independently of the service.
 
 use super::node::Node;
 use sqlx::sqlite::{SqliteConnectOptions, SqliteJournalMode};
@@ -45,7 +45,7 @@ impl Database {
         };
     }
 
-    /// A transaction that has read and stays open until the answer is dropped.
+    /// A transaction that has read and stays open until the returned value is dropped.
     pub(crate) async fn hold_open(&self) -> Box<dyn std::any::Any + Send> {
         match self {
             Database::Sqlite(pool) => {
@@ -61,13 +61,13 @@ impl Database {
         }
     }
 
-    /// The one right to write to SQLite, held until the answer is dropped.
+    /// SQLite's write lock, held until the returned value is dropped.
     pub(crate) async fn hold_lock(&self) -> Transaction<'static, Sqlite> {
         let Database::Sqlite(pool) = self else { panic!("PostgreSQL has no such lock") };
         pool.begin_with("BEGIN IMMEDIATE").await.unwrap()
     }
 
-    /// The one number that a query answers.
+    /// The single number that a query returns.
     pub(crate) async fn number(&self, text: &str) -> i64 {
         let text = AssertSqlSafe(text.to_owned());
         match self {
@@ -76,7 +76,7 @@ impl Database {
         }
     }
 
-    /// The texts of the one column that a query answers.
+    /// The texts in the single column that a query returns.
     pub(crate) async fn texts(&self, text: &str) -> Vec<String> {
         let text = AssertSqlSafe(text.to_owned());
         match self {
@@ -109,7 +109,7 @@ impl Database {
         found
     }
 
-    /// From now on every accepted result and every claim is noted.
+    /// Records every accepted result and every claim from now on.
     pub(crate) async fn watch(&self) {
         self.execute(
             "CREATE TABLE seen_results (job_id TEXT NOT NULL, epoch BIGINT NOT NULL);
@@ -142,21 +142,21 @@ impl Database {
         }
     }
 
-    /// From now on no lease can be prolonged, while all else works.
+    /// Makes every renewal of a lease fail from now on, while everything else works.
     pub(crate) async fn fail_heartbeats(&self) {
         match self {
             Database::Sqlite(_) => {
                 self.execute(
                     "CREATE TRIGGER fail_heartbeat BEFORE UPDATE OF lease_expires_at ON jobs
                      WHEN NEW.state = 'running' AND OLD.state = 'running' AND NEW.lease_epoch = OLD.lease_epoch
-                     BEGIN SELECT RAISE(ABORT, 'told to fail'); END",
+                     BEGIN SELECT RAISE(ABORT, 'injected failure'); END",
                 )
                 .await;
             }
             Database::Postgres(_) => {
                 self.execute(
                     "CREATE FUNCTION fail_heartbeat() RETURNS trigger LANGUAGE plpgsql AS
-                     $$ BEGIN RAISE EXCEPTION 'told to fail'; END $$;
+                     $$ BEGIN RAISE EXCEPTION 'injected failure'; END $$;
                      CREATE TRIGGER fail_heartbeat BEFORE UPDATE OF lease_expires_at ON jobs FOR EACH ROW
                      WHEN (NEW.state = 'running' AND OLD.state = 'running' AND NEW.lease_epoch = OLD.lease_epoch)
                      EXECUTE FUNCTION fail_heartbeat();",
@@ -166,7 +166,7 @@ impl Database {
         }
     }
 
-    /// Ends that.
+    /// Lets leases be renewed again.
     pub(crate) async fn allow_heartbeats(&self) {
         match self {
             Database::Sqlite(_) => self.execute("DROP TRIGGER fail_heartbeat").await,
@@ -174,8 +174,7 @@ impl Database {
         }
     }
 
-    /// SIGSTOP to a node, at a moment when it holds no lock: what a sleeping holder of a lock does to the others is
-    /// another question.
+    /// SIGSTOP to a node while it holds no database lock, because a suspended lock holder would block the other nodes.
     pub(crate) async fn freeze(&self, node: &Node) {
         for _ in 0..100 {
             node.freeze();
@@ -207,18 +206,18 @@ impl Database {
         }
     }
 
-    /// How often a result of the job was accepted.
+    /// Number of accepted results of the job.
     pub(crate) async fn n_results(&self, id: &str) -> i64 {
         self.number(&format!("SELECT COUNT(*) FROM seen_results WHERE job_id = '{id}'")).await
     }
 
-    /// Jobs of which a result was accepted, and results: equal if each was accepted once.
+    /// Number of jobs with an accepted result, and of accepted results: equal if each job has one.
     pub(crate) async fn jobs_and_results(&self) -> (i64, i64) {
         let jobs = self.number("SELECT COUNT(DISTINCT job_id) FROM seen_results").await;
         (jobs, self.number("SELECT COUNT(*) FROM seen_results").await)
     }
 
-    /// Claims, and claims that differ in job or epoch: equal if none was made twice.
+    /// Number of claims, and of distinct pairs of job and epoch among them: equal if none was claimed twice.
     pub(crate) async fn claims(&self) -> (i64, i64) {
         let all = self.number("SELECT COUNT(*) FROM seen_claims").await;
         let distinct =

@@ -1,5 +1,5 @@
 //! Submissions and jobs per second of graphile_worker, on the database whose address is the first argument: jobs that
-//! do nothing, 8 submitters, then 8 workers. Prints three lines, a number each.
+//! do nothing, 8 submitters, then 8 workers. Prints three lines with one number each.
 //!
 //! Two ways of working are measured. `each`: every job is claimed by itself, as in the service; through `run_once`,
 //! since `run` without a local queue claims a job a worker for each hint or poll and so leaves a backlog to the poll.
@@ -32,7 +32,7 @@ impl TaskHandler for Nothing {
 }
 
 fn options(url: &str) -> WorkerOptions {
-    // As many connections as the store of the service has.
+    // As many connections as the service's store has.
     WorkerOptions::default()
         .database_url(url)
         .max_pg_conn(8)
@@ -41,7 +41,7 @@ fn options(url: &str) -> WorkerOptions {
         .define_job::<Nothing>()
 }
 
-/// Submits jobs; returns how many a second.
+/// Submits jobs and returns the number per second.
 async fn submit(worker: &Worker, n_jobs: u64) -> f64 {
     let began = Instant::now();
     let submitters: Vec<_> = (0..WORKERS as u64)

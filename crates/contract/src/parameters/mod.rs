@@ -1,6 +1,7 @@
 //! The parameters of a match: named presets, requests that override them, and checks that name the place of each fault.
 //!
-//! A request states a part; [`resolve()`] lays it over the preset that `method` names and returns the whole, the
+//! A request sets some of them; [`resolve()`] overrides the preset that `method` names with these and returns the
+//! complete,
 //! *effective* parameters, which are stored with the job and returned with its result.
 
 mod displacement;

@@ -272,7 +272,7 @@ impl MatchParameters {
         if faults.is_empty() { Ok(()) } else { Err(faults) }
     }
 
-    /// What no bound of a single value says.
+    /// Constraints that are not bounds of a single number.
     fn check_rules(&self, check: &mut dyn FnMut(bool, &str, &str)) {
         let labels = self.input.labels.as_deref();
         check(labels.is_none_or(|l| !l.is_empty()), "/input/labels", "name at least one label, or null");
@@ -427,7 +427,7 @@ mod tests {
                 let Some(bounds) = BOUNDS.iter().find(|b| b.name == name) else { continue };
                 for (word, value) in [("minimum", bounds.minimum), ("maximum", bounds.maximum)] {
                     if let Some(found) = property.get(word).and_then(|v| v.as_f64())
-                        // A count that cannot be negative says so by itself.
+                        // For a count, the schema states the minimum 0 because of its type.
                         && (word, found) != ("minimum", 0.0)
                     {
                         assert_eq!(found, value, "{name} {word}");

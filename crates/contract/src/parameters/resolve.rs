@@ -1,10 +1,10 @@
-//! From a request to effective parameters, with the place of every fault.
+//! From a request to effective parameters, with a JSON pointer to every fault.
 
 use super::ranges::fault;
 use super::{MatchParameters, Method, ParameterError, preset};
 use serde_json::Value;
 
-/// The effective parameters of a request: its values laid over the preset that its `method` names.
+/// The effective parameters of a request: the preset that its `method` names, overridden by its values.
 ///
 /// # Errors
 /// Every fault found, each with its JSON pointer: unknown keys, wrong types, values out of range.
@@ -29,7 +29,7 @@ pub fn resolve(request: &Value) -> Result<MatchParameters, Vec<ParameterError>> 
     parameters.check().map(|()| parameters)
 }
 
-/// Lays `request` over `base`: objects key by key, anything else replaces. Unknown keys are faults.
+/// Overrides `base` with `request`: objects are merged key by key, other values are replaced. Unknown keys are faults.
 fn overlay(base: &mut Value, request: &Value, pointer: &mut String, faults: &mut Vec<ParameterError>) {
     match (base, request) {
         (Value::Object(base), Value::Object(request)) => {
@@ -100,7 +100,7 @@ mod tests {
     }
 
     #[test]
-    fn sixteen_bits_are_for_messages_that_flood_over_all_labels() {
+    fn half_precision_messages_require_flooding_over_all_labels() {
         let resolved = |inference: Value| resolve(&json!({"inference": inference}));
         for update in ["sparse", "full"] {
             for algorithm in ["max_product", "sum_product"] {

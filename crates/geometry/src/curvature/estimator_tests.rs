@@ -1,4 +1,4 @@
-//! Every estimator against what is known of spheres, ellipsoids, tori and balls of voxels.
+//! Every estimator compared with the known curvature of spheres, ellipsoids, tori and balls of voxels.
 
 use super::{Curvatures, Estimator, ScaleSpace, curvatures, default_radius_mm, gaussian_curvature, mean_curvature};
 use homolog_mesh::shapes::{ellipsoid, torus};

@@ -1,7 +1,7 @@
 //! The homolog side of the comparison with PGMax: exports the energy that both minimise, and times its minimisation.
 //!
 //! `export DIR` writes the energy as `.npy`; `measure sparse|full THREADS ITERATIONS` minimises it and prints a row.
-//! `benches/pgmax/run` calls both and then the peer. No test depends on it.
+//! `benches/pgmax/run` calls both and then `peer.py`. No test depends on this benchmark.
 #![allow(clippy::unwrap_used, clippy::print_stdout, clippy::panic)]
 
 #[path = "../common/mod.rs"]
@@ -19,12 +19,12 @@ use std::time::Instant;
 
 /// Edge of the phantoms' triangles, mm: about 200 vertices.
 const EDGE_MM: f64 = 2.7;
-/// Runs of which the median is told.
+/// Number of runs, of which the median is reported.
 const RUNS: usize = 5;
 
 fn model() -> MrfModel {
     let (source, target) = pair(EDGE_MM);
-    // A weight of distances, so that the potential has a value of its own for every pair of neighbours.
+    // A distance term, so that the potential differs between pairs of neighbours.
     energy_model(&source, &target, &resolve(&json!({"energy": {"beta": 0.5}})).unwrap()).unwrap()
 }
 
@@ -81,7 +81,7 @@ fn measure(update: &str, threads: usize, iterations: u32) {
         },
         ..BpMethod::default()
     };
-    // A tolerance of 0 lets no run end early.
+    // With a tolerance of 0 no run ends early.
     let options = BpOptions { product: Product::Max, damping: 0.5, floor: 1e-5, tolerance: 0.0 };
     let mut taken = Vec::new();
     let mut energy = f64::NAN;

@@ -12,7 +12,7 @@ DAMPING = 0.5
 
 def main():
     folder, cores, iterations = Path(sys.argv[1]), int(sys.argv[2]), int(sys.argv[3])
-    # Before JAX asks how many cores there are.
+    # Before JAX reads the number of cores.
     os.sched_setaffinity(0, sorted(os.sched_getaffinity(0))[:cores])
     os.environ["JAX_PLATFORMS"] = "cpu"
     import jax

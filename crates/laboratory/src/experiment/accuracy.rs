@@ -1,6 +1,7 @@
-//! The accuracy table with other tools for comparison, taken over from what `make accuracy` wrote.
+//! The accuracy comparison with other tools, read from the output of `make accuracy`.
 //!
-//! Those tools are Python packages, so the table is not made of units here; the report repeats it with its provenance.
+//! Those tools are Python packages, so the table is not computed from units here; the report includes it with its
+//! provenance.
 
 use super::ExperimentError;
 use super::document::{Cell, Column, Section, Table};
@@ -10,10 +11,10 @@ use std::fs;
 use std::io;
 use std::path::Path;
 
-/// The file in the folder.
+/// Name of the file in the folder.
 const FILE: &str = "accuracy.json";
 
-/// What is read of it.
+/// The fields that are read from the file.
 #[derive(Debug, Deserialize)]
 struct Accuracy {
     provenance: Provenance,
@@ -37,7 +38,7 @@ struct Record {
     method: String,
 }
 
-/// Over the pairs of a set; `low` and `high` are a bootstrap interval of 95 %.
+/// Statistics over the pairs of a set; `low` and `high` bound the 95 % bootstrap confidence interval of the mean.
 #[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
 struct Spread {
     mean: f64,
@@ -53,9 +54,9 @@ struct Figure {
     heading: &'static str,
     unit: &'static str,
     digits: usize,
-    /// Median, as the figure to reach is one; else the mean with its interval.
+    /// Whether the median is shown; otherwise the mean with its confidence interval.
     median: bool,
-    /// What a value is multiplied with.
+    /// Factor by which values are multiplied for display.
     factor: f64,
 }
 
@@ -85,7 +86,7 @@ const FIGURES: [Figure; 10] = [
 /// The section, from the folder that `make accuracy` wrote.
 ///
 /// # Errors
-/// [`ExperimentError::File`] where its `accuracy.json` cannot be read or is something else.
+/// [`ExperimentError::File`] if its `accuracy.json` cannot be read or parsed.
 pub(super) fn section(folder: &Path) -> Result<Section, ExperimentError> {
     let path = folder.join(FILE);
     let text = fs::read_to_string(&path);
@@ -150,7 +151,7 @@ fn cell(accuracy: &Accuracy, method: &str, figure: &Figure) -> Cell {
     Cell::text(format!("{mean:.d$} [{low:.d$}, {high:.d$}]"))
 }
 
-/// The default against the best of the others.
+/// Compares the default method with the best other tool.
 fn finding(accuracy: &Accuracy) -> String {
     const OURS: [&str; 4] = ["balanced", "fast", "accurate", "rigid"];
     let names: std::collections::BTreeSet<&str> =
@@ -189,7 +190,7 @@ mod tests {
     }
 
     #[test]
-    fn the_table_is_that_of_the_file_with_the_best_other_method_named() {
+    fn the_section_repeats_the_table_and_names_the_best_other_method() {
         let folder = tempfile::tempdir().unwrap();
         let file = json!({
             "provenance": {"date": "2026-01-31", "program": "homolog 0.1.0", "command": "make accuracy CASES=10",
@@ -217,7 +218,7 @@ mod tests {
     }
 
     #[test]
-    fn another_file_is_refused_with_its_name() {
+    fn a_file_in_another_format_is_refused_by_name() {
         let folder = tempfile::tempdir().unwrap();
         let absent = section(folder.path()).unwrap_err().to_string();
         assert!(absent.contains(FILE), "{absent}");

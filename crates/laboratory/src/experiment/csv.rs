@@ -1,12 +1,12 @@
-//! A table as CSV (RFC 4180), all digits kept.
+//! A table as CSV (RFC 4180), at full precision.
 
 use super::document::{Cell, Column, Table, with_unit};
 use super::statistics::Summary;
 
-/// A part of a summary: its name and how it is read.
+/// A statistic of a summary: its name and its accessor.
 type Part = (&'static str, fn(&Summary) -> f64);
 
-/// What a column of many numbers becomes: a column each.
+/// The columns into which a column of summaries is split.
 const PARTS: [Part; 6] = [
     ("n", |s| s.n as f64),
     ("mean", |s| s.mean),
@@ -16,7 +16,7 @@ const PARTS: [Part; 6] = [
     ("q3", |s| s.q3),
 ];
 
-/// The table with a line of headings; columns that hold spreads become six.
+/// The table with a line of headings; a column of summaries becomes six columns.
 pub(super) fn csv(table: &Table) -> String {
     let spreads: Vec<bool> = (0..table.columns.len())
         .map(|k| table.rows.iter().any(|row| matches!(row.get(k), Some(Cell::Spread(_)))))
@@ -77,7 +77,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn words_are_quoted_and_spreads_become_six_columns() {
+    fn text_is_quoted_and_summaries_become_six_columns() {
         let table = Table {
             id: "t".to_owned(),
             title: "T".to_owned(),

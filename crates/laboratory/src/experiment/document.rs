@@ -8,11 +8,11 @@ use serde::{Deserialize, Serialize};
 pub struct ReportDocument {
     /// Version, commit, date and machine.
     pub provenance: ReportProvenance,
-    /// Whether it is the quick form: coarse surfaces, few pairs.
+    /// Whether this is the quick report: coarse surfaces, few pairs.
     pub quick: bool,
     /// Number of units and computing time of every section.
     pub budget: Table,
-    /// One for each question.
+    /// The sections, one for each question.
     pub sections: Vec<Section>,
 }
 
@@ -21,7 +21,7 @@ pub struct ReportDocument {
 pub struct ReportProvenance {
     /// Version of homolog.
     pub version: String,
-    /// Commit it was built from.
+    /// Commit from which it was built.
     pub commit: String,
     /// Day of the report.
     pub date: String,
@@ -32,23 +32,23 @@ pub struct ReportProvenance {
 /// One question and its answer.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Section {
-    /// A word for file names and links.
+    /// Identifier for file names and links.
     pub id: String,
     /// Its heading.
     pub title: String,
     /// The question it answers.
     pub question: String,
-    /// What was varied, and what was fixed.
+    /// The parameters that were varied, and those that were fixed.
     pub varied: String,
     /// Number and kind of pairs or problems.
     pub pairs: String,
     /// One sentence with the numbers that answer the question.
     pub finding: String,
-    /// Remarks, such as data that are absent.
+    /// Remarks, for example on missing data.
     pub notes: Vec<String>,
     /// The numbers.
     pub tables: Vec<Table>,
-    /// The numbers, drawn.
+    /// Plots of the numbers.
     pub plots: Vec<Plot>,
     /// The command that reproduces this section.
     pub command: String,
@@ -57,7 +57,7 @@ pub struct Section {
 /// A table; every row has as many cells as there are columns.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Table {
-    /// A word for the name of its CSV file.
+    /// Identifier for the name of its CSV file.
     pub id: String,
     /// What it shows.
     pub title: String,
@@ -70,11 +70,11 @@ pub struct Table {
 /// A column of a table.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Column {
-    /// What it holds.
+    /// Name of the quantity.
     pub name: String,
     /// Unit of its numbers, if they have one.
     pub unit: Option<String>,
-    /// Digits after the point where it is printed.
+    /// Decimals when printed.
     pub digits: usize,
 }
 
@@ -85,7 +85,7 @@ impl Column {
         Column { name: name.to_owned(), unit, digits }
     }
 
-    /// A column of words or counts.
+    /// A column of texts or counts.
     pub fn plain(name: &str) -> Self {
         Column::new(name, "", 0)
     }
@@ -116,7 +116,7 @@ pub enum Cell {
     Spread(Summary),
     /// Text.
     Text(String),
-    /// Nothing was measured.
+    /// No measurement.
     Missing(()),
 }
 
@@ -126,12 +126,12 @@ impl Cell {
         Cell::Text(words.into())
     }
 
-    /// A number, if there is one that can be written.
+    /// A number, if there is a finite one.
     pub fn number(value: Option<f64>) -> Self {
         value.filter(|v| v.is_finite()).map_or(Cell::Missing(()), Cell::Number)
     }
 
-    /// Many numbers, if there are any.
+    /// The summary of a sample, if it is not empty.
     pub fn spread(summary: Option<Summary>) -> Self {
         summary.map_or(Cell::Missing(()), Cell::Spread)
     }
@@ -142,19 +142,19 @@ impl Cell {
 pub struct Plot {
     /// What it shows.
     pub title: String,
-    /// How it is drawn.
+    /// Kind of plot.
     pub kind: PlotKind,
-    /// The horizontal axis; of bars, only its label is used.
+    /// The horizontal axis; bar plots use only its label.
     pub x: Axis,
     /// The vertical axis.
     pub y: Axis,
-    /// Names of the places of bars, in order: place `k` is at `x = k`.
+    /// Names of the categories of a bar plot, in order: category `k` is at `x = k`.
     pub categories: Vec<String>,
-    /// What is drawn.
+    /// The series of points.
     pub series: Vec<Series>,
 }
 
-/// How a plot is drawn.
+/// Kind of plot.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum PlotKind {
@@ -171,14 +171,14 @@ pub enum PlotKind {
 pub struct Axis {
     /// What it measures.
     pub label: String,
-    /// In which unit.
+    /// Unit, if there is one.
     pub unit: Option<String>,
-    /// Whether equal steps are equal factors.
+    /// Whether the axis is logarithmic.
     pub log: bool,
 }
 
 impl Axis {
-    /// A linear axis; an empty `unit` is none.
+    /// A linear axis; an empty `unit` means none.
     pub fn linear(label: &str, unit: &str) -> Self {
         let unit = (!unit.is_empty()).then(|| unit.to_owned());
         Axis { label: label.to_owned(), unit, log: false }
@@ -190,7 +190,7 @@ impl Axis {
     }
 }
 
-/// Points of one kind.
+/// A series of points.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Series {
     /// Its name in the legend.
@@ -199,17 +199,17 @@ pub struct Series {
     pub points: Vec<PlotPoint>,
 }
 
-/// A point of a plot, with the ends of its error bar if it has one.
+/// A point of a plot, with the ends of its error bar, if any.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct PlotPoint {
     /// Horizontal value.
     pub x: f64,
     /// Vertical value.
     pub y: f64,
-    /// Lower end.
+    /// Lower end of the error bar.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub low: Option<f64>,
-    /// Upper end.
+    /// Upper end of the error bar.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub high: Option<f64>,
 }

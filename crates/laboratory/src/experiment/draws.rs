@@ -30,7 +30,7 @@ impl Draws {
         })
     }
 
-    /// Every point moved by isotropic normal noise of standard deviation `sigma_mm` an axis.
+    /// The points with isotropic Gaussian noise of standard deviation `sigma_mm` per axis.
     pub(super) fn jitter(&mut self, points: &[Point3<f64>], sigma_mm: f64) -> Vec<Point3<f64>> {
         points.iter().map(|p| p + sigma_mm * self.normals()).collect()
     }

@@ -1,4 +1,4 @@
-//! Real hippocampi: the label volumes of a folder, as surfaces with the label of the nearest voxel at every vertex.
+//! Real hippocampi: the label volumes in a folder, as surfaces with the label of the nearest voxel at every vertex.
 
 use homolog_contract::parameters::{Method, preset};
 use homolog_formats::ReadLimits;
@@ -11,7 +11,7 @@ use rayon::prelude::*;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// The label volumes of a folder, by name. Reports number subjects and never name files.
+/// The label volumes in a folder, sorted by name. Reports refer to subjects by number, never by file name.
 pub(super) struct Hippocampi {
     files: Vec<PathBuf>,
 }
@@ -19,14 +19,14 @@ pub(super) struct Hippocampi {
 /// One hippocampus.
 #[derive(Debug, Clone)]
 pub(super) struct Subject {
-    /// In the coordinates of the scanner, mm.
+    /// Surface in scanner coordinates, mm.
     pub(super) mesh: SurfaceMesh,
     /// Label (1 anterior, 2 posterior) of the voxel nearest to every vertex.
     pub(super) parts: Vec<u32>,
 }
 
 impl Hippocampi {
-    /// Those of `data/hippocampus`; none if there are no label volumes.
+    /// The label volumes in `data/hippocampus`; `None` if there are none.
     pub(super) fn open(data: &Path) -> Option<Self> {
         let is_volume = |path: &PathBuf| path.to_string_lossy().ends_with(".nii.gz");
         let entries = fs::read_dir(data.join("hippocampus")).ok()?;
@@ -39,7 +39,7 @@ impl Hippocampi {
         self.files.len()
     }
 
-    /// Hash of the content of a file, or the error of reading it.
+    /// Hash of a file's content, or the error on reading it.
     pub(super) fn hash(&self, index: usize) -> String {
         fs::read(&self.files[index]).map_or_else(|e| e.to_string(), |bytes| blake3::hash(&bytes).to_hex().to_string())
     }

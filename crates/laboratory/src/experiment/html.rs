@@ -1,4 +1,4 @@
-//! The report as one self-contained page of HTML: style and plots inside, no script, no external link.
+//! The report as a self-contained HTML page: style and plots inline, no scripts, no external resources.
 
 use super::document::{Cell, Column, ReportDocument, Section, Table};
 use super::svg::{escaped, svg};
@@ -44,7 +44,7 @@ pub(super) fn page(report: &ReportDocument) -> String {
          <title>homolog: evaluation</title>\n<style>{STYLE}</style>\n</head>\n<body>\n<header>\n\
          <h1>Evaluation of surface matching and registration</h1>\n"
     );
-    let form = if report.quick { "quick (coarse surfaces, few pairs)" } else { "full" };
+    let extent = if report.quick { "quick (coarse surfaces, few pairs)" } else { "full" };
     let made = &report.provenance;
     out.push_str("<dl>\n");
     for (name, value) in
@@ -52,7 +52,7 @@ pub(super) fn page(report: &ReportDocument) -> String {
     {
         term(&mut out, name, value);
     }
-    term(&mut out, "Scope", form);
+    term(&mut out, "Scope", extent);
     out.push_str(
         "</dl>\n<p>Dense correspondence between two surfaces is found by minimising the energy of a Markov random field, and \
          a rigid transform is estimated from the corresponding points by RANSAC. Energies have no unit; lower is better. \

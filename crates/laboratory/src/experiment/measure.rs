@@ -12,7 +12,7 @@ use rayon::prelude::*;
 use serde_json::Value;
 use std::sync::{Mutex, PoisonError};
 
-/// Most points of a curve; a trace of thousands of sweeps is thinned to this.
+/// Maximum number of points of a curve; a trace of thousands of sweeps is thinned to this.
 const CURVE_POINTS: usize = 200;
 /// A registration within this angle of the reference counts as successful, degrees.
 const SUCCESS_DEG: f64 = 10.0;
@@ -46,10 +46,11 @@ impl Observer for Recorder<'_> {
     }
 }
 
-/// Matches the pair as `request` says. Shares are in `[0, 1]`; the names of the others say their unit.
+/// Matches the pair with the parameters of `request`. Shares are in `[0, 1]`; other quantities have their unit in the
+/// name.
 ///
 /// # Errors
-/// One line that says why there is no match.
+/// One line with the reason if the match fails.
 pub(super) fn measure_match(pair: &Pair, request: &Value, clock: &Clock) -> Result<Measurement, String> {
     observed_match(pair, request, clock).map(|(measurement, _)| measurement)
 }
@@ -69,7 +70,7 @@ pub(super) fn studied(request: &Value) -> Result<MatchParameters, String> {
     Ok(parameters)
 }
 
-/// The same, with the outcome.
+/// As [`measure_match`], and returns the outcome too.
 pub(super) fn observed_match(
     pair: &Pair,
     request: &Value,
@@ -89,7 +90,7 @@ pub(super) fn observed_match(
     Ok((m, outcome))
 }
 
-/// Energy by iteration and by second of the first round, and the time of its inference.
+/// Energy by iteration and by time in the first round, and the time of its inference.
 fn trace(m: &mut Measurement, seen: &Recorded) {
     let mut phases = seen.phases.iter().skip_while(|(_, phase)| *phase != Phase::Inference);
     let Some((begin, _)) = phases.next() else { return };
@@ -111,7 +112,7 @@ fn trace(m: &mut Measurement, seen: &Recorded) {
     m.set("iterations", seen.points.iter().filter(|(_, p)| p.phase == Phase::Inference).count() as f64);
 }
 
-/// The numbers of the result documents, under their names there.
+/// The numbers of the result document, with their names in it.
 fn documents(m: &mut Measurement, outcome: &MatchOutcome) {
     let parts = [
         ("", serde_json::to_value(&outcome.topology)),
@@ -170,7 +171,7 @@ fn ground_truth_errors(m: &mut Measurement, pair: &Pair, outcome: &MatchOutcome)
     }
 }
 
-/// The vertex nearest to `p`; the lowest index where two are.
+/// The vertex nearest to `p`; of several, the one with the lowest index.
 fn nearest(vertices: &[Point3<f64>], p: &Point3<f64>) -> usize {
     let mut best = (f64::INFINITY, 0);
     for (k, v) in vertices.iter().enumerate() {

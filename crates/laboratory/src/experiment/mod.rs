@@ -1,8 +1,8 @@
 //! The evaluation: how accurate each method is on phantoms and on real hippocampi, in one report.
 //!
-//! A section asks one question. It plans **units** (a setting on a pair), which are computed one after another and
+//! A section answers one question. It plans **units** (a setting on a pair), which are computed one after another and
 //! stored, so that an interrupted report resumes where it stopped; from the finished units it makes tables, plots and a
-//! finding in words. [`run`] writes `report.html` (one page that needs nothing else), `report.json` (all numbers), a CSV file a
+//! finding in words. [`run`] writes `report.html` (a self-contained page), `report.json` (all numbers), one CSV file per
 //! table, and `units.jsonl` (the finished units).
 //!
 //! Order and seeds are fixed: the same program on the same inputs gives the same numbers, except for times, which come
@@ -39,16 +39,16 @@ use std::time::Duration;
 use study::Study;
 use units::{Ending, FinishedUnit, UnitStore, key};
 
-/// A clock that only goes forward.
+/// A monotonic clock.
 pub type Clock = Box<dyn Fn() -> Duration + Sync>;
 
-/// What to run, on what, and where the answers go.
+/// Which sections to run, on which data, and where to write the report.
 pub struct ExperimentOptions {
-    /// Folder with `hippocampus/*.nii.gz`; real pairs are left out where it is absent.
+    /// Folder with `hippocampus/*.nii.gz`; without it there are no real pairs.
     pub data: PathBuf,
     /// Folder for the report; finished units in it are not computed again.
     pub out: PathBuf,
-    /// Coarse surfaces and two pairs a setting, about a minute in all.
+    /// Coarse surfaces and two pairs per setting, about a minute in total.
     pub quick: bool,
     /// Only the sections with these ids, in the order of the report; all if empty.
     pub sections: Vec<String>,
@@ -76,9 +76,9 @@ pub struct Progress<'a> {
 /// A written report.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ExperimentReport {
-    /// What it says.
+    /// Its content.
     pub document: ReportDocument,
-    /// The page, the numbers as JSON, and the tables, in this order.
+    /// Paths of the page, the numbers as JSON, and the tables, in this order.
     pub files: Vec<PathBuf>,
     /// Units computed in this run.
     pub computed: usize,
@@ -114,7 +114,7 @@ pub fn section_ids() -> impl Iterator<Item = &'static str> {
     sections::ALL.iter().map(|section| section.about().id)
 }
 
-/// Computes the units that are missing and writes the report. A unit that fails is stored with its reason and counted.
+/// Computes the missing units and writes the report. A unit that fails is stored with its reason and counted.
 ///
 /// # Errors
 /// [`ExperimentError`].
@@ -129,7 +129,7 @@ pub fn run(
     let file = |path: &Path, source| ExperimentError::File { path: path.to_owned(), source };
     fs::create_dir_all(&options.out).map_err(|e| file(&options.out, e))?;
     let mut store = UnitStore::open(&options.out.join("units.jsonl"))?;
-    // Before hours of work: a wrong folder is known at once.
+    // Read first, so that a wrong folder is reported before hours of work.
     let beside_peers = options.accuracy.as_deref().map(accuracy::section).transpose()?;
     let study = Study::new(options);
     let version = format!("{} {}", options.provenance.version, options.provenance.commit);
@@ -169,7 +169,7 @@ pub fn run(
             finished.push(result);
             done += 1;
         }
-        // Pairs of one section seldom serve another, and there are many.
+        // Sections seldom share pairs, and pairs take much memory.
         study.clear_pairs();
         finished_sections.push((section, Results::new(finished)));
     }
@@ -222,7 +222,7 @@ fn written(section: &dyn Experiment, study: &Study, options: &ExperimentOptions,
     }
 }
 
-/// What every section cost.
+/// The number of units and the computing time of every section.
 fn budget(sections: &[(&dyn Experiment, Results)]) -> Table {
     let row = |name: &str, units: usize, failed: usize, seconds: f64| {
         vec![Cell::text(name), Cell::Count(units as u64), Cell::Count(failed as u64), Cell::Number(seconds)]
@@ -250,7 +250,7 @@ fn write_files(document: &ReportDocument, out: &Path) -> Result<Vec<PathBuf>, Ex
     let mut files = Vec::new();
     let mut write = |name: &str, text: String| {
         let path = out.join(name);
-        // Beside its final name first, so that nobody reads half of it.
+        // Written under a temporary name and renamed, so that no reader sees a partial file.
         let unfinished = out.join(format!(".{name}.unfinished"));
         let written = fs::write(&unfinished, text).and_then(|()| fs::rename(&unfinished, &path));
         written.map_err(|source| ExperimentError::File { path: path.clone(), source })?;

@@ -1,4 +1,4 @@
-//! Pairs of surfaces with their ground truth, as far as it is known.
+//! Pairs of surfaces with their ground truth, where it is known.
 
 use super::draws::Draws;
 use super::hippocampi::Subject;
@@ -12,12 +12,12 @@ use homolog_registration::{
 use nalgebra::{Isometry3, Matrix3, Point3, Vector3};
 use serde::Serialize;
 
-/// A source, a target, and the ground truth as far as it is known.
+/// A source, a target, and the ground truth where it is known.
 #[derive(Debug, Clone)]
 pub(super) struct Pair {
     pub(super) source: SurfaceMesh,
     pub(super) target: SurfaceMesh,
-    /// Where every source vertex belongs on the target, mm.
+    /// The true corresponding point on the target of every source vertex, mm.
     pub(super) truth: Option<Vec<Point3<f64>>>,
     /// The transform that a registration should find.
     pub(super) pose: Option<RigidTransform>,
@@ -25,7 +25,7 @@ pub(super) struct Pair {
     pub(super) parts: Option<(Vec<u32>, Vec<u32>)>,
 }
 
-/// How a pair is made; equal recipes give equal pairs.
+/// Parameters of a pair of phantoms; equal recipes give equal pairs.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub(super) struct PhantomRecipe {
     /// Number of the pair, from which all seeds come.
@@ -34,7 +34,7 @@ pub(super) struct PhantomRecipe {
     pub(super) edge_mm: f64,
     /// RMS of the smooth deformation, as a share of the diagonal.
     pub(super) deform_share: f64,
-    /// Standard deviation, an axis, of the noise on all vertices, as a share of the diagonal.
+    /// Standard deviation per axis of the noise on all vertices, as a share of the diagonal.
     pub(super) noise_share: f64,
 }
 
@@ -72,18 +72,18 @@ pub(super) fn phantom_pair(recipe: &PhantomRecipe) -> Result<Pair, String> {
     })
 }
 
-/// How a pair of solids is made.
+/// Parameters of a pair of solids.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub(super) struct SolidRecipe {
     pub(super) form: Form,
     /// Number of the pair, from which all seeds come.
     pub(super) number: u64,
-    /// How often the triangles of an icosahedron are cut.
+    /// How often the icosahedron is subdivided.
     pub(super) levels: u32,
 }
 
-/// A bumped solid and its rotated copy, which is triangulated differently and has small bumps of its own. The ground
-/// truth is that of the points before these bumps.
+/// A bumped solid and its rotated copy, which is triangulated differently and has additional small bumps. The ground
+/// truth is computed without these bumps.
 pub(super) fn solid_pair(recipe: &SolidRecipe) -> Result<Pair, String> {
     let k = recipe.number;
     let (still, frame, motion) = (Isometry3::identity(), random_pose(900 + k), random_pose(1000 + k));
@@ -113,7 +113,8 @@ pub(super) fn copy_pair(subject: &Subject, seed: u64) -> Result<Pair, String> {
     })
 }
 
-/// Two subjects, the second one rotated and permuted. The reference pose is that of trimmed ICP from the scanner's frame.
+/// Two subjects, the second one rotated and permuted. The reference pose is that of trimmed ICP started in scanner
+/// space.
 pub(super) fn cross_pair(source: &Subject, target: &Subject, seed: u64) -> Result<Pair, String> {
     let start =
         RigidTransform { rotation: Matrix3::identity(), translation: target.mesh.centroid() - source.mesh.centroid() };
@@ -137,7 +138,7 @@ fn rigid(motion: &Isometry3<f64>) -> RigidTransform {
     RigidTransform { rotation: *motion.rotation.to_rotation_matrix().matrix(), translation: motion.translation.vector }
 }
 
-/// The surface moved, vertex `k` of it put at `order[k]`.
+/// The transformed surface, with vertex `k` renumbered to `order[k]`.
 fn moved_and_permuted(
     mesh: &SurfaceMesh,
     motion: &Isometry3<f64>,

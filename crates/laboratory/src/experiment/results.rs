@@ -1,4 +1,4 @@
-//! The measurements of a section, and the tables and curves that most sections make of them.
+//! The measurements of a section, and the tables and curves that most sections make from them.
 
 use super::document::{Cell, Column, PlotPoint, Series, Table};
 use super::statistics::Summary;
@@ -7,15 +7,15 @@ use super::units::{Ending, FinishedUnit, Measurement};
 /// A column of a table over settings.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Metric {
-    /// Name in the measurement.
+    /// Its name in [`Measurement`].
     pub(super) key: &'static str,
     /// Heading.
     pub(super) name: &'static str,
     /// Unit as printed.
     pub(super) unit: &'static str,
-    /// From the measured to the printed unit.
+    /// Conversion factor from the measured to the printed unit.
     pub(super) factor: f64,
-    /// Digits after the point.
+    /// Decimals when printed.
     pub(super) digits: usize,
 }
 
@@ -25,7 +25,7 @@ impl Metric {
         Metric { key, name, unit: "%", factor: 100.0, digits: 1 }
     }
 
-    /// A number printed as it is measured.
+    /// A number that is printed in the unit in which it is measured.
     pub(super) const fn number(key: &'static str, name: &'static str, unit: &'static str, digits: usize) -> Self {
         Metric { key, name, unit, factor: 1.0, digits }
     }
@@ -62,7 +62,7 @@ impl Results {
         self.units.iter().map(|u| u.seconds).sum()
     }
 
-    /// Every different reason for which a unit failed, with how often, in order.
+    /// Every distinct reason for which units failed, with its number of units, in order of first occurrence.
     pub(super) fn failures(&self) -> Vec<(String, usize)> {
         let mut reasons: Vec<(String, usize)> = Vec::new();
         for unit in &self.units {
@@ -102,7 +102,7 @@ impl<'a> Group<'a> {
         names
     }
 
-    /// Measurements of one setting, by case.
+    /// Measurements of a setting, by case.
     pub(super) fn measured(&self, configuration: &str) -> Vec<(&'a str, &'a Measurement)> {
         let of = |u: &&'a FinishedUnit| match &u.ending {
             Ending::Measured(m) if u.configuration == configuration => Some((u.case.as_str(), m)),
@@ -111,23 +111,23 @@ impl<'a> Group<'a> {
         self.units.iter().filter_map(of).collect()
     }
 
-    /// One number of one case.
+    /// A number measured for one case.
     pub(super) fn value(&self, configuration: &str, case: &str, key: &str) -> Option<f64> {
         let measured = self.measured(configuration);
         measured.iter().find(|(c, _)| *c == case).and_then(|(_, m)| m.values.get(key).copied())
     }
 
-    /// A number of all cases of a setting.
+    /// The summary of a number over all cases of a setting.
     pub(super) fn summary(&self, configuration: &str, key: &str) -> Option<Summary> {
         Summary::of(self.measured(configuration).iter().filter_map(|(_, m)| m.values.get(key).copied()))
     }
 
-    /// Its mean.
+    /// The mean of a number over all cases of a setting.
     pub(super) fn mean(&self, configuration: &str, key: &str) -> Option<f64> {
         self.summary(configuration, key).map(|s| s.mean)
     }
 
-    /// The setting with the largest mean, or with the smallest; the earlier where two are equal.
+    /// The setting with the largest (or smallest) mean; of equal ones, the first.
     pub(super) fn best(&self, key: &str, largest: bool) -> Option<(&'a str, Summary)> {
         let all = self.configurations().into_iter().filter_map(|c| Some((c, self.summary(c, key)?)));
         all.reduce(|best, next| {
@@ -153,7 +153,7 @@ impl<'a> Group<'a> {
         Table { id: id.to_owned(), title: title.to_owned(), rows: rows.collect(), columns }
     }
 
-    /// Settings along the horizontal axis at the places `x` gives them, means of one metric with their spread.
+    /// A curve over settings: mean and spread of a metric, at the horizontal position `x` of each setting.
     pub(super) fn series(&self, name: &str, metric: &Metric, x: impl Fn(&str) -> Option<f64>) -> Series {
         let point = |configuration: &str| {
             let summary = self.summary(configuration, metric.key)?.scaled(metric.factor);
@@ -163,18 +163,18 @@ impl<'a> Group<'a> {
         Series { name: name.to_owned(), points }
     }
 
-    /// A bar for each setting, in order.
+    /// A bar for each setting, in the order of the plan.
     pub(super) fn bars(&self, name: &str, metric: &Metric) -> Series {
         let settings = self.configurations();
         self.series(name, metric, |c| settings.iter().position(|s| *s == c).map(|k| k as f64))
     }
 
-    /// The settings as names of bars.
+    /// The settings as names of categories.
     pub(super) fn categories(&self) -> Vec<String> {
         self.configurations().into_iter().map(str::to_owned).collect()
     }
 
-    /// A curve that one case of a setting measured.
+    /// A curve measured for one case of a setting.
     pub(super) fn curve(&self, name: &str, configuration: &str, case: &str, curve: &str) -> Option<Series> {
         let measured = self.measured(configuration);
         let (_, m) = measured.iter().find(|(c, _)| *c == case)?;

@@ -1,6 +1,6 @@
-//! From values to places along an axis, with round ticks.
+//! Scales of plot axes: from values to positions along the axis, with round ticks.
 
-/// An axis between two round ends.
+/// A scale between two round ends.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Scale {
     low: f64,
@@ -11,7 +11,7 @@ pub(super) struct Scale {
 }
 
 impl Scale {
-    /// Around all finite `values`, which are positive if `log`; none without values.
+    /// A scale that covers all finite `values` (if `log`, all positive ones); `None` without values.
     pub(super) fn new(values: impl Iterator<Item = f64>, log: bool) -> Option<Self> {
         let empty = (f64::INFINITY, f64::NEG_INFINITY);
         let (low, high) = values.filter(|v| v.is_finite()).fold(empty, |(l, h), v| (l.min(v), h.max(v)));
@@ -22,14 +22,14 @@ impl Scale {
             let (low, high) = (low.log10().floor(), high.log10().ceil());
             return Some(Scale { low, high: high.max(low + 1.0), step: 1.0, log });
         }
-        // A single value stands in the middle of an axis of its own size.
+        // A single value is in the middle of an axis as long as the value.
         let margin = if high > low { 0.0 } else { 0.5 * high.abs().max(1.0) };
         let (low, high) = (low - margin, high + margin);
         let step = round_step((high - low) / 5.0);
         Some(Scale { low: (low / step + 1e-9).floor() * step, high: (high / step - 1e-9).ceil() * step, step, log })
     }
 
-    /// A linear axis with exactly these ends.
+    /// A linear scale with exactly these ends.
     pub(super) fn exact(low: f64, high: f64) -> Self {
         Scale { low, high, step: 1.0, log: false }
     }
@@ -38,16 +38,16 @@ impl Scale {
         self.log
     }
 
-    /// Place of `value` along the axis, 0 at its beginning and 1 at its end.
+    /// Position of `value` along the axis, 0 at its beginning and 1 at its end.
     pub(super) fn place(&self, value: f64) -> f64 {
         let value = if self.log { value.max(f64::MIN_POSITIVE).log10() } else { value };
         (value - self.low) / (self.high - self.low)
     }
 
-    /// Where ticks stand.
+    /// Values at which there are ticks.
     pub(super) fn ticks(&self) -> Vec<f64> {
         let n = ((self.high - self.low) / self.step).round() as i32;
-        // Over many decades every tick would be too many.
+        // Over many decades a tick at each would be too many.
         let every = if self.log { (n / 8 + 1) as usize } else { 1 };
         (0..=n)
             .step_by(every)
@@ -82,7 +82,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn ticks_are_round_and_hold_all_values() {
+    fn ticks_are_round_and_cover_all_values() {
         let scale = Scale::new([0.13, 0.97].into_iter(), false).unwrap();
         let labels: Vec<_> = scale.ticks().iter().map(|t| tick_label(*t, &scale)).collect();
         assert_eq!(labels, ["0", "0.2", "0.4", "0.6", "0.8", "1.0"]);
@@ -93,7 +93,7 @@ mod tests {
     }
 
     #[test]
-    fn one_value_stands_in_the_middle() {
+    fn a_single_value_is_in_the_middle() {
         let scale = Scale::new([3.0].into_iter(), false).unwrap();
         assert!((scale.place(3.0) - 0.5).abs() < 0.2);
         assert_eq!(Scale::new([f64::NAN].into_iter(), false), None);

@@ -2,14 +2,14 @@
 
 use serde::{Deserialize, Serialize};
 
-/// A sample in six numbers.
+/// Six statistics of a sample.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Summary {
-    /// How many numbers.
+    /// Sample size.
     pub n: usize,
-    /// Their mean.
+    /// Mean.
     pub mean: f64,
-    /// Their standard deviation, with `n − 1`; 0 for one number.
+    /// Standard deviation, with `n − 1`; 0 for a single number.
     pub sd: f64,
     /// Lower quartile.
     pub q1: f64,
@@ -35,7 +35,7 @@ impl Summary {
         Some(Summary { n, mean, sd, q1: at(0.25), median: at(0.5), q3: at(0.75) })
     }
 
-    /// All of it times `factor > 0`, as from shares to percent.
+    /// The summary in another unit: everything times `factor > 0`, for example 100 for percent.
     pub fn scaled(&self, factor: f64) -> Self {
         Summary {
             n: self.n,
@@ -48,7 +48,7 @@ impl Summary {
     }
 }
 
-/// Between the two nearest of the sorted values, linearly (definition 7 of Hyndman, Fan 1996).
+/// Quantile by linear interpolation between sorted values (definition 7 of Hyndman, Fan 1996).
 fn quantile(sorted: &[f64], share: f64) -> f64 {
     let place = share * (sorted.len() - 1) as f64;
     let (low, high) = (place.floor() as usize, place.ceil() as usize);
@@ -67,7 +67,7 @@ mod tests {
     }
 
     #[test]
-    fn nothing_has_no_summary_and_one_number_no_spread() {
+    fn an_empty_sample_has_no_summary_and_one_number_no_spread() {
         assert_eq!(Summary::of([f64::NAN]), None);
         let one = Summary::of([2.5]).unwrap();
         assert_eq!((one.mean, one.sd, one.median), (2.5, 0.0, 2.5));

@@ -1,4 +1,4 @@
-//! What all sections share: the pairs they are run on, and the clock.
+//! Shared by all sections: the pairs on which they run, and the clock.
 
 use super::hippocampi::{Hippocampi, Subject};
 use super::measure::measure_match;
@@ -24,7 +24,7 @@ pub(super) const SOLIDS: &str = "solids";
 /// RMS deformation of the synthetic pairs, as a share of the diagonal.
 pub(super) const DEFORM_SHARE: f64 = 0.04;
 
-/// How a pair is made.
+/// How to make a pair.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub(super) enum PairRecipe {
@@ -42,11 +42,11 @@ pub(super) struct Case {
     pub(super) recipe: PairRecipe,
 }
 
-/// A setting with a name: what a request for a match would say.
+/// A named setting: the parameters of a match, as in a request.
 pub(super) type Setting = (String, Value);
 
 pub(super) struct Study<'o> {
-    /// Whether the quick form is made.
+    /// Whether the report is the quick one.
     pub(super) quick: bool,
     pub(super) clock: &'o Clock,
     hippocampi: Option<Hippocampi>,
@@ -65,22 +65,22 @@ impl<'o> Study<'o> {
         }
     }
 
-    /// `quick` in the quick form, else `full`.
+    /// `quick` in the quick report, else `full`.
     pub(super) fn either<T>(&self, quick: T, full: T) -> T {
         if self.quick { quick } else { full }
     }
 
-    /// Mean edge of phantoms, mm: about 300 vertices in the quick form, 800 in the full one.
+    /// Mean edge length of phantoms, mm: about 300 vertices in the quick report, 800 in the full one.
     pub(super) fn edge_mm(&self) -> f64 {
         self.either(2.2, 1.4)
     }
 
-    /// Synthetic pairs, at most two in the quick form.
+    /// Synthetic pairs, at most two in the quick report.
     pub(super) fn phantoms(&self, full: u64) -> Vec<Case> {
         self.phantoms_with(full, self.edge_mm(), 0.0)
     }
 
-    /// The same with other edges, mm, and noise as a share of the diagonal.
+    /// Synthetic pairs with this mean edge length, mm, and noise as a share of the diagonal.
     pub(super) fn phantoms_with(&self, full: u64, edge_mm: f64, noise_share: f64) -> Vec<Case> {
         let recipe = |number| PhantomRecipe { number, edge_mm, deform_share: DEFORM_SHARE, noise_share };
         (1..=self.either(full.min(2), full))
@@ -94,7 +94,7 @@ impl<'o> Study<'o> {
 
     /// Bumped solids of a shape with their rotated copies.
     pub(super) fn solids(&self, form: Form, full: u64) -> Vec<Case> {
-        // 162 vertices hold no bump, 642 do.
+        // 162 vertices cannot represent the bumps, 642 can.
         let recipe = |number| SolidRecipe { form, number, levels: 3 };
         (1..=self.either(full.min(2), full))
             .map(|number| Case {
@@ -105,7 +105,7 @@ impl<'o> Study<'o> {
             .collect()
     }
 
-    /// Pairs of different real subjects, spread over the folder; none without data or in the quick form.
+    /// Pairs of different real subjects, spread over the folder; none without data or in the quick report.
     pub(super) fn real(&self, full: usize) -> Vec<Case> {
         let Some(data) = self.hippocampi.as_ref().filter(|_| !self.quick) else { return Vec::new() };
         let n = full.min(data.len() / 2);
@@ -137,7 +137,7 @@ impl<'o> Study<'o> {
             .collect()
     }
 
-    /// Why there are no real pairs, if there are none.
+    /// The reason if there are no real pairs.
     pub(super) fn real_absent(&self) -> Option<String> {
         if self.quick {
             return Some("The quick report has no real data.".to_owned());
@@ -146,7 +146,7 @@ impl<'o> Study<'o> {
         self.hippocampi.is_none().then(|| absent.to_owned())
     }
 
-    /// The pair of a recipe; made once.
+    /// The pair of a recipe; made once and cached.
     pub(super) fn pair(&self, recipe: &PairRecipe) -> Result<Rc<Pair>, String> {
         let name = json!(recipe).to_string();
         if let Some(pair) = self.pairs.borrow().get(&name) {
@@ -179,7 +179,7 @@ impl<'o> Study<'o> {
         Ok(subject)
     }
 
-    /// A unit that does `work` on the pair of `case`. `inputs` is what beside the pair decides the numbers.
+    /// A unit that does `work` on the pair of `case`. `inputs`: everything besides the pair on which the numbers depend.
     pub(super) fn unit<'a>(
         &'a self,
         case: &Case,

@@ -1,7 +1,7 @@
 //! Plots as SVG text: lines with error bars, bars, scatter.
 //!
-//! Written here and not by a plotting library, because the whole need is three kinds of plot in one look, the text must
-//! use the fonts of the page, and the same numbers must give the same bytes.
+//! No plotting library is used: only three kinds of plot are needed, the text must use the fonts of the page, and equal
+//! numbers must give equal bytes.
 
 use super::document::{Axis, Plot, PlotKind, Series, with_unit};
 use super::scale::{Scale, tick_label};
@@ -13,12 +13,12 @@ const RIGHT: f64 = 708.0;
 const PLOT_HEIGHT: f64 = 260.0;
 const LEGEND_ROW: f64 = 20.0;
 const LABEL_LINE: f64 = 15.0;
-/// Colours that stay apart for most kinds of colour vision (Okabe, Ito 2008), yellow left out on white; then three of
-/// other lightness, for plots of many series.
+/// Colors distinguishable with most kinds of color vision (Okabe, Ito 2008), without yellow, which is hard to see on
+/// white; then three that differ in lightness, for plots of many series.
 const COLORS: [&str; 10] =
     ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00", "#444444", "#7b3294", "#8c510a", "#a0a0a0"];
 
-/// Text that is safe between tags and in attributes.
+/// Text escaped for HTML content and attributes.
 pub(super) fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
@@ -86,7 +86,7 @@ pub(super) fn svg(plot: &Plot) -> Option<String> {
     Some(out)
 }
 
-/// As many columns as the longest name leaves room for.
+/// As many legend columns as the longest name allows.
 fn legend_columns(series: &[Series]) -> usize {
     let longest = series.iter().map(|s| s.name.chars().count()).max().unwrap_or(0) as f64;
     (((RIGHT - LEFT) / (30.0 + 6.6 * longest)) as usize).clamp(1, series.len().max(1))
@@ -102,7 +102,7 @@ fn legend(out: &mut String, series: &[Series], columns: usize) {
     }
 }
 
-/// The names of the places of bars in lines that fit between one place and the next.
+/// The names of the categories, broken into lines that fit the width of a category.
 fn wrapped(categories: &[String]) -> Vec<Vec<String>> {
     let room = ((RIGHT - LEFT) / categories.len().max(1) as f64 / 6.4) as usize;
     let lines_of = |name: &String| {
@@ -157,7 +157,7 @@ fn axis_labels(out: &mut String, plot: &Plot, frame: &Frame, height: f64) {
     );
 }
 
-/// The error bar at a place of the page.
+/// An error bar, in page coordinates.
 fn whisker(out: &mut String, frame: &Frame, x: f64, low: f64, high: f64, color: &str) {
     let (low, high) = (frame.y(low).clamp(frame.top, frame.bottom), frame.y(high).clamp(frame.top, frame.bottom));
     let (left, right) = (x - 4.0, x + 4.0);
@@ -174,7 +174,7 @@ fn line(out: &mut String, frame: &Frame, series: &Series, color: &str) {
         let _ = write!(path, "{}{:.1} {:.1}", if k == 0 { 'M' } else { 'L' }, frame.x(p.x), frame.y(p.y));
     }
     let _ = writeln!(out, "<path d=\"{path}\" stroke=\"{color}\" stroke-width=\"2\" fill=\"none\"/>");
-    // Marks of a long trace would hide it.
+    // Markers on a long trace would hide the line.
     if series.points.len() <= 20 {
         scatter(out, frame, series, color);
     }
@@ -225,7 +225,7 @@ mod tests {
     }
 
     #[test]
-    fn every_kind_draws_its_points_and_escapes_its_words() {
+    fn every_kind_draws_its_points_and_escapes_its_text() {
         let points = vec![PlotPoint::at(0.0, 0.1), PlotPoint { x: 1.0, y: 30.0, low: Some(20.0), high: Some(40.0) }];
         for (kind, mark) in [(PlotKind::Lines, "<circle"), (PlotKind::Bars, "<rect"), (PlotKind::Scatter, "<circle")] {
             let text = svg(&plot(kind, points.clone())).unwrap();
@@ -236,7 +236,7 @@ mod tests {
     }
 
     #[test]
-    fn what_has_no_logarithm_is_left_out() {
+    fn values_without_a_logarithm_are_left_out() {
         assert_eq!(svg(&plot(PlotKind::Lines, vec![PlotPoint::at(0.0, 0.0)])), None);
         assert_eq!(svg(&plot(PlotKind::Lines, vec![])), None);
     }

@@ -1,11 +1,11 @@
-//! The quick form as a whole: complete, self-contained, repeatable, resumable.
+//! The quick report as a whole: complete, self-contained, reproducible, resumable.
 
 use super::document::{Cell, ReportDocument, ReportProvenance, Table};
 use super::*;
 use std::collections::BTreeMap;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-/// A clock that moves by a millisecond whenever it is asked, so that times repeat too.
+/// A clock that advances by a millisecond at every reading, so that times are reproducible too.
 fn ticking() -> Clock {
     let ticks = AtomicU64::new(0);
     Box::new(move || Duration::from_millis(ticks.fetch_add(1, Ordering::Relaxed)))
@@ -41,7 +41,7 @@ fn read(folder: &Path, name: &str) -> String {
 const FEW: [&str; 2] = ["ransac", "outliers"];
 
 #[test]
-fn the_quick_report_is_complete_and_needs_nothing_else() {
+fn the_quick_report_is_complete_and_self_contained() {
     let folder = tempfile::tempdir().unwrap();
     let report = run_quietly(&options(folder.path(), &[]));
     assert_eq!(report.document.sections.len(), section_ids().count());
@@ -59,7 +59,7 @@ fn the_quick_report_is_complete_and_needs_nothing_else() {
         assert_eq!(page.matches(&format!("<section id=\"{}\">", section.id)).count(), 1);
         assert_eq!(page.matches(&format!("href=\"#{}\"", section.id)).count(), 1);
     }
-    // The name of the SVG dialect is the only address, and nothing is fetched from it.
+    // The SVG namespace is the only URL, and nothing is fetched from it.
     let addresses = page.replace("http://www.w3.org/2000/svg", "");
     for outside in ["http:", "https:", "//", "src=", "<script", "<link", "@import", "url("] {
         assert!(!addresses.contains(outside), "the page refers to {outside}");
@@ -86,10 +86,10 @@ fn the_same_program_gives_the_same_numbers() {
 }
 
 #[test]
-fn a_second_run_computes_nothing_and_a_stopped_one_only_what_is_missing() {
+fn a_second_run_computes_nothing_and_a_resumed_one_only_the_missing_units() {
     let folder = tempfile::tempdir().unwrap();
     let first = run_quietly(&options(folder.path(), &FEW));
-    // The usual setting stands in several series, and is computed once.
+    // The default setting belongs to several series and is computed once.
     let total = first.computed + first.reused;
     assert!(first.computed > 10);
     let json = read(folder.path(), "report.json");
@@ -98,13 +98,13 @@ fn a_second_run_computes_nothing_and_a_stopped_one_only_what_is_missing() {
     assert_eq!((again.computed, again.reused), (0, total));
     assert_eq!(read(folder.path(), "report.json"), json);
     assert!(told.windows(2).all(|w| w[0].0 <= w[1].0) && told.last() == Some(&(total, total)));
-    // Half a line is what a program leaves that is stopped while it writes.
+    // A program that is killed while it writes leaves a partial line.
     let units = read(folder.path(), "units.jsonl");
     let kept: usize = units.lines().take(5).map(|line| line.len() + 1).sum();
     fs::write(folder.path().join("units.jsonl"), &units[..kept + 20]).unwrap();
     let resumed = run_quietly(&options(folder.path(), &FEW));
     assert_eq!((resumed.computed, resumed.reused), (first.computed - 5, first.reused + 5));
-    // Another program computes everything anew.
+    // Another version of the program computes everything again.
     let mut other = options(folder.path(), &["ransac"]);
     other.provenance.commit = "def".to_owned();
     assert!(run_quietly(&other).computed > 10);
@@ -122,7 +122,7 @@ fn expected_fields(table: &Table) -> Vec<Vec<f64>> {
 }
 
 #[test]
-fn the_tables_hold_the_numbers_of_the_json() {
+fn the_csv_tables_contain_the_numbers_of_the_json() {
     let folder = tempfile::tempdir().unwrap();
     let report = run_quietly(&options(folder.path(), &FEW));
     let document: ReportDocument = serde_json::from_str(&read(folder.path(), "report.json")).unwrap();
@@ -144,7 +144,7 @@ fn the_tables_hold_the_numbers_of_the_json() {
 }
 
 #[test]
-fn one_section_alone_and_no_unknown_one() {
+fn one_section_can_be_run_alone_and_an_unknown_one_is_refused() {
     let folder = tempfile::tempdir().unwrap();
     let error = run(&options(folder.path(), &["magic"]), &mut |_| ()).unwrap_err();
     assert!(error.to_string().contains("there is no section magic; the sections are minimisers, products"));

@@ -1,8 +1,8 @@
 //! Units of work: each is computed once and stored, so that an interrupted report resumes where it stopped.
 //!
-//! A finished unit is one line of JSON in `units.jsonl`. Its key is a hash of everything that decides its numbers; a
-//! unit whose key is there is not computed again. A line that cannot be read, such as the last one of a program that
-//! was stopped, counts as not there.
+//! A finished unit is one line of JSON in `units.jsonl`. Its key is a hash of everything on which its numbers depend; a
+//! unit whose key is in the file is not computed again. A line that cannot be parsed, such as the last one of an
+//! interrupted program, is ignored.
 
 use super::ExperimentError;
 use serde::{Deserialize, Serialize};
@@ -12,10 +12,10 @@ use std::fs::{self, File, OpenOptions};
 use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
-/// What a unit measured.
+/// The measurements of a unit.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub(super) struct Measurement {
-    /// Numbers by name; the name says the unit where there is one.
+    /// Numbers by name; the name includes the unit if there is one.
     pub(super) values: BTreeMap<String, f64>,
     /// Curves by name.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
@@ -23,7 +23,7 @@ pub(super) struct Measurement {
 }
 
 impl Measurement {
-    /// Adds a number; what is not finite has no place in JSON and is left out.
+    /// Adds a number. One that is not finite cannot be represented in JSON and is left out.
     pub(super) fn set(&mut self, name: &str, value: f64) {
         if value.is_finite() {
             self.values.insert(name.to_owned(), value);
@@ -38,34 +38,34 @@ impl Measurement {
     }
 }
 
-/// The computation of a unit; the error says in one line why there is no measurement.
+/// The computation of a unit; the error is one line with the reason for its failure.
 pub(super) type Work<'a> = Box<dyn Fn() -> Result<Measurement, String> + 'a>;
 
-/// A piece of work that is finished as a whole or not at all.
+/// A piece of work that is stored as a whole or not at all.
 pub(super) struct Unit<'a> {
-    /// Which kind of pair or problem.
+    /// The kind of pair or problem.
     pub(super) group: String,
-    /// Which setting.
+    /// The setting.
     pub(super) configuration: String,
-    /// Which pair or problem.
+    /// The pair or problem.
     pub(super) case: String,
-    /// Everything, beside the section and the program, that decides the numbers.
+    /// Everything on which the numbers depend, besides the section and the program.
     pub(super) inputs: Value,
     /// The work.
     pub(super) work: Work<'a>,
 }
 
-/// How a unit ended.
+/// Outcome of a unit.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub(super) enum Ending {
-    /// With numbers.
+    /// Measured.
     Measured(Measurement),
-    /// Without, for this reason.
+    /// Failed, for this reason.
     Failed(String),
 }
 
-/// A finished unit as it is kept.
+/// A finished unit as it is stored.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(super) struct FinishedUnit {
     pub(super) key: String,
@@ -92,7 +92,7 @@ pub(super) struct UnitStore {
 }
 
 impl UnitStore {
-    /// Opens or makes the file and reads what is there.
+    /// Opens or creates the file and reads the units in it.
     pub(super) fn open(path: &Path) -> Result<Self, ExperimentError> {
         let fault = |source| ExperimentError::File { path: path.to_owned(), source };
         let text = match fs::read(path) {
@@ -106,7 +106,7 @@ impl UnitStore {
             .map(|unit| (unit.key.clone(), unit))
             .collect();
         let mut file = OpenOptions::new().create(true).append(true).open(path).map_err(fault)?;
-        // The rest of a line that was cut off must not swallow the next one.
+        // After a partial line, the next unit must begin on a new line.
         if !text.is_empty() && !text.ends_with('\n') {
             file.write_all(b"\n").map_err(fault)?;
         }
@@ -117,7 +117,7 @@ impl UnitStore {
         self.finished.get(key)
     }
 
-    /// Keeps a unit, with one write, so that no reader sees two lines mixed.
+    /// Stores a unit with a single write, so that lines are never interleaved.
     pub(super) fn keep(&mut self, unit: &FinishedUnit) -> Result<(), ExperimentError> {
         let fault = |source| ExperimentError::File { path: self.path.clone(), source };
         let mut line = serde_json::to_string(unit).map_err(|e| fault(e.into()))?;

@@ -159,7 +159,7 @@ fn recipe() -> PairRecipe {
 }
 
 #[test]
-fn the_truth_of_a_pair_names_the_place_of_every_vertex() {
+fn the_ground_truth_of_a_pair_locates_every_vertex() {
     let pair = PhantomPair::new(recipe()).unwrap();
     let source = pair.source_surface(1.5).unwrap();
     let (target, correspondent) = pair.target_surface(1.5).unwrap();

@@ -58,7 +58,7 @@ fn the_largest_component_is_kept() {
     assert_eq!((mask.n_voxels(), n, removed), (3, 2, 2));
 }
 
-/// Well-composed is what the surface says it is, and the Euler number agrees with the surface's.
+/// Well-composedness and the Euler number agree with those of the voxel surface.
 fn agrees_with_the_surface(mask: &VoxelMask) -> Result<(), TestCaseError> {
     let report = topology_report(&voxel_surface(mask).unwrap());
     let manifold = report.n_nonmanifold_edges == 0 && report.n_nonmanifold_vertices == 0;

@@ -164,7 +164,7 @@ impl<'a> BeliefPropagation<'a> {
         self.order.by_label(&self.incoming_row(edge))
     }
 
-    /// Likewise in the order of the rows.
+    /// The message `j → i` of the directed edge `i → j`, in the order of the rows.
     fn incoming_row(&self, edge: usize) -> Cow<'_, [f32]> {
         let (edge, n) = (self.reverse[edge] as usize, self.model.n_labels());
         match &self.engine {

@@ -201,7 +201,7 @@ fn multiply_few<S: Simd, M: MessageValue, const D: usize>(
     peak.store(&mut chains.beliefs[at]);
 }
 
-/// Likewise for any number of neighbours, and for those that a block sends to.
+/// The same for any number of neighbours, and for those to which a block sends.
 #[inline(always)]
 fn multiply_many<S: Simd, M: MessageValue>(
     simd: S,
@@ -271,7 +271,7 @@ impl RunningPeak {
     }
 }
 
-/// Likewise, in registers.
+/// The same, in registers.
 #[derive(Clone, Copy)]
 struct Peak<V> {
     peaks: V,

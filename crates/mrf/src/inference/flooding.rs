@@ -2,15 +2,15 @@
 //!
 //! # What bounds it
 //! An iteration reads and writes every message once, `2 · 4 · |E→| · n` bytes, half of that in half precision, and does
-//! `|E→| · n` times as many operations as one value of a message needs: three products of messages, and with max-product
-//! and `β = 0` one maximum for each member of `N_1`, `r` times over, else a few operations for each member of `N_r`. The
-//! bytes over the rate at which memory is changed in place, or the operations over the rate of the vector units, whichever
-//! is longer, is the time below which no iteration can go; `crates/laboratory/benches/kernel.rs` measures all in one run. On
-//! top come the transposes between rows and lanes, and scaling, damping and comparing, seven operations a value; in half
-//! precision also the
-//! conversions: a value is converted three times when it is read, and twice when it is written.
+//! `|E→| · n` times as many operations as one value of a message needs: three products of messages, and with
+//! max-product and `β = 0` one maximum for each member of `N_1`, `r` times over, else a few operations for each member
+//! of `N_r`. The longer of two times is a lower bound for an iteration: the bytes over the rate at which memory is
+//! changed in place, and the operations over the rate of the vector units; `crates/laboratory/benches/kernel.rs`
+//! measures all in one run. In addition there are the transposes between rows and lanes, and scaling, damping and
+//! comparing, seven operations a value; in half precision also the conversions: a value is converted three times when
+//! it is read, and twice when it is written.
 //!
-//! That floor is far below what is reached without a distance term, and no wait for memory is why: with all messages in
+//! That bound is far below what is reached without a distance term, and no wait for memory is why: with all messages in
 //! the caches an iteration takes four fifths of its time. Two vectors can be loaded and one stored in a cycle, while each
 //! value is loaded twice for its products, once for each of two transposes, once for each member of `N_1` and once to be
 //! compared, and stored four times.

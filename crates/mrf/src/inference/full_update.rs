@@ -1,8 +1,8 @@
 //! The full message update: every label pair of one block of up to [`BLOCK_LANES`] outgoing messages.
 //!
 //! No table of potentials is stored. A dense row holds the two factors of the potential of one label against all
-//! others, and 0 for those outside its neighbourhood, which the lower limit `ε` makes the truncation; it costs
-//! `O(n)` a thread. Two labels go through the cavity products at a time, as many as 16 registers have room for.
+//! others, and 0 for those outside its neighbourhood, which the lower limit `ε` turns into the truncation; it takes
+//! `O(n)` memory per thread. Each pass over the cavity products updates two labels, as many as fit in 16 registers.
 
 use super::block_plan::BLOCK_LANES;
 use super::lanes::Lanes;
@@ -15,12 +15,12 @@ const ROWS: usize = 2;
 /// Factors `[rising, falling]` of [`ROWS`] labels against one label.
 pub(super) type DenseFactors = [[f32; 2]; ROWS];
 
-/// Which terms a message adds up, and how.
+/// The pairwise potential of each lane, as factors.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct FullPotential<'a> {
-    /// The [`super::pair_table::edge_factors`] of each lane.
+    /// First of the [`super::pair_table::edge_factors`] of each lane.
     pub near: &'a Lanes,
-    /// Likewise.
+    /// Second of the [`super::pair_table::edge_factors`] of each lane.
     pub far: &'a Lanes,
     /// `ε = exp(−T)`.
     pub epsilon: f32,
@@ -48,7 +48,7 @@ pub(super) fn full_sum_update(
     full_update(table, dense, updated, |dense| sum_rows(dense, cavity, potential))
 }
 
-/// Fills the dense rows of [`ROWS`] labels after another and lets `rows` make their messages.
+/// Fills the dense rows of [`ROWS`] labels at a time and computes their messages with `rows`.
 fn full_update(
     table: &PairTable,
     dense: &mut Vec<DenseFactors>,
@@ -83,41 +83,53 @@ fn full_update(
 #[allow(unsafe_code, reason = "the dispatch to instruction sets that `multiversion` generates")]
 #[multiversion(targets("x86_64+avx512f+avx512vl+avx512bw+avx512dq", "x86_64+avx2"))]
 fn max_rows(dense: &[DenseFactors], cavity: &[Lanes], potential: FullPotential<'_>) -> [Lanes; ROWS] {
-    // One variable for each label: of an array of them, the compiler makes no vectors.
-    let [mut first, mut second] = [Lanes::splat(0.0); ROWS];
-    for (factors, h) in dense.iter().zip(cavity) {
-        take_larger(&mut first, potential, factors[0], h);
-        take_larger(&mut second, potential, factors[1], h);
-    }
-    [first, second]
-}
-
-#[inline(always)]
-fn take_larger(best: &mut Lanes, potential: FullPotential<'_>, factors: [f32; 2], h: &Lanes) {
-    let FullPotential { near, far, epsilon } = potential;
-    for k in 0..BLOCK_LANES {
-        let psi = truncated_pair_factor((near[k], far[k]), factors, epsilon);
-        let value = psi * h[k];
-        best[k] = if value > best[k] { value } else { best[k] };
-    }
+    reduced_rows(dense, cavity, potential, larger)
 }
 
 #[allow(unsafe_code, reason = "the dispatch to instruction sets that `multiversion` generates")]
 #[multiversion(targets("x86_64+avx512f+avx512vl+avx512bw+avx512dq", "x86_64+avx2"))]
 fn sum_rows(dense: &[DenseFactors], cavity: &[Lanes], potential: FullPotential<'_>) -> [Lanes; ROWS] {
+    reduced_rows(dense, cavity, potential, sum)
+}
+
+#[inline(always)]
+fn larger(best: f32, value: f32) -> f32 {
+    if value > best { value } else { best }
+}
+
+#[inline(always)]
+fn sum(sum: f32, value: f32) -> f32 {
+    sum + value
+}
+
+/// The terms of [`ROWS`] labels over all labels, combined by `reduce`.
+#[inline(always)]
+fn reduced_rows(
+    dense: &[DenseFactors],
+    cavity: &[Lanes],
+    potential: FullPotential<'_>,
+    reduce: impl Fn(f32, f32) -> f32 + Copy,
+) -> [Lanes; ROWS] {
+    // One variable for each label: the compiler does not vectorize an array of them.
     let [mut first, mut second] = [Lanes::splat(0.0); ROWS];
     for (factors, h) in dense.iter().zip(cavity) {
-        take_sum(&mut first, potential, factors[0], h);
-        take_sum(&mut second, potential, factors[1], h);
+        add_term(&mut first, potential, factors[0], h, reduce);
+        add_term(&mut second, potential, factors[1], h, reduce);
     }
     [first, second]
 }
 
 #[inline(always)]
-fn take_sum(sum: &mut Lanes, potential: FullPotential<'_>, factors: [f32; 2], h: &Lanes) {
+fn add_term(
+    reduced: &mut Lanes,
+    potential: FullPotential<'_>,
+    factors: [f32; 2],
+    h: &Lanes,
+    reduce: impl Fn(f32, f32) -> f32,
+) {
     let FullPotential { near, far, epsilon } = potential;
     for k in 0..BLOCK_LANES {
         let psi = truncated_pair_factor((near[k], far[k]), factors, epsilon);
-        sum[k] += psi * h[k];
+        reduced[k] = reduce(reduced[k], psi * h[k]);
     }
 }

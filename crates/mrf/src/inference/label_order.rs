@@ -15,8 +15,8 @@ pub(super) struct LabelOrder {
     labels: Vec<u32>,
     /// The place of every label.
     places: Vec<u32>,
-    /// The label of every place, negated, and −∞ beyond, as many as a row has values: in numbers that tell labels apart up
-    /// to 2²⁴, far more than there are messages for.
+    /// The label of every place, negated, padded with −∞ to the number of values of a row. Single precision
+    /// distinguishes labels up to 2²⁴, far more than there can be.
     negated: Vec<f32>,
 }
 

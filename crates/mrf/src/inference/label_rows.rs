@@ -94,7 +94,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn rows_keep_their_members_and_are_filled_up(
+        fn rows_contain_their_members_and_are_padded(
             rows in prop::collection::vec(prop::collection::vec(0u32..999, 1..30), 1..300),
         ) {
             let made = LabelRows::new(rows.len(), |y| &rows[y], |y| 1000 + y as u32);

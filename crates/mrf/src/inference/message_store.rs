@@ -1,10 +1,10 @@
 //! The messages of the flooding schedule: one copy, and a few blocks more.
 //!
-//! Flooding makes every message from those of the iteration before, so an old message must live until all that read
-//! it are done: the variable it goes to, and the block it belongs to, which damps with it. Blocks are treated a batch
-//! after another in an order in which neighbours are near, and a block written anew takes the place of one whose last
-//! reader is done. Where a block lies thus changes from iteration to iteration; nothing is copied, and what is
-//! written lands where something has just been read, which the cache still holds.
+//! Flooding computes every message from those of the previous iteration, so an old message must be kept until all its
+//! readers are done: the variable that receives it, and its own block, which damps with it. Blocks are processed in
+//! batches, in an order in which neighbours are near, and an updated block is written over one whose last reader is
+//! done. The position of a block thus changes from iteration to iteration; nothing is copied, and blocks are written to
+//! memory that has just been read and is still in the cache.
 
 use super::block_plan::{BLOCK_LANES, BlockPlan};
 use super::lanes::LINE_BYTES;

@@ -26,7 +26,7 @@ pub(super) trait MessageValue: Copy + Send + Sync + 'static {
     /// To memory, at any address, each number to the nearest that there is, of two equally near ones to the even one.
     /// Returns what a load gives back.
     fn store<V: Vector>(values: V, to: &mut [Self; WIDTH]) -> V;
-    /// To the nearest number, likewise.
+    /// Rounded to the nearest number, ties to even.
     fn narrow(value: f32) -> Self;
     /// All of a row in 32 bits; exact.
     fn widen(row: &[Self]) -> Cow<'_, [f32]>;
@@ -95,7 +95,7 @@ mod tests {
     }
 
     #[test]
-    fn nothing_from_the_least_value_on_is_stored_as_zero() {
+    fn values_from_the_smallest_on_are_not_stored_as_zero() {
         assert_eq!(f16::LEAST, 2.0f32.powi(-24));
         // What a floor loses to rounding when it is damped.
         assert_eq!(f16::narrow(f16::LEAST * 0.999).to_f32(), f16::LEAST);

@@ -77,8 +77,8 @@ proptest! {
         }
     }
 
-    /// With damping this also tests the account of what damping keeps back: if it were forgotten, the schedule would
-    /// take messages for settled that are not.
+    /// With damping this also tests that the residual includes the change that damping withholds; without it, the
+    /// schedule would take messages as converged that are not.
     #[test]
     fn the_residual_schedule_settles_at_a_fixed_point_of_the_full_update(
         n in 3usize..10,

@@ -73,7 +73,7 @@ pub(super) fn pair_factor((near, far): (f32, f32), [rising, falling]: [f32; 2]) 
     if a < b { a } else { b }
 }
 
-/// Likewise, not below `ε = exp(−T)`.
+/// [`pair_factor`], truncated below at `ε = exp(−T)`.
 #[inline(always)]
 pub(super) fn truncated_pair_factor(edge: (f32, f32), pair: [f32; 2], epsilon: f32) -> f32 {
     let psi = pair_factor(edge, pair);

@@ -24,7 +24,7 @@ use multiversion::multiversion;
 pub(super) struct Scratch {
     /// Cavity products, `[label][lane]`, and a row of zeros behind them; an update may leave something else there.
     pub cavity: Vec<Lanes>,
-    /// Updated messages before scaling, `[label][lane]`, and likewise a row more.
+    /// Updated messages before scaling, `[label][lane]`, with one more row too.
     pub updated: Vec<Lanes>,
     /// Of the cavity pass.
     pub chains: Chains,

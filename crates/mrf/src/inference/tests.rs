@@ -20,7 +20,7 @@ pub(super) fn model(
     model_with_rings(n, edges, n_labels, entropy, 1, beta, truncation)
 }
 
-/// Likewise, with `N_r` of `rings`.
+/// As [`model`], with the neighborhood radius `rings`.
 pub(super) fn model_with_rings(
     n: usize,
     edges: &[[u32; 2]],

@@ -25,9 +25,9 @@ pub(super) trait Simd: Copy {
     fn load_half(self, from: &[f16; WIDTH]) -> Self::Vector;
     /// The transpose of eight rows of four numbers: for every `k` the column of numbers `k`.
     fn columns(self, rows: [&[f32; 4]; WIDTH]) -> [Self::Vector; 4];
-    /// Asks for the cache line that holds `values[at]`, if there is such a number, to be brought into the nearest cache.
+    /// Prefetches the cache line of `values[at]`, if `at` is in range, into the first-level cache.
     fn prefetch<T>(self, values: &[T], at: usize);
-    /// Likewise into the second nearest.
+    /// Prefetches the cache line of `values[at]`, if `at` is in range, into the second-level cache.
     fn prefetch_far<T>(self, values: &[T], at: usize);
 }
 

@@ -109,7 +109,7 @@ fn labels_are_chosen_or_named() {
 #[test]
 fn a_split_mesh_needs_weld_and_answers_in_its_own_numbering() {
     let whole = ball_mesh();
-    // Every face with its own vertices, and one vertex that nobody uses in front.
+    // Every face with separate vertices, after one unused vertex.
     let mut vertices = vec![Point3::new(50.0, 0.0, 0.0)];
     vertices.extend(whole.indices().iter().map(|&v| whole.vertices()[v as usize]));
     let n = vertices.len() as u32;

@@ -1,6 +1,6 @@
 -- list_jobs
--- Read along an index that has the jobs in the order of the list: that of the first label, or one of the jobs' own. In
--- SQLite, CROSS JOIN says which comes first.
+-- Reads along an index that has the jobs in the order of the list: the index of the first label, or one on the jobs. In
+-- SQLite, CROSS JOIN fixes the order of the tables.
 SELECT job_records.*
 FROM job_labels AS first_label CROSS JOIN job_records -- when by_label
 FROM job_records -- when by_job

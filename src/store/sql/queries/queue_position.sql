@@ -1,5 +1,5 @@
 -- queue_position
--- In two parts, each a range of the queue's index; as one condition PostgreSQL would look at all that wait.
+-- In two parts, each a range of the queue's index; with a single condition PostgreSQL would read all queued jobs.
 SELECT COUNT(*) + 1
 FROM (
     SELECT 1 FROM (SELECT id FROM jobs WHERE state = 'queued' AND priority > $1 LIMIT 10000) AS more_urgent

@@ -17,7 +17,7 @@ fn name(mode: &str, r: u32) -> String {
     format!("{mode}, r = {r}")
 }
 
-/// Without refinement, so that the inliers are those of the correspondence.
+/// Settings without refinement, so that the inliers are those of the correspondence.
 fn settings(radii: &[u32]) -> Vec<Setting> {
     let mut all = Vec::new();
     for (mode, word) in MODES {
@@ -75,7 +75,7 @@ impl Experiment for Clamping {
     }
 }
 
-/// Soft and hard clamping against none, at the default radius.
+/// Compares soft and hard clamping with none, at the default radius.
 fn compared(group: &Group<'_>, what: &str, metric: &Metric) -> Option<String> {
     let [none, hard, soft] = MODES.map(|(mode, _)| name(mode, 2));
     let n = group.measured(&soft).len();

@@ -4,11 +4,10 @@ use super::{About, Body, Experiment, sentences};
 use crate::experiment::document::{Axis, Plot, PlotKind};
 use crate::experiment::draws::Draws;
 use crate::experiment::results::{Metric, Results};
-use crate::experiment::solids::ellipsoid;
 use crate::experiment::study::Study;
 use crate::experiment::units::{Measurement, Unit};
 use homolog_geometry::curvature::{Estimator, curvatures, default_radius_mm};
-use homolog_mesh::shapes::torus;
+use homolog_mesh::shapes::{ellipsoid, torus};
 use homolog_mesh::{FaceArity, SurfaceMesh};
 use nalgebra::{Point3, Vector3};
 use serde_json::json;
@@ -45,14 +44,14 @@ impl Shape {
         }
     }
 
-    /// Finer with every level, about four times as many vertices.
-    fn mesh(self, level: u32) -> Result<SurfaceMesh, String> {
+    /// Each level has about four times as many vertices as the one before.
+    fn mesh(self, level: u32) -> SurfaceMesh {
         match self {
             Shape::Sphere => ellipsoid(Vector3::repeat(SPHERE_MM), level),
             Shape::Ellipsoid => ellipsoid(Vector3::from(AXES), level),
             Shape::Torus => {
                 let (around, across) = (10 << (level - 1), 5 << (level - 1));
-                Ok(torus(TORUS_MM.0, TORUS_MM.1, around, across, FaceArity::Triangle))
+                torus(TORUS_MM.0, TORUS_MM.1, around, across, FaceArity::Triangle)
             }
         }
     }
@@ -83,9 +82,9 @@ fn name(shape: Shape, estimator: &str, level: u32) -> String {
     format!("{}, {estimator}, level {level}", shape.name())
 }
 
-/// Root mean square error over root mean square truth, of both curvatures.
+/// Root mean square error of both curvatures, divided by the root mean square of the true curvature.
 fn measure(shape: Shape, estimator: &str, level: u32, noise: Option<u64>) -> Result<Measurement, String> {
-    let clean = shape.mesh(level)?;
+    let clean = shape.mesh(level);
     let edge_mm = clean.mean_edge_length();
     let mesh = match noise {
         None => clean.clone(),

@@ -22,7 +22,7 @@ fn name(form: Form, method: &str) -> String {
     format!("{}, {method}", form.name())
 }
 
-/// The rotation error, and the same modulo half turns about the principal axes of the shape.
+/// The rotation error, and the rotation error modulo half-turns about the principal axes of the shape.
 fn measure(pair: &Pair, method: &str, study: &Study<'_>) -> Result<Measurement, String> {
     let (mut m, outcome) = observed_match(pair, &json!({"method": method}), study.clock)?;
     let source = pair.source.vertices();

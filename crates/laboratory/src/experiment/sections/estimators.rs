@@ -19,9 +19,9 @@ const DEGENERATE: &str = "degenerate";
 
 /// Standard deviations of the noise per axis, mm.
 const LEVELS: [f64; 6] = [0.0, 0.01, 0.1, 0.3, 1.0, 3.0];
-/// Pairs of an absolute orientation.
+/// Point pairs for absolute orientation.
 const N_PAIRS: usize = 50;
-/// Corners of a triple are at least so far apart, mm: RANSAC's triples from one neighbourhood carry no orientation.
+/// Minimum distance between the points of a triple, mm: the orientation of a smaller triple is dominated by noise.
 const APART_MM: f64 = 6.0;
 
 const SOLVERS: [(OrientationSolver, &str); 3] = [
@@ -36,7 +36,7 @@ fn level_name(sigma_mm: f64) -> String {
     format!("noise of {sigma_mm} mm")
 }
 
-/// Source points on a phantom, and where the truth takes them.
+/// Source points on a phantom, and their images under the true transform.
 struct Problem {
     source: Vec<Point3<f64>>,
     truth: RigidTransform,
@@ -108,7 +108,7 @@ fn noise(surface: &[Point3<f64>], sigma_mm: f64, first: u64, n: u64) -> Measurem
     m
 }
 
-/// Point pairs that do not determine the transform, or resemble such.
+/// Kinds of point pairs that do not determine the transform, or nearly so.
 const KINDS: [&str; 6] = [
     "collinear points",
     "coincident points",

@@ -15,9 +15,9 @@ mod scale;
 mod topology;
 mod update;
 
-use super::document::{Plot, Table};
+use super::document::{Plot, Series, Table};
 use super::results::{Group, Metric, Results};
-use super::study::{COPIES, REAL, SYNTHETIC, Study};
+use super::study::{COPIES, REAL, SYNTHETIC, Setting, Study};
 use super::units::Unit;
 
 /// All sections, in the order of the report.
@@ -103,14 +103,49 @@ fn pairs_of(results: &Results, kinds: &[(&str, &str)]) -> String {
     counted.collect::<Vec<_>>().join(", ")
 }
 
-/// The usual kinds.
+/// The kinds of pairs that are matched.
 const MATCHED: [(&str, &str); 3] = [
     (SYNTHETIC, "synthetic pairs"),
     (REAL, "pairs of different subjects"),
     (COPIES, "real subjects with rotated copies"),
 ];
 
-/// The sentences whose numbers were measured, or that there are none.
+/// The matches of a section that compares `settings` by [`matched`]: 8 synthetic pairs and 6 pairs of different
+/// subjects.
+fn both_kinds<'a>(study: &'a Study<'_>, settings: &[Setting]) -> Vec<Unit<'a>> {
+    let mut units = study.matches(&study.phantoms(8), settings);
+    units.extend(study.matches(&study.real(6), settings));
+    units
+}
+
+/// A report that compares settings by the match rate of synthetic pairs and the label agreement of different subjects.
+/// `setting` is the heading of the settings in the tables.
+fn matched(study: &Study<'_>, results: &Results, setting: &str, plot: Plot) -> Body {
+    Body {
+        pairs: pairs_of(results, &MATCHED),
+        finding: sentences([
+            on("synthetic", range(&results.group(SYNTHETIC), &WITHIN_1, true)),
+            on("real", range(&results.group(REAL), &PARTS, true)),
+        ]),
+        notes: study.real_absent().into_iter().collect(),
+        tables: match_tables(results, setting),
+        plots: vec![plot],
+    }
+}
+
+/// The `rates` of synthetic pairs, and the label agreement of different subjects if there are any, as curves over
+/// settings with the horizontal position `x`.
+fn rate_series(results: &Results, rates: &[Metric], x: impl Fn(&str) -> Option<f64> + Copy) -> Vec<Series> {
+    let (synthetic, real) = (results.group(SYNTHETIC), results.group(REAL));
+    let mut series: Vec<_> =
+        rates.iter().map(|rate| synthetic.series(&format!("phantoms, {}", rate.name), rate, x)).collect();
+    if !real.is_empty() {
+        series.push(real.series("different subjects, label agreement", &PARTS, x));
+    }
+    series
+}
+
+/// The sentences whose numbers were measured; if there are none, a sentence that says so.
 fn sentences<const N: usize>(found: [Option<String>; N]) -> String {
     let found: Vec<_> = found.into_iter().flatten().collect();
     if found.is_empty() { "No results: no unit of this section finished.".to_owned() } else { found.join(" ") }
@@ -142,7 +177,7 @@ fn range(group: &Group<'_>, metric: &Metric, largest: bool) -> Option<String> {
     Some(format!("{}: best for {best} ({first}), worst for {worst} ({last}), mean ± SD over {n} {noun}.", metric.name))
 }
 
-/// A sentence that begins with the kind of pair.
+/// The sentence, introduced by the kind of pair.
 fn on(kind: &str, sentence: Option<String>) -> Option<String> {
     sentence.map(|s| format!("On {kind} pairs, {s}"))
 }

@@ -1,11 +1,9 @@
 //! Neighbourhood radius: how far apart the images of adjacent vertices may lie.
 
-use super::{
-    About, Body, Experiment, MATCHED, PARTS, WITHIN_1, WITHIN_2, match_tables, on, pairs_of, range, sentences,
-};
+use super::{About, Body, Experiment, WITHIN_1, WITHIN_2, both_kinds, matched, rate_series};
 use crate::experiment::document::{Axis, Plot, PlotKind};
 use crate::experiment::results::Results;
-use crate::experiment::study::{REAL, SYNTHETIC, Setting, Study};
+use crate::experiment::study::{Setting, Study};
 use crate::experiment::units::Unit;
 use serde_json::json;
 
@@ -39,36 +37,18 @@ impl Experiment for Neighborhood {
     }
 
     fn units<'a>(&self, study: &'a Study<'_>) -> Vec<Unit<'a>> {
-        let mut units = study.matches(&study.phantoms(8), &settings());
-        units.extend(study.matches(&study.real(6), &settings()));
-        units
+        both_kinds(study, &settings())
     }
 
     fn report(&self, study: &Study<'_>, results: &Results) -> Body {
-        let (synthetic, real) = (results.group(SYNTHETIC), results.group(REAL));
-        let mut series = vec![
-            synthetic.series("phantoms, within 1 edge", &WITHIN_1, radius),
-            synthetic.series("phantoms, within 2 edges", &WITHIN_2, radius),
-        ];
-        if !real.is_empty() {
-            series.push(real.series("different subjects, label agreement", &PARTS, radius));
-        }
-        Body {
-            pairs: pairs_of(results, &MATCHED),
-            finding: sentences([
-                on("synthetic", range(&synthetic, &WITHIN_1, true)),
-                on("real", range(&real, &PARTS, true)),
-            ]),
-            notes: study.real_absent().into_iter().collect(),
-            tables: match_tables(results, "neighbourhood"),
-            plots: vec![Plot {
-                title: "Correct match rate and label agreement versus neighbourhood radius".to_owned(),
-                kind: PlotKind::Lines,
-                x: Axis::linear("radius r", "edges"),
-                y: Axis::linear("share of vertices", "%"),
-                categories: Vec::new(),
-                series,
-            }],
-        }
+        let plot = Plot {
+            title: "Correct match rate and label agreement versus neighbourhood radius".to_owned(),
+            kind: PlotKind::Lines,
+            x: Axis::linear("radius r", "edges"),
+            y: Axis::linear("share of vertices", "%"),
+            categories: Vec::new(),
+            series: rate_series(results, &[WITHIN_1, WITHIN_2], radius),
+        };
+        matched(study, results, "neighbourhood", plot)
     }
 }

@@ -1,4 +1,4 @@
-//! Outlier detection: synthetic bumps without a counterpart, and what is flagged between real subjects.
+//! Outlier detection: synthetic bumps without a counterpart, and the vertices flagged between real subjects.
 
 use super::{About, Body, Experiment, MATCHED, mean, pairs_of, sentences};
 use crate::experiment::document::{Axis, Plot, PlotKind};

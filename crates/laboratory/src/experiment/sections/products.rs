@@ -1,9 +1,9 @@
-//! Max-product against sum-product.
+//! Max-product compared with sum-product.
 
-use super::{About, Body, Experiment, MATCHED, PARTS, WITHIN_1, match_tables, on, pairs_of, range, sentences};
+use super::{About, Body, Experiment, WITHIN_1, both_kinds, matched};
 use crate::experiment::document::{Axis, Plot, PlotKind};
 use crate::experiment::results::Results;
-use crate::experiment::study::{REAL, SYNTHETIC, Setting, Study};
+use crate::experiment::study::{SYNTHETIC, Setting, Study};
 use crate::experiment::units::Unit;
 use serde_json::json;
 
@@ -24,7 +24,7 @@ impl Experiment for Products {
     fn about(&self) -> About {
         About {
             id: "products",
-            title: "Max-product against sum-product",
+            title: "Max-product versus sum-product",
             question: "Do max-product messages (minimum energy) give better correspondences than sum-product messages (marginals)?",
             varied: "The messages of belief propagation, with and without soft clamping; everything else as in the default \
                      method.",
@@ -32,29 +32,19 @@ impl Experiment for Products {
     }
 
     fn units<'a>(&self, study: &'a Study<'_>) -> Vec<Unit<'a>> {
-        let mut units = study.matches(&study.phantoms(8), &settings());
-        units.extend(study.matches(&study.real(6), &settings()));
-        units
+        both_kinds(study, &settings())
     }
 
     fn report(&self, study: &Study<'_>, results: &Results) -> Body {
-        let (synthetic, real) = (results.group(SYNTHETIC), results.group(REAL));
-        Body {
-            pairs: pairs_of(results, &MATCHED),
-            finding: sentences([
-                on("synthetic", range(&synthetic, &WITHIN_1, true)),
-                on("real", range(&real, &PARTS, true)),
-            ]),
-            notes: study.real_absent().into_iter().collect(),
-            tables: match_tables(results, "messages"),
-            plots: vec![Plot {
-                title: "Phantoms: correct match rate within one edge".to_owned(),
-                kind: PlotKind::Bars,
-                x: Axis::linear("messages", ""),
-                y: Axis::linear("within 1 edge", "%"),
-                categories: synthetic.categories(),
-                series: vec![synthetic.bars("mean ± standard deviation", &WITHIN_1)],
-            }],
-        }
+        let synthetic = results.group(SYNTHETIC);
+        let plot = Plot {
+            title: "Phantoms: correct match rate within one edge".to_owned(),
+            kind: PlotKind::Bars,
+            x: Axis::linear("messages", ""),
+            y: Axis::linear("within 1 edge", "%"),
+            categories: synthetic.categories(),
+            series: vec![synthetic.bars("mean ± standard deviation", &WITHIN_1)],
+        };
+        matched(study, results, "messages", plot)
     }
 }

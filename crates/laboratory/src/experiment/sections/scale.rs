@@ -1,9 +1,9 @@
 //! The scale at which curvature is computed.
 
-use super::{About, Body, Experiment, MATCHED, PARTS, WITHIN_1, match_tables, on, pairs_of, range, sentences};
+use super::{About, Body, Experiment, WITHIN_1, both_kinds, matched, rate_series};
 use crate::experiment::document::{Axis, Plot, PlotKind};
 use crate::experiment::results::Results;
-use crate::experiment::study::{REAL, SYNTHETIC, Setting, Study};
+use crate::experiment::study::{Setting, Study};
 use crate::experiment::units::Unit;
 use serde_json::{Value, json};
 
@@ -46,33 +46,18 @@ impl Experiment for CurvatureScale {
     }
 
     fn units<'a>(&self, study: &'a Study<'_>) -> Vec<Unit<'a>> {
-        let mut units = study.matches(&study.phantoms(8), &settings());
-        units.extend(study.matches(&study.real(6), &settings()));
-        units
+        both_kinds(study, &settings())
     }
 
     fn report(&self, study: &Study<'_>, results: &Results) -> Body {
-        let (synthetic, real) = (results.group(SYNTHETIC), results.group(REAL));
-        let mut series = vec![synthetic.series("phantoms, within 1 edge", &WITHIN_1, scale_of)];
-        if !real.is_empty() {
-            series.push(real.series("different subjects, label agreement", &PARTS, scale_of));
-        }
-        Body {
-            pairs: pairs_of(results, &MATCHED),
-            finding: sentences([
-                on("synthetic", range(&synthetic, &WITHIN_1, true)),
-                on("real", range(&real, &PARTS, true)),
-            ]),
-            notes: study.real_absent().into_iter().collect(),
-            tables: match_tables(results, "feature"),
-            plots: vec![Plot {
-                title: "Correct match rate and label agreement versus the scale of Gaussian curvature".to_owned(),
-                kind: PlotKind::Lines,
-                x: Axis::linear("scale", "mm"),
-                y: Axis::linear("share of vertices", "%"),
-                categories: Vec::new(),
-                series,
-            }],
-        }
+        let plot = Plot {
+            title: "Correct match rate and label agreement versus the scale of Gaussian curvature".to_owned(),
+            kind: PlotKind::Lines,
+            x: Axis::linear("scale", "mm"),
+            y: Axis::linear("share of vertices", "%"),
+            categories: Vec::new(),
+            series: rate_series(results, &[WITHIN_1], scale_of),
+        };
+        matched(study, results, "feature", plot)
     }
 }

@@ -1,6 +1,6 @@
 //! Topological consistency: whether a labeling is a continuous map between surfaces.
 
-use super::{About, Body, CONSISTENCY, Experiment, MATCHED, WITHIN_1, on, pairs_of, range, sentences};
+use super::{About, Body, CONSISTENCY, Experiment, MATCHED, WITHIN_1, both_kinds, on, pairs_of, range, sentences};
 use crate::experiment::document::{Axis, Plot, PlotKind};
 use crate::experiment::results::{Metric, Results};
 use crate::experiment::study::{COPIES, REAL, SYNTHETIC, Setting, Study};
@@ -17,7 +17,7 @@ const METRICS: [Metric; 5] = [
     WITHIN_1,
 ];
 
-/// Consistency is counted with the radius of the energy, which is therefore the same in all.
+/// Consistency is measured with the neighbourhood radius of the energy, which is therefore the same in all settings.
 fn settings() -> Vec<Setting> {
     let free = json!({"mode": "none"});
     vec![
@@ -43,8 +43,7 @@ impl Experiment for Topology {
     }
 
     fn units<'a>(&self, study: &'a Study<'_>) -> Vec<Unit<'a>> {
-        let mut units = study.matches(&study.phantoms(8), &settings());
-        units.extend(study.matches(&study.real(6), &settings()));
+        let mut units = both_kinds(study, &settings());
         units.extend(study.matches(&study.copies(2), &settings()));
         units
     }

@@ -1,4 +1,4 @@
-//! Sparse against full message updates.
+//! Sparse compared with full message updates.
 
 use super::{About, Body, Experiment, sentences};
 use crate::experiment::document::{Axis, Plot, PlotKind};
@@ -15,7 +15,7 @@ pub(in crate::experiment) struct Update;
 
 /// Iterations that are timed.
 const ITERATIONS: u32 = 5;
-/// Vertices of a phantom with the default edge.
+/// Number of vertices of a phantom with the default edge length.
 const DEFAULT_VERTICES: f64 = 2400.0;
 
 const SPARSE: Metric = Metric::number("sparse_ms", "sparse update", "ms per iteration", 1);
@@ -52,7 +52,7 @@ fn compare(pair: &Pair, product: &str, study: &Study<'_>) -> Result<Measurement,
         .with("equal_labels", equal)
         .with("energy_difference", (energy(&sparse) - energy(&full)).abs())
         .with("messages_mib", messages as f64 / mib)
-        // A neighbour is a label and a distance; the table of all pairs, were it kept, a potential a pair.
+        // A neighbour is a label and a distance; a stored table of all pairs would have one potential per pair.
         .with("neighbors_mib", 8.0 * n * model.labels.mean_size() / mib)
         .with("pairs_mib", 4.0 * n * n / mib)
         .with("neighbors", model.labels.mean_size()))
@@ -62,7 +62,7 @@ impl Experiment for Update {
     fn about(&self) -> About {
         About {
             id: "update",
-            title: "Sparse against full update",
+            title: "Sparse versus full update",
             question: "Is the sparse message update (neighbouring labels only) equivalent to the full one (all label pairs), and what \
                        does it save?",
             varied: "The update, the messages (max- or sum-product) and the number of vertices; 5 iterations from uniform \

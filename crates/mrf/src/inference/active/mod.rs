@@ -7,13 +7,13 @@
 //! m_{i→j}(y) = max( ε max_{x ∈ C_i} h(x),  max_{x ∈ N_r(y) ∩ C_i} ψ(x, y) h(x) )        y ∈ C_j
 //! ```
 //!
-//! and likewise for sums. With all labels as candidates these are the messages of the dense engine. Memory is
-//! `O(|E→| K)` and an iteration `O(|E→| K k)` for `K` candidates a variable, of which `k ≤ k̄` are near a label, both
-//! linear in the size of the surfaces where `K` does not grow with them.
+//! and with sums instead of maxima for sum-product. With all labels as candidates these are the messages of the dense
+//! engine. Memory is `O(|E→| K)` and an iteration `O(|E→| K k)` for `K` candidates a variable, of which `k ≤ k̄` are
+//! near a label, both linear in the size of the surfaces where `K` does not grow with them.
 //!
-//! What a set leaves out, no message can bring back. [`ActiveSets`] therefore says how sets are revised on the way:
-//! labels whose belief has fallen far behind are dropped, and those next to the images of a variable's neighbours,
-//! which is where its own image has to be, are taken in.
+//! Messages cannot restore a label that is not in a set. [`ActiveSets`] therefore says how sets are revised during a
+//! run: labels whose belief has fallen far below the best are dropped, and labels next to the images of a variable's
+//! neighbours, where its own image has to be, are added.
 //!
 //! # What the truncation allows
 //! Two labels' messages from one neighbour differ by `exp(T)` at most, so that the labels of a variable with `d`

@@ -136,8 +136,9 @@ impl<'a> ActivePropagation<'a> {
         Ok(self.run_with(max_iterations, None, observer, on_iteration)?.propagation)
     }
 
-    /// Likewise, with candidates revised as `sets` say from potentials of `evidence`, whose bias counts from the first
-    /// revision on; set it before the run as well. A run ends when neither messages nor sets change.
+    /// As [`Self::run`], with candidates that are revised as `sets` say, from potentials of `evidence`, whose bias
+    /// counts from the first revision on; set it before the run as well. A run ends when neither messages nor sets
+    /// change.
     ///
     /// # Errors
     /// [`Cancelled`].

@@ -1,7 +1,7 @@
-//! Candidate sets that follow the beliefs: labels leave, labels come in, messages are carried over.
+//! Candidate sets that follow the beliefs: labels are dropped and added, messages are carried over.
 //!
-//! A label that comes in gets the messages that its neighbours would have sent it, had it been there when they sent
-//! last; what was known of the others stays, so that a run goes on after a revision instead of starting again.
+//! An added label gets the messages that its neighbours would have sent if it had been a candidate in their last update;
+//! the messages of the other labels are kept, so that a run continues after a revision instead of starting again.
 
 use super::super::message_writer::inverse_of;
 use super::super::options::Product;
@@ -18,7 +18,7 @@ use rayon::prelude::*;
 /// Not a candidate.
 const ABSENT: u32 = u32::MAX;
 
-/// What a variable's belief says about its set.
+/// The revision of a variable's set that follows from its belief.
 #[derive(Debug, Clone, PartialEq)]
 struct Ranking {
     /// Labels that stay, in any order.
@@ -28,8 +28,8 @@ struct Ranking {
 }
 
 impl ActivePropagation<'_> {
-    /// Drops labels whose belief is far behind and takes in those that neighbours propose, as `sets` say. Returns
-    /// whether any set changed.
+    /// Drops labels whose belief is far below the best and adds those that neighbours propose, according to `sets`.
+    /// Returns whether any set changed.
     ///
     /// # Errors
     /// [`Cancelled`]; nothing has changed then.

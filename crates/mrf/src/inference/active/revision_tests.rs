@@ -1,4 +1,4 @@
-//! Revised sets: the messages of a label that comes in, labels brought back by neighbours, and equal bits on any threads.
+//! Revised sets: messages of added labels, labels restored by neighbours, and equal bits on any number of threads.
 
 use super::super::tests::{model_with_rings, path_with_chords};
 use super::super::{BeliefPropagation, Product};
@@ -12,10 +12,10 @@ use std::collections::BTreeSet;
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(64))]
 
-    /// Nothing is damped, so that a message that is made anew is what one more iteration over the new sets would make
-    /// of the beliefs before.
+    /// Without damping, so that a recomputed message equals that of one more iteration over the new sets from the same
+    /// beliefs.
     #[test]
-    fn a_label_that_comes_in_gets_the_message_that_it_missed(
+    fn an_added_label_gets_the_message_that_it_missed(
         n in 3usize..14,
         chords in prop::collection::btree_set((0u32..14, 0u32..14), 0..40),
         entropy in prop::collection::vec(0.0f64..1.0, 97),
@@ -27,7 +27,8 @@ proptest! {
         let mut active =
             ActivePropagation::new(ActiveModel::of(&model, candidates.clone()).unwrap(), options(product, 0.0, 1e-5));
         active.run(3, &Silent, |_| ()).unwrap();
-        // Labels of a third variable come in; its neighbours' sets stay, and so does what they would send.
+        // Labels are added to one variable; its neighbours' sets do not change, nor do the messages that they would
+        // send.
         let at = n / 2;
         let mut rows: Vec<Vec<u32>> = (0..n).map(|i| candidates.labels(i).to_vec()).collect();
         rows[at] = (0..31).collect();
@@ -35,7 +36,7 @@ proptest! {
         let reference = slow_next(&active, at);
         prop_assert!(active.adopt(rows, Evidence::plain(&model), &Silent).unwrap());
         for ((message, before), reference) in active.incoming(at).iter().zip(&before).zip(&reference) {
-            // What was known is kept up to the scale, whose maximum may have come in.
+            // Previous values are kept up to a factor, because the maximum may be at an added label.
             let known = candidates.labels(at).iter().map(|&x| message[x as usize]);
             let ratios: Vec<f32> = known.zip(before).map(|(a, b)| a / b).collect();
             prop_assert!(ratios.iter().all(|r| (r - ratios[0]).abs() < 1e-4 * ratios[0]));

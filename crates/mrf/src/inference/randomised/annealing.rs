@@ -44,7 +44,7 @@ pub struct AnnealingOptions {
     /// Temperature of the last sweep, at most the initial one; `None`: a two-hundredth of that. For the logarithmic
     /// schedule only a floor.
     pub final_temperature: Option<f64>,
-    /// A run ends as frozen when no label has changed for so many sweeps in a row.
+    /// Number of consecutive sweeps without a changed label after which a run ends as frozen.
     pub patience: u32,
 }
 
@@ -65,7 +65,7 @@ impl<'a> SimulatedAnnealing<'a> {
     }
 
     /// Sets the unary potentials to those of the model plus a bias: `add(i, row)` may add to the row of variable `i`,
-    /// or write it anew; infinite values forbid a label. Takes a copy of the table of unary potentials.
+    /// or overwrite it; infinite values forbid a label. Takes a copy of the table of unary potentials.
     pub fn set_bias(&mut self, add: impl Fn(usize, &mut [f32]) + Sync) {
         self.energy.set_bias(add);
         self.sweeps.reset();

@@ -13,8 +13,8 @@ use homolog_primitives::observe::{Cancelled, Observer};
 /// How Las Vegas runs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct LasVegasOptions {
-    /// A descent is given up, and another one begins from random labels, when no move was taken for so many sweeps in
-    /// a row.
+    /// Number of consecutive sweeps without a move after which a descent is given up and another one begins from random
+    /// labels.
     pub patience: u32,
 }
 

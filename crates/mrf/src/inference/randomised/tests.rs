@@ -285,7 +285,7 @@ fn a_second_run_does_not_depend_on_the_first() {
 }
 
 #[test]
-fn every_sweep_is_told_and_the_best_energy_never_rises() {
+fn every_sweep_is_reported_and_the_best_energy_never_rises() {
     let model = large();
     let mut seen = Vec::new();
     let outcome = SimulatedAnnealing::new(&model, options(Sampler::Metropolis, Cooling::Linear))
@@ -386,16 +386,16 @@ fn a_cancelled_run_ends_without_an_answer() {
     let model = large();
     for sampler in [Sampler::Gibbs, Sampler::Metropolis] {
         for after in [0, 5, 200] {
-            let mut told = 0;
+            let mut n_sweeps = 0;
             let observer = CancelAfter(AtomicU32::new(after));
             let outcome = SimulatedAnnealing::new(&model, options(sampler, Cooling::Linear)).run(
                 &run_of(100_000, 1),
                 &observer,
-                |_| told += 1,
+                |_| n_sweeps += 1,
             );
             assert!(outcome.is_err());
-            // A sweep of 400 variables asks more than 20 times.
-            assert!(told <= after / 20, "{told} sweeps after {after} questions");
+            // A sweep of 400 variables checks for cancellation more than 20 times.
+            assert!(n_sweeps <= after / 20, "{n_sweeps} sweeps after {after} checks");
         }
     }
 }

@@ -8,10 +8,13 @@ import sys
 import cases
 import figures
 import plan
+import quick
 import report
 import runner
+import sets
 import summary
 from ours import Homolog
+from peers import PEERS
 
 ROOT = os.path.abspath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", ".."))
 
@@ -20,7 +23,7 @@ def arguments():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--data", default="data", help="folder with hippocampus/*.nii.gz, label volumes")
     parser.add_argument("--eval", default="eval", help="folder with real_cases.py, the generator of cases")
-    parser.add_argument("--binary", default=os.path.join(ROOT, "target/left-out/homolog"))
+    parser.add_argument("--binary", default=os.path.join(ROOT, "target/release/homolog"))
     parser.add_argument("--work", default=os.path.join(ROOT, "target/accuracy"), help="cases and answers are kept here")
     parser.add_argument("--cases-cache", help="folder of cases that real_cases.py has made already")
     parser.add_argument("--out", help="default: docs/accuracy/DATE")
@@ -29,6 +32,8 @@ def arguments():
     parser.add_argument("--ours-only", action="store_true", help="no peers")
     parser.add_argument("--only", action="append", help="run this method alone; may be repeated")
     parser.add_argument("--refresh", action="append", default=[], help="compute this method's answers anew")
+    parser.add_argument("--sets", help="quick mode: a line for each of these sets or groups of sets, and no report")
+    parser.add_argument("--set", action="append", default=[], help="quick mode: KEY=VALUE, a parameter of the match")
     parser.add_argument("--report-only", action="store_true", help="write the report of the answers that are there")
     return parser.parse_args()
 
@@ -49,16 +54,31 @@ def complain_of_missing(given):
     return bool(faults)
 
 
+def run_quickly(given, run, made):
+    try:
+        chosen = sets.expanded(given.sets)
+    except ValueError as error:
+        print(f"accuracy: {error}", file=sys.stderr)
+        return 1
+    methods = given.only or [plan.DEFAULT, *([] if given.ours_only else plan.DENSE_PEERS)]
+    settings = "".join(f" --set {change}" for change in given.set)
+    methods = [method if method in PEERS else method + settings for method in methods]
+    quick.run(run, made, chosen, given.cases or 5, methods)
+    return 0
+
+
 def main():
     given = arguments()
     if complain_of_missing(given):
         return 1
-    n = given.cases or (5 if given.ours_only else 10)
     cache = given.cases_cache or os.path.join(given.work, "cases")
-    made = cases.Cases(os.path.join(given.data, "hippocampus"), given.eval, cache)
+    made = cases.Cases(given.data, given.eval, cache)
     homolog = Homolog(given.binary, given.limit)
-    tasks = plan.tasks(made, n, not given.ours_only)
     run = runner.Runner(made, homolog, given.work, given.limit, given.refresh)
+    if given.sets:
+        return run_quickly(given, run, made)
+    n = given.cases or (5 if given.ours_only else 10)
+    tasks = plan.tasks(made, n, not given.ours_only)
     if not given.report_only:
         run.run([task for task in tasks if not given.only or task[0] in given.only])
     out = given.out or os.path.join(ROOT, "docs/accuracy", datetime.datetime.now(datetime.UTC).strftime("%Y-%m-%d"))

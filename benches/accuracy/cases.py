@@ -12,15 +12,23 @@ import sys
 import numpy as np
 from scipy.spatial.transform import Rotation
 
+import capsules
+import coarse
 import geometry
+import landmarked
+import scaled
+import solids
+import structures
+import warped
 
+FAMILIES = [scaled, warped, capsules, solids, structures, coarse, landmarked]
+"""Modules that make further sets: `KINDS`, `names(cases, kind, n)`, `make(cases, kind, index)`, `KEPT`: on disk or not."""
+FAMILY = {kind: family for family in FAMILIES for kind in family.KINDS}
 REAL = ["real_warp4", "real_warp8", "real_cross", "real_resample"]
 """Spoiled copies: what is done to the target. Warps are made with the surface."""
 SPOILS = ["noise", "cut", "half"]
 ROBUSTNESS = [f"{origin}_{spoil}" for origin in ("resample", "bean") for spoil in SPOILS] + ["bean_warp8"]
 UNLIKE = ["mirrored", "ellipsoid", "anterior_part"]
-LEFT_OUT_PAIRS = 34
-"""`train_border.py --without-pairs`: the program that is measured has not learned from the subjects of the first pairs."""
 NOISE_SHARE = 0.02
 CUT_SHARE = 0.2
 
@@ -28,19 +36,21 @@ CUT_SHARE = 0.2
 class Cases:
     """Makes cases and keeps the real ones in `cache`."""
 
-    def __init__(self, labels, evaluation, cache):
+    def __init__(self, data, evaluation, cache):
         sys.path.insert(0, evaluation)
         import real_cases
 
         self.real = real_cases
-        self.labels, self.cache = labels, cache
-        self.files = sorted(glob.glob(os.path.join(labels, "*.nii.gz")))
+        self.data, self.labels, self.cache = data, os.path.join(data, "hippocampus"), cache
+        self.files = sorted(glob.glob(os.path.join(self.labels, "*.nii.gz")))
 
     def score(self, case, transform, vertex_map):
         return self.real.score(case, transform, vertex_map)
 
     def load(self, name):
         kind, index = name.split("/")
+        if kind in FAMILY and not FAMILY[kind].KEPT:
+            return FAMILY[kind].make(self, kind, index)
         index = int(index)
         if kind.startswith("real_"):
             return self.real.load_case(kind, index, self.labels, self.cache)
@@ -57,19 +67,25 @@ class Cases:
             return pickle.load(file)
 
     def first(self, kind, n):
-        """Names of the first `n` cases of a set whose surfaces are of genus 0; others are no input for a match.
+        """Names of the first `n` cases of a set, fewer where the set is smaller."""
+        return FAMILY[kind].names(self, kind, n) if kind in FAMILY else self.first_of_genus_0(kind, n)
+
+    def first_of_genus_0(self, kind, n, is_wanted=lambda index: True):
+        """Names of the first `n` wanted cases whose surfaces are of genus 0: the pairs of earlier records.
 
         Real volumes have tunnels, so indices are skipped; all sets that begin with one subject skip the same.
         """
         names, index = [], 0
         while len(names) < n and index < 20 * n:
             name = f"{kind}/{index}"
-            if self.load(name)["genus0"]:
+            if is_wanted(index) and self.load(name)["genus0"]:
                 names.append(name)
             index += 1
         return names
 
     def _make(self, kind, index):
+        if kind in FAMILY:
+            return FAMILY[kind].make(self, kind, index)
         if kind in UNLIKE:
             return self._unlike(kind, index)
         origin, how = kind.split("_")
@@ -111,15 +127,7 @@ def swapped(case):
     """The same pair with the roles exchanged; of the truth only the transform is left."""
     turn, shift = case["R"].T, -case["R"].T @ case["t"]
     new = dict(V1=case["V2"], F1=case["F2"], V2=case["V1"], F2=case["F1"], R=turn, t=shift, genus0=case["genus0"])
-    return finished(new)
-
-
-def finished(case):
-    """With the sizes that scores are relative to."""
-    case["edge"] = geometry.mean_edge(case["V2"], case["F2"])
-    case["diag"] = geometry.diagonal(case["V1"])
-    case["area"] = float(geometry.face_areas(case["V1"], case["F1"]).sum())
-    return case
+    return geometry.finished(new)
 
 
 def spoiled(case, how, index):
@@ -129,10 +137,10 @@ def spoiled(case, how, index):
         draws = np.random.default_rng(100 + index)
         new["V2"] = new["V2"] + draws.normal(0, NOISE_SHARE * case["diag"], new["V2"].shape)
     elif how == "cut":
-        new["V2"], new["F2"], _ = geometry.cut_end(new["V2"], new["F2"], CUT_SHARE, index % 2 == 0)
+        new["V2"], new["F2"] = geometry.cut_end(new["V2"], new["F2"], CUT_SHARE, index % 2 == 0)
     else:
-        new["V2"], new["F2"] = geometry.halved(new["V2"], new["F2"])
-    return finished(new)
+        new["V2"], new["F2"] = geometry.decimated(new["V2"], new["F2"], len(new["V2"]) // 2)
+    return geometry.finished(new)
 
 
 def bean(seed):
@@ -182,7 +190,7 @@ def bean_case(real, index, warp_share):
     new["gtpos"] = ((warp.fwd(vertices) if warp else vertices) - center) @ turn.T + shift
     new["R"], new["t"] = real.kabsch(vertices, new["gtpos"])
     new["genus0"] = bool(closed)
-    return finished(new)
+    return geometry.finished(new)
 
 
 def ellipsoid_like(vertices, faces, real):

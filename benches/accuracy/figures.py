@@ -10,7 +10,8 @@ import numpy as np
 
 from cases import ROBUSTNESS
 from peers import PEERS
-from plan import DEFAULT, OURS, ROBUST_OURS, ROBUST_PEERS
+from plan import DEFAULT, DENSE_PEERS, OURS, ROBUST_OURS, ROBUST_PEERS
+from warped import RMS_SHARE, WIDTH_KINDS, WIDTHS
 
 OUR_COLOR, PEER_COLOR, TARGET_COLOR = "#1b6ca8", "#9aa5ae", "#c0392b"
 TO_REACH = {"real_warp4": 0.88, "real_warp8": 0.65}
@@ -29,6 +30,8 @@ NAMES = {
 def draw(found, out):
     within_one_edge(found, os.path.join(out, "within_one_edge.png"))
     robustness(found, os.path.join(out, "robustness.png"))
+    if any((DEFAULT, kind) in found["summaries"] for kind in WIDTH_KINDS):
+        width(found, os.path.join(out, "width.png"))
     if found["calibration"]:
         reliability(found, os.path.join(out, "reliability.png"))
 
@@ -83,6 +86,34 @@ def robustness(found, path):
     panel.set_xticks(range(len(kinds)), [k.replace("real_", "").replace("_", "\n") for k in kinds], fontsize=9)
     panel.set_yticks(range(len(methods)), [NAMES.get(m, f"homolog {m}") for m in methods])
     panel.set_title("share of pairs whose rotation is within 10° of the truth")
+    saved(figure, path)
+
+
+def width(found, path):
+    """Share within one edge over the width of a warp's kernels, and the mean confidence beside it."""
+    figure, panel = plt.subplots(figsize=(7, 4))
+    lines = [(DEFAULT, "point_w1", "-", "homolog, points"), (DEFAULT, "w1", ":", "homolog, vertices")]
+    lines += [(DEFAULT, "mean_confidence", "--", "homolog, mean confidence")]
+    lines += [(peer, "w1", "-", f"{NAMES[peer]}, vertices") for peer in DENSE_PEERS]
+    for method, name, style, label in lines:
+        spreads = [(found["summaries"].get((method, kind)) or {}).get(name) for kind in WIDTH_KINDS]
+        points = [(x, s["mean"], s["low"], s["high"]) for x, s in zip(WIDTHS, spreads) if s]
+        if not points:
+            continue
+        x, mean, low, high = np.array(points).T
+        color = TARGET_COLOR if name == "mean_confidence" else OUR_COLOR if method in OURS else PEER_COLOR
+        alpha = 0.5 if method == "icp" else 1
+        panel.plot(x, mean, style, color=color, alpha=alpha, marker=".", label=label)
+        if name != "w1":
+            panel.fill_between(x, low, high, color=color, alpha=0.12, linewidth=0)
+    panel.set_xscale("log")
+    panel.set_xticks(WIDTHS, [f"{width:g}" for width in WIDTHS])
+    panel.minorticks_off()
+    panel.set_ylim(0, 1.02)
+    panel.set_xlabel("standard deviation of the kernels, share of the diagonal")
+    panel.set_ylabel("share of vertices within one edge; mean confidence")
+    panel.set_title(f"warps of {RMS_SHARE:.0%} of the diagonal")
+    panel.legend(frameon=False)
     saved(figure, path)
 
 

@@ -55,10 +55,7 @@ def diagonal(vertices):
 
 
 def cut_end(vertices, faces, share, at_far_end):
-    """Without the `share` of the area that lies farthest along the first principal axis; the largest piece of the rest.
-
-    Returns an open surface and the indices of its vertices in the old one.
-    """
+    """The largest piece of the surface without the `share` of its area that is farthest along the first principal axis."""
     areas = vertex_areas(vertices, faces)
     center = np.average(vertices, axis=0, weights=areas)
     axis = np.linalg.svd((vertices - center) * np.sqrt(areas)[:, None], full_matrices=False)[2][0]
@@ -67,20 +64,14 @@ def cut_end(vertices, faces, share, at_far_end):
     kept = np.zeros(len(vertices), bool)
     kept[order[np.cumsum(areas[order]) <= (1 - share) * areas.sum()]] = True
     faces = faces[kept[faces].all(1)]
-    pairs = edges(faces)
-    graph = coo_matrix((np.ones(len(pairs)), (pairs[:, 0], pairs[:, 1])), (len(vertices),) * 2)
-    piece = connected_components(graph, directed=False)[1]
-    faces = faces[piece[faces[:, 0]] == np.bincount(piece[faces[:, 0]]).argmax()]
-    left = np.unique(faces)
-    return vertices[left], np.searchsorted(left, faces).astype(np.int32), left
+    return largest_piece(vertices, faces)
 
 
-def halved(vertices, faces):
-    """Half the vertices, by collapsing the shortest edge to one of its ends again and again; the genus stays.
+def decimated(vertices, faces, goal):
+    """The surface with `goal` vertices, by collapsing the shortest edge to one of its ends again and again; the genus stays.
 
     A collapse is allowed where the two ends have exactly two neighbors in common (the link condition).
     """
-    goal = len(vertices) // 2
     around = [set() for _ in vertices]
     star = [set() for _ in vertices]
     corners = [tuple(face) for face in faces.tolist()]
@@ -116,3 +107,48 @@ def halved(vertices, faces):
     left = np.array([i for i in range(len(vertices)) if i not in gone])
     new = np.array([c for c in corners if c is not None])
     return vertices[left], np.searchsorted(left, new).astype(np.int32)
+
+
+LENGTHS = ["V1", "V2", "t", "gtpos", "edge", "diag"]
+"""Entries of a case that are multiplied by a factor when both surfaces are."""
+
+
+def finished(case):
+    """The case with the sizes that scores are relative to."""
+    case["edge"] = mean_edge(case["V2"], case["F2"])
+    case["diag"] = diagonal(case["V1"])
+    case["area"] = float(face_areas(case["V1"], case["F1"]).sum())
+    return case
+
+
+def without_missing_positions(vertices, faces):
+    """Without the vertices whose position is not a number, and without their faces."""
+    there = np.isfinite(vertices).all(1)
+    if there.all():
+        return vertices, faces
+    faces = faces[there[faces].all(1)]
+    return vertices[there], (np.cumsum(there) - 1)[faces].astype(np.int32)
+
+
+def volume(vertices, faces):
+    """Enclosed volume, positive if the faces are counterclockwise seen from outside."""
+    a, b, c = (vertices[faces[:, k]] for k in range(3))
+    return float(np.einsum("ij,ij->i", a, np.cross(b, c)).sum() / 6)
+
+
+def welded(vertices, faces):
+    """Vertices of equal position become one; faces that lose a corner by it are left out."""
+    vertices, index = np.unique(vertices, axis=0, return_inverse=True)
+    faces = index.reshape(-1)[faces].astype(np.int32)
+    distinct = (faces[:, 0] != faces[:, 1]) & (faces[:, 1] != faces[:, 2]) & (faces[:, 2] != faces[:, 0])
+    return vertices, faces[distinct]
+
+
+def largest_piece(vertices, faces):
+    """The connected piece with most faces, without the vertices that it does not use."""
+    pairs = edges(faces)
+    graph = coo_matrix((np.ones(len(pairs)), (pairs[:, 0], pairs[:, 1])), (len(vertices),) * 2)
+    piece = connected_components(graph, directed=False)[1]
+    faces = faces[piece[faces[:, 0]] == np.bincount(piece[faces[:, 0]]).argmax()]
+    left = np.unique(faces)
+    return vertices[left], np.searchsorted(left, faces).astype(np.int32)

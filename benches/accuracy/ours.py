@@ -39,7 +39,7 @@ class Homolog:
                 report = json.load(file)
             if report["exit_code"]:
                 with open(at("stderr"), errors="replace") as file:
-                    message = file.read()[-300:].strip()
+                    message = file.read()[-300:].strip().replace(folder + os.sep, "")
                 # Exit code 2 is a refusal: a wrong parameter, or a surface that cannot be matched.
                 status = "out of time" if report["out_of_time"] else "refused" if report["exit_code"] == 2 else "failed"
                 return {**report, "status": status, "message": message}, {}

@@ -13,6 +13,9 @@ import geometry
 
 RIGID_STEPS = 100
 TRIM = 0.9
+MOST_POINTS = 5000
+"""The multi-start ICP and BCPD work on a sample of so many vertices where a surface has more."""
+N_CARRIERS = 4
 
 
 def with_matrix(turn, shift):
@@ -51,21 +54,39 @@ def principal_axes(vertices, faces):
     return center, axes
 
 
+def sample(vertices):
+    """Indices of at most `MOST_POINTS` vertices, in order."""
+    n = len(vertices)
+    if n <= MOST_POINTS:
+        return np.arange(n)
+    return np.sort(np.random.default_rng(0).choice(n, MOST_POINTS, replace=False))
+
+
 def multi_start(case):
     """ICP from the principal axes with their four flips; the closest wins."""
     (center, axes), (other, others) = principal_axes(case.V1, case.F1), principal_axes(case.V2, case.F2)
-    tree = cKDTree(case.V2)
+    points, tree = case.V1[sample(case.V1)], cKDTree(case.V2[sample(case.V2)])
     best = None
     for signs in ((1, 1, 1), (1, -1, -1), (-1, 1, -1), (-1, -1, 1)):
         turn = others @ np.diag(signs) @ axes.T
-        found = icp(case.V1, tree, turn, other - turn @ center, RIGID_STEPS)
+        found = icp(points, tree, turn, other - turn @ center, RIGID_STEPS)
         if best is None or found[2] < best[2]:
             best = found
-    return best[0], best[1], tree
+    return best[0], best[1]
 
 
-def rigid_answer(case, turn, shift, tree=None, refine=True):
-    tree = tree or cKDTree(case.V2)
+def carried(points, moved, others):
+    """Where `others` go when `points` go to `moved`: displacements weighted by the inverse distance."""
+    if len(points) == len(others):
+        return moved
+    distance, near = cKDTree(points).query(others, k=N_CARRIERS)
+    weight = 1 / np.maximum(distance, 1e-9)
+    weight /= weight.sum(1, keepdims=True)
+    return others + np.einsum("ik,ikd->id", weight, (moved - points)[near])
+
+
+def rigid_answer(case, turn, shift, refine=True):
+    tree = cKDTree(case.V2)
     if refine:
         turn, shift, _ = icp(case.V1, tree, turn, shift, RIGID_STEPS)
     return {"matrix": with_matrix(turn, shift), "map": tree.query(case.V1 @ turn.T + shift)[1]}
@@ -76,8 +97,8 @@ def dense_answer(case, turn, shift, moved):
 
 
 def run_icp(case):
-    turn, shift, tree = multi_start(case)
-    return rigid_answer(case, turn, shift, tree, refine=False)
+    turn, shift = multi_start(case)
+    return rigid_answer(case, turn, shift, refine=False)
 
 
 def fpfh(vertices, faces, edge):
@@ -148,7 +169,7 @@ def run_lattice(case):
 def run_cpd(case):
     import rustcpd
 
-    turn, shift, _ = multi_start(case)
+    turn, shift = multi_start(case)
     found = rustcpd.register_deformable(
         case.V2,
         case.V1 @ turn.T + shift,
@@ -167,8 +188,11 @@ def run_cpd(case):
 def run_bcpd(case):
     import bcpd
 
-    turn, shift, _ = multi_start(case)
-    return dense_answer(case, turn, shift, bcpd.register(case.V2, case.V1 @ turn.T + shift))
+    turn, shift = multi_start(case)
+    aligned = case.V1 @ turn.T + shift
+    points = aligned[sample(aligned)]
+    moved = bcpd.register(case.V2[sample(case.V2)], points)
+    return dense_answer(case, turn, shift, carried(points, moved, aligned))
 
 
 def run_functional_maps(case):

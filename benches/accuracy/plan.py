@@ -3,18 +3,28 @@
 import json
 import os
 
-from cases import REAL, ROBUSTNESS, UNLIKE
+import capsules
+import landmarked
+import warped
+from cases import FAMILY, REAL, ROBUSTNESS, UNLIKE
+from coarse import KINDS as NOISY
+from solids import KINDS as SYMMETRIC
 from peers import PEERS
 
 OURS = {"balanced": 2, "fast": 2, "accurate": 2, "rigid": 1}
 """Our methods and the cores that each is given."""
 DEFAULT = "balanced"
-MANY = {"real_cross": 3, "real_resample": 3}
+MANY = {"real_cross": 3, "real_resample": 3, **{kind: 10 for kind in NOISY}}
 """Sets of so many times as many pairs: a pose that is lost in one of thirty must be seen, and labels vary most."""
 ROBUST_OURS = [DEFAULT, "rigid"]
 ROBUST_PEERS = ["icp", "lattice", "fgr", "ransac", "kiss"]
 SWAPPED = ["real_warp4", "real_warp8", "real_cross"]
 SWAPPED_PEERS = ["icp", "bcpd", "cpd", "functional_maps"]
+DENSE_PEERS = ["icp", "bcpd"]
+"""Peers on the sets of dense truth and of landmarks."""
+DENSE = ["real_narrow2", "narrow4", *warped.WIDTH_KINDS, *capsules.KINDS, *landmarked.KINDS]
+"""Sets, beside the real ones, on which dense peers run."""
+HALF = [*warped.WIDTH_KINDS, *SYMMETRIC]
 ABLATION = ["real_warp4", "real_warp8", "real_cross"]
 
 
@@ -24,14 +34,15 @@ def read_variants():
         return json.load(file)
 
 
-def our_parameters(method, kind):
-    """Parameters of one of our methods, or of a variant written `variant: NAME`, on a set of cases."""
+def our_parameters(method):
+    """Parameters of one of our methods. A method can also be written `variant: NAME`, and can end in
+    parameters of its own, each written ` --set KEY=VALUE`."""
+    method, *changes = method.split(" --set ")
     if method.startswith("variant: "):
         parameters = {"method": DEFAULT, **read_variants()[method.removeprefix("variant: ")]}
     else:
         parameters = {"method": method}
-    if kind.endswith("_cut"):
-        parameters["input.allow_boundary"] = True
+    parameters.update(change.split("=", 1) for change in changes)
     return parameters
 
 
@@ -54,6 +65,8 @@ def tasks(cases, n, with_peers):
         add([DEFAULT], kind, half, False)
     for kind in ROBUSTNESS:
         add(ROBUST_OURS, kind, n, False)
+    for kind in ["real_narrow2", *FAMILY]:
+        add([DEFAULT], kind, half if kind in HALF else n * MANY.get(kind, 1), False)
     for kind in ABLATION:
         add([f"variant: {name}" for name in read_variants()], kind, half * MANY.get(kind, 1), False)
     if with_peers:
@@ -61,6 +74,8 @@ def tasks(cases, n, with_peers):
             add([p for p in PEERS if PEERS[p].run], kind, n * MANY.get(kind, 1), True)
         for kind in ROBUSTNESS:
             add(ROBUST_PEERS, kind, n, False)
+        for kind in DENSE:
+            add(DENSE_PEERS, kind, half if kind in HALF else n, False)
         for kind in SWAPPED:
             add(SWAPPED_PEERS, f"swapped_{kind}", half, False)
     return found

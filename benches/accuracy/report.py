@@ -6,38 +6,15 @@ import os
 
 import numpy as np
 
+import report_sets
 from cases import CUT_SHARE, NOISE_SHARE, ROBUSTNESS
 from peers import PEERS
 from plan import ABLATION, DEFAULT, MANY, OURS, ROBUST_OURS, ROBUST_PEERS, read_variants
+from reach import to_reach
 from summary import CORRECT_DEG, summarize
+from tables import TITLES, mean_text, spread_text, table, title
 
 ENV_NOTE = "target/accuracy-env/missing-peers.txt"
-
-TITLES = {
-    "real_warp4": "warp 4 %",
-    "real_warp8": "warp 8 %",
-    "real_cross": "two subjects",
-    "real_resample": "re-sampled copy",
-    "resample_noise": "copy, noise",
-    "resample_cut": "copy, end cut",
-    "resample_half": "copy, half density",
-    "bean_noise": "bean, noise",
-    "bean_cut": "bean, end cut",
-    "bean_half": "bean, half density",
-    "bean_warp8": "bean, warp 8 %",
-    "mirrored": "mirrored copy",
-    "ellipsoid": "ellipsoid of its size",
-    "anterior_part": "another subject's anterior part",
-}
-
-
-def title(method):
-    return (
-        PEERS[method].title
-        if method in PEERS
-        else f"**homolog {method}**" if method == DEFAULT else f"homolog {method}"
-    )
-
 
 def write(found, out):
     with open(os.path.join(out, "accuracy.json"), "w") as file:
@@ -69,37 +46,29 @@ def flattened(found):
     }
 
 
-def mean_text(s, digits=2):
-    return "" if not s else f"{s['mean']:.{digits}f} [{s['low']:.{digits}f}, {s['high']:.{digits}f}]"
-
-
-def spread_text(s, digits=2):
-    return "" if not s else f"{mean_text(s, digits)}; {s['median']:.{digits}f}; {s['worst']:.{digits}f}"
-
-
-def table(header, rows):
-    lines = ["| " + " | ".join(header) + " |", "|" + "---|" * len(header)]
-    return "\n".join(lines + ["| " + " | ".join(row) + " |" for row in rows]) + "\n"
-
-
 def markdown(found):
     p = found["provenance"]
     parts = [
         f"# Accuracy, {p['date']}\n",
         f"`{p['command']}`, {p['machine']}; {p['program']}; {p['n_label_volumes']} label volumes, "
-        f"{p['cases_a_set']} pairs a set (three times as many re-sampled copies and pairs of two subjects; half as many in "
-        "the sections on consistency, unlike pairs and ablation, there also three times as many of two subjects).\n",
-        "What the program knows of hippocampi was, for this table, learned from other subjects than those of its pairs of "
-        f"two subjects; {p['learned_pairs']} of these pairs are exceptions.\n",
+        f"{p['cases_a_set']} pairs a set (three times as many re-sampled copies and pairs of two subjects, ten times as many "
+        "of 1,000 vertices with noise; half as many in the sections on consistency, unlike pairs and ablation, there also "
+        "three times as many of two subjects, and of symmetric solids and of each width of warps; of units and landmarks "
+        "as their tables say).\n",
         "Each figure is the mean over pairs with its bootstrap 95 % interval; where three stand, they are the mean, "
         "the median and the worst. An edge is the mean edge length of the target. `accuracy.csv` has all figures, "
         "`accuracy.json` each pair; `benches/accuracy/README.md` says how they are made.\n",
         main_table(found),
         spread_section(found),
         robustness_section(found),
+        report_sets.scale_section(found),
+        report_sets.deformation_section(found),
+        report_sets.landmark_section(found),
         calibration_section(found),
+        report_sets.calibration_section(found),
         consistency_section(found),
         unlike_section(found),
+        report_sets.verdict_section(found),
         ablation_section(found),
     ]
     return "\n".join(part for part in parts if part)
@@ -249,8 +218,8 @@ def robustness_section(found):
         f"Share of pairs whose rotation is within {CORRECT_DEG}° of the truth, which for warps is the least-squares "
         "rigid part of the true map; a pair without an answer is a failure. "
         f"Noise: each coordinate of each target vertex moves by {NOISE_SHARE:.0%} of the diagonal (standard "
-        f"deviation). Cut: {CUT_SHARE:.0%} of the target's area is gone at one end, so it is open "
-        "(`input.allow_boundary`). Half density: the target has half its vertices.\n\n"
+        f"deviation). Cut: {CUT_SHARE:.0%} of the target's area is gone at one end, so it is open. "
+        "Half density: the target has half its vertices.\n\n"
     )
     return (
         "## Registration that must hold\n\n"
@@ -279,7 +248,13 @@ def calibration_section(found):
 
 def consistency_section(found):
     rows = [
-        [title(m), TITLES[k], spread_text(row["within_one_edge"]), spread_text(row["median_edges"])]
+        [
+            title(m),
+            TITLES[k],
+            spread_text(row["within_one_edge"]),
+            to_reach("there_and_back", k) if m == DEFAULT else "",
+            spread_text(row["median_edges"]),
+        ]
         for (m, k), row in found["there_and_back"].items()
     ]
     if not rows:
@@ -288,7 +263,13 @@ def consistency_section(found):
         "Source and target exchanged, and the two maps put behind one another: how far from itself a source vertex "
         "comes back.\n\n"
     )
-    header = ["", "pairs", "back within one edge: mean; median; worst", "median distance, edges: mean; median; worst"]
+    header = [
+        "",
+        "pairs",
+        "back within one edge: mean; median; worst",
+        "to reach",
+        "median distance, edges: mean; median; worst",
+    ]
     return "## There and back\n\n" + text + table(header, rows)
 
 

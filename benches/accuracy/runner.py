@@ -5,6 +5,7 @@ import hashlib
 import json
 import os
 import pickle
+import re
 import subprocess
 import sys
 import threading
@@ -37,7 +38,7 @@ class Answers:
                         self.records[record["key"]] = record
 
     def array_path(self, key):
-        return os.path.join(self.folder, "answers", key.replace("/", "_").replace(" ", "_") + ".npz")
+        return os.path.join(self.folder, "answers", re.sub(r"[/\s]", "_", key) + ".npz")
 
     def add(self, record, arrays):
         if arrays:
@@ -89,13 +90,13 @@ class Runner:
         self.cases, self.homolog, self.limit_s = cases, homolog, limit_s
         self.answers = Answers(folder)
         self.folder, self.refresh = folder, set(refresh)
-        self.done, self.total, self.begin = 0, 0, time.monotonic()
+        self.done, self.total, self.begin, self.quiet = 0, 0, time.monotonic(), False
 
     def key(self, method, case):
         """Ours by the program's bytes and the parameters, the peers by their version and the code that calls them."""
         if method in PEERS:
             return f"{method}@{peer_fingerprint()}|{case}"
-        parameters = json.dumps(our_parameters(method, case.split("/")[0]), sort_keys=True)
+        parameters = json.dumps(our_parameters(method), sort_keys=True)
         return f"{method}@{self.homolog.fingerprint}-{short_hash(parameters.encode())}|{case}"
 
     def record(self, method, case):
@@ -104,12 +105,14 @@ class Runner:
     def arrays(self, method, case):
         return self.answers.arrays(self.key(method, case))
 
-    def run(self, tasks):
+    def run(self, tasks, quiet=False):
         """Ours first, alone on the machine; then timed peers, alone; then the others, two side by side."""
+        self.quiet = quiet
         missing = [t for t in tasks if t[0] in self.refresh or self.record(t[0], t[1]) is None]
         missing = list(dict.fromkeys(missing))
         self.total, self.begin = len(missing), time.monotonic()
-        print(f"{len(tasks)} answers, {len(missing)} of them to be computed", flush=True)
+        if not quiet:
+            print(f"{len(tasks)} answers, {len(missing)} of them to be computed", flush=True)
         cores = sorted(os.sched_getaffinity(0))
         for method, case, _ in (t for t in missing if t[0] not in PEERS):
             self.one_of_ours(method, case, set(cores[: cores_of(method)]))
@@ -118,7 +121,7 @@ class Runner:
 
     def one_of_ours(self, method, name, cores):
         case = self.cases.load(name)
-        record, arrays = self.homolog.match(case, our_parameters(method, name.split("/")[0]), cores)
+        record, arrays = self.homolog.match(case, our_parameters(method), cores)
         self.keep(method, name, case, record, arrays)
 
     def peers(self, tasks, cores):
@@ -163,16 +166,19 @@ class Runner:
 
     def keep(self, method, name, case, record, arrays):
         record = {"key": self.key(method, name), "method": method, "case": name, **record}
+        record["of_case"] = scores.of_case(case)
         if arrays:
             record["scores"] = scores.of_answer(self.cases, case, arrays)
             record["bins"] = scores.reliability_bins(case, arrays)
         self.answers.add(record, arrays)
         self.done += 1
+        if self.quiet:
+            return
         spent = time.monotonic() - self.begin
         left = spent / self.done * (self.total - self.done)
         figures = " ".join(
             f"{key} {record['scores'][key]:.3g}"
-            for key in ("rot_deg", "w1", "label")
+            for key in ("rot_deg", "w1", "label", "landmark_pct")
             if key in record.get("scores", {})
         )
         took = f"{record['seconds']:.2f} s" if "seconds" in record else ""

@@ -3,6 +3,8 @@
 import numpy as np
 from scipy.spatial import cKDTree
 
+import landmarked
+
 N_BINS = 10
 RESAMPLES = 2000
 
@@ -12,6 +14,8 @@ def of_answer(cases, case, answer):
 
     A vertex without counterpart (-1) counts as wrong: it is scored with the target vertex farthest from the truth.
     """
+    if landmarked.is_one(case):
+        return landmarked.of_answer(case, answer)
     matrix = answer.get("matrix")
     transform = None if matrix is None else (matrix[:3, :3], matrix[:3, 3])
     vertex_map = answer.get("map")
@@ -19,6 +23,8 @@ def of_answer(cases, case, answer):
         middle = case["V2"].mean(0)
         worst = int(np.linalg.norm(case["V2"] - middle, axis=1).argmax())
         vertex_map = np.where(vertex_map < 0, worst, vertex_map)
+    if "R" not in case:
+        transform = None
     labeled = "la" in case
     plain = case if labeled else {**case, "la": np.zeros(len(case["V1"])), "lb": np.zeros(len(case["V2"]))}
     found = cases.score(plain, transform, vertex_map)
@@ -29,8 +35,14 @@ def of_answer(cases, case, answer):
     if points is not None and "gtpos" in case:
         off = np.nan_to_num(np.linalg.norm(points - case["gtpos"], axis=1), nan=case["diag"])
         found["point_err_mm"] = float(off.mean())
+        found["point_err_edges"] = found["point_err_mm"] / case["edge"]
         found["point_w1"] = float((off <= case["edge"]).mean())
     return {key: float(value) for key, value in found.items()}
+
+
+def of_case(case):
+    """Figures of merit of the pair itself, without any answer."""
+    return landmarked.of_case(case) if landmarked.is_one(case) else {}
 
 
 def reliability_bins(case, answer):

@@ -9,7 +9,8 @@ import sys
 import numpy as np
 
 import scores
-from cases import LEFT_OUT_PAIRS, UNLIKE
+import verdicts
+from cases import UNLIKE
 from peers import PEERS
 from plan import DEFAULT, OURS
 
@@ -20,6 +21,10 @@ FIGURES = [
     "err_mm",
     "point_w1",
     "point_err_mm",
+    "point_err_edges",
+    "landmark_pct",
+    "landmark_worst_mm",
+    "mean_confidence",
     "label",
     "cover",
     "stretch",
@@ -50,8 +55,9 @@ def summarize(records):
     for figure in FIGURES:
         values = [v for v in (value(r, figure) for r in records) if v is not None]
         found[figure] = scores.spread(values, figure in HIGHER)
-    if any("rot_deg" in r.get("scores", {}) for r in records if r["status"] == "answered") or not any(
-        r["status"] == "answered" for r in records
+    has_pose = not any(r.get("of_case") or verdicts.kind_of(r) in verdicts.EXPECTED for r in records)
+    if any("rot_deg" in r.get("scores", {}) for r in records if r["status"] == "answered") or (
+        has_pose and not any(r["status"] == "answered" for r in records)
     ):
         found["within_10_deg"] = scores.spread([is_close(r) for r in records], True)
     statuses = [r["status"] for r in records]
@@ -69,14 +75,47 @@ def collect(run, tasks, n, with_peers):
             by_set.setdefault((method, name.split("/")[0]), []).append(record)
     summaries = {key: summarize(records) for key, records in by_set.items()}
     return {
-        "provenance": provenance(run, tasks, n),
+        "provenance": provenance(run, n),
         "n": n,
         "with_peers": with_peers,
         "summaries": summaries,
         "calibration": {m: calibration(by_set, m) for m in OURS if calibration(by_set, m)},
+        "sets": {kind: of_set(records) for (m, kind), records in by_set.items() if m == DEFAULT},
         "there_and_back": there_and_back(run, by_set),
         "unlike": unlike(by_set),
         "records": [record for records in by_set.values() for record in records],
+    }
+
+
+def of_set(records):
+    """Confidence and verdicts of the default method on one set."""
+    rows = [r["bins"] for r in records if r.get("bins")]
+    pooled = None
+    if rows:
+        bins = np.sum(rows, axis=0)
+        n = bins[0].sum()
+        pooled = {"error": scores.calibration_error(bins), "n_pairs": len(rows)}
+        pooled |= {"confidence": float(bins[1].sum() / n), "hits": float(bins[2].sum() / n)}
+    return {"n": len(records), "calibration": pooled, "verdicts": counted_verdicts(records)}
+
+
+def counted_verdicts(records):
+    """How many right and wrong answers call themselves reliable; None where nothing tells right from wrong."""
+    answered = [r for r in records if r["status"] == "answered"]
+    judged = [(verdicts.is_right(r), verdicts.is_reliable(r)) for r in answered]
+    if any(right is None or reliable is None for right, reliable in judged):
+        return None
+    expected = verdicts.kind_of(records[0]) in verdicts.EXPECTED
+    if not judged and not expected:
+        return None
+    count = lambda *verdict: judged.count(verdict)
+    return {
+        "right_reliable": count(True, True),
+        "right_unreliable": count(True, False),
+        "wrong_reliable": count(False, True),
+        "wrong_unreliable": count(False, False),
+        "no_answer": len(records) - len(answered),
+        "expected_reason": sum(map(verdicts.gives_expected_reason, answered)) if expected else None,
     }
 
 
@@ -144,14 +183,7 @@ def processor():
         return platform.processor() or "unknown"
 
 
-def learned_pairs(run, tasks):
-    """Pairs of two subjects whose labels the measured program may have learned from."""
-    pairs = {name for _, name, _ in tasks if name.split("/")[0] in ("real_cross", "swapped_real_cross")}
-    seen = lambda name: "left-out" not in run.homolog.version or int(name.split("/")[1]) >= LEFT_OUT_PAIRS
-    return sum(map(seen, pairs))
-
-
-def provenance(run, tasks, n):
+def provenance(run, n):
     here = os.path.dirname(os.path.abspath(__file__))
     from importlib.metadata import PackageNotFoundError, version
 
@@ -171,7 +203,6 @@ def provenance(run, tasks, n):
         "python": platform.python_version(),
         "packages": versions,
         "n_label_volumes": len(run.cases.files),
-        "learned_pairs": learned_pairs(run, tasks),
         "cases_a_set": n,
     }
 

@@ -1,0 +1,34 @@
+"""Names for groups of sets, as `--sets` takes them; any single set can be named as well."""
+
+import capsules
+import coarse
+import landmarked
+import scaled
+import solids
+import structures
+import warped
+from cases import FAMILY, REAL, ROBUSTNESS, UNLIKE
+
+GROUPS = {
+    "real": REAL,
+    "robustness": ROBUSTNESS,
+    "scale": scaled.KINDS,
+    "narrow": ["real_narrow2", "narrow4"],
+    "width": warped.WIDTH_KINDS,
+    "bent": capsules.KINDS,
+    "symmetric": solids.KINDS,
+    "unlike": structures.KINDS,
+    "noise": coarse.KINDS,
+    "landmarked": landmarked.KINDS,
+}
+KINDS = [*REAL, "real_narrow2", *ROBUSTNESS, *UNLIKE, *FAMILY, *(f"swapped_{kind}" for kind in REAL)]
+
+
+def expanded(text):
+    """The sets that a comma-separated list of sets and groups names."""
+    found = []
+    for name in text.split(","):
+        if name not in GROUPS and name not in KINDS:
+            raise ValueError(f"no set {name}; there are {', '.join([*GROUPS, *KINDS])}")
+        found += GROUPS.get(name, [name])
+    return list(dict.fromkeys(found))

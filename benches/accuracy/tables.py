@@ -1,0 +1,74 @@
+"""Cells and tables of the report, in Markdown."""
+
+import capsules
+import scaled
+import solids
+import warped
+from peers import PEERS
+from plan import DEFAULT
+
+REAL_TITLES = {
+    "real_warp4": "warp 4 %",
+    "real_warp8": "warp 8 %",
+    "real_cross": "two subjects",
+    "real_resample": "re-sampled copy",
+}
+TITLES = {
+    **REAL_TITLES,
+    "resample_noise": "copy, noise",
+    "resample_cut": "copy, end cut",
+    "resample_half": "copy, half density",
+    "bean_noise": "bean, noise",
+    "bean_cut": "bean, end cut",
+    "bean_half": "bean, half density",
+    "bean_warp8": "bean, warp 8 %",
+    "mirrored": "mirrored copy",
+    "ellipsoid": "ellipsoid of its size",
+    "anterior_part": "another subject's anterior part",
+    "real_narrow2": "narrow warp 2 %",
+    "narrow4": "narrow warp 4 %",
+    "noise1000": "1,000 vertices, noise",
+    "noise1000_bean": "bean of 1,000 vertices, noise",
+    "unlike_hippocampus_putamen": "hippocampus and putamen",
+    "unlike_femur_vertebra": "femur and vertebra",
+    "landmarked_femur": "femurs",
+    "landmarked_molar": "molars",
+    "landmarked_molar_equal_size": "molars, equal size",
+    "landmarked_vertebra": "vertebrae",
+    "landmarked_mouse_skull": "mouse skulls",
+    **{kind: f"capsule bent by {kind.removeprefix('bent_')}°" for kind in capsules.KINDS},
+    **{kind: f"{kind.removeprefix('symmetric_')}, sampled twice" for kind in solids.KINDS},
+    **{kind: f"warp 4 %, kernels {kind.removeprefix('width_')} wide" for kind in warped.WIDTH_KINDS},
+    **{kind: f"in units of {kind.removeprefix('scale_')}" for kind in scaled.KINDS},
+    **{f"swapped_{kind}": f"{name}, exchanged" for kind, name in REAL_TITLES.items()},
+}
+
+
+def title(method):
+    if method in PEERS:
+        return PEERS[method].title
+    return f"**homolog {method}**" if method == DEFAULT else f"homolog {method}"
+
+
+def mean_text(s, digits=2):
+    return "" if not s else f"{s['mean']:.{digits}f} [{s['low']:.{digits}f}, {s['high']:.{digits}f}]"
+
+
+def spread_text(s, digits=2):
+    return "" if not s else f"{mean_text(s, digits)}; {s['median']:.{digits}f}; {s['worst']:.{digits}f}"
+
+
+def table(header, rows):
+    lines = ["| " + " | ".join(header) + " |", "|" + "---|" * len(header)]
+    return "\n".join(lines + ["| " + " | ".join(row) + " |" for row in rows]) + "\n"
+
+
+def failures_text(summary):
+    """How many pairs have no answer, and one of the reasons."""
+    lost = ", ".join(f"{n} {status}" for status, n in summary["status"].items() if status != "answered")
+    return f"{lost}, for example: {reason(summary['message'])}" if lost and summary["message"] else lost
+
+
+def reason(message):
+    """What a message says first: why, without where and what to do."""
+    return message.strip().partition("\n")[0].removeprefix("homolog: ").partition(";")[0]

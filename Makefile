@@ -87,13 +87,8 @@ picture: build
 experiment: build
 	target/release/homolog experiment --data "$(DATA)" --out target/experiment $(if $(ACCURACY),--accuracy "$(ACCURACY)")
 
-# The measured program (feature `left-out`) has a prior that was not trained on the subjects of the pairs. The last build
-# restores the regular program.
 accuracy: build
-	$(CARGO) build --release --locked --features left-out
-	mkdir -p target/left-out && cp target/release/homolog target/left-out/homolog
-	$(CARGO) build --release --locked
-	benches/accuracy/run --binary target/left-out/homolog --data "$(DATA)" --eval "$(EVAL)" $(if $(CASES),--cases "$(CASES)") \
+	benches/accuracy/run --binary target/release/homolog --data "$(DATA)" --eval "$(EVAL)" $(if $(CASES),--cases "$(CASES)") \
 	  $(if $(filter-out 0,$(OURS_ONLY)),--ours-only)
 
 answers: build

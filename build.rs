@@ -9,11 +9,7 @@ fn main() {
     println!("cargo:rerun-if-changed=build.rs");
     println!("cargo:rerun-if-env-changed=HOMOLOG_COMMIT");
     let stated = env::var("HOMOLOG_COMMIT").ok().map(|c| c.trim().to_owned()).filter(|c| !c.is_empty());
-    let mut commit = stated.or_else(checkout).unwrap_or_else(|| "unknown".to_owned());
-    // Its answers differ, so that its version does.
-    if env::var_os("CARGO_FEATURE_LEFT_OUT").is_some() {
-        commit.push_str("-left-out");
-    }
+    let commit = stated.or_else(checkout).unwrap_or_else(|| "unknown".to_owned());
     println!("cargo:rustc-env=HOMOLOG_COMMIT={commit}");
 }
 

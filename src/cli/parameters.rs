@@ -137,8 +137,8 @@ mod tests {
         let resolved = |settings: &[&str]| resolve(&request(settings).unwrap()).unwrap();
         let balanced = resolved(&["features.1.weight=2"]);
         assert_eq!((balanced.features.len(), balanced.features[1].weight), (2, 2.0));
-        let thesis = resolved(&["features.0.scales_mm.0=1", "method=thesis"]);
-        assert_eq!((thesis.features.len(), thesis.features[0].scales_mm[0]), (1, 1.0));
+        let thesis = resolved(&["features.0.scales.0=1", "method=thesis"]);
+        assert_eq!((thesis.features.len(), thesis.features[0].scales[0]), (1, 1.0));
     }
 
     #[test]

@@ -87,7 +87,7 @@ problems! {
         "detail says where the file is invalid; export it again.";
     EmptyStructure = "empty-structure", UNPROCESSABLE_ENTITY, "An input contains no structure to match",
         "Check that the file is not empty and that the volume contains the labels in input.labels.";
-    UnsuitableSurface = "unsuitable-surface", UNPROCESSABLE_ENTITY, "An input is not a closed surface of genus 0",
+    UnsuitableSurface = "unsuitable-surface", UNPROCESSABLE_ENTITY, "An input is no surface that can be matched",
         "The topology report says why. Repair the surface, or allow repairs with input.repair.";
     InvalidInput = "invalid-input", UNPROCESSABLE_ENTITY, "An input cannot be matched",
         "detail says why.";

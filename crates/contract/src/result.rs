@@ -1,6 +1,6 @@
 //! The result document of a match, in the form in which the service and the command line print it.
 
-use super::parameters::{Anatomy, MatchParameters};
+use super::parameters::MatchParameters;
 use crate::input::InputReport;
 use std::fmt::Write;
 
@@ -29,9 +29,6 @@ pub struct ResultDocument {
     /// Whether the answer can be relied on; absent where no displacement field was fitted.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub reliability: Option<ReliabilityDocument>,
-    /// What the learned prior of `displacement.anatomy` changed; absent where it was not applied.
-    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
-    pub anatomy: Option<AnatomyDocument>,
     /// Whether two semi-axes of a first-order ellipsoid are so nearly equal that the rotation about the third is arbitrary.
     #[cfg_attr(feature = "serde", serde(default))]
     pub ambiguous_axes: bool,
@@ -193,22 +190,6 @@ pub struct ReliabilityDocument {
     pub normal_agreement: f64,
     /// Robust standard deviation of the distance between the deformed source and the target along the normals, mm.
     pub residual_mm: f64,
-}
-
-/// What the learned prior of a structure changed in the correspondences of two subjects.
-#[derive(Debug, Clone, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
-pub struct AnatomyDocument {
-    /// The structure that both surfaces resemble.
-    pub structure: Anatomy,
-    /// Distance of the source's shape from the training set, in standard deviations of that set (median of the training
-    /// set: 0.95).
-    pub source_distance: f64,
-    /// The same for the target.
-    pub target_distance: f64,
-    /// Root mean square distance by which images were moved along the target, mm.
-    pub slide_mm: f64,
 }
 
 /// A reason to doubt an answer.

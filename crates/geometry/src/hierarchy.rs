@@ -18,7 +18,7 @@ use std::collections::BinaryHeap;
 /// Candidate vertices per site, which bounds the time on the finest surfaces.
 const CANDIDATES_PER_SITE: usize = 16;
 /// A site whose cell has no corner is dropped and the cells are recomputed, at most this many times.
-const ROUNDS: usize = 8;
+const ROUNDS: usize = 32;
 
 /// A coarse level, with the maps to and from the finer surface.
 #[derive(Debug, Clone, PartialEq)]
@@ -48,7 +48,7 @@ pub fn coarsen(mesh: &SurfaceMesh, n_sites: usize) -> Option<CoarseSurface> {
     let mut sites: Vec<u32> = farthest_points(&candidates, n_sites).iter().map(|&k| (k * step) as u32).collect();
     sites.sort_unstable();
     for _ in 0..ROUNDS {
-        let cells = cells(mesh, &graph, &sites)?;
+        let cells = cells(mesh, &graph, &sites);
         let triangles = coarse_triangles(mesh, &cells);
         let mut used = vec![false; sites.len()];
         triangles.iter().flatten().for_each(|&k| used[k as usize] = true);
@@ -62,9 +62,9 @@ pub fn coarsen(mesh: &SurfaceMesh, n_sites: usize) -> Option<CoarseSurface> {
     None
 }
 
-/// For every vertex the index of the site nearest along edges, the lowest of equally near ones. `None` if a vertex is
-/// not connected to any site.
-fn cells(mesh: &SurfaceMesh, graph: &EdgeGraph, sites: &[u32]) -> Option<Vec<u32>> {
+/// For every vertex the index of the site nearest along edges, the lowest of equally near ones. Vertices of a piece without
+/// a site have that of the site nearest through space.
+fn cells(mesh: &SurfaceMesh, graph: &EdgeGraph, sites: &[u32]) -> Vec<u32> {
     let v = mesh.vertices();
     let mut cell = vec![u32::MAX; v.len()];
     // Non-negative lengths compare like their bits.
@@ -72,13 +72,11 @@ fn cells(mesh: &SurfaceMesh, graph: &EdgeGraph, sites: &[u32]) -> Option<Vec<u32
         sites.iter().enumerate().map(|(k, &s)| Reverse((0, k as u32, s))).collect();
     // The shortest known path to each vertex and its site, so that only improvements enter the queue.
     let mut nearest = vec![(u64::MAX, u32::MAX); v.len()];
-    let mut reached = 0;
     while let Some(Reverse((length, k, i))) = front.pop() {
         if cell[i as usize] != u32::MAX {
             continue;
         }
         cell[i as usize] = k;
-        reached += 1;
         let length = f64::from_bits(length);
         for &j in graph.neighbors(i as usize) {
             if cell[j as usize] == u32::MAX {
@@ -90,7 +88,12 @@ fn cells(mesh: &SurfaceMesh, graph: &EdgeGraph, sites: &[u32]) -> Option<Vec<u32
             }
         }
     }
-    (reached == v.len()).then_some(cell)
+    for (p, k) in v.iter().zip(&mut cell).filter(|(_, k)| **k == u32::MAX) {
+        let distances = sites.iter().map(|&s| (v[s as usize] - p).norm_squared());
+        let nearest = distances.zip(0..).min_by(|a, b| a.0.total_cmp(&b.0));
+        *k = nearest.map_or(0, |(_, k)| k);
+    }
+    cell
 }
 
 /// The triples of cells that meet in a face, oriented like the face, each once, ascending. Pairs of triangles with the
@@ -165,7 +168,7 @@ mod tests {
         for fine in [ellipsoid(Vector3::new(9.0, 6.0, 4.0), 3), torus(10.0, 4.0, 24, 12, FaceArity::Quad)] {
             let (fine, graph) = (canonicalize(&fine).mesh, canonicalize(&fine).mesh.edge_graph());
             let sites: Vec<u32> = (0..fine.n_vertices() as u32).step_by(23).collect();
-            let found = cells(&fine, &graph, &sites).unwrap();
+            let found = cells(&fine, &graph, &sites);
             assert_eq!(found, cells_by_relaxation(&fine, &graph, &sites));
         }
     }

@@ -6,14 +6,15 @@ use super::coarse::Coarse;
 use super::displacement::{
     ComparedPose, DisplacementAnswer, DisplacementOptions, StartPose, Surfaces, displace, landmark_pose,
 };
+use super::lengths::Lengths;
 use super::levels::Levels;
 use super::posed::{InferredPose, Posed};
 use super::reliability::{UNRELIABLE_CONFIDENCE, reliability, without_counterpart};
 use super::rounds::PROGRESS_AT_END;
 use super::scene::Scene;
 use super::vertex_map::VertexMap;
-use homolog_contract::parameters::{Anatomy, DisplacementMode};
-use homolog_contract::result::{AnatomyDocument, PoseDocument, PoseOrigin, ReliabilityDocument};
+use homolog_contract::parameters::DisplacementMode;
+use homolog_contract::result::{PoseDocument, PoseOrigin, ReliabilityDocument};
 use homolog_mesh::ClosestPoint;
 use homolog_mrf::Labeling;
 use homolog_primitives::observe::{Phase, TracePoint};
@@ -53,8 +54,6 @@ pub(crate) struct SmoothImages {
     pub no_counterpart: Vec<bool>,
     /// Whether the images can be relied on.
     pub reliability: ReliabilityDocument,
-    /// What knowledge of the structure changed; `None` where it was not applied.
-    pub anatomy: Option<AnatomyDocument>,
 }
 
 /// An image for every source vertex of `coarse`, from the pose of `posed`.
@@ -156,13 +155,15 @@ fn by_field(coarse: &Coarse<'_>, posed: &Posed<'_>, starts: &Starts) -> Result<O
         full_target: target.full.mesh(),
         full_closest: &scene.closest.index,
         landmarks: &scene.parameters.landmarks,
+        open: source.full.is_open || target.full.is_open,
+        lengths: Lengths::of(&source.middle, &target.middle),
     };
     let poses: Vec<StartPose> =
         starts.poses.iter().map(|(_, pose)| StartPose { pose: *pose, excess: starts.excess(pose) }).collect();
-    let options = DisplacementOptions { anatomy: scene.parameters.displacement.anatomy, ..Default::default() };
+    let options = DisplacementOptions::default();
     let allow_reflection = scene.parameters.registration.allow_reflection;
     let Some(found) = displace(&surfaces, &poses, allow_reflection, &options, observer)? else { return Ok(None) };
-    let displaced = answered(scene, starts, &found, reliability(&found, source.full.mesh(), target.full.mesh()));
+    let displaced = answered(scene, starts, &found, reliability(&found, &source.full, &target.full));
     observer.progress(PROGRESS_AT_END);
     if let Posed::Inference { problem, inferred } = posed {
         let energy = problem.model.energy(&labeling_of_energy(source, target, &displaced.labeling));
@@ -208,12 +209,6 @@ fn answered(
             moved: found.images.iter().map(|image| image.moved).collect(),
             no_counterpart,
             reliability,
-            anatomy: found.slide.map(|slide| AnatomyDocument {
-                structure: Anatomy::Hippocampus,
-                source_distance: slide.distances[0],
-                target_distance: slide.distances[1],
-                slide_mm: slide.rms_mm,
-            }),
         }),
     }
 }

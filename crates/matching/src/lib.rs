@@ -33,7 +33,6 @@
 //! the current rayon pool; without its feature `serde` it has no wire form either.
 
 mod active_labels;
-mod border;
 mod bound;
 mod candidate_poses;
 mod clamping;
@@ -45,6 +44,7 @@ mod displaced;
 mod displaced_tests;
 mod displacement;
 mod inverse;
+mod lengths;
 mod levels;
 mod light_smoothing;
 mod minimiser;
@@ -74,8 +74,8 @@ pub use levels::Levels;
 
 use homolog_contract::parameters::Algorithm;
 use homolog_contract::result::{
-    AnatomyDocument, ConsistencyDocument, Correspondences, EnergyDocument, PoseDocument, ReliabilityDocument,
-    RoundDocument, StopReason, SupportDocument, SurfaceDistanceDocument, TransformDocument,
+    ConsistencyDocument, Correspondences, EnergyDocument, PoseDocument, ReliabilityDocument, RoundDocument, StopReason,
+    SupportDocument, SurfaceDistanceDocument, TransformDocument,
 };
 use homolog_geometry::harmonics::HarmonicsError;
 use homolog_mrf::MrfModel;
@@ -99,8 +99,6 @@ pub struct MatchOutcome {
     pub poses: Vec<PoseDocument>,
     /// Whether the answer can be relied on; `None` where no displacement field was fitted.
     pub reliability: Option<ReliabilityDocument>,
-    /// What the learned prior of a structure changed; `None` where it was not applied.
-    pub anatomy: Option<AnatomyDocument>,
     /// Whether two semi-axes of a first-order ellipsoid are so nearly equal that the rotation about the third is arbitrary.
     pub ambiguous_axes: bool,
     /// The dense correspondence.
@@ -183,7 +181,7 @@ pub fn energy_model(
 
 /// Matches `source` to `target` and registers them. Correspondences use the vertex indices of these two meshes.
 ///
-/// `source` is moved onto `target`; both are closed surfaces of genus 0, or open parts of them, mm. The answer is the same
+/// `source` is moved onto `target`; both are surfaces of any topology whose faces look outwards, mm. The answer is the same
 /// to the bit for the same surfaces, parameters and seed, on any number of threads, and renumbering the vertices of an input
 /// permutes it. Parameters are taken as they are: [`MatchParameters::check`] says which values are allowed.
 ///

@@ -1,6 +1,7 @@
 //! The energy of two surfaces: features in scale space, and the MRF.
 
 use super::MatchError;
+use super::lengths::Lengths;
 use super::side::Side;
 use homolog_contract::parameters::{
     CurvatureEstimator, FeatureKind, FeatureParameters, Landmark, MatchParameters, PairwiseDistance,
@@ -11,12 +12,17 @@ use homolog_mrf::{Feature, MrfModel, PairwisePotential, unary_potentials};
 use nalgebra::Point3;
 
 impl Side {
-    /// Every feature that `parameters` ask for at every scale, one list of values each, in order. `radius_mm` is for
-    /// estimators whose radius is not stated.
-    pub(crate) fn features(&self, parameters: &MatchParameters, radius_mm: f64) -> Result<Vec<Vec<f64>>, MatchError> {
+    /// Every feature that `parameters` ask for at every scale, one list of values each, in order. `root_mm` is the size that
+    /// relative scales are multiples of; `radius_mm` is for estimators whose radius is not stated.
+    pub(crate) fn features(
+        &self,
+        parameters: &MatchParameters,
+        root_mm: f64,
+        radius_mm: f64,
+    ) -> Result<Vec<Vec<f64>>, MatchError> {
         if let Some((finer, sites)) = self.measured_on() {
             let at_sites = |values: &Vec<f64>| sites.iter().map(|&k| values[k as usize]).collect();
-            return Ok(finer.features(parameters, radius_mm)?.iter().map(at_sites).collect());
+            return Ok(finer.features(parameters, root_mm, radius_mm)?.iter().map(at_sites).collect());
         }
         let flow = ScaleSpace::new(self.mesh());
         // Several features share a scale and an estimator; each pair is measured once.
@@ -24,7 +30,7 @@ impl Side {
         let mut values = Vec::new();
         for feature in &parameters.features {
             let estimator = estimator(feature, radius_mm);
-            for &scale_mm in &feature.scales_mm {
+            for scale_mm in feature.scales(root_mm) {
                 if !measured.iter().any(|(s, e, _)| (*s, *e) == (scale_mm, estimator)) {
                     let surface = flow.smoothed(scale_mm).map_err(|_| MatchError::ScaleSpace { scale_mm })?;
                     measured.push((scale_mm, estimator, curvatures(&surface, estimator)));
@@ -77,9 +83,12 @@ const HARD_TRUNCATION: f64 = 60.0;
 pub(super) fn build_model(source: &Side, target: &Side, parameters: &MatchParameters) -> Result<MrfModel, MatchError> {
     // One radius for both, or the coarser surface would appear smoother.
     let radius_mm = source.feature_radius_mm().max(target.feature_radius_mm());
-    let (source_values, target_values) =
-        rayon::join(|| source.features(parameters, radius_mm), || target.features(parameters, radius_mm));
-    let weights = parameters.features.iter().flat_map(|f| f.scales_mm.iter().map(|_| f.weight));
+    let root_mm = Lengths::of(source, target).root_mm;
+    let (source_values, target_values) = rayon::join(
+        || source.features(parameters, root_mm, radius_mm),
+        || target.features(parameters, root_mm, radius_mm),
+    );
+    let weights = parameters.features.iter().flat_map(|f| f.scales(root_mm).into_iter().map(|_| f.weight));
     let features: Vec<Feature> = weights
         .zip(source_values?.into_iter().zip(target_values?))
         .map(|(weight, (source, target))| Feature { weight, source, target })

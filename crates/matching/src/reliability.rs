@@ -1,6 +1,7 @@
 //! Whether an answer can be relied on: do the two surfaces show one structure, in one pose, of one handedness?
 
 use super::displacement::{DisplacementAnswer, Image};
+use super::side::Side;
 use homolog_contract::result::{ReliabilityDocument, UnreliableReason};
 use homolog_geometry::curvature::vertex_areas;
 use homolog_mesh::{ClosestPoint, SurfaceMesh};
@@ -44,11 +45,11 @@ pub(super) fn without_counterpart(target: &SurfaceMesh, edge_mm: f64, images: &[
 }
 
 /// Ratio of the lengths of two closed surfaces, at least 1; 1 where one is open, because a part of it may be missing.
-fn length_ratio(source: &SurfaceMesh, target: &SurfaceMesh) -> f64 {
-    if source.boundary_vertices().is_some() || target.boundary_vertices().is_some() {
+fn length_ratio(source: &Side, target: &Side) -> f64 {
+    if source.is_open || target.is_open {
         return 1.0;
     }
-    let (a, b) = (length_mm(source), length_mm(target));
+    let (a, b) = (length_mm(source.mesh()), length_mm(target.mesh()));
     a.max(b) / a.min(b).max(f64::MIN_POSITIVE)
 }
 
@@ -61,11 +62,7 @@ fn length_mm(mesh: &SurfaceMesh) -> f64 {
 }
 
 /// Reliability of `found`, an answer for `source` on `target`.
-pub(super) fn reliability(
-    found: &DisplacementAnswer,
-    source: &SurfaceMesh,
-    target: &SurfaceMesh,
-) -> ReliabilityDocument {
+pub(super) fn reliability(found: &DisplacementAnswer, source: &Side, target: &Side) -> ReliabilityDocument {
     let best = found.compared[0];
     let of = |mirrored: bool| {
         let others = found.compared[1..].iter().filter(|j| j.mirrored == mirrored).map(|j| j.misfit);
@@ -108,7 +105,7 @@ mod tests {
         // On a sphere the variance of a coordinate is a third of the squared radius.
         let sphere = ellipsoid(Vector3::new(6.0, 6.0, 6.0), 4);
         assert!((length_mm(&sphere) - 6.0 / 3f64.sqrt()).abs() < 0.02, "{}", length_mm(&sphere));
-        let [short, long] = [12.0, 24.0].map(|x| ellipsoid(Vector3::new(x, 5.0, 4.0), 4));
+        let [short, long] = [12.0, 24.0].map(|x| Side::new(&ellipsoid(Vector3::new(x, 5.0, 4.0), 4)));
         assert!((1.9..2.1).contains(&length_ratio(&short, &long)), "{}", length_ratio(&short, &long));
         assert_eq!(length_ratio(&short, &long), length_ratio(&long, &short));
     }
@@ -119,6 +116,7 @@ mod tests {
         let kept = whole.triangles().into_iter().skip(40).flatten().collect();
         let open = SurfaceMesh::new(whole.vertices().to_vec(), FaceArity::Triangle, kept).unwrap();
         let short = ellipsoid(Vector3::new(6.0, 5.0, 4.0), 3);
+        let [whole, open, short] = [whole, open, short].map(|mesh| Side::new(&mesh));
         assert_eq!(length_ratio(&open, &short), 1.0);
         assert!(length_ratio(&whole, &short) > MAX_LENGTH_RATIO);
     }

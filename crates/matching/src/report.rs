@@ -31,9 +31,9 @@ pub(crate) fn measured(coarse: &Coarse<'_>, posed: &Posed<'_>, answer: &Displace
     );
     let OfPairs { similarity, support, topology, mut correspondences } = of_pairs;
     correspondences.inverse = scene.parameters.both_directions.then(|| inverse(scene, answer)).flatten().map(Box::new);
-    let (reliability, anatomy) = match &answer.images {
-        Images::OnVertices => (None, None),
-        Images::Smooth(smooth) => (Some(smooth.reliability.clone()), smooth.anatomy.clone()),
+    let reliability = match &answer.images {
+        Images::OnVertices => None,
+        Images::Smooth(smooth) => Some(smooth.reliability.clone()),
     };
     let (rounds, ambiguous_axes, stop_reason) = match posed {
         Posed::Inference { inferred, .. } => (inferred.rounds.clone(), false, inferred.stop_reason),
@@ -48,7 +48,6 @@ pub(crate) fn measured(coarse: &Coarse<'_>, posed: &Posed<'_>, answer: &Displace
         rounds,
         poses: answer.poses.clone(),
         reliability,
-        anatomy,
         ambiguous_axes,
         correspondences,
         stop_reason,

@@ -9,8 +9,13 @@ use nalgebra::Vector3;
 use std::mem::size_of;
 use std::sync::{Arc, OnceLock};
 
-/// Scale of the positions that poses and displacement fields are fitted to, mm: it removes the steps of voxels.
-pub(super) const POSITION_SCALE_MM: f64 = 0.7;
+/// Scale of the positions that poses and displacement fields are fitted to, in roots of the area: it removes the steps of
+/// voxels.
+pub(super) const POSITION_SCALE: f64 = 0.0175;
+
+/// A boundary longer than this many roots of the area makes a surface open. A cut through an end of a structure is longer;
+/// a hole that a segmentation or a scanner left is not, and nothing is missing there.
+const OPEN: f64 = 0.2;
 
 /// One surface at one level. Immutable: the parts that are computed on first use depend on nothing else. They are computed
 /// on one thread, so that a thread that waits for them never waits for work that it has queued itself.
@@ -19,6 +24,10 @@ pub(super) struct Side {
     pub surface: CanonicalMesh,
     /// Unit normals of its vertices.
     pub normals: Vec<Vector3<f64>>,
+    /// Square root of the area of the surface with all its vertices.
+    pub root_mm: f64,
+    /// Whether the surface with all its vertices is open: a part of it may be missing.
+    pub is_open: bool,
     /// The finer surface on which features are measured instead, and the vertex of it that each vertex is: curvature of a
     /// coarse level would be that of its triangles.
     measured_on: Option<(Arc<Side>, Vec<u32>)>,
@@ -26,7 +35,7 @@ pub(super) struct Side {
     light: OnceLock<LightSide>,
 }
 
-/// A surface smoothed at [`POSITION_SCALE_MM`].
+/// A surface smoothed at [`POSITION_SCALE`].
 pub(super) struct LightSide {
     pub mesh: SurfaceMesh,
     /// Areas of its vertices, mm².
@@ -45,7 +54,9 @@ impl Side {
         let CanonicalMesh { mesh, numbering: canonical } = canonicalize(mesh);
         let surface = CanonicalMesh { mesh, numbering: canonical.over(numbering) };
         let normals = surface.mesh.vertex_normals();
-        Side { surface, normals, measured_on: None, closest: OnceLock::new(), light: OnceLock::new() }
+        let root_mm = surface.mesh.area().sqrt();
+        let is_open = surface.mesh.boundary_length() > OPEN * root_mm;
+        Side { surface, normals, root_mm, is_open, measured_on: None, closest: OnceLock::new(), light: OnceLock::new() }
     }
 
     /// A coarser level of `finer` of about `n_sites` vertices, and for every vertex of `finer` the one it belongs to.
@@ -56,7 +67,11 @@ impl Side {
         let normals = mesh.vertex_normals();
         let measured_on = inherits.then(|| (Arc::clone(finer), sites));
         let surface = CanonicalMesh { mesh, numbering };
-        Some((Side { surface, normals, measured_on, closest: OnceLock::new(), light: OnceLock::new() }, cells))
+        let (root_mm, is_open) = (finer.root_mm, finer.is_open);
+        Some((
+            Side { surface, normals, root_mm, is_open, measured_on, closest: OnceLock::new(), light: OnceLock::new() },
+            cells,
+        ))
     }
 
     pub(crate) fn mesh(&self) -> &SurfaceMesh {
@@ -81,7 +96,7 @@ impl Side {
     /// The lightly smoothed surface.
     pub(crate) fn light(&self) -> &LightSide {
         self.light.get_or_init(|| {
-            let mesh = lightly_smoothed(self.mesh(), POSITION_SCALE_MM);
+            let mesh = lightly_smoothed(self.mesh(), POSITION_SCALE * self.root_mm);
             LightSide { closest: SurfaceIndex::new(&mesh), areas: vertex_areas(&mesh), mesh }
         })
     }

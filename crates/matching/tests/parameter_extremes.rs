@@ -77,7 +77,6 @@ fn factors() -> Vec<Factor> {
     choice("registration.allow_reflection", &[json!(false), json!(true)]);
     choice("registration.similarity", &[json!(false), json!(true)]);
     choice("displacement.mode", &names(&["none", "smooth"]));
-    choice("displacement.anatomy", &names(&["any", "hippocampus"]));
     choice("both_directions", &[json!(false), json!(true)]);
     choice("seed", &[json!(0), json!(u64::MAX)]);
     factors
@@ -220,7 +219,6 @@ fn not_finite(outcome: &MatchOutcome) -> Vec<String> {
         ("rounds", serde_json::to_value(&outcome.rounds)),
         ("poses", serde_json::to_value(&outcome.poses)),
         ("reliability", serde_json::to_value(outcome.reliability.iter().collect::<Vec<_>>())),
-        ("anatomy", serde_json::to_value(outcome.anatomy.iter().collect::<Vec<_>>())),
         ("correspondences", serde_json::to_value(&outcome.correspondences)),
     ];
     let mut found = Vec::new();

@@ -11,6 +11,7 @@ mod closest;
 mod distance;
 mod geometry;
 mod numbering;
+pub mod orientation;
 pub mod shapes;
 
 pub mod repair;

@@ -120,9 +120,15 @@ pub fn drop_unused(mesh: &SurfaceMesh) -> RepairedMesh {
 
 /// `mesh` with every face reversed, so that inside becomes outside. Cost `O(n)`.
 pub fn reversed(mesh: &SurfaceMesh) -> SurfaceMesh {
+    reversed_where(mesh, |_| true)
+}
+
+/// `mesh` with the faces reversed for which `reverse` holds. Cost `O(n)`.
+pub(crate) fn reversed_where(mesh: &SurfaceMesh, reverse: impl Fn(usize) -> bool) -> SurfaceMesh {
     let mut mesh = mesh.clone();
+    let faces = mesh.indices.chunks_exact_mut(mesh.arity.n_corners()).enumerate();
     // The first corner stays first, so a quad keeps its first diagonal.
-    mesh.indices.chunks_exact_mut(mesh.arity.n_corners()).for_each(|f| f[1..].reverse());
+    faces.filter(|(f, _)| reverse(*f)).for_each(|(_, face)| face[1..].reverse());
     mesh
 }
 

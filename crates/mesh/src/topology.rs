@@ -37,7 +37,7 @@ pub struct TopologyReport {
     pub volume_mm3: Option<f64>,
 }
 
-/// The first reason, in the order of the variants, why a mesh is not a closed surface of genus 0 with outward faces.
+/// The first reason, in the order of the variants, why a mesh is not the surface that is demanded.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum SurfaceFault {
     /// More than two faces meet at an edge.
@@ -161,7 +161,7 @@ impl SurfaceFault {
 pub struct Analysis {
     /// The counts.
     pub report: TopologyReport,
-    /// Why the mesh is not a closed surface of genus 0 with outward faces, if it is not.
+    /// Why the mesh is not the surface that was demanded, if it is not.
     pub fault: Option<SurfaceFault>,
 }
 
@@ -179,14 +179,25 @@ pub fn topology_report(mesh: &SurfaceMesh) -> TopologyReport {
 ///
 /// Cost `O(faces log faces)`.
 pub fn analyze(mesh: &SurfaceMesh) -> Analysis {
-    analyze_with(mesh, false)
+    analyze_with(mesh, Demand::Sphere)
 }
 
-/// As [`analyze`]; with `allow_boundary`, a boundary is no fault and an open surface needs no genus. Its faces count as
-/// outward if the signed volume relative to the centroid is not negative.
+/// What a surface has to be.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Demand {
+    /// Any surface whose faces agree in orientation and, where it is closed, enclose a volume. Faces of an open surface count
+    /// as outward if the signed volume relative to the centroid is not negative.
+    Any,
+    /// The same, without a boundary.
+    NoBoundary,
+    /// A closed manifold in one piece, of genus 0.
+    Sphere,
+}
+
+/// As [`analyze`]: the first fault of a surface that is not what `demand` says.
 ///
 /// Cost `O(faces log faces)`.
-pub fn analyze_with(mesh: &SurfaceMesh, allow_boundary: bool) -> Analysis {
+pub fn analyze_with(mesh: &SurfaceMesh, demand: Demand) -> Analysis {
     let edges = EdgeUses::new(mesh);
     let mut fans = DisjointSets::new(mesh.indices().len());
     let mut faults = EdgeFaults::default();
@@ -222,7 +233,7 @@ pub fn analyze_with(mesh: &SurfaceMesh, allow_boundary: bool) -> Analysis {
         area_mm2: mesh.area(),
         volume_mm3: closed.then(|| mesh.signed_volume()),
     };
-    let fault = first_fault(mesh, &report, &faults, &torn, &n_fans, &components, allow_boundary);
+    let fault = first_fault(mesh, &report, &faults, &torn, &n_fans, &components, demand);
     Analysis { report, fault }
 }
 
@@ -233,18 +244,18 @@ fn first_fault(
     torn: &[u32],
     n_fans: &[u32],
     components: &Components,
-    allow_boundary: bool,
+    demand: Demand,
 ) -> Option<SurfaceFault> {
     let v = mesh.vertices();
     let middle = |e: [u32; 2]| -> [f64; 3] { nalgebra::center(&v[e[0] as usize], &v[e[1] as usize]).into() };
-    if let Some(edge) = faults.many.first {
+    if let Some(edge) = faults.many.first.filter(|_| demand == Demand::Sphere) {
         let (n_edges, n_faces) = (faults.many.n, faults.many.n_faces);
         return Some(SurfaceFault::NonManifoldEdge { n_edges, edge, n_faces, place_mm: middle(edge) });
     }
-    if let Some(edge) = faults.boundary.first.filter(|_| !allow_boundary) {
+    if let Some(edge) = faults.boundary.first.filter(|_| demand != Demand::Any) {
         return Some(SurfaceFault::Boundary { n_edges: faults.boundary.n, edge, place_mm: middle(edge) });
     }
-    if let Some(&vertex) = torn.first() {
+    if let Some(&vertex) = torn.first().filter(|_| demand == Demand::Sphere) {
         let (n_vertices, n_fans) = (torn.len() as u32, n_fans[vertex as usize]);
         let place_mm = v[vertex as usize].into();
         return Some(SurfaceFault::NonManifoldVertex { n_vertices, vertex, n_fans, place_mm });
@@ -252,7 +263,7 @@ fn first_fault(
     if let Some(edge) = faults.twisted.first {
         return Some(SurfaceFault::Misoriented { n_edges: faults.twisted.n, edge, place_mm: middle(edge) });
     }
-    if report.n_components > 1 {
+    if report.n_components > 1 && demand == Demand::Sphere {
         let largest = components.largest();
         let other = components.of_vertex.iter().position(|&c| c != u32::MAX && c != largest).unwrap_or(0);
         return Some(SurfaceFault::Pieces {
@@ -262,7 +273,7 @@ fn first_fault(
             place_mm: v[other].into(),
         });
     }
-    if let Some(genus) = report.genus.filter(|&g| g > 0) {
+    if let Some(genus) = report.genus.filter(|&g| g > 0 && demand == Demand::Sphere) {
         return Some(SurfaceFault::Genus { genus });
     }
     let Some(volume_mm3) = report.volume_mm3 else {
@@ -278,21 +289,21 @@ fn first_fault(
 
 /// One face's use of an edge.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-struct EdgeUse {
-    edge: [u32; 2],
+pub(crate) struct EdgeUse {
+    pub edge: [u32; 2],
     /// Position in the mesh's indices of the corner at the lower vertex.
-    corner_low: u32,
+    pub corner_low: u32,
     /// The same of the higher vertex.
-    corner_high: u32,
+    pub corner_high: u32,
     /// Whether the face runs from the lower to the higher vertex.
-    ascending: bool,
+    pub ascending: bool,
 }
 
 /// All uses of all edges, those of one edge together, edges ascending.
-struct EdgeUses(Vec<EdgeUse>);
+pub(crate) struct EdgeUses(Vec<EdgeUse>);
 
 impl EdgeUses {
-    fn new(mesh: &SurfaceMesh) -> Self {
+    pub(crate) fn new(mesh: &SurfaceMesh) -> Self {
         let n = mesh.arity().n_corners();
         let mut uses = Vec::with_capacity(mesh.indices().len());
         for (f, face) in mesh.faces().enumerate() {
@@ -309,7 +320,7 @@ impl EdgeUses {
         EdgeUses(uses)
     }
 
-    fn groups(&self) -> impl Iterator<Item = &[EdgeUse]> {
+    pub(crate) fn groups(&self) -> impl Iterator<Item = &[EdgeUse]> {
         self.0.chunk_by(|a, b| a.edge == b.edge)
     }
 }

@@ -68,7 +68,7 @@ fn a_missing_face_is_reported_with_its_edge() {
 fn with_a_boundary_allowed_a_surface_needs_only_one_oriented_piece() {
     let (v, f) = tetrahedron(0.0);
     let open = f[..9].to_vec();
-    let judged = |indices: Vec<u32>| analyze_with(&mesh(v.clone(), indices), true).fault;
+    let judged = |indices: Vec<u32>| analyze_with(&mesh(v.clone(), indices), Demand::Any).fault;
     assert_eq!(judged(open.clone()), None);
     let turned = open.chunks_exact(3).flat_map(|t| [t[0], t[2], t[1]]).collect();
     assert!(matches!(judged(turned), Some(SurfaceFault::InsideOut { .. })));

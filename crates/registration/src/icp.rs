@@ -94,7 +94,7 @@ pub fn refine_icp(
 }
 
 /// Diagonal of the bounding box, mm.
-fn extent(points: &[Point3<f64>]) -> f64 {
+pub(crate) fn extent(points: &[Point3<f64>]) -> f64 {
     let (low, high) = points
         .iter()
         .fold((Point3::from([f64::INFINITY; 3]), Point3::from([f64::NEG_INFINITY; 3])), |(low, high), p| {

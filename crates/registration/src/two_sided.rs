@@ -10,6 +10,7 @@
 
 use super::icp::ClosestSurfacePoint;
 use super::{IcpMetric, RigidTransform, absolute_orientation};
+use crate::icp::extent;
 use homolog_primitives::observe::{Cancelled, Observer, checkpoint};
 use nalgebra::{Matrix6, Point3, Rotation3, Vector3, Vector6};
 use rayon::prelude::*;
@@ -82,19 +83,20 @@ pub fn align_both_ways(
     options: &TwoSidedOptions,
     observer: &dyn Observer,
 ) -> Result<TwoSidedReport, Cancelled> {
+    let extent = extent(source.points);
     let mut report = TwoSidedReport { target_from_source: *start, residual_mm: 0.0, steps: 0, converged: false };
     for (sample, steps) in [(options.max_sample, options.sample_steps), (usize::MAX, options.full_steps)] {
         report.converged = false;
         for _ in 0..steps {
             checkpoint(observer)?;
             let pairs = pairs(source, target, &report.target_from_source, sample);
-            let Some((step, residual_mm)) = step(&pairs, options.metric) else { break };
+            let Some((step, residual_mm)) = step(&pairs, options.metric, extent) else { break };
             report.target_from_source = step.after(&report.target_from_source);
             report.residual_mm = residual_mm;
             report.steps += 1;
             let at = pairs[0].source;
             let moves = (step.apply(&at) - at).norm();
-            report.converged = step.angle_rad() < options.tolerance && moves < options.tolerance;
+            report.converged = step.angle_rad() < options.tolerance && moves < options.tolerance * extent;
             if report.converged {
                 break;
             }
@@ -125,7 +127,7 @@ fn pairs(source: &SurfaceSide<'_>, target: &SurfaceSide<'_>, pose: &RigidTransfo
 }
 
 /// The step that minimizes the weighted residuals, and their robust standard deviation, mm.
-fn step(pairs: &[Pair], metric: IcpMetric) -> Option<(RigidTransform, f64)> {
+fn step(pairs: &[Pair], metric: IcpMetric, extent: f64) -> Option<(RigidTransform, f64)> {
     let residual = |pair: &Pair| match metric {
         IcpMetric::PointToPoint => (pair.source - pair.target).norm(),
         IcpMetric::PointToPlane => pair.normal.dot(&(pair.source - pair.target)),
@@ -135,7 +137,7 @@ fn step(pairs: &[Pair], metric: IcpMetric) -> Option<(RigidTransform, f64)> {
     let middle = sizes.len() / 2;
     let deviation = 1.4826 * *sizes.select_nth_unstable_by(middle, f64::total_cmp).1;
     // The residuals of exact copies are rounding, and all have weight.
-    let limit = (TUKEY * deviation).max(1e-9);
+    let limit = (TUKEY * deviation).max(1e-11 * extent);
     let weights: Vec<f64> = pairs
         .iter()
         .zip(&residuals)

@@ -180,7 +180,6 @@ pub fn run_match_with(
         rounds: outcome.rounds,
         poses: outcome.poses,
         reliability: outcome.reliability,
-        anatomy: outcome.anatomy,
         ambiguous_axes: outcome.ambiguous_axes,
         correspondences: Some(outcome.correspondences),
         stop_reason: outcome.stop_reason,

@@ -80,7 +80,7 @@ fn only_parameters_that_a_surface_depends_on_make_another_surface() {
     }
     let other = [
         json!({"input": {"smoothing_mm": 0.9}}),
-        json!({"input": {"allow_boundary": true}}),
+        json!({"input": {"allow_boundary": false}}),
         json!({"input": {"repair": ["weld"]}}),
         json!({"input": {"labels": [17]}}),
         json!({"input": {"surface": "voxel"}}),
@@ -167,7 +167,8 @@ fn a_refused_input_is_not_kept_and_does_not_block_later_matches() {
     let open = write_ply(&SurfaceMesh::new(vertices, FaceArity::Triangle, vec![0, 1, 2]).unwrap());
     for _ in 0..2 {
         for (sides, refused) in [([&open, &source], Side::Source), ([&source, &open], Side::Target)] {
-            let error = ready(&cache, sides.map(Vec::as_slice), json!({})).err().unwrap();
+            let error =
+                ready(&cache, sides.map(Vec::as_slice), json!({"input": {"allow_boundary": false}})).err().unwrap();
             assert!(matches!(error, RunError::Input { side, .. } if side == refused), "{error}");
         }
     }

@@ -8,7 +8,8 @@
 pub struct DisplacementParameters {
     /// Whether a displacement field is fitted.
     pub mode: DisplacementMode,
-    /// Learned prior of the structure that is applied.
+    /// Learned prior of the structure that is applied. There is none at present: `any` is the only value that requests may
+    /// state.
     #[cfg_attr(feature = "serde", serde(default = "without_prior"))]
     pub anatomy: Anatomy,
 }
@@ -27,9 +28,8 @@ fn without_prior() -> Anatomy {
 pub enum Anatomy {
     /// No prior: any structure.
     Any,
-    /// The border between the anterior and the posterior part of the hippocampus, learned from labelled volumes. In matches
-    /// between two subjects, images are moved along the long axis by at most 3 mm so that these borders agree. Surfaces that
-    /// do not resemble a hippocampus are not affected.
+    /// A prior of the anterior-posterior border of the hippocampus, which version 0.1 applied by default. It occurs in
+    /// stored results of that version; requests that state it are refused.
     Hippocampus,
 }
 

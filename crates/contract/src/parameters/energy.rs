@@ -14,9 +14,13 @@ pub struct FeatureParameters {
     /// Radius of the neighbourhood that the estimators `covariance` and `quadric` use, mm; `null`: three mean edge lengths.
     #[cfg_attr(feature = "serde", serde(default))]
     pub radius_mm: Option<f64>,
-    /// Scales `σ` of the heat flow that smooths the surface before the feature is measured, mm.
+    /// Scales `σ` of the heat flow that smooths the surface before the feature is measured, in square roots of the surface's
+    /// area (the geometric mean of both surfaces).
     #[cfg_attr(feature = "serde", serde(default = "default_scales"))]
-    pub scales_mm: Vec<f64>,
+    pub scales: Vec<f64>,
+    /// The same scales in mm, in place of `scales`; `null`: those of `scales`.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub scales_mm: Option<Vec<f64>>,
     /// Weight `w_f` in the unary potential.
     #[cfg_attr(feature = "serde", serde(default = "one"))]
     pub weight: f64,
@@ -28,7 +32,17 @@ fn angle_defect() -> CurvatureEstimator {
 }
 
 pub(super) fn default_scales() -> Vec<f64> {
-    vec![1.4, 2.8, 4.5]
+    vec![0.035, 0.07, 0.11]
+}
+
+impl FeatureParameters {
+    /// The scales, mm, for surfaces whose area has the square root `root_mm`.
+    pub fn scales(&self, root_mm: f64) -> Vec<f64> {
+        match &self.scales_mm {
+            Some(scales_mm) => scales_mm.clone(),
+            None => self.scales.iter().map(|scale| scale * root_mm).collect(),
+        }
+    }
 }
 
 #[cfg(feature = "serde")]

@@ -10,12 +10,13 @@ pub struct InputParameters {
     pub labels: Option<Vec<u32>>,
     /// Kind of surface that is made from a label volume.
     pub surface: SurfaceKind,
-    /// Standard deviation of the Gaussian filter that is applied before the smooth surface is extracted, mm.
-    #[cfg_attr(feature = "openapi", schema(minimum = 0, maximum = 10))]
-    pub smoothing_mm: f64,
-    /// Repairs that are allowed; `null`: `largest_component` and `fill` for label volumes, none for meshes.
+    /// Standard deviation of the Gaussian filter that is applied before the smooth surface is extracted, mm; `null`: 0.7
+    /// times the side of a cube with the volume of a voxel.
+    #[cfg_attr(feature = "openapi", schema(minimum = 0, maximum = 1000))]
+    pub smoothing_mm: Option<f64>,
+    /// Repairs that are allowed; `null`: `largest_component` and `fill` for label volumes, `weld` and `orient` for meshes.
     pub repair: Option<Vec<Repair>>,
-    /// Whether a mesh may have a boundary, as a part of a structure has. Tunnels are accepted then, too.
+    /// Whether a mesh may have a boundary, as a part of a structure has.
     pub allow_boundary: bool,
 }
 
@@ -37,8 +38,10 @@ pub enum SurfaceKind {
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum Repair {
-    /// Vertices with equal coordinates are merged. Meshes only.
+    /// Vertices with equal coordinates are merged, and faces that use a vertex twice are dropped. Meshes only.
     Weld,
+    /// Faces are reversed so that neighboring faces agree in orientation. Meshes only.
+    Orient,
     /// Only the largest connected component is kept.
     LargestComponent,
     /// Tunnels and cavities are closed by the smallest change of voxels. Label volumes only.

@@ -134,7 +134,7 @@ pub fn preset(method: Method) -> MatchParameters {
         },
         Method::Accurate => MatchParameters {
             features: [FeatureKind::GaussianCurvature, FeatureKind::MeanCurvature]
-                .map(|kind| feature(kind, vec![1.0, 1.4, 2.0, 2.8, 4.5]))
+                .map(|kind| feature(kind, vec![0.025, 0.035, 0.05, 0.07, 0.11]))
                 .to_vec(),
             inference: InferenceParameters { max_iterations: 80, coarse_vertices: Some(1500), ..balanced.inference },
             clamping: ClampingParameters { mode: ClampingMode::Soft, max_rounds: 6 },
@@ -149,8 +149,15 @@ pub fn preset(method: Method) -> MatchParameters {
     }
 }
 
-fn feature(kind: FeatureKind, scales_mm: Vec<f64>) -> FeatureParameters {
-    FeatureParameters { kind, estimator: CurvatureEstimator::AngleDefect, radius_mm: None, scales_mm, weight: 1.0 }
+fn feature(kind: FeatureKind, scales: Vec<f64>) -> FeatureParameters {
+    FeatureParameters {
+        kind,
+        estimator: CurvatureEstimator::AngleDefect,
+        radius_mm: None,
+        scales,
+        scales_mm: None,
+        weight: 1.0,
+    }
 }
 
 fn balanced() -> MatchParameters {
@@ -159,9 +166,9 @@ fn balanced() -> MatchParameters {
         input: InputParameters {
             labels: None,
             surface: SurfaceKind::Smooth,
-            smoothing_mm: 0.7,
+            smoothing_mm: None,
             repair: None,
-            allow_boundary: false,
+            allow_boundary: true,
         },
         features: vec![
             feature(FeatureKind::GaussianCurvature, default_scales()),
@@ -206,7 +213,7 @@ fn balanced() -> MatchParameters {
             similarity: false,
             refine: Refinement::PointToPoint,
         },
-        displacement: DisplacementParameters { mode: DisplacementMode::Smooth, anatomy: Anatomy::Hippocampus },
+        displacement: DisplacementParameters { mode: DisplacementMode::Smooth, anatomy: Anatomy::Any },
         landmarks: Vec::new(),
         both_directions: false,
         seed: 0,

@@ -2,7 +2,7 @@
 //! parameters. The check of a request and the tests of the extremes read these tables, and so can descriptions
 //! of the parameters.
 
-use super::{Algorithm, ClampingMode, InitialPose, MatchParameters, MessageSchedule, ParameterError, Update};
+use super::{Algorithm, Anatomy, ClampingMode, InitialPose, MatchParameters, MessageSchedule, ParameterError, Update};
 
 /// Where a value stands inside the lists that its name passes through, and the value; `None` stands for `null`.
 type Visit<'v> = &'v mut dyn FnMut(&[usize], Option<f64>);
@@ -113,10 +113,17 @@ pub struct Lengths {
 /// The bounds of every numeric parameter but `seed` and the labels of a volume, which may be any whole numbers of their
 /// types (64 and 32 bits, not negative).
 pub const BOUNDS: &[Bounds] = &[
-    Bounds::number("input.smoothing_mm", 0.0, 10.0, |p, visit| visit(&[], Some(p.input.smoothing_mm))).mm(),
-    Bounds::number("features[].scales_mm[]", 0.0, 100.0, |p, visit| {
+    Bounds::number("input.smoothing_mm", 0.0, 1000.0, |p, visit| visit(&[], p.input.smoothing_mm)).mm().or_null(),
+    Bounds::number("features[].scales[]", 0.0, 1.0, |p, visit| {
         for (k, feature) in p.features.iter().enumerate() {
-            feature.scales_mm.iter().enumerate().for_each(|(s, scale)| visit(&[k, s], Some(*scale)));
+            feature.scales.iter().enumerate().for_each(|(s, scale)| visit(&[k, s], Some(*scale)));
+        }
+    }),
+    Bounds::number("features[].scales_mm[]", 0.0, 10_000.0, |p, visit| {
+        for (k, feature) in p.features.iter().enumerate() {
+            for (s, scale) in feature.scales_mm.iter().flatten().enumerate() {
+                visit(&[k, s], Some(*scale));
+            }
         }
     })
     .mm(),
@@ -203,11 +210,21 @@ pub const BOUNDS: &[Bounds] = &[
 pub const LENGTHS: &[Lengths] = &[
     Lengths { name: "features", minimum: 1, maximum: 8, lengths: |p, visit| visit(&[], Some(p.features.len() as f64)) },
     Lengths {
+        name: "features[].scales",
+        minimum: 1,
+        maximum: 8,
+        lengths: |p, visit| {
+            p.features.iter().enumerate().for_each(|(k, feature)| visit(&[k], Some(feature.scales.len() as f64)));
+        },
+    },
+    Lengths {
         name: "features[].scales_mm",
         minimum: 1,
         maximum: 8,
         lengths: |p, visit| {
-            p.features.iter().enumerate().for_each(|(k, feature)| visit(&[k], Some(feature.scales_mm.len() as f64)));
+            for (k, scales_mm) in p.features.iter().enumerate().filter_map(|(k, f)| Some((k, f.scales_mm.as_ref()?))) {
+                visit(&[k], Some(scales_mm.len() as f64));
+            }
         },
     },
     Lengths {
@@ -281,6 +298,11 @@ impl MatchParameters {
             "/input/labels",
             "label 0 is the background; name labels from 1 on",
         );
+        check(
+            self.displacement.anatomy == Anatomy::Any,
+            "/displacement/anatomy",
+            "must be any: the learned prior of the hippocampus is no longer applied",
+        );
         let i = &self.inference;
         if let (Some(first), Some(last)) = (i.annealing.initial_temperature, i.annealing.final_temperature) {
             check(
@@ -351,7 +373,7 @@ mod tests {
     #[test]
     fn faults_name_the_place_and_what_is_allowed() {
         let mut p = preset(Method::Balanced);
-        p.features[1].scales_mm[2] = -1.0;
+        p.features[1].scales_mm = Some(vec![1.0, 2.0, -1.0]);
         p.features[0].radius_mm = Some(0.0);
         p.energy.truncation = Some(61.0);
         p.inference.damping = 1.0;
@@ -359,10 +381,10 @@ mod tests {
         p.inference.coarse_vertices = Some(99);
         p.inference.target_energy = Some(f64::INFINITY);
         p.landmarks = vec![Landmark { source_mm: [0.0, 2e6, 0.0], target_mm: [0.0; 3], sigma_mm: f64::NAN }];
-        p.features[1].scales_mm.resize(9, 1.0);
+        p.features[1].scales.resize(9, 0.1);
         let found: Vec<_> = p.check().unwrap_err().into_iter().map(|f| (f.pointer, f.detail)).collect();
         let expected = [
-            ("/features/1/scales_mm/2", "must be from 0 to 100 mm"),
+            ("/features/1/scales_mm/2", "must be from 0 to 10000 mm"),
             ("/features/0/radius_mm", "must be more than 0, at most 100 mm, or null"),
             ("/energy/truncation", "must be more than 0, at most 60, or null"),
             ("/inference/message_bits", "must be 16 or 32"),
@@ -371,7 +393,7 @@ mod tests {
             ("/inference/target_energy", "must be a finite number, or null"),
             ("/landmarks/0/source_mm/1", "must be from -1000000 to 1000000 mm"),
             ("/landmarks/0/sigma_mm", "must be from 0.01 to 100 mm"),
-            ("/features/1/scales_mm", "must have from 1 to 8 elements"),
+            ("/features/1/scales", "must have from 1 to 8 elements"),
         ];
         assert_eq!(found, expected.map(|(pointer, detail)| (pointer.to_owned(), detail.to_owned())));
     }
@@ -396,6 +418,8 @@ mod tests {
             }
         }
         let mut p = preset(Method::Balanced);
+        p.input.smoothing_mm = Some(1.0);
+        p.features[0].scales_mm = Some(vec![1.0]);
         p.features[0].radius_mm = Some(1.0);
         p.inference.target_energy = Some(1.0);
         p.inference.annealing.initial_temperature = Some(1.0);

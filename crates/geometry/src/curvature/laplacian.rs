@@ -21,6 +21,11 @@ pub(super) fn both_triangulations(quad: &[u32]) -> [[u32; 3]; 4] {
     [[quad[0], quad[1], quad[2]], [quad[0], quad[2], quad[3]], [quad[1], quad[2], quad[3]], [quad[1], quad[3], quad[0]]]
 }
 
+/// Twice the area that a face counts as having at least, in sums of its squared edges. Below it the cotangents are so large
+/// that their sums lose all digits. One floor for the three angles of a face scales its part of the Laplacian as a whole,
+/// which stays positive semidefinite.
+const LEAST_AREA: f64 = 1e-5;
+
 /// All contributions to the cotangent weights: half the cotangent of each angle, for the edge opposite to it.
 pub fn cotangent_weights(mesh: &SurfaceMesh) -> Vec<Weight> {
     let mut weights = Vec::with_capacity(mesh.indices().len());
@@ -29,9 +34,10 @@ pub fn cotangent_weights(mesh: &SurfaceMesh) -> Vec<Weight> {
             let [at, i, j] = [corners[k], corners[(k + 1) % 3], corners[(k + 2) % 3]].map(|c| c as usize);
             let v = mesh.vertices();
             let (a, b) = (v[i] - v[at], v[j] - v[at]);
-            let twice_area = a.cross(&b).norm();
-            // A face without area has no defined angles and contributes nothing.
-            if twice_area > 0.0 {
+            let squares = a.norm_squared() + b.norm_squared() + (v[i] - v[j]).norm_squared();
+            // A face that is a single point contributes nothing.
+            if squares > 0.0 {
+                let twice_area = a.cross(&b).norm().max(LEAST_AREA * squares);
                 weights.push(Weight { i, j, weight: share * a.dot(&b) / (2.0 * twice_area) });
             }
         }

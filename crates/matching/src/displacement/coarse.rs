@@ -131,14 +131,13 @@ impl Displacement<'_> {
             assign(&samples, &target.samples(), &kernel(sigma * self.diagonal_mm, precision))
         };
         let [sigma, last_sigma, ..] = self.options.sigma;
-        let [density, last_density, ..] = self.options.density;
         let mut precision = precision_of_features(&[1.0; N_FEATURES]);
         let mut field = None;
         for step in 0..steps.max(1) {
             let at = progress_to_end(step, steps);
             let sigma = annealed(sigma, last_sigma, at);
             let found = assigned(&moved, sigma, precision);
-            let weight = annealed(density, last_density, at) / (sigma * self.diagonal_mm).powi(2);
+            let weight = self.density(0, 1, at) / (sigma * self.diagonal_mm).powi(2);
             let observed = [observed_means(&found, &base, &source.areas, weight), guided.clone()].concat();
             let fitted = fit_field(values.as_ref(), &observed)?;
             moved = displaced(&base, &fitted, values);

@@ -1,5 +1,6 @@
 //! The stages after the pose is chosen: middle, fine and settling.
 
+use super::TWO_SUBJECTS;
 use super::stages::{Displacement, State, displaced, kernel, observed_means, precision_of_features};
 use crate::MatchError;
 use crate::robust::{STD_OF_MAD, median};
@@ -7,27 +8,34 @@ use faer::Mat;
 use homolog_primitives::observe::checkpoint;
 use homolog_registration::RigidTransform;
 use homolog_registration::alignment::{Assignment, OrientedPoints, annealed, assign, progress_to_end};
-use homolog_registration::deformation::{FittedField, Observation, fit_field};
+use homolog_registration::deformation::{FieldBasis, FittedField, Observation, fit_field};
 use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
 
-/// Standard deviation of a point along the normal of the other surface in the fine stage, mm.
-const ALONG_MM: f64 = 0.3;
+/// Standard deviation of a point along the normal of the other surface in the fine stage, in sampling distances.
+const ALONG: f64 = 0.34;
 /// Share of the assignment's weight that is kept across the normal in the fine stage; 0.03 to 0.3 gave the same accuracy.
 const ACROSS_SHARE: f64 = 0.1;
-/// Residual along the normals, mm, below which two surfaces of 1 mm voxels are copies of one anatomy.
-const NOISE_MM: f64 = 0.12;
-/// Observations are weighted by `(NOISE_MM / residual)` to this power: two for the variance, the rest because larger
+/// Residual along the normals, in sampling distances, below which two surfaces are copies of one anatomy.
+const NOISE: f64 = 0.136;
+/// Observations are weighted by `(noise / residual)` to this power: two for the variance, the rest because larger
 /// residuals are correlated over larger areas.
 const NOISE_POWER: f64 = 6.0;
 
+/// A field after all stages.
+pub(super) struct Refined {
+    pub field: FittedField,
+    /// The functions of the field.
+    pub basis: FieldBasis,
+    /// Robust standard deviation of the residual along the normals after the fine stage, mm.
+    pub residual_mm: f64,
+    /// Whether the local stage took part: the covariance of the field is then that of all its displacement.
+    pub is_local: bool,
+}
+
 impl Displacement<'_> {
-    /// The field after all stages; the field and the residual along the normals (robust standard deviation, mm).
-    pub(super) fn refined(
-        &self,
-        pose: &RigidTransform,
-        start: State,
-    ) -> Result<Option<(FittedField, f64)>, MatchError> {
+    /// The field after all stages.
+    pub(super) fn refined(&self, pose: &RigidTransform, start: State) -> Result<Option<Refined>, MatchError> {
         let State { mut field, mut feature_precision } = start;
         let all_values = self.basis.values(self.source.mesh.vertices());
         let all_base: Vec<Point3<f64>> = self.source.mesh.vertices().iter().map(|p| pose.apply(p)).collect();
@@ -45,12 +53,23 @@ impl Displacement<'_> {
             let base: Vec<Point3<f64>> = thinned.vertices.iter().map(|&i| all_base[i]).collect();
             // Settling stays where the fine stage ended.
             let (from, to) = (stage.min(3), (stage + 1).min(3));
-            let weight = if stage == 3 { (NOISE_MM / residual_mm).powf(NOISE_POWER).min(1.0) } else { 1.0 };
+            if stage == 3
+                && (self.open || residual_mm < TWO_SUBJECTS * self.lengths.sampling_mm)
+                && let Some(refined) =
+                    self.local(pose, outwards, &field, &all_values, &feature_precision, residual_mm)?
+            {
+                return Ok(Some(refined));
+            }
+            let weight = if stage == 3 {
+                (NOISE * self.lengths.sampling_mm / residual_mm).powf(NOISE_POWER).min(1.0)
+            } else {
+                1.0
+            };
             for step in 0..steps {
                 checkpoint(self.observer)?;
                 let at = progress_to_end(step, steps);
                 let sigma_mm = self.diagonal_mm * annealed(self.options.sigma[from], self.options.sigma[to], at);
-                let density = weight * annealed(self.options.density[from], self.options.density[to], at);
+                let density = weight * self.density(from, to, at);
                 // Normals are those of the whole deformed surface.
                 let Ok(mesh) = self.source.mesh.with_vertices(displaced(&all_base, &field, &all_values)) else {
                     return Ok(None);
@@ -64,8 +83,8 @@ impl Displacement<'_> {
                 let observed = if stage == 1 {
                     observed_means(&found, &base, &thinned.areas, across)
                 } else {
-                    let along = density / (ALONG_MM * ALONG_MM);
-                    let (observed, residual) = self.sliding(&found, &samples, &base, along, across);
+                    let along = density / self.along_mm().powi(2);
+                    let (observed, residual) = self.sliding(&found, &samples, &base, self.along_mm(), (along, across));
                     if stage == 2 {
                         residual_mm = residual;
                     }
@@ -77,19 +96,24 @@ impl Displacement<'_> {
                 feature_precision = precision_of_features(&found.feature_variance);
             }
         }
-        Ok(Some((field, residual_mm)))
+        Ok(Some(Refined { field, basis: self.basis.clone(), residual_mm, is_local: false }))
+    }
+
+    pub(super) fn along_mm(&self) -> f64 {
+        ALONG * self.lengths.sampling_mm
     }
 
     /// Observations of the closest point of the surface along its normals, and weakly of the assigned means across
     /// them.
-    fn sliding(
+    pub(super) fn sliding(
         &self,
         found: &Assignment,
         moved: &OrientedPoints<'_>,
         base: &[Point3<f64>],
-        along: f64,
-        across: f64,
+        along_mm: f64,
+        density: (f64, f64),
     ) -> (Vec<Observation>, f64) {
+        let (along, across) = density;
         let pairs: Vec<(Observation, f64)> = (0..base.len())
             .into_par_iter()
             .map(|i| {
@@ -103,7 +127,7 @@ impl Displacement<'_> {
                 let displacement = (p - base[i]) + to_mean + normal * (height - normal.dot(&to_mean));
                 // A point that is far away or on the opposite side has no counterpart there (Cauchy's weight).
                 let trust =
-                    normal.dot(&moved.normals[i]).max(0.0) / (1.0 + (to_surface.norm() / (3.0 * ALONG_MM)).powi(2));
+                    normal.dot(&moved.normals[i]).max(0.0) / (1.0 + (to_surface.norm() / (3.0 * along_mm)).powi(2));
                 let area = moved.areas[i];
                 let across = ACROSS_SHARE * across * area * found.mass[i];
                 (Observation { displacement, normal, along: along * area * trust, across }, height.abs())

@@ -8,26 +8,40 @@ use nalgebra::Point3;
 
 /// Most that one landmark adds to the misfit of a pose, so that a wrong one does not decide alone.
 const CAP: f64 = 10.0;
-/// Poses are compared before the field is fine: landmarks count as no more precise than this, mm.
-const COARSE_MM: f64 = 2.0;
+/// Poses are compared before the field is fine: landmarks count as no more precise than this, in roots of the area.
+const COARSE: f64 = 0.05;
 
 /// Source points and the target points they should be moved to.
 pub(super) struct Guides {
     source: Vec<Point3<f64>>,
     target: Vec<Point3<f64>>,
     sigma_mm: Vec<f64>,
+    /// Least standard deviation where poses are compared, mm.
+    coarse_mm: f64,
     /// Functions of the field at the source points, one row each.
     values: Mat<f64>,
 }
 
 impl Guides {
-    pub(super) fn new(landmarks: &[Landmark], basis: &FieldBasis) -> Self {
+    pub(super) fn new(landmarks: &[Landmark], basis: &FieldBasis, root_mm: f64) -> Self {
         let source: Vec<Point3<f64>> = landmarks.iter().map(|l| Point3::from(l.source_mm)).collect();
         Guides {
             values: basis.values(&source),
             source,
             target: landmarks.iter().map(|l| Point3::from(l.target_mm)).collect(),
             sigma_mm: landmarks.iter().map(|l| l.sigma_mm).collect(),
+            coarse_mm: COARSE * root_mm,
+        }
+    }
+
+    /// The same points for a field with other functions.
+    pub(super) fn with_basis(&self, basis: &FieldBasis) -> Self {
+        Guides {
+            values: basis.values(&self.source),
+            source: self.source.clone(),
+            target: self.target.clone(),
+            sigma_mm: self.sigma_mm.clone(),
+            coarse_mm: self.coarse_mm,
         }
     }
 
@@ -38,6 +52,7 @@ impl Guides {
             source: self.target.clone(),
             target: self.source.clone(),
             sigma_mm: self.sigma_mm.clone(),
+            coarse_mm: self.coarse_mm,
         }
     }
 
@@ -65,7 +80,7 @@ impl Guides {
         let displaced = field.displacements(self.values.as_ref());
         let missed =
             self.source.iter().zip(&self.target).zip(&self.sigma_mm).zip(&displaced).map(|(((p, q), sigma), u)| {
-                let sigma = sigma.max(COARSE_MM);
+                let sigma = sigma.max(self.coarse_mm);
                 (0.5 * (pose.apply(p) + u - q).norm_squared() / (sigma * sigma)).min(CAP)
             });
         missed.sum::<f64>() / self.source.len() as f64

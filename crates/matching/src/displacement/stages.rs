@@ -3,10 +3,11 @@
 use super::DisplacementOptions;
 use super::guides::Guides;
 use super::surface::{N_FEATURES, SmoothSurface};
+use crate::lengths::Lengths;
 use crate::surface_index::SurfaceIndex;
 use faer::Mat;
 use homolog_primitives::observe::Observer;
-use homolog_registration::alignment::{Assignment, AssignmentKernel, OUTLIER_SHARE};
+use homolog_registration::alignment::{Assignment, AssignmentKernel, OUTLIER_SHARE, annealed};
 use homolog_registration::deformation::{FieldBasis, FittedField, Observation};
 use nalgebra::Point3;
 
@@ -56,6 +57,16 @@ pub(super) struct Displacement<'a> {
     pub basis: FieldBasis,
     pub guides: Guides,
     pub diagonal_mm: f64,
+    /// Whether a part of either surface may be missing.
+    pub open: bool,
+    pub lengths: Lengths,
     pub options: &'a DisplacementOptions,
     pub observer: &'a dyn Observer,
+}
+
+impl Displacement<'_> {
+    /// Independent observations for a unit of area, at `progress` between two stages.
+    pub(super) fn density(&self, from: usize, to: usize, progress: f64) -> f64 {
+        annealed(self.options.density[from], self.options.density[to], progress) / self.lengths.root_mm.powi(2)
+    }
 }

@@ -2,30 +2,30 @@
 
 use crate::MatchError;
 use crate::robust::{STD_OF_MAD, median};
-use crate::side::POSITION_SCALE_MM;
+use crate::side::POSITION_SCALE;
 use homolog_geometry::curvature::{Curvatures, Estimator, ScaleSpace, curvatures, vertex_areas};
 use homolog_mesh::SurfaceMesh;
 use homolog_registration::alignment::OrientedPoints;
 use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
 
-/// Scales of the features, mm: finer than those that find the pose, because the poses are close already. The first is
-/// that of the normals as well.
-const FEATURE_SCALES_MM: [f64; 3] = [1.0, 2.0, 3.5];
+/// Scales of the features, in roots of the area: finer than those that find the pose, because the poses are close already.
+/// The first is that of the normals as well.
+const FEATURE_SCALES: [f64; 3] = [0.025, 0.05, 0.0875];
 /// Gaussian and mean curvature at each scale.
-pub(super) const N_FEATURES: usize = 2 * FEATURE_SCALES_MM.len();
+pub(super) const N_FEATURES: usize = 2 * FEATURE_SCALES.len();
 /// Features are clamped to this many robust standard deviations from the median.
 const FEATURE_CAP: f64 = 3.0;
 
-/// Distance by which light smoothing moves the vertices of a surface made from voxels of 1 mm, mm. A surface that it moves
-/// farther is noisy, and all scales are enlarged by that factor.
-const GRAIN_MM: f64 = 0.09;
+/// Median distance by which light smoothing moves the vertices of a surface without noise, in roots of the area: that of
+/// hippocampi made from voxels of 1 mm. A surface that it moves farther is noisy, and all scales are enlarged by that factor.
+const GRAIN: f64 = 0.00225;
 const MAX_COARSENING: f64 = 4.0;
 
 /// One surface, prepared.
 #[derive(Clone)]
 pub(super) struct SmoothSurface {
-    /// Positions at [`POSITION_SCALE_MM`].
+    /// Positions at [`POSITION_SCALE`].
     pub mesh: SurfaceMesh,
     /// Unit normals of its vertices.
     pub normals: Vec<Vector3<f64>>,
@@ -52,11 +52,12 @@ pub(super) struct Thinned {
 pub(super) fn prepare(
     source: &SurfaceMesh,
     target: &SurfaceMesh,
+    root_mm: f64,
 ) -> Result<(SmoothSurface, SmoothSurface), MatchError> {
-    let (a, b) = rayon::join(|| Flow::new(source), || Flow::new(target));
+    let (a, b) = rayon::join(|| Flow::new(source, root_mm), || Flow::new(target, root_mm));
     let (a, b) = (a?, b?);
     // One set of scales for both, or the smoother surface would look different.
-    let coarsening = (a.grain_mm().max(b.grain_mm()) / GRAIN_MM).clamp(1.0, MAX_COARSENING);
+    let coarsening = (a.grain_mm().max(b.grain_mm()) / (GRAIN * root_mm)).clamp(1.0, MAX_COARSENING);
     let (a, b) = rayon::join(|| a.surface(coarsening), || b.surface(coarsening));
     let ((mut a, a_values), (mut b, b_values)) = (a?, b?);
     for (feature, (of_a, of_b)) in a_values.iter().zip(&b_values).enumerate() {
@@ -78,15 +79,16 @@ pub(super) fn prepare(
 struct Flow<'a> {
     mesh: &'a SurfaceMesh,
     space: ScaleSpace<'a>,
-    /// At [`POSITION_SCALE_MM`].
+    root_mm: f64,
+    /// At [`POSITION_SCALE`].
     smoothed: SurfaceMesh,
 }
 
 impl<'a> Flow<'a> {
-    fn new(mesh: &'a SurfaceMesh) -> Result<Self, MatchError> {
+    fn new(mesh: &'a SurfaceMesh, root_mm: f64) -> Result<Self, MatchError> {
         let space = ScaleSpace::new(mesh);
-        let smoothed = at(&space, POSITION_SCALE_MM)?;
-        Ok(Flow { mesh, space, smoothed })
+        let smoothed = at(&space, POSITION_SCALE * root_mm)?;
+        Ok(Flow { mesh, space, root_mm, smoothed })
     }
 
     /// Median distance that light smoothing moves a vertex, mm.
@@ -98,17 +100,18 @@ impl<'a> Flow<'a> {
 
     /// The surface without features, and their values as they are; all scales `coarsening` times as coarse.
     fn surface(self, coarsening: f64) -> Result<(SmoothSurface, Vec<Vec<f64>>), MatchError> {
-        let at_scales: Vec<(SurfaceMesh, Curvatures)> = FEATURE_SCALES_MM
+        let at_scales: Vec<(SurfaceMesh, Curvatures)> = FEATURE_SCALES
             .into_par_iter()
-            .map(|scale_mm| {
-                let smoothed = at(&self.space, coarsening * scale_mm)?;
+            .map(|scale| {
+                let smoothed = at(&self.space, coarsening * scale * self.root_mm)?;
                 let measured = curvatures(&smoothed, Estimator::AngleDefect);
                 Ok((smoothed, measured))
             })
             .collect::<Result<_, MatchError>>()?;
         let normals = at_scales[0].0.vertex_normals();
         let values = at_scales.into_iter().flat_map(|(_, measured)| [measured.mean, measured.gaussian]).collect();
-        let mesh = if coarsening > 1.0 { at(&self.space, coarsening * POSITION_SCALE_MM)? } else { self.smoothed };
+        let mesh =
+            if coarsening > 1.0 { at(&self.space, coarsening * POSITION_SCALE * self.root_mm)? } else { self.smoothed };
         let surface = SmoothSurface {
             normals,
             areas: vertex_areas(&mesh),

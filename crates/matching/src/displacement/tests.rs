@@ -2,6 +2,8 @@
 
 use super::{DisplacementAnswer, DisplacementOptions, StartPose, Surfaces};
 use crate::MatchError;
+use crate::lengths::Lengths;
+use crate::side::Side;
 use homolog_mesh::shapes::ellipsoid;
 use homolog_mesh::{CanonicalMesh, ClosestPointIndex, FaceArity, SurfaceMesh, canonicalize};
 use homolog_primitives::observe::{Observer, Silent};
@@ -23,6 +25,8 @@ fn displace(
         full_target: target,
         full_closest: &ClosestPointIndex::new(target),
         landmarks: &[],
+        open: [source, target].iter().any(|mesh| mesh.boundary_vertices().is_some()),
+        lengths: Lengths::of(&Side::new(source), &Side::new(target)),
     };
     let poses: Vec<_> = poses.iter().map(|&pose| StartPose { pose, excess: 0.0 }).collect();
     super::displace(&surfaces, &poses, true, options, observer)

@@ -194,6 +194,11 @@ impl VoxelMask {
         &self.affine
     }
 
+    /// Side of a cube with the volume of a voxel, mm.
+    pub fn voxel_size_mm(&self) -> f64 {
+        spacing_mm(&self.affine).iter().product::<f64>().cbrt()
+    }
+
     /// Voxels in the set.
     pub fn n_voxels(&self) -> usize {
         self.voxels.iter().filter(|&&v| v).count()

@@ -19,11 +19,13 @@
 //! Sources: Rasmussen, Williams, "Gaussian Processes for Machine Learning", 2006 (weight-space view, Nyström);
 //! Myronenko, Song, IEEE PAMI 32(12), 2010, and Hirose, IEEE PAMI 43(7), 2021 (such a prior in point-set registration).
 
+mod evidence;
 mod fit;
 mod nystrom;
 pub(crate) mod taylor;
 #[cfg(test)]
 mod tests;
 
+pub use evidence::{KernelEvidence, most_probable_kernel};
 pub use fit::{FittedField, Observation, fit_field};
 pub use nystrom::{FieldBasis, GaussianKernel, SmoothPrior};

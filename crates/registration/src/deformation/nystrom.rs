@@ -63,12 +63,15 @@ impl FieldBasis {
         let center = points.iter().fold(Vector3::zeros(), |s, p| s + p.coords) / points.len() as f64;
         let inducing: Vec<Point3<f64>> = farthest_points(points, n_inducing).iter().map(|&i| points[i]).collect();
         let m = inducing.len();
-        let covariance = Mat::from_fn(m, m, |i, j| prior.covariance((inducing[i] - inducing[j]).norm_squared()));
+        // Without a unit: thresholds inside the decomposition then mean the same for surfaces of any size.
+        let variance = prior.covariance(0.0).max(f64::MIN_POSITIVE);
+        let covariance =
+            Mat::from_fn(m, m, |i, j| prior.covariance((inducing[i] - inducing[j]).norm_squared()) / variance);
         let eigen = covariance.self_adjoint_eigen(Side::Lower).ok()?;
         let (vectors, values) = (eigen.U(), eigen.S().column_vector());
         let largest = (0..m).map(|k| values[k]).fold(0.0, f64::max);
         let kept: Vec<usize> = (0..m).rev().filter(|&k| values[k] > RANK_TOLERANCE * largest).collect();
-        let whitening = Mat::from_fn(m, kept.len(), |i, k| vectors[(i, kept[k])] / values[kept[k]].sqrt());
+        let whitening = Mat::from_fn(m, kept.len(), |i, k| vectors[(i, kept[k])] / (values[kept[k]] * variance).sqrt());
         Some(FieldBasis { prior, center: Point3::from(center), inducing, whitening })
     }
 

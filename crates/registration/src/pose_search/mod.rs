@@ -89,8 +89,8 @@ pub const SAME_POSE_ANGLE: f64 = 0.52;
 /// Width and standard deviation of the bending field in diagonals: bends over a third of a structure, by a tenth.
 const WIDTH: f64 = 0.3;
 const AMPLITUDE: f64 = 0.1;
-/// Independent observations per square millimetre: the errors of neighboring patches are correlated.
-const OBSERVATIONS_PER_MM2: f64 = 0.05;
+/// Independent observations over a surface: the errors of neighboring patches are correlated.
+const OBSERVATIONS: f64 = 80.0;
 /// Smallest angle between rotations that are annealed, radians; 20°.
 const APART: f64 = 0.35;
 
@@ -208,6 +208,7 @@ impl Search<'_> {
         let from: Vec<Point3<f64>> = source.iter().map(|p| Point3::from(p.center)).collect();
         let kernel = GaussianKernel { width_mm: WIDTH * self.diagonal_mm, amplitude_mm: AMPLITUDE * self.diagonal_mm };
         let basis = TaylorBasis::new(&from, kernel);
+        let area: f64 = source.iter().map(|p| p.area).sum();
         let (mut found, mut cost) = (*start, 0.0);
         let mut base = start.moved(source);
         let mut bent = base.clone();
@@ -215,7 +216,7 @@ impl Search<'_> {
             let sigma = annealed(sigma_mm.0, sigma_mm.1, progress_short_of_end(step, steps));
             assignment.misfit(points_of(&bent), target, sigma);
             let (to, weights) = assignment.means(points_of(source), target, sigma);
-            let precision: Vec<f64> = weights.iter().map(|w| w * OBSERVATIONS_PER_MM2 / (sigma * sigma)).collect();
+            let precision: Vec<f64> = weights.iter().map(|w| w * OBSERVATIONS / (area * sigma * sigma)).collect();
             let Some(fitted) = basis.fit(|i| to[i].coords - base[i].center, &precision) else { break };
             cost = fitted.cost;
             let to: Vec<Point3<f64>> =
@@ -230,8 +231,7 @@ impl Search<'_> {
             }
         }
         // Per observation, like the misfit, which is a mean; the cost is that of all observations together.
-        let area: f64 = source.iter().map(|p| p.area).sum();
-        found.misfit = assignment.misfit(points_of(&bent), target, sigma_mm.1) + cost / (OBSERVATIONS_PER_MM2 * area);
+        found.misfit = assignment.misfit(points_of(&bent), target, sigma_mm.1) + cost / OBSERVATIONS;
         found
     }
 

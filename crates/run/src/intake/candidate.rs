@@ -3,14 +3,18 @@
 use super::{Advice, IntakeError, IntakeLimits, RepairNote, counted};
 use homolog_contract::parameters::{InputParameters, Repair, SurfaceKind};
 use homolog_formats::{FileContent, MeshFile};
+use homolog_mesh::orientation::oriented;
 use homolog_mesh::repair::RepairedMesh;
-use homolog_mesh::topology::{SurfaceFault, TopologyReport, analyze_with, topology_report};
+use homolog_mesh::topology::{Demand, SurfaceFault, TopologyReport, analyze_with, topology_report};
 use homolog_mesh::volume::smooth_surface::FieldRepair;
 use homolog_mesh::volume::{self, BettiNumbers, Contacts, FillChange, LabelVolume, VoxelMask};
 use homolog_mesh::{MeshError, Numbering, SurfaceMesh, repair};
 
 /// Most voxels of the box around a structure, 8 million: filling and smoothing work on the whole box.
 const MAX_BOX_VOXELS: u64 = 1 << 23;
+
+/// Standard deviation of the filter over a mask, in voxels: the least that removes the steps between voxels.
+const SMOOTHING: f64 = 0.7;
 
 /// Most labels that a refusal lists.
 pub(super) const MAX_NAMED_LABELS: usize = 50;
@@ -61,7 +65,8 @@ impl Candidate {
         repairs: Vec<RepairNote>,
         allow_boundary: bool,
     ) -> Self {
-        let analysis = analyze_with(&mesh, allow_boundary);
+        let demand = if allow_boundary { Demand::Any } else { Demand::NoBoundary };
+        let analysis = analyze_with(&mesh, demand);
         let fault = analysis.fault.map(|fault| fault.renumbered(&numbering));
         let repaired = analysis.report;
         Candidate { mesh, numbering, topology, repaired, fault, repairs, turned_outward: false }
@@ -79,9 +84,7 @@ impl Candidate {
             FileContent::Labels(_) => {
                 &[&[Repair::Fill], &[Repair::LargestComponent], &[Repair::LargestComponent, Repair::Fill]]
             }
-            FileContent::Mesh(_) => {
-                &[&[Repair::Weld], &[Repair::LargestComponent], &[Repair::Weld, Repair::LargestComponent]]
-            }
+            FileContent::Mesh(_) => &[&[Repair::Weld], &[Repair::Orient], &[Repair::Weld, Repair::Orient]],
         };
         let helps = |set: &&&[Repair]| {
             let parameters = InputParameters { repair: Some(set.to_vec()), ..parameters.clone() };
@@ -93,7 +96,7 @@ impl Candidate {
 }
 
 fn from_mesh(file: &MeshFile, parameters: &InputParameters) -> Result<Candidate, IntakeError> {
-    let allowed = parameters.repair.as_deref().unwrap_or(&[]);
+    let allowed = parameters.repair.as_deref().unwrap_or(&[Repair::Weld, Repair::Orient]);
     let topology = topology_report(&file.mesh);
     let weld = allowed.contains(&Repair::Weld);
     if let Some((face, vertex)) = file.first_degenerate.filter(|_| !weld) {
@@ -132,6 +135,13 @@ fn from_mesh(file: &MeshFile, parameters: &InputParameters) -> Result<Candidate,
             );
             repairs.push(RepairNote { repair: Repair::LargestComponent, detail });
         }
+    }
+    if allowed.contains(&Repair::Orient)
+        && let Some((mesh, reversed)) = oriented(&current.mesh).filter(|(_, reversed)| *reversed > 0)
+    {
+        current.mesh = mesh;
+        let detail = format!("{} reversed", counted(reversed as u64, "face", "faces"));
+        repairs.push(RepairNote { repair: Repair::Orient, detail });
     }
     Ok(Candidate::new(current.mesh, current.numbering, topology, repairs, parameters.allow_boundary))
 }
@@ -225,7 +235,7 @@ fn surface_of(
     parameters: &InputParameters,
     field_repair: FieldRepair,
 ) -> Result<(SurfaceMesh, Vec<RepairNote>), IntakeError> {
-    let smoothing_mm = parameters.smoothing_mm;
+    let smoothing_mm = parameters.smoothing_mm.unwrap_or(SMOOTHING * mask.voxel_size_mm());
     let vanished = |_| IntakeError::Vanished { smoothing_mm, n_voxels: mask.n_voxels() as u64 };
     if parameters.surface == SurfaceKind::Voxel {
         return Ok((volume::voxel_surface(mask).map_err(vanished)?, Vec::new()));

@@ -62,7 +62,7 @@ pub enum IntakeError {
         /// Topology of the surface without these faces.
         topology: Box<TopologyReport>,
     },
-    /// The surface is not a closed manifold of genus 0.
+    /// The surface has no consistent orientation, encloses no volume, or has a boundary that was not allowed.
     #[error("{fault}; {advice}")]
     UnsuitableSurface {
         /// What is wrong and where; its vertices are those of the uploaded mesh.

@@ -1,4 +1,4 @@
-//! From the bytes of an uploaded file to a closed surface of genus 0, or a refusal that says what is wrong and where.
+//! From the bytes of an uploaded file to a surface that can be matched, or a refusal that says what is wrong and where.
 //!
 //! [`prepare_surface`] reads the file, makes a surface, repairs it as far as the parameters allow and checks the result;
 //! [`inspect`] does the same and reports what it found instead of refusing. Neither repeats the file's name or text from
@@ -18,8 +18,7 @@ use homolog_contract::parameters::{InputParameters, Repair};
 use homolog_formats::{FileContent, FormatError, ReadLimits};
 use homolog_mesh::{Numbering, SurfaceMesh};
 
-/// A surface that is ready to be matched: manifold, oriented outwards and, unless `allow_boundary` was set, closed and of
-/// genus 0.
+/// A surface that is ready to be matched: its faces agree in orientation and look outwards.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PreparedSurface {
     /// The surface, mm.
@@ -73,8 +72,8 @@ impl Default for IntakeLimits {
     }
 }
 
-/// Reads `bytes`, makes a surface, repairs it as far as `parameters` allow, and refuses the result unless it is a closed
-/// manifold of genus 0 (or whatever `allow_boundary` permits). `file_name` is used only where the bytes alone do not
+/// Reads `bytes`, makes a surface, repairs it as far as `parameters` allow, and refuses the result if it has no
+/// consistent orientation, is closed but encloses no volume, or has a boundary that they do not allow. `file_name` is used only where the bytes alone do not
 /// determine the format.
 ///
 /// # Errors
@@ -131,6 +130,7 @@ fn read(
 fn repair_name(repair: Repair) -> &'static str {
     match repair {
         Repair::Weld => "weld",
+        Repair::Orient => "orient",
         Repair::LargestComponent => "largest_component",
         Repair::Fill => "fill",
     }

@@ -1,12 +1,12 @@
-//! From files to closed surfaces of genus 0, or refusals that say where and why.
+//! From files to surfaces that can be matched, or refusals that say where and why.
 
 use crate::fixtures::fixture;
 use homolog_contract::parameters::{InputParameters, Method, Repair, SurfaceKind, preset};
 use homolog_formats::{FormatError, write_nifti, write_nifti_gz, write_ply, write_stl, write_vtk};
 use homolog_mesh::repair::reversed;
-use homolog_mesh::topology::analyze;
+use homolog_mesh::topology::{Demand, analyze, analyze_with};
 use homolog_mesh::volume::LabelVolume;
-use homolog_mesh::{FaceArity, Numbering, SurfaceMesh};
+use homolog_mesh::{FaceArity, Numbering, SurfaceMesh, shapes};
 use homolog_run::intake::{
     InputFormat, InputKind, IntakeError, IntakeLimits, PreparedSurface, inspect, prepare_surface,
 };
@@ -47,7 +47,7 @@ fn ball_mesh() -> SurfaceMesh {
 }
 
 #[test]
-fn a_ring_is_filled_by_default_and_refused_without() {
+fn a_ring_is_filled_by_default_and_keeps_its_tunnel_without() {
     for surface in [SurfaceKind::Smooth, SurfaceKind::Voxel] {
         let bytes = write_nifti_gz(&volume(ring));
         let parameters = InputParameters { surface, ..defaults() };
@@ -56,23 +56,21 @@ fn a_ring_is_filled_by_default_and_refused_without() {
         assert_eq!(prepared.report.repairs.len(), 1, "{:?}", prepared.report.repairs);
         assert!(prepared.report.repairs[0].detail.starts_with("closed 1 tunnel and 0 cavities"));
         assert_eq!(analyze(&prepared.mesh).fault, None);
-        let error = prepare(&bytes, &InputParameters { repair: Some(vec![]), ..parameters }).unwrap_err();
-        assert_eq!((error.code(), error.topology().unwrap().genus), ("unsuitable-surface", Some(1)));
-        let text = error.to_string();
-        assert!(text.contains("1 tunnel (genus 1)") && text.ends_with("set input.repair to [\"fill\"]"), "{text}");
+        let kept = prepare(&bytes, &InputParameters { repair: Some(vec![]), ..parameters }).unwrap();
+        assert_eq!(analyze(&kept.mesh).report.genus, Some(1));
     }
 }
 
 #[test]
-fn islands_are_dropped_by_default_and_refused_without() {
+fn islands_are_dropped_by_default_and_kept_without() {
     let island = |p: [f64; 3]| ball(p) + u32::from(p[0] > 8.0 && p[1].abs() < 2.0 && p[2].abs() < 2.0);
     let bytes = write_nifti(&volume(island));
     let prepared = prepare(&bytes, &defaults()).unwrap();
     assert_eq!(prepared.report.topology.n_components, 2);
     assert_eq!(prepared.report.repairs[0].repair, Repair::LargestComponent);
     assert_eq!(prepared.mesh, ball_mesh());
-    let error = prepare(&bytes, &with_repair(&[Repair::Fill])).unwrap_err().to_string();
-    assert!(error.contains("2 separate pieces") && error.ends_with("[\"largest_component\"]"), "{error}");
+    let kept = prepare(&bytes, &with_repair(&[Repair::Fill])).unwrap();
+    assert_eq!(analyze(&kept.mesh).report.n_components, 2);
 }
 
 #[test]
@@ -97,7 +95,7 @@ fn labels_are_chosen_or_named() {
         "no voxel has a label other than 0; all voxels are 0: send a volume in which the structure is labeled"
     );
     let speck = write_nifti(&volume(|p| u32::from(p.iter().all(|c| c.abs() < 1.0 && *c > 0.0))));
-    let vanished = prepare(&speck, &InputParameters { smoothing_mm: 3.0, ..defaults() }).unwrap_err();
+    let vanished = prepare(&speck, &InputParameters { smoothing_mm: Some(3.0), ..defaults() }).unwrap_err();
     assert_eq!(vanished.code(), "empty-structure");
     assert_eq!(
         vanished.to_string(),
@@ -107,7 +105,7 @@ fn labels_are_chosen_or_named() {
 }
 
 #[test]
-fn a_split_mesh_needs_weld_and_answers_in_its_own_numbering() {
+fn a_split_mesh_is_welded_and_answers_in_its_own_numbering() {
     let whole = ball_mesh();
     // Every face with separate vertices, after one unused vertex.
     let mut vertices = vec![Point3::new(50.0, 0.0, 0.0)];
@@ -115,10 +113,11 @@ fn a_split_mesh_needs_weld_and_answers_in_its_own_numbering() {
     let n = vertices.len() as u32;
     let split = SurfaceMesh::new(vertices, FaceArity::Triangle, (1..n).collect()).unwrap();
     let bytes = write_ply(&split);
-    let error = prepare(&bytes, &defaults()).unwrap_err();
+    let closed = InputParameters { repair: Some(Vec::new()), allow_boundary: false, ..defaults() };
+    let error = prepare(&bytes, &closed).unwrap_err();
     assert!(error.to_string().contains("joins vertices 1 and 2 near"), "{error}");
     assert!(error.to_string().ends_with("set input.repair to [\"weld\"]"), "{error}");
-    let prepared = prepare(&bytes, &with_repair(&[Repair::Weld])).unwrap();
+    let prepared = prepare(&bytes, &defaults()).unwrap();
     assert_eq!(prepared.mesh.n_vertices(), whole.n_vertices());
     for (v, &uploaded) in prepared.numbering.originals().iter().enumerate() {
         assert_eq!(prepared.mesh.vertices()[v], split.vertices()[uploaded as usize]);
@@ -141,32 +140,75 @@ fn a_good_mesh_passes_unchanged_and_an_inverted_one_is_reoriented() {
 }
 
 #[test]
-fn holes_and_twists_are_refused_with_their_place() {
+fn holes_are_refused_on_request_and_twists_are_mended() {
     let whole = ball_mesh();
     let open = SurfaceMesh::new(whole.vertices().to_vec(), FaceArity::Triangle, whole.indices()[3..].to_vec()).unwrap();
-    let error = prepare(&write_ply(&open), &with_repair(&[Repair::Weld, Repair::LargestComponent])).unwrap_err();
+    assert_eq!(prepare(&write_ply(&open), &defaults()).unwrap().mesh.n_faces(), whole.n_faces() - 1);
+    let closed = InputParameters { allow_boundary: false, ..defaults() };
+    let error = prepare(&write_ply(&open), &closed).unwrap_err();
     assert_eq!((error.code(), error.topology().unwrap().n_boundary_edges), ("unsuitable-surface", 3));
     assert!(error.to_string().contains("3 edges have only one face"), "{error}");
     let mut twisted = whole.indices().to_vec();
     twisted.swap(0, 1);
     let twisted = SurfaceMesh::new(whole.vertices().to_vec(), FaceArity::Triangle, twisted).unwrap();
-    let error = prepare(&write_ply(&twisted), &defaults()).unwrap_err();
+    let error = prepare(&write_ply(&twisted), &with_repair(&[Repair::Weld])).unwrap_err();
     assert!(error.to_string().contains("3 edges lie between faces of opposite orientation"), "{error}");
+    assert!(error.to_string().ends_with("set input.repair to [\"orient\"]"), "{error}");
+    let mended = prepare(&write_ply(&twisted), &defaults()).unwrap();
+    assert_eq!((analyze(&mended.mesh).fault, mended.mesh.signed_volume()), (None, whole.signed_volume()));
+    assert_eq!(mended.report.repairs[0].detail, "1 face reversed");
 }
 
 #[test]
-fn faces_that_name_a_vertex_twice_need_weld() {
+fn a_surface_of_any_topology_is_accepted_and_one_without_an_inside_is_refused() {
+    let torus = shapes::torus(8.0, 3.0, 24, 12, FaceArity::Triangle);
+    assert_eq!(prepare(&write_ply(&torus), &defaults()).unwrap().mesh, torus);
+    // Two pieces, and a wall between two vertices of the first, at edges that have two faces already.
+    let ball = ball_mesh();
+    let mut vertices = ball.vertices().to_vec();
+    vertices.extend(torus.vertices().iter().map(|p| p + nalgebra::Vector3::x() * 40.0));
+    let mut faces = ball.indices().to_vec();
+    faces.extend(torus.indices().iter().map(|v| v + ball.n_vertices() as u32));
+    let [a, b] = [ball.indices()[0], ball.indices()[1]];
+    faces.extend([a, b, (ball.n_vertices() / 2) as u32]);
+    let mixed = SurfaceMesh::new(vertices, FaceArity::Triangle, faces).unwrap();
+    let prepared = prepare(&write_ply(&mixed), &defaults()).unwrap();
+    assert_eq!(prepared.mesh.n_faces(), mixed.n_faces());
+    assert_eq!((prepared.report.topology.n_components, prepared.report.topology.n_nonmanifold_edges), (2, 1));
+    // A Moebius strip of one row of faces.
+    let n = 12u32;
+    let around = |k: u32| std::f64::consts::TAU * f64::from(k / 2) / f64::from(n);
+    let across = |k: u32| if k % 2 == 0 { -1.0 } else { 1.0 };
+    let vertex = |k: u32| {
+        let (angle, side) = (around(k), across(k));
+        let radius = 5.0 + side * (angle / 2.0).cos();
+        Point3::new(radius * angle.cos(), radius * angle.sin(), side * (angle / 2.0).sin())
+    };
+    let strip: Vec<u32> = (0..n)
+        .flat_map(|i| {
+            let (a, b) = (2 * i, 2 * ((i + 1) % n));
+            let (c, d) = if i + 1 == n { (b + 1, b) } else { (b, b + 1) };
+            [a, c, d, a, d, a + 1]
+        })
+        .collect();
+    let strip = SurfaceMesh::new((0..2 * n).map(vertex).collect(), FaceArity::Triangle, strip).unwrap();
+    let error = prepare(&write_ply(&strip), &defaults()).unwrap_err();
+    assert!(error.to_string().contains("faces of opposite orientation"), "{error}");
+}
+
+#[test]
+fn faces_that_name_a_vertex_twice_are_dropped() {
     let ply = "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n\
         element face 5\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n\
         3 0 2 1\n3 0 1 3\n3 1 1 2\n3 0 3 2\n3 1 2 3\n";
-    let error = prepare(ply.as_bytes(), &defaults()).unwrap_err();
+    let error = prepare(ply.as_bytes(), &with_repair(&[])).unwrap_err();
     assert_eq!(error.code(), "unsuitable-surface");
     assert_eq!(
         error.to_string(),
         "1 face uses a vertex twice; the first is face 2 with vertex 1 (both counted from 0); \
          to drop such faces, set input.repair to [\"weld\"]"
     );
-    let prepared = prepare(ply.as_bytes(), &with_repair(&[Repair::Weld])).unwrap();
+    let prepared = prepare(ply.as_bytes(), &defaults()).unwrap();
     assert_eq!(prepared.mesh.n_faces(), 4);
     assert_eq!(prepared.report.repairs[0].detail, "0 of 4 vertices joined to another; 1 face dropped");
 }
@@ -194,7 +236,12 @@ fn inspection_tells_what_preparation_would_do() {
     assert_eq!((seen.format, seen.kind, seen.suitable), (InputFormat::Nifti, InputKind::LabelVolume, true));
     assert_eq!((volume.dims, volume.spacing_mm, volume.labels[0].label), ([20, 16, 12], [1.0; 3], 4));
     assert_eq!((seen.topology.unwrap().genus, seen.repaired_topology.unwrap().genus), (Some(1), Some(0)));
-    let refused = inspect(&bytes, None, &with_repair(&[]), &limits).unwrap();
+    let kept = inspect(&bytes, None, &with_repair(&[]), &limits).unwrap();
+    assert_eq!((kept.suitable, kept.repaired_topology.unwrap().genus), (true, Some(1)));
+    let face =
+        SurfaceMesh::new(ball_mesh().vertices().to_vec(), FaceArity::Triangle, ball_mesh().indices()[..3].to_vec());
+    let closed = InputParameters { allow_boundary: false, ..defaults() };
+    let refused = inspect(&write_ply(&face.unwrap()), None, &closed, &limits).unwrap();
     assert_eq!((refused.suitable, refused.refusal.unwrap().code.as_str()), (false, "unsuitable-surface"));
     let none = InputParameters { labels: Some(vec![1]), ..defaults() };
     let empty = inspect(&bytes, None, &none, &limits).unwrap();
@@ -218,15 +265,16 @@ fn phantom_volumes_become_closed_surfaces_of_genus_0() {
 }
 
 #[test]
-fn an_unwelded_surface_says_which_repair_it_needs() {
+fn an_unwelded_surface_is_welded() {
     check_unwelded(&fixture("unwelded-1.vtk"));
 }
 
 /// Faces with vertices of their own, and several pieces: what programs that extract surfaces often write.
 fn check_unwelded(bytes: &[u8]) {
-    let error = prepare(bytes, &defaults()).unwrap_err().to_string();
+    let closed = InputParameters { allow_boundary: false, ..with_repair(&[]) };
+    let error = prepare(bytes, &closed).unwrap_err().to_string();
     assert!(error.contains("set input.repair to [\"weld\""), "{error}");
-    let prepared = prepare(bytes, &with_repair(&[Repair::Weld, Repair::LargestComponent])).unwrap();
+    let prepared = prepare(bytes, &InputParameters { allow_boundary: false, ..defaults() }).unwrap();
     assert_eq!(prepared.numbering.n_vertices(), prepared.mesh.n_vertices());
     // The surface that goes with the answer has the file's numbering.
     let uploaded = prepared.uploaded();
@@ -278,7 +326,7 @@ mod real_data {
 
     #[test]
     #[ignore = "needs real data (structures)"]
-    fn structures_say_which_repair_they_need() {
+    fn unwelded_structures_are_welded() {
         check_unwelded(&std::fs::read(real("structures/Model_17_left_hippocampus.vtk")).unwrap());
     }
 }
@@ -312,8 +360,9 @@ proptest! {
             let at = at.index(if head { bytes.len().min(348) } else { bytes.len() });
             bytes[at] = value;
         }
-        if let Ok(prepared) = prepare(&bytes, &with_repair(&[Repair::Weld, Repair::LargestComponent, Repair::Fill])) {
-            prop_assert_eq!(analyze(&prepared.mesh).fault, None);
+        let all = with_repair(&[Repair::Weld, Repair::Orient, Repair::LargestComponent, Repair::Fill]);
+        if let Ok(prepared) = prepare(&bytes, &all) {
+            prop_assert_eq!(analyze_with(&prepared.mesh, Demand::Any).fault, None);
         }
     }
 }

@@ -1,0 +1,140 @@
+//! How narrow a displacement field has to be: the kernel under which residual heights are most probable.
+//!
+//! A field `v` with kernel `s² exp(−‖p − q‖² / 2w²)` on every axis moves a point along its normal by `n·v`, which has the
+//! covariance `s² k(p, q) ⟨n, n'⟩`. With independent noise of variance `σ²` the heights `h` of points over a surface have
+//! the marginal likelihood `N(h; 0, s² K + σ² I)`. For one width, one eigendecomposition of `K` gives it for all `s` and
+//! `σ`; `σ²` has its maximum in closed form for each ratio `s² / σ²`.
+//!
+//! Source: Rasmussen, Williams, "Gaussian Processes for Machine Learning", 2006, section 5.4 (model selection by the
+//! marginal likelihood).
+
+use super::GaussianKernel;
+use faer::{Mat, Side};
+use nalgebra::{Point3, Vector3};
+use rayon::prelude::*;
+
+/// Ratios `s² / σ²` that are tried: powers of two from 2⁻⁴ to 2¹².
+const RATIOS: std::ops::RangeInclusive<i32> = -4..=12;
+
+/// The most probable kernel of a displacement field.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct KernelEvidence {
+    /// Width, and standard deviation along an axis.
+    pub kernel: GaussianKernel,
+    /// Standard deviation `σ` of the noise, mm.
+    pub noise_mm: f64,
+    /// Logarithm of the marginal likelihood, minus that of noise alone. At most 0 where a field explains nothing.
+    pub gain: f64,
+}
+
+/// The kernel, of the given widths (mm), under which `heights` (mm) along unit `normals` at `points` are most probable.
+/// `None` without points or widths, where all heights are 0, or where a number is not finite.
+///
+/// # Cost
+/// `O(widths · points³)`; widths on all threads.
+pub fn most_probable_kernel(
+    points: &[Point3<f64>],
+    normals: &[Vector3<f64>],
+    heights: &[f64],
+    widths_mm: &[f64],
+) -> Option<KernelEvidence> {
+    let n = points.len() as f64;
+    let variance = heights.iter().map(|h| h * h).sum::<f64>() / n;
+    if !(variance.is_finite() && variance > 0.0) {
+        return None;
+    }
+    let of_width = |&width_mm: &f64| {
+        let eigen = covariance(points, normals, width_mm).self_adjoint_eigen(Side::Lower).ok()?;
+        let (vectors, values) = (eigen.U(), eigen.S().column_vector());
+        let along = vectors.transpose() * Mat::from_fn(heights.len(), 1, |i, _| heights[i]);
+        let of_ratio = |power: i32| {
+            let ratio = 2f64.powi(power);
+            let terms = (0..heights.len()).map(|k| (1.0 + ratio * values[k].max(0.0), along[(k, 0)]));
+            let (log_determinant, squares) =
+                terms.fold((0.0, 0.0), |(log, sum), (scale, a)| (log + scale.ln(), sum + a * a / scale));
+            let noise_variance = squares / n;
+            let kernel = GaussianKernel { width_mm, amplitude_mm: (ratio * noise_variance).sqrt() };
+            let gain = 0.5 * (n * (variance / noise_variance).ln() - log_determinant);
+            KernelEvidence { kernel, noise_mm: noise_variance.sqrt(), gain }
+        };
+        RATIOS.map(of_ratio).filter(|e| e.gain.is_finite()).max_by(|a, b| a.gain.total_cmp(&b.gain))
+    };
+    let found: Vec<Option<KernelEvidence>> = widths_mm.par_iter().map(of_width).collect();
+    found.into_iter().flatten().max_by(|a, b| a.gain.total_cmp(&b.gain))
+}
+
+fn covariance(points: &[Point3<f64>], normals: &[Vector3<f64>], width_mm: f64) -> Mat<f64> {
+    let scale = -0.5 / (width_mm * width_mm);
+    Mat::from_fn(points.len(), points.len(), |i, j| {
+        (scale * (points[i] - points[j]).norm_squared()).exp() * normals[i].dot(&normals[j])
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::testing::{cloud, directions, numbers};
+    use nalgebra::{DMatrix, DVector};
+
+    /// Covariance of the heights of a field of this kernel with noise, by definition.
+    fn with_noise(
+        points: &[Point3<f64>],
+        normals: &[Vector3<f64>],
+        kernel: GaussianKernel,
+        noise_mm: f64,
+    ) -> DMatrix<f64> {
+        DMatrix::from_fn(points.len(), points.len(), |i, j| {
+            let k = (-(points[i] - points[j]).norm_squared() / (2.0 * kernel.width_mm.powi(2))).exp();
+            let noise = if i == j { noise_mm * noise_mm } else { 0.0 };
+            kernel.amplitude_mm.powi(2) * k * normals[i].dot(&normals[j]) + noise
+        })
+    }
+
+    /// Heights drawn from that distribution, through the Cholesky factor.
+    fn drawn(covariance: &DMatrix<f64>) -> Vec<f64> {
+        let mut number = numbers(77);
+        // Twelve uniform numbers, each of variance 1/12.
+        let white = DVector::from_fn(covariance.nrows(), |_, _| (0..12).map(|_| number()).sum::<f64>() - 6.0);
+        (covariance.clone().cholesky().unwrap().l() * white).iter().copied().collect()
+    }
+
+    fn log_density(covariance: &DMatrix<f64>, heights: &[f64]) -> f64 {
+        let h = DVector::from_column_slice(heights);
+        let log_determinant = 2.0 * covariance.clone().cholesky().unwrap().l().diagonal().map(f64::ln).sum();
+        -0.5 * (h.dot(&covariance.clone().lu().solve(&h).unwrap()) + log_determinant)
+    }
+
+    #[test]
+    fn the_gain_is_the_difference_of_two_log_densities() {
+        let (points, normals) = (cloud(3, 60), directions(4, 60));
+        let truth = GaussianKernel { width_mm: 5.0, amplitude_mm: 2.0 };
+        let heights = drawn(&with_noise(&points, &normals, truth, 0.5));
+        let found = most_probable_kernel(&points, &normals, &heights, &[5.0]).unwrap();
+        let field = log_density(&with_noise(&points, &normals, found.kernel, found.noise_mm), &heights);
+        let variance = heights.iter().map(|h| h * h).sum::<f64>() / 60.0;
+        let noise = log_density(&(DMatrix::identity(60, 60) * variance), &heights);
+        assert!((field - noise - found.gain).abs() < 1e-6 * (1.0 + found.gain.abs()), "{} {found:?}", field - noise);
+    }
+
+    #[test]
+    fn the_kernel_of_drawn_heights_is_found_and_noise_needs_none() {
+        let (points, normals) = (cloud(5, 300), directions(6, 300));
+        let widths = [1.0, 2.0, 4.0, 8.0, 16.0];
+        let truth = GaussianKernel { width_mm: 4.0, amplitude_mm: 1.5 };
+        let heights = drawn(&with_noise(&points, &normals, truth, 0.2));
+        let found = most_probable_kernel(&points, &normals, &heights, &widths).unwrap();
+        assert!(found.kernel.width_mm == 4.0 && found.gain > 20.0, "{found:?}");
+        assert!((1.0..2.3).contains(&found.kernel.amplitude_mm), "{found:?}");
+        let noise = drawn(&(DMatrix::identity(300, 300) * 0.04));
+        let found = most_probable_kernel(&points, &normals, &noise, &widths).unwrap();
+        assert!(found.gain < 4.0, "{found:?}");
+    }
+
+    #[test]
+    fn no_heights_no_widths_and_numbers_that_are_not_finite_have_no_kernel() {
+        let (points, normals) = (cloud(1, 10), directions(2, 10));
+        assert_eq!(most_probable_kernel(&points, &normals, &[0.0; 10], &[1.0]), None);
+        assert_eq!(most_probable_kernel(&points, &normals, &[f64::NAN; 10], &[1.0]), None);
+        assert_eq!(most_probable_kernel(&points, &normals, &[1.0; 10], &[]), None);
+    }
+}

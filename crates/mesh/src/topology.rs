@@ -119,6 +119,12 @@ pub enum SurfaceFault {
         /// The genus.
         genus: u32,
     },
+    /// No area: all vertices on a line or at a point.
+    #[error("the surface has no area ({area_mm2} mm²)")]
+    NoArea {
+        /// Its area, mm².
+        area_mm2: f64,
+    },
     /// No enclosed volume: flat, or parts of opposite orientation cancel.
     #[error("the surface encloses no volume ({volume_mm3} mm³)")]
     NoVolume {
@@ -165,7 +171,7 @@ pub struct Analysis {
     pub fault: Option<SurfaceFault>,
 }
 
-/// Volumes below this share of `area^1.5` count as 0. A sphere has 0.094; a needle of aspect 1 : 10⁴ has 1e-3.
+/// Volumes below this share of `area^1.5` count as 0, as do areas below this share of the squared diagonal. A sphere has 0.094; a needle of aspect 1 : 10⁴ has 1e-3.
 const FLAT_RTOL: f64 = 1e-9;
 
 /// Counts of vertices, edges, faces, components and faults of `mesh`, its genus, area (mm²) and volume (mm³).
@@ -275,6 +281,10 @@ fn first_fault(
     }
     if let Some(genus) = report.genus.filter(|&g| g > 0 && demand == Demand::Sphere) {
         return Some(SurfaceFault::Genus { genus });
+    }
+    let (low, high) = mesh.bounding_box();
+    if report.area_mm2 <= FLAT_RTOL * (high - low).norm_squared() {
+        return Some(SurfaceFault::NoArea { area_mm2: report.area_mm2 });
     }
     let Some(volume_mm3) = report.volume_mm3 else {
         // An open surface may be nearly flat.

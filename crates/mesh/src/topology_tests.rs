@@ -117,3 +117,10 @@ fn unused_vertices_do_not_count() {
     let a = analyze(&mesh(v, f));
     assert_eq!((a.report.n_vertices, a.report.genus, a.fault), (4, Some(0), None));
 }
+
+#[test]
+fn faces_on_a_line_have_no_area() {
+    let v = [0.0, 1.0, 2.0].map(|x| Point3::new(x, 0.0, 0.0)).to_vec();
+    let fault = analyze_with(&mesh(v, vec![0, 1, 2]), Demand::Any).fault;
+    assert_eq!(fault, Some(SurfaceFault::NoArea { area_mm2: 0.0 }));
+}

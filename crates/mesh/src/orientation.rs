@@ -80,7 +80,7 @@ mod tests {
         let vertices: Vec<Point3<f64>> = (0..2 * n)
             .map(|k| {
                 let around = std::f64::consts::TAU * f64::from(k / 2) / f64::from(n);
-                let across = if k % 2 == 0 { -1.0 } else { 1.0 };
+                let across = if k.is_multiple_of(2) { -1.0 } else { 1.0 };
                 let (radius, height) = (5.0 + across * (around / 2.0).cos(), across * (around / 2.0).sin());
                 Point3::new(radius * around.cos(), radius * around.sin(), height)
             })

@@ -178,7 +178,7 @@ fn a_surface_of_any_topology_is_accepted_and_one_without_an_inside_is_refused() 
     // A Moebius strip of one row of faces.
     let n = 12u32;
     let around = |k: u32| std::f64::consts::TAU * f64::from(k / 2) / f64::from(n);
-    let across = |k: u32| if k % 2 == 0 { -1.0 } else { 1.0 };
+    let across = |k: u32| if k.is_multiple_of(2) { -1.0 } else { 1.0 };
     let vertex = |k: u32| {
         let (angle, side) = (around(k), across(k));
         let radius = 5.0 + side * (angle / 2.0).cos();

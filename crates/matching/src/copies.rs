@@ -20,7 +20,7 @@ pub(crate) struct Aligned {
 
 /// Aligns `source` with `target` from `start` by a few steps of points against planes in both directions. `edge_mm` is the
 /// mean edge length of the target; the alignment ends when a step rotates by less than `tolerance` radians and moves by
-/// less than `tolerance` mm.
+/// less than `tolerance` diagonals of the source.
 ///
 /// # Errors
 /// [`Cancelled`].

@@ -18,7 +18,7 @@ use nalgebra::{Matrix3, Point3, Vector3};
 
 /// Steps of refinement on all vertices.
 const FULL_STEPS: u32 = 2;
-/// Refinement ends when a step rotates by less, radians, and moves by less, mm.
+/// Refinement ends when a step rotates by less, radians, and moves by less, in diagonals of the source.
 const TOLERANCE: f64 = 1e-5;
 
 /// Registers as `registration.initial` says, without an energy and without messages.

@@ -42,7 +42,8 @@ pub struct TwoSidedOptions {
     pub sample_steps: u32,
     /// Largest number of steps on all points.
     pub full_steps: u32,
-    /// Either phase ends when a step rotates by less than this, radians, and moves by less than this, mm.
+    /// Either phase ends when a step rotates by less than this, radians, and moves by less than this many diagonals of the
+    /// source.
     pub tolerance: f64,
 }
 

@@ -33,14 +33,18 @@ pub(super) struct Refined {
     pub is_local: bool,
 }
 
+/// The sign of the normals after `pose`: the faces of a mirrored surface are oriented inwards.
+pub(super) fn outwards(pose: &RigidTransform) -> f64 {
+    if pose.is_reflection() { -1.0 } else { 1.0 }
+}
+
 impl Displacement<'_> {
     /// The field after all stages.
     pub(super) fn refined(&self, pose: &RigidTransform, start: State) -> Result<Option<Refined>, MatchError> {
         let State { mut field, mut feature_precision } = start;
         let all_values = self.basis.values(self.source.mesh.vertices());
         let all_base: Vec<Point3<f64>> = self.source.mesh.vertices().iter().map(|p| pose.apply(p)).collect();
-        // The faces of a mirrored surface are oriented inwards.
-        let outwards = if pose.is_reflection() { -1.0 } else { 1.0 };
+        let outwards = outwards(pose);
         let mut residual_mm = 0.0;
         let guided = self.guides.observations(pose);
         for (stage, &steps) in self.options.steps.iter().enumerate().skip(1) {
@@ -55,8 +59,13 @@ impl Displacement<'_> {
             let (from, to) = (stage.min(3), (stage + 1).min(3));
             if stage == 3
                 && (self.open || residual_mm < TWO_SUBJECTS * self.lengths.sampling_mm)
-                && let Some(refined) =
-                    self.local(pose, outwards, &field, &all_values, &feature_precision, residual_mm)?
+                && let Some(refined) = self.local(
+                    pose,
+                    &all_base,
+                    displaced(&all_base, &field, &all_values),
+                    feature_precision.clone(),
+                    residual_mm,
+                )?
             {
                 return Ok(Some(refined));
             }
@@ -84,7 +93,7 @@ impl Displacement<'_> {
                     observed_means(&found, &base, &thinned.areas, across)
                 } else {
                     let along = density / self.along_mm().powi(2);
-                    let (observed, residual) = self.sliding(&found, &samples, &base, self.along_mm(), (along, across));
+                    let (observed, residual) = self.sliding(&found, &samples, &base, along, across);
                     if stage == 2 {
                         residual_mm = residual;
                     }
@@ -99,7 +108,7 @@ impl Displacement<'_> {
         Ok(Some(Refined { field, basis: self.basis.clone(), residual_mm, is_local: false }))
     }
 
-    pub(super) fn along_mm(&self) -> f64 {
+    fn along_mm(&self) -> f64 {
         ALONG * self.lengths.sampling_mm
     }
 
@@ -110,10 +119,10 @@ impl Displacement<'_> {
         found: &Assignment,
         moved: &OrientedPoints<'_>,
         base: &[Point3<f64>],
-        along_mm: f64,
-        density: (f64, f64),
+        along: f64,
+        across: f64,
     ) -> (Vec<Observation>, f64) {
-        let (along, across) = density;
+        let along_mm = self.along_mm();
         let pairs: Vec<(Observation, f64)> = (0..base.len())
             .into_par_iter()
             .map(|i| {

@@ -6,7 +6,7 @@
 //! normals of different directions within one width determine the displacement along the surface as well, and where they
 //! do not, the posterior covariance says so.
 
-use super::fine::Refined;
+use super::fine::{Refined, outwards};
 use super::prior;
 use super::stages::{Displacement, displaced, kernel, precision_of_features};
 use crate::MatchError;
@@ -34,21 +34,16 @@ const SAMPLES: usize = 1200;
 const STEPS: u32 = 5;
 
 impl Displacement<'_> {
-    /// The field with a second, narrower kernel, from `field` with the functions `all_values` at all source vertices;
-    /// `None` where the prior explains the heights over the target as well without one.
+    /// The field with a second, narrower kernel, from the source after the rigid `pose` (`all_base`) and after the fine stage
+    /// (`moved`); `None` where the heights over the target are no more than noise.
     pub(super) fn local(
         &self,
         pose: &RigidTransform,
-        outwards: f64,
-        field: &FittedField,
-        all_values: &Mat<f64>,
-        feature_precision: &[f64],
+        all_base: &[Point3<f64>],
+        moved: Vec<Point3<f64>>,
+        feature_precision: Vec<f64>,
         residual_mm: f64,
     ) -> Result<Option<Refined>, MatchError> {
-        let source = self.source.mesh.vertices();
-        let all_base: Vec<Point3<f64>> = source.iter().map(|p| pose.apply(p)).collect();
-        let mut moved = displaced(&all_base, field, all_values);
-        let mut precision = feature_precision.to_vec();
         let Some(found) = self.evidence(&moved) else { return Ok(None) };
         if found.gain < LEAST_GAIN {
             return Ok(None);
@@ -58,8 +53,8 @@ impl Displacement<'_> {
         prior.kernels.push(found.kernel);
         // Shapes of two subjects differ along the normals where nothing was displaced.
         let noise_mm = found.noise_mm.hypot(OFFSET_SHARE * found.kernel.amplitude_mm);
-        let Some(basis) = FieldBasis::new(source, prior, N_INDUCING) else { return Ok(None) };
-        let fitted = self.fitted(pose, outwards, &basis, noise_mm, &all_base, &mut moved, &mut precision)?;
+        let Some(basis) = FieldBasis::new(self.source.mesh.vertices(), prior, N_INDUCING) else { return Ok(None) };
+        let fitted = self.fitted(pose, &basis, noise_mm, all_base, moved, feature_precision)?;
         Ok(fitted.map(|field| Refined { field, basis, residual_mm, is_local: true }))
     }
 
@@ -82,16 +77,14 @@ impl Displacement<'_> {
     }
 
     /// The field of `basis` after some steps from `moved`, with noise of `noise_mm` along the normals.
-    #[expect(clippy::too_many_arguments, reason = "the state of one loop")]
     fn fitted(
         &self,
         pose: &RigidTransform,
-        outwards: f64,
         basis: &FieldBasis,
         noise_mm: f64,
         all_base: &[Point3<f64>],
-        moved: &mut Vec<Point3<f64>>,
-        precision: &mut Vec<f64>,
+        mut moved: Vec<Point3<f64>>,
+        mut precision: Vec<f64>,
     ) -> Result<Option<FittedField>, MatchError> {
         let thinned = self.source.thinned(SAMPLES);
         let target = self.target.samples();
@@ -105,20 +98,21 @@ impl Displacement<'_> {
         let mean_area = thinned.areas.iter().sum::<f64>() / thinned.areas.len() as f64;
         let along = 1.0 / (mean_area * noise_mm * noise_mm);
         let across = self.density(3, 3, 1.0) / (sigma_mm * sigma_mm);
+        let outwards = outwards(pose);
         let mut fitted = None;
         for _ in 0..STEPS {
             checkpoint(self.observer)?;
-            let Ok(mesh) = self.source.mesh.with_vertices(std::mem::take(moved)) else { return Ok(None) };
+            let Ok(mesh) = self.source.mesh.with_vertices(moved) else { return Ok(None) };
             let normals = mesh.vertex_normals();
             let normals: Vec<Vector3<f64>> = thinned.vertices.iter().map(|&i| normals[i] * outwards).collect();
             let points: Vec<Point3<f64>> = thinned.vertices.iter().map(|&i| mesh.vertices()[i]).collect();
             let samples = OrientedPoints { points: &points, normals: &normals, ..thinned.samples() };
-            let assigned = assign(&samples, &target, &kernel(sigma_mm, std::mem::take(precision)));
-            let (observed, _) = self.sliding(&assigned, &samples, &base, self.along_mm(), (along, across));
+            let assigned = assign(&samples, &target, &kernel(sigma_mm, precision));
+            let (observed, _) = self.sliding(&assigned, &samples, &base, along, across);
             let observed = [observed, guided.clone()].concat();
             let Some(next) = fit_field(values.as_ref(), &observed) else { return Ok(None) };
-            *moved = displaced(all_base, &next, &all_values);
-            *precision = precision_of_features(&assigned.feature_variance);
+            moved = displaced(all_base, &next, &all_values);
+            precision = precision_of_features(&assigned.feature_variance);
             fitted = Some(next);
         }
         Ok(fitted)

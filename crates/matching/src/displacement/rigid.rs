@@ -29,7 +29,7 @@ use nalgebra::Point3;
 const COPY_EDGES: f64 = 0.5;
 /// Most steps of the alignment of copies.
 const MAX_STEPS: u32 = 30;
-/// The alignment ends when a step rotates by less, radians, and moves by less, mm.
+/// The alignment ends when a step rotates by less, radians, and moves by less, in diagonals of the source.
 const TOLERANCE: f64 = 1e-7;
 
 /// The rigid part of a displacement.

@@ -12,6 +12,7 @@ import sys
 import numpy as np
 from scipy.spatial.transform import Rotation
 
+import bodies
 import capsules
 import coarse
 import geometry
@@ -21,7 +22,7 @@ import solids
 import structures
 import warped
 
-FAMILIES = [scaled, warped, capsules, solids, structures, coarse, landmarked]
+FAMILIES = [scaled, warped, capsules, bodies, solids, structures, coarse, landmarked]
 """Modules that make further sets: `KINDS`, `names(cases, kind, n)`, `make(cases, kind, index)`, `KEPT`: on disk or not."""
 FAMILY = {kind: family for family in FAMILIES for kind in family.KINDS}
 REAL = ["real_warp4", "real_warp8", "real_cross", "real_resample"]

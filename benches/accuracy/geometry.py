@@ -5,6 +5,7 @@ import heapq
 import numpy as np
 from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components
+from scipy.spatial import cKDTree
 
 
 def write_ply(path, vertices, faces):
@@ -68,7 +69,13 @@ def cut_end(vertices, faces, share, at_far_end):
 
 
 def decimated(vertices, faces, goal):
-    """The surface with `goal` vertices, by collapsing the shortest edge to one of its ends again and again; the genus stays.
+    """The surface with `goal` vertices, by collapsing the shortest edge to one of its ends again and again; the genus stays."""
+    left, new = decimation(vertices, faces, goal)
+    return vertices[left], new
+
+
+def decimation(vertices, faces, goal):
+    """Which vertices `decimated` keeps, and the faces between them.
 
     A collapse is allowed where the two ends have exactly two neighbors in common (the link condition).
     """
@@ -106,7 +113,7 @@ def decimated(vertices, faces, goal):
         n_left -= 1
     left = np.array([i for i in range(len(vertices)) if i not in gone])
     new = np.array([c for c in corners if c is not None])
-    return vertices[left], np.searchsorted(left, new).astype(np.int32)
+    return left, np.searchsorted(left, new).astype(np.int32)
 
 
 LENGTHS = ["V1", "V2", "t", "gtpos", "edge", "diag"]
@@ -128,6 +135,42 @@ def without_missing_positions(vertices, faces):
         return vertices, faces
     faces = faces[there[faces].all(1)]
     return vertices[there], (np.cumsum(there) - 1)[faces].astype(np.int32)
+
+
+def closest_on_triangles(points, corners):
+    """Barycentric coordinates of the closest point of each triangle, (..., 3) points and (..., 3, 3) corners."""
+    a, b, c = (corners[..., k, :] for k in range(3))
+    dot = lambda u, v: (u * v).sum(-1)
+    ab, ac, ap = b - a, c - a, points - a
+    d00, d01, d11, d20, d21 = dot(ab, ab), dot(ab, ac), dot(ac, ac), dot(ap, ab), dot(ap, ac)
+    area = np.maximum(d00 * d11 - d01 * d01, 1e-300)
+    v, w = (d11 * d20 - d01 * d21) / area, (d00 * d21 - d01 * d20) / area
+    best = np.stack([1 - v - w, v, w], -1)
+    found = np.where((best >= 0).all(-1), squared_distance(best, corners, points), np.inf)
+    for i, j in ((0, 1), (1, 2), (2, 0)):
+        along = corners[..., j, :] - corners[..., i, :]
+        t = np.clip(dot(points - corners[..., i, :], along) / np.maximum(dot(along, along), 1e-300), 0, 1)
+        weights = np.zeros_like(best)
+        weights[..., i], weights[..., j] = 1 - t, t
+        off = squared_distance(weights, corners, points)
+        best = np.where((off < found)[..., None], weights, best)
+        found = np.minimum(off, found)
+    return best, found
+
+
+def squared_distance(weights, corners, points):
+    """Squared distance between points and the points of triangles that the weights name."""
+    return (((weights[..., None] * corners).sum(-2) - points) ** 2).sum(-1)
+
+
+def closest_points(points, vertices, faces, n_tried=32):
+    """The triangle closest to each point, of those with the nearest centers, and the barycentric coordinates in it."""
+    corners = vertices[faces]
+    tried = cKDTree(corners.mean(1)).query(points, n_tried)[1]
+    weights, off = closest_on_triangles(points[:, None], corners[tried])
+    best = off.argmin(1)
+    row = np.arange(len(points))
+    return tried[row, best], weights[row, best]
 
 
 def volume(vertices, faces):

@@ -3,6 +3,7 @@
 import json
 import os
 
+import bodies
 import capsules
 import landmarked
 import warped
@@ -22,7 +23,7 @@ SWAPPED = ["real_warp4", "real_warp8", "real_cross"]
 SWAPPED_PEERS = ["icp", "bcpd", "cpd", "functional_maps"]
 DENSE_PEERS = ["icp", "bcpd"]
 """Peers on the sets of dense truth and of landmarks."""
-DENSE = ["real_narrow2", "narrow4", *warped.WIDTH_KINDS, *capsules.KINDS, *landmarked.KINDS]
+DENSE = ["real_narrow2", "narrow4", *warped.WIDTH_KINDS, *capsules.KINDS, *bodies.KINDS, *landmarked.KINDS]
 """Sets, beside the real ones, on which dense peers run."""
 HALF = [*warped.WIDTH_KINDS, *SYMMETRIC]
 ABLATION = ["real_warp4", "real_warp8", "real_cross"]

@@ -3,10 +3,13 @@
 import numpy as np
 from scipy.spatial import cKDTree
 
+import geometry
 import landmarked
 
 N_BINS = 10
 RESAMPLES = 2000
+NEAR_SHARE = 0.05
+"""Of the target's diagonal: how near a point must be to count for `point_within_5_pct`."""
 
 
 def of_answer(cases, case, answer):
@@ -37,6 +40,11 @@ def of_answer(cases, case, answer):
         found["point_err_mm"] = float(off.mean())
         found["point_err_edges"] = found["point_err_mm"] / case["edge"]
         found["point_w1"] = float((off <= case["edge"]).mean())
+        diagonal = geometry.diagonal(case["V2"])
+        found["point_err_diag_pct"] = 100 * found["point_err_mm"] / diagonal
+        root = np.sqrt(geometry.face_areas(case["V2"], case["F2"]).sum())
+        found["point_err_area_pct"] = 100 * found["point_err_mm"] / root
+        found["point_within_5_pct"] = float((off <= NEAR_SHARE * diagonal).mean())
     return {key: float(value) for key, value in found.items()}
 
 

@@ -1,5 +1,6 @@
 """Names for groups of sets, as `--sets` takes them; any single set can be named as well."""
 
+import bodies
 import capsules
 import coarse
 import landmarked
@@ -16,6 +17,7 @@ GROUPS = {
     "narrow": ["real_narrow2", "narrow4"],
     "width": warped.WIDTH_KINDS,
     "bent": capsules.KINDS,
+    "bodies": bodies.KINDS,
     "symmetric": solids.KINDS,
     "unlike": structures.KINDS,
     "noise": coarse.KINDS,

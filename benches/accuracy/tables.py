@@ -37,6 +37,7 @@ TITLES = {
     "landmarked_vertebra": "vertebrae",
     "landmarked_mouse_skull": "mouse skulls",
     **{kind: f"capsule bent by {kind.removeprefix('bent_')}°" for kind in capsules.KINDS},
+    "bodies_posed": "a person in two poses",
     **{kind: f"{kind.removeprefix('symmetric_')}, sampled twice" for kind in solids.KINDS},
     **{kind: f"warp 4 %, kernels {kind.removeprefix('width_')} wide" for kind in warped.WIDTH_KINDS},
     **{kind: f"in units of {kind.removeprefix('scale_')}" for kind in scaled.KINDS},

@@ -91,9 +91,8 @@ class Body:
     def normals(self, points):
         """Gradient of `outside`."""
         step = 1e-3
-        offsets = np.vstack([np.eye(3), -np.eye(3)]) * step
-        values = [self.outside(points + offset) for offset in offsets]
-        return np.stack([values[k] - values[k + 3] for k in range(3)], 1) / (2 * step)
+        here = self.outside(points)
+        return np.stack([self.outside(points + offset) - here for offset in step * np.eye(3)], 1) / step
 
     def weights(self, points):
         """How much each bone moves each point: smooth, and a function of the position in the rest pose alone."""
@@ -136,7 +135,7 @@ def person(draws):
     length = lambda mm: mm * draws.uniform(0.9, 1.1)
     thick = draws.uniform(0.9, 1.12)
     radius = lambda mm: mm * thick * draws.uniform(0.93, 1.08)
-    body = Body(blend=12.0, weight_blend=40.0, spacing=12.0)
+    body = Body(blend=12.0, weight_blend=45.0, spacing=12.0)
     hip_y, waist, torso = 930.0, length(110), length(150)
     chest_y = hip_y + waist + torso
     shoulder = np.array([length(180), chest_y + length(195), -15.0])
@@ -196,6 +195,74 @@ def person(draws):
     return body
 
 
+def animal(draws):
+    """A four-legged animal, 0.6 m at the withers; every individual has other proportions."""
+    length = lambda mm: mm * draws.uniform(0.88, 1.12)
+    thick = draws.uniform(0.9, 1.12)
+    radius = lambda mm: mm * thick * draws.uniform(0.93, 1.08)
+    body = Body(blend=9.0, weight_blend=40.0, spacing=8.5)
+    unit = lambda *axis: np.array(axis) / np.linalg.norm(axis)
+    hind_z = -260.0
+    loin, front = hind_z + length(130), hind_z + length(290)
+    withers = front + length(190)
+    neck_axis, head_axis, tail_axis = unit(0, 0.75, 0.65), unit(0, -0.25, 0.97), unit(0, -0.35, -0.95)
+    neck = np.array([0, 620.0, withers + 20])
+    head = neck + length(220) * neck_axis
+    arm_axis, fore_axis = unit(0.06, -0.97, -0.2), unit(0.06, -1, 0.08)
+    shoulder = np.array([80.0, 505, withers - 30])
+    elbow = shoulder + length(205) * arm_axis
+    wrist = elbow + length(190) * fore_axis
+    thigh_axis, shin_axis = unit(0.08, -0.93, 0.35), unit(0.05, -0.85, -0.5)
+    hip = np.array([72.0, 520, hind_z - 20])
+    knee = hip + length(195) * thigh_axis
+    hock = knee + length(175) * shin_axis
+    tail = [np.array([0, 590.0, hind_z - 95])]
+    for _ in range(2):
+        tail.append(tail[-1] + length(120) * tail_axis)
+
+    body.bone("pelvis", None, [0, 560, hind_z], [0, 0, 1])
+    body.bone("abdomen", "pelvis", [0, 565, loin], [0, 0, 1])
+    body.bone("chest", "abdomen", [0, 565, front], [0, 0, 1])
+    body.bone("neck", "chest", neck, neck_axis)
+    body.bone("head", "neck", head, head_axis)
+    for k, parent in enumerate(["pelvis", "tail_0", "tail_1"]):
+        body.bone(f"tail_{k}", parent, tail[k], tail_axis, "tail")
+    body.bone("left_upper_arm", "chest", shoulder, arm_axis)
+    body.bone("left_forearm", "left_upper_arm", elbow, fore_axis)
+    body.bone("left_forepaw", "left_forearm", wrist, [0, -1, 0])
+    body.bone("left_thigh", "pelvis", hip, thigh_axis)
+    body.bone("left_shin", "left_thigh", knee, shin_axis)
+    body.bone("left_hindpaw", "left_shin", hock, [0, -1, 0])
+
+    z = np.array([0, 0, 1.0])
+    body.ellipsoid("pelvis", [0, 560, hind_z], [radius(100), radius(105), 150])
+    middle = (loin + front) / 2
+    body.ellipsoid("abdomen", [0, 545, middle], [radius(102), radius(102), 0.9 * (front - hind_z) / 2 + 40])
+    body.ellipsoid("abdomen", [0, 500, middle], [radius(85), radius(80) * draws.uniform(0.9, 1.2), 130])
+    body.ellipsoid("chest", [0, 540, (front + withers) / 2 + 10], [radius(115), radius(138), (withers - front) / 2 + 100])
+    body.capsule("neck", neck - 30 * neck_axis, head, radius(80), radius(58))
+    size = draws.uniform(0.9, 1.12)
+    body.ellipsoid("head", head + size * (10 * neck_axis + 25 * head_axis), size * np.array([64, 66, 88]))
+    muzzle = head + size * 70 * head_axis
+    body.capsule("head", muzzle, muzzle + length(95) * head_axis, 44 * size, 31 * size)
+    ear = head + size * np.array([40, 50, 0])
+    body.capsule("head", ear, ear + length(75) * unit(0.35, 0.9, -0.2), 24 * size, 15 * size)
+    for k in range(3):
+        end = tail[k + 1] if k < 2 else tail[2] + length(120) * tail_axis
+        body.capsule(f"tail_{k}", tail[k], end, radius(36 - 6 * k), radius(30 - 6 * k))
+    body.capsule("left_upper_arm", shoulder, elbow, radius(60), radius(40))
+    body.capsule("left_forearm", elbow, wrist, radius(38), radius(27))
+    ground = wrist + np.array([0, -60.0, 0])
+    body.capsule("left_forepaw", wrist, ground, radius(28), radius(30))
+    body.capsule("left_forepaw", ground, ground + 45 * z, radius(31), radius(27))
+    body.capsule("left_thigh", hip, knee, radius(74), radius(44))
+    body.capsule("left_shin", knee, hock, radius(42), radius(27))
+    ground = hock + np.array([0, -120.0, 10])
+    body.capsule("left_hindpaw", hock, ground, radius(27), radius(28))
+    body.capsule("left_hindpaw", ground, ground + 50 * z, radius(31), radius(27))
+    return body
+
+
 # For each bone, the ranges of its angles in degrees about x, y and z, for the left side; the right side is mirrored.
 PERSON_REST = {
     "left_upper_arm": [(-10, 10), (-15, 10), (-35, -5)],
@@ -217,4 +284,29 @@ PERSON_FAR = {
     "left_thigh": [(-85, 20), (-20, 20), (0, 25)],
     "left_shin": [(5, 90), (0, 0), (0, 0)],
     "left_foot": [(-20, 25), (0, 0), (0, 0)],
+}
+ANIMAL_REST = {
+    "chest": [(-5, 5), (-6, 6), (-4, 4)],
+    "neck": [(-10, 10), (-10, 10), (0, 0)],
+    "head": [(-10, 10), (-8, 8), (0, 0)],
+    "tail_0": [(-10, 10), (-12, 12), (0, 0)],
+    "left_upper_arm": [(-14, 14), (0, 0), (0, 4)],
+    "left_forearm": [(-12, 0), (0, 0), (0, 0)],
+    "left_thigh": [(-14, 14), (0, 0), (0, 4)],
+    "left_shin": [(-5, 10), (0, 0), (0, 0)],
+}
+ANIMAL_FAR = {
+    "abdomen": [(-15, 18), (-30, 30), (-14, 14)],
+    "chest": [(-15, 18), (-30, 30), (-14, 14)],
+    "neck": [(-35, 45), (-45, 45), (-15, 15)],
+    "head": [(-30, 35), (-35, 35), (-20, 20)],
+    "tail_0": [(-30, 45), (-45, 45), (0, 0)],
+    "tail_1": [(-40, 40), (-45, 45), (0, 0)],
+    "tail_2": [(-40, 40), (-45, 45), (0, 0)],
+    "left_upper_arm": [(-60, 45), (-10, 10), (0, 22)],
+    "left_forearm": [(-85, 5), (0, 0), (0, 0)],
+    "left_forepaw": [(-10, 60), (0, 0), (0, 0)],
+    "left_thigh": [(-65, 40), (-10, 10), (0, 22)],
+    "left_shin": [(-30, 45), (0, 0), (0, 0)],
+    "left_hindpaw": [(-50, 25), (0, 0), (0, 0)],
 }

@@ -1,6 +1,9 @@
 """The sets `bodies_*`: articulated bodies, sampled twice, whose corresponding points are known.
 
-`bodies_posed`: one person, near the rest pose and in a pose far from it. The solids and joints are in `anatomy.py`.
+One surface is near the rest pose, the other far from it. `bodies_posed`: a person; `bodies_animals`: a four-legged
+animal; `bodies_build`: two individuals, persons and animals in turn, of which the second has other lengths and
+thicknesses of all parts. The solids and joints are in `anatomy.py`.
+
 A surface is sampled by marching cubes on a grid of its own around the rest pose, posed by linear blend skinning, and
 reduced to about 5,000 vertices of equal spacing in its pose. Weights depend on the position in the rest pose alone, so
 both surfaces are images of one rest surface: a source vertex corresponds to the point of the target that has the
@@ -16,11 +19,17 @@ from skimage.measure import marching_cubes
 import anatomy
 import geometry
 
-KINDS = ["bodies_posed"]
+KINDS = ["bodies_posed", "bodies_animals", "bodies_build"]
 KEPT = True
 N_VERTICES = 5000
+FACTORS = (0.75, 1.3)
+"""Of the lengths and of the thicknesses of the parts of another individual."""
 N_POSES_TRIED = 60
-SHARPEST_FOLD = -0.3
+LEAST_COSINE = 0.2
+"""Between the normals of the surface and of the triangles that sample it."""
+MOST_HELD = 8
+"""So many times vertices are put back in a round of `relaxed`, as holding one can turn a face of its neighbors."""
+SHARPEST_FOLD = -0.6
 """Cosine between the normals of neighboring triangles below which a surface counts as folded."""
 
 
@@ -30,11 +39,14 @@ def names(cases, kind, n):
 
 def make(cases, kind, index):
     draws = np.random.default_rng([2600 + KINDS.index(kind), int(index)])
-    body = anatomy.person(draws)
+    is_person = kind == "bodies_posed" or (kind == "bodies_build" and int(index) % 2 == 0)
+    body = (anatomy.person if is_person else anatomy.animal)(draws)
+    poses = (anatomy.PERSON_REST, anatomy.PERSON_FAR) if is_person else (anatomy.ANIMAL_REST, anatomy.ANIMAL_FAR)
+    builds = None, other_build(body, draws) if kind == "bodies_build" else None
     turns = [Rotation.random(random_state=draws.integers(2**31)).as_matrix() for _ in range(4)]
     rest = [sampled(body, turns[k], draws.uniform(0, 1, 3)) for k in (0, 1)]
     (first, faces, vertices), (second, other_faces, others) = (
-        posed_surface(body, *rest[k], ranges, draws) for k, ranges in ((0, anatomy.PERSON_REST), (1, anatomy.PERSON_FAR))
+        posed_surface(body, *rest[k], poses[k], draws, builds[k]) for k in (0, 1)
     )
     shifts = draws.normal(size=(2, 3)) * 300
     new = dict(V1=vertices @ turns[2].T + shifts[0], F1=faces, V2=others @ turns[3].T + shifts[1], F2=other_faces)
@@ -44,6 +56,12 @@ def make(cases, kind, index):
     new["R"], new["t"] = cases.real.kabsch(new["V1"], new["gtpos"])
     new["genus0"] = bool(all(cases.real.genus0(new[f"V{k}"], new[f"F{k}"]) for k in (1, 2)))
     return geometry.finished(new)
+
+
+def other_build(body, draws):
+    """Factors along and across each bone, the same on the left and on the right."""
+    of_group = {bone.group: draws.uniform(*FACTORS, 2) for bone in body.bones}
+    return [of_group[bone.group] for bone in body.bones]
 
 
 def sampled(body, turn, offset):
@@ -73,14 +91,27 @@ def sampled(body, turn, offset):
 
 def posed_surface(body, rest, faces, ranges, draws, scales=None):
     """Positions in the rest pose, faces and posed positions, in the first pose drawn that neither folds nor meets itself."""
+    # Most poses that will not do show it on vertices that are chosen once, in the rest pose.
+    left, few = reduced(rest, faces)
+    even = relaxed(body, rest[left], few)
     for tried in range(N_POSES_TRIED):
-        turns = drawn_pose(body, ranges, draws, 0.99**tried)
-        left, new = geometry.decimation(body.posed(rest, turns, scales), faces, N_VERTICES)
-        even = relaxed(body, rest[left], new)
-        posed = body.posed(even, turns, scales)
-        if not (is_folded(posed, new) or meets_itself(even, posed, new)):
-            return even, new, posed
-    raise RuntimeError("no pose without folds was found")
+        turns = drawn_pose(body, ranges, draws, 0.98**tried)
+        if is_unnatural(even, body.posed(even, turns, scales), few):
+            continue
+        left, new = reduced(body.posed(rest, turns, scales), faces)
+        found = relaxed(body, rest[left], new)
+        posed = body.posed(found, turns, scales)
+        if not is_unnatural(found, posed, new):
+            return found, new, posed
+    raise RuntimeError(f"none of {N_POSES_TRIED} poses is without folds")
+
+
+def reduced(vertices, faces):
+    return geometry.decimation(vertices, faces, N_VERTICES, LEAST_COSINE)
+
+
+def is_unnatural(rest, posed, faces):
+    return is_folded(posed, faces) or meets_itself(rest, posed, faces)
 
 
 def drawn_pose(body, ranges, draws, share):
@@ -102,24 +133,36 @@ def between(low, high, draws):
     return low + (high - low) * (1 - np.cos(np.pi * draws.uniform())) / 2
 
 
-def relaxed(body, vertices, faces, n_rounds=10):
-    """The vertices moved half of the way to the mean of their neighbors and back onto the surface, a few times."""
+def relaxed(body, vertices, faces, n_rounds=6):
+    """The vertices moved half of the way to the mean of their neighbors and back onto the surface, a few times.
+
+    A vertex stays where its move would turn a face of it away from the surface.
+    """
     pairs = geometry.edges(faces)
     ends = np.vstack([pairs, pairs[:, ::-1]])
     around = coo_matrix((np.ones(len(ends)), (ends[:, 0], ends[:, 1])), (len(vertices),) * 2).tocsr()
-    n_around = np.asarray(around.sum(1))
+    n_around = np.asarray(around.sum(1)).reshape(-1, 1)
+    kept = units(body.normals(vertices))
     for _ in range(n_rounds):
-        vertices = vertices + 0.5 * (around @ vertices / n_around.reshape(-1, 1) - vertices)
-        for _ in range(2):
-            normals = body.normals(vertices)
-            vertices = vertices - (body.outside(vertices) / (normals**2).sum(1))[:, None] * normals
+        moved, normals = onto_surface(body, vertices + 0.5 * (around @ vertices / n_around - vertices))
+        for _ in range(MOST_HELD):
+            along = np.einsum("ikd,id->ik", normals[faces], geometry.unit_normals(moved, faces))
+            held = np.unique(faces[(along < LEAST_COSINE).any(1)])
+            moved[held], normals[held] = vertices[held], kept[held]
+        vertices, kept = moved, normals
     return vertices
 
 
-def unit_normals(vertices, faces):
-    a, b, c = (vertices[faces[:, k]] for k in range(3))
-    normals = np.cross(b - a, c - a)
-    return normals / np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-12)
+def onto_surface(body, vertices):
+    """The vertices on the surface, and unit normals there."""
+    for _ in range(2):
+        normals = body.normals(vertices)
+        vertices = vertices - (body.outside(vertices) / (normals**2).sum(1))[:, None] * normals
+    return vertices, units(normals)
+
+
+def units(vectors):
+    return vectors / np.linalg.norm(vectors, axis=1, keepdims=True)
 
 
 def is_folded(vertices, faces):
@@ -127,7 +170,7 @@ def is_folded(vertices, faces):
     sides = np.vstack([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]])
     order = np.lexsort(np.sort(sides, 1).T)
     owner = np.tile(np.arange(len(faces)), 3)[order].reshape(-1, 2)
-    normals = unit_normals(vertices, faces)
+    normals = geometry.unit_normals(vertices, faces)
     return bool(((normals[owner[:, 0]] * normals[owner[:, 1]]).sum(1) < SHARPEST_FOLD).any())
 
 
@@ -135,12 +178,14 @@ def meets_itself(rest, posed, faces):
     """Whether triangles without a common corner cross, or parts that are far apart in the rest pose come to within an edge."""
     edge = geometry.mean_edge(posed, faces)
     pairs = cKDTree(posed).query_pairs(edge, output_type="ndarray")
-    if (np.linalg.norm(rest[pairs[:, 0]] - rest[pairs[:, 1]], axis=1) > 5 * edge).any():
+    if (np.linalg.norm(rest[pairs[:, 0]] - rest[pairs[:, 1]], axis=1) > 10 * edge).any():
         return True
     corners = posed[faces]
     centers = corners.mean(1)
-    reach = np.linalg.norm(corners - centers[:, None], axis=2).max()
-    pairs = cKDTree(centers).query_pairs(2 * reach, output_type="ndarray")
+    reach = np.linalg.norm(corners - centers[:, None], axis=2).max(1)
+    pairs = cKDTree(centers).query_pairs(2 * reach.max(), output_type="ndarray")
+    between = np.linalg.norm(centers[pairs[:, 0]] - centers[pairs[:, 1]], axis=1)
+    pairs = pairs[between < reach[pairs[:, 0]] + reach[pairs[:, 1]]]
     apart = (faces[pairs[:, 0]][:, :, None] != faces[pairs[:, 1]][:, None, :]).all((1, 2))
     pairs = pairs[apart]
     return any(crosses(corners[one], corners[other]).any() for one, other in (pairs.T, pairs.T[::-1]))

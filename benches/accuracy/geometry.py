@@ -39,6 +39,12 @@ def face_areas(vertices, faces):
     return 0.5 * np.linalg.norm(np.cross(b - a, c - a), axis=1)
 
 
+def unit_normals(vertices, faces):
+    a, b, c = (vertices[faces[:, k]] for k in range(3))
+    normals = np.cross(b - a, c - a)
+    return normals / np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-12)
+
+
 def vertex_areas(vertices, faces):
     return np.bincount(faces.ravel(), np.repeat(face_areas(vertices, faces) / 3, 3), len(vertices))
 
@@ -74,10 +80,11 @@ def decimated(vertices, faces, goal):
     return vertices[left], new
 
 
-def decimation(vertices, faces, goal):
+def decimation(vertices, faces, goal, least_cosine=None):
     """Which vertices `decimated` keeps, and the faces between them.
 
-    A collapse is allowed where the two ends have exactly two neighbors in common (the link condition).
+    A collapse is allowed where the two ends have exactly two neighbors in common (the link condition) and, on request,
+    where no face gets a normal whose cosine with the surface's normal at one of its corners is below `least_cosine`.
     """
     around = [set() for _ in vertices]
     star = [set() for _ in vertices]
@@ -87,12 +94,16 @@ def decimation(vertices, faces, goal):
             around[u].update((v, w))
             star[u].add(k)
     length = lambda u, v: float(np.linalg.norm(vertices[u] - vertices[v]))
+    places = vertices.tolist()
+    normals = None if least_cosine is None else vertex_normals(vertices, faces).tolist()
     queue = [(length(u, v), u, v) for u, v in edges(faces).tolist()]
     heapq.heapify(queue)
     gone, n_left = set(), len(vertices)
     while n_left > goal and queue:
         _, stays, goes = heapq.heappop(queue)
         if stays in gone or goes in gone or goes not in around[stays] or len(around[stays] & around[goes]) != 2:
+            continue
+        if normals is not None and turns_a_face(places, normals, corners, star[goes], stays, goes, least_cosine):
             continue
         for k in star[goes]:
             if stays in corners[k]:
@@ -114,6 +125,21 @@ def decimation(vertices, faces, goal):
     left = np.array([i for i in range(len(vertices)) if i not in gone])
     new = np.array([c for c in corners if c is not None])
     return left, np.searchsorted(left, new).astype(np.int32)
+
+
+def turns_a_face(vertices, normals, corners, star, stays, goes, least_cosine):
+    """Whether a face that is left when `goes` becomes `stays` has a normal at too wide an angle from its corners'."""
+    for k in star:
+        if stays in corners[k]:
+            continue
+        a, b, c = (stays if u == goes else u for u in corners[k])
+        (ax, ay, az), (bx, by, bz), (cx, cy, cz) = vertices[a], vertices[b], vertices[c]
+        ux, uy, uz, vx, vy, vz = bx - ax, by - ay, bz - az, cx - ax, cy - ay, cz - az
+        x, y, z = uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx
+        least = least_cosine * (x * x + y * y + z * z) ** 0.5
+        if any(x * nx + y * ny + z * nz <= least for nx, ny, nz in (normals[a], normals[b], normals[c])):
+            return True
+    return False
 
 
 LENGTHS = ["V1", "V2", "t", "gtpos", "edge", "diag"]

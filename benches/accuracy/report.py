@@ -63,6 +63,7 @@ def markdown(found):
         robustness_section(found),
         report_sets.scale_section(found),
         report_sets.deformation_section(found),
+        report_sets.body_section(found),
         report_sets.landmark_section(found),
         calibration_section(found),
         report_sets.calibration_section(found),

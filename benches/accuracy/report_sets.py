@@ -2,6 +2,7 @@
 
 import numpy as np
 
+import bodies
 import capsules
 import landmarked
 import scaled
@@ -97,6 +98,52 @@ def deformation_section(found):
         "no answer",
     ]
     return "## Deformations\n\n" + text + table(header, rows) + "\n![](width.png)\n"
+
+
+def body_section(found):
+    rows = []
+    for kind in bodies.KINDS:
+        said = found["sets"].get(kind)
+        for method in [DEFAULT, *DENSE_PEERS]:
+            summary = found["summaries"].get((method, kind))
+            if not summary:
+                continue
+            judged = said["verdicts"] if method == DEFAULT and said else None
+            rows.append(
+                [
+                    TITLES[kind],
+                    title(method),
+                    str(sum(summary["status"].values())),
+                    mean_text(summary["point_err_diag_pct"]),
+                    mean_text(summary["point_err_area_pct"]),
+                    mean_text(summary["point_w1"]),
+                    mean_text(summary["point_within_5_pct"]),
+                    mean_text(summary["label"]),
+                    f"{judged['right_reliable'] + judged['wrong_reliable']}" if judged else "",
+                    failures_text(summary),
+                ]
+            )
+    if not rows:
+        return ""
+    text = (
+        "Bodies of solids around bones, of about 5,000 vertices: one surface near the rest pose, the other far from it. "
+        "Errors are those of points before they are rounded to a vertex of the target, in percent of the target's "
+        "diagonal and of the square root of its area. Same part: the bone that moves the source vertex most also moves "
+        "the target vertex most; left and right are different parts.\n\n"
+    )
+    header = [
+        "pairs",
+        "",
+        "number",
+        "error, % of the diagonal",
+        "error, % of the root of the area",
+        "within one edge",
+        "within 5 % of the diagonal",
+        "same part",
+        "`reliable`",
+        "no answer",
+    ]
+    return "## Bodies in two poses\n\n" + text + table(header, rows)
 
 
 def landmark_section(found):

@@ -39,7 +39,8 @@ rot.: rotation error, degrees; a pair without an answer is not within 5
 wrong yet reliable: answers that are wrong (verdicts.py) and call themselves reliable
 1 edge: share of vertices within one edge of the truth, by target vertex and by corresponding point
 edges: mean error of the corresponding points, in edges
-diag %, area %: the same, percent of the target's diagonal and of the root of its area
+diag %, area %: the same (by target vertex where there are no points), percent of the target's diagonal and of the
+      root of its area
 <= 5 %: share of the corresponding points within 5 % of the target's diagonal of the truth
 conf., ECE: mean confidence and its expected calibration error
 lm %: mean landmark error, percent of the root of the area; rigid %, floor %: what the best rigid transform of the
@@ -96,9 +97,9 @@ def line(label, width, records, back):
         mean(values("w1")),
         mean(values("point_w1")),
         mean(values("point_err_edges")),
-        mean(values("point_err_diag_pct"), 2),
-        mean(values("point_err_area_pct"), 2),
-        mean(values("point_within_5_pct")),
+        mean(values("err_diag_pct"), 2),
+        mean(values("err_area_pct"), 2),
+        mean(values("within_5_pct")),
         mean(values("label")),
         mean(values("mean_confidence")),
         f"{scores.calibration_error(np.sum(bins, axis=0)):.3f}" if bins else "",

@@ -114,10 +114,10 @@ def body_section(found):
                     TITLES[kind],
                     title(method),
                     str(sum(summary["status"].values())),
-                    mean_text(summary["point_err_diag_pct"]),
-                    mean_text(summary["point_err_area_pct"]),
-                    mean_text(summary["point_w1"]),
-                    mean_text(summary["point_within_5_pct"]),
+                    mean_text(summary["err_diag_pct"]),
+                    mean_text(summary["err_area_pct"]),
+                    mean_text(summary["point_w1"] or summary["w1"]),
+                    mean_text(summary["within_5_pct"]),
                     mean_text(summary["label"]),
                     f"{judged['right_reliable'] + judged['wrong_reliable']}" if judged else "",
                     failures_text(summary),
@@ -127,9 +127,9 @@ def body_section(found):
         return ""
     text = (
         "Bodies of solids around bones, of about 5,000 vertices: one surface near the rest pose, the other far from it. "
-        "Errors are those of points before they are rounded to a vertex of the target, in percent of the target's "
-        "diagonal and of the square root of its area. Same part: the bone that moves the source vertex most also moves "
-        "the target vertex most; left and right are different parts.\n\n"
+        "Errors are those of points before they are rounded to a vertex of the target, where a program gives such points, in "
+        "percent of the target's diagonal and of the square root of its area. Same part: the bone that moves the source "
+        "vertex most also moves the target vertex most; left and right are different parts.\n\n"
     )
     header = [
         "pairs",

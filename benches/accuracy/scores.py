@@ -9,7 +9,7 @@ import landmarked
 N_BINS = 10
 RESAMPLES = 2000
 NEAR_SHARE = 0.05
-"""Of the target's diagonal: how near a point must be to count for `point_within_5_pct`."""
+"""Of the target's diagonal: how near a point must be to count for `within_5_pct`."""
 
 
 def of_answer(cases, case, answer):
@@ -40,12 +40,22 @@ def of_answer(cases, case, answer):
         found["point_err_mm"] = float(off.mean())
         found["point_err_edges"] = found["point_err_mm"] / case["edge"]
         found["point_w1"] = float((off <= case["edge"]).mean())
-        diagonal = geometry.diagonal(case["V2"])
-        found["point_err_diag_pct"] = 100 * found["point_err_mm"] / diagonal
-        root = np.sqrt(geometry.face_areas(case["V2"], case["F2"]).sum())
-        found["point_err_area_pct"] = 100 * found["point_err_mm"] / root
-        found["point_within_5_pct"] = float((off <= NEAR_SHARE * diagonal).mean())
+    images = points if points is not None or vertex_map is None else case["V2"][vertex_map]
+    if images is not None and "gtpos" in case:
+        found.update(relative_errors(case, images))
     return {key: float(value) for key, value in found.items()}
+
+
+def relative_errors(case, images):
+    """Mean error in percent of two sizes of the target, and the share of images near the truth."""
+    diagonal = geometry.diagonal(case["V2"])
+    root = np.sqrt(geometry.face_areas(case["V2"], case["F2"]).sum())
+    off = np.nan_to_num(np.linalg.norm(images - case["gtpos"], axis=1), nan=diagonal)
+    return {
+        "err_diag_pct": 100 * off.mean() / diagonal,
+        "err_area_pct": 100 * off.mean() / root,
+        "within_5_pct": (off <= NEAR_SHARE * diagonal).mean(),
+    }
 
 
 def of_case(case):

@@ -14,7 +14,7 @@ from cases import UNLIKE
 from peers import PEERS
 from plan import DEFAULT, OURS
 
-HIGHER = {"w1", "w2", "label", "point_w1", "point_within_5_pct", "within_10_deg", "cover"}
+HIGHER = {"w1", "w2", "label", "point_w1", "within_5_pct", "within_10_deg", "cover"}
 FIGURES = [
     "w1",
     "w2",
@@ -22,9 +22,9 @@ FIGURES = [
     "point_w1",
     "point_err_mm",
     "point_err_edges",
-    "point_err_diag_pct",
-    "point_err_area_pct",
-    "point_within_5_pct",
+    "err_diag_pct",
+    "err_area_pct",
+    "within_5_pct",
     "landmark_pct",
     "landmark_worst_mm",
     "mean_confidence",

@@ -221,6 +221,8 @@ pub enum PoseOrigin {
     Landmarks,
     /// A search of all orientations.
     Search,
+    /// The bending-invariant forms of the two surfaces: the rigid part of correspondences between them.
+    Form,
     /// Alignment of the first-order ellipsoids.
     FirstOrderEllipsoid,
 }

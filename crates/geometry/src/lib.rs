@@ -3,6 +3,7 @@
 //!
 //! This crate knows no energy, no second surface, no file and no runtime.
 
+pub mod canonical_form;
 pub mod curvature;
 pub mod geodesic;
 pub mod harmonics;

@@ -4,7 +4,7 @@ use super::MatchError;
 use super::candidate_poses::searched;
 use super::coarse::Coarse;
 use super::displacement::{
-    ComparedPose, DisplacementAnswer, DisplacementOptions, StartPose, Surfaces, displace, landmark_pose,
+    ComparedPose, DisplacementAnswer, DisplacementOptions, StartPose, Surfaces, Which, displace, landmark_pose,
 };
 use super::lengths::Lengths;
 use super::levels::Levels;
@@ -157,6 +157,10 @@ fn by_field(coarse: &Coarse<'_>, posed: &Posed<'_>, starts: &Starts) -> Result<O
         landmarks: &scene.parameters.landmarks,
         open: source.full.is_open || target.full.is_open,
         lengths: Lengths::of(&source.middle, &target.middle),
+        form_of: &|which| match which {
+            Which::Source => source.middle.form(),
+            Which::Target => target.middle.form(),
+        },
     };
     let poses: Vec<StartPose> =
         starts.poses.iter().map(|(_, pose)| StartPose { pose: *pose, excess: starts.excess(pose) }).collect();
@@ -225,14 +229,17 @@ pub(crate) fn labeling_of_energy(source: &Levels, target: &Levels, labels: &[u32
     labeling
 }
 
-/// A compared pose as the result states it.
+/// A compared.pose as the result states it.
 fn document(
     scene: &Scene<'_>,
     poses: &[(PoseOrigin, RigidTransform)],
     compared: &ComparedPose,
     answered: &RigidTransform,
 ) -> PoseDocument {
-    let (origin, pose) = poses[compared.pose];
+    let (origin, pose) = match &compared.of_form {
+        Some(pose) => (PoseOrigin::Form, *pose),
+        None => poses[compared.pose],
+    };
     PoseDocument {
         origin,
         matrix: pose.matrix(),

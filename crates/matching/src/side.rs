@@ -1,5 +1,6 @@
 //! One surface of a match at one level, with all that does not depend on what it is matched with.
 
+use super::displacement::Form;
 use super::light_smoothing::lightly_smoothed;
 use super::surface_index::SurfaceIndex;
 use homolog_geometry::curvature::{default_radius_mm, vertex_areas};
@@ -33,6 +34,7 @@ pub(super) struct Side {
     measured_on: Option<(Arc<Side>, Vec<u32>)>,
     closest: OnceLock<SurfaceIndex>,
     light: OnceLock<LightSide>,
+    form: OnceLock<Option<Form>>,
 }
 
 /// A surface smoothed at [`POSITION_SCALE`].
@@ -56,7 +58,16 @@ impl Side {
         let normals = surface.mesh.vertex_normals();
         let root_mm = surface.mesh.area().sqrt();
         let is_open = surface.mesh.boundary_length() > OPEN * root_mm;
-        Side { surface, normals, root_mm, is_open, measured_on: None, closest: OnceLock::new(), light: OnceLock::new() }
+        Side {
+            surface,
+            normals,
+            root_mm,
+            is_open,
+            measured_on: None,
+            closest: OnceLock::new(),
+            light: OnceLock::new(),
+            form: OnceLock::new(),
+        }
     }
 
     /// A coarser level of `finer` of about `n_sites` vertices, and for every vertex of `finer` the one it belongs to.
@@ -69,7 +80,16 @@ impl Side {
         let surface = CanonicalMesh { mesh, numbering };
         let (root_mm, is_open) = (finer.root_mm, finer.is_open);
         Some((
-            Side { surface, normals, root_mm, is_open, measured_on, closest: OnceLock::new(), light: OnceLock::new() },
+            Side {
+                surface,
+                normals,
+                root_mm,
+                is_open,
+                measured_on,
+                closest: OnceLock::new(),
+                light: OnceLock::new(),
+                form: OnceLock::new(),
+            },
             cells,
         ))
     }
@@ -91,6 +111,16 @@ impl Side {
     /// Closest points of the surface.
     pub(crate) fn closest(&self) -> &SurfaceIndex {
         self.closest.get_or_init(|| SurfaceIndex::with_normals(self.mesh(), self.normals.clone()))
+    }
+
+    /// The bending-invariant form of the lightly smoothed surface.
+    pub(crate) fn form(&self) -> Option<&Form> {
+        self.form
+            .get_or_init(|| {
+                let light = self.light();
+                Form::new(&light.mesh, &self.normals, &light.areas)
+            })
+            .as_ref()
     }
 
     /// The lightly smoothed surface.

@@ -1,6 +1,6 @@
 //! The first stage of a displacement: the choice of the pose, and the field from it.
 
-use super::stages::{Displacement, State, displaced, kernel, observed_means, precision_of_features};
+use super::stages::{Base, Displacement, State, displaced, kernel, observed_means, precision_of_features};
 use super::surface::{N_FEATURES, Thinned};
 use crate::MatchError;
 use faer::Mat;
@@ -34,6 +34,8 @@ pub(crate) struct StartPose {
 pub(crate) struct ComparedPose {
     /// Index of the pose.
     pub pose: usize,
+    /// The rigid part of a start from bending-invariant forms, which is none of the poses.
+    pub of_form: Option<RigidTransform>,
     /// Whether it mirrors.
     pub mirrored: bool,
     /// Misfit after the deformation: mean of `−ln` of the likelihood of the other surface at each point. Lower is better.
@@ -50,13 +52,13 @@ impl Displacement<'_> {
         let Some(followed) = self.screened(poses)? else { return Ok(None) };
         let n = self.options.n_samples[0];
         let (source, target) = (self.source.thinned(n), self.target.thinned(n));
-        let values = self.guides.below(&self.basis.values(&source.points));
+        let values = self.guides.below(&self.functions.values(&source.points));
         // Each pose alone, so that all cores have work where a step is too short to share.
         let found: Vec<Option<(f64, State)>> = followed
             .par_iter()
             .map(|&pose| {
                 checkpoint(self.observer)?;
-                Ok(self.coarse_from(&poses[pose].pose, &source, &target, &values, self.options.steps[0]))
+                Ok(self.coarse_from(&Base::rigid(poses[pose].pose), &source, &target, &values, self.options.steps[0]))
             })
             .collect::<Result<_, MatchError>>()?;
         let mut best: Option<State> = None;
@@ -69,7 +71,7 @@ impl Displacement<'_> {
             {
                 best = Some(state);
             }
-            compared.push(ComparedPose { pose, mirrored: poses[pose].pose.is_reflection(), misfit });
+            compared.push(ComparedPose { pose, of_form: None, mirrored: poses[pose].pose.is_reflection(), misfit });
         }
         compared.sort_by(|a, b| {
             let rank = |j: &ComparedPose| !may_answer(&poses[j.pose].pose);
@@ -82,20 +84,20 @@ impl Displacement<'_> {
     pub(super) fn coarse_alone(&self, pose: &RigidTransform) -> Option<State> {
         let n = self.options.n_samples[0];
         let (source, target) = (self.source.thinned(n), self.target.thinned(n));
-        let values = self.guides.below(&self.basis.values(&source.points));
-        self.coarse_from(pose, &source, &target, &values, self.options.steps[0]).map(|(_, state)| state)
+        let values = self.guides.below(&self.functions.values(&source.points));
+        self.coarse_from(&Base::rigid(*pose), &source, &target, &values, self.options.steps[0]).map(|(_, state)| state)
     }
 
     /// The poses to follow, after a few steps on few vertices from each: the best of each handedness.
     fn screened(&self, poses: &[StartPose]) -> Result<Option<Vec<usize>>, MatchError> {
         let (source, target) = (self.source.thinned(SCREENING_SAMPLES), self.target.thinned(SCREENING_SAMPLES));
-        let values = self.guides.below(&self.basis.values(&source.points));
+        let values = self.guides.below(&self.functions.values(&source.points));
         let screened: Vec<Option<(f64, usize)>> = poses
             .par_iter()
             .enumerate()
             .map(|(k, pose)| {
                 checkpoint(self.observer)?;
-                let found = self.coarse_from(&pose.pose, &source, &target, &values, SCREENING_STEPS);
+                let found = self.coarse_from(&Base::rigid(pose.pose), &source, &target, &values, SCREENING_STEPS);
                 Ok(found.map(|(misfit, _)| (misfit + pose.excess, k)))
             })
             .collect::<Result<_, MatchError>>()?;
@@ -113,21 +115,29 @@ impl Displacement<'_> {
         Ok(Some(followed))
     }
 
-    /// The misfit and the field of one pose after `steps`.
-    fn coarse_from(
+    /// The misfit and the field over `base_of` after `steps`.
+    pub(super) fn coarse_from(
         &self,
-        pose: &RigidTransform,
+        base_of: &Base,
         source: &Thinned,
         target: &Thinned,
         values: &Mat<f64>,
         steps: u32,
     ) -> Option<(f64, State)> {
-        let base: Vec<Point3<f64>> = source.points.iter().map(|p| pose.apply(p)).collect();
-        let guided = self.guides.observations(pose);
-        let normals: Vec<Vector3<f64>> = source.normals.iter().map(|n| pose.rotation * n).collect();
+        let base = base_of.moved(&source.points, values);
+        let guided = self.guides.observations(base_of);
+        let mut normals: Vec<Vector3<f64>> = source.normals.iter().map(|n| base_of.pose.rotation * n).collect();
+        // Of a bent base the normals are those of the whole deformed surface; the field over a rigid one hardly turns them.
+        let mut whole = None;
+        if base_of.bend.is_some() {
+            let values = self.functions.values(self.source.mesh.vertices());
+            let moved = base_of.moved(self.source.mesh.vertices(), &values);
+            normals = self.normals_at(moved.clone(), source)?;
+            whole = Some((values, moved));
+        }
         let mut moved = base.clone();
-        let assigned = |moved: &[Point3<f64>], sigma: f64, precision: Vec<f64>| {
-            let samples = OrientedPoints { points: moved, normals: &normals, ..source.samples() };
+        let assigned = |moved: &[Point3<f64>], normals: &[Vector3<f64>], sigma: f64, precision: Vec<f64>| {
+            let samples = OrientedPoints { points: moved, normals, ..source.samples() };
             assign(&samples, &target.samples(), &kernel(sigma * self.diagonal_mm, precision))
         };
         let [sigma, last_sigma, ..] = self.options.sigma;
@@ -136,17 +146,26 @@ impl Displacement<'_> {
         for step in 0..steps.max(1) {
             let at = progress_to_end(step, steps);
             let sigma = annealed(sigma, last_sigma, at);
-            let found = assigned(&moved, sigma, precision);
+            let found = assigned(&moved, &normals, sigma, precision);
             let weight = self.density(0, 1, at) / (sigma * self.diagonal_mm).powi(2);
             let observed = [observed_means(&found, &base, &source.areas, weight), guided.clone()].concat();
             let fitted = fit_field(values.as_ref(), &observed)?;
             moved = displaced(&base, &fitted, values);
+            if let Some((values, base)) = &whole {
+                normals = self.normals_at(displaced(base, &fitted, values), source)?;
+            }
             precision = precision_of_features(&found.feature_variance);
             field = Some(fitted);
         }
         // The same precisions for all poses: a wrong pose that has come to distrust features must not gain by that.
-        let misfit = assigned(&moved, last_sigma, vec![4.0 / N_FEATURES as f64; N_FEATURES]).misfit
-            + field.as_ref().map_or(0.0, |field| self.guides.misfit(pose, field));
-        field.map(|field| (misfit, State { field, feature_precision: precision }))
+        let misfit = assigned(&moved, &normals, last_sigma, vec![4.0 / N_FEATURES as f64; N_FEATURES]).misfit
+            + field.as_ref().map_or(0.0, |field| self.guides.misfit(base_of, field));
+        field.map(|field| (misfit, State { base: base_of.clone(), field, feature_precision: precision }))
+    }
+
+    /// Normals, at `thinned`, of the surface with its vertices at `moved`. `None` where a number is not finite.
+    fn normals_at(&self, moved: Vec<Point3<f64>>, thinned: &Thinned) -> Option<Vec<Vector3<f64>>> {
+        let normals = self.source.mesh.with_vertices(moved).ok()?.vertex_normals();
+        Some(thinned.vertices.iter().map(|&i| normals[i]).collect())
     }
 }

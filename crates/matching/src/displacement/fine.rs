@@ -1,14 +1,15 @@
 //! The stages after the pose is chosen: middle, fine and settling.
 
 use super::TWO_SUBJECTS;
-use super::stages::{Displacement, State, displaced, kernel, observed_means, precision_of_features};
+use super::functions::Functions;
+use super::stages::{Base, Displacement, State, displaced, kernel, observed_means, precision_of_features};
 use crate::MatchError;
 use crate::robust::{STD_OF_MAD, median};
 use faer::Mat;
 use homolog_primitives::observe::checkpoint;
 use homolog_registration::RigidTransform;
 use homolog_registration::alignment::{Assignment, OrientedPoints, annealed, assign, progress_to_end};
-use homolog_registration::deformation::{FieldBasis, FittedField, Observation, fit_field};
+use homolog_registration::deformation::{FittedField, Observation, fit_field};
 use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
 
@@ -24,9 +25,12 @@ const NOISE_POWER: f64 = 6.0;
 
 /// A field after all stages.
 pub(super) struct Refined {
+    /// What the field is added to, in terms of `base_functions`.
+    pub base: Base,
+    pub base_functions: Functions,
     pub field: FittedField,
     /// The functions of the field.
-    pub basis: FieldBasis,
+    pub functions: Functions,
     /// Robust standard deviation of the residual along the normals after the fine stage, mm.
     pub residual_mm: f64,
     /// Whether the local stage took part: the covariance of the field is then that of all its displacement.
@@ -40,13 +44,14 @@ pub(super) fn outwards(pose: &RigidTransform) -> f64 {
 
 impl Displacement<'_> {
     /// The field after all stages.
-    pub(super) fn refined(&self, pose: &RigidTransform, start: State) -> Result<Option<Refined>, MatchError> {
-        let State { mut field, mut feature_precision } = start;
-        let all_values = self.basis.values(self.source.mesh.vertices());
-        let all_base: Vec<Point3<f64>> = self.source.mesh.vertices().iter().map(|p| pose.apply(p)).collect();
+    pub(super) fn refined(&self, start: State) -> Result<Option<Refined>, MatchError> {
+        let State { base: base_of, mut field, mut feature_precision } = start;
+        let pose = &base_of.pose;
+        let all_values = self.functions.values(self.source.mesh.vertices());
+        let all_base = base_of.moved(self.source.mesh.vertices(), &all_values);
         let outwards = outwards(pose);
         let mut residual_mm = 0.0;
-        let guided = self.guides.observations(pose);
+        let guided = self.guides.observations(&base_of);
         for (stage, &steps) in self.options.steps.iter().enumerate().skip(1) {
             let thinned = self.source.thinned(self.options.n_samples[stage]);
             let thinned_target = self.target.thinned(self.options.n_samples[stage]);
@@ -60,7 +65,7 @@ impl Displacement<'_> {
             if stage == 3
                 && (self.open || residual_mm < TWO_SUBJECTS * self.lengths.sampling_mm)
                 && let Some(refined) = self.local(
-                    pose,
+                    &base_of,
                     &all_base,
                     displaced(&all_base, &field, &all_values),
                     feature_precision.clone(),
@@ -105,7 +110,14 @@ impl Displacement<'_> {
                 feature_precision = precision_of_features(&found.feature_variance);
             }
         }
-        Ok(Some(Refined { field, basis: self.basis.clone(), residual_mm, is_local: false }))
+        Ok(Some(Refined {
+            base: base_of,
+            base_functions: self.functions.clone(),
+            field,
+            functions: self.functions.clone(),
+            residual_mm,
+            is_local: false,
+        }))
     }
 
     fn along_mm(&self) -> f64 {

@@ -1,8 +1,10 @@
 //! Landmarks as observations of a displacement field.
 
+use super::functions::Functions;
+use super::stages::Base;
 use faer::Mat;
 use homolog_contract::parameters::Landmark;
-use homolog_registration::deformation::{FieldBasis, FittedField, Observation};
+use homolog_registration::deformation::{FittedField, Observation};
 use homolog_registration::{RigidTransform, absolute_orientation};
 use nalgebra::Point3;
 
@@ -23,10 +25,10 @@ pub(super) struct Guides {
 }
 
 impl Guides {
-    pub(super) fn new(landmarks: &[Landmark], basis: &FieldBasis, root_mm: f64) -> Self {
+    pub(super) fn new(landmarks: &[Landmark], functions: &Functions, root_mm: f64) -> Self {
         let source: Vec<Point3<f64>> = landmarks.iter().map(|l| Point3::from(l.source_mm)).collect();
         Guides {
-            values: basis.values(&source),
+            values: functions.values(&source),
             source,
             target: landmarks.iter().map(|l| Point3::from(l.target_mm)).collect(),
             sigma_mm: landmarks.iter().map(|l| l.sigma_mm).collect(),
@@ -35,9 +37,9 @@ impl Guides {
     }
 
     /// The same points for a field with other functions.
-    pub(super) fn with_basis(&self, basis: &FieldBasis) -> Self {
+    pub(super) fn with_functions(&self, functions: &Functions) -> Self {
         Guides {
-            values: basis.values(&self.source),
+            values: functions.values(&self.source),
             source: self.source.clone(),
             target: self.target.clone(),
             sigma_mm: self.sigma_mm.clone(),
@@ -45,10 +47,10 @@ impl Guides {
         }
     }
 
-    /// The same points for a field that moves the target to the source; `basis` is that field's.
-    pub(super) fn swapped(&self, basis: &FieldBasis) -> Self {
+    /// The same points for a field that moves the target to the source; `functions` are that field's.
+    pub(super) fn swapped(&self, functions: &Functions) -> Self {
         Guides {
-            values: basis.values(&self.target),
+            values: functions.values(&self.target),
             source: self.target.clone(),
             target: self.source.clone(),
             sigma_mm: self.sigma_mm.clone(),
@@ -64,25 +66,26 @@ impl Guides {
         })
     }
 
-    /// The displacement that each landmark observes after `pose`.
-    pub(super) fn observations(&self, pose: &RigidTransform) -> Vec<Observation> {
+    /// The displacement that each landmark observes after `base`.
+    pub(super) fn observations(&self, base: &Base) -> Vec<Observation> {
+        let moved = base.moved(&self.source, &self.values);
         let observation = |((p, q), sigma): ((&Point3<f64>, &Point3<f64>), &f64)| {
-            Observation::isotropic(q - pose.apply(p), 1.0 / (sigma * sigma))
+            Observation::isotropic(q - p, 1.0 / (sigma * sigma))
         };
-        self.source.iter().zip(&self.target).zip(&self.sigma_mm).map(observation).collect()
+        moved.iter().zip(&self.target).zip(&self.sigma_mm).map(observation).collect()
     }
 
-    /// Misfit of the guides under `pose` and `field`: half the mean squared distance in standard deviations.
-    pub(super) fn misfit(&self, pose: &RigidTransform, field: &FittedField) -> f64 {
+    /// Misfit of the guides under `base` and `field`: half the mean squared distance in standard deviations.
+    pub(super) fn misfit(&self, base: &Base, field: &FittedField) -> f64 {
         if self.source.is_empty() {
             return 0.0;
         }
+        let moved = base.moved(&self.source, &self.values);
         let displaced = field.displacements(self.values.as_ref());
-        let missed =
-            self.source.iter().zip(&self.target).zip(&self.sigma_mm).zip(&displaced).map(|(((p, q), sigma), u)| {
-                let sigma = sigma.max(self.coarse_mm);
-                (0.5 * (pose.apply(p) + u - q).norm_squared() / (sigma * sigma)).min(CAP)
-            });
+        let missed = moved.iter().zip(&self.target).zip(&self.sigma_mm).zip(&displaced).map(|(((p, q), sigma), u)| {
+            let sigma = sigma.max(self.coarse_mm);
+            (0.5 * (p + u - q).norm_squared() / (sigma * sigma)).min(CAP)
+        });
         missed.sum::<f64>() / self.source.len() as f64
     }
 }

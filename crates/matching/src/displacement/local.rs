@@ -7,14 +7,14 @@
 //! do not, the posterior covariance says so.
 
 use super::fine::{Refined, outwards};
+use super::functions::Functions;
 use super::prior;
-use super::stages::{Displacement, displaced, kernel, precision_of_features};
+use super::stages::{Base, Displacement, displaced, kernel, precision_of_features};
 use crate::MatchError;
 use faer::Mat;
 use homolog_primitives::observe::checkpoint;
-use homolog_registration::RigidTransform;
 use homolog_registration::alignment::{OrientedPoints, assign};
-use homolog_registration::deformation::{FieldBasis, FittedField, KernelEvidence, fit_field, most_probable_kernel};
+use homolog_registration::deformation::{FittedField, KernelEvidence, fit_field, most_probable_kernel};
 use nalgebra::{Point3, Vector3};
 
 /// Widths that are tried, in diagonals of the source. What varies over a shorter distance, two or three voxels of a
@@ -38,7 +38,7 @@ impl Displacement<'_> {
     /// (`moved`); `None` where the heights over the target are no more than noise.
     pub(super) fn local(
         &self,
-        pose: &RigidTransform,
+        base: &Base,
         all_base: &[Point3<f64>],
         moved: Vec<Point3<f64>>,
         feature_precision: Vec<f64>,
@@ -53,9 +53,18 @@ impl Displacement<'_> {
         prior.kernels.push(found.kernel);
         // Shapes of two subjects differ along the normals where nothing was displaced.
         let noise_mm = found.noise_mm.hypot(OFFSET_SHARE * found.kernel.amplitude_mm);
-        let Some(basis) = FieldBasis::new(self.source.mesh.vertices(), prior, N_INDUCING) else { return Ok(None) };
-        let fitted = self.fitted(pose, &basis, noise_mm, all_base, moved, feature_precision)?;
-        Ok(fitted.map(|field| Refined { field, basis, residual_mm, is_local: true }))
+        let Some(functions) = self.functions.with_prior(self.source.mesh.vertices(), prior, N_INDUCING) else {
+            return Ok(None);
+        };
+        let fitted = self.fitted(base, &functions, noise_mm, all_base, moved, feature_precision)?;
+        Ok(fitted.map(|field| Refined {
+            base: base.clone(),
+            base_functions: self.functions.clone(),
+            field,
+            functions,
+            residual_mm,
+            is_local: true,
+        }))
     }
 
     /// The kernel under which the heights of the source, moved to `moved`, below the target are most probable.
@@ -72,15 +81,16 @@ impl Displacement<'_> {
             normals.push(normal);
         }
         let points: Vec<Point3<f64>> = picked.iter().map(|&i| source[i]).collect();
+        let points = self.functions.coordinates(&points);
         let widths = WIDTHS.map(|w| w * self.diagonal_mm);
         most_probable_kernel(&points, &normals, &heights, &widths)
     }
 
-    /// The field of `basis` after some steps from `moved`, with noise of `noise_mm` along the normals.
+    /// The field of `functions` after some steps from `moved`, with noise of `noise_mm` along the normals.
     fn fitted(
         &self,
-        pose: &RigidTransform,
-        basis: &FieldBasis,
+        start: &Base,
+        functions: &Functions,
         noise_mm: f64,
         all_base: &[Point3<f64>],
         mut moved: Vec<Point3<f64>>,
@@ -88,17 +98,19 @@ impl Displacement<'_> {
     ) -> Result<Option<FittedField>, MatchError> {
         let thinned = self.source.thinned(SAMPLES);
         let target = self.target.samples();
-        let all_values = basis.values(self.source.mesh.vertices());
+        let all_values = functions.values(self.source.mesh.vertices());
         let values =
             Mat::from_fn(thinned.vertices.len(), all_values.ncols(), |i, k| all_values[(thinned.vertices[i], k)]);
-        let values = self.guides.with_basis(basis).below(&values);
+        let guides = self.guides.with_functions(functions);
+        let guided = self.guides.observations(start);
+        let values = guides.below(&values);
         let base: Vec<Point3<f64>> = thinned.vertices.iter().map(|&i| all_base[i]).collect();
-        let guided = self.guides.observations(pose);
+
         let sigma_mm = self.diagonal_mm * self.options.sigma[3];
         let mean_area = thinned.areas.iter().sum::<f64>() / thinned.areas.len() as f64;
         let along = 1.0 / (mean_area * noise_mm * noise_mm);
         let across = self.density(3, 3, 1.0) / (sigma_mm * sigma_mm);
-        let outwards = outwards(pose);
+        let outwards = outwards(&start.pose);
         let mut fitted = None;
         for _ in 0..STEPS {
             checkpoint(self.observer)?;

@@ -32,6 +32,8 @@ mod answer;
 mod both_ways;
 mod coarse;
 mod fine;
+mod forms;
+mod functions;
 mod guides;
 mod local;
 mod rigid;
@@ -39,10 +41,13 @@ mod stages;
 mod surface;
 #[cfg(test)]
 pub(super) mod tests;
+mod unbending;
+mod unbent;
 
 pub(crate) use agreement::Agreement;
 pub(crate) use answer::Image;
 pub(crate) use coarse::{ComparedPose, StartPose};
+pub(crate) use forms::Form;
 pub(super) use guides::landmark_pose;
 
 use super::MatchError;
@@ -52,12 +57,13 @@ use answer::images;
 use both_ways::WayBack;
 use faer::Mat;
 use fine::Refined;
+use functions::Functions;
 use guides::Guides;
 use homolog_contract::parameters::Landmark;
 use homolog_mesh::{ClosestPointIndex, SurfaceMesh};
 use homolog_primitives::observe::{Observer, checkpoint};
 use homolog_registration::RigidTransform;
-use homolog_registration::deformation::{FieldBasis, GaussianKernel, SmoothPrior};
+use homolog_registration::deformation::{GaussianKernel, SmoothPrior};
 use nalgebra::Point3;
 use stages::{Displacement, displaced};
 use surface::{SmoothSurface, prepare};
@@ -66,6 +72,16 @@ use surface::{SmoothSurface, prepare};
 /// both directions: warps and copies had 0.09 to 0.11, pairs of subjects 0.20 to 0.33. For one anatomy the fit back only adds its own error:
 /// on ten 8 % warps 96.2 % of the vertices were within one edge with it, 97.6 % without.
 const TWO_SUBJECTS: f64 = 0.17;
+
+/// A start from forms is taken if its misfit at the scale of the sampling is lower by this.
+const CLEARLY_BETTER: f64 = 0.05;
+
+/// One of the two surfaces.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Which {
+    Source,
+    Target,
+}
 
 /// Settings of the displacement. The defaults are round numbers; nearby values gave the same accuracy within its spread.
 #[derive(Debug, Clone, PartialEq)]
@@ -122,6 +138,8 @@ pub(crate) struct Surfaces<'a> {
     /// Whether a part of either surface may be missing.
     pub open: bool,
     pub lengths: Lengths,
+    /// The bending-invariant form of a surface that the fields are fitted on, made when it is asked for.
+    pub form_of: &'a (dyn Fn(Which) -> Option<&'a Form> + Sync),
 }
 
 /// The result of a displacement.
@@ -157,16 +175,16 @@ pub(crate) fn displace(
     options: &DisplacementOptions,
     observer: &dyn Observer,
 ) -> Result<Option<DisplacementAnswer>, MatchError> {
-    let Surfaces { source, target, full_source, full_target, full_closest, landmarks, open, lengths } = *surfaces;
+    let Surfaces { source, target, full_source, full_target, full_closest, landmarks, open, lengths, .. } = *surfaces;
     let (smooth_source, smooth_target) = prepare(source, target, lengths.root_mm)?;
     checkpoint(observer)?;
-    let Some(basis) = basis(source, &smooth_source, options) else { return Ok(None) };
-    let guides = Guides::new(landmarks, &basis, lengths.root_mm);
+    let Some(functions) = functions(source, &smooth_source, options) else { return Ok(None) };
+    let guides = Guides::new(landmarks, &functions, lengths.root_mm);
     let forward = Displacement {
         closest: SurfaceIndex::with_normals(&smooth_target.mesh, smooth_target.normals.clone()),
         source: smooth_source,
         target: smooth_target,
-        basis,
+        functions,
         guides,
         diagonal_mm: diagonal_mm(source),
         open,
@@ -175,15 +193,28 @@ pub(crate) fn displace(
         observer,
     };
     let may_answer = |pose: &RigidTransform| allow_reflection || !pose.is_reflection();
-    let Some((compared, state)) = forward.coarse(poses, may_answer)? else { return Ok(None) };
+    let Some((mut compared, state)) = forward.coarse(poses, may_answer)? else { return Ok(None) };
     let pose = poses[compared[0].pose].pose;
     // A part that is missing on one surface has no counterpart in a fit back.
-    let Some(refined) = forward.refined(&pose, state)? else { return Ok(None) };
-    let residual_mm = refined.residual_mm;
-    let (own, _) = refined.moved(source, &pose);
+    let Some(mut refined) = forward.refined(state)? else { return Ok(None) };
     // The mean of two fits agrees with any surface better than either does, so agreement is measured before.
-    let agreement = forward.agreement(&own);
-    let returned = if open || residual_mm < TWO_SUBJECTS * lengths.sampling_mm {
+    let mut own = refined.moved(source).0;
+    let mut agreement = forward.agreement(&own);
+    let mirror_image_fits_better =
+        compared.iter().any(|c| c.mirrored != compared[0].mirrored && c.misfit < compared[0].misfit);
+    if (agreement.is_doubtful() || mirror_image_fits_better)
+        && let (Some(of_source), Some(of_target)) =
+            ((surfaces.form_of)(Which::Source), (surfaces.form_of)(Which::Target))
+        && let Some(unbent) = forward.unbent(of_source, of_target)?
+        && unbent.fine_misfit < forward.fine_misfit(&refined) - CLEARLY_BETTER
+    {
+        own = unbent.refined.moved(source).0;
+        agreement = forward.agreement(&own);
+        refined = unbent.refined;
+        compared = unbent.compared.into_iter().chain(compared).collect();
+    }
+    let residual_mm = refined.residual_mm;
+    let returned = if open || refined.base.bend.is_some() || residual_mm < TWO_SUBJECTS * lengths.sampling_mm {
         None
     } else {
         forward.returned(surfaces, &pose)?
@@ -195,7 +226,7 @@ pub(crate) fn displace(
     };
     let fitted = met(source, own);
     let Some(rigid) = forward.rigid_part(source, &fitted, target.mean_edge_length(), open)? else { return Ok(None) };
-    let (points, values) = refined.moved(full_source, &pose);
+    let (points, values) = refined.moved(full_source);
     let mut points = met(full_source, points);
     if rigid.copies && open {
         // A field pulls the part without counterpart towards the rim, and its surroundings with it.
@@ -214,8 +245,8 @@ pub(crate) fn displace(
 }
 
 /// The prior of the displacement of `mesh`, on its smooth version.
-fn basis(mesh: &SurfaceMesh, smooth: &SmoothSurface, options: &DisplacementOptions) -> Option<FieldBasis> {
-    FieldBasis::new(smooth.mesh.vertices(), prior(diagonal_mm(mesh), options), options.n_inducing)
+fn functions(mesh: &SurfaceMesh, smooth: &SmoothSurface, options: &DisplacementOptions) -> Option<Functions> {
+    Functions::new(smooth.mesh.vertices(), prior(diagonal_mm(mesh), options), options.n_inducing, None)
 }
 
 /// The prior of the displacement of a surface with this diagonal.
@@ -238,13 +269,13 @@ fn diagonal_mm(mesh: &SurfaceMesh) -> f64 {
 impl Displacement<'_> {
     /// The vertices of the full target moved onto the source by a fit in that direction, from the inverse of `pose`.
     fn returned(&self, surfaces: &Surfaces<'_>, pose: &RigidTransform) -> Result<Option<Vec<Point3<f64>>>, MatchError> {
-        let Some(basis) = basis(surfaces.target, &self.target, self.options) else { return Ok(None) };
+        let Some(functions) = functions(surfaces.target, &self.target, self.options) else { return Ok(None) };
         let back = Displacement {
             source: self.target.clone(),
             target: self.source.clone(),
             closest: SurfaceIndex::with_normals(&self.source.mesh, self.source.normals.clone()),
-            guides: self.guides.swapped(&basis),
-            basis,
+            guides: self.guides.swapped(&functions),
+            functions,
             diagonal_mm: diagonal_mm(surfaces.target),
             open: self.open,
             lengths: self.lengths,
@@ -253,16 +284,20 @@ impl Displacement<'_> {
         };
         let inverse = pose.inverse();
         let Some(state) = back.coarse_alone(&inverse) else { return Ok(None) };
-        let Some(refined) = back.refined(&inverse, state)? else { return Ok(None) };
-        Ok(Some(refined.moved(surfaces.full_target, &inverse).0))
+        let Some(refined) = back.refined(state)? else { return Ok(None) };
+        Ok(Some(refined.moved(surfaces.full_target).0))
     }
 }
 
 impl Refined {
-    /// The vertices of `mesh` moved by `pose` and the field, and the functions of the field there.
-    fn moved(&self, mesh: &SurfaceMesh, pose: &RigidTransform) -> (Vec<Point3<f64>>, Mat<f64>) {
-        let values = self.basis.values(mesh.vertices());
-        let base: Vec<Point3<f64>> = mesh.vertices().iter().map(|p| pose.apply(p)).collect();
+    /// The vertices of `mesh` moved by the base and the field, and the functions of the field there.
+    fn moved(&self, mesh: &SurfaceMesh) -> (Vec<Point3<f64>>, Mat<f64>) {
+        let values = self.functions.values(mesh.vertices());
+        let base = if self.is_local && self.base.bend.is_some() {
+            self.base.moved(mesh.vertices(), &self.base_functions.values(mesh.vertices()))
+        } else {
+            self.base.moved(mesh.vertices(), &values)
+        };
         (displaced(&base, &self.field, &values), values)
     }
 }

@@ -1,25 +1,63 @@
 //! What the stages of a displacement share.
 
 use super::DisplacementOptions;
+use super::functions::Functions;
 use super::guides::Guides;
 use super::surface::{N_FEATURES, SmoothSurface};
 use crate::lengths::Lengths;
 use crate::surface_index::SurfaceIndex;
 use faer::Mat;
 use homolog_primitives::observe::Observer;
+use homolog_registration::RigidTransform;
 use homolog_registration::alignment::{Assignment, AssignmentKernel, OUTLIER_SHARE, annealed};
-use homolog_registration::deformation::{FieldBasis, FittedField, Observation};
-use nalgebra::Point3;
+use homolog_registration::deformation::{FittedField, Observation};
+use nalgebra::{Point3, Vector3};
 
 /// `ν` in the assignment's `ν (1 − ⟨n, n'⟩)`.
-const NORMAL_WEIGHT: f64 = 2.0;
+pub(super) const NORMAL_WEIGHT: f64 = 2.0;
 /// Curvatures at several scales are highly correlated: together they count as half an observation.
 const FEATURE_SHARE: f64 = 0.5;
 /// Feature variances are taken to be at least this, in squared robust standard deviations.
 const MIN_FEATURE_VARIANCE: f64 = 0.02;
 
-/// A field, and the precisions of the features that were estimated with it.
+/// Where a surface is before the field moves it: after a rigid pose, or bent as well.
+#[derive(Clone)]
+pub(super) struct Base {
+    pub pose: RigidTransform,
+    /// Coefficients of a field, `M × 3`.
+    pub bend: Option<Mat<f64>>,
+}
+
+impl Base {
+    pub(super) fn rigid(pose: RigidTransform) -> Self {
+        Base { pose, bend: None }
+    }
+
+    /// `points` of the source, at which the functions of the field have these `values` (more rows may follow).
+    pub(super) fn moved(&self, points: &[Point3<f64>], values: &Mat<f64>) -> Vec<Point3<f64>> {
+        let posed = points.iter().map(|p| self.pose.apply(p));
+        match &self.bend {
+            None => posed.collect(),
+            Some(bend) => {
+                let u = values * bend;
+                posed.enumerate().map(|(i, p)| p + Vector3::new(u[(i, 0)], u[(i, 1)], u[(i, 2)])).collect()
+            }
+        }
+    }
+
+    /// This base with the displacement of `field` added.
+    pub(super) fn bent_by(&self, field: &FittedField) -> Self {
+        let bend = match &self.bend {
+            None => field.coefficients.clone(),
+            Some(bend) => bend + &field.coefficients,
+        };
+        Base { pose: self.pose, bend: Some(bend) }
+    }
+}
+
+/// A field over its base, and the precisions of the features that were estimated with it.
 pub(super) struct State {
+    pub base: Base,
     pub field: FittedField,
     pub feature_precision: Vec<f64>,
 }
@@ -54,7 +92,7 @@ pub(super) struct Displacement<'a> {
     pub target: SmoothSurface,
     /// Closest points of the target, with its normals.
     pub closest: SurfaceIndex,
-    pub basis: FieldBasis,
+    pub functions: Functions,
     pub guides: Guides,
     pub diagonal_mm: f64,
     /// Whether a part of either surface may be missing.

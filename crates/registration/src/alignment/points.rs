@@ -11,8 +11,8 @@ pub struct OrientedPoints<'a> {
     pub normals: &'a [Vector3<f64>],
     /// Area that each point stands for, mm².
     pub areas: &'a [f64],
-    /// Features, `n × n_features`, one row per point. May be empty for [`crate::pose_search()`], which computes its
-    /// own.
+    /// Features, `n × n_features`, one row per point. May be empty for [`crate::pose_search()`], which then
+    /// computes its own.
     pub features: &'a [f64],
 }
 

@@ -10,21 +10,25 @@
 //! Source: integral invariants, Pottmann, Wallner, Huang, Yang, "Integral invariants for robust geometry processing",
 //! 2009; here of the patches of the surface instead of the volume.
 
-use super::patches::{Patch, Patches};
+use super::patches::Patches;
 use crate::alignment::compact::N_FEATURES;
 use nalgebra::Vector3;
 
 /// Radii of the two balls in diagonals: wider than two patches, smaller than the structure.
 const RADII: [f64; 2] = [0.1, 0.17];
 
-/// Sets the features of all patches of both surfaces, scaled to mean 0 and standard deviation 1 over both together.
-/// Cost `O(patches²)`.
+/// Sets the features of all patches of both surfaces, unless their points came with some, and scales them to mean 0 and
+/// standard deviation 1 over both together. Cost `O(patches²)`.
 pub(super) fn describe(source: &mut Patches, target: &mut Patches, diagonal_mm: f64) {
     for side in [&mut *source, &mut *target] {
+        if side.have_features {
+            continue;
+        }
         let around = side.fine.clone();
-        let total = around.iter().map(|p| p.area).sum();
+        let places: Vec<(Vector3<f64>, f64)> = around.iter().map(|p| (p.center, p.area)).collect();
         for patch in side.coarse.iter_mut().chain(&mut side.fine) {
-            patch.features = surroundings(patch, &around, total, diagonal_mm);
+            let normal = patch.normal.try_normalize(1e-12).unwrap_or_default();
+            patch.features = surroundings(&patch.center, &normal, &places, RADII.map(|r| r * diagonal_mm));
         }
     }
     for k in 0..N_FEATURES {
@@ -41,19 +45,26 @@ pub(super) fn describe(source: &mut Patches, target: &mut Patches, diagonal_mm: 
     }
 }
 
-fn surroundings(patch: &Patch, around: &[Patch], total_area: f64, diagonal_mm: f64) -> [f64; N_FEATURES] {
-    let normal = patch.normal.try_normalize(1e-12).unwrap_or_default();
-    let [near, far] = RADII.map(|radius| {
-        let radius_mm = radius * diagonal_mm;
+/// The descriptors of the surroundings of a place `center` with unit `normal` on a surface of pieces at `around`, each with its
+/// area: the offset along the normal in the smaller and in the larger ball of `radii_mm`, in radii, the offset across it in the
+/// larger, and the share of the surface within the larger. Cost `O(around)`.
+pub fn surroundings(
+    center: &Vector3<f64>,
+    normal: &Vector3<f64>,
+    around: &[(Vector3<f64>, f64)],
+    radii_mm: [f64; 2],
+) -> [f64; N_FEATURES] {
+    let total: f64 = around.iter().map(|p| p.1).sum();
+    let [near, far] = radii_mm.map(|radius_mm| {
         let (mut mass, mut sum) = (0.0, Vector3::zeros());
-        for other in around {
-            let offset = other.center - patch.center;
+        for (other, area) in around {
+            let offset = other - center;
             let inside = (1.0 - offset.norm_squared() / (radius_mm * radius_mm)).max(0.0);
-            mass += other.area * inside * inside;
-            sum += offset * (other.area * inside * inside);
+            mass += area * inside * inside;
+            sum += offset * (area * inside * inside);
         }
         (mass, sum / (mass * radius_mm).max(f64::MIN_POSITIVE))
     });
     let height = |mean: &Vector3<f64>| normal.dot(mean);
-    [height(&near.1), height(&far.1), (far.1 - normal * height(&far.1)).norm(), far.0 / total_area]
+    [height(&near.1), height(&far.1), (far.1 - normal * height(&far.1)).norm(), far.0 / total]
 }

@@ -31,6 +31,7 @@ use crate::alignment::{OrientedPoint, OrientedPoints, annealed, progress_short_o
 use crate::deformation::GaussianKernel;
 use crate::deformation::taylor::TaylorBasis;
 use features::describe;
+pub use features::surroundings;
 use nalgebra::{Matrix3, Point3, Vector3};
 use patches::{Patch, Patches, mirrored};
 use rayon::prelude::*;
@@ -111,8 +112,9 @@ impl Candidate {
 
 /// Poses that align `source` with `target`, best first, no two of equal handedness within 30°.
 ///
-/// Empty if a surface has fewer than three points, no area, or a number that is not finite. Features of the inputs are
-/// not used. Moving an input rigidly moves the result with it. Candidates are refined independently on all threads, so
+/// Empty if a surface has fewer than three points, no area, or a number that is not finite. Features of the inputs, if there
+/// are any, are those of [`surroundings`], in any unit: those of a surface whose points have been moved elsewhere, say.
+/// Without them they are computed from the points. Moving an input rigidly moves the result with it. Candidates are refined independently on all threads, so
 /// any number of threads gives the same bits.
 ///
 /// # Cost

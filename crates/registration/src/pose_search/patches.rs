@@ -44,6 +44,8 @@ pub(super) struct Patches {
     pub axes: Matrix3<f64>,
     /// Diagonal of the box around the patches along the axes, mm.
     pub diagonal_mm: f64,
+    /// Whether the features are those that came with the points.
+    pub have_features: bool,
 }
 
 impl Patches {
@@ -61,11 +63,12 @@ impl Patches {
         let mut sampling = FarthestPoints::new(&points, Point3::origin());
         let [coarse, fine] = [n_coarse.max(1), n_fine].map(|n| {
             sampling.extend_to(n);
-            cut(&points, &sampling, &normals, surface.areas)
+            cut(&points, &sampling, &normals, surface.areas, surface.features)
         });
         let start = (Vector3::repeat(f64::INFINITY), Vector3::repeat(f64::NEG_INFINITY));
         let (low, high) = fine.iter().fold(start, |(low, high), p| (low.inf(&p.center), high.sup(&p.center)));
-        Some(Patches { coarse, fine, center, axes, diagonal_mm: (high - low).norm() })
+        let have_features = !surface.features.is_empty();
+        Some(Patches { coarse, fine, center, axes, diagonal_mm: (high - low).norm(), have_features })
     }
 }
 
@@ -93,11 +96,19 @@ fn frame(surface: &OrientedPoints<'_>, total: f64) -> Option<(Vector3<f64>, Matr
 }
 
 /// One patch per sample: the points nearest to it. Patches without area are left out.
-fn cut(points: &[Point3<f64>], sampling: &FarthestPoints<'_>, normals: &[Vector3<f64>], areas: &[f64]) -> Vec<Patch> {
+fn cut(
+    points: &[Point3<f64>],
+    sampling: &FarthestPoints<'_>,
+    normals: &[Vector3<f64>],
+    areas: &[f64],
+    features: &[f64],
+) -> Vec<Patch> {
     let none = Patch { center: Vector3::zeros(), normal: Vector3::zeros(), area: 0.0, features: [0.0; N_FEATURES] };
     let mut patches = vec![none; sampling.samples().len()];
-    for (((p, n), &area), k) in points.iter().zip(normals).zip(areas).zip(sampling.nearest_samples()) {
+    for (i, (((p, n), &area), k)) in points.iter().zip(normals).zip(areas).zip(sampling.nearest_samples()).enumerate() {
         let patch = &mut patches[k];
+        let own = features.chunks_exact(N_FEATURES).nth(i).unwrap_or(&[0.0; N_FEATURES]);
+        patch.features.iter_mut().zip(own).for_each(|(sum, f)| *sum += area * f);
         patch.center += p.coords * area;
         patch.normal += n * area;
         patch.area += area;
@@ -106,6 +117,7 @@ fn cut(points: &[Point3<f64>], sampling: &FarthestPoints<'_>, normals: &[Vector3
     for patch in &mut patches {
         patch.center /= patch.area;
         patch.normal /= patch.area;
+        patch.features.iter_mut().for_each(|f| *f /= patch.area);
     }
     patches
 }

@@ -1,0 +1,210 @@
+//! Starts from bending-invariant forms: correspondences of a bent, folded or articulated surface, before any pose is known.
+//!
+//! The forms of both surfaces ([`homolog_geometry::canonical_form`]) are registered as any two surfaces are: a search over all
+//! orientations of either handedness, then a smooth field from each pose. Curvatures are those of the surfaces themselves.
+//! What a form leaves open is its handedness, and which of several limbs of equal length is which; each pose is kept as a
+//! start of its own, and the stages on the surfaces themselves compare them. A start whose correspondences turn the surface
+//! inside out is dropped.
+
+use super::stages::{NORMAL_WEIGHT, displaced, kernel, observed_means, precision_of_features};
+use super::surface::{N_FEATURES, SmoothSurface};
+use super::{DisplacementOptions, diagonal_mm, prior};
+use faer::Mat;
+use homolog_geometry::canonical_form::{canonical_form, handedness};
+use homolog_geometry::hierarchy::coarsen;
+use homolog_mesh::SurfaceMesh;
+use homolog_registration::alignment::{OrientedPoints, annealed, assign, progress_to_end};
+use homolog_registration::deformation::{FieldBasis, fit_field};
+use homolog_registration::{PoseSearchOptions, RigidTransform, pose_search, surroundings};
+use nalgebra::{Point3, Vector3};
+use rayon::prelude::*;
+use std::f64::consts::TAU;
+
+/// Sites of a form.
+const N_SITES: usize = 256;
+/// Vertices of the surface on which distances between them are measured.
+const N_MEASURED: usize = 1000;
+/// Radii, in roots of the area, of the balls whose contents describe the surroundings of a site.
+const RADII: [f64; 2] = [0.15, 0.25];
+/// Poses of either handedness that are tried.
+const N_POSES: usize = 8;
+/// Steps of the field between two forms, and `σ` at its start and end, in diagonals of the form.
+const STEPS: u32 = 20;
+const SIGMA: [f64; 2] = [0.06, 0.03];
+
+/// The bending-invariant form of one surface.
+#[derive(Clone, Debug)]
+pub(crate) struct Form {
+    /// Vertices of the surface.
+    pub sites: Vec<u32>,
+    /// The form, with the sites as vertices, mm.
+    pub mesh: SurfaceMesh,
+    normals: Vec<Vector3<f64>>,
+    /// For each site those nearest along the surface, itself first.
+    pub neighbors: Vec<Vec<u32>>,
+    /// Area of the surface that each site stands for, mm².
+    areas: Vec<f64>,
+    /// Surroundings of each site on the surface itself, four numbers each.
+    surroundings: Vec<f64>,
+}
+
+impl Form {
+    /// The form of `mesh`; `None` where it has too few vertices or pieces that no form holds.
+    pub(crate) fn new(mesh: &SurfaceMesh, normals: &[Vector3<f64>], vertex_areas: &[f64]) -> Option<Form> {
+        let measured = coarsen(mesh, N_MEASURED);
+        let (fine, to_mesh): (&SurfaceMesh, Vec<u32>) = match &measured {
+            Some(level) => (&level.mesh, level.sites.clone()),
+            None => (mesh, (0..mesh.n_vertices() as u32).collect()),
+        };
+        let level = coarsen(fine, N_SITES)?;
+        let form = canonical_form(fine, &level.sites)?;
+        let sites: Vec<u32> = level.sites.iter().map(|&k| to_mesh[k as usize]).collect();
+        let mut areas = vec![0.0; sites.len()];
+        for (i, area) in vertex_areas.iter().enumerate() {
+            let cell = measured.as_ref().map_or(i, |m| m.cells[i] as usize);
+            areas[level.cells[cell] as usize] += area;
+        }
+        let points: Vec<Point3<f64>> = sites.iter().map(|&k| mesh.vertices()[k as usize]).collect();
+        let site_normals: Vec<Vector3<f64>> = sites.iter().map(|&k| normals[k as usize]).collect();
+        let root_mm = mesh.area().sqrt();
+        let around: Vec<_> = points.iter().zip(&areas).map(|(p, &area)| (p.coords, area)).collect();
+        let radii_mm = RADII.map(|radius| radius * root_mm);
+        let surroundings = points
+            .iter()
+            .zip(&site_normals)
+            .flat_map(|(p, normal)| surroundings(&p.coords, normal, &around, radii_mm))
+            .collect();
+        let mesh = level.mesh.with_vertices(form.points).ok()?;
+        Some(Form { sites, normals: mesh.vertex_normals(), neighbors: form.neighbors, mesh, areas, surroundings })
+    }
+
+    fn oriented(&self) -> OrientedPoints<'_> {
+        OrientedPoints {
+            points: self.mesh.vertices(),
+            normals: &self.normals,
+            areas: &self.areas,
+            features: &self.surroundings,
+        }
+    }
+}
+
+/// Correspondences of the sites of a form.
+#[derive(Debug, Clone)]
+pub(super) struct FormMatch {
+    /// The point of the target that each site of the source corresponds to, mm.
+    pub images: Vec<Point3<f64>>,
+    /// How much target area is assigned to each site, relative to its own.
+    pub mass: Vec<f64>,
+    /// Misfit of the forms; lower is better.
+    pub misfit: f64,
+}
+
+/// A form with what is known of the surface at its sites.
+struct FormSide<'a> {
+    form: &'a Form,
+    /// The sites on the surface itself.
+    points: Vec<Point3<f64>>,
+    /// Curvature features of the surface itself.
+    features: Vec<f64>,
+}
+
+impl<'a> FormSide<'a> {
+    fn new(surface: &SmoothSurface, form: &'a Form) -> Self {
+        let sites = || form.sites.iter().map(|&k| k as usize);
+        FormSide {
+            form,
+            points: sites().map(|k| surface.mesh.vertices()[k]).collect(),
+            features: sites().flat_map(|k| surface.features[k * N_FEATURES..][..N_FEATURES].to_vec()).collect(),
+        }
+    }
+
+    fn oriented(&self) -> OrientedPoints<'_> {
+        OrientedPoints { features: &self.features, ..self.form.oriented() }
+    }
+}
+
+/// Correspondences between two surfaces by their forms, the best first.
+///
+/// # Cost
+/// `O(poses · (steps · sites² + sites · M²))` for `M` functions of a field.
+pub(super) fn form_matches(
+    (source, source_form): (&SmoothSurface, &Form),
+    (target, target_form): (&SmoothSurface, &Form),
+    options: &DisplacementOptions,
+) -> Vec<FormMatch> {
+    let search = PoseSearchOptions { allow_reflection: true, n_settled: N_POSES, ..PoseSearchOptions::default() };
+    let poses = pose_search(&source_form.oriented(), &target_form.oriented(), &search);
+    let (source, target) = (FormSide::new(source, source_form), FormSide::new(target, target_form));
+    let diagonal_mm = diagonal_mm(&source_form.mesh);
+    let prior = prior(diagonal_mm, options);
+    let Some(basis) = FieldBasis::new(source_form.mesh.vertices(), prior, options.n_inducing) else {
+        return Vec::new();
+    };
+    let between = Between { values: basis.values(source_form.mesh.vertices()), source, target, diagonal_mm, options };
+    let mut found: Vec<FormMatch> =
+        poses.par_iter().filter_map(|pose| between.matched(&pose.target_from_source)).collect();
+    found.sort_by(|a, b| a.misfit.total_cmp(&b.misfit));
+    found
+}
+
+/// Two forms, and the functions of a field over that of the source.
+struct Between<'a> {
+    source: FormSide<'a>,
+    target: FormSide<'a>,
+    values: Mat<f64>,
+    diagonal_mm: f64,
+    options: &'a DisplacementOptions,
+}
+
+impl Between<'_> {
+    /// The correspondence after a field from `pose`. `None` where it mirrors neighborhoods.
+    fn matched(&self, pose: &RigidTransform) -> Option<FormMatch> {
+        let form = self.source.form;
+        let base: Vec<Point3<f64>> = form.mesh.vertices().iter().map(|p| pose.apply(p)).collect();
+        let normals: Vec<Vector3<f64>> = form.normals.iter().map(|n| pose.rotation * n).collect();
+        let area: f64 = form.areas.iter().sum();
+        let target = self.target.oriented();
+        let [first, last] = SIGMA.map(|sigma| sigma * self.diagonal_mm);
+        let mut moved = base.clone();
+        let mut precision = precision_of_features(&[1.0; N_FEATURES]);
+        for step in 0..STEPS {
+            let sigma_mm = annealed(first, last, progress_to_end(step, STEPS));
+            let source = OrientedPoints { points: &moved, normals: &normals, ..self.source.oriented() };
+            let assigned = assign(&source, &target, &kernel(sigma_mm, precision));
+            let weight = self.options.density[0] / (area * sigma_mm * sigma_mm);
+            let fitted = fit_field(self.values.as_ref(), &observed_means(&assigned, &base, &form.areas, weight))?;
+            moved = displaced(&base, &fitted, &self.values);
+            precision = precision_of_features(&assigned.feature_variance);
+        }
+        let source = OrientedPoints { points: &moved, normals: &normals, ..self.source.oriented() };
+        let misfit = assign(&source, &target, &kernel(last, vec![4.0 / N_FEATURES as f64; N_FEATURES])).misfit;
+        let (images, mass) = self.images(&source, last, &precision);
+        (handedness(&self.source.points, &images, &form.neighbors) > 0.0).then_some(FormMatch { images, mass, misfit })
+    }
+
+    /// For each site of `source`, which is where the form was moved to, the mean of the target's points, weighted by how well
+    /// their sites agree on the form; and that weight relative to the site's own area.
+    fn images(&self, source: &OrientedPoints<'_>, sigma_mm: f64, precision: &[f64]) -> (Vec<Point3<f64>>, Vec<f64>) {
+        let target = self.target.oriented();
+        let features = |side: &OrientedPoints<'_>, i: usize| -> Vec<f64> {
+            side.features[i * N_FEATURES..][..N_FEATURES].to_vec()
+        };
+        let image = |i: usize| {
+            let own = features(source, i);
+            let (mut total, mut sum) = (0.0, Vector3::zeros());
+            for (j, q) in self.target.points.iter().enumerate() {
+                let squared = (source.points[i] - target.points[j]).norm_squared();
+                let others = features(&target, j);
+                let unlike: f64 = (0..N_FEATURES).map(|f| precision[f] * (own[f] - others[f]).powi(2)).sum();
+                let turned = 1.0 - source.normals[i].dot(&target.normals[j]);
+                let exponent = 0.5 * (squared / (sigma_mm * sigma_mm) + unlike) + NORMAL_WEIGHT * turned;
+                let weight = target.areas[j] * (-exponent).exp();
+                total += weight;
+                sum += q.coords * weight;
+            }
+            // Without a weight the image does not count.
+            (Point3::from(sum / total.max(f64::MIN_POSITIVE)), total / (TAU * sigma_mm * sigma_mm))
+        };
+        (0..source.points.len()).map(image).unzip()
+    }
+}

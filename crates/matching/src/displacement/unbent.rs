@@ -1,0 +1,179 @@
+//! The second attempt: from the bending-invariant forms, where no rigid start leads to surfaces that agree.
+//!
+//! Every correspondence of the forms ([`super::forms`]) bends the source onto the target before a field is fitted: bending
+//! costs nothing, and the prior of the field is that of what remains. Its functions are smooth along the surface instead of
+//! through space ([`super::unbending`]), so that a limb moves apart from what it happens to be close to. The stages are
+//! those of a rigid start. Of the correspondences that agree best after the coarse stage, that with the lowest misfit at
+//! the scale of the sampling is kept.
+
+use super::coarse::ComparedPose;
+use super::fine::Refined;
+use super::forms::{Form, FormMatch, form_matches};
+use super::functions::Functions;
+use super::prior;
+use super::stages::{Base, Displacement, State, kernel};
+use super::surface::N_FEATURES;
+use super::unbending::Unbending;
+use crate::MatchError;
+use crate::surface_index::SurfaceIndex;
+use homolog_primitives::observe::checkpoint;
+use homolog_registration::absolute_orientation;
+use homolog_registration::alignment::{OrientedPoints, assign};
+use homolog_registration::deformation::{GaussianKernel, Observation, fit_field};
+use nalgebra::{Point3, Vector3};
+use rayon::prelude::*;
+use std::sync::Arc;
+
+/// Correspondences of the forms that go through the coarse stage, and those of them that go through all stages.
+const COMPARED: usize = 8;
+const REFINED: usize = 3;
+/// Width and standard deviation of a second kernel, in diagonals: joints are narrower than the bends of one structure.
+const JOINT_WIDTH: f64 = 0.12;
+const JOINT_AMPLITUDE: f64 = 0.05;
+const N_INDUCING: usize = 250;
+/// Times that all stages are run again from where they ended, at most.
+const PASSES: usize = 6;
+/// Fall of the misfit at the scale of the sampling for which they are run once more.
+const LEAST_GAIN: f64 = 0.005;
+const REBASED_SIGMA: f64 = 0.01;
+/// Standard deviation of a correspondence of the forms, in diagonals of the source.
+const FORM_SIGMA: f64 = 0.03;
+/// Width of the assignment by which the ends of two attempts are compared, in roots of the area: that of the sampling of a
+/// surface of about two thousand vertices.
+const COMPARISON_SCALE: f64 = 0.02;
+/// Vertices of the source that are compared.
+const COMPARISON_SAMPLES: usize = 1200;
+
+/// The best answer from the forms.
+pub(super) struct Unbent {
+    pub refined: Refined,
+    /// The correspondences that were compared, the one that was kept first.
+    pub compared: Vec<ComparedPose>,
+    /// Misfit at the scale of the sampling.
+    pub fine_misfit: f64,
+}
+
+impl Displacement<'_> {
+    /// The best answer from the forms of both surfaces; `None` where they give no correspondence.
+    ///
+    /// # Errors
+    /// [`MatchError::Cancelled`].
+    pub(super) fn unbent(&self, source: &Form, target: &Form) -> Result<Option<Unbent>, MatchError> {
+        checkpoint(self.observer)?;
+        let matches = form_matches((&self.source, source), (&self.target, target), self.options);
+        let Some(on_form) = self.on_form(source) else { return Ok(None) };
+        let n = self.options.n_samples[0];
+        let (thinned, thinned_target) = (on_form.source.thinned(n), on_form.target.thinned(n));
+        let values = on_form.guides.below(&on_form.functions.values(&thinned.points));
+        let mut found: Vec<(f64, State)> = matches
+            .into_par_iter()
+            .take(COMPARED)
+            .map(|of_forms| {
+                checkpoint(self.observer)?;
+                let Some(base) = on_form.bent(source, &of_forms) else { return Ok(None) };
+                Ok(on_form.coarse_from(&base, &thinned, &thinned_target, &values, self.options.steps[0]))
+            })
+            .collect::<Result<Vec<_>, MatchError>>()?
+            .into_iter()
+            .flatten()
+            .collect();
+        found.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let mut compared: Vec<ComparedPose> = found
+            .iter()
+            .map(|(misfit, state)| ComparedPose {
+                pose: usize::MAX,
+                of_form: Some(state.base.pose),
+                mirrored: false,
+                misfit: *misfit,
+            })
+            .collect();
+        let mut best: Option<(f64, usize, Refined)> = None;
+        for (k, (_, state)) in found.into_iter().take(REFINED).enumerate() {
+            let Some(refined) = on_form.refined(state)? else { continue };
+            let misfit = on_form.fine_misfit(&refined);
+            if best.as_ref().is_none_or(|b| misfit < b.0) {
+                best = Some((misfit, k, refined));
+            }
+        }
+        let Some((mut fine_misfit, chosen, mut refined)) = best else { return Ok(None) };
+        for _ in 0..PASSES {
+            let Some(base) = on_form.rebased(&refined) else { break };
+            let Some((_, state)) =
+                on_form.coarse_from(&base, &thinned, &thinned_target, &values, self.options.steps[0])
+            else {
+                break;
+            };
+            let Some(next) = on_form.refined(state)? else { break };
+            let misfit = on_form.fine_misfit(&next);
+            let gain = fine_misfit - misfit;
+            if gain > 0.0 {
+                (fine_misfit, refined) = (misfit, next);
+            }
+            if gain < LEAST_GAIN {
+                break;
+            }
+        }
+        compared[..=chosen].rotate_right(1);
+        Ok(Some(Unbent { refined, compared, fine_misfit }))
+    }
+
+    /// This displacement with functions that are smooth over the form of the source.
+    fn on_form(&self, form: &Form) -> Option<Displacement<'_>> {
+        let sites: Vec<Point3<f64>> = form.sites.iter().map(|&k| self.source.mesh.vertices()[k as usize]).collect();
+        let unbending = Arc::new(Unbending::new(&sites, form.mesh.vertices(), &form.neighbors));
+        let mut prior = prior(self.diagonal_mm, self.options);
+        prior.kernels.push(GaussianKernel {
+            width_mm: JOINT_WIDTH * self.diagonal_mm,
+            amplitude_mm: JOINT_AMPLITUDE * self.diagonal_mm,
+        });
+        let functions = Functions::new(self.source.mesh.vertices(), prior, N_INDUCING, Some(unbending))?;
+        Some(Displacement {
+            source: self.source.clone(),
+            target: self.target.clone(),
+            closest: SurfaceIndex::with_normals(&self.target.mesh, self.target.normals.clone()),
+            guides: self.guides.with_functions(&functions),
+            functions,
+            ..*self
+        })
+    }
+
+    /// The source bent by the correspondences of the forms, over their rigid part.
+    fn bent(&self, form: &Form, of_forms: &FormMatch) -> Option<Base> {
+        let points: Vec<Point3<f64>> = form.sites.iter().map(|&k| self.source.mesh.vertices()[k as usize]).collect();
+        let pose = absolute_orientation(&points, &of_forms.images, Some(&of_forms.mass), false).ok()?;
+        let precision = (FORM_SIGMA * self.diagonal_mm).powi(-2);
+        let observed: Vec<Observation> = points
+            .iter()
+            .zip(&of_forms.images)
+            .zip(&of_forms.mass)
+            .map(|((p, q), mass)| Observation::isotropic(q - pose.apply(p), precision * mass.min(1.0)))
+            .collect();
+        let field = fit_field(self.functions.values(&points).as_ref(), &observed)?;
+        Some(Base::rigid(pose).bent_by(&field))
+    }
+
+    /// The source where `refined` moves it, as a base.
+    fn rebased(&self, refined: &Refined) -> Option<Base> {
+        let pose = refined.base.pose;
+        let moved = refined.moved(&self.source.mesh).0;
+        let precision = (REBASED_SIGMA * self.diagonal_mm).powi(-2);
+        let points = self.source.mesh.vertices();
+        let observed: Vec<Observation> =
+            points.iter().zip(&moved).map(|(p, q)| Observation::isotropic(q - pose.apply(p), precision)).collect();
+        let field = fit_field(self.functions.values(points).as_ref(), &observed)?;
+        Some(Base::rigid(pose).bent_by(&field))
+    }
+
+    /// Misfit of the moved source at the scale of the sampling: mean of `−ln` of the likelihood of the other surface at each
+    /// point; lower is better.
+    pub(super) fn fine_misfit(&self, refined: &Refined) -> f64 {
+        let Ok(mesh) = self.source.mesh.with_vertices(refined.moved(&self.source.mesh).0) else { return f64::INFINITY };
+        let normals = mesh.vertex_normals();
+        let thinned = self.source.thinned(COMPARISON_SAMPLES);
+        let normals: Vec<Vector3<f64>> = thinned.vertices.iter().map(|&i| normals[i]).collect();
+        let points: Vec<Point3<f64>> = thinned.vertices.iter().map(|&i| mesh.vertices()[i]).collect();
+        let samples = OrientedPoints { points: &points, normals: &normals, ..thinned.samples() };
+        let kernel = kernel(COMPARISON_SCALE * self.lengths.root_mm, vec![4.0 / N_FEATURES as f64; N_FEATURES]);
+        assign(&samples, &self.target.samples(), &kernel).misfit
+    }
+}

@@ -159,6 +159,10 @@ impl Table<'_> {
             Value::Array(types) => types.iter().filter_map(Value::as_str).collect(),
             other => other.as_str().into_iter().collect(),
         };
+        if let Some(choices) = schema["oneOf"].as_array() {
+            let names: Vec<String> = choices.iter().map(|choice| self.type_of(self.target(choice).0, "")).collect();
+            return names.join(" or ");
+        }
         let names: Vec<String> = types
             .into_iter()
             .map(|kind| match kind {

@@ -100,8 +100,9 @@ pub struct Resolved {
     pub parameters: Value,
     /// The same parameters in the engine's own types.
     pub computation: Arc<dyn Computation>,
-    /// The parameters on which the check of an input depends: checks of one file under equal keys have equal outcomes.
-    pub input_key: String,
+    /// The parameters on which the check of the source and that of the target depend: checks of one file under equal keys
+    /// have equal outcomes.
+    pub input_keys: [String; 2],
     /// Version of everything that a result depends on besides inputs and parameters: equal versions give equal bytes.
     pub result_version: String,
 }
@@ -124,6 +125,8 @@ pub struct InputBytes<'a> {
     pub bytes: &'a [u8],
     /// Extensions of its file name, such as `.nii.gz`.
     pub name_hint: Option<&'a str>,
+    /// Whether it is the target: source and target may have labels of their own.
+    pub is_target: bool,
 }
 
 /// An input that can be matched.

@@ -40,6 +40,9 @@ impl Upload {
     }
 }
 
+/// The name of the input whose parameters are those of the target.
+const TARGET: &str = "target";
+
 impl JobService {
     /// Begins an upload; nothing is stored unless [`JobService::end_upload`] is called.
     ///
@@ -127,7 +130,7 @@ impl JobService {
         resolved: &Resolved,
     ) -> Result<CheckOutcome, SubmitError> {
         let (tenant, hash) = (&mesh.key.tenant, mesh.key.hash());
-        let input_key = &resolved.input_key;
+        let input_key = &resolved.input_keys[usize::from(input == TARGET)];
         if let Some(found) = self.stores.meshes.get_mesh_check(tenant, hash, input_key).await? {
             return Ok(found);
         }
@@ -149,7 +152,8 @@ impl JobService {
         let computation = Arc::clone(&resolved.computation);
         let checked = tokio::task::spawn_blocking(move || {
             let _permit = permit; // released when the check ends, even if its request has ended
-            let bytes = InputBytes { bytes: &file.bytes, name_hint: file.name_hint.as_deref() };
+            let bytes =
+                InputBytes { bytes: &file.bytes, name_hint: file.name_hint.as_deref(), is_target: input == TARGET };
             computation.check_input(&bytes)
         });
         match checked.await {

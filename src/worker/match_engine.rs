@@ -72,12 +72,14 @@ impl Engine for MatchEngine {
                 .collect::<Vec<_>>()
         })?;
         let stored = serde_json::to_value(&parameters).map_err(|e| vec![unwritable(&e)])?;
-        let input = serde_json::to_value(&parameters.input).map_err(|e| vec![unwritable(&e)])?;
+        let inputs = [parameters.input.of_source(), parameters.input.of_target()];
+        let [source, target] = inputs.map(|input| serde_json::to_value(input).map(|value| value.to_string()));
+        let input_keys = [source.map_err(|e| vec![unwritable(&e)])?, target.map_err(|e| vec![unwritable(&e)])?];
         Ok(Resolved {
             method: parameters.method.name().to_owned(),
             method_version: env!("CARGO_PKG_VERSION").to_owned(),
             parameters: stored,
-            input_key: input.to_string(),
+            input_keys,
             result_version: concat!(env!("CARGO_PKG_VERSION"), "+", env!("HOMOLOG_COMMIT")).to_owned(),
             computation: self.computation(parameters),
         })
@@ -110,7 +112,9 @@ fn without_learned_prior(parameters: &Value) -> Value {
 impl Computation for Match {
     fn check_input(&self, input: &InputBytes<'_>) -> Result<InputSummary, InputRefusal> {
         let name = input.name_hint.map(file_name);
-        let prepared = prepare_surface(input.bytes, name.as_deref(), &self.parameters.input, &self.shared.limits)
+        let parameters = &self.parameters.input;
+        let parameters = if input.is_target { parameters.of_target() } else { parameters.of_source() };
+        let prepared = prepare_surface(input.bytes, name.as_deref(), &parameters, &self.shared.limits)
             .map_err(|error| refusal(&error))?;
         Ok(InputSummary {
             n_vertices: u32::try_from(prepared.mesh.n_vertices()).unwrap_or(u32::MAX),

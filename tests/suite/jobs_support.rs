@@ -78,7 +78,7 @@ impl Engine for ScriptedEngine {
             method_version: "1".to_owned(),
             parameters: request.clone(),
             computation: self.computation(request),
-            input_key: String::new(),
+            input_keys: [String::new(), String::new()],
             result_version: "1".to_owned(),
         })
     }

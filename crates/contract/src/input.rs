@@ -9,24 +9,92 @@ use homolog_mesh::topology::TopologyReport;
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum InputFormat {
-    /// NIfTI-1 label volume, plain or gzip.
+    /// NIfTI label volume, version 1 or 2, plain or gzip.
     Nifti,
+    /// FreeSurfer label volume, MGH or MGZ.
+    Mgh,
+    /// NRRD label volume, also `.seg.nrrd` of 3D Slicer.
+    Nrrd,
+    /// MetaImage label volume in one file.
+    MetaImage,
+    /// DICOM segmentation.
+    DicomSeg,
+    /// FreeSurfer surface, binary or ASCII.
+    Freesurfer,
+    /// GIFTI surface.
+    Gifti,
     /// Stanford PLY.
     Ply,
     /// STL.
     Stl,
     /// Legacy VTK.
     Vtk,
+    /// VTK XML poly data.
+    Vtp,
+    /// Wavefront OBJ.
+    Obj,
+    /// OFF of Geomview.
+    Off,
+    /// MZ3 of Surf Ice.
+    Mz3,
 }
 
 impl InputFormat {
+    /// All formats, those of label volumes first.
+    pub const ALL: [InputFormat; 14] = [
+        InputFormat::Nifti,
+        InputFormat::Mgh,
+        InputFormat::Nrrd,
+        InputFormat::MetaImage,
+        InputFormat::DicomSeg,
+        InputFormat::Freesurfer,
+        InputFormat::Gifti,
+        InputFormat::Ply,
+        InputFormat::Stl,
+        InputFormat::Vtk,
+        InputFormat::Vtp,
+        InputFormat::Obj,
+        InputFormat::Off,
+        InputFormat::Mz3,
+    ];
+
     /// The name used in JSON.
     pub fn name(self) -> &'static str {
         match self {
             InputFormat::Nifti => "nifti",
+            InputFormat::Mgh => "mgh",
+            InputFormat::Nrrd => "nrrd",
+            InputFormat::MetaImage => "meta_image",
+            InputFormat::DicomSeg => "dicom_seg",
+            InputFormat::Freesurfer => "freesurfer",
+            InputFormat::Gifti => "gifti",
             InputFormat::Ply => "ply",
             InputFormat::Stl => "stl",
             InputFormat::Vtk => "vtk",
+            InputFormat::Vtp => "vtp",
+            InputFormat::Obj => "obj",
+            InputFormat::Off => "off",
+            InputFormat::Mz3 => "mz3",
+        }
+    }
+
+    /// The name used in sentences.
+    pub fn title(self) -> &'static str {
+        match self {
+            InputFormat::Nifti => "NIfTI",
+            InputFormat::Mgh => "MGH/MGZ",
+            InputFormat::Nrrd => "NRRD",
+            InputFormat::MetaImage => "MetaImage",
+            InputFormat::DicomSeg => "DICOM SEG",
+            InputFormat::Freesurfer => "a FreeSurfer surface",
+            InputFormat::Gifti => "GIFTI",
+            InputFormat::Ply => "PLY",
+            InputFormat::Stl => "STL",
+            InputFormat::Vtk => "legacy VTK",
+            InputFormat::Vtp => "VTP",
+            InputFormat::Obj => "Wavefront OBJ",
+            InputFormat::Off => "OFF",
+            InputFormat::Mz3 => "MZ3",
         }
     }
 }
@@ -45,6 +113,9 @@ pub struct InputReport {
     /// Whether all faces were oriented inwards (the enclosed volume before repairs is negative) and were reversed.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "std::ops::Not::not"))]
     pub turned_outward: bool,
+    /// What was done to coordinates or values on reading, and whether the name promises another format: a sentence each.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
+    pub notes: Vec<String>,
 }
 
 /// A repair that changed the surface.
@@ -81,6 +152,9 @@ pub struct Inspection {
     pub repairs: Vec<RepairNote>,
     /// Whether all faces are oriented inwards and would be reversed.
     pub turned_outward: bool,
+    /// What was done to coordinates or values on reading, and whether the name promises another format: a sentence each.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
+    pub notes: Vec<String>,
     /// Whether a match would accept the input.
     pub suitable: bool,
     /// Why a match would refuse it; absent if it would not.
@@ -116,12 +190,15 @@ pub struct VolumeInspection {
 }
 
 /// A label and its number of voxels.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct LabelCount {
     /// The label.
     pub label: u32,
+    /// Its name, for formats that have names.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+    pub name: Option<String>,
     /// Number of voxels with this label.
     pub n_voxels: u64,
 }

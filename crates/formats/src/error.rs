@@ -10,7 +10,10 @@ pub enum FormatError {
     #[error("the file is empty; export it again, or repeat the upload")]
     Empty,
     /// None of the supported formats.
-    #[error("the file format is not recognized; convert the file to NIfTI-1, PLY, STL or legacy VTK")]
+    #[error(
+        "the file format is not recognized; convert surfaces to GIFTI, PLY, STL, VTK, VTP, OBJ, OFF, MZ3 or \
+         FreeSurfer, label volumes to NIfTI, MGZ, NRRD, MetaImage or DICOM SEG"
+    )]
     UnknownFormat,
     /// A limit on size is exceeded.
     #[error("the file has {found} {what}, but at most {limit} are accepted; send a smaller one")]

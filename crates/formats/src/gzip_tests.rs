@@ -30,7 +30,7 @@ fn plain_files() -> [(&'static str, Vec<u8>); 4] {
 }
 
 fn read_as(name: &str, bytes: &[u8]) -> Result<(InputFormat, FileContent), FormatError> {
-    read(bytes, Some(name), &ReadLimits::default())
+    read(bytes, Some(name), &ReadLimits::default()).map(|file| (file.format, file.content))
 }
 
 fn fault_of(name: &str, bytes: &[u8]) -> GzipFault {

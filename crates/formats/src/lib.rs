@@ -7,24 +7,40 @@
 //! from the bytes and uses the file's name only where they do not decide. Errors carry positions (lines, vertices,
 //! voxels), never text of the file, which may name a patient.
 
+mod detect;
+mod dicom;
+mod element;
 mod error;
 mod gzip;
+mod label_file;
+mod lps;
 mod pairs;
 mod polygons;
 mod text;
 mod vertex_arrays;
+mod xml;
 
 pub mod arrow;
+pub mod dicom_seg;
+pub mod freesurfer;
 pub mod gifti;
+pub mod metaimage;
+pub mod mgh;
+pub mod mz3;
 pub mod nifti;
 pub mod npy;
+pub mod nrrd;
+pub mod obj;
+pub mod off;
 pub mod ply;
 pub mod stl;
 pub mod transform;
 pub mod vtk;
+pub mod vtp;
 
 pub use error::{FormatError, GzipFault};
 pub use homolog_contract::input::InputFormat;
+pub use label_file::LabelFile;
 pub use nifti::{write_nifti, write_nifti_gz};
 pub use pairs::PairColumns;
 pub use ply::write_ply;
@@ -32,9 +48,11 @@ pub use polygons::MeshFile;
 pub use stl::write_stl;
 pub use vertex_arrays::{VertexArray, VertexValues};
 pub use vtk::write_vtk;
+pub use vtp::write_vtp;
 
 use homolog_mesh::volume::LabelVolume;
 use std::borrow::Cow;
+use std::collections::BTreeMap;
 
 /// Bounds on the size of what is read.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -51,6 +69,20 @@ impl Default for ReadLimits {
     }
 }
 
+/// A file as it was read.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ReadFile {
+    /// Its format.
+    pub format: InputFormat,
+    /// Its content, in RAS.
+    pub content: FileContent,
+    /// Names of the labels of a volume, for formats that have them, as the file gives them.
+    pub label_names: BTreeMap<u32, String>,
+    /// What was done to coordinates or values, and whether the name promises another format: a sentence each, without text
+    /// of the file.
+    pub notes: Vec<String>,
+}
+
 /// The content of a file.
 #[derive(Debug, Clone, PartialEq)]
 pub enum FileContent {
@@ -60,59 +92,66 @@ pub enum FileContent {
     Mesh(MeshFile),
 }
 
-/// Reads a file of any of the [`InputFormat`]s, plain or compressed with gzip.
+/// Reads a file of any of the [`InputFormat`]s, plain or compressed with gzip. The format is found from the content; the
+/// name decides only where that does not.
 ///
 /// # Errors
-/// [`FormatError::UnknownFormat`] if it is none of them; [`FormatError::Gzip`] if the compressed stream is damaged or
-/// incomplete; else those of the format's reader.
+/// [`FormatError::UnknownFormat`] if it is none of them; [`FormatError::Unsupported`] if it is one that is known and not
+/// read; [`FormatError::Gzip`] if the compressed stream is damaged or incomplete; else those of the format's reader.
 ///
 /// # Cost
 /// Linear in the inflated size.
-pub fn read(
-    bytes: &[u8],
-    file_name: Option<&str>,
-    limits: &ReadLimits,
-) -> Result<(InputFormat, FileContent), FormatError> {
+pub fn read(bytes: &[u8], file_name: Option<&str>, limits: &ReadLimits) -> Result<ReadFile, FormatError> {
     let head = gzip::unverified_prefix(bytes, nifti::HEADER_BYTES)?;
-    if nifti::is_nifti(&head) {
-        return Ok((InputFormat::Nifti, FileContent::Labels(nifti::read_nifti(bytes, limits)?)));
-    }
-    let bytes = gzip::inflate(bytes, limits.max_inflated_bytes)?;
-    let format = detect(&bytes, file_name).ok_or(FormatError::UnknownFormat)?;
-    let content = match format {
-        InputFormat::Nifti => FileContent::Labels(nifti::read_nifti(&bytes, limits)?),
-        InputFormat::Ply => FileContent::Mesh(ply::read_ply(&bytes, limits)?),
-        InputFormat::Stl => FileContent::Mesh(stl::read_stl(&bytes, limits)?),
-        InputFormat::Vtk => FileContent::Mesh(vtk::read_vtk(&bytes, limits)?),
+    // A volume need not be inflated as a whole.
+    let inflated =
+        if nifti::is_nifti(&head) { Plain::Borrowed(bytes) } else { gzip::inflate(bytes, limits.max_inflated_bytes)? };
+    let format = if nifti::is_nifti(&head) { InputFormat::Nifti } else { detect::detect(&inflated, file_name)? };
+    let bytes: &[u8] = &inflated;
+    let mut read = match format {
+        InputFormat::Nifti => ReadFile::volume(format, nifti::read_nifti(bytes, limits)?),
+        InputFormat::Mgh => ReadFile::labels(format, mgh::read_mgh(bytes, limits)?),
+        InputFormat::Nrrd => ReadFile::labels(format, nrrd::read_nrrd(bytes, limits)?),
+        InputFormat::MetaImage => ReadFile::labels(format, metaimage::read_metaimage(bytes, limits)?),
+        InputFormat::DicomSeg => ReadFile::labels(format, dicom_seg::read_dicom_seg(bytes, limits)?),
+        InputFormat::Freesurfer => ReadFile::mesh(format, freesurfer::read_freesurfer(bytes, limits)?),
+        InputFormat::Gifti => ReadFile::mesh(format, gifti::read_gifti(bytes, limits)?),
+        InputFormat::Ply => ReadFile::declared(format, ply::read_ply(bytes, limits)?, bytes)?,
+        InputFormat::Stl => ReadFile::declared(format, stl::read_stl(bytes, limits)?, bytes)?,
+        InputFormat::Vtk => ReadFile::declared(format, vtk::read_vtk(bytes, limits)?, bytes)?,
+        InputFormat::Vtp => ReadFile::mesh(format, vtp::read_vtp(bytes, limits)?),
+        InputFormat::Obj => ReadFile::declared(format, obj::read_obj(bytes, limits)?, bytes)?,
+        InputFormat::Off => ReadFile::mesh(format, off::read_off(bytes, limits)?),
+        InputFormat::Mz3 => ReadFile::mesh(format, mz3::read_mz3(bytes, limits)?),
     };
-    Ok((format, content))
+    read.notes.extend(detect::misnamed(format, file_name));
+    Ok(read)
 }
 
-/// The format of a file (not compressed): by its first bytes, else by its name.
-fn detect(bytes: &[u8], file_name: Option<&str>) -> Option<InputFormat> {
-    let starts = |magic: &str| bytes.get(..magic.len()).is_some_and(|head| head.eq_ignore_ascii_case(magic.as_bytes()));
-    if nifti::is_nifti(bytes) {
-        Some(InputFormat::Nifti)
-    } else if starts("ply\n") || starts("ply\r") {
-        Some(InputFormat::Ply)
-    } else if starts("# vtk DataFile") {
-        Some(InputFormat::Vtk)
-    } else if stl::is_stl(bytes) {
-        Some(InputFormat::Stl)
-    } else {
-        format_of_name(file_name?)
+/// How much of a file's title, header or first comments is searched for a declared space.
+const DECLARATION_BYTES: usize = 1024;
+
+impl ReadFile {
+    fn volume(format: InputFormat, volume: LabelVolume) -> Self {
+        ReadFile { format, content: FileContent::Labels(volume), label_names: BTreeMap::new(), notes: Vec::new() }
     }
-}
 
-fn format_of_name(name: &str) -> Option<InputFormat> {
-    let name = name.to_ascii_lowercase();
-    let name = name.strip_suffix(".gz").unwrap_or(&name);
-    match name.rsplit_once('.')?.1 {
-        "nii" => Some(InputFormat::Nifti),
-        "ply" => Some(InputFormat::Ply),
-        "stl" => Some(InputFormat::Stl),
-        "vtk" => Some(InputFormat::Vtk),
-        _ => None,
+    fn labels(format: InputFormat, file: LabelFile) -> Self {
+        let LabelFile { volume, names, notes } = file;
+        ReadFile { format, content: FileContent::Labels(volume), label_names: names, notes }
+    }
+
+    fn mesh(format: InputFormat, mut file: MeshFile) -> Self {
+        let notes = std::mem::take(&mut file.notes);
+        ReadFile { format, content: FileContent::Mesh(file), label_names: BTreeMap::new(), notes }
+    }
+
+    /// A mesh of a format in which 3D Slicer declares the space of the coordinates in free text.
+    fn declared(format: InputFormat, mut file: MeshFile, bytes: &[u8]) -> Result<Self, FormatError> {
+        if lps::is_declared(&bytes[..bytes.len().min(DECLARATION_BYTES)]) {
+            lps::to_ras(&mut file)?;
+        }
+        Ok(ReadFile::mesh(format, file))
     }
 }
 

@@ -1,9 +1,11 @@
-//! NIfTI-1 label volumes: single files (`n+1`), either byte order, plain or gzip.
+//! NIfTI label volumes, versions 1 and 2: single files (`n+1`, `n+2`), either byte order, plain or gzip.
 //!
-//! Source: nifti1.h of the NIfTI data format working group (2007). The header is checked against the length of the
-//! file before anything is allocated. The affine is the sform if its code is positive, else the qform, else the
-//! voxel sizes alone ("method 1"), scaled to millimetres.
+//! Source: nifti1.h and nifti2.h of the NIfTI data format working group (2007, 2011). The header is checked against the
+//! length of the file before anything is allocated. The affine is the sform if its code is positive, else the qform, else
+//! the voxel sizes alone ("method 1"), scaled to millimetres. (The `nifti` crate has these as well, but reads all voxels
+//! before the header can be checked; tests use it as an independent reader.)
 
+use super::element::{ByteOrder, Element, Voxels};
 use super::gzip::{inflate_prefix, unverified_prefix};
 use super::{FormatError, ReadLimits};
 use flate2::{Compression, GzBuilder};
@@ -11,11 +13,10 @@ use homolog_mesh::volume::LabelVolume;
 use nalgebra::{Matrix4, Quaternion, UnitQuaternion, Vector4};
 use std::io::Write;
 
-/// Length of the header with the extension flag.
-pub(super) const HEADER_BYTES: usize = 352;
-
-/// How far a value may be from an integer and still count as a label: rounding of scaled single-precision values.
-const LABEL_TOLERANCE: f64 = 1e-3;
+/// Length of the header of version 1 with the extension flag.
+const HEADER_1_BYTES: usize = 352;
+/// Length of the header of version 2 with the extension flag: as much of a file as [`is_nifti`] and the header need.
+pub(super) const HEADER_BYTES: usize = 544;
 
 /// Whether these are the first bytes of a NIfTI file of either version or of its predecessor ANALYZE.
 pub(super) fn is_nifti(head: &[u8]) -> bool {
@@ -27,181 +28,102 @@ pub(super) fn is_nifti(head: &[u8]) -> bool {
 /// Reads a label volume; `bytes` may be compressed.
 ///
 /// # Errors
-/// [`FormatError`]: two-file or NIfTI-2 variants, more than three dimensions, an element type that is not a number,
-/// values that are not labels, a file shorter than its header says, an affine that is singular or not finite, a gzip
-/// stream that is damaged or incomplete, even after the last voxel.
+/// [`FormatError`]: two-file variants, CIFTI, more than three dimensions, an element type that is not a number, values that
+/// are not labels, a file shorter than its header says, an affine that is singular or not finite, a gzip stream that is
+/// damaged or incomplete, even after the last voxel.
 ///
 /// # Cost
 /// Linear in the inflated size, which `limits` bound; keeps no more of it than the header asks for.
 pub fn read_nifti(bytes: &[u8], limits: &ReadLimits) -> Result<LabelVolume, FormatError> {
     let head = unverified_prefix(bytes, HEADER_BYTES)?;
-    let header = Header::parse(&head)?;
-    let n_voxels = header.n_voxels();
+    let Header { voxels, offset, affine } = Header::parse(&head)?;
+    let needed = offset.saturating_add(voxels.bytes_needed(limits.max_inflated_bytes)? as u64);
     let limit = limits.max_inflated_bytes as u64;
-    let needed = n_voxels.saturating_mul(header.element.size() as u64).saturating_add(header.offset);
-    // Labels are kept in four bytes, whatever the file has.
-    let kept = n_voxels.saturating_mul(4);
-    if needed.max(kept) > limit {
-        return Err(FormatError::TooLarge { what: "bytes of voxels", found: needed.max(kept), limit });
+    if needed > limit {
+        return Err(FormatError::TooLarge { what: "bytes of voxels", found: needed, limit });
     }
     let plain = inflate_prefix(bytes, needed as usize, limits.max_inflated_bytes)?;
     if (plain.len() as u64) < needed {
         return Err(FormatError::Truncated { part: "the voxel array", needed, available: plain.len() as u64 });
     }
-    let voxels = &plain[header.offset as usize..needed as usize];
-    let labels = header.labels(voxels)?;
-    Ok(LabelVolume::new(header.dims, labels, header.affine)?)
+    let labels = voxels.labels(&plain[offset as usize..needed as usize])?;
+    Ok(LabelVolume::new(voxels.dims, labels, affine)?)
 }
 
 /// The fields of the header that are used, validated.
 #[derive(Debug)]
 struct Header {
-    dims: [usize; 3],
-    element: Element,
-    big_endian: bool,
+    voxels: Voxels,
+    /// Where the voxels begin, bytes.
     offset: u64,
-    slope: f64,
-    intercept: f64,
     affine: Matrix4<f64>,
 }
 
-/// Type of a voxel.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Element {
-    U8,
-    I8,
-    U16,
-    I16,
-    U32,
-    I32,
-    U64,
-    I64,
-    F32,
-    F64,
-}
-
-impl Element {
-    fn from_code(code: i16) -> Option<Self> {
-        Some(match code {
-            2 => Element::U8,
-            4 => Element::I16,
-            8 => Element::I32,
-            16 => Element::F32,
-            64 => Element::F64,
-            256 => Element::I8,
-            512 => Element::U16,
-            768 => Element::U32,
-            1024 => Element::I64,
-            1280 => Element::U64,
-            _ => return None,
-        })
-    }
-
-    fn size(self) -> usize {
-        match self {
-            Element::U8 | Element::I8 => 1,
-            Element::U16 | Element::I16 => 2,
-            Element::U32 | Element::I32 | Element::F32 => 4,
-            Element::U64 | Element::I64 | Element::F64 => 8,
-        }
-    }
-
-    /// The value of one voxel; `b` has the bytes in little-endian order, padded with zeros. 64-bit integers are rounded,
-    /// but labels are small enough to be exact.
-    fn value(self, b: [u8; 8]) -> f64 {
-        let low = u32::from_le_bytes([b[0], b[1], b[2], b[3]]);
-        match self {
-            Element::U8 => f64::from(b[0]),
-            Element::I8 => f64::from(b[0] as i8),
-            Element::U16 => f64::from(low as u16),
-            Element::I16 => f64::from(low as u16 as i16),
-            Element::U32 => f64::from(low),
-            Element::I32 => f64::from(low as i32),
-            Element::F32 => f64::from(f32::from_bits(low)),
-            Element::U64 => u64::from_le_bytes(b) as f64,
-            Element::I64 => i64::from_le_bytes(b) as f64,
-            Element::F64 => f64::from_le_bytes(b),
-        }
-    }
+/// The type of a voxel that a code of the header names.
+fn element_of_code(code: i16) -> Option<Element> {
+    Some(match code {
+        2 => Element::U8,
+        4 => Element::I16,
+        8 => Element::I32,
+        16 => Element::F32,
+        64 => Element::F64,
+        256 => Element::I8,
+        512 => Element::U16,
+        768 => Element::U32,
+        1024 => Element::I64,
+        1280 => Element::U64,
+        _ => return None,
+    })
 }
 
 impl Header {
     fn parse(head: &[u8]) -> Result<Self, FormatError> {
+        let available = head.len() as u64;
         if head.len() < 348 {
-            let available = head.len() as u64;
             return Err(FormatError::Truncated { part: "the NIfTI header", needed: 348, available });
         }
-        let f = Fields { bytes: head, big_endian: i32::from_le_bytes([head[0], head[1], head[2], head[3]]) != 348 };
-        match (f.i32(0), &head[344..347]) {
-            (348, b"n+1") => {}
-            (348, b"ni1") => {
-                let advice = "save the volume as one .nii or .nii.gz file";
-                return Err(FormatError::Unsupported {
-                    what: "a NIfTI header without its voxels (.hdr and .img)",
-                    advice,
-                });
+        let size = i32::from_le_bytes([head[0], head[1], head[2], head[3]]);
+        let big_endian = ![348, 540].contains(&size);
+        let f = Fields { bytes: head, big_endian, second: size == 540 || size.swap_bytes() == 540 };
+        let unsupported = |what, advice| Err(FormatError::Unsupported { what, advice });
+        let one_file = "save the volume as one .nii or .nii.gz file";
+        match (f.i32(0), &head[344..347], &head[4..7]) {
+            (348, b"n+1", _) | (540, _, b"n+2") => {}
+            (348, b"ni1", _) | (540, _, b"ni2") => {
+                return unsupported("a NIfTI header without its voxels (.hdr and .img)", one_file);
             }
-            (540, _) => {
-                return Err(FormatError::Unsupported { what: "NIfTI-2", advice: "save the volume as NIfTI-1" });
-            }
-            _ => {
-                let advice = "save the volume as NIfTI-1 (.nii or .nii.gz)";
-                return Err(FormatError::Unsupported { what: "this variant of ANALYZE or NIfTI", advice });
-            }
+            (348, ..) => return unsupported("ANALYZE 7.5", "it does not store which side is left; save as NIfTI"),
+            _ => return unsupported("this variant of NIfTI", "save the volume as NIfTI-1 (.nii or .nii.gz)"),
+        }
+        if f.second && available < 540 {
+            return Err(FormatError::Truncated { part: "the NIfTI-2 header", needed: 540, available });
+        }
+        if f.second && (3000..3100).contains(&f.i32(504)) {
+            let advice = "it holds values for grayordinates and no surface; send the GIFTI surface (.surf.gii) or the label \
+                          volume to which it belongs";
+            return unsupported("CIFTI", advice);
         }
         let dims = f.dims()?;
-        let code = f.i16(70);
-        let element = Element::from_code(code).ok_or_else(|| FormatError::Header {
+        let code = f.i16(if f.second { 12 } else { 70 });
+        let element = element_of_code(code).ok_or_else(|| FormatError::Header {
             field: "data type code",
             value: code.to_string(),
             advice: "save the labels as integers or real numbers",
         })?;
-        let offset = f.f32(108);
-        if offset.is_nan() || !(offset == 0.0 || (348.0..=1e9).contains(&offset)) || offset.fract() != 0.0 {
-            let advice = "it must be an integer of at least 348, as a rule 352; write the file again";
+        let (least, offset) = if f.second { (540.0, f.i64(168) as f64) } else { (348.0, f.f32(108)) };
+        if offset.is_nan() || !(offset == 0.0 || (least..=1e9).contains(&offset)) || offset.fract() != 0.0 {
+            let advice = "it must be a whole number not less than the header's length, as a rule 352 (NIfTI-1) or 544 \
+                          (NIfTI-2); write the file again";
             return Err(FormatError::Header { field: "voxel offset", value: offset.to_string(), advice });
         }
-        let offset = if offset == 0.0 { HEADER_BYTES as u64 } else { offset as u64 };
-        let (slope, intercept) = (f.f32(112), f.f32(116));
+        let default = if f.second { HEADER_BYTES } else { HEADER_1_BYTES };
+        let offset = if offset == 0.0 { default as u64 } else { offset as u64 };
+        let (slope, intercept) = if f.second { (f.f64(176), f.f64(184)) } else { (f.f32(112), f.f32(116)) };
         // A slope of 0 means that values are not scaled.
         let scaled = slope != 0.0 && slope.is_finite() && intercept.is_finite();
         let (slope, intercept) = if scaled { (slope, intercept) } else { (1.0, 0.0) };
-        Ok(Header { dims, element, big_endian: f.big_endian, offset, slope, intercept, affine: f.affine()? })
-    }
-
-    fn n_voxels(&self) -> u64 {
-        self.dims.iter().map(|&d| d as u64).product()
-    }
-
-    fn labels(&self, voxels: &[u8]) -> Result<Vec<u32>, FormatError> {
-        let size = self.element.size();
-        let mut labels = Vec::with_capacity(voxels.len() / size);
-        let mut previous: Option<(&[u8], u32)> = None;
-        for raw in voxels.chunks_exact(size) {
-            let label = match previous {
-                // Neighbouring voxels mostly have the same label.
-                Some((same, label)) if same == raw => label,
-                _ => self.label(raw, labels.len())?,
-            };
-            previous = Some((raw, label));
-            labels.push(label);
-        }
-        Ok(labels)
-    }
-
-    fn label(&self, raw: &[u8], at: usize) -> Result<u32, FormatError> {
-        let mut b = [0; 8];
-        b[..raw.len()].copy_from_slice(raw);
-        if self.big_endian {
-            b[..raw.len()].reverse();
-        }
-        let value = self.element.value(b) * self.slope + self.intercept;
-        let whole = value.round();
-        if (value - whole).abs() <= LABEL_TOLERANCE && (0.0..=f64::from(u32::MAX)).contains(&whole) {
-            return Ok(whole as u32);
-        }
-        let [nx, ny, _] = self.dims;
-        Err(FormatError::NotALabel { voxel: [at % nx, at / nx % ny, at / (nx * ny)], value })
+        let order = if big_endian { ByteOrder::Big } else { ByteOrder::Little };
+        Ok(Header { voxels: Voxels { dims, element, order, slope, intercept }, offset, affine: f.affine()? })
     }
 }
 
@@ -209,6 +131,8 @@ impl Header {
 struct Fields<'a> {
     bytes: &'a [u8],
     big_endian: bool,
+    /// Whether this is version 2, which has the fields at other offsets and in double precision.
+    second: bool,
 }
 
 impl Fields<'_> {
@@ -228,12 +152,26 @@ impl Fields<'_> {
         i32::from_le_bytes(self.array(at))
     }
 
+    fn i64(&self, at: usize) -> i64 {
+        i64::from_le_bytes(self.array(at))
+    }
+
     fn f32(&self, at: usize) -> f64 {
         f64::from(f32::from_le_bytes(self.array(at)))
     }
 
+    fn f64(&self, at: usize) -> f64 {
+        f64::from_le_bytes(self.array(at))
+    }
+
+    /// Entry `k` of an array of real numbers that begins at `first` in version 1 and at `second` in version 2.
+    fn real(&self, first: usize, second: usize, k: usize) -> f64 {
+        if self.second { self.f64(second + 8 * k) } else { self.f32(first + 4 * k) }
+    }
+
     fn dims(&self) -> Result<[usize; 3], FormatError> {
-        let dim: [i16; 8] = std::array::from_fn(|k| self.i16(40 + 2 * k));
+        let dim: [i64; 8] =
+            std::array::from_fn(|k| if self.second { self.i64(16 + 8 * k) } else { self.i16(40 + 2 * k).into() });
         let fault =
             |advice| Err(FormatError::Header { field: "list of dimensions", value: format!("{dim:?}"), advice });
         if !(1..=7).contains(&dim[0]) {
@@ -250,17 +188,20 @@ impl Fields<'_> {
     }
 
     fn affine(&self) -> Result<Matrix4<f64>, FormatError> {
-        let mut affine = if self.i16(254) > 0 {
-            let row = |r: usize| [0, 1, 2, 3].map(|c| self.f32(280 + 16 * r + 4 * c));
+        let (qform, sform) =
+            if self.second { (self.i32(344), self.i32(348)) } else { (self.i16(252).into(), self.i16(254).into()) };
+        let mut affine = if sform > 0 {
+            let row = |r: usize| [0, 1, 2, 3].map(|c| self.real(280, 400, 4 * r + c));
             let rows = [row(0), row(1), row(2), [0.0, 0.0, 0.0, 1.0]];
             Matrix4::from_fn(|r, c| rows[r][c])
-        } else if self.i16(252) > 0 {
+        } else if qform > 0 {
             self.qform()
         } else {
             Matrix4::from_diagonal(&self.spacing().push(1.0))
         };
         // Bits 0 to 2: 1 metre, 2 millimetre, 3 micrometre; 0 is unknown, in practice millimetre.
-        let to_mm = match self.bytes[123] & 7 {
+        let units = if self.second { self.i32(500) as u8 } else { self.bytes[123] };
+        let to_mm = match units & 7 {
             1 => 1000.0,
             3 => 0.001,
             _ => 1.0,
@@ -270,18 +211,19 @@ impl Fields<'_> {
     }
 
     fn spacing(&self) -> nalgebra::Vector3<f64> {
-        nalgebra::Vector3::from_fn(|k, _| self.f32(80 + 4 * k).abs())
+        nalgebra::Vector3::from_fn(|k, _| self.real(76, 104, k + 1).abs())
     }
 
     fn qform(&self) -> Matrix4<f64> {
-        let [b, c, d] = [256, 260, 264].map(|at| self.f32(at));
+        let [b, c, d] = [0, 1, 2].map(|k| self.real(256, 352, k));
         // The file holds only the vector part of a unit quaternion with scalar part a ≥ 0.
         let a = (1.0 - b * b - c * c - d * d).max(0.0).sqrt();
         let rotation = UnitQuaternion::from_quaternion(Quaternion::new(a, b, c, d)).to_homogeneous();
-        let handedness = if self.f32(76) < 0.0 { -1.0 } else { 1.0 };
+        let handedness = if self.real(76, 104, 0) < 0.0 { -1.0 } else { 1.0 };
         let s = self.spacing();
         let mut affine = rotation * Matrix4::from_diagonal(&Vector4::new(s.x, s.y, s.z * handedness, 1.0));
-        affine.set_column(3, &Vector4::new(self.f32(268), self.f32(272), self.f32(276), 1.0));
+        let offset = [0, 1, 2].map(|k| self.real(268, 376, k));
+        affine.set_column(3, &Vector4::new(offset[0], offset[1], offset[2], 1.0));
         affine
     }
 }
@@ -295,7 +237,7 @@ pub fn write_nifti(volume: &LabelVolume) -> Vec<u8> {
         0x100..=0xffff => (512, 2),
         _ => (768, 4),
     };
-    let mut file = vec![0; HEADER_BYTES];
+    let mut file = vec![0; HEADER_1_BYTES];
     let mut put = |at: usize, bytes: &[u8]| file[at..at + bytes.len()].copy_from_slice(bytes);
     put(0, &348i32.to_le_bytes());
     let [nx, ny, nz] = volume.dims().map(|d| d as i16);
@@ -308,7 +250,7 @@ pub fn write_nifti(volume: &LabelVolume) -> Vec<u8> {
     for (k, s) in [1.0, sx, sy, sz].into_iter().enumerate() {
         put(76 + 4 * k, &(s as f32).to_le_bytes());
     }
-    put(108, &(HEADER_BYTES as f32).to_le_bytes());
+    put(108, &(HEADER_1_BYTES as f32).to_le_bytes());
     put(112, &1f32.to_le_bytes());
     put(123, &[2]); // millimetres
     put(254, &1i16.to_le_bytes()); // sform: scanner coordinates

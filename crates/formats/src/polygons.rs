@@ -15,6 +15,8 @@ pub struct MeshFile {
     pub n_degenerate: usize,
     /// Whether the vertices were welded on reading, because the format has no shared vertices.
     pub welded: bool,
+    /// What was done to the coordinates, or has to be known about them: a sentence each, without text of the file.
+    pub notes: Vec<String>,
 }
 
 /// Vertices and polygons of any number of corners.
@@ -26,6 +28,11 @@ pub(super) struct Polygons {
 }
 
 impl Polygons {
+    /// No polygons over these vertices.
+    pub(super) fn of(vertices: Vec<Point3<f64>>) -> Self {
+        Polygons { vertices, ..Polygons::default() }
+    }
+
     /// Rejects more vertices than the limit allows, before they are read.
     pub(super) fn check_count(found: u64, limits: &ReadLimits) -> Result<(), FormatError> {
         let limit = limits.max_vertices as u64;
@@ -89,8 +96,15 @@ impl Polygons {
             }
         }
         let mesh = SurfaceMesh::new(self.vertices, arity, indices)?;
-        Ok(MeshFile { mesh, first_degenerate, n_degenerate, welded: false })
+        Ok(MeshFile { mesh, first_degenerate, n_degenerate, welded: false, notes: Vec::new() })
     }
+}
+
+/// The triangles of a strip. Every second one has the opposite orientation; degenerate ones only join strips.
+pub(super) fn strip_triangles(strip: &[i64]) -> impl Iterator<Item = [i64; 3]> {
+    let triangles = strip.windows(3).enumerate();
+    let triangles = triangles.map(|(k, t)| if k % 2 == 0 { [t[0], t[1], t[2]] } else { [t[1], t[0], t[2]] });
+    triangles.filter(|t| t[0] != t[1] && t[1] != t[2] && t[2] != t[0])
 }
 
 /// A vertex that occurs twice among the corners. Large polygons are sorted, so that a malicious one costs little.

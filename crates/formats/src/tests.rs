@@ -34,14 +34,14 @@ fn volume() -> LabelVolume {
 }
 
 fn mesh_of(bytes: &[u8]) -> Result<SurfaceMesh, FormatError> {
-    match read(bytes, None, &limits())?.1 {
+    match read(bytes, None, &limits())?.content {
         FileContent::Mesh(file) => Ok(file.mesh),
         FileContent::Labels(_) => panic!("a mesh is expected"),
     }
 }
 
 fn labels_of(bytes: &[u8]) -> Result<LabelVolume, FormatError> {
-    match read(bytes, None, &limits())?.1 {
+    match read(bytes, None, &limits())?.content {
         FileContent::Labels(volume) => Ok(volume),
         FileContent::Mesh(_) => panic!("a volume is expected"),
     }
@@ -259,8 +259,9 @@ fn the_file_name_decides_only_where_the_content_does_not() {
     assert_eq!(read(b"hello", None, &limits()), Err(FormatError::UnknownFormat));
     assert_eq!(read(b"hello", Some("x.txt"), &limits()), Err(FormatError::UnknownFormat));
     assert!(matches!(read(b"hello", Some("x.NII.gz"), &limits()), Err(FormatError::Truncated { .. })));
-    let format = read(&write_ply(&tetrahedron()), Some("x.stl"), &limits()).unwrap().0;
-    assert_eq!(format, InputFormat::Ply);
+    let misnamed = read(&write_ply(&tetrahedron()), Some("x.stl"), &limits()).unwrap();
+    assert_eq!(misnamed.format, InputFormat::Ply);
+    assert_eq!(misnamed.notes.len(), 1, "{:?}", misnamed.notes);
 }
 
 fn samples() -> Vec<(&'static str, Vec<u8>)> {

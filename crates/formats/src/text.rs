@@ -25,6 +25,16 @@ impl<'a> Scanner<'a> {
         FormatError::Syntax { line: self.line, expected }
     }
 
+    /// An error in the line that was just read.
+    pub(super) fn expected_before(&self, expected: &'static str) -> FormatError {
+        FormatError::Syntax { line: self.line.saturating_sub(1).max(1), expected }
+    }
+
+    /// The rest of this line, without consuming it; empty at the end of the file.
+    pub(super) fn peek_line(&self) -> &'a [u8] {
+        self.clone().line().unwrap_or_default()
+    }
+
     /// The rest of this line without its end; `None` at the end of the file.
     pub(super) fn line(&mut self) -> Option<&'a [u8]> {
         let rest = self.bytes.get(self.at..).filter(|r| !r.is_empty())?;

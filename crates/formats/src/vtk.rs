@@ -4,7 +4,8 @@
 //! face with its count, or since 5.1 `OFFSETS` and `CONNECTIVITY`) and `TRIANGLE_STRIPS`; vertices, lines, fields
 //! and metadata are skipped; reading ends at `POINT_DATA` or `CELL_DATA`.
 
-use super::polygons::{MeshFile, Polygons};
+use super::element::{ByteOrder, Element};
+use super::polygons::{MeshFile, Polygons, strip_triangles};
 use super::text::Scanner;
 use super::vertex_arrays::{VertexArray, VertexValues, fitting};
 use super::{FormatError, ReadLimits};
@@ -60,46 +61,21 @@ enum Cells {
     Skipped,
 }
 
-/// Type of the numbers of an array.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Element {
-    I8,
-    U8,
-    I16,
-    U16,
-    I32,
-    U32,
-    I64,
-    U64,
-    F32,
-    F64,
-}
-
-impl Element {
-    fn from_name(name: &[u8]) -> Option<Self> {
-        Some(match name.to_ascii_lowercase().as_slice() {
-            b"char" | b"vtktypeint8" => Element::I8,
-            b"unsigned_char" | b"vtktypeuint8" => Element::U8,
-            b"short" | b"vtktypeint16" => Element::I16,
-            b"unsigned_short" | b"vtktypeuint16" => Element::U16,
-            b"int" | b"vtkidtype" | b"vtktypeint32" => Element::I32,
-            b"unsigned_int" | b"vtktypeuint32" => Element::U32,
-            b"long" | b"vtktypeint64" => Element::I64,
-            b"unsigned_long" | b"vtktypeuint64" => Element::U64,
-            b"float" => Element::F32,
-            b"double" => Element::F64,
-            _ => return None,
-        })
-    }
-
-    fn size(self) -> usize {
-        match self {
-            Element::I8 | Element::U8 => 1,
-            Element::I16 | Element::U16 => 2,
-            Element::I32 | Element::U32 | Element::F32 => 4,
-            Element::I64 | Element::U64 | Element::F64 => 8,
-        }
-    }
+/// The type of numbers that a name of the file means.
+fn element_of_name(name: &[u8]) -> Option<Element> {
+    Some(match name.to_ascii_lowercase().as_slice() {
+        b"char" | b"signed_char" | b"vtktypeint8" => Element::I8,
+        b"unsigned_char" | b"vtktypeuint8" => Element::U8,
+        b"short" | b"vtktypeint16" => Element::I16,
+        b"unsigned_short" | b"vtktypeuint16" => Element::U16,
+        b"int" | b"vtkidtype" | b"vtktypeint32" => Element::I32,
+        b"unsigned_int" | b"vtktypeuint32" => Element::U32,
+        b"long" | b"vtktypeint64" => Element::I64,
+        b"unsigned_long" | b"vtktypeuint64" => Element::U64,
+        b"float" | b"vtktypefloat32" => Element::F32,
+        b"double" | b"vtktypefloat64" => Element::F64,
+        _ => return None,
+    })
 }
 
 struct VtkReader<'a> {
@@ -112,7 +88,7 @@ struct VtkReader<'a> {
 impl VtkReader<'_> {
     fn element(&mut self) -> Result<Element, FormatError> {
         let name = self.scanner.word().unwrap_or_default();
-        Element::from_name(name).ok_or_else(|| self.scanner.expected("a number type such as float or int"))
+        element_of_name(name).ok_or_else(|| self.scanner.expected("a number type such as float or int"))
     }
 
     /// Rejects a count of numbers for which the rest of the file is too short.
@@ -146,11 +122,7 @@ impl VtkReader<'_> {
         }
         self.end_line();
         let raw = self.scanner.take(n, element.size(), "the list of points")?;
-        match element {
-            Element::F32 => Ok(numbers(raw, |b| f64::from(f32::from_be_bytes(b)))),
-            Element::F64 => Ok(numbers(raw, f64::from_be_bytes)),
-            _ => Ok(integers(raw, element).into_iter().map(|v| v as f64).collect()),
-        }
+        Ok(element.reals(raw, ByteOrder::Big))
     }
 
     fn whole(&mut self, n: u64, element: Element) -> Result<Vec<i64>, FormatError> {
@@ -160,7 +132,7 @@ impl VtkReader<'_> {
         }
         self.end_line();
         let raw = self.scanner.take(n, element.size(), "a list of cells")?;
-        Ok(integers(raw, element))
+        Ok(element.wholes(raw, ByteOrder::Big))
     }
 
     fn cells(&mut self, kind: Cells) -> Result<(), FormatError> {
@@ -209,12 +181,7 @@ impl VtkReader<'_> {
         match kind {
             Cells::Skipped => Ok(()),
             Cells::Polygons => self.polygons.push(cell.iter().copied()),
-            Cells::Strips => cell.windows(3).enumerate().try_for_each(|(k, t)| {
-                // Every second triangle of a strip has the opposite orientation; degenerate ones only join strips.
-                let t = if k % 2 == 0 { [t[0], t[1], t[2]] } else { [t[1], t[0], t[2]] };
-                let empty = t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
-                if empty { Ok(()) } else { self.polygons.push(t) }
-            }),
+            Cells::Strips => strip_triangles(cell).try_for_each(|triangle| self.polygons.push(triangle)),
         }
     }
 
@@ -245,26 +212,6 @@ impl VtkReader<'_> {
             }
         }
         Ok(())
-    }
-}
-
-fn numbers<const N: usize, T>(raw: &[u8], value: impl Fn([u8; N]) -> T) -> Vec<T> {
-    raw.as_chunks::<N>().0.iter().map(|&b| value(b)).collect()
-}
-
-/// As integers; reals are truncated, and indices beyond `i64` become the largest, which is out of range in any mesh.
-fn integers(raw: &[u8], element: Element) -> Vec<i64> {
-    match element {
-        Element::I8 => numbers(raw, |b| i8::from_be_bytes(b).into()),
-        Element::U8 => numbers(raw, |b| u8::from_be_bytes(b).into()),
-        Element::I16 => numbers(raw, |b| i16::from_be_bytes(b).into()),
-        Element::U16 => numbers(raw, |b| u16::from_be_bytes(b).into()),
-        Element::I32 => numbers(raw, |b| i32::from_be_bytes(b).into()),
-        Element::U32 => numbers(raw, |b| u32::from_be_bytes(b).into()),
-        Element::I64 => numbers(raw, i64::from_be_bytes),
-        Element::U64 => numbers(raw, |b| i64::try_from(u64::from_be_bytes(b)).unwrap_or(i64::MAX)),
-        Element::F32 => numbers(raw, |b| f32::from_be_bytes(b) as i64),
-        Element::F64 => numbers(raw, |b| f64::from_be_bytes(b) as i64),
     }
 }
 

@@ -12,7 +12,7 @@ use homolog_mesh::topology::{TopologyReport, topology_report};
 use homolog_mesh::volume::{LabelVolume, voxel_surface};
 
 fn read_bytes(bytes: &[u8]) -> Result<(InputFormat, FileContent), FormatError> {
-    read(bytes, None, &ReadLimits::default())
+    read(bytes, None, &ReadLimits::default()).map(|file| (file.format, file.content))
 }
 
 fn mesh(name: &str, bytes: &[u8]) -> (InputFormat, MeshFile, TopologyReport) {

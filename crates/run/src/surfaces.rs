@@ -100,9 +100,8 @@ enum Progress<'a> {
 }
 
 impl<'a> Request<'a> {
-    fn new(file: InputFile<'a>, parameters: &MatchParameters, limits: &IntakeLimits) -> Self {
+    fn new(file: InputFile<'a>, input: &InputParameters, coarse: Option<u32>, limits: &IntakeLimits) -> Self {
         let hash = content_hash(file.bytes);
-        let (input, coarse) = (&parameters.input, parameters.inference.coarse_vertices);
         // `Debug` prints every field, including those added later, and prints different numbers differently.
         let key = Key(format!("{hash} {:?} {input:?} {coarse:?} {limits:?}", file.name));
         Request { file, hash, key }
@@ -186,17 +185,23 @@ impl SurfaceCache {
         observer: &dyn Observer,
     ) -> Result<[Arc<ReadySurface>; 2], RunError> {
         observer.phase(Phase::Reading);
-        let (source, target) = self.claims(files.map(|file| Request::new(file, parameters, limits)));
+        let coarse = parameters.inference.coarse_vertices;
+        // Each input has its own labels; equal files with equal parameters are prepared once.
+        let inputs = [parameters.input.of_source(), parameters.input.of_target()];
+        let [source, target] = files;
+        let (source, target) = self.claims([
+            Request::new(source, &inputs[0], coarse, limits),
+            Request::new(target, &inputs[1], coarse, limits),
+        ]);
         let (source, target) = rayon::join(
-            || source.read(&parameters.input, limits),
-            || target.map(|target| target.read(&parameters.input, limits)).transpose(),
+            || source.read(&inputs[0], limits),
+            || target.map(|target| target.read(&inputs[1], limits)).transpose(),
         );
         let source = source.map_err(|error| RunError::Input { side: Side::Source, error })?;
         let target = target.map_err(|error| RunError::Input { side: Side::Target, error })?;
         let (mesh, labels) = (source.mesh(), target.as_ref().unwrap_or(&source).mesh().n_vertices());
         check_size((mesh.n_vertices(), mesh.n_faces()), labels, parameters, limits)?;
         observer.phase(Phase::Features);
-        let coarse = parameters.inference.coarse_vertices;
         let (source, target) = rayon::join(|| source.ready(coarse), || target.map(|target| target.ready(coarse)));
         metrics::gauge!("homolog_prepared_surfaces_bytes").set(self.bytes() as f64);
         let target = target.unwrap_or_else(|| Arc::clone(&source));

@@ -6,8 +6,16 @@
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 #[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
 pub struct InputParameters {
-    /// Labels of a volume that belong to the structure; `null`: every label except 0. Ignored for meshes.
-    pub labels: Option<Vec<u32>>,
+    /// Labels of a volume that belong to the structure, by number, or by name for formats that have names; `null`: every
+    /// label except 0. A single one may stand without brackets. Ignored for meshes.
+    #[cfg_attr(feature = "serde", serde(default, deserialize_with = "one_or_many::deserialize"))]
+    pub labels: Option<Vec<LabelChoice>>,
+    /// What holds for the source alone.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub source: SideParameters,
+    /// What holds for the target alone.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub target: SideParameters,
     /// Kind of surface that is made from a label volume.
     pub surface: SurfaceKind,
     /// Standard deviation of the Gaussian filter that is applied before the smooth surface is extracted, mm; `null`: 0.7
@@ -15,9 +23,73 @@ pub struct InputParameters {
     #[cfg_attr(feature = "openapi", schema(minimum = 0, maximum = 1000))]
     pub smoothing_mm: Option<f64>,
     /// Repairs that are allowed; `null`: `largest_component` and `fill` for label volumes, `weld` and `orient` for meshes.
+    /// A single one may stand without brackets.
+    #[cfg_attr(feature = "serde", serde(default, deserialize_with = "one_or_many::deserialize"))]
     pub repair: Option<Vec<Repair>>,
     /// Whether a mesh may have a boundary, as a part of a structure has.
     pub allow_boundary: bool,
+}
+
+/// Parameters of one of the two inputs.
+#[derive(Debug, Clone, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
+pub struct SideParameters {
+    /// Labels of this volume that belong to the structure, as in `input.labels`; `null`: those of `input.labels`.
+    #[cfg_attr(feature = "serde", serde(default, deserialize_with = "one_or_many::deserialize"))]
+    pub labels: Option<Vec<LabelChoice>>,
+}
+
+/// A label of a volume.
+#[derive(Debug, Clone, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[cfg_attr(feature = "serde", serde(untagged, expecting = "a label is a whole number from 1 on, or a name"))]
+pub enum LabelChoice {
+    /// Its number.
+    Number(u32),
+    /// Its name in the file, in upper or lower case: of a segment of DICOM SEG or of a `.seg.nrrd` of 3D Slicer.
+    Name(String),
+}
+
+impl InputParameters {
+    /// The parameters of the source: its own labels, if it has any, in place of those of both.
+    pub fn of_source(&self) -> Self {
+        self.of_side(&self.source)
+    }
+
+    /// The parameters of the target.
+    pub fn of_target(&self) -> Self {
+        self.of_side(&self.target)
+    }
+
+    fn of_side(&self, side: &SideParameters) -> Self {
+        let labels = side.labels.clone().or_else(|| self.labels.clone());
+        let (source, target) = (SideParameters::default(), SideParameters::default());
+        InputParameters { labels, source, target, ..self.clone() }
+    }
+}
+
+/// A list of which a single entry may stand alone.
+#[cfg(feature = "serde")]
+mod one_or_many {
+    use serde::{Deserialize, Deserializer};
+
+    pub(super) fn deserialize<'de, D, T>(deserializer: D) -> Result<Option<Vec<T>>, D::Error>
+    where
+        D: Deserializer<'de>,
+        T: serde::de::DeserializeOwned,
+    {
+        let value = serde_json::Value::deserialize(deserializer)?;
+        let list = match value {
+            serde_json::Value::Null => return Ok(None),
+            serde_json::Value::Array(list) => list,
+            one => vec![one],
+        };
+        let entries: Result<Vec<T>, _> = list.into_iter().map(serde_json::from_value).collect();
+        entries.map(Some).map_err(serde::de::Error::custom)
+    }
 }
 
 /// Kind of surface that is made from a label volume.

@@ -22,9 +22,10 @@ pub use inference::{
     Algorithm, AnnealingParameters, ClampingMode, ClampingParameters, CoolingSchedule, InferenceParameters,
     MessageSchedule, Update,
 };
-pub use input::{InputParameters, Repair, SurfaceKind};
+pub use input::{InputParameters, LabelChoice, Repair, SideParameters, SurfaceKind};
 pub use landmarks::Landmark;
 pub use presets::{Method, preset};
+#[cfg(feature = "serde")]
 pub use ranges::{BOUNDS, Bounds, LENGTHS, Lengths};
 pub use registration::{InitialPose, MinimalEstimator, OrientationSolver, Refinement, RegistrationParameters};
 #[cfg(feature = "serde")]

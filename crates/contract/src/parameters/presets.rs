@@ -5,7 +5,7 @@ use super::{
     Algorithm, Anatomy, AnnealingParameters, ClampingMode, ClampingParameters, CoolingSchedule, CurvatureEstimator,
     DisplacementMode, DisplacementParameters, EnergyParameters, FeatureKind, FeatureParameters, InferenceParameters,
     InitialPose, InputParameters, MatchParameters, MessageSchedule, MinimalEstimator, OrientationSolver,
-    PairwiseDistance, Refinement, RegistrationParameters, SurfaceKind, Update,
+    PairwiseDistance, Refinement, RegistrationParameters, SideParameters, SurfaceKind, Update,
 };
 
 /// A named preset.
@@ -165,6 +165,8 @@ fn balanced() -> MatchParameters {
         method: Method::Balanced,
         input: InputParameters {
             labels: None,
+            source: SideParameters::default(),
+            target: SideParameters::default(),
             surface: SurfaceKind::Smooth,
             smoothing_mm: None,
             repair: None,

@@ -2,7 +2,10 @@
 //! parameters. The check of a request and the tests of the extremes read these tables, and so can descriptions
 //! of the parameters.
 
-use super::{Algorithm, Anatomy, ClampingMode, InitialPose, MatchParameters, MessageSchedule, ParameterError, Update};
+use super::{
+    Algorithm, Anatomy, ClampingMode, InitialPose, LabelChoice, MatchParameters, MessageSchedule, ParameterError,
+    Update,
+};
 
 /// Where a value stands inside the lists that its name passes through, and the value; `None` stands for `null`.
 type Visit<'v> = &'v mut dyn FnMut(&[usize], Option<f64>);
@@ -291,13 +294,20 @@ impl MatchParameters {
 
     /// Constraints that are not bounds of a single number.
     fn check_rules(&self, check: &mut dyn FnMut(bool, &str, &str)) {
-        let labels = self.input.labels.as_deref();
-        check(labels.is_none_or(|l| !l.is_empty()), "/input/labels", "name at least one label, or null");
-        check(
-            labels.is_none_or(|l| !l.contains(&0)),
-            "/input/labels",
-            "label 0 is the background; name labels from 1 on",
-        );
+        let input = &self.input;
+        for (labels, pointer) in [
+            (&input.labels, "/input/labels"),
+            (&input.source.labels, "/input/source/labels"),
+            (&input.target.labels, "/input/target/labels"),
+        ] {
+            let labels = labels.as_deref();
+            check(labels.is_none_or(|l| !l.is_empty()), pointer, "name at least one label, or null");
+            check(
+                labels.is_none_or(|l| !l.contains(&LabelChoice::Number(0))),
+                pointer,
+                "label 0 is the background; name labels from 1 on",
+            );
+        }
         check(
             self.displacement.anatomy == Anatomy::Any,
             "/displacement/anatomy",

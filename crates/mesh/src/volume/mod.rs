@@ -24,6 +24,8 @@ pub struct LabelVolume {
     dims: [usize; 3],
     labels: Vec<u32>,
     affine: Matrix4<f64>,
+    /// The labels that a value stands for, where structures overlap.
+    overlaps: BTreeMap<u32, Vec<u32>>,
 }
 
 /// Why labels and an affine do not form a volume.
@@ -62,7 +64,12 @@ impl LabelVolume {
             return Err(VolumeError::WrongSize { dims, n_labels: labels.len() });
         }
         check_affine(&affine)?;
-        Ok(LabelVolume { dims, labels, affine })
+        Ok(LabelVolume { dims, labels, affine, overlaps: BTreeMap::new() })
+    }
+
+    /// The same with values that stand for several labels each: voxels in which structures overlap.
+    pub fn with_overlaps(self, overlaps: BTreeMap<u32, Vec<u32>>) -> Self {
+        LabelVolume { overlaps, ..self }
     }
 
     /// Voxels along each axis.
@@ -70,7 +77,7 @@ impl LabelVolume {
         self.dims
     }
 
-    /// The labels, first index fastest.
+    /// The labels, first index fastest. Where structures overlap, a value stands for their set.
     pub fn labels(&self) -> &[u32] {
         &self.labels
     }
@@ -85,12 +92,15 @@ impl LabelVolume {
         spacing_mm(&self.affine)
     }
 
-    /// Every label but 0 that occurs, ascending, with its number of voxels. Cost `O(voxels)`.
+    /// Every label but 0 that occurs, ascending, with its number of voxels; voxels of several labels count for each. Cost `O(voxels)`.
     pub fn label_counts(&self) -> BTreeMap<u32, u64> {
         let mut counts = BTreeMap::new();
         // Labels occur in runs, so the map is accessed once per run.
         for run in self.labels.chunk_by(|a, b| a == b).filter(|run| run[0] != 0) {
-            *counts.entry(run[0]).or_default() += run.len() as u64;
+            let labels = self.overlaps.get(&run[0]).map_or(&run[..1], Vec::as_slice);
+            for &label in labels {
+                *counts.entry(label).or_default() += run.len() as u64;
+            }
         }
         counts
     }
@@ -100,7 +110,10 @@ impl LabelVolume {
     pub fn mask(&self, labels: Option<&[u32]>) -> Option<VoxelMask> {
         let wanted = |label: u32| match labels {
             None => label != 0,
-            Some(list) => list.contains(&label),
+            Some(list) => match self.overlaps.get(&label) {
+                Some(set) => set.iter().any(|label| list.contains(label)),
+                None => list.contains(&label),
+            },
         };
         let [nx, ny, _] = self.dims;
         let mut low = [usize::MAX; 3];

@@ -1,14 +1,15 @@
 //! The surface made from an input, before it is accepted or refused.
 
 use super::{Advice, IntakeError, IntakeLimits, RepairNote, counted};
-use homolog_contract::parameters::{InputParameters, Repair, SurfaceKind};
-use homolog_formats::{FileContent, MeshFile};
+use homolog_contract::parameters::{InputParameters, LabelChoice, Repair, SurfaceKind};
+use homolog_formats::{FileContent, MeshFile, ReadFile};
 use homolog_mesh::orientation::oriented;
 use homolog_mesh::repair::RepairedMesh;
 use homolog_mesh::topology::{Demand, SurfaceFault, TopologyReport, analyze_with, topology_report};
 use homolog_mesh::volume::smooth_surface::FieldRepair;
 use homolog_mesh::volume::{self, BettiNumbers, Contacts, FillChange, LabelVolume, VoxelMask};
 use homolog_mesh::{MeshError, Numbering, SurfaceMesh, repair};
+use std::collections::BTreeMap;
 
 /// Most voxels of the box around a structure, 8 million: filling and smoothing work on the whole box.
 const MAX_BOX_VOXELS: u64 = 1 << 23;
@@ -36,13 +37,13 @@ pub(super) struct Candidate {
 }
 
 impl Candidate {
-    pub(super) fn from_content(
-        content: &FileContent,
+    pub(super) fn from_file(
+        file: &ReadFile,
         parameters: &InputParameters,
         limits: &IntakeLimits,
     ) -> Result<Self, IntakeError> {
-        let mut candidate = match content {
-            FileContent::Labels(volume) => from_labels(volume, parameters, limits)?,
+        let mut candidate = match &file.content {
+            FileContent::Labels(volume) => from_labels(volume, &file.label_names, parameters, limits)?,
             FileContent::Mesh(file) => from_mesh(file, parameters)?,
         };
         if let Some(SurfaceFault::InsideOut { .. }) = candidate.fault {
@@ -75,12 +76,12 @@ impl Candidate {
     /// The refusal, if this surface is unsuitable, with the smallest set of repairs that would make it suitable.
     pub(super) fn refusal(
         &self,
-        content: &FileContent,
+        file: &ReadFile,
         parameters: &InputParameters,
         limits: &IntakeLimits,
     ) -> Option<IntakeError> {
         let fault = self.fault.clone()?;
-        let sets: &[&[Repair]] = match content {
+        let sets: &[&[Repair]] = match file.content {
             FileContent::Labels(_) => {
                 &[&[Repair::Fill], &[Repair::LargestComponent], &[Repair::LargestComponent, Repair::Fill]]
             }
@@ -88,7 +89,7 @@ impl Candidate {
         };
         let helps = |set: &&&[Repair]| {
             let parameters = InputParameters { repair: Some(set.to_vec()), ..parameters.clone() };
-            Candidate::from_content(content, &parameters, limits).is_ok_and(|c| c.fault.is_none())
+            Candidate::from_file(file, &parameters, limits).is_ok_and(|c| c.fault.is_none())
         };
         let advice = sets.iter().find(helps).map_or(Advice::Edit, |set| Advice::Allow(set.to_vec()));
         Some(IntakeError::UnsuitableSurface { fault, advice, topology: Box::new(self.repaired.clone()) })
@@ -153,16 +154,19 @@ fn followed(current: &RepairedMesh, next: RepairedMesh) -> RepairedMesh {
 
 fn from_labels(
     volume: &LabelVolume,
+    names: &BTreeMap<u32, String>,
     parameters: &InputParameters,
     limits: &IntakeLimits,
 ) -> Result<Candidate, IntakeError> {
-    let Some(mask) = volume.mask(parameters.labels.as_deref()) else {
+    let requested = parameters.labels.as_deref().map(|labels| chosen(labels, names)).transpose()?;
+    let Some(mask) = volume.mask(requested.as_deref()) else {
         let labels: Vec<u32> = volume.label_counts().into_keys().collect();
         let n_present = labels.len();
         let present = labels.into_iter().take(MAX_NAMED_LABELS).collect();
-        return Err(IntakeError::EmptyStructure { requested: parameters.labels.clone(), present, n_present });
+        return Err(IntakeError::EmptyStructure { requested, present, n_present });
     };
-    check_size(&mask, limits, 2.0)?;
+    let of_all = requested.is_none() && volume.label_counts().len() > 1;
+    check_size(&mask, limits, 2.0, of_all)?;
     let both = [Repair::LargestComponent, Repair::Fill];
     let allowed = parameters.repair.as_deref().unwrap_or(&both);
     let (raw, _) = surface_of(&mask, parameters, FieldRepair::default())?;
@@ -181,7 +185,7 @@ fn from_labels(
             repaired = piece;
         }
     }
-    check_size(&repaired, limits, 1.25)?;
+    check_size(&repaired, limits, 1.25, of_all)?;
     let may_fill = allowed.contains(&Repair::Fill);
     let field_repair = FieldRepair { largest_component: one_piece, fill: may_fill };
     // Filling several pieces would join them.
@@ -207,6 +211,26 @@ fn from_labels(
     Ok(unnumbered(mesh, topology, repairs))
 }
 
+/// The numbers of the labels that a request chooses; a name chooses every label that has it.
+fn chosen(labels: &[LabelChoice], names: &BTreeMap<u32, String>) -> Result<Vec<u32>, IntakeError> {
+    let mut numbers = Vec::new();
+    for (place, label) in labels.iter().enumerate() {
+        match label {
+            LabelChoice::Number(number) => numbers.push(*number),
+            LabelChoice::Name(name) => {
+                let wanted = name.trim().to_lowercase();
+                let before = numbers.len();
+                let named = names.iter().filter(|(_, found)| found.trim().to_lowercase() == wanted);
+                numbers.extend(named.map(|(number, _)| *number));
+                if numbers.len() == before {
+                    return Err(IntakeError::UnknownLabelName { place, named: names.keys().copied().collect() });
+                }
+            }
+        }
+    }
+    Ok(numbers)
+}
+
 /// A surface made from a volume: the upload has no vertices, so answers count those of the surface.
 fn unnumbered(mesh: SurfaceMesh, topology: TopologyReport, repairs: Vec<RepairNote>) -> Candidate {
     let numbering = Numbering::identity(mesh.n_vertices());
@@ -216,16 +240,26 @@ fn unnumbered(mesh: SurfaceMesh, topology: TopologyReport, repairs: Vec<RepairNo
 /// Refuses structures whose box or surface would be too large, before any surface is made.
 ///
 /// A closed surface has about as many vertices as the structure has boundary faces. `slack` leaves room for what repairs
-/// and smoothing will remove; the vertices of the surface are counted exactly later.
-fn check_size(mask: &VoxelMask, limits: &IntakeLimits, slack: f64) -> Result<(), IntakeError> {
+/// and smoothing will remove; the vertices of the surface are counted exactly later. `of_all`: no labels were chosen among
+/// several, which is the likely reason.
+fn check_size(mask: &VoxelMask, limits: &IntakeLimits, slack: f64, of_all: bool) -> Result<(), IntakeError> {
     let found = mask.dims().iter().map(|&d| d as u64).product();
     if found > MAX_BOX_VOXELS {
-        let what = "voxels in the box around the structure";
+        let what = if of_all {
+            "voxels in the box around all its labels (input.labels chooses some)"
+        } else {
+            "voxels in the box around the structure"
+        };
         return Err(IntakeError::TooLarge { what, found, limit: MAX_BOX_VOXELS });
     }
     let (found, limit) = (mask.n_boundary_faces() as u64, (slack * limits.max_vertices as f64) as u64);
     if found > limit {
-        return Err(IntakeError::TooLarge { what: "boundary faces", found, limit });
+        let what = if of_all {
+            "boundary faces of all its labels together (input.labels chooses some)"
+        } else {
+            "boundary faces of the structure"
+        };
+        return Err(IntakeError::TooLarge { what, found, limit });
     }
     Ok(())
 }

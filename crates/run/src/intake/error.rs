@@ -9,7 +9,10 @@ use homolog_mesh::topology::{SurfaceFault, TopologyReport};
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum IntakeError {
     /// None of the formats that can be read.
-    #[error("the file format is not recognized; send NIfTI-1 (.nii or .nii.gz), PLY, STL or legacy VTK")]
+    #[error(
+        "the file format is not recognized; send a surface as GIFTI, PLY, STL, VTK, VTP, OBJ, OFF, MZ3 or FreeSurfer, or \
+         labels as NIfTI, MGZ, NRRD, MetaImage or DICOM SEG"
+    )]
     UnknownFormat,
     /// The format is recognized, but the content is wrong.
     #[error(transparent)]
@@ -33,6 +36,18 @@ pub enum IntakeError {
         present: Vec<u32>,
         /// How many labels other than 0 the volume has.
         n_present: usize,
+    },
+    /// No label of the volume has a requested name.
+    #[error(
+        "no label has the name that is entry {place} (from 0) of the requested labels; {}; homolog inspect and \
+         GET /v1/meshes/{{id}} list labels with their names, and numbers are taken too",
+        named_labels(named)
+    )]
+    UnknownLabelName {
+        /// Which of the requested labels, from 0.
+        place: usize,
+        /// The labels that have a name.
+        named: Vec<u32>,
     },
     /// Smoothing removes the whole structure.
     #[error(
@@ -97,6 +112,14 @@ impl std::fmt::Display for Advice {
     }
 }
 
+fn named_labels(named: &[u32]) -> String {
+    if named.is_empty() {
+        return "the file has no names of labels".to_owned();
+    }
+    let listed = &named[..named.len().min(super::candidate::MAX_NAMED_LABELS)];
+    format!("the file has names for the labels {listed:?}")
+}
+
 fn requested_labels(requested: Option<&[u32]>) -> String {
     match requested {
         None => "a label other than 0".to_owned(),
@@ -121,7 +144,9 @@ impl IntakeError {
             IntakeError::UnknownFormat => "unknown-format",
             IntakeError::Unreadable(_) => "unreadable-file",
             IntakeError::TooLarge { .. } => "too-large",
-            IntakeError::EmptyStructure { .. } | IntakeError::Vanished { .. } => "empty-structure",
+            IntakeError::EmptyStructure { .. }
+            | IntakeError::UnknownLabelName { .. }
+            | IntakeError::Vanished { .. } => "empty-structure",
             IntakeError::DegenerateFaces { .. } | IntakeError::UnsuitableSurface { .. } => "unsuitable-surface",
         }
     }

@@ -5,6 +5,7 @@ use super::{InputKind, Inspection, IntakeError, IntakeLimits, LabelCount, Refusa
 use homolog_contract::parameters::InputParameters;
 use homolog_formats::FileContent;
 use homolog_mesh::volume::LabelVolume;
+use std::collections::BTreeMap;
 
 /// Most labels that are listed.
 const MAX_LISTED_LABELS: usize = 1000;
@@ -23,25 +24,26 @@ pub fn inspect(
     parameters: &InputParameters,
     limits: &IntakeLimits,
 ) -> Result<Inspection, IntakeError> {
-    let (format, content) = read(bytes, file_name, limits)?;
-    let (kind, volume) = match &content {
-        FileContent::Labels(volume) => (InputKind::LabelVolume, Some(describe(volume))),
+    let file = read(bytes, file_name, limits)?;
+    let (kind, volume) = match &file.content {
+        FileContent::Labels(volume) => (InputKind::LabelVolume, Some(describe(volume, &file.label_names))),
         FileContent::Mesh(_) => (InputKind::Mesh, None),
     };
     let mut inspection = Inspection {
-        format,
+        format: file.format,
         kind,
         volume,
         topology: None,
         repaired_topology: None,
         repairs: Vec::new(),
         turned_outward: false,
+        notes: file.notes.clone(),
         suitable: false,
         refusal: None,
     };
-    let refusal = match Candidate::from_content(&content, parameters, limits) {
+    let refusal = match Candidate::from_file(&file, parameters, limits) {
         Ok(candidate) => {
-            let refusal = candidate.refusal(&content, parameters, limits);
+            let refusal = candidate.refusal(&file, parameters, limits);
             inspection.topology = Some(candidate.topology);
             inspection.repaired_topology = Some(candidate.repaired);
             inspection.repairs = candidate.repairs;
@@ -58,7 +60,7 @@ pub fn inspect(
     Ok(inspection)
 }
 
-fn describe(volume: &LabelVolume) -> VolumeInspection {
+fn describe(volume: &LabelVolume, names: &BTreeMap<u32, String>) -> VolumeInspection {
     let counts = volume.label_counts();
     VolumeInspection {
         dims: volume.dims().map(|d| d as u32),
@@ -67,7 +69,7 @@ fn describe(volume: &LabelVolume) -> VolumeInspection {
         labels: counts
             .into_iter()
             .take(MAX_LISTED_LABELS)
-            .map(|(label, n_voxels)| LabelCount { label, n_voxels })
+            .map(|(label, n_voxels)| LabelCount { label, name: names.get(&label).cloned(), n_voxels })
             .collect(),
     }
 }

@@ -15,7 +15,7 @@ pub use inspection::inspect;
 use candidate::Candidate;
 use homolog_contract::input::{LabelCount, Refusal, RepairNote, VolumeInspection};
 use homolog_contract::parameters::{InputParameters, Repair};
-use homolog_formats::{FileContent, FormatError, ReadLimits};
+use homolog_formats::{FileContent, FormatError, ReadFile, ReadLimits};
 use homolog_mesh::{Numbering, SurfaceMesh};
 
 /// A surface that is ready to be matched: its faces agree in orientation and look outwards.
@@ -88,13 +88,14 @@ pub fn prepare_surface(
     parameters: &InputParameters,
     limits: &IntakeLimits,
 ) -> Result<PreparedSurface, IntakeError> {
-    let (format, content) = read(bytes, file_name, limits)?;
-    let candidate = Candidate::from_content(&content, parameters, limits)?;
-    if let Some(refusal) = candidate.refusal(&content, parameters, limits) {
+    let file = read(bytes, file_name, limits)?;
+    let candidate = Candidate::from_file(&file, parameters, limits)?;
+    if let Some(refusal) = candidate.refusal(&file, parameters, limits) {
         return Err(refusal);
     }
+    let ReadFile { format, content, notes, .. } = file;
     let Candidate { mesh, numbering, topology, repairs, turned_outward, .. } = candidate;
-    let report = InputReport { format, topology, repairs, turned_outward };
+    let report = InputReport { format, topology, repairs, turned_outward, notes };
     let restored = match &content {
         // Repairs keep the order of vertices, so a mesh of as many vertices has the numbering of the file.
         FileContent::Mesh(file) if numbering.n_vertices() < file.mesh.n_vertices() => {
@@ -106,11 +107,7 @@ pub fn prepare_surface(
     Ok(PreparedSurface { mesh, numbering, restored, report })
 }
 
-fn read(
-    bytes: &[u8],
-    file_name: Option<&str>,
-    limits: &IntakeLimits,
-) -> Result<(InputFormat, FileContent), IntakeError> {
+fn read(bytes: &[u8], file_name: Option<&str>, limits: &IntakeLimits) -> Result<ReadFile, IntakeError> {
     if bytes.len() > limits.max_bytes {
         let (found, limit) = (bytes.len() as u64, limits.max_bytes as u64);
         return Err(IntakeError::TooLarge { what: "bytes", found, limit });

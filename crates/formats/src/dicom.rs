@@ -1,0 +1,309 @@
+//! DICOM data sets: files of part 10 in the explicit, implicit and deflated little-endian encodings.
+//!
+//! Source: DICOM PS3.5, sections 7 and A, and PS3.10, section 7. Written by hand because a value's length must be held
+//! against the bytes that are there before memory is taken for it. Values stay slices of the file; names are not known.
+
+use super::FormatError;
+
+/// How deep sequences may be nested.
+const MAX_DEPTH: usize = 16;
+
+const UNDEFINED: u32 = u32::MAX;
+const ITEM: u32 = 0xfffe_e000;
+const ITEM_END: u32 = 0xfffe_e00d;
+const SEQUENCE_END: u32 = 0xfffe_e0dd;
+
+pub(super) const SOP_CLASS: u32 = 0x0008_0016;
+const TRANSFER_SYNTAX: u32 = 0x0002_0010;
+
+/// Whether these are the first bytes of a file of part 10.
+pub(super) fn is_dicom(bytes: &[u8]) -> bool {
+    bytes.get(128..132) == Some(b"DICM")
+}
+
+/// How pixel data are stored.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum PixelEncoding {
+    /// As they are.
+    Native,
+    /// Run lengths, a fragment for each frame.
+    Rle,
+}
+
+/// A file: its data set may have to be inflated first, into `inflated`.
+pub(super) fn read_file<'a>(
+    bytes: &'a [u8],
+    inflated: &'a mut Vec<u8>,
+    limit: usize,
+) -> Result<(DataSet<'a>, PixelEncoding), FormatError> {
+    let meta_start = bytes.get(132..).unwrap_or_default();
+    let mut meta = Reader { bytes: meta_start, at: 0, explicit: true };
+    let mut syntax = "";
+    // The group of meta information, always explicit and little-endian.
+    while meta.peek_tag().is_some_and(|tag| tag >> 16 == 2) {
+        let element = meta.element(0)?;
+        if element.tag == TRANSFER_SYNTAX {
+            syntax = element.text();
+        }
+    }
+    let rest = &meta_start[meta.at..];
+    let (bytes, explicit, pixels) = match syntax {
+        "1.2.840.10008.1.2" => (rest, false, PixelEncoding::Native),
+        "1.2.840.10008.1.2.1" => (rest, true, PixelEncoding::Native),
+        "1.2.840.10008.1.2.5" => (rest, true, PixelEncoding::Rle),
+        "1.2.840.10008.1.2.1.99" => {
+            use std::io::Read;
+            let mut decoder = flate2::read::DeflateDecoder::new(rest).take(limit as u64);
+            decoder.read_to_end(inflated).map_err(|_| damaged())?;
+            (inflated.as_slice(), true, PixelEncoding::Native)
+        }
+        _ => {
+            return Err(FormatError::Unsupported {
+                what: "this DICOM transfer syntax",
+                advice: "save the object as explicit VR little endian, not compressed (dcmdjpeg or gdcmconv --raw)",
+            });
+        }
+    };
+    let mut reader = Reader { bytes, at: 0, explicit };
+    Ok((reader.data_set(bytes.len(), 0)?, pixels))
+}
+
+fn damaged() -> FormatError {
+    FormatError::Payload { format: "DICOM", line: None }
+}
+
+/// Data elements in their order.
+#[derive(Debug, Default)]
+pub(super) struct DataSet<'a> {
+    elements: Vec<DataElement<'a>>,
+}
+
+#[derive(Debug)]
+pub(super) struct DataElement<'a> {
+    tag: u32,
+    value: Value<'a>,
+}
+
+#[derive(Debug)]
+enum Value<'a> {
+    Bytes(&'a [u8]),
+    Items(Vec<DataSet<'a>>),
+    /// Encapsulated pixel data; the first is the table of offsets.
+    Fragments(Vec<&'a [u8]>),
+}
+
+impl<'a> DataElement<'a> {
+    fn bytes(&self) -> &'a [u8] {
+        match self.value {
+            Value::Bytes(bytes) => bytes,
+            _ => &[],
+        }
+    }
+
+    /// The value without its padding; empty if it is no text.
+    fn text(&self) -> &'a str {
+        std::str::from_utf8(self.bytes()).unwrap_or_default().trim_matches([' ', '\0'])
+    }
+}
+
+impl<'a> DataSet<'a> {
+    fn get(&self, tag: u32) -> Option<&DataElement<'a>> {
+        self.elements.iter().find(|element| element.tag == tag)
+    }
+
+    pub(super) fn bytes(&self, tag: u32) -> &'a [u8] {
+        self.get(tag).map_or(&[], DataElement::bytes)
+    }
+
+    /// Text in UTF-8 or ASCII; of other character sets, what is ASCII.
+    pub(super) fn text(&self, tag: u32) -> String {
+        String::from_utf8_lossy(self.bytes(tag)).trim_matches([' ', '\0']).to_owned()
+    }
+
+    /// A number of the representation US.
+    pub(super) fn short(&self, tag: u32) -> Option<u16> {
+        self.bytes(tag).first_chunk::<2>().map(|b| u16::from_le_bytes(*b))
+    }
+
+    /// Numbers in text, between backslashes; none if one is damaged.
+    pub(super) fn numbers(&self, tag: u32) -> Vec<f64> {
+        let text = self.text(tag);
+        let numbers: Result<Vec<f64>, _> = text.split('\\').map(|w| w.trim().parse()).collect();
+        numbers.unwrap_or_default().into_iter().filter(|v: &f64| v.is_finite()).collect()
+    }
+
+    pub(super) fn items(&self, tag: u32) -> &[DataSet<'a>] {
+        match self.get(tag).map(|element| &element.value) {
+            Some(Value::Items(items)) => items,
+            _ => &[],
+        }
+    }
+
+    /// The only item of a sequence, or the first.
+    pub(super) fn item(&self, tag: u32) -> Option<&DataSet<'a>> {
+        self.items(tag).first()
+    }
+
+    /// Fragments of encapsulated pixel data, without the table of offsets.
+    pub(super) fn fragments(&self, tag: u32) -> &[&'a [u8]] {
+        match self.get(tag).map(|element| &element.value) {
+            Some(Value::Fragments(fragments)) => fragments.get(1..).unwrap_or_default(),
+            _ => &[],
+        }
+    }
+}
+
+struct Reader<'a> {
+    bytes: &'a [u8],
+    at: usize,
+    explicit: bool,
+}
+
+impl<'a> Reader<'a> {
+    fn take(&mut self, n: usize) -> Result<&'a [u8], FormatError> {
+        let taken = self.bytes.get(self.at..).and_then(|rest| rest.get(..n));
+        let taken = taken.ok_or_else(|| FormatError::Truncated {
+            part: "a DICOM data element",
+            needed: n as u64,
+            available: self.bytes.len().saturating_sub(self.at) as u64,
+        })?;
+        self.at += n;
+        Ok(taken)
+    }
+
+    fn peek_tag(&self) -> Option<u32> {
+        let b = self.bytes.get(self.at..)?.first_chunk::<4>()?;
+        Some(u32::from(u16::from_le_bytes([b[0], b[1]])) << 16 | u32::from(u16::from_le_bytes([b[2], b[3]])))
+    }
+
+    fn tag(&mut self) -> Result<u32, FormatError> {
+        let tag = self.peek_tag();
+        self.take(4)?;
+        tag.ok_or_else(damaged)
+    }
+
+    fn u32(&mut self) -> Result<u32, FormatError> {
+        self.take(4).map(|b| u32::from_le_bytes([b[0], b[1], b[2], b[3]]))
+    }
+
+    /// Elements up to `end`, or to the end of an item of undefined length.
+    fn data_set(&mut self, end: usize, depth: usize) -> Result<DataSet<'a>, FormatError> {
+        let mut set = DataSet::default();
+        while self.at < end {
+            if self.peek_tag() == Some(ITEM_END) {
+                self.take(8)?;
+                break;
+            }
+            set.elements.push(self.element(depth)?);
+        }
+        Ok(set)
+    }
+
+    fn element(&mut self, depth: usize) -> Result<DataElement<'a>, FormatError> {
+        const LONG: [&[u8]; 12] = [b"OB", b"OD", b"OF", b"OL", b"OV", b"OW", b"SQ", b"SV", b"UC", b"UN", b"UR", b"UT"];
+        let tag = self.tag()?;
+        let (representation, length) = if self.explicit {
+            let representation = self.take(2)?;
+            let is_long = LONG.contains(&representation) || representation == b"UV";
+            if is_long {
+                self.take(2)?;
+                (representation, self.u32()?)
+            } else {
+                let b = self.take(2)?;
+                (representation, u32::from(u16::from_le_bytes([b[0], b[1]])))
+            }
+        } else {
+            // The dictionary would tell sequences from other values: those that matter are looked at below.
+            (b"??".as_slice(), self.u32()?)
+        };
+        let is_pixels = tag == super::dicom_seg::PIXEL_DATA;
+        let implicit_sequence = !self.explicit && super::dicom_seg::SEQUENCES.contains(&tag);
+        if representation == b"SQ" || implicit_sequence || length == UNDEFINED && !is_pixels {
+            let explicit = self.explicit;
+            // A sequence of unknown representation is encoded without representations.
+            self.explicit &= representation != b"UN";
+            let items = self.items(length, depth);
+            self.explicit = explicit;
+            return Ok(DataElement { tag, value: Value::Items(items?) });
+        }
+        let value = if length == UNDEFINED {
+            Value::Fragments(self.fragments()?)
+        } else {
+            Value::Bytes(self.take(length as usize)?)
+        };
+        Ok(DataElement { tag, value })
+    }
+
+    fn items(&mut self, length: u32, depth: usize) -> Result<Vec<DataSet<'a>>, FormatError> {
+        if depth >= MAX_DEPTH {
+            return Err(damaged());
+        }
+        let end = self.end_of(length)?;
+        let mut items = Vec::new();
+        while self.at < end {
+            let tag = self.tag()?;
+            let length = self.u32()?;
+            match tag {
+                ITEM => {
+                    let end = self.end_of(length)?;
+                    items.push(self.data_set(end, depth + 1)?);
+                }
+                SEQUENCE_END => break,
+                _ => return Err(damaged()),
+            }
+        }
+        Ok(items)
+    }
+
+    /// Where a value of this length ends, at the latest.
+    fn end_of(&self, length: u32) -> Result<usize, FormatError> {
+        let available = (self.bytes.len() - self.at) as u64;
+        match length {
+            UNDEFINED => Ok(self.bytes.len()),
+            n if u64::from(n) > available => {
+                Err(FormatError::Truncated { part: "a DICOM sequence", needed: n.into(), available })
+            }
+            n => Ok(self.at + n as usize),
+        }
+    }
+
+    fn fragments(&mut self) -> Result<Vec<&'a [u8]>, FormatError> {
+        let mut fragments = Vec::new();
+        loop {
+            let tag = self.tag()?;
+            let length = self.u32()?;
+            match tag {
+                ITEM => fragments.push(self.take(length as usize)?),
+                SEQUENCE_END => return Ok(fragments),
+                _ => return Err(damaged()),
+            }
+        }
+    }
+}
+
+/// A frame of `n_bytes` bytes of 8-bit samples, from run lengths (PS3.5, annex G). `None` if they are damaged.
+pub(super) fn rle_frame(fragment: &[u8], n_bytes: usize) -> Option<Vec<u8>> {
+    let word = |at: usize| fragment.get(at..at + 4).map(|b| u32::from_le_bytes([b[0], b[1], b[2], b[3]]) as usize);
+    if word(0)? != 1 {
+        return None;
+    }
+    let mut rest = fragment.get(word(4)?..)?;
+    let mut plain = Vec::new();
+    while plain.len() < n_bytes {
+        let (&control, after) = rest.split_first()?;
+        let control = control as i8;
+        if control >= 0 {
+            let (literal, after) = after.split_at_checked(control as usize + 1)?;
+            plain.extend_from_slice(literal);
+            rest = after;
+        } else if control != i8::MIN {
+            let (&byte, after) = after.split_first()?;
+            plain.extend(std::iter::repeat_n(byte, 1 + usize::from(control.unsigned_abs())));
+            rest = after;
+        } else {
+            rest = after;
+        }
+    }
+    plain.truncate(n_bytes);
+    Some(plain)
+}

@@ -1,0 +1,153 @@
+//! The number types of binary arrays, and their values as real numbers, whole numbers or labels.
+
+use super::FormatError;
+
+/// How far a value may be from an integer and still count as a label: rounding of scaled single-precision values.
+const LABEL_TOLERANCE: f64 = 1e-3;
+
+/// Type of the numbers of an array.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Element {
+    I8,
+    U8,
+    I16,
+    U16,
+    I32,
+    U32,
+    I64,
+    U64,
+    F32,
+    F64,
+}
+
+/// Order of the bytes of a number.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum ByteOrder {
+    Little,
+    Big,
+}
+
+impl Element {
+    /// Bytes of one number.
+    pub(super) fn size(self) -> usize {
+        match self {
+            Element::I8 | Element::U8 => 1,
+            Element::I16 | Element::U16 => 2,
+            Element::I32 | Element::U32 | Element::F32 => 4,
+            Element::I64 | Element::U64 | Element::F64 => 8,
+        }
+    }
+
+    /// The value of one number; `b` has its bytes in little-endian order, padded with zeros. 64-bit integers are rounded.
+    fn real(self, b: [u8; 8]) -> f64 {
+        match self {
+            Element::F32 => f64::from(f32::from_le_bytes([b[0], b[1], b[2], b[3]])),
+            Element::F64 => f64::from_le_bytes(b),
+            Element::U64 => u64::from_le_bytes(b) as f64,
+            _ => self.whole(b) as f64,
+        }
+    }
+
+    /// The same as a whole number: reals are truncated, and numbers beyond `i64` become the largest.
+    fn whole(self, b: [u8; 8]) -> i64 {
+        let low = u32::from_le_bytes([b[0], b[1], b[2], b[3]]);
+        match self {
+            Element::I8 => (b[0] as i8).into(),
+            Element::U8 => b[0].into(),
+            Element::I16 => (low as u16 as i16).into(),
+            Element::U16 => (low as u16).into(),
+            Element::I32 => (low as i32).into(),
+            Element::U32 => low.into(),
+            Element::I64 => i64::from_le_bytes(b),
+            Element::U64 => i64::try_from(u64::from_le_bytes(b)).unwrap_or(i64::MAX),
+            Element::F32 | Element::F64 => self.real(b) as i64,
+        }
+    }
+
+    /// The numbers of `raw` as real numbers; bytes after the last whole number are ignored.
+    pub(super) fn reals(self, raw: &[u8], order: ByteOrder) -> Vec<f64> {
+        raw.chunks_exact(self.size()).map(|b| self.real(little(b, order))).collect()
+    }
+
+    /// The numbers of `raw` as whole numbers; bytes after the last whole number are ignored.
+    pub(super) fn wholes(self, raw: &[u8], order: ByteOrder) -> Vec<i64> {
+        raw.chunks_exact(self.size()).map(|b| self.whole(little(b, order))).collect()
+    }
+}
+
+fn little(raw: &[u8], order: ByteOrder) -> [u8; 8] {
+    let mut b = [0; 8];
+    b[..raw.len()].copy_from_slice(raw);
+    if order == ByteOrder::Big {
+        b[..raw.len()].reverse();
+    }
+    b
+}
+
+/// The voxels of a volume as a file stores them: the first index fastest.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Voxels {
+    pub(super) dims: [usize; 3],
+    pub(super) element: Element,
+    pub(super) order: ByteOrder,
+    /// A value is `slope` times the stored number plus `intercept`.
+    pub(super) slope: f64,
+    pub(super) intercept: f64,
+}
+
+impl Voxels {
+    /// Voxels whose values are the stored numbers.
+    pub(super) fn plain(dims: [usize; 3], element: Element, order: ByteOrder) -> Self {
+        Voxels { dims, element, order, slope: 1.0, intercept: 0.0 }
+    }
+
+    /// Number of voxels.
+    pub(super) fn count(&self) -> u64 {
+        self.dims.iter().fold(1u64, |n, &d| n.saturating_mul(d as u64))
+    }
+
+    /// Bytes of all voxels in the file.
+    ///
+    /// # Errors
+    /// `TooLarge` if these, or the four bytes in which each label is kept, are more than `limit`.
+    pub(super) fn bytes_needed(&self, limit: usize) -> Result<usize, FormatError> {
+        let found = self.count().saturating_mul(self.element.size().max(4) as u64);
+        if found > limit as u64 {
+            return Err(FormatError::TooLarge { what: "bytes of voxels", found, limit: limit as u64 });
+        }
+        Ok(self.count() as usize * self.element.size())
+    }
+
+    /// The labels of all voxels.
+    ///
+    /// # Errors
+    /// `NotALabel` if a value is not a whole number from 0 to 4294967295.
+    pub(super) fn labels(&self, raw: &[u8]) -> Result<Vec<u32>, FormatError> {
+        let size = self.element.size();
+        let mut labels = Vec::with_capacity(raw.len() / size);
+        let mut previous: Option<(&[u8], u32)> = None;
+        for voxel in raw.chunks_exact(size) {
+            let label = match previous {
+                // Neighboring voxels mostly have the same label.
+                Some((same, label)) if same == voxel => label,
+                _ => {
+                    let value = self.element.real(little(voxel, self.order)) * self.slope + self.intercept;
+                    self.label(value, labels.len())?
+                }
+            };
+            previous = Some((voxel, label));
+            labels.push(label);
+        }
+        Ok(labels)
+    }
+
+    /// The label that a value at position `at` means.
+    pub(super) fn label(&self, value: f64, at: usize) -> Result<u32, FormatError> {
+        let whole = value.round();
+        if (value - whole).abs() <= LABEL_TOLERANCE && (0.0..=f64::from(u32::MAX)).contains(&whole) {
+            return Ok(whole as u32);
+        }
+        let [nx, ny, _] = self.dims.map(|d| d.max(1));
+        Err(FormatError::NotALabel { voxel: [at % nx, at / nx % ny, at / (nx * ny)], value })
+    }
+}

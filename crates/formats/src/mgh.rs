@@ -1,0 +1,85 @@
+//! FreeSurfer volumes: MGH, and MGZ, which is MGH in gzip.
+//!
+//! Source: FreeSurfer's description of the MGH/MGZ volume format. Big-endian; the header has 284 bytes, and what follows the
+//! voxels (scan parameters, tags) is not read. The affine maps voxels to scanner RAS: `Mdc · diag(voxel sizes)`, with `c_ras`
+//! at the voxel `dimensions / 2`.
+
+use super::element::{ByteOrder, Element, Voxels};
+use super::label_file::LabelFile;
+use super::{FormatError, ReadLimits};
+use homolog_mesh::volume::LabelVolume;
+use nalgebra::{Matrix3, Matrix4, Vector3};
+
+const HEADER_BYTES: usize = 284;
+
+/// Whether these are the first bytes of an MGH file: version 1 and plausible counts.
+pub(super) fn is_mgh(bytes: &[u8]) -> bool {
+    let Some(head) = bytes.get(..24) else { return false };
+    let fields = Element::I32.wholes(head, ByteOrder::Big);
+    fields[0] == 1 && fields[1..5].iter().all(|&d| (1..=1 << 20).contains(&d)) && (0..=11).contains(&fields[5])
+}
+
+/// Reads a label volume.
+///
+/// # Errors
+/// [`FormatError`]; several frames, and element types other than numbers, are not supported.
+///
+/// # Cost
+/// Linear in the file's length.
+pub fn read_mgh(bytes: &[u8], limits: &ReadLimits) -> Result<LabelFile, FormatError> {
+    let available = bytes.len() as u64;
+    let Some(head) = bytes.get(..HEADER_BYTES) else {
+        return Err(FormatError::Truncated { part: "the MGH header", needed: HEADER_BYTES as u64, available });
+    };
+    let counts = Element::I32.wholes(&head[4..24], ByteOrder::Big);
+    if counts[..4].iter().any(|&d| d < 1) {
+        let advice = "every dimension must be at least 1";
+        return Err(FormatError::Header { field: "list of dimensions", value: format!("{:?}", &counts[..4]), advice });
+    }
+    if counts[3] != 1 {
+        let advice = "only three dimensions are supported; send one volume of the series";
+        return Err(FormatError::Header { field: "number of frames", value: counts[3].to_string(), advice });
+    }
+    let element = match counts[4] {
+        0 => Element::U8,
+        1 => Element::I32,
+        3 => Element::F32,
+        4 => Element::I16,
+        10 => Element::U16,
+        other => {
+            let advice = "save the labels as integers or real numbers";
+            return Err(FormatError::Header { field: "data type", value: other.to_string(), advice });
+        }
+    };
+    let dims = [0, 1, 2].map(|k| counts[k] as usize);
+    let voxels = Voxels::plain(dims, element, ByteOrder::Big);
+    let needed = HEADER_BYTES + voxels.bytes_needed(limits.max_inflated_bytes)?;
+    if bytes.len() < needed {
+        return Err(FormatError::Truncated { part: "the voxel array", needed: needed as u64, available });
+    }
+    let labels = voxels.labels(&bytes[HEADER_BYTES..needed])?;
+    // Without the flag, FreeSurfer assumes coronal slices of 1 mm around the origin.
+    let has_geometry = Element::I16.wholes(&head[28..30], ByteOrder::Big)[0] > 0;
+    let g = Element::F32.reals(&head[30..90], ByteOrder::Big);
+    let (sizes, directions, center) = if has_geometry {
+        (
+            Vector3::from_column_slice(&g[..3]),
+            Matrix3::from_column_slice(&g[3..12]),
+            Vector3::from_column_slice(&g[12..15]),
+        )
+    } else {
+        let coronal = Matrix3::new(-1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, -1.0, 0.0);
+        (Vector3::repeat(1.0), coronal, Vector3::zeros())
+    };
+    let linear = directions * Matrix3::from_diagonal(&sizes);
+    let middle = Vector3::from_fn(|k, _| dims[k] as f64 / 2.0);
+    let mut affine = Matrix4::identity();
+    affine.fixed_view_mut::<3, 3>(0, 0).copy_from(&linear);
+    affine.fixed_view_mut::<3, 1>(0, 3).copy_from(&(center - linear * middle));
+    let mut file = LabelFile::unnamed(LabelVolume::new(dims, labels, affine)?);
+    if !has_geometry {
+        file.notes
+            .push("the file has no geometry: 1 mm voxels in coronal slices around the origin are assumed".to_owned());
+    }
+    Ok(file)
+}

@@ -1,0 +1,376 @@
+//! VTK XML poly data (`.vtp`): ASCII, inline base64 and appended (raw or base64), plain or zlib, read and written.
+//!
+//! Source: "VTK XML Formats", VTK documentation, and what VTK 9 writes. Read are the points, the polygons and the strips of
+//! all pieces; vertices, lines and fields are skipped. A field of the name `SPACE` with the value `LPS`, as 3D Slicer writes
+//! it, is taken as the space of the coordinates.
+
+use super::element::{ByteOrder, Element};
+use super::polygons::{MeshFile, Polygons, strip_triangles};
+use super::vertex_arrays::{VertexArray, VertexValues, fitting};
+use super::xml::{Node, Tag, Xml, base64, inflate};
+use super::{FormatError, ReadLimits, lps};
+use ::base64::Engine;
+use ::base64::engine::general_purpose::STANDARD;
+use homolog_mesh::SurfaceMesh;
+use nalgebra::Point3;
+
+/// Reads a mesh. A file of quads alone gives a quad mesh; otherwise strips and polygons are split into triangles.
+///
+/// # Errors
+/// [`FormatError`]; data sets other than `PolyData` and compressors other than zlib are not supported.
+///
+/// # Cost
+/// Linear in the inflated size.
+pub fn read_vtp(bytes: &[u8], limits: &ReadLimits) -> Result<MeshFile, FormatError> {
+    let mut xml = Xml::new(bytes, "VTP");
+    let mut file = VtpFile::default();
+    let mut open: Vec<String> = Vec::new();
+    while let Some(node) = xml.next()? {
+        match node {
+            Node::Start(tag) => {
+                match tag.name.as_str() {
+                    "VTKFile" => file.header = Header::new(&tag)?,
+                    "Piece" => file.pieces.push(Piece::new(&tag)),
+                    "DataArray" | "Array" => {
+                        file.array = StoredArray::new(&tag, open.last().map_or("", String::as_str))
+                    }
+                    "AppendedData" => {
+                        // Raw data are no XML, so reading of elements ends here.
+                        let rest = &bytes[xml.position()..];
+                        let start = rest.iter().position(|&b| b == b'_').ok_or_else(|| xml.damaged())? + 1;
+                        file.appended = Some((&rest[start..], tag.get("encoding") == "base64"));
+                        return file.mesh(&xml, limits);
+                    }
+                    _ => {}
+                }
+                open.push(tag.name);
+            }
+            Node::Text(text) => {
+                if let Some(array) =
+                    file.array.as_mut().filter(|_| open.last().is_some_and(|n| n == "DataArray" || n == "Array"))
+                {
+                    array.text.extend_from_slice(&text);
+                }
+            }
+            Node::End => {
+                if open.pop().is_some_and(|name| name == "DataArray" || name == "Array") {
+                    file.close_array();
+                }
+            }
+        }
+    }
+    file.mesh(&xml, limits)
+}
+
+/// What the attributes of the root say of all arrays.
+#[derive(Clone, Copy)]
+struct Header {
+    order: ByteOrder,
+    /// Type of the lengths before the data.
+    lengths: Element,
+    compressed: bool,
+}
+
+impl Default for Header {
+    fn default() -> Self {
+        Header { order: ByteOrder::Little, lengths: Element::U32, compressed: false }
+    }
+}
+
+impl Header {
+    fn new(tag: &Tag) -> Result<Self, FormatError> {
+        if tag.get("type") != "PolyData" {
+            return Err(FormatError::Unsupported {
+                what: "a VTK XML data set other than PolyData",
+                advice: "extract its surface and save that as PolyData (.vtp)",
+            });
+        }
+        if !["", "vtkZLibDataCompressor"].contains(&tag.get("compressor")) {
+            return Err(FormatError::Unsupported {
+                what: "LZ4 or LZMA compression of a VTP file",
+                advice: "save it with zlib compression or none",
+            });
+        }
+        Ok(Header {
+            order: if tag.get("byte_order") == "BigEndian" { ByteOrder::Big } else { ByteOrder::Little },
+            lengths: if tag.get("header_type") == "UInt64" { Element::U64 } else { Element::U32 },
+            compressed: !tag.get("compressor").is_empty(),
+        })
+    }
+}
+
+#[derive(Default)]
+struct VtpFile<'a> {
+    header: Header,
+    pieces: Vec<Piece>,
+    /// The array that is open.
+    array: Option<StoredArray>,
+    /// Field of the name `SPACE`.
+    space: Option<StoredArray>,
+    /// Appended data, and whether they are base64.
+    appended: Option<(&'a [u8], bool)>,
+}
+
+#[derive(Default)]
+struct Piece {
+    n_points: u64,
+    points: Option<StoredArray>,
+    /// Connectivity and offsets.
+    polygons: [Option<StoredArray>; 2],
+    strips: [Option<StoredArray>; 2],
+}
+
+impl Piece {
+    fn new(tag: &Tag) -> Self {
+        Piece { n_points: tag.number("NumberOfPoints").unwrap_or(0), ..Piece::default() }
+    }
+}
+
+/// An array before its data are decoded.
+struct StoredArray {
+    place: Place,
+    /// `None` for types that hold no numbers.
+    element: Option<Element>,
+    storage: Storage,
+    /// Text of the element.
+    text: Vec<u8>,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Place {
+    Points,
+    Polygons(usize),
+    Strips(usize),
+    Space,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Storage {
+    Ascii,
+    Inline,
+    /// At this position of the appended data.
+    Appended(usize),
+}
+
+impl StoredArray {
+    /// The array if it is one of those that are used.
+    fn new(tag: &Tag, parent: &str) -> Option<Self> {
+        let name = tag.get("Name");
+        let list = ["connectivity", "offsets"].iter().position(|known| name.eq_ignore_ascii_case(known));
+        let place = match parent {
+            "Points" => Place::Points,
+            "Polys" => Place::Polygons(list?),
+            "Strips" => Place::Strips(list?),
+            "FieldData" if name == "SPACE" => Place::Space,
+            _ => return None,
+        };
+        let element = match tag.get("type") {
+            "Int8" | "String" => Some(Element::I8),
+            "UInt8" => Some(Element::U8),
+            "Int16" => Some(Element::I16),
+            "UInt16" => Some(Element::U16),
+            "Int32" => Some(Element::I32),
+            "UInt32" => Some(Element::U32),
+            "Int64" => Some(Element::I64),
+            "UInt64" => Some(Element::U64),
+            "Float32" => Some(Element::F32),
+            "Float64" => Some(Element::F64),
+            _ => None,
+        };
+        let storage = match tag.get("format") {
+            "appended" => Storage::Appended(tag.number("offset").unwrap_or(usize::MAX)),
+            "ascii" => Storage::Ascii,
+            _ => Storage::Inline,
+        };
+        Some(StoredArray { place, element, storage, text: Vec::new() })
+    }
+}
+
+impl VtpFile<'_> {
+    fn close_array(&mut self) {
+        let Some(array) = self.array.take() else { return };
+        let piece = self.pieces.last_mut();
+        match (array.place, piece) {
+            (Place::Space, _) => self.space = Some(array),
+            (Place::Points, Some(piece)) => piece.points = Some(array),
+            (Place::Polygons(k), Some(piece)) => piece.polygons[k] = Some(array),
+            (Place::Strips(k), Some(piece)) => piece.strips[k] = Some(array),
+            _ => {}
+        }
+    }
+
+    fn mesh(&self, xml: &Xml<'_>, limits: &ReadLimits) -> Result<MeshFile, FormatError> {
+        let total = self.pieces.iter().fold(0u64, |sum, piece| sum.saturating_add(piece.n_points));
+        Polygons::check_count(total, limits)?;
+        let mut polygons = Polygons::default();
+        for piece in &self.pieces {
+            let first = polygons.vertices.len() as i64;
+            let numbers = self.numbers(piece.points.as_ref(), xml, limits)?;
+            if numbers.len() as u64 != piece.n_points.saturating_mul(3) {
+                let (needed, available) = (piece.n_points.saturating_mul(3), numbers.len() as u64);
+                return Err(FormatError::Truncated { part: "the list of points", needed, available });
+            }
+            polygons.vertices.extend(numbers.chunks_exact(3).map(|p| Point3::new(p[0], p[1], p[2])));
+            for cell in self.cells(&piece.polygons, xml, limits)?.iter() {
+                polygons.push(cell.iter().map(|v| v.saturating_add(first)))?;
+            }
+            for cell in self.cells(&piece.strips, xml, limits)?.iter() {
+                for triangle in strip_triangles(cell) {
+                    polygons.push(triangle.map(|v| v.saturating_add(first)))?;
+                }
+            }
+        }
+        let space = self.numbers(self.space.as_ref(), xml, limits)?;
+        let mut file = polygons.into_mesh()?;
+        if space.iter().map(|&c| c as u8).take_while(|&c| c != 0).eq(*b"LPS") {
+            lps::to_ras(&mut file)?;
+        }
+        Ok(file)
+    }
+
+    fn cells(
+        &self,
+        [corners, ends]: &[Option<StoredArray>; 2],
+        xml: &Xml<'_>,
+        limits: &ReadLimits,
+    ) -> Result<Cells, FormatError> {
+        let whole = |numbers: Vec<f64>| numbers.into_iter().map(|v| v as i64).collect::<Vec<_>>();
+        let corners = whole(self.numbers(corners.as_ref(), xml, limits)?);
+        let ends = whole(self.numbers(ends.as_ref(), xml, limits)?);
+        let ascending = ends.windows(2).all(|w| w[0] <= w[1]) && ends.first().is_none_or(|&first| first >= 0);
+        if !ascending || ends.last().is_some_and(|&last| last as u64 > corners.len() as u64) {
+            return Err(xml.damaged());
+        }
+        Ok(Cells { corners, ends })
+    }
+
+    fn numbers(
+        &self,
+        array: Option<&StoredArray>,
+        xml: &Xml<'_>,
+        limits: &ReadLimits,
+    ) -> Result<Vec<f64>, FormatError> {
+        let Some(array) = array else { return Ok(Vec::new()) };
+        let damaged = || xml.damaged();
+        if array.storage == Storage::Ascii {
+            let words = array.text.split(u8::is_ascii_whitespace).filter(|w| !w.is_empty());
+            let numbers: Option<Vec<f64>> = words.map(|w| std::str::from_utf8(w).ok()?.parse().ok()).collect();
+            return numbers.ok_or_else(damaged);
+        }
+        let element = array.element.ok_or_else(damaged)?;
+        let (data, is_text) = match (array.storage, self.appended) {
+            (Storage::Appended(at), Some((data, is_text))) => (data.get(at..).ok_or_else(damaged)?, is_text),
+            (Storage::Appended(_), None) => return Err(damaged()),
+            _ => (array.text.as_slice(), true),
+        };
+        let raw = self.header.block(data, is_text, limits.max_inflated_bytes).ok_or_else(damaged)?;
+        Ok(element.reals(&raw, self.header.order))
+    }
+}
+
+/// Cells by the ends of their lists of corners.
+struct Cells {
+    corners: Vec<i64>,
+    ends: Vec<i64>,
+}
+
+impl Cells {
+    fn iter(&self) -> impl Iterator<Item = &[i64]> {
+        let starts = std::iter::once(0).chain(self.ends.iter().copied());
+        starts.zip(&self.ends).map(|(start, &end)| &self.corners[start as usize..end as usize])
+    }
+}
+
+impl Header {
+    /// The data of an array: its lengths, then the data themselves. `None` if they are damaged.
+    fn block(self, data: &[u8], is_text: bool, limit: usize) -> Option<Vec<u8>> {
+        let trimmed = if is_text { data.trim_ascii_start() } else { data };
+        let size = self.lengths.size();
+        if !self.compressed {
+            let head = piece(trimmed, 0, size, is_text)?;
+            let n = usize::try_from(*self.lengths.wholes(&head, self.order).first()?).ok()?;
+            return Some(piece(trimmed, 0, size.checked_add(n)?, is_text)?.split_off(size));
+        }
+        // Number of blocks, size of a block, size of the last block if it is smaller, then the compressed size of each.
+        let head = self.lengths.wholes(&piece(trimmed, 0, 3 * size, is_text)?, self.order);
+        let n_blocks = usize::try_from(head[0]).ok()?;
+        let [whole, last] = [head[1], head[2]].map(|n| usize::try_from(n).unwrap_or(usize::MAX));
+        let head_bytes = n_blocks.checked_add(3)?.checked_mul(size)?;
+        let sizes = piece(trimmed, 0, head_bytes, is_text)?.split_off(3 * size);
+        let sizes = self.lengths.wholes(&sizes, self.order);
+        // Lengths and data are encoded one after the other, each with its own padding.
+        let begin = if is_text { encoded_bytes(head_bytes)? } else { head_bytes };
+        let stored = sizes.iter().try_fold(0usize, |sum, &n| sum.checked_add(usize::try_from(n).ok()?))?;
+        let blocks = piece(trimmed, begin, stored, is_text)?;
+        let (mut plain, mut rest) = (Vec::new(), blocks.as_slice());
+        for (k, &n) in sizes.iter().enumerate() {
+            let (block, after) = rest.split_at_checked(n as usize)?;
+            let expected = if k + 1 == n_blocks && last > 0 { last } else { whole };
+            if plain.len().checked_add(expected)? > limit {
+                return None;
+            }
+            plain.extend(inflate(block, expected)?);
+            rest = after;
+        }
+        Some(plain)
+    }
+}
+
+/// `n` bytes at a position, which counts characters where the data are text.
+fn piece(data: &[u8], at: usize, n: usize, is_text: bool) -> Option<Vec<u8>> {
+    if !is_text {
+        return Some(data.get(at..at.checked_add(n)?)?.to_vec());
+    }
+    let text = data.get(at..at.checked_add(encoded_bytes(n)?)?)?;
+    let mut plain = base64(text)?;
+    plain.truncate(n);
+    (plain.len() == n).then_some(plain)
+}
+
+/// Characters of `n` bytes in base64.
+fn encoded_bytes(n: usize) -> Option<usize> {
+    n.div_ceil(3).checked_mul(4)
+}
+
+/// A VTP file with inline base64, double precision. Reading it back gives the same mesh to the bit.
+pub fn write_vtp(mesh: &SurfaceMesh) -> Vec<u8> {
+    write_vtp_with(mesh, &[])
+}
+
+/// As [`write_vtp`], with `PointData`.
+pub fn write_vtp_with(mesh: &SurfaceMesh, arrays: &[VertexArray]) -> Vec<u8> {
+    let (n, m) = (mesh.n_vertices(), mesh.n_faces());
+    let mut text = format!(
+        "<?xml version=\"1.0\"?>\n\
+         <VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n<PolyData>\n\
+         <Piece NumberOfPoints=\"{n}\" NumberOfVerts=\"0\" NumberOfLines=\"0\" NumberOfStrips=\"0\" \
+         NumberOfPolys=\"{m}\">\n<PointData>\n"
+    );
+    for VertexArray { name, values } in fitting(mesh, arrays) {
+        let (kind, bytes): (_, Vec<u8>) = match values {
+            VertexValues::Int(v) => ("Int32", v.iter().flat_map(|x| x.to_le_bytes()).collect()),
+            VertexValues::Real(v) => ("Float64", v.iter().flat_map(|x| x.to_le_bytes()).collect()),
+            VertexValues::Byte(v) => ("UInt8", v.clone()),
+        };
+        data_array(&mut text, kind, name, "", &bytes);
+    }
+    text.push_str("</PointData>\n<Points>\n");
+    let points: Vec<u8> = mesh.vertices().iter().flat_map(|p| p.iter()).flat_map(|c| c.to_le_bytes()).collect();
+    data_array(&mut text, "Float64", "Points", " NumberOfComponents=\"3\"", &points);
+    text.push_str("</Points>\n<Polys>\n");
+    let corners: Vec<u8> = mesh.indices().iter().flat_map(|&v| i64::from(v).to_le_bytes()).collect();
+    data_array(&mut text, "Int64", "connectivity", "", &corners);
+    let corner_count = mesh.arity().n_corners() as i64;
+    let ends: Vec<u8> = (1..=m as i64).flat_map(|k| (k * corner_count).to_le_bytes()).collect();
+    data_array(&mut text, "Int64", "offsets", "", &ends);
+    text.push_str("</Polys>\n</Piece>\n</PolyData>\n</VTKFile>\n");
+    text.into_bytes()
+}
+
+fn data_array(text: &mut String, kind: &str, name: &str, shape: &str, bytes: &[u8]) {
+    let mut block = (bytes.len() as u64).to_le_bytes().to_vec();
+    block.extend_from_slice(bytes);
+    text.push_str(&format!("<DataArray type=\"{kind}\" Name=\"{name}\"{shape} format=\"binary\">\n"));
+    text.push_str(&STANDARD.encode(block));
+    text.push_str("\n</DataArray>\n");
+}

@@ -1,0 +1,118 @@
+//! The elements of an XML file, one by one, and the binary data that XML formats hold: base64 and zlib.
+
+use super::FormatError;
+use super::gzip;
+use base64::Engine;
+use base64::alphabet;
+use base64::engine::{DecodePaddingMode, GeneralPurpose, GeneralPurposeConfig};
+use quick_xml::Reader;
+use quick_xml::events::{BytesStart, Event};
+use std::borrow::Cow;
+use std::io::Read;
+
+/// Base64 with or without padding at its end.
+const BASE64: GeneralPurpose = GeneralPurpose::new(
+    &alphabet::STANDARD,
+    GeneralPurposeConfig::new()
+        .with_decode_padding_mode(DecodePaddingMode::Indifferent)
+        .with_decode_allow_trailing_bits(true),
+);
+
+/// A start tag, text, or an end tag. Comments, declarations and processing instructions are skipped.
+#[derive(Debug)]
+pub(super) enum Node<'a> {
+    Start(Tag),
+    Text(Cow<'a, [u8]>),
+    End,
+}
+
+/// A start tag with its attributes.
+#[derive(Debug)]
+pub(super) struct Tag {
+    pub(super) name: String,
+    attributes: Vec<(String, String)>,
+}
+
+impl Tag {
+    fn new(tag: &BytesStart<'_>) -> Self {
+        let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
+        // Checks for repeated names take quadratic time in the number of attributes.
+        let mut attributes = tag.attributes();
+        let attributes =
+            attributes.with_checks(false).flatten().map(|a| (text(a.key.as_ref()), text(&a.value))).collect();
+        Tag { name: text(tag.name().as_ref()), attributes }
+    }
+
+    /// The value of an attribute, without blanks around it; empty if there is none.
+    pub(super) fn get(&self, name: &str) -> &str {
+        self.attributes.iter().find(|(key, _)| key == name).map_or("", |(_, value)| value.trim())
+    }
+
+    /// The value of an attribute as a number.
+    pub(super) fn number<T: std::str::FromStr>(&self, name: &str) -> Option<T> {
+        self.get(name).parse().ok()
+    }
+}
+
+/// A position in an XML file.
+pub(super) struct Xml<'a> {
+    bytes: &'a [u8],
+    reader: Reader<&'a [u8]>,
+    format: &'static str,
+}
+
+impl<'a> Xml<'a> {
+    pub(super) fn new(bytes: &'a [u8], format: &'static str) -> Self {
+        let mut reader = Reader::from_reader(bytes);
+        reader.config_mut().expand_empty_elements = true;
+        Xml { bytes, reader, format }
+    }
+
+    /// The next node; `None` at the end of the file.
+    ///
+    /// # Errors
+    /// `Payload` if this is no well-formed XML.
+    pub(super) fn next(&mut self) -> Result<Option<Node<'a>>, FormatError> {
+        loop {
+            return match self.reader.read_event() {
+                Ok(Event::Start(tag) | Event::Empty(tag)) => Ok(Some(Node::Start(Tag::new(&tag)))),
+                Ok(Event::Text(text)) => Ok(Some(Node::Text(text.into_inner()))),
+                Ok(Event::CData(text)) => Ok(Some(Node::Text(text.into_inner()))),
+                Ok(Event::End(_)) => Ok(Some(Node::End)),
+                Ok(Event::Eof) => Ok(None),
+                Ok(_) => continue,
+                Err(_) => Err(self.damaged()),
+            };
+        }
+    }
+
+    /// An error at this position.
+    pub(super) fn damaged(&self) -> FormatError {
+        let before = &self.bytes[..self.position()];
+        FormatError::Payload { format: self.format, line: Some(1 + before.iter().filter(|&&b| b == b'\n').count()) }
+    }
+
+    /// Bytes before the next node.
+    pub(super) fn position(&self) -> usize {
+        usize::try_from(self.reader.buffer_position()).map_or(self.bytes.len(), |at| at.min(self.bytes.len()))
+    }
+}
+
+/// The bytes that base64 text means; blanks and line ends are skipped. `None` if it is no base64.
+pub(super) fn base64(text: &[u8]) -> Option<Vec<u8>> {
+    let dense: Vec<u8> = text.iter().copied().filter(|b| !b.is_ascii_whitespace()).collect();
+    BASE64.decode(dense).ok()
+}
+
+/// The bytes of a zlib or gzip stream, of which there must be exactly `n_bytes`. `None` if it is damaged or its length
+/// differs. Memory grows with what is inflated, not with `n_bytes`.
+pub(super) fn inflate(stream: &[u8], n_bytes: usize) -> Option<Vec<u8>> {
+    let mut plain = Vec::new();
+    if gzip::is_gzip(stream) {
+        plain = gzip::inflate(stream, n_bytes).ok()?.into_owned();
+    } else {
+        let mut decoder = flate2::read::ZlibDecoder::new(stream).take(n_bytes as u64 + 1);
+        decoder.read_to_end(&mut plain).ok()?;
+    }
+    (plain.len() == n_bytes).then_some(plain)
+}

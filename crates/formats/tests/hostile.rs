@@ -1,0 +1,188 @@
+//! Damaged files of every format: no reader panics, takes longer than a second, or allocates much more than it received.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+#![allow(unsafe_code, reason = "an allocator that counts can only be written so")]
+
+mod samples;
+
+use homolog_formats::{ReadLimits, nifti, read, stl};
+use homolog_mesh::volume::LabelVolume;
+use proptest::prelude::*;
+use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
+use std::alloc::{GlobalAlloc, Layout, System};
+use std::cell::Cell;
+use std::time::Instant;
+
+/// Counts what the current thread holds, and the most that it has held.
+struct Counting;
+
+thread_local! {
+    static HELD: Cell<[isize; 2]> = const { Cell::new([0, 0]) };
+}
+
+fn count(bytes: isize) {
+    // A thread that ends may free memory after its counter is gone.
+    let _ = HELD.try_with(|held| {
+        let [now, most] = held.get();
+        held.set([now + bytes, most.max(now + bytes)]);
+    });
+}
+
+// SAFETY: every call is passed on to the system's allocator with the same arguments; counting allocates nothing.
+unsafe impl GlobalAlloc for Counting {
+    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
+        count(layout.size() as isize);
+        // SAFETY: the caller's promise about `layout` is passed on.
+        unsafe { System.alloc(layout) }
+    }
+    unsafe fn dealloc(&self, place: *mut u8, layout: Layout) {
+        count(-(layout.size() as isize));
+        // SAFETY: `place` was allocated above with this layout.
+        unsafe { System.dealloc(place, layout) }
+    }
+}
+
+#[global_allocator]
+static ALLOCATOR: Counting = Counting;
+
+/// Bytes that a reader may hold for each byte of the file (inflated, if it is compressed), and in any case.
+const BYTES_PER_BYTE: usize = 64;
+const BYTES_ALWAYS: usize = 16 << 20;
+const MAX_SECONDS: f64 = 1.0;
+
+/// Reads a file under the bounds; `inflated` is its size without gzip.
+fn check(name: &str, bytes: &[u8], inflated: usize) {
+    HELD.with(|held| held.set([0, 0]));
+    let started = Instant::now();
+    // The content is dropped within the measurement.
+    let _ = read(bytes, Some(name), &ReadLimits::default());
+    let seconds = started.elapsed().as_secs_f64();
+    let most = HELD.with(Cell::get)[1];
+    let limit = (BYTES_PER_BYTE * inflated.max(bytes.len()) + BYTES_ALWAYS) as isize;
+    assert!(most <= limit, "{name}: {most} bytes were held for a file of {} bytes", bytes.len());
+    assert!(seconds < MAX_SECONDS, "{name}: {seconds} s for a file of {} bytes", bytes.len());
+}
+
+fn all_samples() -> Vec<(String, Vec<u8>)> {
+    let mut samples: Vec<_> = samples::surfaces().into_iter().chain(samples::volumes()).collect();
+    let volume = LabelVolume::new(samples::DIMS, samples::labels(), samples::affine()).unwrap();
+    samples.push(("NIfTI-1", homolog_formats::InputFormat::Nifti, nifti::write_nifti(&volume)));
+    samples.push(("STL", homolog_formats::InputFormat::Stl, stl::write_stl(&samples::surface())));
+    samples.push((".seg.nrrd", homolog_formats::InputFormat::Nrrd, samples::layered_nrrd()));
+    samples.into_iter().map(|(name, _, bytes)| (name.to_owned(), bytes)).collect()
+}
+
+/// Values that break counts: none, one, all bits, the largest of a sign, digits.
+const PIECES: [&[u8]; 8] =
+    [&[0; 4], &[0xff; 4], &[0x7f, 0xff, 0xff, 0xff], &[0xff, 0xff, 0xff, 0x7f], b"999999999", b"-1 ", b"<", b"\n\n"];
+
+#[derive(Debug, Clone)]
+enum Damage {
+    Byte(prop::sample::Index, u8),
+    Piece(prop::sample::Index, usize),
+    Cut(prop::sample::Index),
+    Repeat(prop::sample::Index, prop::sample::Index),
+}
+
+fn damage() -> impl Strategy<Value = Damage> {
+    let index = any::<prop::sample::Index>;
+    prop_oneof![
+        4 => (index(), any::<u8>()).prop_map(|(at, byte)| Damage::Byte(at, byte)),
+        4 => (index(), 0..PIECES.len()).prop_map(|(at, piece)| Damage::Piece(at, piece)),
+        1 => index().prop_map(Damage::Cut),
+        1 => (index(), index()).prop_map(|(from, to)| Damage::Repeat(from, to)),
+    ]
+}
+
+fn damaged(mut bytes: Vec<u8>, damage: &[Damage]) -> Vec<u8> {
+    for damage in damage {
+        if bytes.is_empty() {
+            break;
+        }
+        match damage {
+            Damage::Byte(at, byte) => {
+                let at = at.index(bytes.len());
+                bytes[at] = *byte;
+            }
+            Damage::Piece(at, piece) => {
+                let at = at.index(bytes.len());
+                for (k, byte) in PIECES[*piece].iter().enumerate().take(bytes.len() - at) {
+                    bytes[at + k] = *byte;
+                }
+            }
+            Damage::Cut(at) => bytes.truncate(at.index(bytes.len())),
+            Damage::Repeat(from, to) => {
+                let (a, b) = (from.index(bytes.len()), to.index(bytes.len()));
+                let part = bytes[a.min(b)..a.max(b)].to_vec();
+                bytes.extend(part);
+            }
+        }
+    }
+    bytes
+}
+
+/// Runs `n_cases` damaged copies of each file, from a seed that is stated.
+fn fuzz(files: &[(String, Vec<u8>)], n_cases: u32, seed: u8) {
+    for (name, whole) in files {
+        // Headers of compressed files are reached only below the compression.
+        let is_gzip = whole.starts_with(&[0x1f, 0x8b]);
+        let plain = if is_gzip {
+            let mut plain = Vec::new();
+            std::io::Read::read_to_end(&mut flate2::read::MultiGzDecoder::new(whole.as_slice()), &mut plain).unwrap();
+            plain
+        } else {
+            whole.clone()
+        };
+        check(name, whole, plain.len());
+        let config = Config { cases: n_cases, failure_persistence: None, ..Config::default() };
+        let mut runner = TestRunner::new_with_rng(config, TestRng::from_seed(RngAlgorithm::ChaCha, &[seed; 32]));
+        let outcome = runner.run(&proptest::collection::vec(damage(), 1..5), |damage| {
+            let bytes = damaged(plain.clone(), &damage);
+            check(name, &bytes, bytes.len());
+            if is_gzip {
+                // A damaged stream may inflate to more than the whole one did.
+                check(name, &damaged(whole.clone(), &damage), 1100 * whole.len());
+            }
+            Ok(())
+        });
+        outcome.unwrap_or_else(|error| panic!("{name}: {error}"));
+    }
+}
+
+#[test]
+fn damaged_files_of_every_format_cost_little_and_panic_nowhere() {
+    fuzz(&all_samples(), 400, 1);
+}
+
+#[test]
+fn every_prefix_of_every_file_costs_little_and_panics_nowhere() {
+    for (name, bytes) in all_samples() {
+        for length in 0..bytes.len() {
+            check(&name, &bytes[..length], length);
+        }
+    }
+}
+
+/// Files of other programs, which are not part of the repository.
+mod real_data {
+    use super::*;
+
+    #[path = "../../../../tests/fixtures/mod.rs"]
+    #[allow(dead_code, reason = "each test binary uses a part of it")]
+    mod fixtures;
+
+    #[test]
+    #[ignore = "needs real data (formats)"]
+    fn damaged_files_of_other_programs_cost_little_and_panic_nowhere() {
+        let folders: Vec<_> = fixtures::real_files("formats").into_iter().collect();
+        let files = folders.iter().flat_map(|folder| std::fs::read_dir(folder).unwrap());
+        let mut paths: Vec<_> = files.map(|file| file.unwrap().path()).collect();
+        paths.sort();
+        for path in paths {
+            let name = path.file_name().unwrap().to_string_lossy().into_owned();
+            let bytes = std::fs::read(&path).unwrap();
+            // Copies of the largest files take most of the time.
+            let n_cases = if bytes.len() > 200_000 { 12 } else { 60 };
+            fuzz(&[(name, bytes)], n_cases, 2);
+        }
+    }
+}

@@ -12,7 +12,8 @@ use std::path::PathBuf;
 /// Show format, topology and repairs of a surface or label volume
 #[derive(Debug, Clone, Args)]
 pub(super) struct InspectArgs {
-    /// File to inspect: NIfTI-1 label volume, PLY, STL or legacy VTK
+    /// File to inspect: a surface (GIFTI, FreeSurfer, PLY, STL, VTK, VTP, OBJ, OFF, MZ3) or a label volume (NIfTI, MGZ, NRRD,
+    /// MetaImage, DICOM SEG)
     pub(super) file: PathBuf,
     /// Print the report as JSON
     #[arg(long)]

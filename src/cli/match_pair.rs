@@ -8,10 +8,14 @@ use super::parameters::ParameterArgs;
 use super::progress::{Progress, WithoutTerminal};
 use super::summary::summary;
 use clap::Args;
-use homolog_formats::ply::write_ply;
+use homolog_contract::result::WarpDirection;
+use homolog_formats::gifti::write_gifti;
+use homolog_formats::ply::{write_ply, write_ply_with};
+use homolog_formats::vertex_table::write_csv;
+use homolog_formats::vtp::write_vtp_with;
 use homolog_primitives::observe::{Observer, Phase, TracePoint};
 use homolog_run::intake::IntakeLimits;
-use homolog_run::{InputFile, RunError, RunOutput, run_match};
+use homolog_run::{InputFile, RunError, RunOutput, WarpedSurface, run_match};
 use serde::Serialize;
 use std::fmt::Write;
 use std::path::PathBuf;
@@ -21,13 +25,15 @@ use std::time::Instant;
 /// Match two surfaces: compute the dense correspondence and the rigid transform
 #[derive(Debug, Clone, Args)]
 pub(super) struct MatchArgs {
-    /// Source: the surface that is moved; NIfTI-1 label volume, PLY, STL or legacy VTK
+    /// Source: the surface that is moved; a surface (GIFTI, FreeSurfer, PLY, STL, VTK, VTP, OBJ, OFF, MZ3) or a label volume
+    /// (NIfTI, MGZ, NRRD, MetaImage, DICOM SEG)
     pub(super) source: PathBuf,
     /// Target: the surface that stays in place
     pub(super) target: PathBuf,
     #[command(flatten)]
     pub(super) parameters: ParameterArgs,
-    /// Folder for result.json, correspondences.csv, source.ply, target.ply, aligned.ply and trace.jsonl
+    /// Folder for result.json, correspondences.csv, source.ply, target.ply, aligned.ply (moved rigidly), warped.ply, .vtp,
+    /// .surf.gii and .csv (the source bent onto the target) and trace.jsonl
     #[arg(long, value_name = "DIR")]
     pub(super) out: Option<PathBuf>,
     /// Print the result document, and nothing else, as JSON
@@ -87,6 +93,10 @@ fn write_files(folder: &OutputFolder, output: &RunOutput, trace: &[TimedPoint]) 
     folder.write("target.ply", &write_ply(&output.target))?;
     let aligned = output.aligned().map_err(|e| CliError::Failed(format!("cannot compute the aligned surface: {e}")))?;
     folder.write("aligned.ply", &write_ply(&aligned))?;
+    write_warped(folder, output, WarpDirection::Forward, "warped")?;
+    if document.correspondences.as_ref().is_some_and(|pairs| pairs.inverse.is_some()) {
+        write_warped(folder, output, WarpDirection::Inverse, "warped-inverse")?;
+    }
     let mut lines = String::new();
     for point in trace {
         let line = serde_json::to_string(point)
@@ -94,6 +104,23 @@ fn write_files(folder: &OutputFolder, output: &RunOutput, trace: &[TimedPoint]) 
         let _ = writeln!(lines, "{line}");
     }
     folder.write("trace.jsonl", lines.as_bytes())?;
+    Ok(())
+}
+
+/// A bent surface with the deformation at each vertex, in the formats that hold both.
+fn write_warped(
+    folder: &OutputFolder,
+    output: &RunOutput,
+    direction: WarpDirection,
+    name: &str,
+) -> Result<(), CliError> {
+    let warped = output.warped(direction);
+    let WarpedSurface { mesh, arrays } =
+        warped.map_err(|e| CliError::Failed(format!("cannot compute the bent surface: {e}")))?;
+    folder.write(&format!("{name}.ply"), &write_ply_with(&mesh, &arrays))?;
+    folder.write(&format!("{name}.vtp"), &write_vtp_with(&mesh, &arrays))?;
+    folder.write(&format!("{name}.surf.gii"), &write_gifti(&mesh, &arrays))?;
+    folder.write(&format!("{name}.csv"), &write_csv(&arrays))?;
     Ok(())
 }
 

@@ -157,6 +157,8 @@ impl From<JobError> for Problem {
         };
         match error {
             JobError::NotFound => Problem::new(ProblemKind::JobNotFound),
+            JobError::NoInverse => Problem::new(ProblemKind::RouteNotFound)
+                .detail("the job has no inverse correspondences; submit it with both_directions set to true"),
             JobError::MeshNotFound => Problem::new(ProblemKind::MeshNotFound),
             JobError::BatchNotFound => Problem::new(ProblemKind::BatchNotFound),
             JobError::WebhookNotFound => Problem::new(ProblemKind::WebhookNotFound),

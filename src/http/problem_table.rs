@@ -82,7 +82,8 @@ problems! {
     UnsupportedMediaType = "unsupported-media-type", UNSUPPORTED_MEDIA_TYPE, "The media type of the body is not supported",
         "Send a submission as multipart/form-data with a boundary, or as application/json.";
     UnknownFormat = "unknown-format", UNSUPPORTED_MEDIA_TYPE, "The file format of an input is unknown",
-        "Send NIfTI-1 (.nii, .nii.gz), PLY, STL or legacy VTK.";
+        "Send a surface as GIFTI, FreeSurfer, PLY, STL, VTK, VTP, OBJ, OFF or MZ3, or labels as NIfTI, MGZ, NRRD, MetaImage \
+         or DICOM SEG.";
     UnreadableFile = "unreadable-file", UNPROCESSABLE_ENTITY, "An input cannot be read",
         "detail says where the file is invalid; export it again.";
     EmptyStructure = "empty-structure", UNPROCESSABLE_ENTITY, "An input contains no structure to match",

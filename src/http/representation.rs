@@ -29,6 +29,7 @@ fn form(format: PartFormat) -> Form {
         PartFormat::Arrow => ("application/vnd.apache.arrow.file", "application/vnd.apache.arrow.file", Some("arrow")),
         PartFormat::Ply => ("model/ply", "model/ply", Some("ply")),
         PartFormat::Vtk => ("model/vtk", "model/vtk", Some("vtk")),
+        PartFormat::Vtp => ("application/vnd.vtk.vtp", "application/vnd.vtk.vtp", Some("vtp")),
         PartFormat::Gifti => ("application/gifti+xml", "application/gifti+xml", Some("surf.gii")),
         PartFormat::Stl => ("model/stl", "model/stl", Some("stl")),
         PartFormat::Text => ("text/plain", "text/plain; charset=utf-8", None),

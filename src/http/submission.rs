@@ -36,7 +36,8 @@ const KNOWN: &str =
 #[derive(Debug, Clone, ToSchema)]
 #[allow(dead_code, reason = "describes a multipart form, which is read field by field")]
 pub(crate) struct SubmissionForm {
-    /// The surface that is moved onto the target: NIfTI-1 label volume, PLY, STL or legacy VTK.
+    /// The surface that is moved onto the target: a surface (GIFTI, FreeSurfer, PLY, STL, VTK, VTP, OBJ, OFF, MZ3) or a label
+    /// volume (NIfTI, MGZ, NRRD, MetaImage, DICOM SEG).
     #[schema(format = Binary)]
     source: String,
     /// The surface that stays in place.

@@ -180,12 +180,14 @@ pub(crate) struct ResultLinks {
     pub(crate) source_surface: String,
     /// The matched target surface, in the same formats.
     pub(crate) target_surface: String,
-    /// The dense correspondence: JSON, CSV, NumPy or Arrow; or the source surface with arrays: PLY, VTK or GIFTI.
+    /// The dense correspondence: JSON, CSV, NumPy or Arrow; or the source surface with arrays: PLY, VTK, VTP or GIFTI.
     pub(crate) correspondences: String,
     /// The energy trace.
     pub(crate) trace: String,
-    /// The source surface moved onto the target: PLY, VTK, GIFTI or STL.
+    /// The source surface moved rigidly onto the target: PLY, VTK, VTP, GIFTI or STL.
     pub(crate) aligned: String,
+    /// The source surface bent onto the target, with the deformation at each vertex; also as a table.
+    pub(crate) warped: String,
 }
 
 /// The available methods.
@@ -580,6 +582,7 @@ impl ResultLinks {
             correspondences: format!("{path}/correspondences"),
             trace: format!("{path}/trace"),
             aligned: format!("{path}/aligned"),
+            warped: format!("{path}/warped"),
             job: path,
         }
     }

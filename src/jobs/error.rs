@@ -38,6 +38,9 @@ pub enum JobError {
         /// Its state.
         state: JobState,
     },
+    /// The job did not compute the map from the target to the source.
+    #[error("the inverse correspondences were not computed")]
+    NoInverse,
     /// No such upload of this tenant.
     #[error("no such mesh")]
     MeshNotFound,

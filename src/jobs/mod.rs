@@ -48,7 +48,7 @@ pub use ports::{
     ArtifactKey, ArtifactKind, ArtifactRef, ArtifactStore, ArtifactWriter, BlobHolds, DepartedProcess, Housekeeping,
     JobQueue, JobReader, JobStore, JobWriter, Load, Outcome, Processes,
 };
-pub use presentation::{PartFormat, PresentError, Presentation, ResultPart};
+pub use presentation::{PartFormat, PresentError, Presentation, ResultPart, WarpDirection, WarpSpace};
 pub use retention::{Overdue, Purged, Retention};
 pub use service::{BulkCancelled, JobService, Stores, SubmissionLimits};
 pub use signals::{Moves, Signals};

@@ -8,6 +8,7 @@ use super::job::{JobId, Tenant};
 use super::ports::{ArtifactKind, ArtifactRef};
 use super::service::JobService;
 use bytes::Bytes;
+pub use homolog_contract::result::{WarpDirection, WarpSpace};
 use std::sync::Arc;
 
 /// A part of a result that a client can read.
@@ -21,8 +22,15 @@ pub enum ResultPart {
     SourceSurface,
     /// The target surface to which the correspondences refer.
     TargetSurface,
-    /// The source surface moved onto the target.
+    /// The source surface moved rigidly onto the target.
     Aligned,
+    /// One surface bent onto the other, with the deformation at each vertex.
+    Warped {
+        /// Which is bent.
+        direction: WarpDirection,
+        /// In whose coordinates.
+        space: WarpSpace,
+    },
 }
 
 /// A file format.
@@ -40,6 +48,8 @@ pub enum PartFormat {
     Ply,
     /// Legacy VTK.
     Vtk,
+    /// VTK XML poly data.
+    Vtp,
     /// GIFTI.
     Gifti,
     /// STL.
@@ -61,16 +71,18 @@ impl ResultPart {
             ResultPart::SourceSurface => "source",
             ResultPart::TargetSurface => "target",
             ResultPart::Aligned => "aligned",
+            ResultPart::Warped { .. } => "warped",
         }
     }
 
     /// The available formats, the default first.
     pub fn formats(self) -> &'static [PartFormat] {
-        use PartFormat::{Arrow, Csv, Gifti, Itk, Json, Lta, Npy, Ply, Stl, Text, Vtk};
+        use PartFormat::{Arrow, Csv, Gifti, Itk, Json, Lta, Npy, Ply, Stl, Text, Vtk, Vtp};
         match self {
-            ResultPart::Correspondences => &[Json, Csv, Npy, Arrow, Ply, Vtk, Gifti],
+            ResultPart::Correspondences => &[Json, Csv, Npy, Arrow, Ply, Vtk, Vtp, Gifti],
             ResultPart::Transform => &[Json, Text, Itk, Lta],
-            ResultPart::SourceSurface | ResultPart::TargetSurface | ResultPart::Aligned => &[Ply, Vtk, Gifti, Stl],
+            ResultPart::SourceSurface | ResultPart::TargetSurface | ResultPart::Aligned => &[Ply, Vtk, Vtp, Gifti, Stl],
+            ResultPart::Warped { .. } => &[Ply, Vtk, Vtp, Gifti, Stl, Json, Csv, Npy, Arrow],
         }
     }
 
@@ -78,7 +90,7 @@ impl ResultPart {
     fn stored_as(self) -> Option<PartFormat> {
         match self {
             ResultPart::Correspondences => Some(PartFormat::Json),
-            ResultPart::Transform => None,
+            ResultPart::Transform | ResultPart::Warped { .. } => None,
             _ => Some(PartFormat::Ply),
         }
     }
@@ -86,7 +98,7 @@ impl ResultPart {
     /// The blobs from which it is converted to a format.
     fn made_from(self, format: PartFormat) -> &'static [ArtifactKind] {
         match (self, format) {
-            (ResultPart::Correspondences, PartFormat::Ply | PartFormat::Vtk | PartFormat::Gifti) => {
+            (ResultPart::Correspondences, PartFormat::Ply | PartFormat::Vtk | PartFormat::Vtp | PartFormat::Gifti) => {
                 &[ArtifactKind::Correspondences, ArtifactKind::SourceSurface]
             }
             (ResultPart::Correspondences, _) => &[ArtifactKind::Correspondences],
@@ -94,6 +106,12 @@ impl ResultPart {
             (ResultPart::SourceSurface, _) => &[ArtifactKind::SourceSurface],
             (ResultPart::TargetSurface, _) => &[ArtifactKind::TargetSurface],
             (ResultPart::Aligned, _) => &[ArtifactKind::Aligned],
+            (ResultPart::Warped { .. }, _) => &[
+                ArtifactKind::Result,
+                ArtifactKind::Correspondences,
+                ArtifactKind::SourceSurface,
+                ArtifactKind::TargetSurface,
+            ],
         }
     }
 }
@@ -108,6 +126,7 @@ impl PartFormat {
             PartFormat::Arrow => "arrow",
             PartFormat::Ply => "ply",
             PartFormat::Vtk => "vtk",
+            PartFormat::Vtp => "vtp",
             PartFormat::Gifti => "gifti",
             PartFormat::Stl => "stl",
             PartFormat::Text => "text",
@@ -128,6 +147,9 @@ pub enum PresentError {
         /// The format.
         format: PartFormat,
     },
+    /// The job did not compute the map from the target to the source.
+    #[error("the inverse correspondences were not computed")]
+    NoInverse,
     /// The stored part cannot be read, or not be written in this format.
     #[error("{what}")]
     Unreadable {
@@ -156,6 +178,10 @@ impl Presentation {
             self.format.name().to_owned()
         } else {
             format!("{}-{}", self.format.name(), env!("CARGO_PKG_VERSION"))
+        };
+        let form = match self.part {
+            ResultPart::Warped { direction, space } => format!("{form}-{}-{}", direction.name(), space.name()),
+            _ => form,
         };
         format!("{}-{form}", blobs.join("-"))
     }
@@ -204,6 +230,7 @@ impl JobService {
         });
         match made.await {
             Ok(Ok(bytes)) => Ok(bytes.into()),
+            Ok(Err(PresentError::NoInverse)) => Err(JobError::NoInverse),
             Ok(Err(error)) => Err(JobError::corrupt("a stored part of a result", error)),
             Err(error) => Err(JobError::corrupt("a stored part of a result", error)),
         }

@@ -3,21 +3,24 @@
 
 use crate::jobs::{PartFormat, PresentError, ResultPart};
 use homolog_contract::result::{Correspondences, TransformDocument};
-use homolog_formats::arrow::write_arrow;
+use homolog_formats::arrow::{write_arrow, write_arrow_table};
 use homolog_formats::gifti::write_gifti;
 use homolog_formats::npy::write_npy;
 use homolog_formats::ply::{read_ply, write_ply_with};
 use homolog_formats::transform::{write_itk_transform, write_lta, write_matrix_text};
+use homolog_formats::vertex_table::{write_csv, write_npy_table};
 use homolog_formats::vtk::write_vtk_with;
+use homolog_formats::vtp::write_vtp_with;
 use homolog_formats::{PairColumns, ReadLimits, VertexArray, VertexValues, write_stl};
 use homolog_mesh::SurfaceMesh;
+use homolog_run::{WarpError, WarpedSurface, warp};
 use serde::Deserialize;
 
 /// Value of `target` for a source vertex without a correspondence; its other values are 0.
 pub const NO_TARGET: i32 = -1;
 
 /// A part of a result in `format`, made from the stored blobs of the part: the correspondences (JSON), with the source
-/// surface (PLY) for surface formats; the result document (JSON); or a surface (PLY).
+/// surface (PLY) for surface formats; the result document (JSON); a surface (PLY); or all of these for a bent surface.
 ///
 /// # Errors
 /// [`PresentError`].
@@ -30,6 +33,24 @@ pub fn present(part: ResultPart, format: PartFormat, stored: &[&[u8]]) -> Result
             surface_file(&mesh, &arrays, format)
         }
         (ResultPart::Transform, [result]) => transform(result, format)?,
+        (ResultPart::Warped { direction, space }, [result, columns, source, target]) => {
+            let surfaces = [surface_mesh(source)?, surface_mesh(target)?];
+            let matrix = stored_transform(result)?.matrix;
+            let pairs = correspondences(columns)?;
+            let warped = warp([&surfaces[0], &surfaces[1]], &pairs, &matrix, direction, space);
+            let WarpedSurface { mesh, arrays } = warped.map_err(|error| match error {
+                WarpError::NoInverse => PresentError::NoInverse,
+                error => unreadable("a bent surface", error),
+            })?;
+            match format {
+                PartFormat::Stl => surface_file(&mesh, &[], format),
+                PartFormat::Json => Some(json_table(&arrays).to_string().into_bytes()),
+                PartFormat::Csv => Some(write_csv(&arrays)),
+                PartFormat::Npy => Some(write_npy_table(&arrays)),
+                PartFormat::Arrow => Some(write_arrow_table(&arrays)),
+                _ => surface_file(&mesh, &arrays, format),
+            }
+        }
         (_, [surface]) => surface_file(&surface_mesh(surface)?, &[], format),
         _ => None,
     }
@@ -53,6 +74,7 @@ fn surface_file(mesh: &SurfaceMesh, arrays: &[VertexArray], format: PartFormat) 
     match format {
         PartFormat::Ply => Some(write_ply_with(mesh, arrays)),
         PartFormat::Vtk => Some(write_vtk_with(mesh, arrays)),
+        PartFormat::Vtp => Some(write_vtp_with(mesh, arrays)),
         PartFormat::Gifti => Some(write_gifti(mesh, arrays)),
         // STL cannot hold arrays.
         PartFormat::Stl if arrays.is_empty() => Some(write_stl(mesh)),
@@ -87,13 +109,7 @@ fn vertex_arrays(pairs: &Correspondences, n_vertices: usize) -> Vec<VertexArray>
 }
 
 fn transform(result: &[u8], format: PartFormat) -> Result<Option<Vec<u8>>, PresentError> {
-    /// The only member of the result document that is needed here.
-    #[derive(Deserialize)]
-    struct Stored {
-        transform: TransformDocument,
-    }
-    let Stored { transform } =
-        serde_json::from_slice(result).map_err(|error| unreadable("a stored transform", error))?;
+    let transform = stored_transform(result)?;
     Ok(match format {
         PartFormat::Json => Some(serde_json::to_vec(&transform).map_err(|e| unreadable("a transform as JSON", e))?),
         PartFormat::Text => Some(write_matrix_text(&transform.matrix).into_bytes()),
@@ -104,6 +120,26 @@ fn transform(result: &[u8], format: PartFormat) -> Result<Option<Vec<u8>>, Prese
         PartFormat::Lta => Some(write_lta(&transform.matrix).into_bytes()),
         _ => None,
     })
+}
+
+fn stored_transform(result: &[u8]) -> Result<TransformDocument, PresentError> {
+    /// The only member of the result document that is needed here.
+    #[derive(Deserialize)]
+    struct Stored {
+        transform: TransformDocument,
+    }
+    let stored: Stored = serde_json::from_slice(result).map_err(|error| unreadable("a stored transform", error))?;
+    Ok(stored.transform)
+}
+
+/// The arrays as an object of columns.
+fn json_table(arrays: &[VertexArray]) -> serde_json::Value {
+    let column = |values: &VertexValues| match values {
+        VertexValues::Int(v) => serde_json::json!(v),
+        VertexValues::Real(v) => serde_json::json!(v),
+        VertexValues::Byte(v) => serde_json::json!(v),
+    };
+    arrays.iter().map(|array| (array.name.to_owned(), column(&array.values))).collect::<serde_json::Map<_, _>>().into()
 }
 
 fn correspondences(stored: &[u8]) -> Result<Correspondences, PresentError> {

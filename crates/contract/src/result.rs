@@ -342,6 +342,44 @@ pub struct Correspondences {
     pub inverse: Option<Box<Correspondences>>,
 }
 
+/// Which surface is bent.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum WarpDirection {
+    /// The source onto the target.
+    Forward,
+    /// The target onto the source; needs the inverse correspondences.
+    Inverse,
+}
+
+impl WarpDirection {
+    /// The name used in requests.
+    pub fn name(self) -> &'static str {
+        match self {
+            WarpDirection::Forward => "forward",
+            WarpDirection::Inverse => "inverse",
+        }
+    }
+}
+
+/// The coordinates in which a bent surface is given.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum WarpSpace {
+    /// Those of the source.
+    Source,
+    /// Those of the target.
+    Target,
+}
+
+impl WarpSpace {
+    /// The name used in requests.
+    pub fn name(self) -> &'static str {
+        match self {
+            WarpSpace::Source => "source",
+            WarpSpace::Target => "target",
+        }
+    }
+}
+
 /// Why a correspondence is an outlier.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]

@@ -5,6 +5,7 @@
 //! need are encoded here by [`Flat`], because the Arrow library is larger than all of this crate.
 
 use super::PairColumns;
+use super::vertex_arrays::{VertexArray, VertexValues};
 
 const MAGIC: &[u8] = b"ARROW1";
 /// The marker at the start of every message, before the length of its metadata.
@@ -18,6 +19,7 @@ const VERSION: i16 = 4;
 #[derive(Clone, Copy)]
 enum Column {
     Uint32,
+    Int32,
     Uint8,
     Double,
     Bool,
@@ -59,14 +61,44 @@ pub fn write_arrow(pairs: &PairColumns<'_>) -> Vec<u8> {
         body.add(pairs.barycentric[..n].iter().flat_map(|v| v[corner].to_le_bytes()));
     }
 
+    arrow_file(&COLUMNS, n, &body)
+}
+
+/// Per-vertex arrays as a table: a column for each (int32, float64, uint8), none nullable; row `k` is vertex `k`.
+pub fn write_arrow_table(arrays: &[VertexArray]) -> Vec<u8> {
+    let n = arrays.iter().map(|array| array.values.len()).min().unwrap_or(0);
+    let mut body = Body::default();
+    let mut columns = Vec::new();
+    for VertexArray { name, values } in arrays {
+        let column = match values {
+            VertexValues::Int(v) => {
+                body.add(v[..n].iter().flat_map(|v| v.to_le_bytes()));
+                Column::Int32
+            }
+            VertexValues::Real(v) => {
+                body.add(v[..n].iter().flat_map(|v| v.to_le_bytes()));
+                Column::Double
+            }
+            VertexValues::Byte(v) => {
+                body.add(v[..n].iter().copied());
+                Column::Uint8
+            }
+        };
+        columns.push((*name, column));
+    }
+    arrow_file(&columns, n, &body)
+}
+
+/// A file of one record batch.
+fn arrow_file(columns: &[(&str, Column)], n: usize, body: &Body) -> Vec<u8> {
     let mut file = MAGIC.to_vec();
     file.resize(ALIGNMENT, 0);
-    message(&mut file, &schema_message(), &[]);
+    message(&mut file, &schema_message(columns), &[]);
     let offset = file.len();
-    let metadata_length = message(&mut file, &batch_message(n, &body), &body.bytes);
+    let metadata_length = message(&mut file, &batch_message(n, body), &body.bytes);
     file.extend(CONTINUATION);
     file.extend([0; 4]); // the end of the stream of messages
-    let footer = footer(offset, metadata_length, body.bytes.len());
+    let footer = footer(columns, offset, metadata_length, body.bytes.len());
     file.extend(&footer);
     file.extend((footer.len() as u32).to_le_bytes());
     file.extend(MAGIC);
@@ -101,25 +133,25 @@ impl Body {
     }
 }
 
-fn schema_message() -> Vec<u8> {
+fn schema_message(columns: &[(&str, Column)]) -> Vec<u8> {
     let mut flat = Flat::default();
     // Message: version, header type (1 = Schema), header, body length.
     let root = flat.root(&[Field::I16(VERSION), Field::U8(1), Field::Link, Field::I64(0)]);
-    let schema = schema(&mut flat);
+    let schema = schema(columns, &mut flat);
     flat.link(root[0], schema);
     flat.bytes
 }
 
 /// The `Schema` table; returns its place.
-fn schema(flat: &mut Flat) -> usize {
+fn schema(columns: &[(&str, Column)], flat: &mut Flat) -> usize {
     // Schema: endianness (0 = little), fields.
     let (place, links) = flat.table(&[Field::I16(0), Field::Link]);
-    let (fields, slots) = flat.vector_of_links(COLUMNS.len());
+    let (fields, slots) = flat.vector_of_links(columns.len());
     flat.link(links[0], fields);
-    for (slot, (name, column)) in slots.into_iter().zip(COLUMNS) {
+    for (slot, (name, column)) in slots.into_iter().zip(columns) {
         // Type: 2 = Int, 3 = FloatingPoint, 6 = Bool.
         let kind = match column {
-            Column::Uint32 | Column::Uint8 => 2,
+            Column::Uint32 | Column::Int32 | Column::Uint8 => 2,
             Column::Double => 3,
             Column::Bool => 6,
         };
@@ -131,6 +163,7 @@ fn schema(flat: &mut Flat) -> usize {
         flat.link(links[0], name);
         let (kind, _) = match column {
             Column::Uint32 => flat.table(&[Field::I32(32), Field::U8(0)]), // Int: width in bits, signed
+            Column::Int32 => flat.table(&[Field::I32(32), Field::U8(1)]),
             Column::Uint8 => flat.table(&[Field::I32(8), Field::U8(0)]),
             Column::Double => flat.table(&[Field::I16(2)]), // FloatingPoint: precision (2 = double)
             Column::Bool => flat.table(&[]),
@@ -150,7 +183,7 @@ fn batch_message(n_rows: usize, body: &Body) -> Vec<u8> {
     let (batch, links) = flat.table(&[Field::I64(n_rows as i64), Field::Link, Field::Link]);
     flat.link(root[0], batch);
     // FieldNode: length, nulls; one for each column.
-    let nodes = flat.vector_of_longs(&[[n_rows as i64, 0]; COLUMNS.len()]);
+    let nodes = flat.vector_of_longs(&vec![[n_rows as i64, 0]; body.places.len() / 2]);
     flat.link(links[0], nodes);
     // Buffer: offset in the body, length.
     let buffers = flat.vector_of_longs(&body.places);
@@ -158,11 +191,11 @@ fn batch_message(n_rows: usize, body: &Body) -> Vec<u8> {
     flat.bytes
 }
 
-fn footer(offset: usize, metadata_length: usize, body_length: usize) -> Vec<u8> {
+fn footer(columns: &[(&str, Column)], offset: usize, metadata_length: usize, body_length: usize) -> Vec<u8> {
     let mut flat = Flat::default();
     // Footer: version, schema, dictionaries, record batches.
     let root = flat.root(&[Field::I16(VERSION), Field::Link, Field::Link, Field::Link]);
-    let schema = schema(&mut flat);
+    let schema = schema(columns, &mut flat);
     flat.link(root[0], schema);
     let none = flat.vector_of_longs::<3>(&[]);
     flat.link(root[1], none);

@@ -35,6 +35,7 @@ pub mod off;
 pub mod ply;
 pub mod stl;
 pub mod transform;
+pub mod vertex_table;
 pub mod vtk;
 pub mod vtp;
 

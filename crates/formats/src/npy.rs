@@ -14,18 +14,9 @@ const ALIGNMENT: usize = 64;
 /// (`<f8`), 62 bytes a row.
 pub fn write_npy(pairs: &PairColumns<'_>) -> Vec<u8> {
     let n = pairs.len();
-    let mut header = format!(
-        "{{'descr': [('source', '<u4'), ('target', '<u4'), ('confidence', '<f8'), ('inlier', '|b1'), \
-         ('spread_mm', '<f8'), ('outlier', '|u1'), ('triangle', '<u4', (3,)), ('barycentric', '<f8', (3,))], \
-         'fortran_order': False, 'shape': ({n},), }}"
-    );
-    let begin = MAGIC.len() + 2;
-    let padded = (begin + header.len() + 1).next_multiple_of(ALIGNMENT);
-    header.extend(std::iter::repeat_n(' ', padded - begin - header.len() - 1));
-    header.push('\n');
-    let mut file = MAGIC.to_vec();
-    file.extend((header.len() as u16).to_le_bytes());
-    file.extend(header.into_bytes());
+    let fields = "('source', '<u4'), ('target', '<u4'), ('confidence', '<f8'), ('inlier', '|b1'), \
+         ('spread_mm', '<f8'), ('outlier', '|u1'), ('triangle', '<u4', (3,)), ('barycentric', '<f8', (3,))";
+    let mut file = npy_file(fields, n);
     file.reserve(62 * n);
     for row in pairs.rows() {
         file.extend(row.source.to_le_bytes());
@@ -37,5 +28,18 @@ pub fn write_npy(pairs: &PairColumns<'_>) -> Vec<u8> {
         file.extend(row.triangle.iter().flat_map(|v| v.to_le_bytes()));
         file.extend(row.barycentric.iter().flat_map(|v| v.to_le_bytes()));
     }
+    file
+}
+
+/// A file up to its data: the header of a one-dimensional structured array of `n` rows with these fields.
+pub(super) fn npy_file(fields: &str, n: usize) -> Vec<u8> {
+    let mut header = format!("{{'descr': [{fields}], 'fortran_order': False, 'shape': ({n},), }}");
+    let begin = MAGIC.len() + 2;
+    let padded = (begin + header.len() + 1).next_multiple_of(ALIGNMENT);
+    header.extend(std::iter::repeat_n(' ', padded - begin - header.len() - 1));
+    header.push('\n');
+    let mut file = MAGIC.to_vec();
+    file.extend((header.len() as u16).to_le_bytes());
+    file.extend(header.into_bytes());
     file
 }

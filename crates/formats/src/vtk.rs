@@ -215,7 +215,7 @@ impl VtkReader<'_> {
     }
 }
 
-/// A binary legacy VTK file, version 3.0, double precision. Reading it back gives the same mesh to the bit.
+/// A binary legacy VTK file, version 5.1 (VTK 9 and later), double precision. Reading it back gives the same mesh to the bit.
 pub fn write_vtk(mesh: &SurfaceMesh) -> Vec<u8> {
     write_vtk_with(mesh, &[])
 }
@@ -223,15 +223,15 @@ pub fn write_vtk(mesh: &SurfaceMesh) -> Vec<u8> {
 /// As [`write_vtk`], with `POINT_DATA`: a field of arrays of `int`, `double` and `unsigned_char`.
 pub fn write_vtk_with(mesh: &SurfaceMesh, arrays: &[VertexArray]) -> Vec<u8> {
     let arrays: Vec<_> = fitting(mesh, arrays).collect();
-    let mut file = b"# vtk DataFile Version 3.0\nsurface, millimetres\nBINARY\nDATASET POLYDATA\n".to_vec();
+    let mut file = b"# vtk DataFile Version 5.1\nsurface, millimetres\nBINARY\nDATASET POLYDATA\n".to_vec();
     file.extend(format!("POINTS {} double\n", mesh.n_vertices()).into_bytes());
     file.extend(mesh.vertices().iter().flat_map(|p| p.iter()).flat_map(|c| c.to_be_bytes()));
-    let n = mesh.n_faces();
-    file.extend(format!("\nPOLYGONS {n} {}\n", n + mesh.indices().len()).into_bytes());
-    for face in mesh.faces() {
-        file.extend((face.len() as u32).to_be_bytes());
-        file.extend(face.iter().flat_map(|v| v.to_be_bytes()));
-    }
+    // Offsets of the faces in the list of corners, one more than there are faces.
+    let (n, n_corners) = (mesh.n_faces(), mesh.arity().n_corners());
+    file.extend(format!("\nPOLYGONS {} {}\nOFFSETS vtktypeint64\n", n + 1, mesh.indices().len()).into_bytes());
+    file.extend((0..=n).flat_map(|face| ((face * n_corners) as i64).to_be_bytes()));
+    file.extend(b"\nCONNECTIVITY vtktypeint64\n");
+    file.extend(mesh.indices().iter().flat_map(|&v| i64::from(v).to_be_bytes()));
     file.push(b'\n');
     if !arrays.is_empty() {
         let head = format!("POINT_DATA {}\nFIELD FieldData {}\n", mesh.n_vertices(), arrays.len());

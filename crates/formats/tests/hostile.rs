@@ -2,6 +2,9 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 #![allow(unsafe_code, reason = "an allocator that counts can only be written so")]
 
+#[path = "../../../tests/fixtures/mod.rs"]
+#[allow(dead_code, reason = "each test binary uses a part of it")]
+mod fixtures;
 mod samples;
 
 use homolog_formats::{ReadLimits, nifti, read, stl};
@@ -165,10 +168,6 @@ fn every_prefix_of_every_file_costs_little_and_panics_nowhere() {
 /// Files of other programs, which are not part of the repository.
 mod real_data {
     use super::*;
-
-    #[path = "../../../../tests/fixtures/mod.rs"]
-    #[allow(dead_code, reason = "each test binary uses a part of it")]
-    mod fixtures;
 
     #[test]
     #[ignore = "needs real data (formats)"]

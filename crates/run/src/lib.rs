@@ -14,14 +14,18 @@ mod numbering_tests;
 mod surfaces;
 #[cfg(test)]
 mod surfaces_tests;
+mod warped;
 
 pub use surfaces::SurfaceCache;
+pub use warped::{WarpError, WarpedSurface, warp};
 
 use surfaces::ReadySurface;
 
 use crate::intake::{IntakeError, IntakeLimits};
 use homolog_contract::parameters::MatchParameters;
-use homolog_contract::result::{InputProvenance, Provenance, ResultDocument};
+use homolog_contract::result::{
+    Correspondences, InputProvenance, Provenance, ResultDocument, WarpDirection, WarpSpace,
+};
 pub use homolog_matching::match_memory_bytes;
 use homolog_matching::{MatchError, match_levels};
 use homolog_mesh::{MeshError, SurfaceMesh};
@@ -71,12 +75,27 @@ pub struct RunOutput {
 }
 
 impl RunOutput {
-    /// The source surface moved onto the target by the transform of the result.
+    /// The source surface moved rigidly onto the target, by the transform of the result.
     ///
     /// # Errors
     /// [`MeshError::NonFinite`] if a coordinate overflows.
     pub fn aligned(&self) -> Result<SurfaceMesh, MeshError> {
         self.source.moved(&self.document.transform.matrix)
+    }
+
+    /// One surface bent onto the other, in the space of the other; see [`warp`].
+    ///
+    /// # Errors
+    /// [`WarpError`].
+    pub fn warped(&self, direction: WarpDirection) -> Result<WarpedSurface, WarpError> {
+        let none = Correspondences::default();
+        let correspondences = self.document.correspondences.as_ref().unwrap_or(&none);
+        let space = match direction {
+            WarpDirection::Forward => WarpSpace::Target,
+            WarpDirection::Inverse => WarpSpace::Source,
+        };
+        let surfaces = [&self.source, &self.target];
+        warp(surfaces, correspondences, &self.document.transform.matrix, direction, space)
     }
 }
 

@@ -79,7 +79,8 @@ pub(crate) struct FileBytes(String);
 #[derive(Debug, Clone, utoipa::ToSchema)]
 #[allow(dead_code, reason = "describes a multipart form")]
 pub(crate) struct MeshForm {
-    /// NIfTI-1 label volume, PLY, STL or legacy VTK.
+    /// A surface (GIFTI, FreeSurfer, PLY, STL, VTK, VTP, OBJ, OFF, MZ3) or a label volume (NIfTI, MGZ, NRRD, MetaImage,
+    /// DICOM SEG).
     #[schema(format = Binary)]
     file: String,
 }

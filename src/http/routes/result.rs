@@ -69,21 +69,21 @@ pub(crate) async fn result(
 /// 4 no_counterpart), and the corresponding point on the target surface, which lies between vertices: the vertices of its
 /// `triangle` and its `barycentric` coordinates, three numbers each.
 ///
-/// Or as the source surface with these values at each vertex: PLY (properties), legacy VTK (`POINT_DATA`) or GIFTI (further
+/// Or as the source surface with these values at each vertex: PLY (properties), legacy VTK and VTP (point data) or GIFTI (further
 /// data arrays; single precision, quads split into triangles). A vertex without a correspondence has `target` −1,
 /// `confidence` 0 and `inlier` 0.
 #[utoipa::path(
     get, path = "/v1/jobs/{id}/correspondences", tag = "results", operation_id = "get_correspondences",
     params(
         ("id" = String, Path, description = "The job"),
-        ("format" = Option<String>, Query, description = "`json`, `csv`, `npy`, `arrow`, `ply`, `vtk` or `gifti`; takes precedence over `Accept`; JSON if neither is given"),
+        ("format" = Option<String>, Query, description = "`json`, `csv`, `npy`, `arrow`, `ply`, `vtk`, `vtp` or `gifti`; takes precedence over `Accept`; JSON if neither is given"),
         ("If-None-Match" = Option<String>, Header, description = "ETag of an earlier answer"),
     ),
     responses(
         (status = 200, description = "The correspondence", content(
             (Correspondences = "application/json"), (String = "text/csv"), (Vec<u8> = "application/x-npy"),
             (Vec<u8> = "application/vnd.apache.arrow.file"), (Vec<u8> = "model/ply"), (Vec<u8> = "model/vtk"),
-            (String = "application/gifti+xml"),
+            (String = "application/vnd.vtk.vtp"), (String = "application/gifti+xml"),
         ), headers(
             ("ETag" = String, description = "Of this representation"), ("Vary" = String, description = "`accept`"),
             ("Content-Disposition" = String, description = "Suggested file name; not with JSON"),

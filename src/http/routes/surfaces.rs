@@ -1,4 +1,4 @@
-//! `/v1/jobs/{id}/surfaces/{which}` and `/aligned`: surfaces as files.
+//! `/v1/jobs/{id}/surfaces/{which}`, `/aligned` and `/warped`: surfaces as files.
 
 use super::job_id;
 use crate::http::auth::Reader;
@@ -7,14 +7,14 @@ use crate::http::problem_table::ProblemKind;
 use crate::http::query::QueryString;
 use crate::http::representation::answer;
 use crate::http::router::HttpState;
-use crate::jobs::ResultPart;
+use crate::jobs::{ResultPart, WarpDirection, WarpSpace};
 use axum::extract::{Path, State};
 use axum::http::HeaderMap;
 use axum::response::Response;
 
 /// Get a matched surface
 ///
-/// The surface whose vertices the correspondences refer to. Binary PLY and legacy VTK are exact and keep quads. GIFTI and
+/// The surface whose vertices the correspondences refer to. Binary PLY, legacy VTK and VTP are exact and keep quads. GIFTI and
 /// STL have single precision and triangles only, so quads are split. STL has no shared vertices, so the vertex indices of
 /// the correspondences do not apply to it.
 #[utoipa::path(
@@ -22,12 +22,13 @@ use axum::response::Response;
     params(
         ("id" = String, Path, description = "The job"),
         ("which" = String, Path, description = "`source` or `target`"),
-        ("format" = Option<String>, Query, description = "`ply`, `vtk`, `gifti` or `stl`; takes precedence over `Accept`; PLY if neither is given"),
+        ("format" = Option<String>, Query, description = "`ply`, `vtk`, `vtp`, `gifti` or `stl`; takes precedence over `Accept`; PLY if neither is given"),
         ("If-None-Match" = Option<String>, Header, description = "ETag of an earlier answer"),
     ),
     responses(
         (status = 200, description = "The surface, mm", content(
-            (Vec<u8> = "model/ply"), (Vec<u8> = "model/vtk"), (String = "application/gifti+xml"), (Vec<u8> = "model/stl"),
+            (Vec<u8> = "model/ply"), (Vec<u8> = "model/vtk"), (String = "application/vnd.vtk.vtp"),
+            (String = "application/gifti+xml"), (Vec<u8> = "model/stl"),
         ), headers(
             ("ETag" = String, description = "Of this representation"), ("Vary" = String, description = "`accept`"),
             ("Content-Disposition" = String, description = "Suggested file name"),
@@ -56,17 +57,19 @@ pub(crate) async fn surface(
 
 /// Get the aligned source surface
 ///
-/// The source surface moved onto the target, in the formats of the matched surfaces.
+/// The source surface moved onto the target by the rigid transform alone, in the formats of the matched surfaces: its shape
+/// is unchanged. The source bent onto the target is `/warped`.
 #[utoipa::path(
     get, path = "/v1/jobs/{id}/aligned", tag = "results", operation_id = "get_aligned",
     params(
         ("id" = String, Path, description = "The job"),
-        ("format" = Option<String>, Query, description = "`ply`, `vtk`, `gifti` or `stl`; takes precedence over `Accept`; PLY if neither is given"),
+        ("format" = Option<String>, Query, description = "`ply`, `vtk`, `vtp`, `gifti` or `stl`; takes precedence over `Accept`; PLY if neither is given"),
         ("If-None-Match" = Option<String>, Header, description = "ETag of an earlier answer"),
     ),
     responses(
         (status = 200, description = "The surface, mm", content(
-            (Vec<u8> = "model/ply"), (Vec<u8> = "model/vtk"), (String = "application/gifti+xml"), (Vec<u8> = "model/stl"),
+            (Vec<u8> = "model/ply"), (Vec<u8> = "model/vtk"), (String = "application/vnd.vtk.vtp"),
+            (String = "application/gifti+xml"), (Vec<u8> = "model/stl"),
         ), headers(
             ("ETag" = String, description = "Of this representation"), ("Vary" = String, description = "`accept`"),
             ("Content-Disposition" = String, description = "Suggested file name"),
@@ -86,4 +89,58 @@ pub(crate) async fn aligned(
     query: QueryString,
 ) -> Result<Response, Problem> {
     answer(&state, &tenant, job_id(&id)?, ResultPart::Aligned, &headers, query).await
+}
+
+/// Get the source bent onto the target
+///
+/// Every vertex of the source at its corresponding point on the target, with the faces of the source: the same vertex index
+/// is the same anatomical place in every source that was matched to one target and bent with `direction=inverse`, and in the
+/// source itself otherwise.
+///
+/// Each vertex has the deformation with the rigid transform taken out: `displacement_x_mm`, `displacement_y_mm`,
+/// `displacement_z_mm` (in the coordinates of `space`), `displacement_normal_mm` (along the outward normal), `residual_mm`
+/// (its length), `area_ratio` (area around the vertex after bending over that before), `confidence`, `spread_mm` and
+/// `outlier` (0 none, 1 residual, 2 neighborhood, 3 both, 4 no counterpart). PLY, legacy VTK, VTP and GIFTI hold them with
+/// the surface; STL holds the surface alone; JSON, CSV, NumPy and Arrow hold the values alone, a row for each vertex.
+#[utoipa::path(
+    get, path = "/v1/jobs/{id}/warped", tag = "results", operation_id = "get_warped",
+    params(
+        ("id" = String, Path, description = "The job"),
+        ("format" = Option<String>, Query, description = "`ply`, `vtk`, `vtp`, `gifti`, `stl`, `json`, `csv`, `npy` or `arrow`; takes precedence over `Accept`; PLY if neither is given"),
+        ("direction" = Option<String>, Query, description = "`forward` (default): the source is bent onto the target; `inverse`: the target onto the source, if the job had `both_directions`"),
+        ("space" = Option<String>, Query, description = "Coordinates of the answer, `target` or `source`; by default those of the surface onto which the other is bent. In the other space the same shape is moved rigidly"),
+        ("If-None-Match" = Option<String>, Header, description = "ETag of an earlier answer"),
+    ),
+    responses(
+        (status = 200, description = "The surface, mm", content(
+            (Vec<u8> = "model/ply"), (Vec<u8> = "model/vtk"), (String = "application/vnd.vtk.vtp"),
+            (String = "application/gifti+xml"), (Vec<u8> = "model/stl"), (serde_json::Value = "application/json"),
+            (String = "text/csv"), (Vec<u8> = "application/x-npy"), (Vec<u8> = "application/vnd.apache.arrow.file"),
+        ), headers(
+            ("ETag" = String, description = "Of this representation"), ("Vary" = String, description = "`accept`"),
+            ("Content-Disposition" = String, description = "Suggested file name; not with JSON"),
+        )),
+        (status = 304, description = "Not modified since the version that `If-None-Match` names"),
+        (status = 400, description = "Invalid query parameters", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 404, description = "No such job, or no inverse correspondences", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 406, description = "`Accept` allows none of the formats; `available` lists them", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 409, description = "The job is not finished, or finished without a result", body = ProblemDocument, content_type = "application/problem+json"),
+    )
+)]
+pub(crate) async fn warped(
+    State(state): State<HttpState>,
+    Reader(tenant): Reader,
+    Path(id): Path<String>,
+    headers: HeaderMap,
+    mut query: QueryString,
+) -> Result<Response, Problem> {
+    let both = [WarpDirection::Forward, WarpDirection::Inverse].map(|direction| (direction.name(), direction));
+    let direction = query.word("direction", &both).unwrap_or(WarpDirection::Forward);
+    let own = match direction {
+        WarpDirection::Forward => WarpSpace::Target,
+        WarpDirection::Inverse => WarpSpace::Source,
+    };
+    let spaces = [WarpSpace::Source, WarpSpace::Target].map(|space| (space.name(), space));
+    let space = query.word("space", &spaces).unwrap_or(own);
+    answer(&state, &tenant, job_id(&id)?, ResultPart::Warped { direction, space }, &headers, query).await
 }

@@ -64,7 +64,7 @@ pub(super) fn run(args: &MatchArgs) -> Result<(), CliError> {
     let output = outcome.map_err(|error| match error {
         RunError::Input { side, error } => {
             let path = if side.name() == "source" { &args.source } else { &args.target };
-            CliError::BadInput(format!("{} {}: {error}", side.name(), path.display()))
+            CliError::BadInput(format!("{} {}: {}", side.name(), path.display(), error.for_command_line()))
         }
         RunError::TooLarge { .. } => CliError::BadInput(error.to_string()),
         error if error.is_cancelled() => CliError::Interrupted,

@@ -166,7 +166,10 @@ impl Table<'_> {
         let names: Vec<String> = types
             .into_iter()
             .map(|kind| match kind {
-                "array" => format!("list of {}s", self.type_of(self.target(&schema["items"]).0, "")),
+                "array" => {
+                    let items = self.type_of(self.target(&schema["items"]).0, "");
+                    format!("list of {}s", items.replace(" or ", "s or "))
+                }
                 "string" if schema["enum"].is_array() => "name".to_owned(),
                 other => other.to_owned(),
             })

@@ -52,6 +52,7 @@ const ANSWERS: &[(&str, &str)] = &[
     ("get_result", file!("result.json")),
     ("get_correspondences", file!("correspondences.json")),
     ("get_transform", file!("transform.json")),
+    ("get_warped", file!("warped.json")),
     ("list_methods", file!("method_list.json")),
     ("get_method", file!("method.json")),
     ("healthz", file!("healthz.json")),
@@ -80,6 +81,9 @@ const TEXTS: &[(&str, &str)] = &[
          1 0 0 12.5\n0 1 0 -3.25\n0 0 1 40\n0 0 0 1\nsrc volume info\nvalid = 0  # volume info invalid\n...\n",
     ),
 ];
+/// Example of a table of the deformation, which has other columns than correspondences.
+const WARPED_CSV: &str = "vertex,displacement_x_mm,displacement_y_mm,displacement_z_mm,displacement_normal_mm,residual_mm,\
+     area_ratio,confidence,spread_mm,outlier\r\n0,-0.354,1.036,-0.109,-0.136,1.1,0.846,1,0.3,0\r\n";
 /// Errors that any operation can answer.
 const ALWAYS: [(StatusCode, &str); 5] = [
     (StatusCode::BAD_REQUEST, "The path or the query is malformed"),
@@ -132,6 +136,7 @@ fn complete_operation(operation: &mut Operation) {
                 PROBLEM => Some(problem(typical(&name, status))),
                 "application/json" if name == "problem_type" => Some(problem_type()),
                 "text/plain" if name == "metrics" => Some(json!("homolog_jobs{state=\"queued\"} 3\n")),
+                "text/csv" if name == "get_warped" => Some(json!(WARPED_CSV)),
                 "application/json" => named(ANSWERS),
                 text => TEXTS.iter().find(|(kind, _)| *kind == text).map(|(_, text)| json!(text)),
             };

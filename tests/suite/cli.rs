@@ -95,9 +95,12 @@ fn match_prints_the_result_document_and_nothing_else() {
     assert!(n > 0);
     assert_eq!(read_json(&out.join("result.json")), printed);
     assert_eq!(fs::read_to_string(out.join("correspondences.csv")).unwrap().lines().count(), n + 1);
-    for name in ["source.ply", "target.ply", "aligned.ply"] {
+    for name in ["source.ply", "target.ply", "aligned.ply", "warped.ply"] {
         assert!(fs::read(out.join(name)).unwrap().starts_with(b"ply"), "{name}");
     }
+    assert!(fs::read_to_string(out.join("warped.csv")).unwrap().starts_with("vertex,displacement_x_mm,"));
+    assert!(fs::read_to_string(out.join("warped.vtp")).unwrap().contains("displacement_normal_mm"));
+    assert!(fs::read_to_string(out.join("warped.surf.gii")).unwrap().contains("area_ratio"));
     let trace = fs::read_to_string(out.join("trace.jsonl")).unwrap();
     let seqs: Vec<u64> =
         trace.lines().map(|l| serde_json::from_str::<Value>(l).unwrap()["seq"].as_u64().unwrap()).collect();

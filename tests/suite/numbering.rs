@@ -194,7 +194,7 @@ impl Stored {
 }
 
 fn mesh_of(bytes: &[u8]) -> SurfaceMesh {
-    match read(bytes, None, &ReadLimits::default()).unwrap().1 {
+    match read(bytes, None, &ReadLimits::default()).unwrap().content {
         FileContent::Mesh(file) => file.mesh,
         FileContent::Labels(_) => panic!("a mesh is expected"),
     }

@@ -52,7 +52,7 @@ async fn bytes(service: &TestService, path: &str) -> Vec<u8> {
 }
 
 fn mesh_of(bytes: &[u8]) -> SurfaceMesh {
-    match read(bytes, None, &ReadLimits::default()).unwrap().1 {
+    match read(bytes, None, &ReadLimits::default()).unwrap().content {
         FileContent::Mesh(file) => file.mesh,
         FileContent::Labels(_) => panic!("a mesh is expected"),
     }
@@ -62,7 +62,7 @@ fn mesh_of(bytes: &[u8]) -> SurfaceMesh {
 type Offered = (&'static str, &'static str, Option<&'static str>);
 
 /// Parts and their formats; the first format is the default.
-const PARTS: [(&str, &[Offered]); 5] = [
+const PARTS: [(&str, &[Offered]); 6] = [
     (
         "correspondences",
         &[
@@ -72,6 +72,7 @@ const PARTS: [(&str, &[Offered]); 5] = [
             ("arrow", "application/vnd.apache.arrow.file", Some("arrow")),
             ("ply", "model/ply", Some("ply")),
             ("vtk", "model/vtk", Some("vtk")),
+            ("vtp", "application/vnd.vtk.vtp", Some("vtp")),
             ("gifti", "application/gifti+xml", Some("surf.gii")),
         ],
     ),
@@ -87,11 +88,26 @@ const PARTS: [(&str, &[Offered]); 5] = [
     ("surfaces/source", SURFACE),
     ("surfaces/target", SURFACE),
     ("aligned", SURFACE),
+    (
+        "warped",
+        &[
+            ("ply", "model/ply", Some("ply")),
+            ("vtk", "model/vtk", Some("vtk")),
+            ("vtp", "application/vnd.vtk.vtp", Some("vtp")),
+            ("gifti", "application/gifti+xml", Some("surf.gii")),
+            ("stl", "model/stl", Some("stl")),
+            ("json", "application/json", None),
+            ("csv", "text/csv", Some("csv")),
+            ("npy", "application/x-npy", Some("npy")),
+            ("arrow", "application/vnd.apache.arrow.file", Some("arrow")),
+        ],
+    ),
 ];
 
 const SURFACE: &[Offered] = &[
     ("ply", "model/ply", Some("ply")),
     ("vtk", "model/vtk", Some("vtk")),
+    ("vtp", "application/vnd.vtk.vtp", Some("vtp")),
     ("gifti", "application/gifti+xml", Some("surf.gii")),
     ("stl", "model/stl", Some("stl")),
 ];
@@ -170,7 +186,7 @@ async fn every_part_comes_in_every_format_it_has() {
     }
     let source = mesh_of(&bytes(&service, &format!("{job}/surfaces/source")).await);
     assert_eq!(source.arity(), FaceArity::Quad, "faces of voxels");
-    for format in ["ply", "vtk"] {
+    for format in ["ply", "vtk", "vtp"] {
         assert_eq!(mesh_of(&bytes(&service, &format!("{job}/correspondences?format={format}")).await), source);
         assert_eq!(mesh_of(&bytes(&service, &format!("{job}/surfaces/source?format={format}")).await), source);
     }
@@ -195,6 +211,49 @@ async fn every_part_comes_in_every_format_it_has() {
     let lps = |q: &Point3<f64>| Point3::new(-q.x, -q.y, q.z);
     let back = itk.transform_point(&lps(&aligned.vertices()[7]));
     assert!((back - lps(&source.vertices()[7])).norm() < 1e-9, "a point of the target is taken to the source");
+    service.end().await;
+}
+
+#[tokio::test]
+async fn the_source_bent_onto_the_target_lies_on_the_target() {
+    let (service, job) = matched().await;
+    let columns = service.json(&format!("{job}/correspondences")).await;
+    let [source, target] = ["source", "target"].map(|which| format!("{job}/surfaces/{which}"));
+    let (source, target) = (mesh_of(&bytes(&service, &source).await), mesh_of(&bytes(&service, &target).await));
+    let warped = mesh_of(&bytes(&service, &format!("{job}/warped")).await);
+    assert_eq!(warped.indices(), source.indices());
+    let number = |name: &str, row: usize, k: usize| columns[name][row][k].as_f64().unwrap();
+    for row in (0..columns["source"].as_array().unwrap().len()).step_by(17) {
+        let image = (0..3).fold(Point3::origin(), |sum, k| {
+            let corner = target.vertices()[number("triangle", row, k) as usize];
+            sum + corner.coords * number("barycentric", row, k)
+        });
+        let vertex = column_u64(&columns, "source", row) as usize;
+        assert!((warped.vertices()[vertex] - image).norm() < 1e-9);
+    }
+    // Every format that keeps vertices holds the same surface; GIFTI has single precision and triangles.
+    for format in ["vtk", "vtp"] {
+        assert_eq!(mesh_of(&bytes(&service, &format!("{job}/warped?format={format}")).await), warped);
+    }
+    let gifti = mesh_of(&bytes(&service, &format!("{job}/warped?format=gifti")).await);
+    assert!(gifti.vertices().iter().zip(warped.vertices()).all(|(a, b)| (a - b).norm() < 1e-4));
+    // Back in the space of the source, the same surface is moved by the inverse of the transform.
+    let transform = service.json(&format!("{job}/transform")).await;
+    let matrix = Matrix4::from_fn(|r, c| transform["matrix"][r][c].as_f64().unwrap());
+    let back = mesh_of(&bytes(&service, &format!("{job}/warped?space=source")).await);
+    for (a, b) in back.vertices().iter().zip(warped.vertices()) {
+        assert!((matrix.transform_point(a) - b).norm() < 1e-9);
+    }
+    let table = service.json(&format!("{job}/warped?format=json")).await;
+    let residual = table["residual_mm"].as_array().unwrap();
+    assert_eq!(residual.len(), source.n_vertices());
+    for (k, residual) in residual.iter().enumerate().step_by(29) {
+        let length = (matrix.transform_point(&source.vertices()[k]) - warped.vertices()[k]).norm();
+        assert!((length - residual.as_f64().unwrap()).abs() < 1e-9);
+    }
+    let body = problem(service.get(&format!("{job}/warped?direction=inverse")).await, 404, "route-not-found").await;
+    assert!(body["detail"].as_str().unwrap().contains("both_directions"), "{body}");
+    problem(service.get(&format!("{job}/warped?space=moon")).await, 400, "invalid-query").await;
     service.end().await;
 }
 

@@ -16,7 +16,9 @@ const HEADER_BYTES: usize = 284;
 pub(super) fn is_mgh(bytes: &[u8]) -> bool {
     let Some(head) = bytes.get(..24) else { return false };
     let fields = Element::I32.wholes(head, ByteOrder::Big);
-    fields[0] == 1 && fields[1..5].iter().all(|&d| (1..=1 << 20).contains(&d)) && (0..=11).contains(&fields[5])
+    // Newer versions of FreeSurfer keep an intent above the version.
+    let is_version = fields[0] & 0xff == 1 && (1..1 << 16).contains(&fields[0]);
+    is_version && fields[1..5].iter().all(|&d| (1..=1 << 20).contains(&d)) && (0..=11).contains(&fields[5])
 }
 
 /// Reads a label volume.

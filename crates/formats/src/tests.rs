@@ -234,6 +234,12 @@ fn dialects_of_vtk() {
     binary.extend(b"\nCONNECTIVITY vtktypeint64\n");
     binary.extend([0i64, 1, 2].iter().flat_map(|c| c.to_be_bytes()));
     assert_eq!(mesh_of(&binary).unwrap().indices(), [0, 1, 2]);
+    let fields =
+        "FIELD FieldData 2\nSource 1 1 string\nsome%20body\nMETADATA\nINFORMATION 0\n\nTimeValue 1 1 double\n0.5\n";
+    let with_text = old.replace("FIELD FieldData 1\nTimeValue 1 1 double\n        0.5\n", fields);
+    let with_text = with_text.replace("FIELD FieldData 1\nTimeValue 1 1 double\n0.5\n", fields);
+    assert!(with_text.contains("string"));
+    assert_eq!(mesh_of(with_text.as_bytes()).unwrap(), mesh_of(old.as_bytes()).unwrap());
     let grid = "# vtk DataFile Version 2.0\nx\nASCII\nDATASET STRUCTURED_POINTS\n";
     assert!(matches!(mesh_of(grid.as_bytes()), Err(FormatError::Unsupported { .. })));
 }

@@ -191,16 +191,28 @@ impl VtkReader<'_> {
         while self.scanner.line().is_some_and(|line| !line.is_empty()) {}
     }
 
-    /// Skips `FIELD name n` with `n` arrays.
+    /// Skips `FIELD name n` with `n` arrays, each of which may be followed by metadata.
     fn field(&mut self) -> Result<(), FormatError> {
         self.scanner.word();
         let n: u64 = self.scanner.number("the number of arrays")?;
         for _ in 0..n {
-            self.scanner.word();
+            let name = self.scanner.word().ok_or_else(|| self.scanner.expected("an array"))?;
+            if name == b"METADATA" {
+                self.metadata();
+                self.scanner.word();
+            }
             let width: u64 = self.scanner.number("the number of components")?;
             let length: u64 = self.scanner.number("the number of tuples")?;
-            let element = self.element()?;
             let n = width.saturating_mul(length);
+            let kind = self.scanner.peek().unwrap_or_default();
+            if kind.eq_ignore_ascii_case(b"string") || kind.eq_ignore_ascii_case(b"bit") {
+                let is_string = kind.eq_ignore_ascii_case(b"string");
+                self.scanner.word();
+                self.scanner.line();
+                self.skip_other(n, is_string)?;
+                continue;
+            }
+            let element = self.element()?;
             self.check(n, element, "a field")?;
             self.end_line();
             if self.binary {
@@ -210,6 +222,33 @@ impl VtkReader<'_> {
                     self.scanner.word();
                 }
             }
+        }
+        Ok(())
+    }
+
+    /// Skips strings or bits. A string in a binary file begins with its length, in 1, 2, 4 or 8 bytes, as the highest two bits
+    /// of the first say.
+    fn skip_other(&mut self, n: u64, is_string: bool) -> Result<(), FormatError> {
+        let part = "a field";
+        if self.binary && !is_string {
+            return self.scanner.take(n.div_ceil(8), 1, part).map(|_| ());
+        }
+        for _ in 0..n {
+            if !self.binary {
+                // Strings are a line each, bits words.
+                let rest = if is_string { self.scanner.line() } else { self.scanner.word() };
+                rest.ok_or_else(|| self.scanner.expected("as many values as the array announces"))?;
+                continue;
+            }
+            let first = self.scanner.take(1, 1, part)?[0];
+            let further: &[u8] = match first >> 6 {
+                3 => &[],
+                2 => self.scanner.take(1, 1, part)?,
+                1 => self.scanner.take(3, 1, part)?,
+                _ => self.scanner.take(7, 1, part)?,
+            };
+            let length = further.iter().fold(u64::from(first & 0x3f), |sum, &byte| sum << 8 | u64::from(byte));
+            self.scanner.take(length, 1, part)?;
         }
         Ok(())
     }

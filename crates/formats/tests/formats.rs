@@ -210,3 +210,56 @@ fn a_nifti_2_affine_may_be_that_of_the_qform() {
     let (_, found) = volume("NIfTI-2", &bytes);
     assert_eq!(*found.affine(), Matrix4::from_diagonal(&nalgebra::Vector4::new(0.5, 1.25, 2.0, 1.0)));
 }
+
+#[test]
+fn every_writer_of_surfaces_is_read_back_with_arrays_beside_the_surface() {
+    use homolog_formats::gifti::write_gifti;
+    use homolog_formats::ply::write_ply_with;
+    use homolog_formats::vtk::write_vtk_with;
+    use homolog_formats::vtp::write_vtp_with;
+    use homolog_formats::{VertexArray, VertexValues, write_stl};
+    let n = surface().n_vertices();
+    let arrays = [
+        VertexArray { name: "residual_mm", values: VertexValues::Real((0..n).map(|k| k as f64 / 3.0).collect()) },
+        VertexArray { name: "target", values: VertexValues::Int((0..n as i32).rev().collect()) },
+        VertexArray { name: "outlier", values: VertexValues::Byte(vec![1; n]) },
+    ];
+    let quads = homolog_mesh::shapes::torus(8.0, 3.0, 24, 12, homolog_mesh::FaceArity::Quad);
+    for (name, with, without) in [
+        ("PLY", write_ply_with(&surface(), &arrays), write_ply_with(&quads, &[])),
+        ("VTK", write_vtk_with(&surface(), &arrays), write_vtk_with(&quads, &[])),
+        ("VTP", write_vtp_with(&surface(), &arrays), write_vtp_with(&quads, &[])),
+    ] {
+        assert_eq!(mesh(name, &with).1, surface(), "{name}");
+        assert_eq!(mesh(name, &without).1, quads, "{name} keeps quads and double precision");
+    }
+    // The coordinates of this surface are exact in single precision.
+    assert_eq!(mesh("GIFTI", &write_gifti(&surface(), &arrays)).1, surface());
+    let (file, stl) = mesh("STL", &write_stl(&surface()));
+    assert_eq!((file.format, stl.n_vertices(), stl.signed_volume()), (InputFormat::Stl, n, surface().signed_volume()));
+}
+
+#[test]
+fn tables_of_vertices_hold_every_value() {
+    use homolog_formats::arrow::write_arrow_table;
+    use homolog_formats::vertex_table::{write_csv, write_npy_table};
+    use homolog_formats::{VertexArray, VertexValues};
+    let arrays = [
+        VertexArray { name: "residual_mm", values: VertexValues::Real(vec![0.5, -1.25]) },
+        VertexArray { name: "target", values: VertexValues::Int(vec![-1, 7]) },
+        VertexArray { name: "outlier", values: VertexValues::Byte(vec![0, 4]) },
+    ];
+    let csv = String::from_utf8(write_csv(&arrays)).unwrap();
+    assert_eq!(csv, "vertex,residual_mm,target,outlier\r\n0,0.5,-1,0\r\n1,-1.25,7,4\r\n");
+    let npy = write_npy_table(&arrays);
+    let head = String::from_utf8_lossy(&npy[10..npy.len() - 26]).into_owned();
+    assert!(head.contains("[('residual_mm', '<f8'), ('target', '<i4'), ('outlier', '|u1')]"), "{head}");
+    assert!(head.contains("'shape': (2,)") && (npy.len() - 26).is_multiple_of(64), "{head}");
+    assert_eq!(npy[npy.len() - 13..], [(-1.25f64).to_le_bytes().as_slice(), &7i32.to_le_bytes(), &[4]].concat());
+    let arrow = write_arrow_table(&arrays);
+    let holds = |bytes: &[u8]| arrow.windows(bytes.len()).any(|w| w == bytes);
+    assert!(arrow.starts_with(b"ARROW1\0\0") && arrow.ends_with(b"ARROW1"));
+    assert!(holds(&[0.5f64.to_le_bytes(), (-1.25f64).to_le_bytes()].concat()), "a column of reals");
+    assert!(holds(&[(-1i32).to_le_bytes(), 7i32.to_le_bytes()].concat()), "a column of integers");
+    assert!(holds(b"residual_mm") && holds(b"outlier"));
+}

@@ -66,7 +66,7 @@ fn all() -> Vec<(&'static str, Vec<u8>)> {
 }
 
 fn content(bytes: &[u8]) -> FileContent {
-    read(bytes, None, &ReadLimits::default()).unwrap().1
+    read(bytes, None, &ReadLimits::default()).unwrap().content
 }
 
 #[test]

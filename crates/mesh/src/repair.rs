@@ -21,6 +21,27 @@ pub struct RepairedMesh {
 /// mesh, above the rounding of single-precision files whose coordinates are of the size of the diagonal.
 pub const WELD_RTOL: f64 = 1e-7;
 
+/// What [`weld_reported`] changed.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct WeldReport {
+    /// Vertices that were merged into another.
+    pub n_merged: usize,
+    /// Largest distance of a merged vertex from the one that replaces it, mm.
+    pub largest_mm: f64,
+    /// Faces that were dropped because they used a vertex twice, before or after merging.
+    pub n_degenerate: usize,
+    /// Faces that were dropped because the same face in the same orientation came before.
+    pub n_duplicate: usize,
+}
+
+/// [`weld_reported`] without the report.
+///
+/// # Errors
+/// [`MeshError::Empty`] if no face is left.
+pub fn weld(mesh: &SurfaceMesh) -> Result<RepairedMesh, MeshError> {
+    weld_reported(mesh).map(|(repaired, _)| repaired)
+}
+
 /// Merges vertices at the same position (to [`WELD_RTOL`] of the diagonal); drops faces that thereby lose a corner,
 /// repeated faces of the same orientation, and unused vertices.
 ///
@@ -32,8 +53,14 @@ pub const WELD_RTOL: f64 = 1e-7;
 ///
 /// # Cost
 /// `O(n)` expected.
-pub fn weld(mesh: &SurfaceMesh) -> Result<RepairedMesh, MeshError> {
+pub fn weld_reported(mesh: &SurfaceMesh) -> Result<(RepairedMesh, WeldReport), MeshError> {
     let kept = nearest_kept(mesh);
+    let mut report = WeldReport::default();
+    for (at, &other) in kept.iter().enumerate().filter(|&(at, &other)| at != other as usize) {
+        report.n_merged += 1;
+        let distance = (mesh.vertices()[at] - mesh.vertices()[other as usize]).norm();
+        report.largest_mm = report.largest_mm.max(distance);
+    }
     let renamed = |face: &[u32]| -> Vec<u32> { face.iter().map(|&v| kept[v as usize]).collect() };
     let collapsed_quad = mesh.arity() == FaceArity::Quad
         && mesh.faces().any(|f| {
@@ -52,14 +79,18 @@ pub fn weld(mesh: &SurfaceMesh) -> Result<RepairedMesh, MeshError> {
         let mut name = face.clone();
         let first = (0..name.len()).min_by_key(|&k| name[k]).unwrap_or(0);
         name.rotate_left(first);
-        if !repeats && seen.insert(name) {
+        if repeats {
+            report.n_degenerate += 1;
+        } else if seen.insert(name) {
             indices.extend(face);
+        } else {
+            report.n_duplicate += 1;
         }
     }
     if indices.is_empty() {
         return Err(MeshError::Empty { n_vertices: mesh.n_vertices(), n_faces: 0 });
     }
-    Ok(compacted(mesh.vertices(), arity, indices))
+    Ok((compacted(mesh.vertices(), arity, indices), report))
 }
 
 /// For every vertex the lowest kept vertex within the tolerance; a kept vertex maps to itself.
@@ -187,7 +218,9 @@ mod tests {
     fn weld_drops_collapsed_and_repeated_faces() {
         let v = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 1e-9, 0.0]].map(Point3::from).to_vec();
         let mesh = SurfaceMesh::new(v, FaceArity::Triangle, vec![0, 1, 2, 1, 3, 2, 3, 2, 0]).unwrap();
-        let welded = weld(&mesh).unwrap();
+        let (welded, report) = weld_reported(&mesh).unwrap();
+        assert_eq!((report.n_merged, report.n_degenerate, report.n_duplicate), (1, 1, 1));
+        assert!((report.largest_mm - 1e-9).abs() < 1e-15, "{report:?}");
         assert_eq!(welded.mesh.indices(), [0, 1, 2]);
         assert_eq!(welded.numbering.originals(), [0, 1, 2]);
     }

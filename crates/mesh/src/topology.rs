@@ -169,6 +169,8 @@ pub struct Analysis {
     pub report: TopologyReport,
     /// Why the mesh is not the surface that was demanded, if it is not.
     pub fault: Option<SurfaceFault>,
+    /// The further reasons, if there are several.
+    pub others: Vec<SurfaceFault>,
 }
 
 /// Volumes below this share of `area^1.5` count as 0, as do areas below this share of the squared diagonal. A sphere has 0.094; a needle of aspect 1 : 10⁴ has 1e-3.
@@ -239,11 +241,11 @@ pub fn analyze_with(mesh: &SurfaceMesh, demand: Demand) -> Analysis {
         area_mm2: mesh.area(),
         volume_mm3: closed.then(|| mesh.signed_volume()),
     };
-    let fault = first_fault(mesh, &report, &faults, &torn, &n_fans, &components, demand);
-    Analysis { report, fault }
+    let mut found = all_faults(mesh, &report, &faults, &torn, &n_fans, &components, demand).into_iter();
+    Analysis { fault: found.next(), others: found.collect(), report }
 }
 
-fn first_fault(
+fn all_faults(
     mesh: &SurfaceMesh,
     report: &TopologyReport,
     faults: &EdgeFaults,
@@ -251,28 +253,29 @@ fn first_fault(
     n_fans: &[u32],
     components: &Components,
     demand: Demand,
-) -> Option<SurfaceFault> {
+) -> Vec<SurfaceFault> {
+    let mut found = Vec::new();
     let v = mesh.vertices();
     let middle = |e: [u32; 2]| -> [f64; 3] { nalgebra::center(&v[e[0] as usize], &v[e[1] as usize]).into() };
     if let Some(edge) = faults.many.first.filter(|_| demand == Demand::Sphere) {
         let (n_edges, n_faces) = (faults.many.n, faults.many.n_faces);
-        return Some(SurfaceFault::NonManifoldEdge { n_edges, edge, n_faces, place_mm: middle(edge) });
+        found.push(SurfaceFault::NonManifoldEdge { n_edges, edge, n_faces, place_mm: middle(edge) });
     }
     if let Some(edge) = faults.boundary.first.filter(|_| demand != Demand::Any) {
-        return Some(SurfaceFault::Boundary { n_edges: faults.boundary.n, edge, place_mm: middle(edge) });
+        found.push(SurfaceFault::Boundary { n_edges: faults.boundary.n, edge, place_mm: middle(edge) });
     }
     if let Some(&vertex) = torn.first().filter(|_| demand == Demand::Sphere) {
         let (n_vertices, n_fans) = (torn.len() as u32, n_fans[vertex as usize]);
         let place_mm = v[vertex as usize].into();
-        return Some(SurfaceFault::NonManifoldVertex { n_vertices, vertex, n_fans, place_mm });
+        found.push(SurfaceFault::NonManifoldVertex { n_vertices, vertex, n_fans, place_mm });
     }
     if let Some(edge) = faults.twisted.first {
-        return Some(SurfaceFault::Misoriented { n_edges: faults.twisted.n, edge, place_mm: middle(edge) });
+        found.push(SurfaceFault::Misoriented { n_edges: faults.twisted.n, edge, place_mm: middle(edge) });
     }
     if report.n_components > 1 && demand == Demand::Sphere {
         let largest = components.largest();
         let other = components.of_vertex.iter().position(|&c| c != u32::MAX && c != largest).unwrap_or(0);
-        return Some(SurfaceFault::Pieces {
+        found.push(SurfaceFault::Pieces {
             n_components: report.n_components,
             largest: components.sizes[largest as usize],
             n_vertices: report.n_vertices,
@@ -280,21 +283,25 @@ fn first_fault(
         });
     }
     if let Some(genus) = report.genus.filter(|&g| g > 0 && demand == Demand::Sphere) {
-        return Some(SurfaceFault::Genus { genus });
+        found.push(SurfaceFault::Genus { genus });
     }
     let (low, high) = mesh.bounding_box();
     if report.area_mm2 <= FLAT_RTOL * (high - low).norm_squared() {
-        return Some(SurfaceFault::NoArea { area_mm2: report.area_mm2 });
+        found.push(SurfaceFault::NoArea { area_mm2: report.area_mm2 });
+        return found;
     }
-    let Some(volume_mm3) = report.volume_mm3 else {
-        // An open surface may be nearly flat.
-        let volume_mm3 = mesh.signed_volume();
-        return (volume_mm3 < 0.0).then_some(SurfaceFault::InsideOut { volume_mm3 });
-    };
-    if volume_mm3.abs() <= FLAT_RTOL * report.area_mm2.powf(1.5) {
-        return Some(SurfaceFault::NoVolume { volume_mm3 });
+    // The volume says nothing where faces disagree in orientation, and may be corrected by what corrects another fault.
+    if !found.is_empty() {
+        return found;
     }
-    (volume_mm3 < 0.0).then_some(SurfaceFault::InsideOut { volume_mm3 })
+    let volume_mm3 = report.volume_mm3.unwrap_or_else(|| mesh.signed_volume());
+    // An open surface may be nearly flat.
+    if report.volume_mm3.is_some() && volume_mm3.abs() <= FLAT_RTOL * report.area_mm2.powf(1.5) {
+        found.push(SurfaceFault::NoVolume { volume_mm3 });
+    } else if volume_mm3 < 0.0 {
+        found.push(SurfaceFault::InsideOut { volume_mm3 });
+    }
+    found
 }
 
 /// One face's use of an edge.

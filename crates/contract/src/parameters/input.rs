@@ -114,6 +114,9 @@ pub enum Repair {
     Weld,
     /// Faces are reversed so that neighboring faces agree in orientation. Meshes only.
     Orient,
+    /// Parts that touch at an edge with more than two faces, or at one vertex only, get vertices of their own; the copies
+    /// are numbered after the vertices of the file. Meshes only.
+    Split,
     /// Only the largest connected component is kept.
     LargestComponent,
     /// Tunnels and cavities are closed by the smallest change of voxels. Label volumes only.

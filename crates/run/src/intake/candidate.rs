@@ -1,5 +1,6 @@
 //! The surface made from an input, before it is accepted or refused.
 
+use super::split::split;
 use super::{Advice, IntakeError, IntakeLimits, RepairNote, counted};
 use homolog_contract::parameters::{InputParameters, LabelChoice, Repair, SurfaceKind};
 use homolog_formats::{FileContent, MeshFile, ReadFile};
@@ -26,12 +27,16 @@ pub(super) struct Candidate {
     pub mesh: SurfaceMesh,
     /// Which vertex of the upload each vertex of `mesh` is.
     pub numbering: Numbering,
+    /// Vertices of the upload of which splitting made copies; these are numbered after those of the upload.
+    pub copies: Vec<u32>,
     /// Topology before repairs.
     pub topology: TopologyReport,
     /// Topology after repairs.
     pub repaired: TopologyReport,
     /// What is still wrong, in terms of the vertices of the upload.
     pub fault: Option<SurfaceFault>,
+    /// What is wrong beside that.
+    pub others: Vec<SurfaceFault>,
     pub repairs: Vec<RepairNote>,
     pub turned_outward: bool,
 }
@@ -69,8 +74,19 @@ impl Candidate {
         let demand = if allow_boundary { Demand::Any } else { Demand::NoBoundary };
         let analysis = analyze_with(&mesh, demand);
         let fault = analysis.fault.map(|fault| fault.renumbered(&numbering));
+        let others = analysis.others.into_iter().map(|fault| fault.renumbered(&numbering)).collect();
         let repaired = analysis.report;
-        Candidate { mesh, numbering, topology, repaired, fault, repairs, turned_outward: false }
+        Candidate {
+            mesh,
+            numbering,
+            copies: Vec::new(),
+            topology,
+            repaired,
+            fault,
+            others,
+            repairs,
+            turned_outward: false,
+        }
     }
 
     /// The refusal, if this surface is unsuitable, with the smallest set of repairs that would make it suitable.
@@ -91,8 +107,17 @@ impl Candidate {
             let parameters = InputParameters { repair: Some(set.to_vec()), ..parameters.clone() };
             Candidate::from_file(file, &parameters, limits).is_ok_and(|c| c.fault.is_none())
         };
-        let advice = sets.iter().find(helps).map_or(Advice::Edit, |set| Advice::Allow(set.to_vec()));
-        Some(IntakeError::UnsuitableSurface { fault, advice, topology: Box::new(self.repaired.clone()) })
+        let opened = || {
+            let parameters = InputParameters { allow_boundary: true, ..parameters.clone() };
+            Candidate::from_file(file, &parameters, limits).is_ok_and(|c| c.fault.is_none())
+        };
+        let advice = match sets.iter().find(helps) {
+            Some(set) => Advice::Allow(set.to_vec()),
+            None if !parameters.allow_boundary && opened() => Advice::Open,
+            None => Advice::Edit,
+        };
+        let (others, topology) = (self.others.clone(), Box::new(self.repaired.clone()));
+        Some(IntakeError::UnsuitableSurface { fault, others, advice, topology })
     }
 }
 
@@ -102,7 +127,14 @@ fn from_mesh(file: &MeshFile, parameters: &InputParameters) -> Result<Candidate,
     let weld = allowed.contains(&Repair::Weld);
     if let Some((face, vertex)) = file.first_degenerate.filter(|_| !weld) {
         let (n_faces, face) = (file.n_degenerate as u64, face as u64);
-        return Err(IntakeError::DegenerateFaces { n_faces, face, vertex, topology: Box::new(topology) });
+        let place_mm = file.mesh.vertices().get(vertex as usize).map_or([f64::NAN; 3], |p| (*p).into());
+        let demand = if parameters.allow_boundary { Demand::Any } else { Demand::NoBoundary };
+        let analysis = analyze_with(&file.mesh, demand);
+        let others: Vec<SurfaceFault> = analysis.fault.into_iter().chain(analysis.others).collect();
+        let twisted = others.iter().any(|fault| matches!(fault, SurfaceFault::Misoriented { .. }));
+        let advice = Advice::Allow(if twisted { vec![Repair::Weld, Repair::Orient] } else { vec![Repair::Weld] });
+        let topology = Box::new(topology);
+        return Err(IntakeError::DegenerateFaces { n_faces, face, vertex, place_mm, others, advice, topology });
     }
     let numbering = Numbering::identity(file.mesh.n_vertices());
     let mut current = RepairedMesh { mesh: file.mesh.clone(), numbering };
@@ -111,18 +143,38 @@ fn from_mesh(file: &MeshFile, parameters: &InputParameters) -> Result<Candidate,
         current = followed(&current, repair::drop_unused(&file.mesh));
     }
     if weld {
-        let (vertices, faces) = (current.mesh.n_vertices(), current.mesh.n_faces());
-        let welded = repair::weld(&current.mesh).map_err(|e: MeshError| IntakeError::Unreadable(e.into()))?;
+        let vertices = current.mesh.n_vertices();
+        let welded = repair::weld_reported(&current.mesh);
+        let (welded, report) = welded.map_err(|e: MeshError| IntakeError::Unreadable(e.into()))?;
         current = followed(&current, welded);
-        let merged = vertices - current.mesh.n_vertices();
-        let dropped = file.n_degenerate + faces.saturating_sub(current.mesh.n_faces());
-        if merged + dropped > 0 {
+        let n_degenerate = file.n_degenerate + report.n_degenerate;
+        if report.n_merged + n_degenerate + report.n_duplicate > 0 {
             let detail = format!(
-                "{merged} of {vertices} vertices joined to another; {} dropped",
-                counted(dropped as u64, "face", "faces")
+                "{} of {vertices} vertices joined to another, at most {:.3e} mm away; {} and {} dropped",
+                report.n_merged,
+                report.largest_mm,
+                counted(n_degenerate as u64, "face that uses a vertex twice", "faces that use a vertex twice"),
+                counted(report.n_duplicate as u64, "repeated face", "repeated faces")
             );
             repairs.push(RepairNote { repair: Repair::Weld, detail });
         }
+    }
+    let mut copies = Vec::new();
+    if allowed.contains(&Repair::Split)
+        && let Some(found) = split(&current.mesh).map_err(|e: MeshError| IntakeError::Unreadable(e.into()))?
+    {
+        copies.extend(found.copies.iter().map(|&v| current.numbering.original(v)));
+        let n_uploaded = file.mesh.n_vertices();
+        let new = n_uploaded as u32..(n_uploaded + copies.len()) as u32;
+        let originals: Vec<u32> = current.numbering.originals().iter().copied().chain(new).collect();
+        let numbering = Numbering::identity(n_uploaded + copies.len()).select(&originals);
+        let detail = format!(
+            "{} copied, where parts touched at {} or at a vertex only; no vertex moved",
+            counted(copies.len() as u64, "vertex", "vertices"),
+            counted(found.n_edges as u64, "edge with more than two faces", "edges with more than two faces")
+        );
+        repairs.push(RepairNote { repair: Repair::Split, detail });
+        current = RepairedMesh { mesh: found.mesh, numbering };
     }
     if allowed.contains(&Repair::LargestComponent) {
         let before = topology_report(&current.mesh);
@@ -144,7 +196,8 @@ fn from_mesh(file: &MeshFile, parameters: &InputParameters) -> Result<Candidate,
         let detail = format!("{} reversed", counted(reversed as u64, "face", "faces"));
         repairs.push(RepairNote { repair: Repair::Orient, detail });
     }
-    Ok(Candidate::new(current.mesh, current.numbering, topology, repairs, parameters.allow_boundary))
+    let candidate = Candidate::new(current.mesh, current.numbering, topology, repairs, parameters.allow_boundary);
+    Ok(Candidate { copies, ..candidate })
 }
 
 /// `next`, a repair of `current.mesh`, in terms of the mesh of which `current` is a repair.

@@ -39,8 +39,8 @@ pub enum IntakeError {
     },
     /// No label of the volume has a requested name.
     #[error(
-        "no label has the name that is entry {place} (from 0) of the requested labels; {}; homolog inspect and \
-         GET /v1/meshes/{{id}} list labels with their names, and numbers are taken too",
+        "no label has the name that is entry {place} (from 0) of the requested labels; {}; \
+         homolog inspect lists labels with their names, and numbers are taken too",
         named_labels(named)
     )]
     UnknownLabelName {
@@ -63,9 +63,9 @@ pub enum IntakeError {
     },
     /// Faces that use a vertex twice, where the repair that drops them was not allowed.
     #[error(
-        "{} a vertex twice; the first is face {face} with vertex {vertex} (both counted from 0); \
-         to drop such faces, set input.repair to [\"weld\"]",
-        counted(*n_faces, "face uses", "faces use")
+        "{} a vertex twice; the first is face {face} with vertex {vertex} (both counted from 0) at \
+         ({:.2}, {:.2}, {:.2}) mm{}; {advice}",
+        counted(*n_faces, "face uses", "faces use"), place_mm[0], place_mm[1], place_mm[2], also(others)
     )]
     DegenerateFaces {
         /// How many.
@@ -74,14 +74,22 @@ pub enum IntakeError {
         face: u64,
         /// The vertex that it uses twice.
         vertex: u32,
+        /// Its position.
+        place_mm: [f64; 3],
+        /// What is wrong beside that.
+        others: Vec<SurfaceFault>,
+        /// What can be done about it.
+        advice: Advice,
         /// Topology of the surface without these faces.
         topology: Box<TopologyReport>,
     },
     /// The surface has no consistent orientation, encloses no volume, or has a boundary that was not allowed.
-    #[error("{fault}; {advice}")]
+    #[error("{fault}{}; {advice}", also(others))]
     UnsuitableSurface {
         /// What is wrong and where; its vertices are those of the uploaded mesh.
         fault: SurfaceFault,
+        /// What is wrong beside that.
+        others: Vec<SurfaceFault>,
         /// What can be done about it.
         advice: Advice,
         /// Topology of the surface after the repairs that were allowed.
@@ -94,22 +102,40 @@ pub enum IntakeError {
 pub enum Advice {
     /// These repairs, allowed together, make the surface suitable.
     Allow(Vec<Repair>),
+    /// The surface is suitable if a boundary is allowed.
+    Open,
     /// No available repair makes the surface suitable.
     Edit,
 }
 
+/// The JSON of an API request; in the alternate form the option of the command line.
 impl std::fmt::Display for Advice {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
             Advice::Allow(repairs) => {
                 let names: Vec<String> = repairs.iter().map(|&r| format!("\"{}\"", repair_name(r))).collect();
-                write!(f, "to have this repaired, set input.repair to [{}]", names.join(", "))
+                let names = names.join(", ");
+                match f.alternate() {
+                    false => write!(f, "to have this repaired, send the parameters {{\"input\": {{\"repair\": [{names}]}}}}"),
+                    true => write!(f, "to have this repaired, add --set 'input.repair=[{names}]'"),
+                }
             }
+            Advice::Open if f.alternate() => {
+                f.write_str("to match it as an open surface, add --set input.allow_boundary=true; otherwise close it")
+            }
+            Advice::Open => f.write_str(
+                "to match it as an open surface, send the parameters {\"input\": {\"allow_boundary\": true}}; otherwise close it",
+            ),
             Advice::Edit => {
                 f.write_str("no available repair makes it suitable; correct it in the program that made it")
             }
         }
     }
+}
+
+/// Further faults, after the first.
+fn also(others: &[SurfaceFault]) -> String {
+    others.iter().map(|fault| format!("; also, {fault}")).collect()
 }
 
 fn named_labels(named: &[u32]) -> String {
@@ -137,6 +163,17 @@ fn present_labels(present: &[u32], n_present: usize) -> String {
 }
 
 impl IntakeError {
+    /// The message with advice in terms of the command line.
+    pub fn for_command_line(&self) -> String {
+        let message = self.to_string();
+        match self {
+            IntakeError::DegenerateFaces { advice, .. } | IntakeError::UnsuitableSurface { advice, .. } => {
+                message.replace(&advice.to_string(), &format!("{advice:#}"))
+            }
+            _ => message,
+        }
+    }
+
     /// The stable name of this kind of refusal, used as the problem type in HTTP answers: `unknown-format`,
     /// `unreadable-file`, `too-large`, `empty-structure` or `unsuitable-surface`.
     pub fn code(&self) -> &'static str {

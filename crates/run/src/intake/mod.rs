@@ -7,6 +7,7 @@
 mod candidate;
 mod error;
 mod inspection;
+mod split;
 
 pub use error::{Advice, IntakeError};
 pub use homolog_contract::input::{InputFormat, InputKind, InputReport, Inspection};
@@ -94,12 +95,15 @@ pub fn prepare_surface(
         return Err(refusal);
     }
     let ReadFile { format, content, notes, .. } = file;
-    let Candidate { mesh, numbering, topology, repairs, turned_outward, .. } = candidate;
+    let Candidate { mesh, numbering, copies, topology, repairs, turned_outward, .. } = candidate;
     let report = InputReport { format, topology, repairs, turned_outward, notes };
     let restored = match &content {
         // Repairs keep the order of vertices, so a mesh of as many vertices has the numbering of the file.
-        FileContent::Mesh(file) if numbering.n_vertices() < file.mesh.n_vertices() => {
-            let restored = numbering.restored(&mesh, file.mesh.vertices());
+        FileContent::Mesh(file) if numbering.n_vertices() < file.mesh.n_vertices() + copies.len() => {
+            let uploaded = file.mesh.vertices();
+            let copied = copies.iter().map(|&v| uploaded[v as usize]);
+            let vertices: Vec<_> = uploaded.iter().copied().chain(copied).collect();
+            let restored = numbering.restored(&mesh, &vertices);
             Some(restored.map_err(|e| IntakeError::Unreadable(e.into()))?)
         }
         _ => None,
@@ -128,6 +132,7 @@ fn repair_name(repair: Repair) -> &'static str {
     match repair {
         Repair::Weld => "weld",
         Repair::Orient => "orient",
+        Repair::Split => "split",
         Repair::LargestComponent => "largest_component",
         Repair::Fill => "fill",
     }

@@ -1,7 +1,7 @@
 //! From files to surfaces that can be matched, or refusals that say where and why.
 
 use crate::fixtures::fixture;
-use homolog_contract::parameters::{InputParameters, Method, Repair, SurfaceKind, preset};
+use homolog_contract::parameters::{InputParameters, LabelChoice, Method, Repair, SurfaceKind, preset};
 use homolog_formats::{FormatError, write_nifti, write_nifti_gz, write_ply, write_stl, write_vtk};
 use homolog_mesh::repair::reversed;
 use homolog_mesh::topology::{Demand, analyze, analyze_with};
@@ -78,7 +78,10 @@ fn labels_are_chosen_or_named() {
     let bytes = write_nifti(&volume(|p| ball(p) * if p[1] > 0.0 { 7 } else { 9 }));
     let both = prepare(&bytes, &defaults()).unwrap().mesh;
     assert_eq!(both, ball_mesh());
-    let choose = |labels: &[u32]| prepare(&bytes, &InputParameters { labels: Some(labels.to_vec()), ..defaults() });
+    let choose = |labels: &[u32]| {
+        let labels = Some(labels.iter().copied().map(LabelChoice::Number).collect());
+        prepare(&bytes, &InputParameters { labels, ..defaults() })
+    };
     assert_eq!(choose(&[9, 7]).unwrap().mesh, both);
     let half = choose(&[7]).unwrap().mesh.signed_volume();
     assert!((half / both.signed_volume() - 0.5).abs() < 0.05);
@@ -116,7 +119,7 @@ fn a_split_mesh_is_welded_and_answers_in_its_own_numbering() {
     let closed = InputParameters { repair: Some(Vec::new()), allow_boundary: false, ..defaults() };
     let error = prepare(&bytes, &closed).unwrap_err();
     assert!(error.to_string().contains("joins vertices 1 and 2 near"), "{error}");
-    assert!(error.to_string().ends_with("set input.repair to [\"weld\"]"), "{error}");
+    assert!(error.to_string().ends_with("send the parameters {\"input\": {\"repair\": [\"weld\"]}}"), "{error}");
     let prepared = prepare(&bytes, &defaults()).unwrap();
     assert_eq!(prepared.mesh.n_vertices(), whole.n_vertices());
     for (v, &uploaded) in prepared.numbering.originals().iter().enumerate() {
@@ -153,7 +156,7 @@ fn holes_are_refused_on_request_and_twists_are_mended() {
     let twisted = SurfaceMesh::new(whole.vertices().to_vec(), FaceArity::Triangle, twisted).unwrap();
     let error = prepare(&write_ply(&twisted), &with_repair(&[Repair::Weld])).unwrap_err();
     assert!(error.to_string().contains("3 edges lie between faces of opposite orientation"), "{error}");
-    assert!(error.to_string().ends_with("set input.repair to [\"orient\"]"), "{error}");
+    assert!(error.to_string().ends_with("send the parameters {\"input\": {\"repair\": [\"orient\"]}}"), "{error}");
     let mended = prepare(&write_ply(&twisted), &defaults()).unwrap();
     assert_eq!((analyze(&mended.mesh).fault, mended.mesh.signed_volume()), (None, whole.signed_volume()));
     assert_eq!(mended.report.repairs[0].detail, "1 face reversed");
@@ -205,12 +208,14 @@ fn faces_that_name_a_vertex_twice_are_dropped() {
     assert_eq!(error.code(), "unsuitable-surface");
     assert_eq!(
         error.to_string(),
-        "1 face uses a vertex twice; the first is face 2 with vertex 1 (both counted from 0); \
-         to drop such faces, set input.repair to [\"weld\"]"
+        "1 face uses a vertex twice; the first is face 2 with vertex 1 (both counted from 0) at (1.00, 0.00, 0.00) mm; \
+         to have this repaired, send the parameters {\"input\": {\"repair\": [\"weld\"]}}"
     );
     let prepared = prepare(ply.as_bytes(), &defaults()).unwrap();
     assert_eq!(prepared.mesh.n_faces(), 4);
-    assert_eq!(prepared.report.repairs[0].detail, "0 of 4 vertices joined to another; 1 face dropped");
+    let detail = "0 of 4 vertices joined to another, at most 0.000e0 mm away; 1 face that uses a vertex twice and 0 repeated \
+                  faces dropped";
+    assert_eq!(prepared.report.repairs[0].detail, detail);
 }
 
 #[test]
@@ -243,7 +248,7 @@ fn inspection_tells_what_preparation_would_do() {
     let closed = InputParameters { allow_boundary: false, ..defaults() };
     let refused = inspect(&write_ply(&face.unwrap()), None, &closed, &limits).unwrap();
     assert_eq!((refused.suitable, refused.refusal.unwrap().code.as_str()), (false, "unsuitable-surface"));
-    let none = InputParameters { labels: Some(vec![1]), ..defaults() };
+    let none = InputParameters { labels: Some(vec![LabelChoice::Number(1)]), ..defaults() };
     let empty = inspect(&bytes, None, &none, &limits).unwrap();
     assert_eq!((empty.topology, empty.refusal.unwrap().code.as_str()), (None, "empty-structure"));
 }
@@ -273,7 +278,7 @@ fn an_unwelded_surface_is_welded() {
 fn check_unwelded(bytes: &[u8]) {
     let closed = InputParameters { allow_boundary: false, ..with_repair(&[]) };
     let error = prepare(bytes, &closed).unwrap_err().to_string();
-    assert!(error.contains("set input.repair to [\"weld\""), "{error}");
+    assert!(error.contains("{\"repair\": [\"weld\""), "{error}");
     let prepared = prepare(bytes, &InputParameters { allow_boundary: false, ..defaults() }).unwrap();
     assert_eq!(prepared.numbering.n_vertices(), prepared.mesh.n_vertices());
     // The surface that goes with the answer has the file's numbering.

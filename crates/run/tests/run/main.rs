@@ -4,6 +4,7 @@
 #[path = "../../../../tests/fixtures/mod.rs"]
 #[allow(dead_code, reason = "each test binary uses a part of it")]
 mod fixtures;
+mod formats;
 mod intake;
 mod pairs;
 mod structures;

@@ -138,7 +138,7 @@ impl Engine for Told {
             method_version: "1".to_owned(),
             parameters: request.clone(),
             computation: Arc::new(ToldComputation { parameters: request.clone() }),
-            input_key: String::new(),
+            input_keys: [String::new(), String::new()],
             result_version: "1".to_owned(),
         })
     }

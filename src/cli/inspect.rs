@@ -5,7 +5,7 @@ use super::files::{file_name, read_input};
 use super::output::{print, print_json};
 use super::parameters::ParameterArgs;
 use clap::Args;
-use homolog_run::intake::{IntakeLimits, inspect};
+use homolog_run::intake::{IntakeLimits, inspect, prepare_surface};
 use serde_json::Value;
 use std::path::PathBuf;
 
@@ -35,8 +35,13 @@ pub(super) fn run(args: &InspectArgs) -> Result<(), CliError> {
     if args.json {
         return print_json(&report);
     }
-    let report = serde_json::to_value(&report)
+    let is_refused = report.refusal.is_some();
+    let mut report = serde_json::to_value(&report)
         .map_err(|e| CliError::Failed(format!("the report cannot be written as JSON: {e}")))?;
+    // The report has the parameters of an API request; a terminal gets the option that sets them.
+    if is_refused && let Err(error) = prepare_surface(&bytes, file_name(&args.file), &parameters.input, &limits) {
+        report["refusal"]["detail"] = error.for_command_line().into();
+    }
     let mut lines = Vec::new();
     flatten(&report, 0, &mut lines);
     print(&lines.join("\n"))

@@ -108,6 +108,25 @@ fn match_prints_the_result_document_and_nothing_else() {
 }
 
 #[test]
+fn inspect_names_the_option_that_makes_a_surface_suitable() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("open.off");
+    fs::write(&file, "OFF\n4 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n").unwrap();
+    let inspected = |json: &[&str]| {
+        let done =
+            homolog().arg("inspect").arg(&file).args(["--set", "input.allow_boundary=false"]).args(json).output();
+        let done = done.unwrap();
+        assert!(done.status.success(), "{}", String::from_utf8_lossy(&done.stderr));
+        String::from_utf8(done.stdout).unwrap()
+    };
+    let text = inspected(&[]);
+    assert!(text.contains("3 edges have only one face") && text.contains("--set input.allow_boundary=true"), "{text}");
+    let report: Value = serde_json::from_str(&inspected(&["--json"])).unwrap();
+    let detail = report["refusal"]["detail"].as_str().unwrap();
+    assert!(detail.contains(r#"{"input": {"allow_boundary": true}}"#), "{detail}");
+}
+
+#[test]
 fn inspect_reports_a_closed_surface_of_genus_zero() {
     let folder = tempfile::tempdir().unwrap();
     let (source, _) = small_pair(folder.path());

@@ -1,7 +1,7 @@
 //! MetaImage of ITK: header and voxels in one file (`.mha`, or `.mhd` with `ElementDataFile = LOCAL`).
 //!
-//! Source: MetaIO documentation and `metaImage.cxx`. Coordinates are LPS, as in ITK, unless `AnatomicalOrientation` is only
-//! a comment on them; they are converted to RAS. Rows of `TransformMatrix` are the directions of the axes.
+//! Source: MetaIO documentation and `metaImage.cxx`. Coordinates are LPS, as in ITK, and are converted to RAS;
+//! `AnatomicalOrientation` is a comment on them and is not used. Rows of `TransformMatrix` are the directions of the axes.
 
 use super::element::{ByteOrder, Element, Voxels};
 use super::label_file::LabelFile;

@@ -57,7 +57,7 @@ pub fn read_nrrd(bytes: &[u8], limits: &ReadLimits) -> Result<LabelFile, FormatE
         }
         _ => return unsupported("this encoding of a NRRD file", "save it with the encoding raw or gzip"),
     };
-    let segments = segments(&header);
+    let segments = segments(&header, grid.n_layers);
     let mut file = if grid.n_layers > 1 {
         let (volume, names) = layered(&values, &grid, &segments)?;
         LabelFile { volume, names, notes: Vec::new() }
@@ -245,16 +245,18 @@ struct Segment {
     layer: usize,
 }
 
-fn segments(header: &Header) -> Vec<Segment> {
+/// The segments that the header lists. Before version 5 of 3D Slicer each had a layer of its own, which was not stated.
+fn segments(header: &Header, n_layers: usize) -> Vec<Segment> {
     let value = |k: usize, name: &str| header.pairs.get(&format!("Segment{k}_{name}"));
     let mut found = Vec::new();
     while value(found.len(), "ID").is_some() || value(found.len(), "Name").is_some() {
         let k = found.len();
         let number = |name| value(k, name).and_then(|text| text.parse::<u32>().ok());
+        let has_own_layer = n_layers > 1 && value(k, "Layer").is_none();
         found.push(Segment {
             name: value(k, "Name").cloned().unwrap_or_default(),
-            value: number("LabelValue").unwrap_or(k as u32 + 1),
-            layer: number("Layer").unwrap_or(0) as usize,
+            value: number("LabelValue").unwrap_or(if has_own_layer { 1 } else { k as u32 + 1 }),
+            layer: if has_own_layer { k } else { number("Layer").unwrap_or(0) as usize },
         });
     }
     found

@@ -105,6 +105,13 @@ fn segments_that_overlap_keep_their_voxels_and_names() {
     assert_eq!(file.label_names.values().collect::<Vec<_>>(), ["Left Hippocampus", "tumor"]);
     assert_eq!([1, 2].map(|label| found.mask(Some(&[label])).unwrap().n_voxels()), [4, 2]);
     assert_eq!(found.mask(None).unwrap().n_voxels(), 5);
+    // Older files state neither layers nor values.
+    let text = String::from_utf8_lossy(&layered_nrrd()).into_owned();
+    let kept = text.lines().filter(|line| !line.contains("_Layer") && !line.contains("_LabelValue"));
+    let header: Vec<&str> = kept.take_while(|line| !line.is_empty()).collect();
+    let voxels = layered_nrrd().split_off(text.find("\n\n").unwrap() + 2);
+    let older = [header.join("\n").into_bytes(), b"\n\n".to_vec(), voxels].concat();
+    assert_eq!(volume("older .seg.nrrd", &older).1.label_counts().into_iter().collect::<Vec<_>>(), counts);
     let overlapping = dicom_seg("BINARY", &[(17, 0), (17, 1), (53, 0)], |segment, at| match segment {
         17 => u16::from(labels()[at] == 17),
         _ => u16::from(at == 4 || at == 0),

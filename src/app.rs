@@ -187,19 +187,38 @@ impl App {
 
     /// Runs jobs, and serves HTTP if there is a listener, until `shutdown`.
     pub async fn run(self, http: Option<(TcpListener, HttpSettings, ServiceSettings)>, shutdown: &Shutdown) {
-        let Some((listener, http, service)) = http else { return self.run_with(None, None, shutdown).await };
+        self.run_probed(http, None, shutdown).await;
+    }
+
+    /// The same; answers the probes of supervisors on `probes` too, apart from the connections of clients.
+    pub async fn run_probed(
+        self,
+        http: Option<(TcpListener, HttpSettings, ServiceSettings)>,
+        probes: Option<TcpListener>,
+        shutdown: &Shutdown,
+    ) {
+        let Some((listener, http, service)) = http else { return self.run_with(Vec::new(), None, shutdown).await };
         let auth = http.auth_mode().unwrap_or(AuthMode::Keys);
+        if http.is_open_to_others() {
+            tracing::warn!(
+                address = %http.listen,
+                "no authentication is required, and other machines can reach the service: whoever connects may read and \
+                 delete everything"
+            );
+        }
         let state = self.http_state(&http, &service, auth, shutdown);
         let webhooks = WebhookDelivery::new(Arc::new(self.stores[0].clone()), http.webhook_delivery_settings());
         let webhooks = webhooks.inspect_err(|error| tracing::error!(%error, "webhooks are not delivered")).ok();
-        self.run_with(Some((listener, router(state), http.connection_limits())), webhooks, shutdown).await;
+        let mut servers = vec![(listener, router(state.clone()), http.connection_limits())];
+        servers.extend(probes.map(|probes| (probes, probe_router(state), http.probe_limits())));
+        self.run_with(servers, webhooks, shutdown).await;
     }
 
     /// Runs jobs, and answers the probes of supervisors on `listener`, until `shutdown`.
     pub async fn run_with_probes(self, listener: TcpListener, service: &ServiceSettings, shutdown: &Shutdown) {
         let http = HttpSettings::default();
         let state = self.http_state(&http, service, AuthMode::Keys, shutdown);
-        self.run_with(Some((listener, probe_router(state), http.connection_limits())), None, shutdown).await;
+        self.run_with(vec![(listener, probe_router(state), http.probe_limits())], None, shutdown).await;
     }
 
     fn http_state(
@@ -226,7 +245,7 @@ impl App {
 
     async fn run_with(
         self,
-        http: Option<(TcpListener, Router, ConnectionLimits)>,
+        servers: Vec<(TcpListener, Router, ConnectionLimits)>,
         webhooks: Option<WebhookDelivery>,
         shutdown: &Shutdown,
     ) {
@@ -239,18 +258,21 @@ impl App {
             aside.spawn(webhooks.run(shutdown.stop.clone()));
         }
         let pool = Pool::start(&self.parts);
-        let server =
-            http.map(|(listener, router, limits)| tokio::spawn(serve(listener, router, limits, shutdown.stop.clone())));
+        let servers: Vec<_> = servers
+            .into_iter()
+            .map(|(listener, router, limits)| tokio::spawn(serve(listener, router, limits, shutdown.stop.clone())))
+            .collect();
         shutdown.stop.cancelled().await;
         pool.ended().await;
         aside.shutdown().await;
         let _ = housekeeping.await;
-        if let Some(mut server) = server
-            && tokio::time::timeout(DRAIN_TIMEOUT, &mut server).await.is_err()
-        {
-            tracing::warn!("connections are still open and are closed");
-            server.abort();
-            let _ = server.await;
+        let drained_by = tokio::time::Instant::now() + DRAIN_TIMEOUT;
+        for mut server in servers {
+            if tokio::time::timeout_at(drained_by, &mut server).await.is_err() {
+                tracing::warn!("connections are still open and are closed");
+                server.abort();
+                let _ = server.await;
+            }
         }
         for store in &self.stores {
             store.close().await;
@@ -265,7 +287,8 @@ impl App {
 /// [`AppError::Store`].
 pub async fn open_database(settings: &ServiceSettings) -> Result<SqlStore, AppError> {
     let opened = SqlStore::open(&settings.database(settings.database_connections)).await;
-    opened.map_err(|e| store_error("the database", &e))
+    let opened = opened.map_err(|e| store_error("the database", &e))?;
+    Ok(opened.with_weights(settings.tenant_weights()))
 }
 
 /// Opens the blob store of the settings.

@@ -53,7 +53,7 @@ pub(crate) struct JobDocument {
     /// Estimated remaining time, ms.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) eta_ms: Option<u64>,
-    /// Position in the queue, 1 for the next job; only while queued, and not in lists.
+    /// Position among the tenant's queued jobs, 1 for its next one; only while queued, and not in lists. Tenants take turns.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) queue_position: Option<u64>,
     /// Energy at the last trace point.

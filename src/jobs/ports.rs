@@ -11,7 +11,12 @@ use super::retention::{Overdue, Purged, Retention};
 use super::trace::{TraceChunk, TracePage};
 use async_trait::async_trait;
 use bytes::Bytes;
+use futures_util::stream::BoxStream;
+use std::ops::Range;
 use std::time::Duration;
+
+/// The content of a blob, in pieces.
+pub type BlobStream = BoxStream<'static, Result<Bytes, JobError>>;
 
 /// What a blob of a job contains.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -211,8 +216,8 @@ pub trait JobWriter: Send + Sync {
 /// The queue and the leases, as workers use them.
 #[async_trait]
 pub trait JobQueue: Send + Sync {
-    /// Leases the next job to `worker` for `lease`: highest priority first, then oldest. Drops the trace of an earlier
-    /// epoch. The job may run for `max_run` unless its submitter allowed less.
+    /// Leases the next job to `worker` for `lease`: tenants take turns, and of a tenant the highest priority is first, then
+    /// the oldest. Drops the trace of an earlier epoch. The job may run for `max_run` unless its submitter allowed less.
     async fn claim_next(
         &self,
         worker: &WorkerId,
@@ -312,6 +317,10 @@ pub trait ArtifactStore: Send + Sync {
 
     /// The bytes under `key`.
     async fn get(&self, key: &ArtifactKey) -> Result<Bytes, JobError>;
+
+    /// The blob under `key`, which has `n_bytes`, or a range of it, in pieces that are read as they are taken. A blob that is
+    /// read whole ends with an error instead of its last piece if its content has not its hash.
+    async fn open(&self, key: &ArtifactKey, n_bytes: u64, range: Option<Range<u64>>) -> Result<BlobStream, JobError>;
 
     /// Removes the blob under `key`; not an error if there is none.
     async fn remove(&self, key: &ArtifactKey) -> Result<(), JobError>;

@@ -6,6 +6,7 @@ use super::engine::{InputRefusal, InputSummary, ParameterFault, Resolved};
 use super::error::JobError;
 use super::job::{Job, JobId, JobInput, NewJob, Tenant};
 use super::mesh::CheckOutcome;
+use super::metadata::{ExternalRef, Labels, MetadataFault};
 use super::ports::ArtifactKey;
 use super::service::JobService;
 use bytes::Bytes;
@@ -45,9 +46,9 @@ pub struct Details {
     /// −100 to 100, higher first.
     pub priority: i32,
     /// Labels of the submitter.
-    pub labels: BTreeMap<String, String>,
+    pub labels: Labels,
     /// The submitter's own identifier.
-    pub external_ref: Option<String>,
+    pub external_ref: Option<ExternalRef>,
     /// Deadline for its start.
     pub deadline_at: Option<Timestamp>,
     /// Maximum run time, ms.
@@ -99,9 +100,9 @@ pub struct BatchPair {
     /// The surface that stays fixed.
     pub target: String,
     /// The submitter's own identifier of the job.
-    pub external_ref: Option<String>,
+    pub external_ref: Option<ExternalRef>,
     /// Its own labels.
-    pub labels: BTreeMap<String, String>,
+    pub labels: Labels,
 }
 
 /// The answer to a submission.
@@ -144,6 +145,14 @@ pub enum SubmitError {
     /// Some jobs of a batch cannot be matched: index of the job, input, and why.
     #[error("{} jobs of the batch are not right", .0.len())]
     Batch(Vec<(usize, &'static str, InputRefusal)>),
+    /// Labels or references beyond their limits: of one job of a batch, by its index, or of the job.
+    #[error("{fault}")]
+    Metadata {
+        /// Index of the job in its batch.
+        number: Option<usize>,
+        /// Why.
+        fault: MetadataFault,
+    },
     /// The batch has too many jobs.
     #[error("a batch has at most {limit} jobs")]
     BatchTooLarge {
@@ -243,6 +252,10 @@ impl JobService {
             return Err(JobError::Gone.into());
         }
         self.refuse_when_full(tenant).await?;
+        // An earlier version may have stored what is not allowed any more.
+        let refused = |fault| SubmitError::Metadata { number: None, fault };
+        let labels = Labels::new(first.labels).map_err(refused)?;
+        let external_ref = ExternalRef::new(first.external_ref.unwrap_or_default()).map_err(refused)?;
         let job = NewJob {
             id: JobId::new(),
             tenant: tenant.clone(),
@@ -252,8 +265,8 @@ impl JobService {
             source: first.source,
             target: first.target,
             priority: first.priority,
-            labels: first.labels,
-            external_ref: first.external_ref,
+            labels,
+            external_ref,
             max_attempts: self.limits.max_attempts,
             deadline_at: None,
             max_run_ms: first.max_run_ms,
@@ -325,8 +338,8 @@ impl JobService {
             if let Err(refusal) = resolved.computation.check_pair(&source.summary, &target.summary) {
                 faults.push((number, "target", refusal));
             }
-            let mut labels = details.labels.clone();
-            labels.extend(pair.labels.clone());
+            let labels = details.labels.with(&pair.labels);
+            let labels = labels.map_err(|fault| SubmitError::Metadata { number: Some(number), fault })?;
             let own = Details { labels, external_ref: pair.external_ref.clone(), ..details.clone() };
             let job = self.new_job(&tenant, &resolved, [source, target], &own);
             jobs.push(NewJob { batch_id: Some(id), ..job });

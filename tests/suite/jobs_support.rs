@@ -204,7 +204,7 @@ impl TestService {
         homolog::tls::prepare();
         let shutdown = Shutdown::default();
         let listener = app::listen(&http).await.unwrap();
-        let base = format!("http://{}", listener.local_addr().unwrap());
+        let base = format!("http://127.0.0.1:{}", listener.local_addr().unwrap().port());
         let engine = Arc::new(ScriptedEngine::default());
         let used = other.unwrap_or_else(|| Arc::clone(&engine) as Arc<dyn Engine>);
         let app = App::open(&service, used, &shutdown, true).await.unwrap();

@@ -5,6 +5,7 @@ use crate::http::long_poll::wait_of;
 use crate::http::problem::{Problem, ProblemDocument};
 use crate::http::query::QueryString;
 use crate::http::router::HttpState;
+use crate::http::shares::Origin;
 use crate::http::wire::ChangesDocument;
 use axum::Json;
 use axum::extract::State;
@@ -37,12 +38,14 @@ const GATHER: Duration = Duration::from_millis(100);
 pub(crate) async fn list(
     State(state): State<HttpState>,
     Reader(tenant): Reader,
+    origin: Origin,
     mut query: QueryString,
 ) -> Result<Json<ChangesDocument>, Problem> {
     let since = query.number("since", 0..=i64::MAX.unsigned_abs()).unwrap_or(0);
     let limit = query.number("limit", 1..=MAX_CHANGES).unwrap_or(DEFAULT_CHANGES);
     let wait = wait_of(&mut query, &state);
     query.finish()?;
+    let _place = if wait.is_zero() { None } else { Some(state.begin_stream(&tenant, origin)?) };
     let until = Instant::now() + wait;
     let mut page = state.service.changes(&tenant, since, limit).await?;
     if page.changes.is_empty() && !wait.is_zero() {

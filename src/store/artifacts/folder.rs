@@ -3,13 +3,19 @@
 //! A blob is written to a temporary file, flushed to disk and renamed into place, and the folders of its path are
 //! flushed too; so a blob under its final name is complete and survives a loss of power. Equal content is stored once.
 
-use crate::jobs::{ArtifactKey, ArtifactStore, ArtifactWriter, JobError, Tenant};
+use super::pieces::in_pieces;
+use crate::jobs::{ArtifactKey, ArtifactStore, ArtifactWriter, BlobStream, JobError, Tenant};
 use async_trait::async_trait;
 use bytes::Bytes;
 use std::fs::{self, File};
 use std::io::{self, Write};
+use std::ops::Range;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 use std::time::Duration;
+
+/// What a reader of a blob has in memory, bytes.
+const PIECE: u64 = 256 << 10;
 
 /// Age at which a temporary file is removed: no write takes this long, so its process has ended.
 const STALE: Duration = Duration::from_secs(3600);
@@ -99,6 +105,18 @@ impl Drop for FolderWriter {
     }
 }
 
+#[cfg(unix)]
+fn read_at(file: &File, into: &mut [u8], start: u64) -> io::Result<()> {
+    std::os::unix::fs::FileExt::read_exact_at(file, into, start)
+}
+
+#[cfg(not(unix))]
+fn read_at(mut file: &File, into: &mut [u8], start: u64) -> io::Result<()> {
+    use std::io::{Read as _, Seek as _, SeekFrom};
+    file.seek(SeekFrom::Start(start))?;
+    file.read_exact(into)
+}
+
 fn sync_folder(folder: &Path) -> io::Result<()> {
     File::open(folder)?.sync_all()
 }
@@ -147,6 +165,21 @@ impl ArtifactStore for FolderArtifacts {
             return Err(JobError::Corrupt { what: "a blob whose content is not its name", source: None });
         }
         Ok(bytes.into())
+    }
+
+    async fn open(&self, key: &ArtifactKey, n_bytes: u64, range: Option<Range<u64>>) -> Result<BlobStream, JobError> {
+        let path = self.path(key);
+        let file = Arc::new(blocking(move || File::open(path)).await?);
+        in_pieces(key, n_bytes, range, PIECE, move |range| {
+            let file = Arc::clone(&file);
+            blocking(move || {
+                let length = usize::try_from(range.end - range.start).map_err(io::Error::other)?;
+                let mut piece = vec![0; length];
+                read_at(&file, &mut piece, range.start)?;
+                Ok(piece.into())
+            })
+        })
+        .await
     }
 
     async fn remove(&self, key: &ArtifactKey) -> Result<(), JobError> {

@@ -26,10 +26,13 @@ use std::time::Duration;
 const SQLITE_MIGRATIONS: &[(i64, &str, &str)] = &[
     (1, "jobs", include_str!("migrations/sqlite/0001_jobs.sql")),
     (2, "service", include_str!("migrations/sqlite/0002_service.sql")),
+    (3, "fairness", include_str!("migrations/sqlite/0003_fairness.sql")),
 ];
 /// Migrations of PostgreSQL, in the same form.
-const POSTGRES_MIGRATIONS: &[(i64, &str, &str)] =
-    &[(1, "service", include_str!("migrations/postgres/0001_service.sql"))];
+const POSTGRES_MIGRATIONS: &[(i64, &str, &str)] = &[
+    (1, "service", include_str!("migrations/postgres/0001_service.sql")),
+    (2, "fairness", include_str!("migrations/postgres/0002_fairness.sql")),
+];
 
 /// Time limit for SQLite: for the write lock that another process holds, and for a free connection.
 const SQLITE_TIMEOUT: Duration = Duration::from_secs(10);
@@ -231,6 +234,8 @@ async fn open_sqlite(folder: &Path) -> Result<Database, JobError> {
         .journal_mode(SqliteJournalMode::Wal)
         .synchronous(SqliteSynchronous::Full)
         .foreign_keys(true)
+        // What is deleted is overwritten, in the pages of the file; see also `Database::overwrite_deleted`.
+        .pragma("secure_delete", "ON")
         .busy_timeout(SQLITE_TIMEOUT);
     // Processes that start together migrate one after the other: SQLite has no lock that spans all migrations.
     let lock = MigrationLock::acquire(folder.to_owned()).await?;
@@ -423,6 +428,7 @@ impl Session {
 
     /// Runs a statement and returns the number of rows that it changed.
     pub(super) async fn execute(&mut self, sql: &'static Sql, arguments: Vec<Argument>) -> Result<u64, JobError> {
+        refuse_nul(&arguments)?;
         self.is_broken = true;
         let done = match &mut self.link {
             Link::Sqlite(Some(connection)) => {
@@ -451,6 +457,7 @@ impl Session {
 
     /// Runs a query whose text is assembled at run time, from constant parts only, and returns its rows.
     pub(super) async fn fetch(&mut self, text: String, arguments: Vec<Argument>) -> Result<Vec<Row>, JobError> {
+        refuse_nul(&arguments)?;
         self.is_broken = true;
         let rows = match &mut self.link {
             Link::Sqlite(Some(connection)) => {
@@ -539,6 +546,13 @@ async fn in_time<T>(limit: Duration, answer: impl Future<Output = Result<T, sqlx
             Err(sqlx::Error::Io(std::io::Error::new(std::io::ErrorKind::TimedOut, "the database did not answer")))
         }
     }
+}
+
+/// PostgreSQL stores no NUL character, and SQLite's functions stop at one: on both, such a text is refused before it is
+/// sent. It is a fault of the request and not of the database.
+fn refuse_nul(arguments: &[Argument]) -> Result<(), JobError> {
+    let has_nul = |argument: &Argument| matches!(argument, Argument::Text(Some(text)) if text.contains('\0'));
+    if arguments.iter().any(has_nul) { Err(JobError::Unstorable) } else { Ok(()) }
 }
 
 fn lost() -> sqlx::Error {

@@ -31,15 +31,17 @@ mod writing;
 
 pub use database::DatabaseLocation;
 
-use crate::jobs::{JobError, JobStore};
+use crate::jobs::{JobError, JobStore, TenantWeights};
 use async_trait::async_trait;
 use database::{Database, bind};
 use dialect::sql;
+use std::sync::Arc;
 
 /// The store of jobs, uploads, API keys and webhooks in a database.
 #[derive(Debug, Clone)]
 pub struct SqlStore {
     database: Database,
+    weights: Arc<TenantWeights>,
 }
 
 impl SqlStore {
@@ -48,7 +50,14 @@ impl SqlStore {
     /// # Errors
     /// [`JobError::Unavailable`]; also if a newer version of this program has migrated the database.
     pub async fn open(location: &DatabaseLocation) -> Result<Self, JobError> {
-        Ok(SqlStore { database: Database::open(location).await? })
+        Ok(SqlStore { database: Database::open(location).await?, weights: Arc::default() })
+    }
+
+    /// The store, with these weights of tenants.
+    #[must_use]
+    pub fn with_weights(mut self, weights: TenantWeights) -> Self {
+        self.weights = Arc::new(weights);
+        self
     }
 
     /// Closes all connections.

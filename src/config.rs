@@ -31,7 +31,7 @@ pub struct ServiceSettings {
     pub notify: bool,
     /// S3-compatible store for files, as s3://bucket/prefix, with AWS_* in the environment; default: a folder in the data
     /// directory
-    #[arg(long, env = "HOMOLOG_ARTIFACTS_URL", value_name = "URL")]
+    #[arg(long, env = "HOMOLOG_ARTIFACTS_URL", value_parser = s3_url, value_name = "URL")]
     pub artifacts_url: Option<String>,
     /// How long results and traces are kept after a job has ended, days; 0: for ever
     #[arg(long, env = "HOMOLOG_RETAIN_RESULTS_DAYS", default_value_t = 90.0, value_parser = days, value_name = "DAYS")]
@@ -54,6 +54,14 @@ pub struct ServiceSettings {
     /// the memory for jobs, and at most a quarter of it; 0: none are kept
     #[arg(long, env = "HOMOLOG_PREPARED_BYTES", default_value_t = 256 << 20, value_name = "BYTES")]
     pub prepared_bytes: u64,
+    /// File with the key that seals the secrets of webhooks in the database, 64 hexadecimal digits, the same for all
+    /// processes; default: secret.key in the data directory, which is created; with a database server: secrets are not sealed
+    #[arg(long, env = "HOMOLOG_SECRET_KEY_FILE", value_name = "FILE")]
+    pub secret_key_file: Option<PathBuf>,
+    /// How long a job waits before it runs again after its worker was lost, ms; five times as long after each further loss, at
+    /// most a minute
+    #[arg(long, env = "HOMOLOG_CRASH_PAUSE_MS", default_value_t = 1_000, value_parser = clap::value_parser!(u64).range(0..=60_000), value_name = "MS")]
+    pub crash_pause_ms: u64,
     /// Share of a tenant in the turns of all tenants whose jobs wait, as TENANT=WEIGHT; 1 unless given; repeatable
     #[arg(long = "tenant-weight", env = "HOMOLOG_TENANT_WEIGHTS", value_delimiter = ',', value_name = "TENANT=WEIGHT")]
     pub tenant_weights: Vec<TenantWeight>,
@@ -182,6 +190,16 @@ pub struct HttpSettings {
     pub allowed_hosts: Vec<String>,
 }
 
+/// Parses the address of a bucket.
+fn s3_url(text: &str) -> Result<String, String> {
+    let bucket = text.strip_prefix("s3://").and_then(|rest| rest.split('/').next()).unwrap_or_default();
+    let is_bucket = bucket.bytes().all(|b| b.is_ascii_alphanumeric() || b"-._".contains(&b));
+    if bucket.is_empty() || !is_bucket {
+        return Err("s3://bucket or s3://bucket/prefix is needed here".to_owned());
+    }
+    Ok(text.to_owned())
+}
+
 /// Parses a number of days that fits into a duration.
 fn days(text: &str) -> Result<f64, String> {
     match text.parse::<f64>() {
@@ -248,6 +266,11 @@ impl ServiceSettings {
     /// Memory for jobs and prepared surfaces, bytes.
     fn memory_for_jobs(&self) -> u64 {
         self.memory_bytes.unwrap_or_else(jobs_memory_bytes)
+    }
+
+    /// How long a job waits after the first loss of its worker.
+    pub fn crash_pause(&self) -> Duration {
+        Duration::from_millis(self.crash_pause_ms)
     }
 
     /// The weights of tenants.
@@ -386,6 +409,17 @@ mod tests {
     fn settings(told: &[&str]) -> ServiceSettings {
         let words = ["homolog"].iter().chain(told);
         <Alone as clap::Parser>::try_parse_from(words).unwrap().service
+    }
+
+    #[test]
+    fn only_addresses_of_buckets_are_accepted_for_files() {
+        let parse = |url: &str| <Alone as clap::Parser>::try_parse_from(["homolog", "--artifacts-url", url]);
+        for url in ["s3://bucket", "s3://bucket/prefix/more", "s3://my.bucket-1/"] {
+            assert!(parse(url).is_ok(), "{url}");
+        }
+        for url in ["ftp://x", "http://169.254.169.254/", "bucket", "s3://", "s3:///prefix", "s3://a b", "s3://a@b/"] {
+            assert!(parse(url).is_err(), "{url}");
+        }
     }
 
     #[test]

@@ -119,7 +119,7 @@ pub(super) fn streamed(
     range: Option<&Range<u64>>,
     stream: Option<BlobStream>,
 ) -> Response {
-    let body = stream.map_or_else(Body::empty, |stream| Body::from_stream(stream));
+    let body = stream.map_or_else(Body::empty, Body::from_stream);
     let mut response = respond(headers, etag, content_type, body);
     let length = range.map_or(n_bytes, |range| range.end - range.start);
     let answered = response.headers_mut();

@@ -157,6 +157,7 @@ impl ProblemKind {
             StatusCode::NOT_FOUND => ProblemKind::RouteNotFound,
             StatusCode::METHOD_NOT_ALLOWED => ProblemKind::MethodNotAllowed,
             StatusCode::NOT_ACCEPTABLE => ProblemKind::NotAcceptable,
+            StatusCode::RANGE_NOT_SATISFIABLE => ProblemKind::RangeNotSatisfiable,
             StatusCode::PAYLOAD_TOO_LARGE => ProblemKind::BodyTooLarge,
             StatusCode::UNSUPPORTED_MEDIA_TYPE => ProblemKind::UnsupportedMediaType,
             StatusCode::REQUEST_TIMEOUT => ProblemKind::UploadTimeout,

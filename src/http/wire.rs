@@ -200,7 +200,7 @@ pub(crate) struct MethodListDocument {
 pub(crate) struct ReadinessDocument {
     /// `ready` or `not_ready`.
     pub(crate) status: String,
-    /// `ok` or `failing` for each dependency.
+    /// `ok`, `full` or `failing` for each dependency.
     pub(crate) dependencies: BTreeMap<String, String>,
 }
 
@@ -381,6 +381,9 @@ pub(crate) struct ChangesDocument {
     pub(crate) next_since: u64,
     /// Whether there are more changes.
     pub(crate) more: bool,
+    /// `page_token` of the next page; absent if there are no more changes now.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) next_page_token: Option<String>,
 }
 
 /// A change of the state of a job.
@@ -538,6 +541,7 @@ impl From<&ChangePage> for ChangesDocument {
             changes: page.changes.iter().map(change).collect(),
             next_since: page.next_since,
             more: page.more,
+            next_page_token: page.more.then(|| page.next_since.to_string()),
         }
     }
 }

@@ -202,6 +202,9 @@ pub trait JobWriter: Send + Sync {
     /// Reserves an idempotency key for `busy_for`, unless a request has used it already.
     async fn begin_once(&self, once: &Once, busy_for: Duration) -> Result<OnceStatus, JobError>;
 
+    /// Keeps an idempotency key reserved for `busy_for` from now.
+    async fn extend_once(&self, once: &Once, busy_for: Duration) -> Result<(), JobError>;
+
     /// Frees an idempotency key for which nothing was made.
     async fn give_up_once(&self, once: &Once) -> Result<(), JobError>;
 
@@ -297,6 +300,10 @@ pub trait Housekeeping: Send + Sync {
     /// Ends queued jobs whose deadline has passed, and running jobs that have exceeded their run time by `tolerance`,
     /// because their worker should have ended them.
     async fn end_overdue(&self, tolerance: Duration) -> Result<Overdue, JobError>;
+
+    /// Overwrites what deletions have left in the files of the database, if there were any since the last call. What cannot
+    /// be overwritten now, because somebody reads it, stays for the next call.
+    async fn overwrite_deleted(&self) -> Result<(), JobError>;
 
     /// Removes what has outlived its retention, at most `limit` jobs at once; as a dry run it only counts.
     async fn purge(&self, retention: &Retention, limit: u32, dry_run: bool) -> Result<Purged, JobError>;

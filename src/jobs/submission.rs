@@ -17,9 +17,11 @@ use std::time::Duration;
 
 /// How long blobs are held for a submission between writing them and storing its job.
 const HOLD: Duration = Duration::from_secs(600);
-/// How long an idempotency key stays reserved while its request is carried out. After that another request may take the
-/// key: the process that reserved it may have crashed.
-const BUSY: Duration = Duration::from_secs(240);
+/// How long an idempotency key stays reserved for the request that is carried out. The process extends it as long as it lives;
+/// when it has ended in the middle, another request may take the key this soon.
+const BUSY: Duration = Duration::from_secs(10);
+/// How often it is extended.
+const EXTENDED_EVERY: Duration = Duration::from_secs(3);
 /// Maximum number of faults of a batch that are reported.
 const NAMED_FAULTS: usize = 16;
 
@@ -216,7 +218,7 @@ impl JobService {
             let made = self.stores.jobs.get_job(&tenant, id).await?.as_accepted();
             return Ok(Accepted { made, replayed: true });
         }
-        let done = self.submit_once(submission, once.clone()).await;
+        let done = self.keeping(once.as_ref(), self.submit_once(submission, once.clone())).await;
         self.end_once(once.as_ref(), done).await.map(|made| Accepted { made, replayed: false })
     }
 
@@ -291,7 +293,7 @@ impl JobService {
             let Made::Batch(id) = made else { return Err(SubmitError::OtherRequest) };
             return Ok(Accepted { made: self.stores.jobs.get_batch(&tenant, id).await?, replayed: true });
         }
-        let done = self.submit_batch_once(submission, once.clone()).await;
+        let done = self.keeping(once.as_ref(), self.submit_batch_once(submission, once.clone())).await;
         self.end_once(once.as_ref(), done).await.map(|made| Accepted { made, replayed: false })
     }
 
@@ -524,6 +526,23 @@ impl JobService {
             OnceStatus::InProgress => Err(SubmitError::InProgress),
             OnceStatus::OtherRequest => Err(SubmitError::OtherRequest),
             OnceStatus::Made(made) => Ok(Some(made)),
+        }
+    }
+
+    /// Carries out a request and keeps its key reserved meanwhile.
+    async fn keeping<T>(&self, once: Option<&Once>, work: impl Future<Output = T>) -> T {
+        let Some(once) = once else { return work.await };
+        let extending = async {
+            loop {
+                tokio::time::sleep(EXTENDED_EVERY).await;
+                if let Err(error) = self.stores.jobs.extend_once(once, BUSY).await {
+                    tracing::warn!(%error, "the idempotency key of a request could not be extended");
+                }
+            }
+        };
+        tokio::select! {
+            done = work => done,
+            () = extending => unreachable!("it goes on until the request is carried out"),
         }
     }
 

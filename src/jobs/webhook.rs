@@ -19,7 +19,7 @@ pub struct Webhook {
     pub url: String,
     /// Changes to these states are sent; empty for all.
     pub states: Vec<JobState>,
-    /// The key with which deliveries are signed: `whsec_` and base64.
+    /// The key with which deliveries are signed: `whsec_` and base64; in lists, its stored form, which may be sealed.
     pub secret: String,
     /// Whether events are sent.
     pub is_enabled: bool,

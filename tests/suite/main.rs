@@ -17,6 +17,7 @@ mod numbering;
 mod phantom;
 mod process;
 mod representations;
+mod runbook;
 mod scheduling;
 mod server;
 mod service;

@@ -269,6 +269,7 @@ pub(crate) async fn list(
     responses(
         (status = 200, description = "The batch, with the number of its jobs in each state", body = BatchDocument, headers(("ETag" = String, description = "Weak; pass it as `If-None-Match`"))),
         (status = 304, description = "The batch has not changed since the version that `If-None-Match` names"),
+        (status = 429, description = "Too many event streams and long polls are open", body = ProblemDocument, content_type = "application/problem+json"),
         (status = 400, description = "Invalid query parameters", body = ProblemDocument, content_type = "application/problem+json"),
         (status = 404, description = "No such batch", body = ProblemDocument, content_type = "application/problem+json"),
     )

@@ -324,6 +324,7 @@ pub(crate) async fn cancel_many(
     responses(
         (status = 200, description = "The job", body = JobDocument, headers(("ETag" = String, description = "Weak; pass it as `If-None-Match`"))),
         (status = 304, description = "The job has not changed since the version that `If-None-Match` names"),
+        (status = 429, description = "Too many event streams and long polls are open", body = ProblemDocument, content_type = "application/problem+json"),
         (status = 400, description = "Invalid query parameters", body = ProblemDocument, content_type = "application/problem+json"),
         (status = 404, description = "No such job", body = ProblemDocument, content_type = "application/problem+json"),
     )

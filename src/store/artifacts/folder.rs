@@ -5,6 +5,7 @@
 
 use super::pieces::in_pieces;
 use crate::jobs::{ArtifactKey, ArtifactStore, ArtifactWriter, BlobStream, JobError, Tenant};
+use crate::store::private_files;
 use async_trait::async_trait;
 use bytes::Bytes;
 use std::fs::{self, File};
@@ -14,6 +15,8 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Duration;
 
+/// Bytes that are written to find out whether there is room.
+const TRIED_BYTES: usize = 64 << 10;
 /// What a reader of a blob has in memory, bytes.
 const PIECE: u64 = 256 << 10;
 
@@ -35,7 +38,7 @@ impl FolderArtifacts {
     pub fn open(data_dir: &Path) -> Result<Self, JobError> {
         let store = FolderArtifacts { blobs: data_dir.join("blobs"), temporary: data_dir.join("incoming") };
         for folder in [&store.blobs, &store.temporary] {
-            fs::create_dir_all(folder).map_err(domain_error)?;
+            private_files::create_dir_all(folder).map_err(domain_error)?;
         }
         sync_folder(data_dir).map_err(domain_error)?;
         Ok(store)
@@ -50,7 +53,7 @@ impl FolderArtifacts {
     fn publish(&self, file: &File, temporary: &Path, path: &Path) -> io::Result<()> {
         file.sync_all()?;
         let parent = path.parent().ok_or(io::ErrorKind::InvalidInput)?;
-        fs::create_dir_all(parent)?;
+        private_files::create_dir_all(parent)?;
         fs::rename(temporary, path)?;
         // The folder of the blob and those above it, any of which may be new, up to the root of the blobs.
         for folder in parent.ancestors().take_while(|folder| folder.starts_with(&self.blobs)) {
@@ -65,7 +68,7 @@ impl FolderArtifacts {
         }
         let temporary = self.temporary.join(uuid::Uuid::new_v4().to_string());
         let written = (|| {
-            let mut file = File::create_new(&temporary)?;
+            let mut file = private_files::create_new(&temporary)?;
             file.write_all(bytes)?;
             self.publish(&file, &temporary, path)
         })();
@@ -139,8 +142,18 @@ async fn blocking<T: Send + 'static>(work: impl FnOnce() -> io::Result<T> + Send
 #[async_trait]
 impl ArtifactStore for FolderArtifacts {
     async fn ping(&self) -> Result<(), JobError> {
-        let folders = [self.blobs.clone(), self.temporary.clone()];
-        blocking(move || folders.iter().try_for_each(|f| fs::metadata(f).map(|_| ()))).await
+        let (blobs, temporary) = (self.blobs.clone(), self.temporary.join(uuid::Uuid::new_v4().to_string()));
+        blocking(move || {
+            fs::metadata(blobs)?;
+            // Reading says nothing about a full disk.
+            let written = private_files::create_new(&temporary).and_then(|mut file| {
+                file.write_all(&[1; TRIED_BYTES])?;
+                file.sync_data()
+            });
+            let _ = fs::remove_file(&temporary);
+            written
+        })
+        .await
     }
 
     async fn put(&self, key: &ArtifactKey, bytes: Bytes) -> Result<(), JobError> {
@@ -152,7 +165,7 @@ impl ArtifactStore for FolderArtifacts {
         let store = self.clone();
         let writer = blocking(move || {
             let temporary = store.temporary.join(uuid::Uuid::new_v4().to_string());
-            let file = Some(File::create_new(&temporary)?);
+            let file = Some(private_files::create_new(&temporary)?);
             Ok(FolderWriter { store, temporary, file })
         });
         Ok(Box::new(writer.await?))

@@ -10,6 +10,7 @@
 
 use super::dialect::{Dialect, Sql};
 use crate::jobs::JobError;
+use crate::store::private_files;
 use sqlx::migrate::{Migration, MigrationType, Migrator};
 use sqlx::pool::PoolConnection;
 use sqlx::postgres::{PgConnectOptions, PgListener, PgPool, PgPoolOptions, PgRow};
@@ -36,6 +37,8 @@ const POSTGRES_MIGRATIONS: &[(i64, &str, &str)] = &[
 
 /// Time limit for SQLite: for the write lock that another process holds, and for a free connection.
 const SQLITE_TIMEOUT: Duration = Duration::from_secs(10);
+/// How long the write-ahead log waits for its readers before it is emptied.
+const CHECKPOINT_TIMEOUT: Duration = Duration::from_millis(200);
 /// Time limit for one statement of PostgreSQL.
 const POSTGRES_TIMEOUT: Duration = Duration::from_secs(10);
 /// Time limit for a connection to PostgreSQL.
@@ -180,6 +183,20 @@ impl Database {
         }
     }
 
+    /// Writes SQLite's write-ahead log back and empties it: it holds earlier versions of pages. `false` if a reader still
+    /// needs it. PostgreSQL's log is the server's.
+    pub(super) async fn overwrite_deleted(&self) -> Result<bool, JobError> {
+        let Database::Sqlite { writer, .. } = self else { return Ok(true) };
+        let link = Link::Sqlite(Some(writer.acquire().await.map_err(domain_error)?));
+        let mut session = Session { link, is_open: false, is_broken: false };
+        // Readers need milliseconds, but a backup minutes, for which no writer should wait.
+        session.run(&format!("PRAGMA busy_timeout = {}", CHECKPOINT_TIMEOUT.as_millis())).await?;
+        let done = session.fetch("PRAGMA wal_checkpoint(TRUNCATE)".to_owned(), Vec::new()).await;
+        session.run(&format!("PRAGMA busy_timeout = {}", SQLITE_TIMEOUT.as_millis())).await?;
+        let is_busy = done?.first().map_or(Ok(0), |row| row.get::<i64>(0))?;
+        Ok(is_busy == 0)
+    }
+
     /// Notifies `wake` whenever another process announces a queued job. Never returns, even where announcements are
     /// disabled.
     pub(super) async fn follow_queued(&self, wake: &tokio::sync::Notify) {
@@ -228,6 +245,12 @@ async fn in_transaction<T>(
 }
 
 async fn open_sqlite(folder: &Path) -> Result<Database, JobError> {
+    // Before SQLite creates the file; its log gets the permissions of the file.
+    let file = folder.join(SQLITE_FILE);
+    tokio::task::spawn_blocking(move || private_files::create(&file))
+        .await
+        .map_err(|join| JobError::Unavailable(Box::new(join)))?
+        .map_err(|error| JobError::Unavailable(Box::new(error)))?;
     let options = SqliteConnectOptions::new()
         .filename(folder.join(SQLITE_FILE))
         .create_if_missing(true)
@@ -265,7 +288,7 @@ impl MigrationLock {
     async fn acquire(folder: PathBuf) -> Result<Self, JobError> {
         let locked = tokio::task::spawn_blocking(move || {
             let path = folder.join("migration.lock");
-            let file = std::fs::File::options().create(true).truncate(false).write(true).open(path)?;
+            let file = private_files::options().create(true).truncate(false).write(true).open(path)?;
             file.lock()?;
             Ok(MigrationLock { _file: file })
         });

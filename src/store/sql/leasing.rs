@@ -127,7 +127,7 @@ impl JobQueue for SqlStore {
     }
 
     async fn front_of_queue(&self, limit: u32) -> Result<Vec<WaitingJob>, JobError> {
-        front(&mut self.database.reader().await?, limit, &self.weights).await
+        front(&mut self.database.reader().await?, limit, &self.settings.weights).await
     }
 
     async fn claim_one_of(
@@ -137,7 +137,7 @@ impl JobQueue for SqlStore {
         lease: Duration,
         max_run: Duration,
     ) -> Result<Option<LeasedJob>, JobError> {
-        let claim = Claim { worker, lease, max_run, weights: &self.weights };
+        let claim = Claim { worker, lease, max_run, weights: &self.settings.weights };
         self.database.transaction(async |session| claim_first(session, jobs, &claim).await).await
     }
 

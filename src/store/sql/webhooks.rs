@@ -8,6 +8,7 @@ use crate::jobs::{
     Attempted, Delivery, DeliveryPage, DeliveryState, DueDelivery, JobError, JobState, Tenant, Turn, TurnLimits,
     Webhook, WebhookPage, WebhookStore,
 };
+use crate::store::seal::{Seal, is_sealed, opened};
 use async_trait::async_trait;
 use serde_json::json;
 use std::collections::HashMap;
@@ -69,11 +70,13 @@ async fn next_webhook(session: &mut Session, limits: &TurnLimits) -> Result<Opti
 }
 
 /// Begins the turn of the next webhook; `None` if there is none, or another process has begun it in the meantime.
-async fn claim_turn(session: &mut Session, limits: &TurnLimits) -> Result<Option<Turn>, JobError> {
+async fn claim_turn(session: &mut Session, limits: &TurnLimits, seal: Option<&Seal>) -> Result<Option<Turn>, JobError> {
     let Some(webhook_id) = next_webhook(session, limits).await? else { return Ok(None) };
     let Some(webhook) = session.row(sql!("lock_webhook"), bind![&webhook_id]).await? else { return Ok(None) };
     session.execute(sql!("begin_turn"), bind![&webhook_id, limits.busy_for]).await?;
     let failures = webhook.count("failures")?;
+    // A secret that cannot be opened fails its deliveries, whose log then says why.
+    let secret = opened(seal, &webhook_id, &webhook.get::<String>("secret")?).unwrap_or_default();
     // A receiver that failed is tried with one delivery, so that the others do not use up their attempts.
     let at_most = if failures == 0 { limits.deliveries } else { 1 };
     let mut deliveries = Vec::new();
@@ -84,7 +87,7 @@ async fn claim_turn(session: &mut Session, limits: &TurnLimits) -> Result<Option
             id,
             webhook_id: webhook_id.clone(),
             url: webhook.get("url")?,
-            secret: webhook.get("secret")?,
+            secret: secret.clone(),
             payload: row.get("payload")?,
             attempt: row.count("attempts")? + 1,
             is_wanted: webhook.get("is_enabled")?,
@@ -92,6 +95,38 @@ async fn claim_turn(session: &mut Session, limits: &TurnLimits) -> Result<Option
         });
     }
     Ok(Some(Turn { webhook_id, failures, deliveries }))
+}
+
+impl SqlStore {
+    /// The form in which the secret of a webhook is stored.
+    fn sealed(&self, webhook_id: &str, secret: &str) -> Result<String, JobError> {
+        let Some(seal) = &self.settings.seal else { return Ok(secret.to_owned()) };
+        seal.seal(webhook_id, secret).ok_or(JobError::Corrupt { what: "a secret that cannot be sealed", source: None })
+    }
+
+    /// Seals the secrets that were stored before there was a key. Returns their number.
+    ///
+    /// # Errors
+    /// Those of the database.
+    pub async fn seal_secrets(&self) -> Result<u32, JobError> {
+        if self.settings.seal.is_none() {
+            return Ok(0);
+        }
+        let mut n_sealed = 0;
+        for row in self.database.reader().await?.rows(sql!("webhook_secrets"), bind![]).await? {
+            let (id, secret): (String, String) = (row.get("id")?, row.get("secret")?);
+            if is_sealed(&secret) {
+                continue;
+            }
+            let arguments = bind![&id, self.sealed(&id, &secret)?, &secret];
+            self.database.transaction(async |session| session.execute(sql!("seal_secret"), arguments).await).await?;
+            n_sealed += 1;
+        }
+        if n_sealed > 0 {
+            self.note_deletion();
+        }
+        Ok(n_sealed)
+    }
 }
 
 #[async_trait]
@@ -104,9 +139,10 @@ impl WebhookStore for SqlStore {
                 if row.map_or(Ok(0), |row| row.count(0))? >= at_most {
                     return Ok(None);
                 }
-                let arguments = bind![&new.id, &new.tenant, &new.url, states, &new.secret];
+                let arguments = bind![&new.id, &new.tenant, &new.url, states, self.sealed(&new.id, &new.secret)?];
                 session.execute(sql!("insert_webhook"), arguments).await?;
-                get_webhook(session, &new.tenant, &new.id).await.map(Some)
+                let made = get_webhook(session, &new.tenant, &new.id).await?;
+                Ok(Some(Webhook { secret: new.secret.clone(), ..made }))
             })
             .await
     }
@@ -206,7 +242,8 @@ impl WebhookStore for SqlStore {
         if next_webhook(&mut self.database.reader().await?, limits).await?.is_none() {
             return Ok(None);
         }
-        self.database.transaction(async |session| claim_turn(session, limits).await).await
+        let seal = self.settings.seal.as_ref();
+        self.database.transaction(async |session| claim_turn(session, limits, seal).await).await
     }
 
     async fn end_turn(&self, webhook_id: &str, failures: u32, pause: Duration) -> Result<(), JobError> {

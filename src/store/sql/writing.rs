@@ -126,6 +126,12 @@ impl JobWriter for SqlStore {
         self.database.transaction(async |session| once::begin_once(session, once, busy_for).await).await
     }
 
+    async fn extend_once(&self, once: &Once, busy_for: Duration) -> Result<(), JobError> {
+        let arguments = bind![&once.tenant, &once.name, &once.token, busy_for];
+        let extended = self.database.transaction(async |session| session.execute(sql!("extend_once"), arguments).await);
+        extended.await.map(|_| ())
+    }
+
     async fn give_up_once(&self, once: &Once) -> Result<(), JobError> {
         let arguments = bind![&once.tenant, &once.name, &once.token];
         let given_up =
@@ -162,7 +168,9 @@ impl JobWriter for SqlStore {
                 }
                 delete_job(session, id).await
             })
-            .await
+            .await?;
+        self.note_deletion();
+        Ok(())
     }
 }
 

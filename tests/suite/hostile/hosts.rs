@@ -1,5 +1,6 @@
 //! Web pages that reach a service which requires no authentication.
 
+use crate::faults::site::{Backend, SOON, Site};
 use crate::jobs_support::{TestService, form, problem};
 use serde_json::json;
 
@@ -39,4 +40,15 @@ async fn allowed_hosts_are_never_ignored() {
     problem(get("evil.example").send().await.unwrap(), 403, "host-not-allowed").await;
     problem(get("imaging.example").send().await.unwrap(), 401, "unauthenticated").await;
     service.end().await;
+}
+
+#[tokio::test]
+async fn a_service_that_is_open_to_others_says_so_at_every_start() {
+    let site = Site::open(Backend::Sqlite);
+    for _ in 0..2 {
+        let node = site.serve(&["--workers", "0", "--listen", "0.0.0.0:0", "--auth", "none", "--insecure"]);
+        node.until_logged("no authentication is required, and other machines can reach the service", SOON).await;
+    }
+    let node = site.serve(&["--workers", "0"]);
+    assert!(!node.log().contains("no authentication is required"));
 }

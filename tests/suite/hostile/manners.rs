@@ -114,3 +114,36 @@ async fn progress_says_what_is_done_in_words() {
     assert_eq!(job["progress"]["message"], "Minimizing the energy");
     service.end().await;
 }
+
+#[tokio::test]
+async fn the_feed_of_changes_is_paged_like_the_other_lists() {
+    let service = TestService::start(&["--workers", "0"]).await;
+    for seed in 0..5 {
+        service.submit(json!({"seed": seed})).await;
+    }
+    let (mut token, mut numbers) = (String::new(), Vec::new());
+    loop {
+        let page = service.json(&format!("/v1/changes?page_size=2{token}")).await;
+        numbers.extend(page["changes"].as_array().unwrap().iter().map(|change| change["seq"].as_u64().unwrap()));
+        let Some(next) = page["next_page_token"].as_str() else { break };
+        token = format!("&page_token={next}");
+    }
+    assert_eq!(numbers, [1, 2, 3, 4, 5]);
+    problem(service.get("/v1/changes?limit=1&page_size=1").await, 400, "invalid-query").await;
+    service.end().await;
+}
+
+#[test]
+fn settings_that_do_not_exist_are_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let start = |name: &str, value: &str| {
+        let mut command = crate::cli::homolog();
+        command.args(["keys", "list", "--data-dir"]).arg(folder.path()).env(name, value);
+        let output = command.output().unwrap();
+        (output.status.code(), String::from_utf8(output.stderr).unwrap())
+    };
+    let (code, said) = start("HOMOLOG_RETAIN_RESULT_DAYS", "30");
+    assert!(code == Some(2) && said.contains("HOMOLOG_RETAIN_RESULT_DAYS is no setting"), "{said}");
+    let (code, said) = start("HOMOLOG_ARTIFACTS_URL", "ftp://x");
+    assert!(code == Some(2) && said.contains("s3://bucket"), "{said}");
+}

@@ -27,3 +27,11 @@ ALTER TABLE webhooks ADD COLUMN failures INTEGER NOT NULL DEFAULT 0;
 
 ALTER TABLE webhook_deliveries ADD COLUMN traceparent TEXT;
 CREATE INDEX webhook_deliveries_waiting ON webhook_deliveries (webhook_id, next_at) WHERE state = 'pending';
+
+-- Batches were once taken without the limits of single jobs; a list of such rows takes all memory. No value within the limits
+-- is changed.
+UPDATE jobs SET external_ref = substr(external_ref, 1, 50) WHERE length(external_ref) > 200;
+UPDATE jobs SET labels = '{}' WHERE length(labels) > 200000;
+UPDATE batches SET external_ref = substr(external_ref, 1, 50) WHERE length(external_ref) > 200;
+UPDATE batches SET labels = '{}' WHERE length(labels) > 200000;
+DELETE FROM job_labels WHERE length(name) > 256 OR length(value) > 256;

@@ -1,7 +1,7 @@
 //! JSON bodies, read into typed forms under limits.
 //!
 //! Nothing that a client sends becomes a tree of unknown size: a value of any form takes a hundred times the memory of its
-//! text. What may have any form, the parameters of a match, has a limit of its own ([`Room`]); lists and labels are read up to
+//! text. What may have any form, the parameters of a match, has a limit of its own; lists and labels are read up to
 //! the largest number that is accepted. A member that is given twice is refused, since readers differ in which one counts.
 
 use super::problem::{FieldError, Problem};

@@ -1,7 +1,7 @@
 //! The queue: from the claim of a job to its end, fenced by the lease's epoch.
 
 use super::database::{Row, Session, bind};
-use super::dialect::sql;
+use super::dialect::{Sql, sql};
 use super::writing::{end_job, insert_artifact};
 use super::{SqlStore, blobs, rows};
 use crate::jobs::{
@@ -39,14 +39,16 @@ async fn tenants_in_turn(session: &mut Session) -> Result<Vec<Row>, JobError> {
     session.rows(sql!("tenants_in_turn"), bind![TENANTS_AT_ONCE]).await
 }
 
-/// The first jobs of a tenant's queue.
-async fn queue_of_tenant(session: &mut Session, tenant: &str, limit: u32) -> Result<Vec<Row>, JobError> {
-    session.rows(sql!("queue_of_tenant"), bind![tenant, limit]).await
-}
-
 /// The front of the queue: tenants take turns, in proportion to their weights, and each takes its own jobs by priority and
 /// age. A tenant that was idle begins at the present: it is owed no turns, and it does not wait behind those that queued more.
-async fn front(session: &mut Session, limit: u32, weights: &TenantWeights) -> Result<Vec<WaitingJob>, JobError> {
+///
+/// `of_tenant` reads the first jobs of a tenant's queue; its rows are returned.
+async fn front(
+    session: &mut Session,
+    limit: u32,
+    weights: &TenantWeights,
+    of_tenant: &'static Sql,
+) -> Result<Vec<Row>, JobError> {
     let tenants = tenants_in_turn(session).await?;
     let of_each = (limit / u32::try_from(tenants.len()).unwrap_or(limit).max(1)).max(LEAST_OF_TENANT).min(limit);
     let mut jobs = Vec::new();
@@ -54,14 +56,14 @@ async fn front(session: &mut Session, limit: u32, weights: &TenantWeights) -> Re
         let tenant: String = row.get("tenant")?;
         let (due, present): (i64, i64) = (row.get("due")?, row.get("present")?);
         let turn = TURN / i64::from(weights.of(&tenant));
-        for (place, row) in (0..).zip(queue_of_tenant(session, &tenant, of_each).await?) {
-            jobs.push((due.max(present) + place * turn, rows::waiting_job(&row)?));
+        for (place, row) in (0..).zip(session.rows(of_tenant, bind![tenant, of_each]).await?) {
+            jobs.push((due.max(present) + place * turn, row));
         }
     }
     // Stable: of two tenants whose turn it is, the first in the order of tenants goes first.
     jobs.sort_by_key(|(due, _)| *due);
     jobs.truncate(limit as usize);
-    Ok(jobs.into_iter().map(|(_, job)| job).collect())
+    Ok(jobs.into_iter().map(|(_, row)| row).collect())
 }
 
 /// Counts a turn of a tenant.
@@ -118,7 +120,10 @@ impl JobQueue for SqlStore {
         lease: Duration,
         max_run: Duration,
     ) -> Result<Option<LeasedJob>, JobError> {
-        let jobs: Vec<JobId> = self.front_of_queue(FRONT).await?.iter().map(|job| job.id).collect();
+        let mut session = self.database.reader().await?;
+        let front = front(&mut session, FRONT, &self.settings.weights, sql!("queued_of_tenant")).await?;
+        drop(session);
+        let jobs = front.iter().map(|row| rows::job_id(&row.get::<String>("id")?)).collect::<Result<Vec<_>, _>>()?;
         // Idle workers take no lock several times a second.
         if jobs.is_empty() {
             return Ok(None);
@@ -127,7 +132,9 @@ impl JobQueue for SqlStore {
     }
 
     async fn front_of_queue(&self, limit: u32) -> Result<Vec<WaitingJob>, JobError> {
-        front(&mut self.database.reader().await?, limit, &self.settings.weights).await
+        let mut session = self.database.reader().await?;
+        let front = front(&mut session, limit, &self.settings.weights, sql!("queue_of_tenant")).await?;
+        front.iter().map(rows::waiting_job).collect()
     }
 
     async fn claim_one_of(

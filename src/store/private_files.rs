@@ -36,12 +36,16 @@ pub(crate) fn create_new(path: &Path) -> io::Result<File> {
     options().write(true).create_new(true).open(path)
 }
 
-/// Creates an empty file unless there is one, and restricts it.
+/// Creates an empty file unless there is one, and restricts it. A file that exists is not opened: on Unix, closing a
+/// descriptor of a database releases all locks that this process holds on it, and another process would take it for unused.
 ///
 /// # Errors
 /// If it cannot be created.
 pub(crate) fn create(path: &Path) -> io::Result<()> {
-    options().create(true).truncate(false).write(true).open(path)?;
+    match create_new(path) {
+        Err(error) if error.kind() != io::ErrorKind::AlreadyExists => return Err(error),
+        _ => {}
+    }
     for ending in ["", "-wal", "-shm"] {
         let mut name = path.as_os_str().to_owned();
         name.push(ending);

@@ -46,3 +46,49 @@ async fn the_shorter_retention_for_a_full_disk_removes_older_results() {
     assert_eq!(service.get(&format!("/v1/jobs/{new}/result")).await.status(), 200);
     service.end().await;
 }
+
+/// Whether a tool that an operator needs is on this machine; says so if it is not.
+fn has_tool(name: &str) -> bool {
+    let found = Command::new(name).arg("--version").output().is_ok();
+    if !found {
+        println!("skipped: {name} is not installed");
+    }
+    found
+}
+
+#[tokio::test]
+async fn the_write_ahead_log_is_truncated_while_the_service_runs() {
+    if !has_tool("sqlite3") {
+        return;
+    }
+    let service = TestService::start(&[]).await;
+    for seed in 0..5 {
+        let id = service.submit(json!({"seed": seed})).await;
+        service.until_final(&id).await;
+    }
+    let log = service.folder.path().join("homolog.sqlite-wal");
+    assert!(std::fs::metadata(&log).unwrap().len() > 0);
+    let runbook = std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/runbook.md")).unwrap();
+    let command = runbook.split('`').find(|span| span.starts_with("sqlite3") && span.contains("TRUNCATE")).unwrap();
+    let command = format!("D=$HOMOLOG_DATA_DIR; {command}");
+    let said = run(&command, service.folder.path()).await;
+    assert!(said.starts_with("0|"), "{said}");
+    assert!(std::fs::metadata(&log).unwrap().len() < 100_000, "only what was written since");
+    let id = service.submit(json!({"seed": 9})).await;
+    assert_eq!(service.until_final(&id).await["state"], "succeeded");
+    service.end().await;
+}
+
+#[tokio::test]
+async fn the_queue_is_looked_at_through_the_api() {
+    if !has_tool("curl") {
+        return;
+    }
+    let service = TestService::start(&["--workers", "0"]).await;
+    let id = service.submit(json!({})).await;
+    let commands = commands_after("Through the API, with a key of the tenant concerned:");
+    assert!(commands.contains("state=queued") && commands.contains("state=running"), "{commands}");
+    let said = run(&format!("API={}; auth='x: y'; {commands}", service.base), service.folder.path()).await;
+    assert!(said.contains(&id) && said.contains("\"jobs\":[]"), "{said}");
+    service.end().await;
+}

@@ -4,8 +4,10 @@ use crate::config::{HttpSettings, ServiceSettings};
 use crate::http::{AuthMode, ConnectionLimits, HttpState, probe_router, router, serve};
 use crate::jobs::{ArtifactStore, Engine, JobError, JobService, JobStore, Processes, Stores, WorkerId};
 use crate::store::artifacts::{FolderArtifacts, S3Artifacts};
+use crate::store::private_files;
 use crate::store::processes::{ProcessRecord, ServeLock};
-use crate::store::sql::SqlStore;
+use crate::store::seal::Seal;
+use crate::store::sql::{SqlStore, StoreSettings};
 use crate::telemetry;
 use crate::worker::heartbeat::Heartbeats;
 use crate::worker::housekeeper::Housekeeper;
@@ -25,6 +27,8 @@ use tokio_util::sync::CancellationToken;
 const TAKEOVER_TIMEOUT: Duration = Duration::from_secs(10);
 /// Database connections for heartbeats.
 const HEARTBEAT_CONNECTIONS: u32 = 2;
+/// The file in the data directory with the key that seals secrets.
+const SEAL_KEY: &str = "secret.key";
 /// How long open connections may delay the exit of a process after its jobs have ended.
 const DRAIN_TIMEOUT: Duration = Duration::from_secs(5);
 
@@ -62,6 +66,14 @@ pub enum AppError {
         what: &'static str,
         /// Why, with its causes.
         error: String,
+    },
+    /// The file with the key of secrets cannot be used.
+    #[error("cannot use the key of secrets in {}: {error}", path.display())]
+    SecretKey {
+        /// Which file.
+        path: PathBuf,
+        /// Why.
+        error: std::io::Error,
     },
     /// The operating system starts no thread.
     #[error("cannot start a thread: {0}")]
@@ -131,7 +143,7 @@ impl App {
         let unusable = |error| AppError::DataDir { path: data_dir.clone(), error };
         let is_shared = settings.database_url.is_some();
         if !is_shared || settings.artifacts_url.is_none() {
-            std::fs::create_dir_all(&data_dir).map_err(unusable)?;
+            create_data_dir(settings)?;
         }
         // Only one process serves a SQLite database; many share a PostgreSQL server.
         let serve_lock = if serves && !is_shared {
@@ -145,6 +157,15 @@ impl App {
         };
         let database = |e: JobError| store_error("the database", &e);
         let store = open_database(settings).await?;
+        if serves && is_shared && settings.secret_key_file.is_none() {
+            tracing::warn!(
+                "secrets of webhooks are stored as they are, because no key is given with --secret-key-file"
+            );
+        }
+        let n_sealed = store.seal_secrets().await.map_err(database)?;
+        if n_sealed > 0 {
+            tracing::info!(n_sealed, "secrets of webhooks that were stored as they are were sealed");
+        }
         // Heartbeats have connections of their own, so that they never wait for other work of this process.
         let heartbeat_store = SqlStore::open(&settings.database(HEARTBEAT_CONNECTIONS)).await.map_err(database)?;
         let artifacts = open_artifacts(settings)?;
@@ -187,19 +208,38 @@ impl App {
 
     /// Runs jobs, and serves HTTP if there is a listener, until `shutdown`.
     pub async fn run(self, http: Option<(TcpListener, HttpSettings, ServiceSettings)>, shutdown: &Shutdown) {
-        let Some((listener, http, service)) = http else { return self.run_with(None, None, shutdown).await };
+        self.run_probed(http, None, shutdown).await;
+    }
+
+    /// The same; answers the probes of supervisors on `probes` too, apart from the connections of clients.
+    pub async fn run_probed(
+        self,
+        http: Option<(TcpListener, HttpSettings, ServiceSettings)>,
+        probes: Option<TcpListener>,
+        shutdown: &Shutdown,
+    ) {
+        let Some((listener, http, service)) = http else { return self.run_with(Vec::new(), None, shutdown).await };
         let auth = http.auth_mode().unwrap_or(AuthMode::Keys);
+        if http.is_open_to_others() {
+            tracing::warn!(
+                address = %http.listen,
+                "no authentication is required, and other machines can reach the service: whoever connects may read and \
+                 delete everything"
+            );
+        }
         let state = self.http_state(&http, &service, auth, shutdown);
         let webhooks = WebhookDelivery::new(Arc::new(self.stores[0].clone()), http.webhook_delivery_settings());
         let webhooks = webhooks.inspect_err(|error| tracing::error!(%error, "webhooks are not delivered")).ok();
-        self.run_with(Some((listener, router(state), http.connection_limits())), webhooks, shutdown).await;
+        let mut servers = vec![(listener, router(state.clone()), http.connection_limits())];
+        servers.extend(probes.map(|probes| (probes, probe_router(state), http.probe_limits())));
+        self.run_with(servers, webhooks, shutdown).await;
     }
 
     /// Runs jobs, and answers the probes of supervisors on `listener`, until `shutdown`.
     pub async fn run_with_probes(self, listener: TcpListener, service: &ServiceSettings, shutdown: &Shutdown) {
         let http = HttpSettings::default();
         let state = self.http_state(&http, service, AuthMode::Keys, shutdown);
-        self.run_with(Some((listener, probe_router(state), http.connection_limits())), None, shutdown).await;
+        self.run_with(vec![(listener, probe_router(state), http.probe_limits())], None, shutdown).await;
     }
 
     fn http_state(
@@ -226,7 +266,7 @@ impl App {
 
     async fn run_with(
         self,
-        http: Option<(TcpListener, Router, ConnectionLimits)>,
+        servers: Vec<(TcpListener, Router, ConnectionLimits)>,
         webhooks: Option<WebhookDelivery>,
         shutdown: &Shutdown,
     ) {
@@ -239,18 +279,21 @@ impl App {
             aside.spawn(webhooks.run(shutdown.stop.clone()));
         }
         let pool = Pool::start(&self.parts);
-        let server =
-            http.map(|(listener, router, limits)| tokio::spawn(serve(listener, router, limits, shutdown.stop.clone())));
+        let servers: Vec<_> = servers
+            .into_iter()
+            .map(|(listener, router, limits)| tokio::spawn(serve(listener, router, limits, shutdown.stop.clone())))
+            .collect();
         shutdown.stop.cancelled().await;
         pool.ended().await;
         aside.shutdown().await;
         let _ = housekeeping.await;
-        if let Some(mut server) = server
-            && tokio::time::timeout(DRAIN_TIMEOUT, &mut server).await.is_err()
-        {
-            tracing::warn!("connections are still open and are closed");
-            server.abort();
-            let _ = server.await;
+        let drained_by = tokio::time::Instant::now() + DRAIN_TIMEOUT;
+        for mut server in servers {
+            if tokio::time::timeout_at(drained_by, &mut server).await.is_err() {
+                tracing::warn!("connections are still open and are closed");
+                server.abort();
+                let _ = server.await;
+            }
         }
         for store in &self.stores {
             store.close().await;
@@ -259,13 +302,34 @@ impl App {
     }
 }
 
+/// Creates the data directory, which only this user can enter.
+///
+/// # Errors
+/// [`AppError::DataDir`].
+pub fn create_data_dir(settings: &ServiceSettings) -> Result<(), AppError> {
+    let path = &settings.data_dir;
+    private_files::create_dir_all(path).map_err(|error| AppError::DataDir { path: path.clone(), error })
+}
+
 /// Opens the database of the settings and runs the migrations that are missing.
 ///
 /// # Errors
 /// [`AppError::Store`].
 pub async fn open_database(settings: &ServiceSettings) -> Result<SqlStore, AppError> {
     let opened = SqlStore::open(&settings.database(settings.database_connections)).await;
-    opened.map_err(|e| store_error("the database", &e))
+    let opened = opened.map_err(|e| store_error("the database", &e))?;
+    let seal = match (&settings.secret_key_file, &settings.database_url) {
+        (Some(path), _) => Some((path.clone(), Seal::read(path))),
+        (None, None) => {
+            let path = settings.data_dir.join(SEAL_KEY);
+            Some((path.clone(), Seal::read_or_create(&path)))
+        }
+        // Processes on several machines need the same key, which only the operator can give them.
+        (None, Some(_)) => None,
+    };
+    let seal = seal.map(|(path, seal)| seal.map_err(|error| AppError::SecretKey { path, error })).transpose()?;
+    let settings = StoreSettings { weights: settings.tenant_weights(), crash_pause: settings.crash_pause(), seal };
+    Ok(opened.with(settings))
 }
 
 /// Opens the blob store of the settings.

@@ -1,7 +1,7 @@
 //! The settings, each from the command line or the environment, with its default. The texts of `--help` are here.
 
-use crate::http::{AllowedHosts, AuthMode, ConnectionLimits, HttpLimits};
-use crate::jobs::{Retention, SubmissionLimits};
+use crate::http::{AllowedHosts, AuthMode, ConnectionLimits, HttpLimits, LeastRate};
+use crate::jobs::{Retention, SubmissionLimits, TenantWeight, TenantWeights};
 use crate::store::sql::DatabaseLocation;
 use crate::worker::WorkerSettings;
 use crate::worker::machine;
@@ -10,6 +10,9 @@ use homolog_run::intake::{DEFAULT_MATCH_BYTES, IntakeLimits};
 use std::net::SocketAddr;
 use std::path::PathBuf;
 use std::time::Duration;
+
+/// Largest number of jobs of a batch that can be allowed; more entries of a list are not read.
+const MAX_LIST: usize = crate::http::MAX_LIST;
 
 /// Settings of every process of the service.
 #[derive(Debug, Clone, clap::Args)]
@@ -28,7 +31,7 @@ pub struct ServiceSettings {
     pub notify: bool,
     /// S3-compatible store for files, as s3://bucket/prefix, with AWS_* in the environment; default: a folder in the data
     /// directory
-    #[arg(long, env = "HOMOLOG_ARTIFACTS_URL", value_name = "URL")]
+    #[arg(long, env = "HOMOLOG_ARTIFACTS_URL", value_parser = s3_url, value_name = "URL")]
     pub artifacts_url: Option<String>,
     /// How long results and traces are kept after a job has ended, days; 0: for ever
     #[arg(long, env = "HOMOLOG_RETAIN_RESULTS_DAYS", default_value_t = 90.0, value_parser = days, value_name = "DAYS")]
@@ -51,6 +54,17 @@ pub struct ServiceSettings {
     /// the memory for jobs, and at most a quarter of it; 0: none are kept
     #[arg(long, env = "HOMOLOG_PREPARED_BYTES", default_value_t = 256 << 20, value_name = "BYTES")]
     pub prepared_bytes: u64,
+    /// File with the key that seals the secrets of webhooks in the database, 64 hexadecimal digits, the same for all
+    /// processes; default: secret.key in the data directory, which is created; with a database server: secrets are not sealed
+    #[arg(long, env = "HOMOLOG_SECRET_KEY_FILE", value_name = "FILE")]
+    pub secret_key_file: Option<PathBuf>,
+    /// How long a job waits before it runs again after its worker was lost, ms; five times as long after each further loss, at
+    /// most a minute
+    #[arg(long, env = "HOMOLOG_CRASH_PAUSE_MS", default_value_t = 1_000, value_parser = clap::value_parser!(u64).range(0..=60_000), value_name = "MS")]
+    pub crash_pause_ms: u64,
+    /// Share of a tenant in the turns of all tenants whose jobs wait, as TENANT=WEIGHT; 1 unless given; repeatable
+    #[arg(long = "tenant-weight", env = "HOMOLOG_TENANT_WEIGHTS", value_delimiter = ',', value_name = "TENANT=WEIGHT")]
+    pub tenant_weights: Vec<TenantWeight>,
     /// How long smaller jobs may overtake a queued one for which not enough cores or memory are free, ms; then they wait too
     #[arg(long, env = "HOMOLOG_PATIENCE_MS", default_value_t = 10_000, value_name = "MS")]
     pub patience_ms: u64,
@@ -119,15 +133,39 @@ pub struct HttpSettings {
     /// Pause after the first failed attempt to deliver a webhook, ms; each further pause is three times as long
     #[arg(long, env = "HOMOLOG_WEBHOOK_PAUSE_MS", default_value_t = 5_000, value_parser = clap::value_parser!(u64).range(10..=3_600_000), value_name = "MS")]
     pub webhook_pause_ms: u64,
+    /// Number of receivers of webhooks that are called at the same time; a tenant may have a quarter of them
+    #[arg(long, env = "HOMOLOG_MAX_RECEIVERS", default_value_t = 32, value_parser = clap::value_parser!(u32).range(1..=1_000), value_name = "N")]
+    pub max_receivers: u32,
     /// Maximum number of jobs in a batch
-    #[arg(long, env = "HOMOLOG_MAX_BATCH", default_value_t = 1_000, value_name = "N")]
-    pub max_batch: usize,
+    #[arg(long, env = "HOMOLOG_MAX_BATCH", default_value_t = 1_000, value_parser = clap::value_parser!(u32).range(1..=MAX_LIST as i64), value_name = "N")]
+    pub max_batch: u32,
     /// Maximum number of queued jobs per tenant
     #[arg(long, env = "HOMOLOG_MAX_QUEUE", default_value_t = 1_000, value_name = "N")]
     pub max_queue: u32,
-    /// Number of submissions read at the same time; each may hold two files in memory
-    #[arg(long, env = "HOMOLOG_MAX_UPLOADS", default_value_t = 4, value_name = "N")]
+    /// Number of submissions and uploads received at the same time; a tenant may have half of them
+    #[arg(long, env = "HOMOLOG_MAX_UPLOADS", default_value_t = 64, value_name = "N")]
     pub max_uploads: usize,
+    /// Memory of all submissions that are being received and checked, bytes; a tenant may have half of it, or one submission
+    #[arg(long, env = "HOMOLOG_MAX_BODY_MEMORY_BYTES", default_value_t = 512 << 20, value_name = "BYTES")]
+    pub max_body_memory_bytes: u64,
+    /// Memory of all results that are sent in another format than the stored one, bytes; a tenant may have half of it
+    #[arg(long, env = "HOMOLOG_MAX_ANSWER_MEMORY_BYTES", default_value_t = 256 << 20, value_parser = clap::value_parser!(u64).range(1 << 20..), value_name = "BYTES")]
+    pub max_answer_memory_bytes: u64,
+    /// Maximum size of a JSON body, bytes
+    #[arg(long, env = "HOMOLOG_MAX_JSON_BYTES", default_value_t = 32 << 20, value_name = "BYTES")]
+    pub max_json_bytes: usize,
+    /// Maximum size of the parameters of a submission, bytes
+    #[arg(long, env = "HOMOLOG_MAX_PARAMETERS_BYTES", default_value_t = 64 << 10, value_name = "BYTES")]
+    pub max_parameters_bytes: usize,
+    /// Least rate at which a client sends a body and reads an answer, bytes a second; a slower one is disconnected
+    #[arg(long, env = "HOMOLOG_LEAST_RATE", default_value_t = 8_192, value_parser = clap::value_parser!(u64).range(1..), value_name = "BYTES/S")]
+    pub least_rate: u64,
+    /// How long a client may pause while it sends a body or reads an answer, and fall behind the least rate, s
+    #[arg(long, env = "HOMOLOG_STALL_TIMEOUT_S", default_value_t = 20, value_parser = clap::value_parser!(u64).range(1..=3_600), value_name = "S")]
+    pub stall_timeout_s: u64,
+    /// Maximum number of event streams and long polls of a tenant at the same time, and of an address
+    #[arg(long, env = "HOMOLOG_MAX_STREAMS", default_value_t = 512, value_parser = clap::value_parser!(u32).range(1..), value_name = "N")]
+    pub max_streams: u32,
     /// Number of inputs checked at the same time
     #[arg(long, env = "HOMOLOG_MAX_CHECKS", default_value_t = 2, value_name = "N")]
     pub max_checks: usize,
@@ -143,9 +181,23 @@ pub struct HttpSettings {
     /// Maximum number of open connections; further ones wait
     #[arg(long, env = "HOMOLOG_MAX_CONNECTIONS", default_value_t = 4_096, value_parser = clap::value_parser!(u32).range(1..), value_name = "N")]
     pub max_connections: u32,
-    /// Host name, besides localhost, that requests may use when the service listens on a loopback address; repeatable
+    /// Further address on which to serve /healthz, /readyz and /metrics, apart from the connections of clients; default: none
+    #[arg(long, env = "HOMOLOG_PROBE_LISTEN", value_name = "ADDRESS:PORT")]
+    pub probe_listen: Option<SocketAddr>,
+    /// Host name that requests may use, besides localhost and the address of --listen; any name if API keys are required and
+    /// none is given; repeatable
     #[arg(long = "allowed-host", env = "HOMOLOG_ALLOWED_HOSTS", value_delimiter = ',', value_name = "NAME")]
     pub allowed_hosts: Vec<String>,
+}
+
+/// Parses the address of a bucket.
+fn s3_url(text: &str) -> Result<String, String> {
+    let bucket = text.strip_prefix("s3://").and_then(|rest| rest.split('/').next()).unwrap_or_default();
+    let is_bucket = bucket.bytes().all(|b| b.is_ascii_alphanumeric() || b"-._".contains(&b));
+    if bucket.is_empty() || !is_bucket {
+        return Err("s3://bucket or s3://bucket/prefix is needed here".to_owned());
+    }
+    Ok(text.to_owned())
 }
 
 /// Parses a number of days that fits into a duration.
@@ -216,6 +268,16 @@ impl ServiceSettings {
         self.memory_bytes.unwrap_or_else(jobs_memory_bytes)
     }
 
+    /// How long a job waits after the first loss of its worker.
+    pub fn crash_pause(&self) -> Duration {
+        Duration::from_millis(self.crash_pause_ms)
+    }
+
+    /// The weights of tenants.
+    pub fn tenant_weights(&self) -> TenantWeights {
+        TenantWeights::new(self.tenant_weights.iter().cloned())
+    }
+
     /// Settings of workers.
     pub fn worker_settings(&self) -> WorkerSettings {
         let lease = Duration::from_millis(self.lease_ms);
@@ -264,7 +326,13 @@ impl HttpSettings {
     pub fn http_limits(&self, service: &ServiceSettings) -> HttpLimits {
         HttpLimits {
             max_file_bytes: service.max_file_bytes,
+            max_json_bytes: self.max_json_bytes,
+            max_parameters_bytes: self.max_parameters_bytes,
             max_uploads: self.max_uploads,
+            max_body_memory_bytes: self.max_body_memory_bytes,
+            max_answer_memory_bytes: self.max_answer_memory_bytes,
+            least_rate: self.least_rate(),
+            max_streams: self.max_streams,
             max_upload_wait: Duration::from_secs(20),
             upload_timeout: Duration::from_secs(self.upload_timeout_s),
             request_timeout: Duration::from_secs(self.request_timeout_s),
@@ -277,6 +345,7 @@ impl HttpSettings {
         WebhookDeliverySettings {
             allow_private: self.allow_private_webhooks,
             first_pause: Duration::from_millis(self.webhook_pause_ms),
+            receivers: self.max_receivers,
         }
     }
 
@@ -285,14 +354,31 @@ impl HttpSettings {
         ConnectionLimits {
             header_timeout: Duration::from_secs(self.header_timeout_s),
             max_connections: self.max_connections as usize,
+            least_rate: self.least_rate(),
         }
     }
 
-    /// The host names that requests may use; `None` for any. Only a service on a loopback address without authentication
-    /// restricts them: other machines reach it by names that it does not know, and authenticate otherwise.
+    /// Limits on connections of supervisors.
+    pub fn probe_limits(&self) -> ConnectionLimits {
+        ConnectionLimits { max_connections: 64, ..self.connection_limits() }
+    }
+
+    fn least_rate(&self) -> LeastRate {
+        LeastRate { bytes_per_s: self.least_rate, patience: Duration::from_secs(self.stall_timeout_s) }
+    }
+
+    /// Whether other machines can use the service without authentication.
+    pub fn is_open_to_others(&self) -> bool {
+        !self.listen.ip().is_loopback() && self.auth_mode() == Some(AuthMode::None)
+    }
+
+    /// The host names that requests may use; `None` for any. They are restricted wherever nobody is authenticated, whatever
+    /// the address, and wherever names are given. With keys and without names, any is allowed: other machines reach the
+    /// service by names that it does not know.
     pub fn hosts(&self) -> Option<AllowedHosts> {
-        let is_open = self.listen.ip().is_loopback() && self.auth_mode() == Some(AuthMode::None);
-        is_open.then(|| AllowedHosts::new(self.allowed_hosts.iter().cloned()))
+        let is_restricted = self.auth_mode() == Some(AuthMode::None) || !self.allowed_hosts.is_empty();
+        let own = Some(self.listen.ip()).filter(|address| !address.is_unspecified()).map(|address| address.to_string());
+        is_restricted.then(|| AllowedHosts::new(self.allowed_hosts.iter().cloned().chain(own)))
     }
 
     /// Limits on submissions.
@@ -302,7 +388,7 @@ impl HttpSettings {
             max_checks: self.max_checks,
             max_check_wait: Duration::from_secs(60),
             max_attempts: service.max_attempts,
-            max_batch: self.max_batch,
+            max_batch: self.max_batch as usize,
             once_for: Duration::from_secs(24 * 3600),
             keep_results: service.retention().results,
             max_run: Duration::from_secs(service.max_run_s),
@@ -323,6 +409,17 @@ mod tests {
     fn settings(told: &[&str]) -> ServiceSettings {
         let words = ["homolog"].iter().chain(told);
         <Alone as clap::Parser>::try_parse_from(words).unwrap().service
+    }
+
+    #[test]
+    fn only_addresses_of_buckets_are_accepted_for_files() {
+        let parse = |url: &str| <Alone as clap::Parser>::try_parse_from(["homolog", "--artifacts-url", url]);
+        for url in ["s3://bucket", "s3://bucket/prefix/more", "s3://my.bucket-1/"] {
+            assert!(parse(url).is_ok(), "{url}");
+        }
+        for url in ["ftp://x", "http://169.254.169.254/", "bucket", "s3://", "s3:///prefix", "s3://a b", "s3://a@b/"] {
+            assert!(parse(url).is_err(), "{url}");
+        }
     }
 
     #[test]

@@ -6,7 +6,7 @@
 use super::error::CliError;
 use super::output::print;
 use super::serve::in_runtime;
-use crate::app::{self, AppError};
+use crate::app;
 use crate::config::ServiceSettings;
 use crate::jobs::{
     ApiKey, BlobHolds as _, Housekeeping as _, JobError, JobStore as _, KeyStore as _, Purged, Scope, SecretKey, Tenant,
@@ -181,6 +181,7 @@ pub(super) fn purge(args: &PurgeArgs) -> Result<(), CliError> {
         }
         let mut blobs = 0;
         if !dry_run {
+            store.overwrite_deleted().await?;
             blobs = store.remove_unreferenced_blobs(artifacts.as_ref()).await?;
             blobs += artifacts.sweep().await?;
         }
@@ -214,8 +215,7 @@ fn with_store(
     let mut answer = Ok(String::new());
     in_runtime(settings, async {
         if settings.database_url.is_none() {
-            std::fs::create_dir_all(&settings.data_dir)
-                .map_err(|error| AppError::DataDir { path: settings.data_dir.clone(), error })?;
+            app::create_data_dir(settings)?;
         }
         let store = app::open_database(settings).await?;
         answer = work(&store).await;

@@ -72,6 +72,12 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
             return ExitCode::from(u8::try_from(error.exit_code()).unwrap_or(2));
         }
     };
+    if let Some(unknown) = unknown_setting(&cli.command) {
+        output::note(&format!(
+            "homolog: {unknown} is no setting of this program; `homolog serve --help` and `homolog worker --help` list all"
+        ));
+        return ExitCode::from(2);
+    }
     let done = match cli.command {
         Command::Serve(args) => serve::serve(args),
         Command::Worker(args) => serve::worker(args),
@@ -97,6 +103,30 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
     }
 }
 
+/// A variable of the environment that looks like a setting and is none: a misspelled limit must not be ignored. Only where
+/// settings matter, and not what Kubernetes adds for a service of this name.
+fn unknown_setting(command: &Command) -> Option<String> {
+    let runs_service = matches!(
+        command,
+        Command::Serve(_) | Command::Worker(_) | Command::Migrate(_) | Command::Keys(_) | Command::Purge(_)
+    );
+    let names = std::env::vars_os().filter_map(|(name, _)| name.into_string().ok());
+    if runs_service { names.into_iter().find(|name| is_unknown(name)) } else { None }
+}
+
+fn is_unknown(name: &str) -> bool {
+    // Of the build, the tests and the benchmarks of this repository.
+    const OTHERS: [&str; 4] = ["HOMOLOG_COMMIT", "HOMOLOG_REAL_DATA", "HOMOLOG_FAULTS", "HOMOLOG_BENCH_PEER"];
+    let is_of_kubernetes = name.contains("_SERVICE_") || name.ends_with("_PORT") || name.contains("_PORT_");
+    let program = <Cli as clap::CommandFactory>::command();
+    name.starts_with("HOMOLOG_") && !OTHERS.contains(&name) && !is_of_kubernetes && !has_variable(&program, name)
+}
+
+fn has_variable(command: &clap::Command, name: &str) -> bool {
+    command.get_arguments().any(|argument| argument.get_env().is_some_and(|env| env == name))
+        || command.get_subcommands().any(|command| has_variable(command, name))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -104,5 +134,18 @@ mod tests {
     #[test]
     fn the_arguments_are_consistent() {
         <Cli as clap::CommandFactory>::command().debug_assert();
+    }
+
+    #[test]
+    fn misspelled_settings_are_recognized() {
+        for known in ["HOMOLOG_LISTEN", "HOMOLOG_PROBE_LISTEN", "HOMOLOG_URL", "PATH", "HOMOLOG_FAULTS"] {
+            assert!(!is_unknown(known), "{known}");
+        }
+        for injected in ["HOMOLOG_SERVICE_HOST", "HOMOLOG_PORT", "HOMOLOG_PORT_8080_TCP_ADDR"] {
+            assert!(!is_unknown(injected), "{injected}");
+        }
+        for wrong in ["HOMOLOG_LISTN", "HOMOLOG_MAX_QUEUES", "HOMOLOG_"] {
+            assert!(is_unknown(wrong), "{wrong}");
+        }
     }
 }

@@ -40,9 +40,13 @@ pub(super) fn serve(args: ServeArgs) -> Result<(), CliError> {
         shutdown.follow_signals(Duration::from_millis(args.service.shutdown_grace_ms));
         let listener = app::listen(&args.http).await?;
         let address = listener.local_addr().map_err(|error| AppError::Listen { address: args.http.listen, error })?;
+        let probes = match args.http.probe_listen {
+            Some(address) => Some(app::bind(address).await?),
+            None => None,
+        };
         let app = App::open(&args.service, app::engine(&args.service), &shutdown, true).await?;
         say(&format!("homolog listens on http://{address}"));
-        app.run(Some((listener, args.http, args.service)), &shutdown).await;
+        app.run_probed(Some((listener, args.http, args.service)), probes, &shutdown).await;
         Ok(())
     })
 }

@@ -185,6 +185,9 @@ fn typical(operation: &str, status: StatusCode) -> ProblemKind {
         (_, StatusCode::PAYLOAD_TOO_LARGE) => ProblemKind::TooLarge,
         (_, StatusCode::UNSUPPORTED_MEDIA_TYPE) => ProblemKind::UnknownFormat,
         (_, StatusCode::UNPROCESSABLE_ENTITY) => ProblemKind::InvalidParameters,
+        ("get_job" | "get_batch" | "list_changes" | "follow_job", StatusCode::TOO_MANY_REQUESTS) => {
+            ProblemKind::TooManyStreams
+        }
         (_, StatusCode::TOO_MANY_REQUESTS) => ProblemKind::QueueFull,
         ("submit_job", StatusCode::SERVICE_UNAVAILABLE) => ProblemKind::Busy,
         (_, StatusCode::INSUFFICIENT_STORAGE) => ProblemKind::StorageFull,

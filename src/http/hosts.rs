@@ -1,8 +1,11 @@
 //! Host validation against DNS rebinding.
 //!
-//! A service on a loopback address requires no authentication, because only programs on this machine can connect to it. A web
-//! page in a browser on this machine could do so too, under a host name that resolves to 127.0.0.1 (DNS rebinding). The
-//! browser sends that name in `Host`, and the origin of the page in `Origin`; so both have to name this machine.
+//! Where nobody is authenticated, whoever can connect may do everything. A web page in a browser that can connect could do so
+//! too, under a host name that resolves to the address of the service (DNS rebinding). The browser sends that name in `Host`,
+//! and the origin of the page in `Origin`; so both have to name this machine, or a name that the operator allows.
+//!
+//! This holds whatever the address: inside a container, the service listens on all of them. Probes of a supervisor name the
+//! service by any address and learn nothing but that it is alive, so their paths are not checked.
 
 use super::problem::Problem;
 use super::problem_table::ProblemKind;
@@ -19,6 +22,9 @@ use std::net::IpAddr;
 pub struct AllowedHosts {
     names: Vec<String>,
 }
+
+/// Paths that any host may name.
+const PROBES: [&str; 2] = ["/healthz", "/readyz"];
 
 impl AllowedHosts {
     /// These names, without port; case does not matter.
@@ -58,7 +64,7 @@ fn canonical(name: &str) -> String {
 /// Refuses requests that name another host, before anything else is done.
 pub(crate) async fn check_host(State(state): State<HttpState>, request: Request, next: Next) -> Response {
     match &state.hosts {
-        Some(hosts) if !hosts.allow(request.uri(), request.headers()) => {
+        Some(hosts) if !PROBES.contains(&request.uri().path()) && !hosts.allow(request.uri(), request.headers()) => {
             Problem::new(ProblemKind::HostNotAllowed).into_response()
         }
         _ => next.run(request).await,

@@ -1,7 +1,7 @@
 //! The HTTP API: routes, problems, wire types and the OpenAPI document.
 //!
 //! Reading order: [`mod@router`] (layers and routes), [`routes`] (one file for each resource), [`upload`] (bodies under
-//! limits), [`wire`] (JSON forms), `accept` and `representation` (content negotiation), `conditional` and `long_poll` (ETags
+//! limits; `shares` among clients, `pace` of each), `strict_json`, [`wire`] (JSON forms), `accept` and `representation` (content negotiation), `content` (streams and ranges), `conditional` and `long_poll` (ETags
 //! and `?wait=`), [`problem`] (errors), [`context`] (request ids, spans, metrics), [`hosts`] (host validation), [`server`]
 //! (connections).
 //!
@@ -11,11 +11,13 @@
 mod accept;
 mod auth;
 mod conditional;
+mod content;
 mod context;
 mod examples;
 mod hosts;
 mod long_poll;
 mod openapi;
+mod pace;
 mod preferences;
 mod problem;
 mod problem_table;
@@ -24,6 +26,8 @@ mod representation;
 mod router;
 mod routes;
 mod server;
+mod shares;
+mod strict_json;
 mod submission;
 mod upload;
 mod wire;
@@ -31,6 +35,8 @@ mod wire;
 pub use auth::AuthMode;
 pub use hosts::AllowedHosts;
 pub use openapi::openapi_json;
+pub use pace::LeastRate;
 pub use problem_table::problems_markdown;
 pub use router::{HttpLimits, HttpState, probe_router, router};
 pub use server::{ConnectionLimits, serve};
+pub(crate) use strict_json::MAX_LIST;

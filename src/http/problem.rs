@@ -172,6 +172,10 @@ impl From<JobError> for Problem {
             JobError::AlreadyFinal { state } => with_state(ProblemKind::JobFinished, state),
             JobError::NotReady { state } => with_state(ProblemKind::ResultNotReady, state).retry_after(1),
             JobError::NoResult { state } => with_state(ProblemKind::NoResult, state),
+            JobError::Unstorable => {
+                let detail = "a text contains a NUL character, which cannot be stored";
+                Problem::new(ProblemKind::InvalidRequest).detail(detail)
+            }
             JobError::StorageFull => {
                 tracing::error!(request_id = request_id(), "out of storage space");
                 Problem::new(ProblemKind::StorageFull)
@@ -213,6 +217,11 @@ impl From<SubmitError> for Problem {
                     })
                     .collect();
                 Problem::new(ProblemKind::UnsuitableBatch).errors(&errors)
+            }
+            SubmitError::Metadata { number, fault } => {
+                let pair = number.map_or_else(String::new, |number| format!("/pairs/{number}"));
+                let error = FieldError::new(format!("{pair}/{}", fault.field()), "out_of_range", fault.to_string());
+                Problem::new(ProblemKind::InvalidRequest).errors(&[error])
             }
             SubmitError::BatchTooLarge { limit } => Problem::new(ProblemKind::TooLarge)
                 .detail(format!("a batch can have at most {limit} jobs"))

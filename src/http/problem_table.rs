@@ -74,7 +74,7 @@ problems! {
     MalformedJson = "malformed-json", BAD_REQUEST, "The JSON body is malformed",
         "detail names the line and the column.";
     HostNotAllowed = "host-not-allowed", FORBIDDEN, "The host of the request is not allowed",
-        "Use localhost or a loopback address; the operator can allow other names with --allowed-host.";
+        "Use localhost or a loopback address, or send an API key to a service that requires one; the operator can allow other names with --allowed-host.";
     BadRequest = "bad-request", BAD_REQUEST, "The request is malformed",
         "Check path, headers and body against /openapi.json.";
     NotAcceptable = "not-acceptable", NOT_ACCEPTABLE, "The resource is not available in a format that Accept allows",
@@ -98,8 +98,12 @@ problems! {
         "Send smaller files, or ask the operator for a higher limit.";
     QueueFull = "queue-full", TOO_MANY_REQUESTS, "The queue is full",
         "Submit again after the time in Retry-After.";
-    Busy = "busy", SERVICE_UNAVAILABLE, "The service is receiving too many uploads",
-        "Submit again after the time in Retry-After.";
+    Busy = "busy", SERVICE_UNAVAILABLE, "The service is receiving or sending too much at the moment",
+        "Send the request again after the time in Retry-After.";
+    TooManyStreams = "too-many-streams", TOO_MANY_REQUESTS, "Too many event streams and long polls are open",
+        "Close some, or follow many jobs with one stream of changes: GET /v1/changes?wait=20.";
+    RangeNotSatisfiable = "range-not-satisfiable", RANGE_NOT_SATISFIABLE, "The range is not within the content",
+        "Content-Range states the size; request a range within it.";
     UploadTimeout = "upload-timeout", REQUEST_TIMEOUT, "The body took too long to arrive",
         "Submit again over a faster connection, or send smaller files.";
     Timeout = "timeout", SERVICE_UNAVAILABLE, "The request took too long",
@@ -154,6 +158,7 @@ impl ProblemKind {
             StatusCode::NOT_FOUND => ProblemKind::RouteNotFound,
             StatusCode::METHOD_NOT_ALLOWED => ProblemKind::MethodNotAllowed,
             StatusCode::NOT_ACCEPTABLE => ProblemKind::NotAcceptable,
+            StatusCode::RANGE_NOT_SATISFIABLE => ProblemKind::RangeNotSatisfiable,
             StatusCode::PAYLOAD_TOO_LARGE => ProblemKind::BodyTooLarge,
             StatusCode::UNSUPPORTED_MEDIA_TYPE => ProblemKind::UnsupportedMediaType,
             StatusCode::REQUEST_TIMEOUT => ProblemKind::UploadTimeout,

@@ -7,6 +7,9 @@ use axum::http::request::Parts;
 use std::ops::RangeInclusive;
 use std::str::FromStr;
 
+/// Most faults that are listed in an answer.
+const MAX_FAULTS: usize = 16;
+
 /// The parameters of a query string, taken out one by one; [`QueryString::finish`] refuses the rest.
 #[derive(Debug)]
 pub(crate) struct QueryString {
@@ -19,7 +22,15 @@ impl<S: Send + Sync> FromRequestParts<S> for QueryString {
 
     async fn from_request_parts(parts: &mut Parts, state: &S) -> Result<Self, Problem> {
         match Query::<Vec<(String, String)>>::from_request_parts(parts, state).await {
-            Ok(Query(pairs)) => Ok(QueryString { pairs, faults: Vec::new() }),
+            Ok(Query(pairs)) => {
+                let mut query = QueryString { pairs, faults: Vec::new() };
+                // No stored text contains one, and not every database can be asked for it.
+                if query.pairs.iter().any(|(name, value)| name.contains('\0') || value.contains('\0')) {
+                    query.pairs.retain(|(name, value)| !name.contains('\0') && !value.contains('\0'));
+                    query.faults.push(FieldError::new("/query", "out_of_range", "must not contain NUL characters"));
+                }
+                Ok(query)
+            }
             Err(rejection) => Err(Problem::new(ProblemKind::InvalidQuery).detail(rejection.body_text())),
         }
     }
@@ -72,6 +83,9 @@ impl QueryString {
 
     /// Notes a fault.
     pub(crate) fn fault(&mut self, name: &str, code: &str, detail: impl Into<String>) {
+        if self.faults.len() >= MAX_FAULTS {
+            return;
+        }
         self.faults.push(FieldError::new(format!("/query/{name}"), code, detail));
     }
 

@@ -2,12 +2,15 @@
 
 use super::accept::preferred;
 use super::conditional::{is_fresh, not_modified, respond};
+use super::content::{Counted, Wanted, streamed, wanted};
 use super::problem::Problem;
 use super::problem_table::ProblemKind;
 use super::query::QueryString;
 use super::router::HttpState;
-use crate::jobs::{JobId, PartFormat, ResultPart, Tenant};
-use axum::http::{HeaderMap, HeaderValue, header};
+use super::shares::Origin;
+use crate::jobs::{JobId, PartFormat, Presented, ResultPart, Tenant};
+use axum::body::Body;
+use axum::http::{HeaderMap, HeaderValue, Method, header};
 use axum::response::{IntoResponse, Response};
 use serde_json::json;
 
@@ -39,13 +42,21 @@ fn form(format: PartFormat) -> Form {
     Form { media_type, content_type, ending }
 }
 
-/// Answers a part of a job's result in the requested format.
+/// How a client asks for a part.
+pub(super) struct Asking<'a> {
+    pub(super) method: &'a Method,
+    pub(super) headers: &'a HeaderMap,
+    pub(super) origin: Origin,
+}
+
+/// Answers a part of a job's result in the requested format: streamed if it is stored in it, else converted in memory, which
+/// is counted until the answer is sent.
 pub(super) async fn answer(
     state: &HttpState,
     tenant: &Tenant,
     id: JobId,
     part: ResultPart,
-    headers: &HeaderMap,
+    Asking { method, headers, origin }: Asking<'_>,
     query: QueryString,
 ) -> Result<Response, Problem> {
     let Some(format) = choose(part, headers, query)? else {
@@ -53,13 +64,25 @@ pub(super) async fn answer(
         state.service.get(tenant, id).await?;
         return Ok(varying(not_acceptable(part).into_response()));
     };
-    let wanted = state.service.presentation(tenant, id, part, format).await?;
-    let etag = format!("\"{}\"", wanted.validator());
+    let presentation = state.service.presentation(tenant, id, part, format).await?;
+    let etag = format!("\"{}\"", presentation.validator());
     if is_fresh(headers, &etag) {
         return Ok(varying(not_modified(&etag)));
     }
     let form = form(format);
-    let response = respond(headers, &etag, form.content_type, state.service.present(&wanted).await?);
+    let response = match state.service.present(&presentation).await? {
+        Presented::Stored(blob) => match wanted(method, headers, &etag, blob.n_bytes) {
+            Wanted::Nothing(response) => *response,
+            Wanted::Content { range, with_body } => {
+                let stream = if with_body { Some(state.service.open(&blob, range.clone()).await?) } else { None };
+                streamed(headers, &etag, form.content_type, blob.n_bytes, range.as_ref(), stream)
+            }
+        },
+        Presented::Converted(bytes) => {
+            let memory = state.answer_memory(tenant, origin, bytes.len()).await?;
+            respond(headers, &etag, form.content_type, Body::new(Counted::new(bytes, memory)))
+        }
+    };
     Ok(varying(named(response, id, part, form.ending)))
 }
 

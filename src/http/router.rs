@@ -1,33 +1,54 @@
 //! The routes and the layers around them.
 
 use super::auth::AuthMode;
+use super::content::weaken_if_compressed;
 use super::context::{panic_problem, surround};
 use super::hosts::{AllowedHosts, check_host};
 use super::openapi::document;
+use super::pace::LeastRate;
 use super::problem::Problem;
 use super::problem_table::ProblemKind;
 use super::routes;
-use crate::jobs::JobService;
+use super::shares::{Origin, Shares, Taken, owner};
+use super::upload::{Reading, Tap};
+use crate::jobs::{JobService, Tenant};
 use axum::Router;
 use axum::extract::DefaultBodyLimit;
+use axum::http::{Extensions, HeaderMap, HeaderValue, StatusCode, Version, header};
 use axum::routing::get;
 use std::sync::Arc;
 use std::time::Duration;
-use tokio::sync::{OwnedSemaphorePermit, Semaphore};
 use tokio_util::sync::CancellationToken;
-use tower::ServiceBuilder;
 use tower_http::catch_panic::CatchPanicLayer;
+use tower_http::compression::{CompressionLayer, CompressionLevel};
 use utoipa_axum::router::OpenApiRouter;
 use utoipa_axum::routes;
+
+/// Memory that a body takes for each of its bytes: while it is read it is in memory, and so is what is decoded from it.
+pub(super) const IN_MEMORY: u64 = 2;
+/// Memory for each byte of a body that is stored as it arrives.
+pub(super) const AS_IT_ARRIVES: u64 = 0;
 
 /// Bounds on requests.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct HttpLimits {
     /// Largest file of a submission.
     pub max_file_bytes: usize,
-    /// Submissions read at the same time; each may hold two files in memory.
+    /// Largest body of JSON.
+    pub max_json_bytes: usize,
+    /// Largest parameters of a match.
+    pub max_parameters_bytes: usize,
+    /// Bodies read at the same time; one tenant has at most half of them.
     pub max_uploads: usize,
-    /// Longest wait for one of those slots.
+    /// Memory of all bodies that are being read and checked; one tenant has at most half of it, or one body.
+    pub max_body_memory_bytes: u64,
+    /// Memory of all answers that are being sent and are not read from the store as they are sent; shared in the same way.
+    pub max_answer_memory_bytes: u64,
+    /// The least rate at which a body arrives.
+    pub least_rate: LeastRate,
+    /// Event streams and long polls of a tenant at the same time, and those of an address.
+    pub max_streams: u32,
+    /// Longest wait for a slot, and for memory.
     pub max_upload_wait: Duration,
     /// Longest time for a submission, its body included.
     pub upload_timeout: Duration,
@@ -51,8 +72,6 @@ pub struct HttpState {
     pub service: Arc<JobService>,
     /// Bounds.
     pub limits: HttpLimits,
-    /// Slots for submissions being read.
-    pub uploads: Arc<Semaphore>,
     /// Whether API keys are required.
     pub auth: AuthMode,
     /// The metrics of the process, in the text format of Prometheus.
@@ -61,13 +80,39 @@ pub struct HttpState {
     pub hosts: Option<Arc<AllowedHosts>>,
     /// Cancelled when the process shuts down; long polls then answer at once.
     pub stop: CancellationToken,
+    stocks: Arc<Stocks>,
+}
+
+/// What requests share.
+struct Stocks {
+    bodies: Arc<Shares>,
+    body_memory: Arc<Shares>,
+    answer_memory: Arc<Shares>,
+    streams: Arc<Shares>,
+}
+
+impl Stocks {
+    fn new(limits: &HttpLimits) -> Self {
+        let half = |total: u64| total.div_ceil(2);
+        let bodies = (limits.max_uploads as u64).max(1);
+        // The largest body that is allowed fits, whatever the setting.
+        let largest = (limits.max_body_bytes() as u64).saturating_mul(IN_MEMORY);
+        let memory = limits.max_body_memory_bytes.max(largest);
+        let streams = u64::from(limits.max_streams);
+        Stocks {
+            bodies: Shares::new(bodies, half(bodies)),
+            body_memory: Shares::new(memory, half(memory).max(largest)),
+            answer_memory: Shares::new(limits.max_answer_memory_bytes, half(limits.max_answer_memory_bytes)),
+            streams: Shares::new(u64::MAX, streams),
+        }
+    }
 }
 
 impl HttpState {
     /// The state over these use cases.
     pub fn new(service: Arc<JobService>, limits: HttpLimits, auth: AuthMode, stop: CancellationToken) -> Self {
-        let uploads = Arc::new(Semaphore::new(limits.max_uploads.max(1)));
-        HttpState { service, limits, uploads, auth, metrics: Arc::new(String::new), hosts: None, stop }
+        let stocks = Arc::new(Stocks::new(&limits));
+        HttpState { service, limits, auth, metrics: Arc::new(String::new), hosts: None, stop, stocks }
     }
 
     /// Restricts the hosts that requests may name; `None` allows any.
@@ -79,16 +124,56 @@ impl HttpState {
 }
 
 impl HttpState {
-    /// An upload slot, held until it is dropped.
+    /// Begins to read a body, which takes `factor` times its size of memory. Its slot and its memory are returned when the
+    /// tap is dropped.
     ///
     /// # Errors
     /// `busy` if no slot becomes free in time.
-    pub(super) async fn upload_permit(&self) -> Result<OwnedSemaphorePermit, Problem> {
-        let permit = Arc::clone(&self.uploads).acquire_owned();
-        match tokio::time::timeout(self.limits.max_upload_wait, permit).await {
-            Ok(Ok(permit)) => Ok(permit),
-            _ => Err(Problem::new(ProblemKind::Busy).retry_after(5)),
-        }
+    pub(super) async fn begin_reading(
+        &self,
+        tap: &Tap,
+        tenant: &Tenant,
+        origin: Origin,
+        factor: u64,
+    ) -> Result<(), Problem> {
+        let owner = owner(self.auth, tenant, origin);
+        let max_wait = self.limits.max_upload_wait;
+        let slot = self.stocks.bodies.take(&owner, 1, max_wait).await;
+        let (Some(slot), Some(memory)) = (slot, self.stocks.body_memory.try_take(&owner, 0)) else {
+            return Err(Problem::new(ProblemKind::Busy).retry_after(5));
+        };
+        tap.count(Reading { _slot: slot, memory, factor, least: self.limits.least_rate, max_wait });
+        Ok(())
+    }
+
+    /// A place for an event stream or a long poll, among those of the tenant and those of the address.
+    ///
+    /// # Errors
+    /// `too-many-streams`.
+    pub(super) fn begin_stream(&self, tenant: &Tenant, Origin(address): Origin) -> Result<[Option<Taken>; 2], Problem> {
+        let too_many = || {
+            let detail = format!("at most {} at the same time", self.limits.max_streams);
+            Problem::new(ProblemKind::TooManyStreams).detail(detail).retry_after(5)
+        };
+        let of_tenant = self.stocks.streams.try_take(tenant.name(), 1).ok_or_else(too_many)?;
+        let of_address = match address {
+            // An address has a dot or a colon, which no tenant has.
+            Some(address) => Some(self.stocks.streams.try_take(&address.to_string(), 1).ok_or_else(too_many)?),
+            None => None,
+        };
+        Ok([Some(of_tenant), of_address])
+    }
+
+    /// Memory for an answer of `n` bytes, held until it is sent.
+    ///
+    /// # Errors
+    /// `busy` if there is not so much for this tenant in time.
+    pub(super) async fn answer_memory(&self, tenant: &Tenant, origin: Origin, n: usize) -> Result<Taken, Problem> {
+        let owner = owner(self.auth, tenant, origin);
+        // An answer that is larger than a share takes the whole share.
+        let n = (n as u64).min(self.limits.max_answer_memory_bytes.div_ceil(2));
+        let taken = self.stocks.answer_memory.take(&owner, n, self.limits.max_upload_wait).await;
+        taken.ok_or_else(|| Problem::new(ProblemKind::Busy).retry_after(5))
     }
 
     /// Sets the text that `/metrics` answers.
@@ -146,6 +231,19 @@ pub(super) fn api() -> OpenApiRouter<HttpState> {
         .routes(routes!(routes::system::problem_type))
 }
 
+/// Answers from this size on are compressed for clients that accept it, bytes.
+const COMPRESSED_FROM: u64 = 4 << 10;
+
+/// Whether an answer is a text that is worth compressing. Events are not: each would wait for the next.
+fn is_long_text(_: StatusCode, _: Version, headers: &HeaderMap, _: &Extensions) -> bool {
+    let header_text = |name| headers.get(name).and_then(|value: &HeaderValue| value.to_str().ok());
+    let is_long =
+        header_text(header::CONTENT_LENGTH).and_then(|n| n.parse().ok()).is_none_or(|n: u64| n >= COMPRESSED_FROM);
+    let media_type = header_text(header::CONTENT_TYPE).unwrap_or_default().split(';').next().unwrap_or_default().trim();
+    let is_text = media_type.starts_with("text/") || media_type.ends_with("json") || media_type.ends_with("+xml");
+    is_long && is_text && media_type != "text/event-stream"
+}
+
 /// The service as one router.
 pub fn router(state: HttpState) -> Router {
     let (router, _) = api().split_for_parts();
@@ -154,14 +252,13 @@ pub fn router(state: HttpState) -> Router {
         .route("/docs/", get(routes::docs::page))
         .route("/docs/{*path}", get(routes::docs::asset))
         .fallback(|| async { Problem::new(ProblemKind::RouteNotFound) })
-        .layer(
-            // Outermost first.
-            ServiceBuilder::new()
-                .layer(axum::middleware::from_fn_with_state(state.clone(), surround))
-                .layer(CatchPanicLayer::custom(panic_problem))
-                .layer(axum::middleware::from_fn_with_state(state.clone(), check_host))
-                // Body sizes are limited where bodies are read; axum's own limit would not answer with a problem document.
-                .layer(DefaultBodyLimit::disable()),
-        )
+        // Innermost first. Body sizes are limited where bodies are read; axum's own limit would not answer with a problem
+        // document.
+        .layer(DefaultBodyLimit::disable())
+        .layer(axum::middleware::from_fn_with_state(state.clone(), check_host))
+        .layer(CatchPanicLayer::custom(panic_problem))
+        .layer(CompressionLayer::new().quality(CompressionLevel::Fastest).compress_when(is_long_text))
+        .layer(axum::middleware::map_response(weaken_if_compressed))
+        .layer(axum::middleware::from_fn_with_state(state.clone(), surround))
         .with_state(state)
 }

@@ -1,16 +1,23 @@
-//! The server loop: accepts connections up to a limit, limits the time for request headers, and shuts down gracefully.
+//! The server loop: accepts connections up to a limit, limits the time for request headers and for reading an answer, and
+//! shuts down gracefully.
 //!
 //! HTTP/1.1 without TLS. hyper's own connection is used and not the one that detects HTTP/2, because detection reads
 //! the first bytes without a time limit.
 
+use super::pace::{LeastRate, Pace};
+use super::shares::Peer;
 use axum::Router;
 use axum::body::Body;
 use hyper::server::conn::http1;
 use hyper_util::rt::{TokioIo, TokioTimer};
 use hyper_util::service::TowerToHyperService;
-use std::io::ErrorKind;
+use std::io::{self, ErrorKind, IoSlice};
+use std::net::IpAddr;
+use std::pin::Pin;
 use std::sync::Arc;
+use std::task::{Context, Poll};
 use std::time::Duration;
+use tokio::io::{AsyncRead, AsyncWrite, ReadBuf};
 use tokio::net::{TcpListener, TcpStream};
 use tokio::sync::Semaphore;
 use tokio::task::JoinSet;
@@ -28,6 +35,63 @@ pub struct ConnectionLimits {
     pub header_timeout: Duration,
     /// Maximum number of open connections. Further ones wait in the backlog of the operating system.
     pub max_connections: usize,
+    /// The least rate at which a client reads an answer; a connection whose client is slower is closed.
+    pub least_rate: LeastRate,
+}
+
+/// A connection whose client has to read what is written to it.
+struct PacedStream {
+    stream: TcpStream,
+    pace: Pace,
+}
+
+impl PacedStream {
+    /// Counts what was written, or the time in which the client does not read.
+    fn counted(&mut self, cx: &mut Context<'_>, written: Poll<io::Result<usize>>) -> Poll<io::Result<usize>> {
+        match &written {
+            Poll::Ready(Ok(n)) => self.pace.moved(*n),
+            Poll::Ready(Err(_)) => {}
+            Poll::Pending if self.pace.poll_too_slow(cx).is_ready() => {
+                return Poll::Ready(Err(io::Error::new(ErrorKind::TimedOut, "the client reads too slowly")));
+            }
+            Poll::Pending => {}
+        }
+        written
+    }
+}
+
+impl AsyncRead for PacedStream {
+    fn poll_read(mut self: Pin<&mut Self>, cx: &mut Context<'_>, buffer: &mut ReadBuf<'_>) -> Poll<io::Result<()>> {
+        Pin::new(&mut self.stream).poll_read(cx, buffer)
+    }
+}
+
+impl AsyncWrite for PacedStream {
+    fn poll_write(mut self: Pin<&mut Self>, cx: &mut Context<'_>, bytes: &[u8]) -> Poll<io::Result<usize>> {
+        let written = Pin::new(&mut self.stream).poll_write(cx, bytes);
+        self.counted(cx, written)
+    }
+
+    fn poll_write_vectored(
+        mut self: Pin<&mut Self>,
+        cx: &mut Context<'_>,
+        parts: &[IoSlice<'_>],
+    ) -> Poll<io::Result<usize>> {
+        let written = Pin::new(&mut self.stream).poll_write_vectored(cx, parts);
+        self.counted(cx, written)
+    }
+
+    fn is_write_vectored(&self) -> bool {
+        self.stream.is_write_vectored()
+    }
+
+    fn poll_flush(mut self: Pin<&mut Self>, cx: &mut Context<'_>) -> Poll<io::Result<()>> {
+        Pin::new(&mut self.stream).poll_flush(cx)
+    }
+
+    fn poll_shutdown(mut self: Pin<&mut Self>, cx: &mut Context<'_>) -> Poll<io::Result<()>> {
+        Pin::new(&mut self.stream).poll_shutdown(cx)
+    }
 }
 
 /// Serves until `stop`. Then no connection is accepted any more, idle connections are closed at once, and requests in
@@ -46,13 +110,14 @@ pub async fn serve(listener: TcpListener, router: Router, limits: ConnectionLimi
             } => accepted,
             () = stop.cancelled() => break,
         };
-        let (stream, permit) = accepted;
+        let ((stream, address), permit) = accepted;
         // Finished tasks are removed, so that the set is no larger than the number of open connections.
         while connections.try_join_next().is_some() {}
         let (http, router, stop) = (http.clone(), router.clone(), stop.clone());
         connections.spawn(async move {
             let _permit = permit;
-            serve_connection(stream, &http, router, stop).await;
+            let stream = PacedStream { stream, pace: Pace::new(limits.least_rate) };
+            serve_connection(stream, address, &http, router, stop).await;
         });
     }
     drop(listener);
@@ -60,10 +125,15 @@ pub async fn serve(listener: TcpListener, router: Router, limits: ConnectionLimi
 }
 
 /// The next connection. Errors of a single connection do not stop the listener.
-async fn accept(listener: &TcpListener) -> TcpStream {
+async fn accept(listener: &TcpListener) -> (TcpStream, IpAddr) {
     loop {
         match listener.accept().await {
-            Ok((stream, _)) => return stream,
+            Ok((stream, peer)) => {
+                // Answers are written in one piece, so Nagle's algorithm would only delay them. Failing to set this is
+                // harmless.
+                let _ = stream.set_nodelay(true);
+                return (stream, peer.ip().to_canonical());
+            }
             Err(error) => match error.kind() {
                 ErrorKind::ConnectionRefused | ErrorKind::ConnectionAborted | ErrorKind::ConnectionReset => {}
                 _ => {
@@ -76,10 +146,17 @@ async fn accept(listener: &TcpListener) -> TcpStream {
 }
 
 /// Serves one connection until it is closed.
-async fn serve_connection(stream: TcpStream, http: &http1::Builder, router: Router, stop: CancellationToken) {
-    // Answers are written in one piece, so Nagle's algorithm would only delay them. Failing to set this is harmless.
-    let _ = stream.set_nodelay(true);
-    let service = router.map_request(|request: hyper::Request<hyper::body::Incoming>| request.map(Body::new));
+async fn serve_connection(
+    stream: PacedStream,
+    address: IpAddr,
+    http: &http1::Builder,
+    router: Router,
+    stop: CancellationToken,
+) {
+    let service = router.map_request(move |mut request: hyper::Request<hyper::body::Incoming>| {
+        request.extensions_mut().insert(Peer(address));
+        request.map(Body::new)
+    });
     let connection = http.serve_connection(TokioIo::new(stream), TowerToHyperService::new(service));
     let mut connection = std::pin::pin!(connection);
     let ended = tokio::select! {

@@ -3,32 +3,32 @@
 use super::problem::{FieldError, Problem};
 use super::problem_table::ProblemKind;
 use super::router::HttpLimits;
+use super::strict_json::{Parameters, SentLabels, object, parse, parse_parameters};
 use super::upload::{Tap, name_hint, read_field};
 use crate::jobs::mesh::hash_of_id;
+use crate::jobs::metadata::{ExternalRef, Labels, MetadataFault};
 use crate::jobs::{Details, SubmissionLimits, SubmittedFile, SubmittedInput};
+use axum::body::HttpBody as _;
 use axum::extract::multipart::MultipartError;
 use axum::extract::{FromRequest, Multipart};
 use axum::http::header;
 use base64::Engine as _;
 use base64::prelude::BASE64_STANDARD;
-use bytes::Bytes;
+use bytes::{Bytes, BytesMut};
+use http_body_util::BodyExt as _;
 use jiff::Timestamp;
-use serde::de::DeserializeOwned;
-use serde::{Deserialize, Deserializer, Serialize};
+use serde::de::{DeserializeOwned, Visitor};
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use serde_json::Value;
 use std::collections::{BTreeMap, BTreeSet};
 use utoipa::ToSchema;
 
-/// Largest text field, bytes: parameters and labels are small.
-const MAX_TEXT_BYTES: usize = 1 << 20;
-/// Largest JSON body, bytes: it may contain small meshes.
-const MAX_JSON_BYTES: usize = 32 << 20;
-/// Most labels of a job, and the longest key and value.
-const MAX_LABELS: usize = 64;
-const MAX_LABEL_BYTES: usize = 256;
-const MAX_EXTERNAL_REF_BYTES: usize = 200;
-/// Most unknown fields that are listed in an answer.
-const NAMED_UNKNOWN: usize = 16;
+/// Largest field of a form for labels, bytes: they may be written with escapes.
+const MAX_LABELS_TEXT: usize = 256 << 10;
+/// Largest other text field of a form but parameters, bytes.
+const MAX_TEXT_BYTES: usize = 4 << 10;
+/// Most faults that are listed in an answer; a form is read no further.
+const MAX_FAULTS: usize = 16;
 const KNOWN: &str =
     "known fields are source, target, parameters, labels, external_ref, priority, deadline_at, max_run_s, use_cache";
 
@@ -78,33 +78,11 @@ pub(crate) struct SubmissionDocument {
     /// Parameters that differ from the preset that `method` names.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schema(value_type = Option<Object>)]
-    pub(crate) parameters: Option<Value>,
-    /// The other fields.
-    #[serde(flatten)]
-    pub(crate) details: DetailsDocument,
-}
-
-/// An input of a JSON submission: either `mesh_id` or `content_base64`.
-#[derive(Debug, Clone, Default, Deserialize, Serialize, ToSchema)]
-#[serde(deny_unknown_fields)]
-pub(crate) struct SubmittedInputDocument {
-    /// Id of an upload: `blake3:` and 64 hexadecimal digits.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub(crate) mesh_id: Option<String>,
-    /// The file in base64, if it is small.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub(crate) content_base64: Option<String>,
-    /// Name of the file; only its extension is kept.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub(crate) file_name: Option<String>,
-}
-
-/// The fields of a submission besides inputs and parameters.
-#[derive(Debug, Clone, Default, Deserialize, Serialize, ToSchema)]
-pub(crate) struct DetailsDocument {
-    /// Labels of the client's choice.
-    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
-    pub(crate) labels: BTreeMap<String, String>,
+    pub(crate) parameters: Option<Parameters>,
+    /// Labels of the client's choice: at most 64, keys of 1 to 256 bytes, values of at most 256.
+    #[serde(default, skip_serializing_if = "SentLabels::is_empty")]
+    #[schema(value_type = BTreeMap<String, String>, required = false)]
+    pub(crate) labels: SentLabels,
     /// The client's own id.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schema(max_length = 200)]
@@ -123,6 +101,63 @@ pub(crate) struct DetailsDocument {
     pub(crate) max_run_s: Option<u64>,
     /// Whether the result of an equal job may be returned; true if absent.
     #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(crate) use_cache: Option<bool>,
+}
+
+/// An input of a JSON submission: either `mesh_id` or `content_base64`.
+#[derive(Debug, Clone, Default, Deserialize, Serialize, ToSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct SubmittedInputDocument {
+    /// Id of an upload: `blake3:` and 64 hexadecimal digits.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(crate) mesh_id: Option<String>,
+    /// The file in base64, if it is small.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schema(value_type = Option<String>)]
+    pub(crate) content_base64: Option<Content>,
+    /// Name of the file; only its extension is kept.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(crate) file_name: Option<String>,
+}
+
+/// A file in base64, decoded as it is read, so that it is in memory once; `None` if it is not base64.
+#[derive(Debug, Clone)]
+pub(crate) struct Content(Option<Bytes>);
+
+impl<'de> Deserialize<'de> for Content {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Reader;
+
+        impl Visitor<'_> for Reader {
+            type Value = Content;
+
+            fn expecting(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+                f.write_str("a file in base64")
+            }
+
+            fn visit_str<E: serde::de::Error>(self, text: &str) -> Result<Content, E> {
+                Ok(Content(BASE64_STANDARD.decode(text).ok().map(Bytes::from)))
+            }
+        }
+
+        deserializer.deserialize_str(Reader)
+    }
+}
+
+impl Serialize for Content {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(&BASE64_STANDARD.encode(self.0.as_deref().unwrap_or_default()))
+    }
+}
+
+/// The fields of a submission besides inputs and parameters, as sent.
+#[derive(Debug, Default)]
+pub(crate) struct SentDetails {
+    pub(crate) labels: SentLabels,
+    pub(crate) external_ref: Option<String>,
+    pub(crate) priority: Option<i32>,
+    pub(crate) deadline_at: Option<Timestamp>,
+    pub(crate) max_run_s: Option<u64>,
     pub(crate) use_cache: Option<bool>,
 }
 
@@ -149,11 +184,11 @@ pub(super) async fn read(
     limits: &HttpLimits,
     accepted: &SubmissionLimits,
 ) -> Result<Request, Problem> {
-    let mut fields = Fields { max_run_s: accepted.max_run.as_secs(), ..Fields::default() };
+    let mut fields = Fields::under(limits, accepted);
     match media_type(&request).as_str() {
         "multipart/form-data" => fields.read_form(request, tap, limits).await?,
         "application/json" => {
-            let document: SubmissionDocument = read_json(request, tap, limits).await?;
+            let document: SubmissionDocument = read_json(request, tap, limits, limits.max_json_bytes).await?;
             fields.take_document(document, limits.max_file_bytes);
         }
         _ => return Err(Problem::new(ProblemKind::UnsupportedMediaType)),
@@ -167,56 +202,30 @@ pub(super) fn media_type(request: &axum::extract::Request) -> String {
     sent.split(';').next().unwrap_or("").trim().to_ascii_lowercase()
 }
 
-/// Reads a JSON body.
+/// Reads a JSON body of at most `limit` bytes.
 ///
 /// # Errors
-/// A problem: too large, not JSON, or a fault in a field.
+/// A problem: too large, too slow, not JSON, or a fault in a field.
 pub(super) async fn read_json<T: DeserializeOwned>(
     request: axum::extract::Request,
     tap: &Tap,
     limits: &HttpLimits,
+    limit: usize,
 ) -> Result<T, Problem> {
-    let limit = MAX_JSON_BYTES.min(limits.max_body_bytes());
-    let too_large = || Problem::new(ProblemKind::BodyTooLarge).member("limit_bytes", limit.into());
-    let body = match axum::body::to_bytes(request.into_body(), limit).await {
-        Ok(body) => body,
-        Err(_) if tap.is_over() => return Err(too_large()),
-        Err(error) => {
-            let mut source = std::error::Error::source(&error);
-            while let Some(cause) = source {
-                if cause.is::<http_body_util::LengthLimitError>() {
-                    return Err(too_large());
-                }
-                source = cause.source();
-            }
-            return Err(Problem::new(ProblemKind::BadRequest).detail("the body ended early"));
+    let limit = limit.min(limits.max_body_bytes());
+    tap.limit_to(limit);
+    let mut body = request.into_body();
+    let mut text = BytesMut::new();
+    // The whole at once, where its size is known: a buffer that grows is in memory twice while it does.
+    text.reserve(usize::try_from(body.size_hint().lower()).unwrap_or(usize::MAX).min(limit));
+    while let Some(frame) = body.frame().await {
+        let ended_early = || Problem::new(ProblemKind::BadRequest).detail("the body ended early");
+        let frame = frame.map_err(|_| tap.refusal().unwrap_or_else(ended_early))?;
+        if let Ok(part) = frame.into_data() {
+            text.extend_from_slice(&part);
         }
-    };
-    // serde would also read a struct from an array, by the order of its fields.
-    if body.iter().find(|b| !b.is_ascii_whitespace()).is_some_and(|&b| b == b'[') {
-        let fault = FieldError::new("", "wrong_form", "must be a JSON object");
-        return Err(Problem::new(ProblemKind::InvalidRequest).errors(&[fault]));
     }
-    let mut reader = serde_json::Deserializer::from_slice(&body);
-    serde_path_to_error::deserialize(&mut reader).map_err(|error| {
-        let inner = error.inner();
-        if inner.is_syntax() || inner.is_eof() {
-            let detail = format!("invalid JSON at line {}, column {}", inner.line(), inner.column());
-            return Problem::new(ProblemKind::MalformedJson).detail(detail);
-        }
-        let path = error.path().to_string();
-        let pointer =
-            if path == "." { String::new() } else { format!("/{}", path.replace(['.', '['], "/").replace(']', "")) };
-        // The message of serde may repeat what the client sent; it is truncated.
-        let fault = FieldError::new(pointer, "wrong_form", inner.to_string().chars().take(200).collect::<String>());
-        Problem::new(ProblemKind::InvalidRequest).errors(&[fault])
-    })
-}
-
-/// Reads a form from a JSON object only.
-fn object<'de, D: Deserializer<'de>, T: DeserializeOwned>(deserializer: D) -> Result<T, D::Error> {
-    let members = serde_json::Map::deserialize(deserializer)?;
-    T::deserialize(Value::Object(members)).map_err(serde::de::Error::custom)
+    parse(&text, limits.max_parameters_bytes)
 }
 
 #[derive(Default)]
@@ -227,11 +236,17 @@ struct Fields {
     parameters: Option<Value>,
     details: Details,
     max_run_s: u64,
+    max_parameters_bytes: usize,
     parameter_faults: bool,
     faults: Vec<FieldError>,
 }
 
 impl Fields {
+    fn under(limits: &HttpLimits, accepted: &SubmissionLimits) -> Self {
+        let (max_run_s, max_parameters_bytes) = (accepted.max_run.as_secs(), limits.max_parameters_bytes);
+        Fields { max_run_s, max_parameters_bytes, ..Fields::default() }
+    }
+
     async fn read_form(
         &mut self,
         request: axum::extract::Request,
@@ -239,11 +254,8 @@ impl Fields {
         limits: &HttpLimits,
     ) -> Result<(), Problem> {
         let refuse = |error: &MultipartError| {
-            if tap.is_over() {
-                Problem::new(ProblemKind::BodyTooLarge).member("limit_bytes", limits.max_body_bytes().into())
-            } else {
-                Problem::new(ProblemKind::MalformedMultipart).detail(error.body_text())
-            }
+            let malformed = || Problem::new(ProblemKind::MalformedMultipart).detail(error.body_text());
+            tap.refusal().unwrap_or_else(malformed)
         };
         let too_large = |name: &str, limit: usize| {
             Problem::new(ProblemKind::TooLarge)
@@ -269,19 +281,24 @@ impl Fields {
                     }
                 }
                 "parameters" | "labels" | "external_ref" | "priority" | "deadline_at" | "max_run_s" | "use_cache" => {
-                    let bytes = read_field(field, MAX_TEXT_BYTES).await.map_err(|e| match e {
+                    let limit = match name.as_str() {
+                        "parameters" => limits.max_parameters_bytes,
+                        "labels" => MAX_LABELS_TEXT,
+                        _ => MAX_TEXT_BYTES,
+                    };
+                    let bytes = read_field(field, limit).await.map_err(|e| match e {
                         Some(error) => refuse(&error),
-                        None => too_large(&name, MAX_TEXT_BYTES),
+                        None => too_large(&name, limit),
                     })?;
                     self.take_text(&name, &bytes);
                 }
                 _ => {
                     let shown: String = name.chars().take(64).collect();
                     self.faults.push(FieldError::new(format!("/{shown}"), "unknown_field", KNOWN));
-                    if self.faults.len() >= NAMED_UNKNOWN {
-                        break; // the list is long enough
-                    }
                 }
+            }
+            if self.faults.len() >= MAX_FAULTS {
+                break; // the list is long enough
             }
         }
         Ok(())
@@ -292,6 +309,10 @@ impl Fields {
         self.faults.push(FieldError::new(format!("/{name}"), code, detail));
     }
 
+    fn metadata_fault(&mut self, name: &str, fault: MetadataFault) {
+        self.fault(name, "out_of_range", &fault.to_string());
+    }
+
     /// Takes a text field of a form.
     fn take_text(&mut self, name: &str, bytes: &[u8]) {
         if !self.texts.insert(name.to_owned()) {
@@ -299,16 +320,16 @@ impl Fields {
         }
         let Ok(text) = std::str::from_utf8(bytes) else { return self.fault(name, "not_utf8", "must be UTF-8") };
         match name {
-            "parameters" => match serde_json::from_str::<Value>(text) {
-                Ok(value) => self.take_parameters(value),
-                Err(error) => {
-                    let place = format!("invalid JSON at line {}, column {}", error.line(), error.column());
-                    self.fault(name, "malformed_json", &place);
+            "parameters" => match parse_parameters(text, self.max_parameters_bytes) {
+                Ok(parameters) => self.take_parameters(parameters),
+                Err(fault) => {
+                    self.parameter_faults = true;
+                    self.faults.push(fault);
                 }
             },
-            "labels" => match serde_json::from_str::<BTreeMap<String, String>>(text) {
+            "labels" => match serde_json::from_str(text) {
                 Ok(labels) => self.take_labels(labels),
-                Err(_) => self.fault(name, "wrong_type", "must be a JSON object of strings"),
+                Err(_) => self.fault(name, "wrong_type", "must be a JSON object of strings, each key once"),
             },
             "external_ref" => self.take_external_ref(text.to_owned()),
             "priority" => self.take_priority(text.trim().parse().ok()),
@@ -327,16 +348,26 @@ impl Fields {
 
     /// Takes a JSON submission.
     fn take_document(&mut self, document: SubmissionDocument, max_file_bytes: usize) {
-        let SubmissionDocument { source, target, parameters, details } = document;
+        let SubmissionDocument {
+            source,
+            target,
+            parameters,
+            labels,
+            external_ref,
+            priority,
+            deadline_at,
+            max_run_s,
+            use_cache,
+        } = document;
         self.source = self.take_input("source", source, max_file_bytes);
         self.target = self.take_input("target", target, max_file_bytes);
         if let Some(parameters) = parameters {
             self.take_parameters(parameters);
         }
-        self.take_details(details);
+        self.take_details(SentDetails { labels, external_ref, priority, deadline_at, max_run_s, use_cache });
     }
 
-    fn take_details(&mut self, details: DetailsDocument) {
+    fn take_details(&mut self, details: SentDetails) {
         self.take_labels(details.labels);
         if let Some(text) = details.external_ref {
             self.take_external_ref(text);
@@ -367,17 +398,17 @@ impl Fields {
                     None
                 }
             },
-            (None, Some(text)) => match BASE64_STANDARD.decode(&text) {
-                Ok(bytes) if bytes.len() <= max_file_bytes => {
+            (None, Some(Content(decoded))) => match decoded {
+                Some(bytes) if bytes.len() <= max_file_bytes => {
                     let name_hint = file_name.as_deref().and_then(name_hint);
-                    Some(SubmittedInput::File(SubmittedFile { bytes: Bytes::from(bytes), name_hint }))
+                    Some(SubmittedInput::File(SubmittedFile { bytes, name_hint }))
                 }
-                Ok(_) => {
+                Some(_) => {
                     let detail = format!("must have at most {max_file_bytes} bytes");
                     self.fault(&format!("{name}/content_base64"), "out_of_range", &detail);
                     None
                 }
-                Err(_) => {
+                None => {
                     self.fault(&format!("{name}/content_base64"), "malformed_base64", "must be standard base64");
                     None
                 }
@@ -389,30 +420,24 @@ impl Fields {
         }
     }
 
-    fn take_parameters(&mut self, value: Value) {
+    fn take_parameters(&mut self, Parameters(value): Parameters) {
         match value {
             Value::Object(_) => self.parameters = Some(value),
             _ => self.fault("parameters", "wrong_type", "must be a JSON object"),
         }
     }
 
-    fn take_labels(&mut self, labels: BTreeMap<String, String>) {
-        if labels.len() > MAX_LABELS {
-            self.fault("labels", "out_of_range", "must have at most 64 labels");
-        } else if labels.iter().any(|(k, v)| k.is_empty() || k.len().max(v.len()) > MAX_LABEL_BYTES) {
-            self.fault("labels", "out_of_range", "keys must have 1 to 256 bytes, values at most 256");
-        } else if labels.iter().any(|(k, v)| k.contains('\0') || v.contains('\0')) {
-            self.fault("labels", "out_of_range", "must not contain NUL characters");
-        } else {
-            self.details.labels = labels;
+    fn take_labels(&mut self, SentLabels(labels): SentLabels) {
+        match Labels::new(labels) {
+            Ok(labels) => self.details.labels = labels,
+            Err(fault) => self.metadata_fault("labels", fault),
         }
     }
 
     fn take_external_ref(&mut self, text: String) {
-        if text.len() > MAX_EXTERNAL_REF_BYTES || text.contains('\0') {
-            self.fault("external_ref", "out_of_range", "must have at most 200 bytes and no NUL characters");
-        } else {
-            self.details.external_ref = Some(text).filter(|text| !text.is_empty());
+        match ExternalRef::new(text) {
+            Ok(reference) => self.details.external_ref = reference,
+            Err(fault) => self.metadata_fault("external_ref", fault),
         }
     }
 
@@ -463,11 +488,12 @@ impl Fields {
 /// # Errors
 /// All their faults.
 pub(super) fn check_details(
-    parameters: Option<Value>,
-    details: DetailsDocument,
+    parameters: Option<Parameters>,
+    details: SentDetails,
+    limits: &HttpLimits,
     accepted: &SubmissionLimits,
 ) -> Result<(Value, Details), Problem> {
-    let mut fields = Fields { max_run_s: accepted.max_run.as_secs(), ..Fields::default() };
+    let mut fields = Fields::under(limits, accepted);
     if let Some(parameters) = parameters {
         fields.take_parameters(parameters);
     }

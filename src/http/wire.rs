@@ -53,7 +53,7 @@ pub(crate) struct JobDocument {
     /// Estimated remaining time, ms.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) eta_ms: Option<u64>,
-    /// Position in the queue, 1 for the next job; only while queued, and not in lists.
+    /// Position among the tenant's queued jobs, 1 for its next one; only while queued, and not in lists. Tenants take turns.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) queue_position: Option<u64>,
     /// Energy at the last trace point.
@@ -202,7 +202,7 @@ pub(crate) struct MethodListDocument {
 pub(crate) struct ReadinessDocument {
     /// `ready` or `not_ready`.
     pub(crate) status: String,
-    /// `ok` or `failing` for each dependency.
+    /// `ok`, `full` or `failing` for each dependency.
     pub(crate) dependencies: BTreeMap<String, String>,
 }
 
@@ -383,6 +383,9 @@ pub(crate) struct ChangesDocument {
     pub(crate) next_since: u64,
     /// Whether there are more changes.
     pub(crate) more: bool,
+    /// `page_token` of the next page; absent if there are no more changes now.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) next_page_token: Option<String>,
 }
 
 /// A change of the state of a job.
@@ -540,6 +543,7 @@ impl From<&ChangePage> for ChangesDocument {
             changes: page.changes.iter().map(change).collect(),
             next_since: page.next_since,
             more: page.more,
+            next_page_token: page.more.then(|| page.next_since.to_string()),
         }
     }
 }

@@ -16,6 +16,9 @@ pub fn check_url(text: &str, allow_private: bool) -> Result<Url, &'static str> {
     if text.len() > MAX_URL_BYTES {
         return Err("at most 2000 bytes");
     }
+    if text.chars().any(|c| c.is_control() || c.is_whitespace()) {
+        return Err("no white space and no control characters");
+    }
     let url = Url::parse(text).map_err(|_| "an absolute URL is needed here, as https://example.org/hook")?;
     if !matches!(url.scheme(), "https" | "http") {
         return Err("https (or http) is needed here");
@@ -121,6 +124,9 @@ mod tests {
             "file:///etc/passwd",
             "https://user:pw@example.org/",
             "https://",
+            "https://example.org/\0",
+            "https://exam\tple.org/",
+            " https://example.org/",
             "http://127.0.0.1/",
             "http://0x7f000001/",
             "http://2130706433/",

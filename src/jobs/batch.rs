@@ -1,6 +1,7 @@
 //! Batches: many jobs that are submitted at once and counted together.
 
 use super::job::{Cursor, Tenant};
+use super::metadata::{ExternalRef, Labels};
 use super::state::JobState;
 use jiff::Timestamp;
 use std::collections::BTreeMap;
@@ -38,9 +39,9 @@ pub struct NewBatch {
     /// Owner.
     pub tenant: Tenant,
     /// Labels of the submitter.
-    pub labels: BTreeMap<String, String>,
+    pub labels: Labels,
     /// The submitter's own identifier.
-    pub external_ref: Option<String>,
+    pub external_ref: Option<ExternalRef>,
 }
 
 /// A batch as stored.

@@ -62,6 +62,9 @@ pub enum JobError {
     /// Another worker holds the lease, or the job has finished or was deleted.
     #[error("the lease is lost")]
     LeaseLost,
+    /// A text contains a NUL character, which not every database stores.
+    #[error("a text contains a NUL character")]
+    Unstorable,
     /// The disk is full.
     #[error("the store is full")]
     StorageFull,

@@ -1,6 +1,7 @@
 //! The record of a job, the form of a new one, and how lists of jobs are requested.
 
 use super::batch::BatchId;
+use super::metadata::{ExternalRef, Labels};
 use super::state::JobState;
 use super::trace::Progress;
 use jiff::Timestamp;
@@ -136,7 +137,7 @@ pub struct Job {
     pub crashes: u32,
     /// Progress of the current attempt.
     pub progress: Option<Progress>,
-    /// Position in the queue, 1 for the next to run; only while queued, and not in lists.
+    /// Position among its tenant's queued jobs, 1 for the next to run; only while queued, and not in lists.
     pub queue_position: Option<u64>,
     /// When it was accepted.
     pub created_at: Timestamp,
@@ -225,9 +226,9 @@ pub struct NewJob {
     /// −100 to 100, higher first.
     pub priority: i32,
     /// Labels of the submitter.
-    pub labels: BTreeMap<String, String>,
+    pub labels: Labels,
     /// The submitter's own identifier.
-    pub external_ref: Option<String>,
+    pub external_ref: Option<ExternalRef>,
     /// Number of lost workers after which it is dead.
     pub max_attempts: u32,
     /// Deadline for its start.

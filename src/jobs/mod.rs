@@ -1,9 +1,9 @@
 //! Jobs: what they are, their states and who may change them, the use cases, and the ports to storage and computation.
 //!
 //! Reading order: [`state`] (the state machine), [`job`] (the record), [`lease`] (which worker runs it, fenced by an epoch),
-//! [`trace`] (progress and energy trace), [`demand`] (cores and memory), [`ports`] (storage), [`engine`] (the computation),
+//! [`trace`] (progress and energy trace), [`demand`] (cores and memory), [`turns`] (of tenants), [`ports`] (storage), [`engine`] (the computation),
 //! [`service`] (the use cases), [`submission`], [`uploads`], [`follow`], [`signals`]. Beside the job: [`admission`],
-//! [`mod@batch`], [`change`], [`mesh`], [`key`], [`webhook`], [`retention`], [`presentation`] (the formats of a result).
+//! [`mod@batch`], [`change`], [`mesh`], [`metadata`], [`key`], [`webhook`], [`retention`], [`presentation`] (the formats of a result).
 //!
 //! Invariant: nothing here knows SQL, HTTP or how a match is computed. Parameters, reports and results pass through as JSON
 //! and blobs; an [`engine::Computation`] holds parameters in types that are opaque here.
@@ -21,6 +21,7 @@ pub mod job;
 pub mod key;
 pub mod lease;
 pub mod mesh;
+pub mod metadata;
 pub mod ports;
 pub mod presentation;
 pub mod retention;
@@ -29,6 +30,7 @@ pub mod signals;
 pub mod state;
 pub mod submission;
 pub mod trace;
+pub mod turns;
 pub mod uploads;
 pub mod webhook;
 
@@ -45,10 +47,10 @@ pub use key::{ApiKey, KeyStore, Scope, SecretKey};
 pub use lease::{Lease, LeaseStatus, LeasedJob, Recovered, WorkerId};
 pub use mesh::{CheckOutcome, Mesh, MeshPage, MeshStore};
 pub use ports::{
-    ArtifactKey, ArtifactKind, ArtifactRef, ArtifactStore, ArtifactWriter, BlobHolds, DepartedProcess, Housekeeping,
-    JobQueue, JobReader, JobStore, JobWriter, Load, Outcome, Processes,
+    ArtifactKey, ArtifactKind, ArtifactRef, ArtifactStore, ArtifactWriter, BlobHolds, BlobStream, DepartedProcess,
+    Housekeeping, JobQueue, JobReader, JobStore, JobWriter, Load, Outcome, Processes,
 };
-pub use presentation::{PartFormat, PresentError, Presentation, ResultPart, WarpDirection, WarpSpace};
+pub use presentation::{PartFormat, PresentError, Presentation, Presented, ResultPart, WarpDirection, WarpSpace};
 pub use retention::{Overdue, Purged, Retention};
 pub use service::{BulkCancelled, JobService, Stores, SubmissionLimits};
 pub use signals::{Moves, Signals};
@@ -57,4 +59,7 @@ pub use submission::{
     Accepted, BatchPair, BatchSubmission, Details, Submission, SubmitError, SubmittedFile, SubmittedInput, Validated,
 };
 pub use trace::{NumberedPoint, Progress, TraceChunk, TracePage};
-pub use webhook::{Attempted, Delivery, DeliveryPage, DeliveryState, DueDelivery, Webhook, WebhookPage, WebhookStore};
+pub use turns::{TenantWeight, TenantWeights};
+pub use webhook::{
+    Attempted, Delivery, DeliveryPage, DeliveryState, DueDelivery, Turn, TurnLimits, Webhook, WebhookPage, WebhookStore,
+};

@@ -11,7 +11,12 @@ use super::retention::{Overdue, Purged, Retention};
 use super::trace::{TraceChunk, TracePage};
 use async_trait::async_trait;
 use bytes::Bytes;
+use futures_util::stream::BoxStream;
+use std::ops::Range;
 use std::time::Duration;
+
+/// The content of a blob, in pieces.
+pub type BlobStream = BoxStream<'static, Result<Bytes, JobError>>;
 
 /// What a blob of a job contains.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -197,6 +202,9 @@ pub trait JobWriter: Send + Sync {
     /// Reserves an idempotency key for `busy_for`, unless a request has used it already.
     async fn begin_once(&self, once: &Once, busy_for: Duration) -> Result<OnceStatus, JobError>;
 
+    /// Keeps an idempotency key reserved for `busy_for` from now.
+    async fn extend_once(&self, once: &Once, busy_for: Duration) -> Result<(), JobError>;
+
     /// Frees an idempotency key for which nothing was made.
     async fn give_up_once(&self, once: &Once) -> Result<(), JobError>;
 
@@ -211,8 +219,8 @@ pub trait JobWriter: Send + Sync {
 /// The queue and the leases, as workers use them.
 #[async_trait]
 pub trait JobQueue: Send + Sync {
-    /// Leases the next job to `worker` for `lease`: highest priority first, then oldest. Drops the trace of an earlier
-    /// epoch. The job may run for `max_run` unless its submitter allowed less.
+    /// Leases the next job to `worker` for `lease`: tenants take turns, and of a tenant the highest priority is first, then
+    /// the oldest. Drops the trace of an earlier epoch. The job may run for `max_run` unless its submitter allowed less.
     async fn claim_next(
         &self,
         worker: &WorkerId,
@@ -293,6 +301,10 @@ pub trait Housekeeping: Send + Sync {
     /// because their worker should have ended them.
     async fn end_overdue(&self, tolerance: Duration) -> Result<Overdue, JobError>;
 
+    /// Overwrites what deletions have left in the files of the database, if there were any since the last call. What cannot
+    /// be overwritten now, because somebody reads it, stays for the next call.
+    async fn overwrite_deleted(&self) -> Result<(), JobError>;
+
     /// Removes what has outlived its retention, at most `limit` jobs at once; as a dry run it only counts.
     async fn purge(&self, retention: &Retention, limit: u32, dry_run: bool) -> Result<Purged, JobError>;
 }
@@ -312,6 +324,10 @@ pub trait ArtifactStore: Send + Sync {
 
     /// The bytes under `key`.
     async fn get(&self, key: &ArtifactKey) -> Result<Bytes, JobError>;
+
+    /// The blob under `key`, which has `n_bytes`, or a range of it, in pieces that are read as they are taken. A blob that is
+    /// read whole ends with an error instead of its last piece if its content has not its hash.
+    async fn open(&self, key: &ArtifactKey, n_bytes: u64, range: Option<Range<u64>>) -> Result<BlobStream, JobError>;
 
     /// Removes the blob under `key`; not an error if there is none.
     async fn remove(&self, key: &ArtifactKey) -> Result<(), JobError>;

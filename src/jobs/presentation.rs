@@ -169,6 +169,15 @@ pub struct Presentation {
     blobs: Vec<ArtifactRef>,
 }
 
+/// The content of a part in one format.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Presented {
+    /// The blob in which it is stored.
+    Stored(ArtifactRef),
+    /// Converted from the stored blobs.
+    Converted(Bytes),
+}
+
 impl Presentation {
     /// Equal for equal content, different for different content: blobs are addressed by their content and never change, and
     /// conversions depend on nothing but the version of this program.
@@ -206,21 +215,21 @@ impl JobService {
         Ok(Presentation { part, format, blobs })
     }
 
-    /// Its content, converted on a blocking thread unless it is stored in this format.
+    /// Its content: the blob in which it is stored in this format, or what is converted on a blocking thread.
     ///
     /// # Errors
     /// [`JobError`]; [`JobError::Corrupt`] if it cannot be converted.
-    pub async fn present(&self, wanted: &Presentation) -> Result<Bytes, JobError> {
+    pub async fn present(&self, wanted: &Presentation) -> Result<Presented, JobError> {
         let &Presentation { part, format, .. } = wanted;
+        if let (true, [stored]) = (part.stored_as() == Some(format), wanted.blobs.as_slice()) {
+            return Ok(Presented::Stored(stored.clone()));
+        }
         // The wait for a permit ends with the time limit of the request.
         let permit = Arc::clone(&self.presentations).acquire_owned().await;
         let permit = permit.map_err(|error| JobError::Unavailable(Box::new(error)))?;
         let mut blobs = Vec::new();
         for blob in &wanted.blobs {
             blobs.push(self.read(blob).await?);
-        }
-        if let (true, [stored]) = (part.stored_as() == Some(format), blobs.as_slice()) {
-            return Ok(stored.clone());
         }
         let engine: Arc<dyn Engine> = Arc::clone(&self.engine);
         let made = tokio::task::spawn_blocking(move || {
@@ -229,7 +238,7 @@ impl JobService {
             engine.present(part, format, &stored)
         });
         match made.await {
-            Ok(Ok(bytes)) => Ok(bytes.into()),
+            Ok(Ok(bytes)) => Ok(Presented::Converted(bytes.into())),
             Ok(Err(PresentError::NoInverse)) => Err(JobError::NoInverse),
             Ok(Err(error)) => Err(JobError::corrupt("a stored part of a result", error)),
             Err(error) => Err(JobError::corrupt("a stored part of a result", error)),

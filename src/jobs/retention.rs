@@ -5,7 +5,8 @@ use std::time::Duration;
 /// How long jobs and results are kept; `None` is for ever.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Retention {
-    /// Results and traces after the end of their job.
+    /// Results and traces after the end of their job: as long as was promised when it ended, or for this long, whichever is
+    /// shorter, so that an operator can make room.
     pub results: Option<Duration>,
     /// Records of jobs, and with them everything else, after the end of the job. Also uploads that no job refers to, the
     /// feed of changes and the log of deliveries.

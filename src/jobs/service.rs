@@ -10,12 +10,13 @@ use super::follow::{Feed, Feeds, Seen};
 use super::job::{Cursor, Job, JobFilter, JobId, JobPage, Order, PageRequest, Tenant};
 use super::key::{ApiKey, KeyStore, SecretKey};
 use super::mesh::MeshStore;
-use super::ports::{ArtifactKind, ArtifactRef, ArtifactStore, JobStore, Load};
+use super::ports::{ArtifactKind, ArtifactRef, ArtifactStore, BlobStream, JobStore, Load};
 use super::signals::Signals;
 use super::state::JobState;
 use super::trace::TracePage;
 use super::webhook::WebhookStore;
 use bytes::Bytes;
+use std::ops::Range;
 use std::sync::Arc;
 use std::time::Duration;
 use tokio::sync::Semaphore;
@@ -272,6 +273,14 @@ impl JobService {
             (state, _) if state.is_final() => Err(JobError::NoResult { state }),
             (state, _) => Err(JobError::NotReady { state }),
         }
+    }
+
+    /// The content of a blob, or a range of it, in pieces.
+    ///
+    /// # Errors
+    /// [`JobError`].
+    pub async fn open(&self, artifact: &ArtifactRef, range: Option<Range<u64>>) -> Result<BlobStream, JobError> {
+        self.stores.artifacts.open(&artifact.key, artifact.n_bytes, range).await
     }
 
     /// The content of a blob.

@@ -6,6 +6,7 @@ use super::engine::{InputRefusal, InputSummary, ParameterFault, Resolved};
 use super::error::JobError;
 use super::job::{Job, JobId, JobInput, NewJob, Tenant};
 use super::mesh::CheckOutcome;
+use super::metadata::{ExternalRef, Labels, MetadataFault};
 use super::ports::ArtifactKey;
 use super::service::JobService;
 use bytes::Bytes;
@@ -16,9 +17,11 @@ use std::time::Duration;
 
 /// How long blobs are held for a submission between writing them and storing its job.
 const HOLD: Duration = Duration::from_secs(600);
-/// How long an idempotency key stays reserved while its request is carried out. After that another request may take the
-/// key: the process that reserved it may have crashed.
-const BUSY: Duration = Duration::from_secs(240);
+/// How long an idempotency key stays reserved for the request that is carried out. The process extends it as long as it lives;
+/// when it has ended in the middle, another request may take the key this soon.
+const BUSY: Duration = Duration::from_secs(10);
+/// How often it is extended.
+const EXTENDED_EVERY: Duration = Duration::from_secs(3);
 /// Maximum number of faults of a batch that are reported.
 const NAMED_FAULTS: usize = 16;
 
@@ -45,9 +48,9 @@ pub struct Details {
     /// −100 to 100, higher first.
     pub priority: i32,
     /// Labels of the submitter.
-    pub labels: BTreeMap<String, String>,
+    pub labels: Labels,
     /// The submitter's own identifier.
-    pub external_ref: Option<String>,
+    pub external_ref: Option<ExternalRef>,
     /// Deadline for its start.
     pub deadline_at: Option<Timestamp>,
     /// Maximum run time, ms.
@@ -99,9 +102,9 @@ pub struct BatchPair {
     /// The surface that stays fixed.
     pub target: String,
     /// The submitter's own identifier of the job.
-    pub external_ref: Option<String>,
+    pub external_ref: Option<ExternalRef>,
     /// Its own labels.
-    pub labels: BTreeMap<String, String>,
+    pub labels: Labels,
 }
 
 /// The answer to a submission.
@@ -144,6 +147,14 @@ pub enum SubmitError {
     /// Some jobs of a batch cannot be matched: index of the job, input, and why.
     #[error("{} jobs of the batch are not right", .0.len())]
     Batch(Vec<(usize, &'static str, InputRefusal)>),
+    /// Labels or references beyond their limits: of one job of a batch, by its index, or of the job.
+    #[error("{fault}")]
+    Metadata {
+        /// Index of the job in its batch.
+        number: Option<usize>,
+        /// Why.
+        fault: MetadataFault,
+    },
     /// The batch has too many jobs.
     #[error("a batch has at most {limit} jobs")]
     BatchTooLarge {
@@ -207,7 +218,7 @@ impl JobService {
             let made = self.stores.jobs.get_job(&tenant, id).await?.as_accepted();
             return Ok(Accepted { made, replayed: true });
         }
-        let done = self.submit_once(submission, once.clone()).await;
+        let done = self.keeping(once.as_ref(), self.submit_once(submission, once.clone())).await;
         self.end_once(once.as_ref(), done).await.map(|made| Accepted { made, replayed: false })
     }
 
@@ -243,6 +254,10 @@ impl JobService {
             return Err(JobError::Gone.into());
         }
         self.refuse_when_full(tenant).await?;
+        // An earlier version may have stored what is not allowed any more.
+        let refused = |fault| SubmitError::Metadata { number: None, fault };
+        let labels = Labels::new(first.labels).map_err(refused)?;
+        let external_ref = ExternalRef::new(first.external_ref.unwrap_or_default()).map_err(refused)?;
         let job = NewJob {
             id: JobId::new(),
             tenant: tenant.clone(),
@@ -252,8 +267,8 @@ impl JobService {
             source: first.source,
             target: first.target,
             priority: first.priority,
-            labels: first.labels,
-            external_ref: first.external_ref,
+            labels,
+            external_ref,
             max_attempts: self.limits.max_attempts,
             deadline_at: None,
             max_run_ms: first.max_run_ms,
@@ -278,7 +293,7 @@ impl JobService {
             let Made::Batch(id) = made else { return Err(SubmitError::OtherRequest) };
             return Ok(Accepted { made: self.stores.jobs.get_batch(&tenant, id).await?, replayed: true });
         }
-        let done = self.submit_batch_once(submission, once.clone()).await;
+        let done = self.keeping(once.as_ref(), self.submit_batch_once(submission, once.clone())).await;
         self.end_once(once.as_ref(), done).await.map(|made| Accepted { made, replayed: false })
     }
 
@@ -325,8 +340,8 @@ impl JobService {
             if let Err(refusal) = resolved.computation.check_pair(&source.summary, &target.summary) {
                 faults.push((number, "target", refusal));
             }
-            let mut labels = details.labels.clone();
-            labels.extend(pair.labels.clone());
+            let labels = details.labels.with(&pair.labels);
+            let labels = labels.map_err(|fault| SubmitError::Metadata { number: Some(number), fault })?;
             let own = Details { labels, external_ref: pair.external_ref.clone(), ..details.clone() };
             let job = self.new_job(&tenant, &resolved, [source, target], &own);
             jobs.push(NewJob { batch_id: Some(id), ..job });
@@ -511,6 +526,23 @@ impl JobService {
             OnceStatus::InProgress => Err(SubmitError::InProgress),
             OnceStatus::OtherRequest => Err(SubmitError::OtherRequest),
             OnceStatus::Made(made) => Ok(Some(made)),
+        }
+    }
+
+    /// Carries out a request and keeps its key reserved meanwhile.
+    async fn keeping<T>(&self, once: Option<&Once>, work: impl Future<Output = T>) -> T {
+        let Some(once) = once else { return work.await };
+        let extending = async {
+            loop {
+                tokio::time::sleep(EXTENDED_EVERY).await;
+                if let Err(error) = self.stores.jobs.extend_once(once, BUSY).await {
+                    tracing::warn!(%error, "the idempotency key of a request could not be extended");
+                }
+            }
+        };
+        tokio::select! {
+            done = work => done,
+            () = extending => unreachable!("it goes on until the request is carried out"),
         }
     }
 

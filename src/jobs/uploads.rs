@@ -4,11 +4,12 @@ use super::engine::{InputBytes, Resolved};
 use super::error::JobError;
 use super::job::Tenant;
 use super::mesh::{CheckOutcome, Mesh, MeshPage};
-use super::ports::{ArtifactKey, ArtifactWriter};
+use super::ports::{ArtifactKey, ArtifactWriter, BlobStream};
 use super::service::JobService;
 use super::submission::{SubmitError, SubmittedFile};
 use bytes::Bytes;
 use serde_json::Value;
+use std::ops::Range;
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -93,11 +94,19 @@ impl JobService {
         self.stores.meshes.list_meshes(tenant, size, after).await
     }
 
+    /// The content of an upload, or a range of it, in pieces.
+    ///
+    /// # Errors
+    /// [`JobError`].
+    pub async fn open_mesh(&self, mesh: &Mesh, range: Option<Range<u64>>) -> Result<BlobStream, JobError> {
+        self.stores.artifacts.open(&mesh.key, mesh.n_bytes, range).await
+    }
+
     /// The content of an upload.
     ///
     /// # Errors
     /// [`JobError`].
-    pub async fn mesh_content(&self, mesh: &Mesh) -> Result<Bytes, JobError> {
+    async fn mesh_content(&self, mesh: &Mesh) -> Result<Bytes, JobError> {
         self.stores.artifacts.get(&mesh.key).await
     }
 

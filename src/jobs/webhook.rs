@@ -19,7 +19,7 @@ pub struct Webhook {
     pub url: String,
     /// Changes to these states are sent; empty for all.
     pub states: Vec<JobState>,
-    /// The key with which deliveries are signed: `whsec_` and base64.
+    /// The key with which deliveries are signed: `whsec_` and base64; in lists, its stored form, which may be sealed.
     pub secret: String,
     /// Whether events are sent.
     pub is_enabled: bool,
@@ -115,6 +115,31 @@ pub struct DueDelivery {
     pub attempt: u32,
     /// Whether its webhook is still enabled.
     pub is_wanted: bool,
+    /// W3C trace context of the submission of its job.
+    pub traceparent: Option<String>,
+}
+
+/// The turn of a webhook: deliveries that one process attempts. Each webhook has a queue of its own, so that no receiver waits
+/// for another one.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Turn {
+    /// The webhook.
+    pub webhook_id: String,
+    /// Turns in which its receiver has accepted nothing, since it last accepted something.
+    pub failures: u32,
+    /// What is due: one delivery if the receiver failed last time, else several.
+    pub deliveries: Vec<DueDelivery>,
+}
+
+/// Bounds on turns.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct TurnLimits {
+    /// How long no other process serves the webhook, unless the turn ends before.
+    pub busy_for: Duration,
+    /// Webhooks of a tenant that are served at the same time, in all processes.
+    pub of_tenant: u32,
+    /// Deliveries of a turn.
+    pub deliveries: u32,
 }
 
 /// The outcome of an attempt.
@@ -189,8 +214,11 @@ pub trait WebhookStore: Send + Sync {
     /// Inserts the deliveries of the state changes since the last call. Returns their number.
     async fn insert_due_deliveries(&self) -> Result<u32, JobError>;
 
-    /// The next delivery that is due; no other process gets it for `busy_for`.
-    async fn claim_delivery(&self, busy_for: Duration) -> Result<Option<DueDelivery>, JobError>;
+    /// The turn of the webhook that was served longest ago, of those with deliveries that are due.
+    async fn claim_turn(&self, limits: &TurnLimits) -> Result<Option<Turn>, JobError>;
+
+    /// Ends the turn of a webhook whose receiver has failed `failures` times; its next turn begins after `pause`.
+    async fn end_turn(&self, webhook_id: &str, failures: u32, pause: Duration) -> Result<(), JobError>;
 
     /// Records the outcome of an attempt.
     async fn end_attempt(&self, id: &str, attempted: &Attempted) -> Result<(), JobError>;

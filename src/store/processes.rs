@@ -4,6 +4,7 @@
 //! another knows that the other has ended, so the jobs of that process need not wait for their leases to expire. A process
 //! that is only suspended keeps its lock; there the lease decides.
 
+use super::private_files;
 use crate::jobs::{DepartedProcess, Processes, WorkerId};
 use std::fs::{self, File, TryLockError};
 use std::io;
@@ -33,11 +34,11 @@ impl ProcessRecord {
     /// Those of the file system.
     pub(crate) fn create(data_dir: &Path, worker: &WorkerId) -> io::Result<Self> {
         let folder = data_dir.join("processes");
-        fs::create_dir_all(&folder)?;
+        private_files::create_dir_all(&folder)?;
         // Locked before it gets the name that others look for, so that no process can find it unlocked.
         let draft = folder.join(format!("{}.draft", worker.name()));
         let own = folder.join(format!("{}.lock", worker.name()));
-        let lock = File::create_new(&draft)?;
+        let lock = private_files::create_new(&draft)?;
         lock.lock()?;
         fs::rename(&draft, &own)?;
         Ok(ProcessRecord { folder, own, _lock: lock })
@@ -93,7 +94,8 @@ impl ServeLock {
     /// # Errors
     /// Those of the file system.
     pub(crate) fn acquire(data_dir: &Path, timeout: Duration) -> io::Result<Option<Self>> {
-        let file = File::options().create(true).truncate(false).write(true).open(data_dir.join("serve.lock"))?;
+        let file =
+            private_files::options().create(true).truncate(false).write(true).open(data_dir.join("serve.lock"))?;
         let deadline = Instant::now() + timeout;
         loop {
             match file.try_lock() {

@@ -93,6 +93,7 @@ impl Housekeeper {
             }
         }
         self.store.remove_unreferenced_blobs(self.artifacts.as_ref()).await?;
+        self.store.overwrite_deleted().await?;
         if round.is_multiple_of(ROUNDS_BETWEEN_SWEEPS) {
             self.artifacts.sweep().await?;
         }

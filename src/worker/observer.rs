@@ -49,6 +49,7 @@ impl Observer for JobObserver {
     fn phase(&self, phase: Phase) {
         let mut observed = self.lock();
         observed.progress.phase = Some(phase);
+        observed.progress.message = Some(sentence(phase).to_owned());
         observed.progress.iteration = None;
         observed.changed = true;
     }
@@ -75,6 +76,20 @@ impl Observer for JobObserver {
 
     fn is_cancelled(&self) -> bool {
         self.control.is_stopped()
+    }
+}
+
+/// What is done in a phase, for people.
+fn sentence(phase: Phase) -> &'static str {
+    match phase {
+        Phase::Reading => "Reading both inputs",
+        Phase::Features => "Computing the curvature of both surfaces",
+        Phase::Bounding => "Bounding the energy from below",
+        Phase::Inference => "Minimizing the energy",
+        Phase::Registration => "Estimating the rigid transform",
+        Phase::Refinement => "Refining the rigid transform",
+        Phase::Displacement => "Fitting a smooth displacement field",
+        Phase::Reporting => "Measuring distances and writing the result",
     }
 }
 

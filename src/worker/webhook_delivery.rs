@@ -1,12 +1,17 @@
 //! Delivery of webhooks: state changes become deliveries, which are attempted until the receiver accepts them.
 //!
-//! Every process that serves HTTP delivers webhooks; the store ensures that only one process at a time attempts a delivery.
+//! Every process that serves HTTP delivers webhooks; workers do not. Each webhook has a queue of its own, and takes turns with
+//! the others; the store ensures that only one process at a time serves it. A receiver that does not answer delays only what is
+//! sent to it: its tenant has a share of the turns that are served at the same time, its own turns become rare
+//! ([`FAILURES`]), and new changes are sent before old ones are repeated.
+//!
 //! A delivery that was sent but whose success could not be recorded is sent again, under the same id, by which the receiver
 //! can recognize it.
 
 use super::pool::with_sources;
 use crate::jobs::address::{check_url, is_public};
-use crate::jobs::{Attempted, DueDelivery, JobError, WebhookStore};
+use crate::jobs::{Attempted, DueDelivery, JobError, Turn, TurnLimits, WebhookStore};
+use futures_util::future::join_all;
 use reqwest::dns::{Addrs, Name, Resolve, Resolving};
 use reqwest::redirect::Policy;
 use reqwest::{Client, StatusCode};
@@ -19,14 +24,18 @@ use tokio_util::sync::CancellationToken;
 const ROUND: Duration = Duration::from_millis(500);
 /// Time limit of an attempt.
 const ATTEMPT_TIMEOUT: Duration = Duration::from_secs(15);
-/// For how long a claimed delivery is withheld from other processes; longer than an attempt takes.
+/// For how long a webhook is withheld from other processes during its turn; longer than an attempt takes.
 const CLAIM: Duration = Duration::from_secs(60);
 /// Attempts after which a delivery has failed.
 const MAX_ATTEMPTS: u32 = 10;
 /// Longest pause between two attempts.
 const MAX_PAUSE: Duration = Duration::from_secs(12 * 3600);
-/// Concurrent attempts.
-const AT_ONCE: usize = 8;
+/// Deliveries of a webhook in a turn, which are attempted concurrently.
+const OF_TURN: u32 = 8;
+/// Turns without success after which a receiver is left alone for a while; each further one triples the pause.
+const FAILURES: u32 = 3;
+/// Longest such pause.
+const MAX_BREAK: Duration = Duration::from_secs(3600);
 
 /// Settings of the delivery of webhooks.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -35,6 +44,8 @@ pub struct WebhookDeliverySettings {
     pub allow_private: bool,
     /// Pause after the first failed attempt; each further pause is three times as long.
     pub first_pause: Duration,
+    /// Receivers that are called at the same time; a tenant may have a quarter of them, in all processes.
+    pub receivers: u32,
 }
 
 /// Delivers events to the receivers of webhooks.
@@ -84,49 +95,69 @@ impl WebhookDelivery {
 
     /// Delivers until `stop` is cancelled.
     pub async fn run(self, stop: CancellationToken) {
+        let mut turns = tokio::task::JoinSet::new();
         loop {
-            let round = tokio::select! {
-                round = self.round() => round,
-                () = stop.cancelled() => return,
-            };
-            if let Err(error) = round {
+            // New changes are queued, and other receivers served, while earlier turns are still in progress.
+            if let Err(error) = self.begin_turns(&mut turns).await {
                 tracing::warn!(error = %with_sources(&error), "webhooks could not be delivered; tried again in the next round");
             }
             tokio::select! {
                 () = stop.cancelled() => return,
                 () = tokio::time::sleep(ROUND) => {}
+                Some(_) = turns.join_next() => {}
             }
         }
     }
 
-    async fn round(&self) -> Result<(), JobError> {
+    async fn begin_turns(&self, turns: &mut tokio::task::JoinSet<()>) -> Result<(), JobError> {
         self.store.insert_due_deliveries().await?;
-        let mut attempts = tokio::task::JoinSet::new();
-        while let Some(due) = self.store.claim_delivery(CLAIM).await? {
+        while turns.try_join_next().is_some() {}
+        let of_tenant = self.settings.receivers.div_ceil(4);
+        let limits = TurnLimits { busy_for: CLAIM, of_tenant, deliveries: OF_TURN };
+        while turns.len() < self.settings.receivers as usize {
+            let Some(turn) = self.store.claim_turn(&limits).await? else { break };
             let delivery = self.clone();
-            attempts.spawn(async move { delivery.deliver(due).await });
-            if attempts.len() >= AT_ONCE
-                && let Some(Ok(done)) = attempts.join_next().await
-            {
-                done?;
-            }
-        }
-        while let Some(done) = attempts.join_next().await {
-            if let Ok(done) = done {
-                done?;
-            }
+            turns.spawn(async move { delivery.serve(turn).await });
         }
         Ok(())
     }
 
-    async fn deliver(&self, due: DueDelivery) -> Result<(), JobError> {
+    /// Attempts the deliveries of a turn, and decides when the next one begins.
+    async fn serve(&self, turn: Turn) {
+        let Turn { webhook_id, failures, deliveries } = turn;
+        let attempts = deliveries.into_iter().map(|due| self.deliver(due));
+        let mut has_success = false;
+        for attempted in join_all(attempts).await {
+            match attempted {
+                Ok(attempted) => has_success |= matches!(attempted, Attempted::Delivered { .. }),
+                Err(error) => {
+                    tracing::warn!(error = %with_sources(&error), "the outcome of a delivery could not be recorded")
+                }
+            }
+        }
+        let failures = if has_success { 0 } else { failures.saturating_add(1) };
+        if let Err(error) = self.store.end_turn(&webhook_id, failures, self.pause_after(failures)).await {
+            tracing::warn!(error = %with_sources(&error), "the turn of a webhook could not be ended; it ends by itself");
+        }
+    }
+
+    /// The pause after this number of turns without success.
+    fn pause_after(&self, failures: u32) -> Duration {
+        match failures.checked_sub(FAILURES) {
+            None => Duration::ZERO,
+            Some(more) => self.settings.first_pause.saturating_mul(3u32.saturating_pow(more)).min(MAX_BREAK),
+        }
+    }
+
+    async fn deliver(&self, due: DueDelivery) -> Result<Attempted, JobError> {
         let attempted = if due.is_wanted {
             self.attempt(&due).await?
         } else {
             Attempted::Failed { status: None, error: "the webhook is disabled".to_owned() }
         };
         tracing::debug!(delivery = due.id, attempt = due.attempt, ?attempted, "a delivery was attempted");
-        self.store.end_attempt(&due.id, &attempted).await
+        self.store.end_attempt(&due.id, &attempted).await?;
+        Ok(attempted)
     }
 
     async fn attempt(&self, due: &DueDelivery) -> Result<Attempted, JobError> {
@@ -170,6 +201,10 @@ impl WebhookDelivery {
             .header("webhook-timestamp", now.to_string())
             .header("webhook-signature", signature)
             .body(due.payload.clone());
+        let request = match &due.traceparent {
+            Some(traceparent) => request.header("traceparent", traceparent),
+            None => request,
+        };
         match request.send().await {
             Ok(response) => Ok(response.status()),
             Err(error) if error.is_timeout() => Err("the receiver did not answer in time".to_owned()),

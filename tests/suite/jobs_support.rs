@@ -98,6 +98,9 @@ impl Computation for Obedience {
         if input.bytes.starts_with(b"panic") {
             panic!("as requested");
         }
+        if input.bytes.starts_with(b"slow") {
+            std::thread::sleep(Duration::from_secs(30));
+        }
         if input.bytes.starts_with(b"bad") {
             let topology = Some(json!({"n_components": 2}));
             return Err(InputRefusal {
@@ -170,6 +173,8 @@ pub(crate) struct TestService {
     pub engine: Arc<ScriptedEngine>,
     pub shutdown: Shutdown,
     pub folder: Arc<tempfile::TempDir>,
+    /// Where it answers probes, if `--probe-listen` is given.
+    pub probes: String,
     running: tokio::task::JoinHandle<()>,
 }
 
@@ -204,13 +209,20 @@ impl TestService {
         homolog::tls::prepare();
         let shutdown = Shutdown::default();
         let listener = app::listen(&http).await.unwrap();
-        let base = format!("http://{}", listener.local_addr().unwrap());
+        let base = format!("http://127.0.0.1:{}", listener.local_addr().unwrap().port());
         let engine = Arc::new(ScriptedEngine::default());
         let used = other.unwrap_or_else(|| Arc::clone(&engine) as Arc<dyn Engine>);
         let app = App::open(&service, used, &shutdown, true).await.unwrap();
         let ends = shutdown.clone();
-        let running = tokio::spawn(async move { app.run(Some((listener, http, service)), &ends).await });
-        TestService { base, client: reqwest::Client::new(), engine, shutdown, folder, running }
+        let probe_listener = match http.probe_listen {
+            Some(address) => Some(app::bind(address).await.unwrap()),
+            None => None,
+        };
+        let probes = probe_listener.as_ref().map(|probes| format!("http://{}", probes.local_addr().unwrap()));
+        let running =
+            tokio::spawn(async move { app.run_probed(Some((listener, http, service)), probe_listener, &ends).await });
+        let probes = probes.unwrap_or_default();
+        TestService { base, client: reqwest::Client::new(), engine, shutdown, folder, probes, running }
     }
 
     /// Another process on the same folder that runs jobs and serves no HTTP.

@@ -296,7 +296,7 @@ async fn events(response: Response) -> Vec<(String, Option<u64>, Value)> {
     text.split("\n\n")
         .filter_map(|block| {
             let name = field(block, "event")?;
-            let id = field(block, "id").map(|id| id.parse().unwrap());
+            let id = field(block, "id").map(|id| id.trim_end_matches("-done").parse().unwrap());
             Some((name, id, serde_json::from_str(&field(block, "data").unwrap()).unwrap()))
         })
         .collect()

@@ -10,7 +10,6 @@ use homolog::jobs::{
 use homolog::store::sql::SqlStore;
 use homolog_primitives::observe::{Phase, TracePoint};
 use serde_json::json;
-use std::collections::BTreeMap;
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -85,7 +84,7 @@ pub(crate) fn new_job(priority: i32) -> NewJob {
         source: input('a'),
         target: input('b'),
         priority,
-        labels: BTreeMap::new(),
+        labels: homolog::jobs::metadata::Labels::default(),
         external_ref: None,
         max_attempts: 3,
         deadline_at: None,

@@ -2,11 +2,12 @@
 
 use super::store::{Fixture, LONG, SHORT, chunk, is_lost, new_job, on_every_store, result, room};
 use homolog::jobs::job::Order;
+use homolog::jobs::metadata::{ExternalRef, Labels};
 use homolog::jobs::{
     Admission, ArtifactKey, ArtifactKind, ArtifactRef, Attempted, BatchId, BlobHolds, DeliveryState, Housekeeping,
     JobError, JobFilter, JobQueue, JobReader, JobState, JobWriter, KeyStore, Made, MeshStore, NewBatch, NewJob, Once,
-    OnceStatus, Outcome, Overdue, PageRequest, Purged, Retention, Scope, SecretKey, Tenant, Webhook, WebhookStore,
-    WorkerId,
+    OnceStatus, Outcome, Overdue, PageRequest, Purged, Retention, Scope, SecretKey, Tenant, TurnLimits, Webhook,
+    WebhookStore, WorkerId,
 };
 use std::collections::BTreeMap;
 use std::time::Duration;
@@ -134,8 +135,8 @@ async fn lists_are_filtered_in_every_way(f: Fixture) {
     for i in 0..6u32 {
         let labels = [("study", format!("s{}", i % 2)), ("site", "zurich".to_owned())];
         let job = NewJob {
-            labels: labels.into_iter().map(|(k, v)| (k.to_owned(), v)).collect(),
-            external_ref: (i < 3).then(|| "ref".to_owned()),
+            labels: Labels::new(labels.into_iter().map(|(k, v)| (k.to_owned(), v)).collect()).unwrap(),
+            external_ref: ExternalRef::new(if i < 3 { "ref".to_owned() } else { String::new() }).unwrap(),
             method: format!("m{}", i % 3),
             ..new_job(0)
         };
@@ -166,7 +167,7 @@ async fn lists_are_filtered_in_every_way(f: Fixture) {
 
 async fn a_batch_is_created_as_a_whole_or_not_at_all(f: Fixture) {
     let id = BatchId::random();
-    let batch = NewBatch { id, tenant: f.tenant.clone(), labels: BTreeMap::new(), external_ref: None };
+    let batch = NewBatch { id, tenant: f.tenant.clone(), labels: Labels::default(), external_ref: None };
     let jobs: Vec<_> = (0..3).map(|_| NewJob { batch_id: Some(id), ..new_job(0) }).collect();
     assert!(matches!(f.store.insert_batch(&batch, &jobs, &room(2)).await, Err(JobError::QueueFull { .. })));
     let mut wrong = jobs.clone();
@@ -290,9 +291,11 @@ async fn a_webhook_gets_one_delivery_for_each_change(f: Fixture) {
     let log = f.store.list_deliveries(&f.tenant, &all.id, 10, None).await.unwrap().deliveries;
     assert_eq!(log.iter().map(|d| d.event.as_str()).collect::<Vec<_>>(), ["job.cancelled", "job.queued"]);
 
+    let limits = TurnLimits { busy_for: LONG, of_tenant: 2, deliveries: 8 };
+    let claim = async || f.store.claim_turn(&limits).await.unwrap();
     let mut taken = Vec::new();
-    while let Some(due) = f.store.claim_delivery(LONG).await.unwrap() {
-        taken.push(due);
+    while let Some(turn) = claim().await {
+        taken.extend(turn.deliveries);
     }
     assert_eq!(taken.len(), 3, "each is claimed once while an attempt is in progress");
     let again = taken.iter().find(|d| d.webhook_id == ends.id).unwrap();
@@ -300,7 +303,12 @@ async fn a_webhook_gets_one_delivery_for_each_change(f: Fixture) {
     let retry = Attempted::Retry { after: Duration::ZERO, status: Some(500), error: "HTTP 500".to_owned() };
     f.store.end_attempt(&again.id, &retry).await.unwrap();
     tokio::time::sleep(SHORT).await;
-    assert_eq!(f.store.claim_delivery(LONG).await.unwrap().unwrap().attempt, 2);
+    assert!(claim().await.is_none(), "its turn is not over");
+    f.store.end_turn(&ends.id, 1, LONG).await.unwrap();
+    assert!(claim().await.is_none(), "it pauses");
+    f.store.end_turn(&ends.id, 1, Duration::ZERO).await.unwrap();
+    let turn = claim().await.unwrap();
+    assert_eq!((turn.failures, turn.deliveries[0].attempt), (1, 2));
     f.store.end_attempt(&again.id, &Attempted::Delivered { status: 204 }).await.unwrap();
     let log = f.store.list_deliveries(&f.tenant, &ends.id, 10, None).await.unwrap().deliveries;
     assert_eq!((log[0].state, log[0].attempts, log[0].status), (DeliveryState::Delivered, 2, Some(204)));

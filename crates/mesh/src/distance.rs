@@ -32,6 +32,10 @@ const BOUND_RTOL: f64 = 4e-6;
 /// Coordinate of missing children of a node: its squared distance from any query is infinite in 32 bits.
 const NOWHERE: f32 = f32::MAX;
 
+/// Extents, mm, between which 32 bits hold squares of lengths without a scale.
+const SMALLEST: f64 = 1e-12;
+const LARGEST: f64 = 1e12;
+
 type Lanes = [f32; FAN];
 
 /// The distances of points from one surface. Fast if faces that are close in space have close indices, as in canonical
@@ -45,6 +49,8 @@ pub struct SurfaceDistances<'a> {
     center: Point3<f64>,
     /// Largest coordinate relative to `center`, mm.
     extent: f64,
+    /// Factor of lengths in the bounds, a power of two, so that 32 bits hold the squares of lengths of any unit.
+    scale: f64,
 }
 
 /// Bounds of the children of a node, each a group of consecutive triangles. Lengths in mm.
@@ -160,6 +166,7 @@ struct Search {
     limit_squared: f32,
     /// Error of the bounds, mm.
     slack: f64,
+    scale: f64,
 }
 
 impl Search {
@@ -167,7 +174,7 @@ impl Search {
         let distance = surface.distance_from_triangle(&self.at, triangle);
         if distance < self.best {
             (self.best, self.triangle) = (distance, triangle);
-            self.limit_squared = (distance + self.slack).powi(2) as f32;
+            self.limit_squared = ((distance + self.slack) * self.scale).powi(2) as f32;
         }
     }
 }
@@ -180,8 +187,10 @@ type Open = (f32, usize, usize);
 fn search(surface: &SurfaceDistances<'_>, at: &Point3<f64>, first: usize, open: &mut Vec<Open>) -> (f64, usize) {
     let place = at - surface.center;
     let slack = BOUND_RTOL * (place.amax() + surface.extent);
-    let place = [place.x as f32, place.y as f32, place.z as f32];
-    let mut search = Search { at: *at, best: f64::INFINITY, triangle: first, limit_squared: f32::INFINITY, slack };
+    let scale = surface.scale;
+    let place = [(place.x * scale) as f32, (place.y * scale) as f32, (place.z * scale) as f32];
+    let mut search =
+        Search { at: *at, best: f64::INFINITY, triangle: first, limit_squared: f32::INFINITY, slack, scale };
     search.try_triangle(surface, first);
     open.push((0.0, surface.levels.len() - 1, 0));
     while let Some((bound, level, node)) = open.pop() {
@@ -197,6 +206,11 @@ fn search(surface: &SurfaceDistances<'_>, at: &Point3<f64>, first: usize, open: 
             let k = near.trailing_zeros() as usize;
             near &= near - 1;
             let child = node * FAN + k;
+            // Of a point so far away that all bounds are infinite, missing children seem near.
+            let n_children = if level > 0 { surface.levels[level - 1].len() } else { surface.triangles.len() };
+            if child >= n_children {
+                continue;
+            }
             if level > 0 {
                 open.push((bounds[k], level - 1, child));
             } else if bounds[k] <= search.limit_squared {
@@ -227,6 +241,9 @@ impl<'a> SurfaceDistances<'a> {
         let (vertices, triangles) = (mesh.vertices(), mesh.triangles());
         let (low, high) = mesh.bounding_box();
         let center = nalgebra::center(&low, &high);
+        let extent = (high - center).amax();
+        let scale = if (SMALLEST..LARGEST).contains(&extent) { 1.0 } else { 2f64.powi(-extent.log2().floor() as i32) };
+        let scale = if scale.is_normal() { scale } else { 1.0 };
         let mut levels: Vec<Vec<Node>> = Vec::new();
         for of_child in [1, FAN] {
             let node = |of_node: &[[u32; 3]]| {
@@ -234,7 +251,7 @@ impl<'a> SurfaceDistances<'a> {
                 let mut corners = [[Vector3::zeros(); 3]; FAN];
                 for (k, run) in of_node.chunks(of_child).enumerate() {
                     for (corners, triangle) in corners.iter_mut().zip(run) {
-                        *corners = triangle.map(|v| vertices[v as usize] - center);
+                        *corners = triangle.map(|v| (vertices[v as usize] - center) * scale);
                     }
                     node.set_patch(k, &corners[..run.len()]);
                 }
@@ -257,7 +274,7 @@ impl<'a> SurfaceDistances<'a> {
             };
             levels.push(boxes.chunks(FAN).map(node).collect());
         }
-        SurfaceDistances { vertices, triangles, levels, center, extent: (high - center).amax() }
+        SurfaceDistances { vertices, triangles, levels, center, extent, scale }
     }
 
     /// The distance of each of `points` from the surface, mm. `O(n log n')`, on all threads; fast if points that are
@@ -300,6 +317,22 @@ mod tests {
         shapes.extend([FaceArity::Triangle, FaceArity::Quad].map(torus));
         shapes.push(ellipsoid(Vector3::new(2.0, 1.0, 1.5), 0));
         shapes
+    }
+
+    #[test]
+    fn surfaces_and_points_of_any_size_have_distances() {
+        for exponent in [-200, -100, -45, 0, 45, 100, 200, 300] {
+            let size = 2f64.powi(exponent);
+            let round = ellipsoid(Vector3::new(9.0, 6.0, 5.0), 3);
+            let mesh = round.with_vertices(round.vertices().iter().map(|p| p * size).collect()).unwrap();
+            let surface = SurfaceDistances::new(&mesh);
+            for far in [0.1, 1.0, 3.0, 1e30] {
+                let points: Vec<_> = mesh.vertices().iter().step_by(40).map(|p| p * far).collect();
+                for (p, distance) in points.iter().zip(surface.of(&points)) {
+                    assert_eq!(distance, plain(&surface, p), "2^{exponent}, {far}");
+                }
+            }
+        }
     }
 
     proptest! {

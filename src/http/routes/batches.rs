@@ -7,12 +7,15 @@ use crate::http::preferences::{idempotency_key, marked, traceparent};
 use crate::http::problem::{FieldError, Problem, ProblemDocument};
 use crate::http::problem_table::ProblemKind;
 use crate::http::query::QueryString;
-use crate::http::router::HttpState;
-use crate::http::submission::{DetailsDocument, check_details, media_type, read_json};
+use crate::http::router::{HttpState, IN_MEMORY};
+use crate::http::shares::Origin;
+use crate::http::strict_json::{Parameters, SentLabels, objects};
+use crate::http::submission::{SentDetails, check_details, media_type, read_json};
 use crate::http::upload::Tap;
 use crate::http::wire::{BatchDocument, BatchListDocument, BulkCancelDocument, JobListDocument};
 use crate::jobs::follow::Feed;
 use crate::jobs::mesh::hash_of_id;
+use crate::jobs::metadata::{ExternalRef, Labels};
 use crate::jobs::{
     Accepted, Batch, BatchId, BatchPair, BatchSubmission, JobFilter, JobService, Order, PageRequest, Tenant,
 };
@@ -21,9 +24,8 @@ use axum::Json;
 use axum::extract::{Path, Request, State};
 use axum::http::{HeaderMap, StatusCode, header};
 use axum::response::{IntoResponse, Response};
+use jiff::Timestamp;
 use serde::{Deserialize, Serialize};
-use serde_json::Value;
-use std::collections::BTreeMap;
 use std::sync::Arc;
 use utoipa::ToSchema;
 
@@ -38,18 +40,38 @@ pub(crate) struct BatchSubmissionDocument {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub(crate) template: Option<String>,
     /// The sources, one job each.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    #[serde(default, skip_serializing_if = "Vec::is_empty", deserialize_with = "objects")]
     pub(crate) subjects: Vec<SubjectDocument>,
     /// Pairs of source and target, one job each.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    #[serde(default, skip_serializing_if = "Vec::is_empty", deserialize_with = "objects")]
     pub(crate) pairs: Vec<PairDocument>,
     /// Parameters of all jobs.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schema(value_type = Option<Object>)]
-    pub(crate) parameters: Option<Value>,
-    /// Apply to every job, but `external_ref`, which names the batch.
-    #[serde(flatten)]
-    pub(crate) details: DetailsDocument,
+    pub(crate) parameters: Option<Parameters>,
+    /// Labels of the batch and of every job.
+    #[serde(default, skip_serializing_if = "SentLabels::is_empty")]
+    #[schema(value_type = std::collections::BTreeMap<String, String>, required = false)]
+    pub(crate) labels: SentLabels,
+    /// The client's own id of the batch.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schema(max_length = 200)]
+    pub(crate) external_ref: Option<String>,
+    /// Jobs with a higher priority run first.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schema(minimum = -100, maximum = 100)]
+    pub(crate) priority: Option<i32>,
+    /// A job expires if it has not started by this time.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schema(value_type = Option<String>, format = DateTime)]
+    pub(crate) deadline_at: Option<Timestamp>,
+    /// Longest run time of a job, s, up to the limit of the service.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schema(minimum = 1)]
+    pub(crate) max_run_s: Option<u64>,
+    /// Whether the result of an equal job may be returned; true if absent.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(crate) use_cache: Option<bool>,
 }
 
 /// A subject of a batch.
@@ -60,10 +82,12 @@ pub(crate) struct SubjectDocument {
     pub(crate) mesh_id: String,
     /// The client's own id of the job.
     #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schema(max_length = 200)]
     pub(crate) external_ref: Option<String>,
-    /// Labels of the job, merged with those of the batch.
-    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
-    pub(crate) labels: BTreeMap<String, String>,
+    /// Labels of the job, merged with those of the batch; at most 64 together.
+    #[serde(default, skip_serializing_if = "SentLabels::is_empty")]
+    #[schema(value_type = std::collections::BTreeMap<String, String>, required = false)]
+    pub(crate) labels: SentLabels,
 }
 
 /// A pair of a batch.
@@ -76,10 +100,12 @@ pub(crate) struct PairDocument {
     pub(crate) target: String,
     /// The client's own id of the job.
     #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schema(max_length = 200)]
     pub(crate) external_ref: Option<String>,
-    /// Labels of the job, merged with those of the batch.
-    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
-    pub(crate) labels: BTreeMap<String, String>,
+    /// Labels of the job, merged with those of the batch; at most 64 together.
+    #[serde(default, skip_serializing_if = "SentLabels::is_empty")]
+    #[schema(value_type = std::collections::BTreeMap<String, String>, required = false)]
+    pub(crate) labels: SentLabels,
 }
 
 /// Submit a batch
@@ -131,10 +157,24 @@ async fn take(
     if media_type(&request) != "application/json" {
         return Err(Problem::new(ProblemKind::UnsupportedMediaType));
     }
-    let reading = tokio::time::timeout(state.limits.upload_timeout, read_json(request, tap, &state.limits));
+    state.begin_reading(tap, &tenant, Origin::of(request.extensions()), IN_MEMORY).await?;
+    let reading = read_json(request, tap, &state.limits, state.limits.max_json_bytes);
+    let reading = tokio::time::timeout(state.limits.upload_timeout, reading);
     let document: BatchSubmissionDocument = reading.await.map_err(|_| Problem::new(ProblemKind::UploadTimeout))??;
-    let BatchSubmissionDocument { template, subjects, pairs, parameters, details } = document;
-    let (parameters, mut details) = check_details(parameters, details, state.service.limits())?;
+    let BatchSubmissionDocument {
+        template,
+        subjects,
+        pairs,
+        parameters,
+        labels,
+        external_ref,
+        priority,
+        deadline_at,
+        max_run_s,
+        use_cache,
+    } = document;
+    let details = SentDetails { labels, external_ref, priority, deadline_at, max_run_s, use_cache };
+    let (parameters, mut details) = check_details(parameters, details, &state.limits, state.service.limits())?;
     details.traceparent = traceparent(headers);
     let pairs = match (template, subjects.is_empty(), pairs.is_empty()) {
         (Some(template), false, true) => subjects
@@ -153,29 +193,40 @@ async fn take(
         }
     };
     let mut faults = Vec::new();
-    let mut named = |number: usize, side: &str, id: &str| {
-        hash_of_id(id).map(str::to_owned).unwrap_or_else(|| {
-            let pointer = format!("/pairs/{number}/{side}");
-            faults.push(FieldError::new(pointer, "out_of_range", "must be blake3: and 64 hexadecimal digits"));
-            String::new()
-        })
-    };
-    let pairs: Vec<BatchPair> = pairs
-        .into_iter()
-        .enumerate()
-        .map(|(number, pair)| BatchPair {
-            source: named(number, "source", &pair.source),
-            target: named(number, "target", &pair.target),
-            external_ref: pair.external_ref,
-            labels: pair.labels,
-        })
-        .collect();
-    faults.truncate(NAMED_FAULTS);
+    let mut checked = Vec::with_capacity(pairs.len());
+    for (number, pair) in pairs.into_iter().enumerate() {
+        match check_pair(pair) {
+            Ok(pair) => checked.push(pair),
+            Err((field, detail)) => {
+                faults.push(FieldError::new(format!("/pairs/{number}/{field}"), "out_of_range", detail));
+            }
+        }
+        if faults.len() >= NAMED_FAULTS {
+            break;
+        }
+    }
     if !faults.is_empty() {
         return Err(Problem::new(ProblemKind::InvalidRequest).errors(&faults));
     }
+    let pairs = checked;
     let submission = BatchSubmission { tenant, pairs, parameters, details, idempotency_key };
     Ok(state.service.submit_batch(submission).await?)
+}
+
+/// A pair whose fields are within their limits; else the field that is not, and what is allowed.
+fn check_pair(pair: PairDocument) -> Result<BatchPair, (&'static str, String)> {
+    let hash = |side: &'static str, id: &str| match hash_of_id(id) {
+        Some(hash) => Ok(hash.to_owned()),
+        None => Err((side, "must be blake3: and 64 hexadecimal digits".to_owned())),
+    };
+    let PairDocument { source, target, external_ref, labels: SentLabels(labels) } = pair;
+    Ok(BatchPair {
+        source: hash("source", &source)?,
+        target: hash("target", &target)?,
+        external_ref: ExternalRef::new(external_ref.unwrap_or_default())
+            .map_err(|fault| ("external_ref", fault.to_string()))?,
+        labels: Labels::new(labels).map_err(|fault| ("labels", fault.to_string()))?,
+    })
 }
 
 /// List batches
@@ -218,6 +269,7 @@ pub(crate) async fn list(
     responses(
         (status = 200, description = "The batch, with the number of its jobs in each state", body = BatchDocument, headers(("ETag" = String, description = "Weak; pass it as `If-None-Match`"))),
         (status = 304, description = "The batch has not changed since the version that `If-None-Match` names"),
+        (status = 429, description = "Too many event streams and long polls are open", body = ProblemDocument, content_type = "application/problem+json"),
         (status = 400, description = "Invalid query parameters", body = ProblemDocument, content_type = "application/problem+json"),
         (status = 404, description = "No such batch", body = ProblemDocument, content_type = "application/problem+json"),
     )
@@ -226,11 +278,13 @@ pub(crate) async fn get(
     State(state): State<HttpState>,
     Reader(tenant): Reader,
     Path(id): Path<String>,
+    origin: Origin,
     headers: HeaderMap,
     mut query: QueryString,
 ) -> Result<Response, Problem> {
     let wait = wait_of(&mut query, &state);
     query.finish()?;
+    let _place = if wait.is_zero() { None } else { Some(state.begin_stream(&tenant, origin)?) };
     let batch = WatchedBatch { service: &state.service, tenant, id: batch_id(&id)? };
     answer(&state, &headers, wait, &batch).await
 }

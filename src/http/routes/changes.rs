@@ -5,9 +5,13 @@ use crate::http::long_poll::wait_of;
 use crate::http::problem::{Problem, ProblemDocument};
 use crate::http::query::QueryString;
 use crate::http::router::HttpState;
+use crate::http::shares::Origin;
 use crate::http::wire::ChangesDocument;
 use axum::Json;
 use axum::extract::State;
+use std::fmt::Display;
+use std::ops::RangeInclusive;
+use std::str::FromStr;
 use std::time::Duration;
 use tokio::time::Instant;
 
@@ -16,6 +20,18 @@ const MAX_CHANGES: u32 = 5_000;
 /// After the first change that ends a wait, those that follow at once are gathered: a batch ends jobs faster than answers
 /// are worth sending.
 const GATHER: Duration = Duration::from_millis(100);
+
+/// A number that has two names: its own, and that of the other lists.
+fn either<T>(query: &mut QueryString, [own, of_lists]: [&str; 2], range: RangeInclusive<T>) -> Option<T>
+where
+    T: FromStr + PartialOrd + Display + Clone,
+{
+    let (first, second) = (query.number(own, range.clone()), query.number(of_lists, range));
+    if first.is_some() && second.is_some() {
+        query.fault(of_lists, "repeated", format!("is the same as {own}; give one of them"));
+    }
+    first.or(second)
+}
 
 /// List state changes
 ///
@@ -28,21 +44,26 @@ const GATHER: Duration = Duration::from_millis(100);
         ("since" = Option<u64>, Query, description = "Only changes after this number; 0 if absent"),
         ("wait" = Option<u32>, Query, minimum = 0, maximum = 30, description = "Longest time to wait for a change, s; 0 if absent"),
         ("limit" = Option<u32>, Query, minimum = 1, maximum = 5000, description = "Maximum number of changes; 500 if absent"),
+        ("page_size" = Option<u32>, Query, minimum = 1, maximum = 5000, description = "The same as `limit`, as in the other lists"),
+        ("page_token" = Option<String>, Query, description = "`next_page_token` of the previous page; the same as `since`"),
     ),
     responses(
         (status = 200, description = "Changes", body = ChangesDocument),
+        (status = 429, description = "Too many event streams and long polls are open", body = ProblemDocument, content_type = "application/problem+json"),
         (status = 400, description = "Invalid query parameters", body = ProblemDocument, content_type = "application/problem+json"),
     )
 )]
 pub(crate) async fn list(
     State(state): State<HttpState>,
     Reader(tenant): Reader,
+    origin: Origin,
     mut query: QueryString,
 ) -> Result<Json<ChangesDocument>, Problem> {
-    let since = query.number("since", 0..=i64::MAX.unsigned_abs()).unwrap_or(0);
-    let limit = query.number("limit", 1..=MAX_CHANGES).unwrap_or(DEFAULT_CHANGES);
+    let since = either(&mut query, ["since", "page_token"], 0..=i64::MAX.unsigned_abs()).unwrap_or(0);
+    let limit = either(&mut query, ["limit", "page_size"], 1..=MAX_CHANGES).unwrap_or(DEFAULT_CHANGES);
     let wait = wait_of(&mut query, &state);
     query.finish()?;
+    let _place = if wait.is_zero() { None } else { Some(state.begin_stream(&tenant, origin)?) };
     let until = Instant::now() + wait;
     let mut page = state.service.changes(&tenant, since, limit).await?;
     if page.changes.is_empty() && !wait.is_zero() {

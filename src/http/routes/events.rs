@@ -6,10 +6,11 @@ use crate::http::problem::{FieldError, Problem, ProblemDocument};
 use crate::http::problem_table::ProblemKind;
 use crate::http::query::QueryString;
 use crate::http::router::HttpState;
+use crate::http::shares::{Origin, Taken};
 use crate::http::wire::JobDocument;
 use crate::jobs::follow::{Feed, Seen};
 use axum::extract::{Path, State};
-use axum::http::{HeaderMap, HeaderName, HeaderValue, header};
+use axum::http::{HeaderMap, HeaderName, HeaderValue, StatusCode, header};
 use axum::response::sse::{Event, KeepAlive, Sse};
 use axum::response::{IntoResponse, Response};
 use futures_util::Stream;
@@ -26,39 +27,48 @@ const LAST_EVENT_ID: HeaderName = HeaderName::from_static("last-event-id");
 
 /// Follow a job
 ///
-/// Server-sent events: `state` (the job, whenever its state changes), `progress`, `trace` (a point; its `id` is the `seq`)
-/// and `done` (the finished job), after which the stream ends. A client that reconnects with `Last-Event-ID` gets the trace
-/// from there on, without gaps or repeats. The stream also ends when the service shuts down; reconnect then.
+/// Server-sent events: `state` (the job, whenever its state changes), `progress`, `trace` (a point) and `done` (the finished
+/// job), after which the stream ends. The `id` of an event is the `seq` of the last trace point up to it, with `-done` after
+/// it for `done`. A client that reconnects with `Last-Event-ID` gets the trace from there on, without gaps or repeats; after
+/// `done` it gets 204, at which an `EventSource` stops. The stream also ends when the service shuts down; reconnect then.
 #[utoipa::path(
     get, path = "/v1/jobs/{id}/events", tag = "jobs", operation_id = "follow_job",
     params(
         ("id" = String, Path, description = "The job"),
-        ("Last-Event-ID" = Option<String>, Header, description = "`seq` of the last trace point received"),
+        ("Last-Event-ID" = Option<String>, Header, description = "`id` of the last event received"),
     ),
     responses(
         (status = 200, description = "Events", content_type = "text/event-stream", body = String),
+        (status = 204, description = "`Last-Event-ID` is that of `done`: nothing follows"),
         (status = 400, description = "Invalid Last-Event-ID", body = ProblemDocument, content_type = "application/problem+json"),
         (status = 404, description = "No such job", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 429, description = "Too many streams are open", body = ProblemDocument, content_type = "application/problem+json"),
     )
 )]
 pub(crate) async fn events(
     State(state): State<HttpState>,
     Reader(tenant): Reader,
     Path(id): Path<String>,
+    origin: Origin,
     headers: HeaderMap,
     query: QueryString,
 ) -> Result<Response, Problem> {
     query.finish()?;
-    let after_seq = match headers.get(LAST_EVENT_ID) {
-        None => 0,
-        Some(value) => value.to_str().ok().and_then(|text| text.trim().parse().ok()).ok_or_else(|| {
+    let (after_seq, is_done) = match headers.get(LAST_EVENT_ID) {
+        None => (0, false),
+        Some(value) => value.to_str().ok().and_then(parse_id).ok_or_else(|| {
             let detail = "must be the id of an event of this stream";
             let fault = FieldError::new("/headers/last-event-id", "out_of_range", detail);
             Problem::new(ProblemKind::BadRequest).detail(detail).errors(&[fault])
         })?,
     };
-    let feed = state.service.follow(&tenant, job_id(&id)?).await?;
-    let follower = Follower::new(feed, after_seq, state.stop.clone());
+    let id = job_id(&id)?;
+    if is_done && state.service.get(&tenant, id).await?.state.is_final() {
+        return Ok(StatusCode::NO_CONTENT.into_response());
+    }
+    let place = state.begin_stream(&tenant, origin)?;
+    let feed = state.service.follow(&tenant, id).await?;
+    let follower = Follower::new(feed, after_seq, state.stop.clone(), place);
     let events = Sse::new(follower.into_stream()).keep_alive(KeepAlive::new().interval(HEARTBEAT).text("alive"));
     let mut response = events.into_response();
     // Some proxies buffer responses; this header turns that off.
@@ -77,13 +87,33 @@ struct Follower {
     ended: bool,
     /// Keeps the reader of the store running.
     _feed: Arc<Feed<Seen>>,
+    _place: [Option<Taken>; 2],
+}
+
+/// What follows the `seq` in the id of the last event.
+const DONE: &str = "-done";
+
+/// The `seq` in the id of an event, and whether it is that of the last event.
+fn parse_id(text: &str) -> Option<(u64, bool)> {
+    let text = text.trim();
+    let (seq, is_done) = text.strip_suffix(DONE).map_or((text, false), |seq| (seq, true));
+    Some((seq.parse().ok()?, is_done))
 }
 
 impl Follower {
-    fn new(feed: Arc<Feed<Seen>>, last_seq: u64, stop: CancellationToken) -> Self {
+    fn new(feed: Arc<Feed<Seen>>, last_seq: u64, stop: CancellationToken, place: [Option<Taken>; 2]) -> Self {
         let mut seen = feed.seen();
         seen.mark_changed(); // the current state is sent too
-        Follower { seen, stop, last_seq, last: None, waiting: VecDeque::new(), ended: false, _feed: feed }
+        Follower {
+            seen,
+            stop,
+            last_seq,
+            last: None,
+            waiting: VecDeque::new(),
+            ended: false,
+            _feed: feed,
+            _place: place,
+        }
     }
 
     fn into_stream(self) -> impl Stream<Item = Result<Event, Infallible>> {
@@ -126,7 +156,7 @@ impl Follower {
         let document = JobDocument::from(&seen.job);
         let state_changed = before.is_none_or(|job| (job.state, job.attempt) != (seen.job.state, seen.job.attempt));
         if state_changed {
-            self.push("state", &document);
+            self.push("state", "", &document);
         }
         for point in seen.points_after(self.last_seq) {
             if let Ok(event) = Event::default().event("trace").id(point.seq.to_string()).json_data(point) {
@@ -138,17 +168,18 @@ impl Follower {
         if let Some(progress) = &document.progress
             && before.is_none_or(|job| job.progress != seen.job.progress)
         {
-            self.push("progress", progress);
+            self.push("progress", "", progress);
         }
         if seen.complete {
-            self.push("done", &document);
+            self.push("done", DONE, &document);
             self.ended = true;
         }
         self.last = Some(seen);
     }
 
-    fn push(&mut self, name: &str, data: &impl serde::Serialize) {
-        if let Ok(event) = Event::default().event(name).json_data(data) {
+    fn push(&mut self, name: &str, ending: &str, data: &impl serde::Serialize) {
+        let id = format!("{}{ending}", self.last_seq);
+        if let Ok(event) = Event::default().event(name).id(id).json_data(data) {
             self.waiting.push_back(event);
         }
     }

@@ -7,7 +7,8 @@ use crate::http::preferences::{idempotency_key, marked, traceparent, wanted_wait
 use crate::http::problem::{Problem, ProblemDocument};
 use crate::http::problem_table::ProblemKind;
 use crate::http::query::QueryString;
-use crate::http::router::HttpState;
+use crate::http::router::{HttpState, IN_MEMORY};
+use crate::http::shares::Origin;
 use crate::http::submission::{self, Request as Submitted, SubmissionDocument, SubmissionForm};
 use crate::http::upload::Tap;
 use crate::http::wire::{BulkCancelDocument, JobDocument, JobListDocument, SubmissionAnswer, ValidationDocument};
@@ -80,7 +81,10 @@ pub(crate) async fn submit(
         Ok(()) => take(&state, tenant.clone(), request, &tap, &headers, validate_only).await,
         Err(problem) => Err(problem),
     };
-    match tap.settle(taken).await? {
+    let taken = tap.settle(taken).await?;
+    // What the body took is free again before the wait for the job.
+    drop(tap);
+    match taken {
         Taken::Tried(validated) => Ok(Json(ValidationDocument::from(validated)).into_response()),
         Taken::Accepted(accepted_now) => {
             let Accepted { made, replayed } = *accepted_now;
@@ -109,8 +113,8 @@ async fn take(
 ) -> Result<Taken, Problem> {
     let idempotency_key = idempotency_key(headers)?;
     state.service.refuse_when_full(&tenant).await?;
-    // Held until the job is stored, to limit the number of submissions in memory.
-    let _permit = state.upload_permit().await?;
+    // Until the job is stored the submission is in memory, and counted.
+    state.begin_reading(tap, &tenant, Origin::of(request.extensions()), IN_MEMORY).await?;
     let reading = submission::read(request, tap, &state.limits, state.service.limits());
     let reading = tokio::time::timeout(state.limits.upload_timeout, reading);
     let Submitted { source, target, parameters, mut details } =
@@ -163,7 +167,10 @@ impl IntoParams for FilterParameters {
             ("method", "Only jobs of this method"),
             ("external_ref", "Only jobs with this external reference"),
             ("batch", "Only jobs of this batch"),
-            ("label", "Only jobs with this label, as `name:value`; may be repeated, at most 4 labels"),
+            (
+                "label",
+                "Only jobs with this label, as `name:value`; may be repeated, at most 4 labels. A colon in the name is written `\\:`, a backslash `\\\\`",
+            ),
             ("created_from", "Only jobs created at this RFC 3339 time or later"),
             ("created_before", "Only jobs created before this RFC 3339 time"),
         ];
@@ -201,9 +208,9 @@ fn filter(query: &mut QueryString) -> JobFilter {
         }
     }
     for label in query.all("label") {
-        match label.split_once(':') {
+        match label_of(&label) {
             Some((name, value)) => {
-                filter.labels.insert(name.to_owned(), value.to_owned());
+                filter.labels.insert(name, value);
             }
             None => query.fault("label", "out_of_range", "must be name:value"),
         }
@@ -220,6 +227,20 @@ fn filter(query: &mut QueryString) -> JobFilter {
         }
     }
     filter
+}
+
+/// The name and the value of a label in a query: `name:value`, with `\:` for a colon in the name and `\\` for a backslash.
+fn label_of(text: &str) -> Option<(String, String)> {
+    let mut name = String::new();
+    let mut characters = text.chars();
+    while let Some(c) = characters.next() {
+        match c {
+            ':' => return Some((name, characters.as_str().to_owned())),
+            '\\' if characters.as_str().starts_with([':', '\\']) => name.extend(characters.next()),
+            c => name.push(c),
+        }
+    }
+    None
 }
 
 /// List jobs
@@ -303,6 +324,7 @@ pub(crate) async fn cancel_many(
     responses(
         (status = 200, description = "The job", body = JobDocument, headers(("ETag" = String, description = "Weak; pass it as `If-None-Match`"))),
         (status = 304, description = "The job has not changed since the version that `If-None-Match` names"),
+        (status = 429, description = "Too many event streams and long polls are open", body = ProblemDocument, content_type = "application/problem+json"),
         (status = 400, description = "Invalid query parameters", body = ProblemDocument, content_type = "application/problem+json"),
         (status = 404, description = "No such job", body = ProblemDocument, content_type = "application/problem+json"),
     )
@@ -311,11 +333,13 @@ pub(crate) async fn get(
     State(state): State<HttpState>,
     Reader(tenant): Reader,
     Path(id): Path<String>,
+    origin: Origin,
     headers: HeaderMap,
     mut query: QueryString,
 ) -> Result<Response, Problem> {
     let wait = wait_of(&mut query, &state);
     query.finish()?;
+    let _place = if wait.is_zero() { None } else { Some(state.begin_stream(&tenant, origin)?) };
     let job = WatchedJob { service: &state.service, tenant, id: job_id(&id)? };
     answer(&state, &headers, wait, &job).await
 }
@@ -427,4 +451,26 @@ pub(crate) async fn delete(
     query.finish()?;
     state.service.delete(&tenant, job_id(&id)?).await?;
     Ok(StatusCode::NO_CONTENT)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::label_of;
+
+    #[test]
+    fn labels_in_queries_may_contain_colons() {
+        for (text, expected) in [
+            ("study:x", Some(("study", "x"))),
+            ("study:x:y", Some(("study", "x:y"))),
+            ("a\\:b:c", Some(("a:b", "c"))),
+            ("a\\\\:c", Some(("a\\", "c"))),
+            ("a\\b:c", Some(("a\\b", "c"))),
+            (":x", Some(("", "x"))),
+            ("study", None),
+            ("a\\:b", None),
+        ] {
+            let found = label_of(text);
+            assert_eq!(found.as_ref().map(|(name, value)| (name.as_str(), value.as_str())), expected, "{text}");
+        }
+    }
 }

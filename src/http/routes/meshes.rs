@@ -3,10 +3,12 @@
 use super::{DEFAULT_PAGE, MAX_PAGE};
 use crate::http::auth::{Reader, Submitter};
 use crate::http::conditional::{is_fresh, not_modified, respond};
+use crate::http::content::{Wanted, streamed, wanted};
 use crate::http::problem::{Problem, ProblemDocument};
 use crate::http::problem_table::ProblemKind;
 use crate::http::query::QueryString;
-use crate::http::router::HttpState;
+use crate::http::router::{AS_IT_ARRIVES, HttpState};
+use crate::http::shares::Origin;
 use crate::http::submission::media_type;
 use crate::http::upload::{Tap, name_hint};
 use crate::http::wire::{MeshDocument, MeshListDocument};
@@ -63,6 +65,7 @@ pub(crate) async fn upload(
         Err(problem) => Err(problem),
     };
     let (mesh, is_new) = tap.settle(stored).await?;
+    drop(tap);
     let check = if inspect { Some(state.service.mesh_report(&mesh).await?) } else { None };
     let document = MeshDocument::of(&mesh, check);
     let status = if is_new { StatusCode::CREATED } else { StatusCode::OK };
@@ -92,7 +95,7 @@ async fn store(
     request: Request,
     tap: &Tap,
 ) -> Result<(Mesh, bool), Problem> {
-    let _permit = state.upload_permit().await?;
+    state.begin_reading(tap, tenant, Origin::of(request.extensions()), AS_IT_ARRIVES).await?;
     let reading = async {
         match media_type(&request).as_str() {
             "multipart/form-data" => store_form(state, tenant, request, tap).await,
@@ -109,6 +112,11 @@ fn too_large(state: &HttpState) -> Problem {
     Problem::new(ProblemKind::TooLarge)
         .detail(format!("the file has more than {limit} bytes"))
         .member("limit_bytes", limit.into())
+}
+
+/// The answer to a body that was not read to its end because of a limit.
+fn refusal(state: &HttpState, tap: &Tap) -> Option<Problem> {
+    if tap.is_over() { Some(too_large(state)) } else { tap.refusal() }
 }
 
 /// Appends a part, up to the size limit of a file.
@@ -138,11 +146,8 @@ async fn store_raw(
     let mut body = request.into_body();
     while let Some(frame) = body.frame().await {
         let frame = frame.map_err(|_| {
-            if tap.is_over() {
-                too_large(state)
-            } else {
-                Problem::new(ProblemKind::BadRequest).detail("the body ended early")
-            }
+            let ended_early = || Problem::new(ProblemKind::BadRequest).detail("the body ended early");
+            refusal(state, tap).unwrap_or_else(ended_early)
         })?;
         if let Ok(part) = frame.into_data() {
             add(state, &mut upload, part).await?;
@@ -153,11 +158,8 @@ async fn store_raw(
 
 async fn store_form(state: &HttpState, tenant: &Tenant, request: Request, tap: &Tap) -> Result<(Mesh, bool), Problem> {
     let refuse = |error: &MultipartError| {
-        if tap.is_over() {
-            too_large(state)
-        } else {
-            Problem::new(ProblemKind::MalformedMultipart).detail(error.body_text())
-        }
+        let malformed = || Problem::new(ProblemKind::MalformedMultipart).detail(error.body_text());
+        refusal(state, tap).unwrap_or_else(malformed)
     };
     let mut form = Multipart::from_request(request, &())
         .await
@@ -255,8 +257,11 @@ pub(crate) async fn get(
     params(
         ("id" = String, Path, description = "`blake3:` and 64 hexadecimal digits"),
         ("If-None-Match" = Option<String>, Header, description = "ETag of an earlier answer"),
+        ("Range" = Option<String>, Header, description = "One range of bytes, such as `bytes=1000-1999`"),
     ),
     responses(
+        (status = 206, description = "The range of the bytes", content_type = "application/octet-stream", body = Vec<u8>, headers(("Content-Range" = String, description = "The range, and the size of the whole"))),
+        (status = 416, description = "The range is not within the content", body = ProblemDocument, content_type = "application/problem+json"),
         (status = 200, description = "The bytes as they were uploaded", content_type = "application/octet-stream", body = Vec<u8>, headers(("ETag" = String, description = "Pass it as `If-None-Match`"))),
         (status = 304, description = "Not modified since the version that `If-None-Match` names"),
         (status = 404, description = "No such mesh", body = ProblemDocument, content_type = "application/problem+json"),
@@ -273,11 +278,12 @@ pub(crate) async fn content(
     query.finish()?;
     let mesh = state.service.mesh(&tenant, hash(&id)?).await?;
     let etag = format!("\"{}\"", &mesh.key.hash()[..32]);
-    if is_fresh(&headers, &etag) {
-        return Ok(not_modified(&etag));
-    }
-    let bytes = if method == Method::HEAD { Bytes::new() } else { state.service.mesh_content(&mesh).await? };
-    Ok(respond(&headers, &etag, "application/octet-stream", bytes))
+    let (range, with_body) = match wanted(&method, &headers, &etag, mesh.n_bytes) {
+        Wanted::Nothing(response) => return Ok(*response),
+        Wanted::Content { range, with_body } => (range, with_body),
+    };
+    let stream = if with_body { Some(state.service.open_mesh(&mesh, range.clone()).await?) } else { None };
+    Ok(streamed(&headers, &etag, "application/octet-stream", mesh.n_bytes, range.as_ref(), stream))
 }
 
 /// Delete an upload

@@ -5,14 +5,18 @@ use crate::http::auth::Reader;
 use crate::http::conditional::{is_fresh, not_modified, respond};
 use crate::http::problem::{Problem, ProblemDocument};
 use crate::http::query::QueryString;
-use crate::http::representation::answer;
+use crate::http::representation::{Asking, answer};
 use crate::http::router::HttpState;
+use crate::http::shares::Origin;
 use crate::http::wire::{JobResultDocument, ResultLinks};
 use crate::jobs::documents::{Correspondences, TransformDocument};
-use crate::jobs::{ArtifactKind, JobError, ResultPart};
+use crate::jobs::{ArtifactKind, BlobStream, JobError, ResultPart};
+use axum::body::Body;
 use axum::extract::{Path, State};
-use axum::http::HeaderMap;
+use axum::http::{HeaderMap, Method, header};
 use axum::response::Response;
+use bytes::Bytes;
+use futures_util::StreamExt as _;
 
 /// Get the result
 #[utoipa::path(
@@ -26,6 +30,7 @@ use axum::response::Response;
         (status = 200, description = "The result", body = JobResultDocument, headers(("ETag" = String, description = "Pass it as `If-None-Match`"))),
         (status = 304, description = "Not modified since the version that `If-None-Match` names"),
         (status = 400, description = "Invalid query parameters", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 410, description = "The result was deleted at the end of its retention time", body = ProblemDocument, content_type = "application/problem+json"),
         (status = 404, description = "No such job", body = ProblemDocument, content_type = "application/problem+json"),
         (status = 409, description = "The job is not finished, or finished without a result", body = ProblemDocument, content_type = "application/problem+json"),
     )
@@ -47,18 +52,27 @@ pub(crate) async fn result(
     if is_fresh(&headers, &etag) {
         return Ok(not_modified(&etag));
     }
-    // Stored JSON objects are joined as text, so that every number keeps its digits.
+    // Stored JSON objects are joined as text, so that every number keeps its digits. The correspondences, which are by far
+    // the largest part, are sent as they are read.
     let stored = state.service.read(&document).await?;
-    let mut body = stored.strip_suffix(b"}").ok_or_else(unreadable)?.to_vec();
+    let mut head = stored.strip_suffix(b"}").ok_or_else(unreadable)?.to_vec();
+    let mut tail = b",\"links\":".to_vec();
+    tail.extend(serde_json::to_vec(&ResultLinks::of(id)).map_err(|e| Problem::internal(&e))?);
+    tail.push(b'}');
+    let mut length = (head.len() + tail.len()) as u64;
+    let mut columns: BlobStream = futures_util::stream::empty().boxed();
     if with_correspondences {
         let part = state.service.result_part(&tenant, id, ArtifactKind::Correspondences).await?;
-        body.extend_from_slice(b",\"correspondences\":");
-        body.extend_from_slice(&state.service.read(&part).await?);
+        let name = b",\"correspondences\":";
+        head.extend_from_slice(name);
+        length += name.len() as u64 + part.n_bytes;
+        columns = state.service.open(&part, None).await?;
     }
-    body.extend_from_slice(b",\"links\":");
-    body.extend(serde_json::to_vec(&ResultLinks::of(id)).map_err(|e| Problem::internal(&e))?);
-    body.push(b'}');
-    Ok(respond(&headers, &etag, "application/json", body))
+    let text = |text: Vec<u8>| futures_util::stream::iter([Ok(Bytes::from(text))]);
+    let body: BlobStream = text(head).chain(columns).chain(text(tail)).boxed();
+    let mut response = respond(&headers, &etag, "application/json", Body::from_stream(body));
+    response.headers_mut().insert(header::CONTENT_LENGTH, length.into());
+    Ok(response)
 }
 
 /// Get the dense correspondence
@@ -90,6 +104,7 @@ pub(crate) async fn result(
         )),
         (status = 304, description = "Not modified since the version that `If-None-Match` names"),
         (status = 400, description = "Invalid query parameters", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 410, description = "The result was deleted at the end of its retention time", body = ProblemDocument, content_type = "application/problem+json"),
         (status = 404, description = "No such job", body = ProblemDocument, content_type = "application/problem+json"),
         (status = 406, description = "`Accept` allows none of the formats; `available` lists them", body = ProblemDocument, content_type = "application/problem+json"),
         (status = 409, description = "The job is not finished, or finished without a result", body = ProblemDocument, content_type = "application/problem+json"),
@@ -99,10 +114,20 @@ pub(crate) async fn correspondences(
     State(state): State<HttpState>,
     Reader(tenant): Reader,
     Path(id): Path<String>,
+    method: Method,
+    origin: Origin,
     headers: HeaderMap,
     query: QueryString,
 ) -> Result<Response, Problem> {
-    answer(&state, &tenant, job_id(&id)?, ResultPart::Correspondences, &headers, query).await
+    answer(
+        &state,
+        &tenant,
+        job_id(&id)?,
+        ResultPart::Correspondences,
+        Asking { method: &method, headers: &headers, origin },
+        query,
+    )
+    .await
 }
 
 /// Get the rigid transform
@@ -133,6 +158,7 @@ pub(crate) async fn correspondences(
         )),
         (status = 304, description = "Not modified since the version that `If-None-Match` names"),
         (status = 400, description = "Invalid query parameters", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 410, description = "The result was deleted at the end of its retention time", body = ProblemDocument, content_type = "application/problem+json"),
         (status = 404, description = "No such job", body = ProblemDocument, content_type = "application/problem+json"),
         (status = 406, description = "`Accept` allows none of the formats; `available` lists them", body = ProblemDocument, content_type = "application/problem+json"),
         (status = 409, description = "The job is not finished, or finished without a result", body = ProblemDocument, content_type = "application/problem+json"),
@@ -142,10 +168,20 @@ pub(crate) async fn transform(
     State(state): State<HttpState>,
     Reader(tenant): Reader,
     Path(id): Path<String>,
+    method: Method,
+    origin: Origin,
     headers: HeaderMap,
     query: QueryString,
 ) -> Result<Response, Problem> {
-    answer(&state, &tenant, job_id(&id)?, ResultPart::Transform, &headers, query).await
+    answer(
+        &state,
+        &tenant,
+        job_id(&id)?,
+        ResultPart::Transform,
+        Asking { method: &method, headers: &headers, origin },
+        query,
+    )
+    .await
 }
 
 fn unreadable() -> Problem {

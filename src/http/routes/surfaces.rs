@@ -5,11 +5,12 @@ use crate::http::auth::Reader;
 use crate::http::problem::{Problem, ProblemDocument};
 use crate::http::problem_table::ProblemKind;
 use crate::http::query::QueryString;
-use crate::http::representation::answer;
+use crate::http::representation::{Asking, answer};
 use crate::http::router::HttpState;
+use crate::http::shares::Origin;
 use crate::jobs::{ResultPart, WarpDirection, WarpSpace};
 use axum::extract::{Path, State};
-use axum::http::HeaderMap;
+use axum::http::{HeaderMap, Method};
 use axum::response::Response;
 
 /// Get a matched surface
@@ -35,6 +36,7 @@ use axum::response::Response;
         )),
         (status = 304, description = "Not modified since the version that `If-None-Match` names"),
         (status = 400, description = "Invalid query parameters", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 410, description = "The result was deleted at the end of its retention time", body = ProblemDocument, content_type = "application/problem+json"),
         (status = 404, description = "No such job or surface", body = ProblemDocument, content_type = "application/problem+json"),
         (status = 406, description = "`Accept` allows none of the formats; `available` lists them", body = ProblemDocument, content_type = "application/problem+json"),
         (status = 409, description = "The job is not finished, or finished without a result", body = ProblemDocument, content_type = "application/problem+json"),
@@ -44,6 +46,8 @@ pub(crate) async fn surface(
     State(state): State<HttpState>,
     Reader(tenant): Reader,
     Path((id, which)): Path<(String, String)>,
+    method: Method,
+    origin: Origin,
     headers: HeaderMap,
     query: QueryString,
 ) -> Result<Response, Problem> {
@@ -52,7 +56,7 @@ pub(crate) async fn surface(
         "target" => ResultPart::TargetSurface,
         _ => return Err(Problem::new(ProblemKind::RouteNotFound).detail("the surface must be source or target")),
     };
-    answer(&state, &tenant, job_id(&id)?, part, &headers, query).await
+    answer(&state, &tenant, job_id(&id)?, part, Asking { method: &method, headers: &headers, origin }, query).await
 }
 
 /// Get the aligned source surface
@@ -76,6 +80,7 @@ pub(crate) async fn surface(
         )),
         (status = 304, description = "Not modified since the version that `If-None-Match` names"),
         (status = 400, description = "Invalid query parameters", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 410, description = "The result was deleted at the end of its retention time", body = ProblemDocument, content_type = "application/problem+json"),
         (status = 404, description = "No such job", body = ProblemDocument, content_type = "application/problem+json"),
         (status = 406, description = "`Accept` allows none of the formats; `available` lists them", body = ProblemDocument, content_type = "application/problem+json"),
         (status = 409, description = "The job is not finished, or finished without a result", body = ProblemDocument, content_type = "application/problem+json"),
@@ -85,10 +90,20 @@ pub(crate) async fn aligned(
     State(state): State<HttpState>,
     Reader(tenant): Reader,
     Path(id): Path<String>,
+    method: Method,
+    origin: Origin,
     headers: HeaderMap,
     query: QueryString,
 ) -> Result<Response, Problem> {
-    answer(&state, &tenant, job_id(&id)?, ResultPart::Aligned, &headers, query).await
+    answer(
+        &state,
+        &tenant,
+        job_id(&id)?,
+        ResultPart::Aligned,
+        Asking { method: &method, headers: &headers, origin },
+        query,
+    )
+    .await
 }
 
 /// Get the source bent onto the target
@@ -131,6 +146,8 @@ pub(crate) async fn warped(
     State(state): State<HttpState>,
     Reader(tenant): Reader,
     Path(id): Path<String>,
+    method: Method,
+    origin: Origin,
     headers: HeaderMap,
     mut query: QueryString,
 ) -> Result<Response, Problem> {
@@ -142,5 +159,6 @@ pub(crate) async fn warped(
     };
     let spaces = [WarpSpace::Source, WarpSpace::Target].map(|space| (space.name(), space));
     let space = query.word("space", &spaces).unwrap_or(own);
-    answer(&state, &tenant, job_id(&id)?, ResultPart::Warped { direction, space }, &headers, query).await
+    let asking = Asking { method: &method, headers: &headers, origin };
+    answer(&state, &tenant, job_id(&id)?, ResultPart::Warped { direction, space }, asking, query).await
 }

@@ -5,6 +5,7 @@ use crate::http::problem::{Problem, ProblemDocument};
 use crate::http::problem_table::ProblemKind;
 use crate::http::router::HttpState;
 use crate::http::wire::{HealthDocument, ProblemTypeDocument, ReadinessDocument};
+use crate::jobs::JobError;
 use axum::Json;
 use axum::extract::{Path, State};
 use axum::http::{StatusCode, header};
@@ -36,7 +37,12 @@ pub(crate) async fn readyz(State(state): State<HttpState>) -> Response {
     let mut dependencies = BTreeMap::new();
     for (name, answer) in state.service.dependencies().await {
         ready &= answer.is_ok();
-        dependencies.insert(name.to_owned(), if answer.is_ok() { "ok" } else { "failing" }.to_owned());
+        let word = match answer {
+            Ok(()) => "ok",
+            Err(JobError::StorageFull) => "full",
+            Err(_) => "failing",
+        };
+        dependencies.insert(name.to_owned(), word.to_owned());
     }
     if ready {
         return Json(ReadinessDocument { status: "ready".to_owned(), dependencies }).into_response();

@@ -5,12 +5,13 @@ use crate::http::auth::Admin;
 use crate::http::problem::{FieldError, Problem, ProblemDocument};
 use crate::http::problem_table::ProblemKind;
 use crate::http::query::QueryString;
-use crate::http::router::HttpState;
+use crate::http::router::{HttpState, IN_MEMORY};
+use crate::http::shares::Origin;
 use crate::http::submission::{media_type, read_json};
 use crate::http::upload::Tap;
 use crate::jobs::address::check_url;
 use crate::jobs::key::random_secret;
-use crate::jobs::{Delivery, DeliveryState, JobState, Webhook};
+use crate::jobs::{Delivery, DeliveryState, JobState, Tenant, Webhook};
 use axum::Json;
 use axum::extract::{Path, Request, State};
 use axum::http::{StatusCode, header};
@@ -23,6 +24,8 @@ use serde::{Deserialize, Serialize};
 use serde_json::json;
 use utoipa::ToSchema;
 
+/// Largest body, bytes.
+const MAX_BODY: usize = 64 << 10;
 /// Most webhooks of a tenant.
 const MAX_WEBHOOKS: u32 = 20;
 
@@ -154,17 +157,29 @@ impl From<Delivery> for DeliveryDocument {
     }
 }
 
-async fn body<T: DeserializeOwned>(state: &HttpState, request: Request, query: QueryString) -> Result<T, Problem> {
-    let (request, tap) = Tap::on(request, 1 << 20);
+async fn body<T: DeserializeOwned>(
+    state: &HttpState,
+    tenant: &Tenant,
+    request: Request,
+    query: QueryString,
+) -> Result<T, Problem> {
+    let (request, tap) = Tap::on(request, MAX_BODY);
     let read = async {
         query.finish()?;
         if media_type(&request) != "application/json" {
             return Err(Problem::new(ProblemKind::UnsupportedMediaType));
         }
-        read_json(request, &tap, &state.limits).await
+        state.begin_reading(&tap, tenant, Origin::of(request.extensions()), IN_MEMORY).await?;
+        read_json(request, &tap, &state.limits, MAX_BODY).await
     };
     let read = read.await;
     tap.settle(read).await
+}
+
+/// The id of a webhook in a path; 404 for what cannot be one.
+fn webhook_id(id: &str) -> Result<&str, Problem> {
+    let is_id = id.len() == 36 && uuid::Uuid::try_parse(id).is_ok();
+    if is_id { Ok(id) } else { Err(Problem::new(ProblemKind::WebhookNotFound)) }
 }
 
 fn checked_url(state: &HttpState, url: &str) -> Result<(), Problem> {
@@ -195,7 +210,7 @@ pub(crate) async fn create(
     query: QueryString,
     request: Request,
 ) -> Result<Response, Problem> {
-    let NewWebhookDocument { url, states } = body(&state, request, query).await?;
+    let NewWebhookDocument { url, states } = body(&state, &tenant, request, query).await?;
     checked_url(&state, &url)?;
     let new = Webhook {
         id: uuid::Uuid::now_v7().to_string(),
@@ -257,7 +272,7 @@ pub(crate) async fn get(
     query: QueryString,
 ) -> Result<Json<WebhookDocument>, Problem> {
     query.finish()?;
-    Ok(Json(WebhookDocument::of(state.service.webhooks().get_webhook(&tenant, &id).await?, false)))
+    Ok(Json(WebhookDocument::of(state.service.webhooks().get_webhook(&tenant, webhook_id(&id)?).await?, false)))
 }
 
 /// Update a webhook
@@ -282,12 +297,12 @@ pub(crate) async fn update(
     query: QueryString,
     request: Request,
 ) -> Result<Json<WebhookDocument>, Problem> {
-    let WebhookChangeDocument { url, states, enabled } = body(&state, request, query).await?;
+    let WebhookChangeDocument { url, states, enabled } = body(&state, &tenant, request, query).await?;
     if let Some(url) = &url {
         checked_url(&state, url)?;
     }
     let store = state.service.webhooks();
-    let now = store.get_webhook(&tenant, &id).await?;
+    let now = store.get_webhook(&tenant, webhook_id(&id)?).await?;
     let (url, states) = (url.unwrap_or(now.url), states.unwrap_or(now.states));
     let changed = store.update_webhook(&tenant, &id, &url, &states, enabled.unwrap_or(now.is_enabled)).await?;
     Ok(Json(WebhookDocument::of(changed, false)))
@@ -311,7 +326,7 @@ pub(crate) async fn delete(
     query: QueryString,
 ) -> Result<StatusCode, Problem> {
     query.finish()?;
-    state.service.webhooks().delete_webhook(&tenant, &id).await?;
+    state.service.webhooks().delete_webhook(&tenant, webhook_id(&id)?).await?;
     Ok(StatusCode::NO_CONTENT)
 }
 
@@ -337,7 +352,7 @@ pub(crate) async fn deliveries(
 ) -> Result<Json<DeliveryListDocument>, Problem> {
     let (size, after) = page(&mut query);
     query.finish()?;
-    let page = state.service.webhooks().list_deliveries(&tenant, &id, size, after).await?;
+    let page = state.service.webhooks().list_deliveries(&tenant, webhook_id(&id)?, size, after).await?;
     Ok(Json(DeliveryListDocument {
         deliveries: page.deliveries.into_iter().map(DeliveryDocument::from).collect(),
         next_page_token: page.next.map(|cursor| cursor.to_token()),
@@ -364,6 +379,6 @@ pub(crate) async fn test(
     query.finish()?;
     let payload =
         json!({"type": "webhook.test", "timestamp": Timestamp::now(), "data": {"webhook_id": id}}).to_string();
-    let made = state.service.webhooks().insert_delivery(&tenant, &id, "webhook.test", &payload).await?;
+    let made = state.service.webhooks().insert_delivery(&tenant, webhook_id(&id)?, "webhook.test", &payload).await?;
     Ok((StatusCode::ACCEPTED, Json(made.into())))
 }

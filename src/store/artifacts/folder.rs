@@ -3,13 +3,22 @@
 //! A blob is written to a temporary file, flushed to disk and renamed into place, and the folders of its path are
 //! flushed too; so a blob under its final name is complete and survives a loss of power. Equal content is stored once.
 
-use crate::jobs::{ArtifactKey, ArtifactStore, ArtifactWriter, JobError, Tenant};
+use super::pieces::in_pieces;
+use crate::jobs::{ArtifactKey, ArtifactStore, ArtifactWriter, BlobStream, JobError, Tenant};
+use crate::store::private_files;
 use async_trait::async_trait;
 use bytes::Bytes;
 use std::fs::{self, File};
 use std::io::{self, Write};
+use std::ops::Range;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 use std::time::Duration;
+
+/// Bytes that are written to find out whether there is room.
+const TRIED_BYTES: usize = 64 << 10;
+/// What a reader of a blob has in memory, bytes.
+const PIECE: u64 = 256 << 10;
 
 /// Age at which a temporary file is removed: no write takes this long, so its process has ended.
 const STALE: Duration = Duration::from_secs(3600);
@@ -29,7 +38,7 @@ impl FolderArtifacts {
     pub fn open(data_dir: &Path) -> Result<Self, JobError> {
         let store = FolderArtifacts { blobs: data_dir.join("blobs"), temporary: data_dir.join("incoming") };
         for folder in [&store.blobs, &store.temporary] {
-            fs::create_dir_all(folder).map_err(domain_error)?;
+            private_files::create_dir_all(folder).map_err(domain_error)?;
         }
         sync_folder(data_dir).map_err(domain_error)?;
         Ok(store)
@@ -44,7 +53,7 @@ impl FolderArtifacts {
     fn publish(&self, file: &File, temporary: &Path, path: &Path) -> io::Result<()> {
         file.sync_all()?;
         let parent = path.parent().ok_or(io::ErrorKind::InvalidInput)?;
-        fs::create_dir_all(parent)?;
+        private_files::create_dir_all(parent)?;
         fs::rename(temporary, path)?;
         // The folder of the blob and those above it, any of which may be new, up to the root of the blobs.
         for folder in parent.ancestors().take_while(|folder| folder.starts_with(&self.blobs)) {
@@ -59,7 +68,7 @@ impl FolderArtifacts {
         }
         let temporary = self.temporary.join(uuid::Uuid::new_v4().to_string());
         let written = (|| {
-            let mut file = File::create_new(&temporary)?;
+            let mut file = private_files::create_new(&temporary)?;
             file.write_all(bytes)?;
             self.publish(&file, &temporary, path)
         })();
@@ -99,6 +108,18 @@ impl Drop for FolderWriter {
     }
 }
 
+#[cfg(unix)]
+fn read_at(file: &File, into: &mut [u8], start: u64) -> io::Result<()> {
+    std::os::unix::fs::FileExt::read_exact_at(file, into, start)
+}
+
+#[cfg(not(unix))]
+fn read_at(mut file: &File, into: &mut [u8], start: u64) -> io::Result<()> {
+    use std::io::{Read as _, Seek as _, SeekFrom};
+    file.seek(SeekFrom::Start(start))?;
+    file.read_exact(into)
+}
+
 fn sync_folder(folder: &Path) -> io::Result<()> {
     File::open(folder)?.sync_all()
 }
@@ -121,8 +142,18 @@ async fn blocking<T: Send + 'static>(work: impl FnOnce() -> io::Result<T> + Send
 #[async_trait]
 impl ArtifactStore for FolderArtifacts {
     async fn ping(&self) -> Result<(), JobError> {
-        let folders = [self.blobs.clone(), self.temporary.clone()];
-        blocking(move || folders.iter().try_for_each(|f| fs::metadata(f).map(|_| ()))).await
+        let (blobs, temporary) = (self.blobs.clone(), self.temporary.join(uuid::Uuid::new_v4().to_string()));
+        blocking(move || {
+            fs::metadata(blobs)?;
+            // Reading says nothing about a full disk.
+            let written = private_files::create_new(&temporary).and_then(|mut file| {
+                file.write_all(&[1; TRIED_BYTES])?;
+                file.sync_data()
+            });
+            let _ = fs::remove_file(&temporary);
+            written
+        })
+        .await
     }
 
     async fn put(&self, key: &ArtifactKey, bytes: Bytes) -> Result<(), JobError> {
@@ -134,7 +165,7 @@ impl ArtifactStore for FolderArtifacts {
         let store = self.clone();
         let writer = blocking(move || {
             let temporary = store.temporary.join(uuid::Uuid::new_v4().to_string());
-            let file = Some(File::create_new(&temporary)?);
+            let file = Some(private_files::create_new(&temporary)?);
             Ok(FolderWriter { store, temporary, file })
         });
         Ok(Box::new(writer.await?))
@@ -147,6 +178,21 @@ impl ArtifactStore for FolderArtifacts {
             return Err(JobError::Corrupt { what: "a blob whose content is not its name", source: None });
         }
         Ok(bytes.into())
+    }
+
+    async fn open(&self, key: &ArtifactKey, n_bytes: u64, range: Option<Range<u64>>) -> Result<BlobStream, JobError> {
+        let path = self.path(key);
+        let file = Arc::new(blocking(move || File::open(path)).await?);
+        in_pieces(key, n_bytes, range, PIECE, move |range| {
+            let file = Arc::clone(&file);
+            blocking(move || {
+                let length = usize::try_from(range.end - range.start).map_err(io::Error::other)?;
+                let mut piece = vec![0; length];
+                read_at(&file, &mut piece, range.start)?;
+                Ok(piece.into())
+            })
+        })
+        .await
     }
 
     async fn remove(&self, key: &ArtifactKey) -> Result<(), JobError> {

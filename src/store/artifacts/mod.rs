@@ -1,6 +1,7 @@
 //! Blobs, addressed by their content.
 
 pub mod folder;
+mod pieces;
 pub mod s3;
 
 pub use folder::FolderArtifacts;

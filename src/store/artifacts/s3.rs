@@ -4,12 +4,14 @@
 //! multipart upload and copied to its final name, inside the store, when its hash is known. An interrupted upload leaves
 //! parts that only the store sees: give the bucket a lifecycle rule that aborts incomplete multipart uploads.
 
-use crate::jobs::{ArtifactKey, ArtifactStore, ArtifactWriter, JobError, Tenant};
+use super::pieces::in_pieces;
+use crate::jobs::{ArtifactKey, ArtifactStore, ArtifactWriter, BlobStream, JobError, Tenant};
 use async_trait::async_trait;
 use bytes::{Bytes, BytesMut};
 use object_store::aws::{AmazonS3, AmazonS3Builder, AmazonS3ConfigKey};
 use object_store::path::Path;
 use object_store::{ClientOptions, MultipartUpload, ObjectStore, ObjectStoreExt, PutPayload, RetryConfig};
+use std::ops::Range;
 use std::str::FromStr;
 use std::sync::Arc;
 use std::time::Duration;
@@ -20,6 +22,8 @@ const REQUEST: Duration = Duration::from_secs(30);
 const CONNECT: Duration = Duration::from_secs(5);
 /// How long failing requests are retried; callers retry for longer where they need to.
 const RETRY: Duration = Duration::from_secs(10);
+/// What a reader of a blob has in memory, bytes.
+const PIECE: u64 = 1 << 20;
 /// Size of the parts of a multipart upload; S3 requires at least 5 MiB.
 const PART: usize = 8 << 20;
 /// Age at which an object in `incoming/` is removed: no upload takes this long, so its process has ended.
@@ -117,6 +121,16 @@ impl ArtifactStore for S3Artifacts {
             return Err(JobError::Corrupt { what: "a blob whose content is not its name", source: None });
         }
         Ok(bytes)
+    }
+
+    async fn open(&self, key: &ArtifactKey, n_bytes: u64, range: Option<Range<u64>>) -> Result<BlobStream, JobError> {
+        // One request for each piece: a request has a time limit, which a slow reader of the whole would exceed.
+        let (client, path) = (Arc::clone(&self.client), self.path(key));
+        in_pieces(key, n_bytes, range, PIECE, move |range| {
+            let (client, path) = (Arc::clone(&client), path.clone());
+            async move { client.get_range(&path, range).await.map_err(domain_error) }
+        })
+        .await
     }
 
     async fn remove(&self, key: &ArtifactKey) -> Result<(), JobError> {

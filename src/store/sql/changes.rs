@@ -3,9 +3,9 @@
 //! Triggers insert the rows, in the transactions that change a state. The rows are numbered afterwards, one after the
 //! other under a lock, and only once they are committed; so a reader who has seen number `n` has seen everything that
 //! will ever have a smaller number. Numbers assigned by the inserting transactions would not guarantee that, because
-//! those commit in any order.
+//! those commit in any order. Each tenant has numbers of its own.
 
-use super::database::{Database, bind};
+use super::database::{Database, Session, bind};
 use super::dialect::sql;
 use super::rows;
 use crate::jobs::change::Change;
@@ -24,10 +24,20 @@ pub(super) async fn number_changes(database: &Database) -> Result<(), JobError> 
                 let last: Option<i64> = session.value(sql!("lock_change_counter"), bind![]).await?;
                 let last = last.ok_or(JobError::Corrupt { what: "the counter of changes", source: None })?;
                 let n = session.execute(sql!("number_changes"), bind![last]).await?;
-                session.execute(sql!("advance_change_counter"), bind![n]).await
+                session.execute(sql!("advance_change_counter"), bind![n]).await?;
+                number_changes_of_tenants(session).await
             })
             .await?;
     }
+}
+
+/// Numbers the changes of each tenant, which have their place among all changes already. Their numbers have no gaps, which
+/// would tell how much other tenants do.
+async fn number_changes_of_tenants(session: &mut Session) -> Result<(), JobError> {
+    let first: Option<Option<i64>> = session.value(sql!("first_unnumbered_change"), bind![]).await?;
+    let Some(first) = first.flatten() else { return Ok(()) };
+    session.execute(sql!("number_changes_of_tenants"), bind![]).await?;
+    session.execute(sql!("advance_counters_of_tenants"), bind![first]).await.map(|_| ())
 }
 
 /// At most `limit` changes of a tenant's jobs after number `since`.

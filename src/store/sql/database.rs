@@ -10,6 +10,7 @@
 
 use super::dialect::{Dialect, Sql};
 use crate::jobs::JobError;
+use crate::store::private_files;
 use sqlx::migrate::{Migration, MigrationType, Migrator};
 use sqlx::pool::PoolConnection;
 use sqlx::postgres::{PgConnectOptions, PgListener, PgPool, PgPoolOptions, PgRow};
@@ -26,13 +27,18 @@ use std::time::Duration;
 const SQLITE_MIGRATIONS: &[(i64, &str, &str)] = &[
     (1, "jobs", include_str!("migrations/sqlite/0001_jobs.sql")),
     (2, "service", include_str!("migrations/sqlite/0002_service.sql")),
+    (3, "fairness", include_str!("migrations/sqlite/0003_fairness.sql")),
 ];
 /// Migrations of PostgreSQL, in the same form.
-const POSTGRES_MIGRATIONS: &[(i64, &str, &str)] =
-    &[(1, "service", include_str!("migrations/postgres/0001_service.sql"))];
+const POSTGRES_MIGRATIONS: &[(i64, &str, &str)] = &[
+    (1, "service", include_str!("migrations/postgres/0001_service.sql")),
+    (2, "fairness", include_str!("migrations/postgres/0002_fairness.sql")),
+];
 
 /// Time limit for SQLite: for the write lock that another process holds, and for a free connection.
 const SQLITE_TIMEOUT: Duration = Duration::from_secs(10);
+/// How long the write-ahead log waits for its readers before it is emptied.
+const CHECKPOINT_TIMEOUT: Duration = Duration::from_millis(200);
 /// Time limit for one statement of PostgreSQL.
 const POSTGRES_TIMEOUT: Duration = Duration::from_secs(10);
 /// Time limit for a connection to PostgreSQL.
@@ -177,6 +183,20 @@ impl Database {
         }
     }
 
+    /// Writes SQLite's write-ahead log back and empties it: it holds earlier versions of pages. `false` if a reader still
+    /// needs it. PostgreSQL's log is the server's.
+    pub(super) async fn overwrite_deleted(&self) -> Result<bool, JobError> {
+        let Database::Sqlite { writer, .. } = self else { return Ok(true) };
+        let link = Link::Sqlite(Some(writer.acquire().await.map_err(domain_error)?));
+        let mut session = Session { link, is_open: false, is_broken: false };
+        // Readers need milliseconds, but a backup minutes, for which no writer should wait.
+        session.run(&format!("PRAGMA busy_timeout = {}", CHECKPOINT_TIMEOUT.as_millis())).await?;
+        let done = session.fetch("PRAGMA wal_checkpoint(TRUNCATE)".to_owned(), Vec::new()).await;
+        session.run(&format!("PRAGMA busy_timeout = {}", SQLITE_TIMEOUT.as_millis())).await?;
+        let is_busy = done?.first().map_or(Ok(0), |row| row.get::<i64>(0))?;
+        Ok(is_busy == 0)
+    }
+
     /// Notifies `wake` whenever another process announces a queued job. Never returns, even where announcements are
     /// disabled.
     pub(super) async fn follow_queued(&self, wake: &tokio::sync::Notify) {
@@ -225,12 +245,20 @@ async fn in_transaction<T>(
 }
 
 async fn open_sqlite(folder: &Path) -> Result<Database, JobError> {
+    // Before SQLite creates the file; its log gets the permissions of the file.
+    let file = folder.join(SQLITE_FILE);
+    tokio::task::spawn_blocking(move || private_files::create(&file))
+        .await
+        .map_err(|join| JobError::Unavailable(Box::new(join)))?
+        .map_err(|error| JobError::Unavailable(Box::new(error)))?;
     let options = SqliteConnectOptions::new()
         .filename(folder.join(SQLITE_FILE))
         .create_if_missing(true)
         .journal_mode(SqliteJournalMode::Wal)
         .synchronous(SqliteSynchronous::Full)
         .foreign_keys(true)
+        // What is deleted is overwritten, in the pages of the file; see also `Database::overwrite_deleted`.
+        .pragma("secure_delete", "ON")
         .busy_timeout(SQLITE_TIMEOUT);
     // Processes that start together migrate one after the other: SQLite has no lock that spans all migrations.
     let lock = MigrationLock::acquire(folder.to_owned()).await?;
@@ -260,7 +288,7 @@ impl MigrationLock {
     async fn acquire(folder: PathBuf) -> Result<Self, JobError> {
         let locked = tokio::task::spawn_blocking(move || {
             let path = folder.join("migration.lock");
-            let file = std::fs::File::options().create(true).truncate(false).write(true).open(path)?;
+            let file = private_files::options().create(true).truncate(false).write(true).open(path)?;
             file.lock()?;
             Ok(MigrationLock { _file: file })
         });
@@ -423,6 +451,7 @@ impl Session {
 
     /// Runs a statement and returns the number of rows that it changed.
     pub(super) async fn execute(&mut self, sql: &'static Sql, arguments: Vec<Argument>) -> Result<u64, JobError> {
+        refuse_nul(&arguments)?;
         self.is_broken = true;
         let done = match &mut self.link {
             Link::Sqlite(Some(connection)) => {
@@ -451,6 +480,7 @@ impl Session {
 
     /// Runs a query whose text is assembled at run time, from constant parts only, and returns its rows.
     pub(super) async fn fetch(&mut self, text: String, arguments: Vec<Argument>) -> Result<Vec<Row>, JobError> {
+        refuse_nul(&arguments)?;
         self.is_broken = true;
         let rows = match &mut self.link {
             Link::Sqlite(Some(connection)) => {
@@ -539,6 +569,13 @@ async fn in_time<T>(limit: Duration, answer: impl Future<Output = Result<T, sqlx
             Err(sqlx::Error::Io(std::io::Error::new(std::io::ErrorKind::TimedOut, "the database did not answer")))
         }
     }
+}
+
+/// PostgreSQL stores no NUL character, and SQLite's functions stop at one: on both, such a text is refused before it is
+/// sent. It is a fault of the request and not of the database.
+fn refuse_nul(arguments: &[Argument]) -> Result<(), JobError> {
+    let has_nul = |argument: &Argument| matches!(argument, Argument::Text(Some(text)) if text.contains('\0'));
+    if arguments.iter().any(has_nul) { Err(JobError::Unstorable) } else { Ok(()) }
 }
 
 fn lost() -> sqlx::Error {

@@ -10,7 +10,11 @@ use crate::jobs::{
     state_after_crash,
 };
 use async_trait::async_trait;
+use std::sync::atomic::Ordering;
 use std::time::Duration;
+
+/// Longest wait of a job after a crash.
+const MAX_CRASH_PAUSE: Duration = Duration::from_secs(60);
 
 /// The running jobs whose leases expired. In a transaction, rows that other transactions have locked are skipped.
 async fn expired_leases(session: &mut Session) -> Result<Vec<Row>, JobError> {
@@ -37,7 +41,7 @@ impl Housekeeping for SqlStore {
         self.database
             .transaction(async |session| {
                 let orphans = expired_leases(session).await?;
-                recover(session, orphans).await
+                recover(session, orphans, self.settings.crash_pause).await
             })
             .await
     }
@@ -46,7 +50,7 @@ impl Housekeeping for SqlStore {
         self.database
             .transaction(async |session| {
                 let orphans = leases_of_worker(session, worker).await?;
-                recover(session, orphans).await
+                recover(session, orphans, self.settings.crash_pause).await
             })
             .await
     }
@@ -79,6 +83,17 @@ impl Housekeeping for SqlStore {
             .await
     }
 
+    async fn overwrite_deleted(&self) -> Result<(), JobError> {
+        if !self.has_deleted.swap(false, Ordering::SeqCst) {
+            return Ok(());
+        }
+        let done = self.database.overwrite_deleted().await;
+        if !matches!(done, Ok(true)) {
+            self.note_deletion();
+        }
+        done.map(|_| ())
+    }
+
     async fn purge(&self, retention: &Retention, limit: u32, dry_run: bool) -> Result<Purged, JobError> {
         if dry_run {
             retention::count_purge(self, retention).await
@@ -88,8 +103,13 @@ impl Housekeeping for SqlStore {
     }
 }
 
+/// How long a job waits after this number of crashes: five times as long after each.
+fn pause_after(first_pause: Duration, crashes: u32) -> Duration {
+    first_pause.saturating_mul(5u32.saturating_pow(crashes.saturating_sub(1))).min(MAX_CRASH_PAUSE)
+}
+
 /// Requeues or ends running jobs whose workers are lost; their rows are locked.
-async fn recover(session: &mut Session, orphans: Vec<Row>) -> Result<Recovered, JobError> {
+async fn recover(session: &mut Session, orphans: Vec<Row>, first_pause: Duration) -> Result<Recovered, JobError> {
     let mut recovered = Recovered::default();
     for row in orphans {
         let id: JobId = rows::job_id(&row.get::<String>("id")?)?;
@@ -97,7 +117,7 @@ async fn recover(session: &mut Session, orphans: Vec<Row>) -> Result<Recovered, 
         let crashes = row.count("crashes")? + 1;
         match state_after_crash(row.get("cancel_requested")?, crashes, row.count("max_attempts")?) {
             JobState::Queued => {
-                session.execute(sql!("requeue_job"), bind![id]).await?;
+                session.execute(sql!("requeue_job"), bind![id, pause_after(first_pause, crashes)]).await?;
                 recovered.queued += 1;
             }
             JobState::Dead => {
@@ -113,4 +133,16 @@ async fn recover(session: &mut Session, orphans: Vec<Row>) -> Result<Recovered, 
         }
     }
     Ok(recovered)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_crash_makes_the_wait_longer_up_to_a_minute() {
+        let waits: Vec<u64> = (1..=5).map(|n| pause_after(Duration::from_secs(1), n).as_secs()).collect();
+        assert_eq!(waits, [1, 5, 25, 60, 60]);
+        assert_eq!(pause_after(Duration::ZERO, 3), Duration::ZERO);
+    }
 }

@@ -1,12 +1,12 @@
 //! The queue: from the claim of a job to its end, fenced by the lease's epoch.
 
-use super::database::{Session, bind};
-use super::dialect::{Dialect, sql};
+use super::database::{Row, Session, bind};
+use super::dialect::{Sql, sql};
 use super::writing::{end_job, insert_artifact};
 use super::{SqlStore, blobs, rows};
 use crate::jobs::{
-    JobError, JobId, JobQueue, JobState, Lease, LeaseStatus, LeasedJob, Outcome, TraceChunk, WaitingJob, WorkerId,
-    state_after_release,
+    JobError, JobId, JobQueue, JobState, Lease, LeaseStatus, LeasedJob, Outcome, Tenant, TenantWeights, TraceChunk,
+    WaitingJob, WorkerId, state_after_release,
 };
 use async_trait::async_trait;
 use std::time::Duration;
@@ -26,9 +26,68 @@ fn status(cancel_requested: Option<bool>) -> LeaseStatus {
     }
 }
 
-/// The next job to run. On PostgreSQL its row is locked, and rows that other transactions have locked are skipped.
-async fn next_queued(session: &mut Session) -> Result<Option<String>, JobError> {
-    session.value(sql!("next_queued"), bind![]).await
+/// A turn of a tenant of weight 1, in the units of the table of turns.
+const TURN: i64 = 1_000_000;
+/// Tenants whose queues are read at once, and the least number of jobs that is read of each.
+const TENANTS_AT_ONCE: u32 = 64;
+const LEAST_OF_TENANT: u32 = 4;
+/// Jobs of which a process that takes one at a time claims the first that is free: more than processes claim at once.
+const FRONT: u32 = 64;
+
+/// The tenants that wait, in the order of their turns: name, when the next turn is due, and the present.
+async fn tenants_in_turn(session: &mut Session) -> Result<Vec<Row>, JobError> {
+    session.rows(sql!("tenants_in_turn"), bind![TENANTS_AT_ONCE]).await
+}
+
+/// The front of the queue: tenants take turns, in proportion to their weights, and each takes its own jobs by priority and
+/// age. A tenant that was idle begins at the present: it is owed no turns, and it does not wait behind those that queued more.
+///
+/// `of_tenant` reads the first jobs of a tenant's queue; its rows are returned.
+async fn front(
+    session: &mut Session,
+    limit: u32,
+    weights: &TenantWeights,
+    of_tenant: &'static Sql,
+) -> Result<Vec<Row>, JobError> {
+    let tenants = tenants_in_turn(session).await?;
+    let of_each = (limit / u32::try_from(tenants.len()).unwrap_or(limit).max(1)).max(LEAST_OF_TENANT).min(limit);
+    let mut jobs = Vec::new();
+    for row in &tenants {
+        let tenant: String = row.get("tenant")?;
+        let (due, present): (i64, i64) = (row.get("due")?, row.get("present")?);
+        let turn = TURN / i64::from(weights.of(&tenant));
+        for (place, row) in (0..).zip(session.rows(of_tenant, bind![tenant, of_each]).await?) {
+            jobs.push((due.max(present) + place * turn, row));
+        }
+    }
+    // Stable: of two tenants whose turn it is, the first in the order of tenants goes first.
+    jobs.sort_by_key(|(due, _)| *due);
+    jobs.truncate(limit as usize);
+    Ok(jobs.into_iter().map(|(_, row)| row).collect())
+}
+
+/// Counts a turn of a tenant.
+async fn take_turn(session: &mut Session, tenant: &Tenant, weights: &TenantWeights) -> Result<(), JobError> {
+    let turn = TURN / i64::from(weights.of(tenant.name()));
+    session.execute(sql!("take_turn"), bind![tenant, turn]).await.map(|_| ())
+}
+
+/// Claims the first of `jobs` that is still queued and that no other transaction has locked.
+async fn claim_first(session: &mut Session, jobs: &[JobId], claim: &Claim<'_>) -> Result<Option<LeasedJob>, JobError> {
+    for &job in jobs {
+        if let Some(id) = lock_queued(session, job).await? {
+            return claim_job(session, &id, claim).await.map(Some);
+        }
+    }
+    Ok(None)
+}
+
+/// Who claims a job, and for how long.
+struct Claim<'a> {
+    worker: &'a WorkerId,
+    lease: Duration,
+    max_run: Duration,
+    weights: &'a TenantWeights,
 }
 
 /// Locks a job if it is still queued and no other transaction has locked it.
@@ -37,13 +96,8 @@ async fn lock_queued(session: &mut Session, id: JobId) -> Result<Option<String>,
 }
 
 /// Leases a queued job whose row is locked.
-async fn claim_job(
-    session: &mut Session,
-    id: &str,
-    worker: &WorkerId,
-    lease: Duration,
-    max_run: Duration,
-) -> Result<LeasedJob, JobError> {
+async fn claim_job(session: &mut Session, id: &str, claim: &Claim<'_>) -> Result<LeasedJob, JobError> {
+    let &Claim { worker, lease, max_run, weights } = claim;
     let epoch: Option<i64> = session.value(sql!("claim_job"), bind![id, worker.name(), lease, max_run]).await?;
     if epoch != Some(1) {
         // A rerun computes the same trace from its first point: the points of earlier epochs would be duplicates.
@@ -53,6 +107,7 @@ async fn claim_job(
     }
     let row = session.row(sql!("get_leased_job"), bind![id]).await?.ok_or(JobError::NotFound)?;
     let job = rows::job(&row)?;
+    take_turn(session, &job.tenant, weights).await?;
     let lease = Lease { job_id: job.id, tenant: job.tenant.clone(), epoch: job.lease_epoch, worker: worker.clone() };
     Ok(LeasedJob { lease, job })
 }
@@ -65,24 +120,21 @@ impl JobQueue for SqlStore {
         lease: Duration,
         max_run: Duration,
     ) -> Result<Option<LeasedJob>, JobError> {
-        // On SQLite the queue is read without a lock first, so that idle workers do not take the only write lock several
-        // times a second.
-        if self.database.dialect() == Dialect::Sqlite
-            && next_queued(&mut self.database.reader().await?).await?.is_none()
-        {
+        let mut session = self.database.reader().await?;
+        let front = front(&mut session, FRONT, &self.settings.weights, sql!("queued_of_tenant")).await?;
+        drop(session);
+        let jobs = front.iter().map(|row| rows::job_id(&row.get::<String>("id")?)).collect::<Result<Vec<_>, _>>()?;
+        // Idle workers take no lock several times a second.
+        if jobs.is_empty() {
             return Ok(None);
         }
-        self.database
-            .transaction(async |session| {
-                let Some(id) = next_queued(session).await? else { return Ok(None) };
-                claim_job(session, &id, worker, lease, max_run).await.map(Some)
-            })
-            .await
+        self.claim_one_of(&jobs, worker, lease, max_run).await
     }
 
     async fn front_of_queue(&self, limit: u32) -> Result<Vec<WaitingJob>, JobError> {
-        let rows = self.database.reader().await?.rows(sql!("front_of_queue"), bind![limit]).await?;
-        rows.iter().map(rows::waiting_job).collect()
+        let mut session = self.database.reader().await?;
+        let front = front(&mut session, limit, &self.settings.weights, sql!("queue_of_tenant")).await?;
+        front.iter().map(rows::waiting_job).collect()
     }
 
     async fn claim_one_of(
@@ -92,16 +144,8 @@ impl JobQueue for SqlStore {
         lease: Duration,
         max_run: Duration,
     ) -> Result<Option<LeasedJob>, JobError> {
-        self.database
-            .transaction(async |session| {
-                for &job in jobs {
-                    if let Some(id) = lock_queued(session, job).await? {
-                        return claim_job(session, &id, worker, lease, max_run).await.map(Some);
-                    }
-                }
-                Ok(None)
-            })
-            .await
+        let claim = Claim { worker, lease, max_run, weights: &self.settings.weights };
+        self.database.transaction(async |session| claim_first(session, jobs, &claim).await).await
     }
 
     async fn heartbeat(&self, lease: &Lease, duration: Duration) -> Result<LeaseStatus, JobError> {

@@ -70,7 +70,9 @@ impl MeshStore for SqlStore {
                 session.execute(sql!("delete_mesh"), bind![tenant, hash]).await?;
                 session.execute(sql!("note_candidate"), bind![tenant, key.path()]).await.map(|_| ())
             })
-            .await
+            .await?;
+        self.note_deletion();
+        Ok(())
     }
 
     async fn get_mesh_check(

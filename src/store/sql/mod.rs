@@ -31,15 +31,33 @@ mod writing;
 
 pub use database::DatabaseLocation;
 
-use crate::jobs::{JobError, JobStore};
+use crate::jobs::{JobError, JobStore, TenantWeights};
+use crate::store::seal::Seal;
 use async_trait::async_trait;
 use database::{Database, bind};
 use dialect::sql;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Duration;
 
 /// The store of jobs, uploads, API keys and webhooks in a database.
 #[derive(Debug, Clone)]
 pub struct SqlStore {
     database: Database,
+    settings: Arc<StoreSettings>,
+    /// Something was deleted since the files of the database were last cleaned.
+    has_deleted: Arc<AtomicBool>,
+}
+
+/// Settings of a store; those of tests by default.
+#[derive(Debug, Default)]
+pub struct StoreSettings {
+    /// The weights of tenants.
+    pub weights: TenantWeights,
+    /// How long a job waits after the first crash of its worker; five times as long after each further one.
+    pub crash_pause: Duration,
+    /// What seals the secrets of webhooks; without it they are stored as they are.
+    pub seal: Option<Seal>,
 }
 
 impl SqlStore {
@@ -48,7 +66,22 @@ impl SqlStore {
     /// # Errors
     /// [`JobError::Unavailable`]; also if a newer version of this program has migrated the database.
     pub async fn open(location: &DatabaseLocation) -> Result<Self, JobError> {
-        Ok(SqlStore { database: Database::open(location).await? })
+        Ok(SqlStore {
+            database: Database::open(location).await?,
+            settings: Arc::default(),
+            has_deleted: Arc::default(),
+        })
+    }
+
+    /// The store with these settings.
+    #[must_use]
+    pub fn with(mut self, settings: StoreSettings) -> Self {
+        self.settings = Arc::new(settings);
+        self
+    }
+
+    fn note_deletion(&self) {
+        self.has_deleted.store(true, Ordering::SeqCst);
     }
 
     /// Closes all connections.

@@ -19,7 +19,7 @@ pub(super) async fn count_purge(store: &SqlStore, retention: &Retention) -> Resu
         .database
         .read(async |session| {
             let mut purged = Purged {
-                results: number(session.row(sql!("count_results_to_purge"), bind![]).await?)?,
+                results: number(session.row(sql!("count_results_to_purge"), bind![retention.results]).await?)?,
                 ..Purged::default()
             };
             if let Some(keep) = retention.jobs {
@@ -38,9 +38,10 @@ pub(super) async fn count_purge(store: &SqlStore, retention: &Retention) -> Resu
 pub(super) async fn purge(store: &SqlStore, retention: &Retention, limit: u32) -> Result<Purged, JobError> {
     let database = &store.database;
     let mut purged = Purged::default();
-    for row in database.reader().await?.rows(sql!("results_to_purge"), bind![limit]).await? {
+    for row in database.reader().await?.rows(sql!("results_to_purge"), bind![limit, retention.results]).await? {
         let id = rows::job_id(&row.get::<String>("id")?)?;
-        purged.results += u64::from(database.transaction(async |session| purge_result(session, id).await).await?);
+        purged.results +=
+            u64::from(database.transaction(async |session| purge_result(session, id, retention.results).await).await?);
     }
     if let Some(keep) = retention.jobs {
         for row in database.reader().await?.rows(sql!("jobs_to_purge"), bind![keep, limit]).await? {
@@ -61,13 +62,16 @@ pub(super) async fn purge(store: &SqlStore, retention: &Retention, limit: u32) -
     }
     let keys = database.transaction(async |session| session.execute(sql!("purge_once"), bind![]).await);
     purged.idempotency_keys = keys.await?;
+    if !purged.is_nothing() {
+        store.note_deletion();
+    }
     Ok(purged)
 }
 
 /// Removes a job's result and trace. `false` if it needs no purge any more.
-async fn purge_result(session: &mut Session, id: JobId) -> Result<bool, JobError> {
+async fn purge_result(session: &mut Session, id: JobId, keep: Option<Duration>) -> Result<bool, JobError> {
     // Locked: a submission that shares this result has either committed before, or will not find it.
-    if session.row(sql!("lock_result_to_purge"), bind![id]).await?.is_none() {
+    if session.row(sql!("lock_result_to_purge"), bind![id, keep]).await?.is_none() {
         return Ok(false);
     }
     session.execute(sql!("mark_result_purged"), bind![id]).await?;

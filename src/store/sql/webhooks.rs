@@ -5,9 +5,10 @@ use super::dialect::sql;
 use super::{SqlStore, changes, rows};
 use crate::jobs::job::Cursor;
 use crate::jobs::{
-    Attempted, Delivery, DeliveryPage, DeliveryState, DueDelivery, JobError, JobState, Tenant, Webhook, WebhookPage,
-    WebhookStore,
+    Attempted, Delivery, DeliveryPage, DeliveryState, DueDelivery, JobError, JobState, Tenant, Turn, TurnLimits,
+    Webhook, WebhookPage, WebhookStore,
 };
+use crate::store::seal::{Seal, is_sealed, opened};
 use async_trait::async_trait;
 use serde_json::json;
 use std::collections::HashMap;
@@ -56,15 +57,76 @@ async fn insert_delivery(
     tenant: &str,
     event: &str,
     payload: &str,
+    traceparent: Option<&str>,
 ) -> Result<String, JobError> {
     let id = uuid::Uuid::now_v7().to_string();
-    session.execute(sql!("insert_delivery"), bind![&id, webhook_id, tenant, event, payload]).await?;
+    session.execute(sql!("insert_delivery"), bind![&id, webhook_id, tenant, event, payload, traceparent]).await?;
     Ok(id)
 }
 
-/// The delivery that is due next.
-async fn next_delivery(session: &mut Session) -> Result<Option<Row>, JobError> {
-    session.row(sql!("next_delivery"), bind![]).await
+/// The webhook whose turn it is.
+async fn next_webhook(session: &mut Session, limits: &TurnLimits) -> Result<Option<String>, JobError> {
+    session.value(sql!("next_webhook"), bind![limits.of_tenant]).await
+}
+
+/// Begins the turn of the next webhook; `None` if there is none, or another process has begun it in the meantime.
+async fn claim_turn(session: &mut Session, limits: &TurnLimits, seal: Option<&Seal>) -> Result<Option<Turn>, JobError> {
+    let Some(webhook_id) = next_webhook(session, limits).await? else { return Ok(None) };
+    let Some(webhook) = session.row(sql!("lock_webhook"), bind![&webhook_id]).await? else { return Ok(None) };
+    session.execute(sql!("begin_turn"), bind![&webhook_id, limits.busy_for]).await?;
+    let failures = webhook.count("failures")?;
+    // A secret that cannot be opened fails its deliveries, whose log then says why.
+    let secret = opened(seal, &webhook_id, &webhook.get::<String>("secret")?).unwrap_or_default();
+    // A receiver that failed is tried with one delivery, so that the others do not use up their attempts.
+    let at_most = if failures == 0 { limits.deliveries } else { 1 };
+    let mut deliveries = Vec::new();
+    for row in session.rows(sql!("due_deliveries"), bind![&webhook_id, at_most]).await? {
+        let id: String = row.get("id")?;
+        session.execute(sql!("claim_delivery"), bind![&id, limits.busy_for]).await?;
+        deliveries.push(DueDelivery {
+            id,
+            webhook_id: webhook_id.clone(),
+            url: webhook.get("url")?,
+            secret: secret.clone(),
+            payload: row.get("payload")?,
+            attempt: row.count("attempts")? + 1,
+            is_wanted: webhook.get("is_enabled")?,
+            traceparent: row.get("traceparent")?,
+        });
+    }
+    Ok(Some(Turn { webhook_id, failures, deliveries }))
+}
+
+impl SqlStore {
+    /// The form in which the secret of a webhook is stored.
+    fn sealed(&self, webhook_id: &str, secret: &str) -> Result<String, JobError> {
+        let Some(seal) = &self.settings.seal else { return Ok(secret.to_owned()) };
+        seal.seal(webhook_id, secret).ok_or(JobError::Corrupt { what: "a secret that cannot be sealed", source: None })
+    }
+
+    /// Seals the secrets that were stored before there was a key. Returns their number.
+    ///
+    /// # Errors
+    /// Those of the database.
+    pub async fn seal_secrets(&self) -> Result<u32, JobError> {
+        if self.settings.seal.is_none() {
+            return Ok(0);
+        }
+        let mut n_sealed = 0;
+        for row in self.database.reader().await?.rows(sql!("webhook_secrets"), bind![]).await? {
+            let (id, secret): (String, String) = (row.get("id")?, row.get("secret")?);
+            if is_sealed(&secret) {
+                continue;
+            }
+            let arguments = bind![&id, self.sealed(&id, &secret)?, &secret];
+            self.database.transaction(async |session| session.execute(sql!("seal_secret"), arguments).await).await?;
+            n_sealed += 1;
+        }
+        if n_sealed > 0 {
+            self.note_deletion();
+        }
+        Ok(n_sealed)
+    }
 }
 
 #[async_trait]
@@ -77,9 +139,10 @@ impl WebhookStore for SqlStore {
                 if row.map_or(Ok(0), |row| row.count(0))? >= at_most {
                     return Ok(None);
                 }
-                let arguments = bind![&new.id, &new.tenant, &new.url, states, &new.secret];
+                let arguments = bind![&new.id, &new.tenant, &new.url, states, self.sealed(&new.id, &new.secret)?];
                 session.execute(sql!("insert_webhook"), arguments).await?;
-                get_webhook(session, &new.tenant, &new.id).await.map(Some)
+                let made = get_webhook(session, &new.tenant, &new.id).await?;
+                Ok(Some(Webhook { secret: new.secret.clone(), ..made }))
             })
             .await
     }
@@ -152,7 +215,7 @@ impl WebhookStore for SqlStore {
         self.database
             .transaction(async |session| {
                 get_webhook(session, tenant, id).await?;
-                let made = insert_delivery(session, id, tenant.name(), event, payload).await?;
+                let made = insert_delivery(session, id, tenant.name(), event, payload, None).await?;
                 let row = session.row(sql!("get_delivery"), bind![made]).await?;
                 delivery(&row.ok_or(JobError::WebhookNotFound)?)
             })
@@ -174,30 +237,19 @@ impl WebhookStore for SqlStore {
         }
     }
 
-    async fn claim_delivery(&self, busy_for: Duration) -> Result<Option<DueDelivery>, JobError> {
+    async fn claim_turn(&self, limits: &TurnLimits) -> Result<Option<Turn>, JobError> {
         // Checked without a lock first: usually nothing is due.
-        if next_delivery(&mut self.database.reader().await?).await?.is_none() {
+        if next_webhook(&mut self.database.reader().await?, limits).await?.is_none() {
             return Ok(None);
         }
-        self.database
-            .transaction(async |session| {
-                let Some(row) = next_delivery(session).await? else { return Ok(None) };
-                let id: String = row.get("id")?;
-                if session.row(sql!("lock_delivery"), bind![&id]).await?.is_none() {
-                    return Ok(None); // another process has claimed it in the meantime
-                }
-                session.execute(sql!("claim_delivery"), bind![&id, busy_for]).await?;
-                Ok(Some(DueDelivery {
-                    id,
-                    webhook_id: row.get("webhook_id")?,
-                    url: row.get("url")?,
-                    secret: row.get("secret")?,
-                    payload: row.get("payload")?,
-                    attempt: row.count("attempts")? + 1,
-                    is_wanted: row.get("is_enabled")?,
-                }))
-            })
-            .await
+        let seal = self.settings.seal.as_ref();
+        self.database.transaction(async |session| claim_turn(session, limits, seal).await).await
+    }
+
+    async fn end_turn(&self, webhook_id: &str, failures: u32, pause: Duration) -> Result<(), JobError> {
+        let arguments = bind![webhook_id, failures, pause];
+        let ended = self.database.transaction(async |session| session.execute(sql!("end_turn"), arguments).await);
+        ended.await.map(|_| ())
     }
 
     async fn end_attempt(&self, id: &str, attempted: &Attempted) -> Result<(), JobError> {
@@ -246,6 +298,7 @@ async fn insert_some_deliveries(session: &mut Session) -> Result<u32, JobError> 
             receivers.insert(tenant.clone(), of_tenant);
         }
         let state = rows::state(&change.get::<String>("state")?)?;
+        let (number, traceparent): (i64, Option<String>) = (change.get("number")?, change.get("traceparent")?);
         let event = format!("job.{}", state.name());
         for (webhook_id, states) in receivers.get(&tenant).into_iter().flatten() {
             if !states.is_empty() && !states.contains(&state) {
@@ -259,10 +312,10 @@ async fn insert_some_deliveries(session: &mut Session) -> Result<u32, JobError> 
                     "job_id": change.get::<String>("job_id")?,
                     "batch_id": change.get::<Option<String>>("batch_id")?,
                     "state": state,
-                    "seq": seq,
+                    "seq": number,
                 },
             });
-            insert_delivery(session, webhook_id, &tenant, &event, &payload.to_string()).await?;
+            insert_delivery(session, webhook_id, &tenant, &event, &payload.to_string(), traceparent.as_deref()).await?;
             inserted += 1;
         }
     }

@@ -4,6 +4,7 @@ use super::database::{Session, bind};
 use super::dialect::sql;
 use super::reading::{get_job, queue_length};
 use super::{SqlStore, batches, blobs, once, rows};
+use crate::jobs::metadata::ExternalRef;
 use crate::jobs::{
     Admission, ArtifactKey, ArtifactKind, ArtifactRef, Batch, CancelEffect, Failure, Job, JobError, JobId, JobState,
     JobWriter, Made, NewBatch, NewJob, Once, OnceStatus, Tenant, cancel_effect,
@@ -42,7 +43,7 @@ async fn insert_job(session: &mut Session, job: &NewJob, keep_result: Option<Dur
         rows::to_json("a target", &job.target)?,
         job.priority,
         rows::to_json("labels", &job.labels)?,
-        &job.external_ref,
+        job.external_ref.as_ref().map(ExternalRef::as_str),
         job.max_attempts,
         job.deadline_at,
         job.max_run_ms,
@@ -52,7 +53,7 @@ async fn insert_job(session: &mut Session, job: &NewJob, keep_result: Option<Dur
         &job.traceparent,
     ];
     session.execute(sql!("insert_job"), arguments).await?;
-    for (name, value) in &job.labels {
+    for (name, value) in job.labels.iter() {
         session.execute(sql!("insert_label"), bind![job.id, name, value]).await?;
     }
     for (kind, input) in [(ArtifactKind::Source, &job.source), (ArtifactKind::Target, &job.target)] {
@@ -104,7 +105,13 @@ impl JobWriter for SqlStore {
         self.database
             .transaction(async |session| {
                 refuse_when_full(session, &batch.tenant, n_jobs, admission).await?;
-                let arguments = bind![batch.id, &batch.tenant, n_jobs, labels, &batch.external_ref];
+                let arguments = bind![
+                    batch.id,
+                    &batch.tenant,
+                    n_jobs,
+                    labels,
+                    batch.external_ref.as_ref().map(ExternalRef::as_str)
+                ];
                 session.execute(sql!("insert_batch"), arguments).await?;
                 for job in jobs {
                     insert_job(session, job, admission.keep_result).await?;
@@ -117,6 +124,12 @@ impl JobWriter for SqlStore {
 
     async fn begin_once(&self, once: &Once, busy_for: Duration) -> Result<OnceStatus, JobError> {
         self.database.transaction(async |session| once::begin_once(session, once, busy_for).await).await
+    }
+
+    async fn extend_once(&self, once: &Once, busy_for: Duration) -> Result<(), JobError> {
+        let arguments = bind![&once.tenant, &once.name, &once.token, busy_for];
+        let extended = self.database.transaction(async |session| session.execute(sql!("extend_once"), arguments).await);
+        extended.await.map(|_| ())
     }
 
     async fn give_up_once(&self, once: &Once) -> Result<(), JobError> {
@@ -155,7 +168,9 @@ impl JobWriter for SqlStore {
                 }
                 delete_job(session, id).await
             })
-            .await
+            .await?;
+        self.note_deletion();
+        Ok(())
     }
 }
 

@@ -124,6 +124,9 @@ async fn a15_sqlite() {
     tokio::time::sleep(Duration::from_secs(4)).await;
     is_refused(&client, "source").await;
     assert_eq!(client.job(&running).await["id"], json!(running), "what is there can be read");
+    let ready = client.get("/readyz").await.unwrap();
+    assert_eq!(ready.status(), 503, "it says so, as every submission is refused");
+    assert_eq!(ready.json::<serde_json::Value>().await.unwrap()["dependencies"]["artifact_store"], "full");
     assert_eq!(database.number("SELECT COUNT(*) FROM seen_results").await, 2);
     disk.empty();
     acknowledged.push(running.clone());

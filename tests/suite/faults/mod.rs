@@ -9,13 +9,13 @@
 //! with the test), [`proxy`] (a network that fails), [`disk`] (a disk that can be filled), [`site`] (all of them
 //! together), and [`witness`] (an independent record of what the database accepted).
 
-mod client;
+pub(crate) mod client;
 mod crashes;
 mod disk;
 mod endings;
 mod fences;
 mod load;
-mod node;
+pub(crate) mod node;
 mod outages;
 mod postgres;
 mod proxy;
@@ -64,7 +64,7 @@ macro_rules! on_both {
         }
     )+};
 }
-use on_both;
+pub(crate) use on_both;
 
 /// Defines a test of `async fn name()` on PostgreSQL only, for behavior that SQLite does not have: `name::postgres`.
 macro_rules! on_postgres {

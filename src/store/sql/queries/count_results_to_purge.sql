@@ -1,2 +1,2 @@
 -- count_results_to_purge
-SELECT COUNT(*) FROM jobs WHERE purged_at IS NULL AND expires_at IS NOT NULL AND expires_at <= {now}
+SELECT COUNT(*) FROM jobs WHERE purged_at IS NULL AND expires_at IS NOT NULL AND (expires_at <= {now} OR finished_at <= {now} - $1)

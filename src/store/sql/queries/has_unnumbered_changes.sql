@@ -1,2 +1,2 @@
 -- has_unnumbered_changes
-SELECT EXISTS (SELECT 1 FROM changes WHERE seq IS NULL)
+SELECT EXISTS (SELECT 1 FROM changes WHERE number IS NULL)

@@ -1,6 +1,6 @@
 -- list_changes
-SELECT seq, job_id, batch_id, state, at
+SELECT number AS seq, job_id, batch_id, state, at
 FROM changes
-WHERE tenant = $1 AND seq > $2
-ORDER BY seq
+WHERE tenant = $1 AND number > $2
+ORDER BY number
 LIMIT $3

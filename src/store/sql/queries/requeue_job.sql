@@ -2,6 +2,7 @@
 UPDATE jobs
 SET
     state = 'queued',
+    scheduled_at = {now} + $2,
     worker_id = NULL,
     lease_expires_at = NULL,
     run_deadline_at = NULL,

@@ -1,6 +1,6 @@
 -- results_to_purge
 SELECT id
 FROM jobs
-WHERE purged_at IS NULL AND expires_at IS NOT NULL AND expires_at <= {now}
+WHERE purged_at IS NULL AND expires_at IS NOT NULL AND (expires_at <= {now} OR finished_at <= {now} - $2)
 ORDER BY expires_at
 LIMIT $1

@@ -1,2 +1,7 @@
 -- undelivered_changes
-SELECT seq, tenant, job_id, batch_id, state, at FROM changes WHERE seq > $1 ORDER BY seq LIMIT $2
+SELECT changes.seq, changes.number, changes.tenant, changes.job_id, changes.batch_id, changes.state, changes.at, jobs.traceparent
+FROM changes
+LEFT JOIN jobs ON jobs.id = changes.job_id
+WHERE changes.seq > $1
+ORDER BY changes.seq
+LIMIT $2

@@ -1,0 +1,176 @@
+//! Content that is larger than an answer should hold in memory: streamed from the store, or counted while it is sent; and
+//! byte ranges of it (RFC 9110, section 14).
+
+use super::conditional::{is_fresh, not_modified, respond};
+use super::problem::Problem;
+use super::problem_table::ProblemKind;
+use super::shares::Taken;
+use crate::jobs::BlobStream;
+use axum::body::{Body, HttpBody};
+use axum::http::{HeaderMap, HeaderValue, Method, StatusCode, header};
+use axum::response::{IntoResponse, Response};
+use bytes::Bytes;
+use http_body::{Frame, SizeHint};
+use std::convert::Infallible;
+use std::ops::Range;
+use std::pin::Pin;
+use std::task::{Context, Poll};
+
+/// Pieces in which an answer in memory is sent.
+const PIECE: usize = 256 << 10;
+
+/// An answer in memory, whose memory is counted until its last piece is taken.
+pub(super) struct Counted {
+    rest: Bytes,
+    _memory: Taken,
+}
+
+impl Counted {
+    pub(super) fn new(bytes: Bytes, memory: Taken) -> Self {
+        Counted { rest: bytes, _memory: memory }
+    }
+}
+
+impl HttpBody for Counted {
+    type Data = Bytes;
+    type Error = Infallible;
+
+    fn poll_frame(mut self: Pin<&mut Self>, _: &mut Context<'_>) -> Poll<Option<Result<Frame<Bytes>, Infallible>>> {
+        if self.rest.is_empty() {
+            return Poll::Ready(None);
+        }
+        let n = self.rest.len().min(PIECE);
+        Poll::Ready(Some(Ok(Frame::data(self.rest.split_to(n)))))
+    }
+
+    fn size_hint(&self) -> SizeHint {
+        SizeHint::with_exact(self.rest.len() as u64)
+    }
+}
+
+/// What a request wants of a content that never changes under its ETag.
+pub(super) enum Wanted {
+    /// An answer without content: 304 or 416.
+    Nothing(Box<Response>),
+    /// The whole, or a range of it; of a HEAD request, the headers only.
+    Content { range: Option<Range<u64>>, with_body: bool },
+}
+
+/// What a request wants of a content of `n_bytes`.
+pub(super) fn wanted(method: &Method, headers: &HeaderMap, etag: &str, n_bytes: u64) -> Wanted {
+    if is_fresh(headers, etag) {
+        return Wanted::Nothing(Box::new(not_modified(etag)));
+    }
+    let with_body = method != Method::HEAD;
+    let if_range = headers.get(header::IF_RANGE);
+    // A range is for GET only, and of the content that the client knows.
+    let applies = with_body && if_range.is_none_or(|known| known.as_bytes() == etag.as_bytes());
+    let asked = headers.get(header::RANGE).filter(|_| applies).and_then(|value| value.to_str().ok());
+    match asked.map_or(Asked::Whole, |text| parse(text, n_bytes)) {
+        Asked::Whole => Wanted::Content { range: None, with_body },
+        Asked::Range(range) => Wanted::Content { range: Some(range), with_body },
+        Asked::Beyond => {
+            let mut response = Problem::new(ProblemKind::RangeNotSatisfiable).into_response();
+            if let Ok(size) = HeaderValue::from_str(&format!("bytes */{n_bytes}")) {
+                response.headers_mut().insert(header::CONTENT_RANGE, size);
+            }
+            Wanted::Nothing(Box::new(response))
+        }
+    }
+}
+
+/// What a `Range` header asks for.
+#[derive(Debug, PartialEq)]
+enum Asked {
+    /// Also for several ranges and other units, which a server may ignore.
+    Whole,
+    Range(Range<u64>),
+    Beyond,
+}
+
+fn parse(text: &str, n_bytes: u64) -> Asked {
+    let Some((first, last)) = text.trim().strip_prefix("bytes=").and_then(|range| range.split_once('-')) else {
+        return Asked::Whole;
+    };
+    let number = |text: &str| text.trim().parse::<u64>().ok();
+    let range = match (first.trim(), last.trim()) {
+        ("", last) => match number(last) {
+            Some(n) => n_bytes.saturating_sub(n)..n_bytes,
+            None => return Asked::Whole,
+        },
+        (first, "") => match number(first) {
+            Some(first) => first..n_bytes,
+            None => return Asked::Whole,
+        },
+        (first, last) => match (number(first), number(last)) {
+            (Some(first), Some(last)) if first <= last => first..last.saturating_add(1).min(n_bytes),
+            _ => return Asked::Whole,
+        },
+    };
+    if range.start >= range.end { Asked::Beyond } else { Asked::Range(range) }
+}
+
+/// The answer with a stream of the content, or of a range of it.
+pub(super) fn streamed(
+    headers: &HeaderMap,
+    etag: &str,
+    content_type: &'static str,
+    n_bytes: u64,
+    range: Option<&Range<u64>>,
+    stream: Option<BlobStream>,
+) -> Response {
+    let body = stream.map_or_else(Body::empty, Body::from_stream);
+    let mut response = respond(headers, etag, content_type, body);
+    let length = range.map_or(n_bytes, |range| range.end - range.start);
+    let answered = response.headers_mut();
+    answered.insert(header::CONTENT_LENGTH, length.into());
+    answered.insert(header::ACCEPT_RANGES, HeaderValue::from_static("bytes"));
+    if let Some(range) = range {
+        let place = format!("bytes {}-{}/{n_bytes}", range.start, range.end.saturating_sub(1));
+        if let Ok(place) = HeaderValue::from_str(&place) {
+            answered.insert(header::CONTENT_RANGE, place);
+        }
+        *response.status_mut() = StatusCode::PARTIAL_CONTENT;
+    }
+    response
+}
+
+/// Weakens the ETag of an answer that was compressed on the way: the tag names the bytes before.
+pub(super) async fn weaken_if_compressed(mut response: Response) -> Response {
+    if response.headers().contains_key(header::CONTENT_ENCODING)
+        && let Some(etag) = response.headers().get(header::ETAG).and_then(|etag| etag.to_str().ok())
+        && !etag.starts_with("W/")
+        && let Ok(weak) = HeaderValue::from_str(&format!("W/{etag}"))
+    {
+        response.headers_mut().insert(header::ETAG, weak);
+    }
+    response
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ranges_are_parsed() {
+        for (text, expected) in [
+            ("bytes=0-0", Asked::Range(0..1)),
+            ("bytes=2-5", Asked::Range(2..6)),
+            ("bytes=2-", Asked::Range(2..10)),
+            ("bytes=-3", Asked::Range(7..10)),
+            ("bytes=-30", Asked::Range(0..10)),
+            ("bytes=9-99999999999", Asked::Range(9..10)),
+            ("bytes=10-", Asked::Beyond),
+            ("bytes=10-12", Asked::Beyond),
+            ("bytes=-0", Asked::Beyond),
+            ("bytes=5-2", Asked::Whole),
+            ("bytes=a-b", Asked::Whole),
+            ("bytes=0-1,3-4", Asked::Whole),
+            ("lines=0-1", Asked::Whole),
+            ("bytes", Asked::Whole),
+            ("bytes=-", Asked::Whole),
+        ] {
+            assert_eq!(parse(text, 10), expected, "{text}");
+        }
+    }
+}

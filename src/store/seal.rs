@@ -1,0 +1,128 @@
+//! Secrets at rest: sealed with a key that is not in the database, so that a copy of the database alone reveals none.
+//!
+//! Authenticated encryption: AES-256 in Galois/counter mode with a random nonce (NIST SP 800-38D), by ring. The identity of what
+//! the secret belongs to is authenticated too, so that it cannot be moved to another record.
+
+use super::private_files;
+use base64::Engine as _;
+use base64::prelude::BASE64_STANDARD;
+use ring::aead::{AES_256_GCM, Aad, LessSafeKey, NONCE_LEN, Nonce, UnboundKey};
+use ring::rand::{SecureRandom as _, SystemRandom};
+use std::fmt;
+use std::io::{self, Write as _};
+use std::path::Path;
+
+/// What a sealed secret begins with; others were stored before secrets were sealed.
+const SEALED: &str = "sealed:1:";
+/// Length of a key, bytes.
+const KEY_BYTES: usize = 32;
+
+/// Seals secrets and opens them again.
+pub struct Seal {
+    key: LessSafeKey,
+    random: SystemRandom,
+}
+
+impl fmt::Debug for Seal {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("Seal")
+    }
+}
+
+fn invalid(what: &'static str) -> io::Error {
+    io::Error::new(io::ErrorKind::InvalidData, what)
+}
+
+impl Seal {
+    /// With the key in this file: 64 hexadecimal digits.
+    ///
+    /// # Errors
+    /// If the file cannot be read, or holds no key.
+    pub fn read(path: &Path) -> io::Result<Self> {
+        let text = std::fs::read_to_string(path)?;
+        let key = blake3::Hash::from_hex(text.trim()).map_err(|_| invalid("64 hexadecimal digits are needed in it"))?;
+        Seal::new(key.as_bytes())
+    }
+
+    /// The same; a file that does not exist is created with a random key.
+    ///
+    /// # Errors
+    /// If the file can neither be read nor created.
+    pub fn read_or_create(path: &Path) -> io::Result<Self> {
+        if !path.exists() {
+            let mut key = [0; KEY_BYTES];
+            SystemRandom::new().fill(&mut key).map_err(|_| io::Error::other("no random numbers"))?;
+            // Under another name first: another process must not read half of it, nor replace it.
+            let draft = path.with_extension(uuid::Uuid::new_v4().to_string());
+            let mut file = private_files::create_new(&draft)?;
+            writeln!(file, "{}", blake3::Hash::from_bytes(key).to_hex())?;
+            file.sync_all()?;
+            let linked = std::fs::hard_link(&draft, path);
+            std::fs::remove_file(&draft)?;
+            match linked {
+                Err(error) if error.kind() != io::ErrorKind::AlreadyExists => return Err(error),
+                _ => {}
+            }
+        }
+        Seal::read(path)
+    }
+
+    fn new(key: &[u8; KEY_BYTES]) -> io::Result<Self> {
+        let key = UnboundKey::new(&AES_256_GCM, key).map_err(|_| invalid("no key"))?;
+        Ok(Seal { key: LessSafeKey::new(key), random: SystemRandom::new() })
+    }
+
+    /// The sealed form of a secret that belongs to `owner`; `None` if there are no random numbers.
+    pub(super) fn seal(&self, owner: &str, secret: &str) -> Option<String> {
+        let mut nonce = [0; NONCE_LEN];
+        self.random.fill(&mut nonce).ok()?;
+        let mut text = secret.as_bytes().to_vec();
+        let aad = Aad::from(owner.as_bytes());
+        self.key.seal_in_place_append_tag(Nonce::assume_unique_for_key(nonce), aad, &mut text).ok()?;
+        Some(format!("{SEALED}{}", BASE64_STANDARD.encode([&nonce[..], &text].concat())))
+    }
+
+    /// The secret of `owner` in its sealed form; `None` if it was sealed with another key or for another owner.
+    fn open(&self, owner: &str, sealed: &str) -> Option<String> {
+        let bytes = BASE64_STANDARD.decode(sealed.strip_prefix(SEALED)?).ok()?;
+        let (nonce, text) = bytes.split_at_checked(NONCE_LEN)?;
+        let nonce = Nonce::try_assume_unique_for_key(nonce).ok()?;
+        let mut text = text.to_vec();
+        let opened = self.key.open_in_place(nonce, Aad::from(owner.as_bytes()), &mut text).ok()?;
+        String::from_utf8(opened.to_vec()).ok()
+    }
+}
+
+/// Whether a stored secret is sealed.
+pub(super) fn is_sealed(stored: &str) -> bool {
+    stored.starts_with(SEALED)
+}
+
+/// The secret of `owner` in its stored form, sealed or not; `None` if it cannot be opened.
+pub(super) fn opened(seal: Option<&Seal>, owner: &str, stored: &str) -> Option<String> {
+    if is_sealed(stored) { seal?.open(owner, stored) } else { Some(stored.to_owned()) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn secrets_are_opened_with_their_key_for_their_owner_only() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("seal.key");
+        let seal = Seal::read_or_create(&path).unwrap();
+        let sealed = seal.seal("webhook-1", "whsec_AAAA").unwrap();
+        assert!(is_sealed(&sealed) && !sealed.contains("AAAA"));
+        assert_ne!(sealed, seal.seal("webhook-1", "whsec_AAAA").unwrap(), "each with a nonce of its own");
+        let again = Seal::read_or_create(&path).unwrap();
+        assert_eq!(opened(Some(&again), "webhook-1", &sealed).as_deref(), Some("whsec_AAAA"));
+        assert_eq!(opened(Some(&again), "webhook-2", &sealed), None);
+        assert_eq!(opened(None, "webhook-1", &sealed), None);
+        let other = Seal::read_or_create(&folder.path().join("other.key")).unwrap();
+        assert_eq!(opened(Some(&other), "webhook-1", &sealed), None);
+        assert_eq!(opened(None, "webhook-1", "whsec_AAAA").as_deref(), Some("whsec_AAAA"), "stored before");
+        std::fs::write(&path, "no key").unwrap();
+        assert!(Seal::read(&path).is_err());
+    }
+}

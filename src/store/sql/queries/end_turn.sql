@@ -1,0 +1,2 @@
+-- end_turn
+UPDATE webhooks SET next_at = {now} + $3, busy_until = 0, failures = $2 WHERE id = $1

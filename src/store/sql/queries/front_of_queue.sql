@@ -1,7 +1,0 @@
--- front_of_queue
--- The order is that of next_queued.
-SELECT id, parameters, source, target, {now} - scheduled_at AS waited_ms
-FROM jobs
-WHERE state = 'queued' AND scheduled_at <= {now} AND (deadline_at IS NULL OR deadline_at > {now})
-ORDER BY priority DESC, created_at, id
-LIMIT $1

@@ -1,0 +1,2 @@
+-- webhook_secrets
+SELECT id, secret FROM webhooks

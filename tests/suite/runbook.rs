@@ -1,0 +1,94 @@
+//! Commands of docs/runbook.md, run for their effect.
+
+use crate::jobs_support::TestService;
+use serde_json::json;
+use std::path::Path;
+use std::process::Command;
+
+/// The shell block that follows the first line of the runbook with this text.
+fn commands_after(text: &str) -> String {
+    let runbook = std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/runbook.md")).unwrap();
+    let (_, rest) = runbook.split_once(text).unwrap_or_else(|| panic!("the runbook has no '{text}'"));
+    let (_, block) = rest.split_once("```sh\n").unwrap();
+    block.split("```").next().unwrap().to_owned()
+}
+
+/// Runs commands as an operator does, and returns their output.
+async fn run(commands: &str, data_dir: &Path) -> String {
+    let program = Path::new(env!("CARGO_BIN_EXE_homolog")).parent().unwrap();
+    let path = format!("{}:{}", program.display(), std::env::var("PATH").unwrap());
+    let mut command = Command::new("bash");
+    command.args(["-euc", commands]).env("PATH", path).env("HOMOLOG_DATA_DIR", data_dir);
+    let output = tokio::task::spawn_blocking(move || command.output()).await.unwrap().unwrap();
+    assert!(output.status.success(), "{commands}: {}", String::from_utf8_lossy(&output.stderr));
+    String::from_utf8(output.stdout).unwrap()
+}
+
+#[tokio::test]
+async fn the_shorter_retention_for_a_full_disk_removes_older_results() {
+    let service = TestService::start(&["--retain-results-days", "90"]).await;
+    let [old, new] = [service.submit(json!({"seed": 1})).await, service.submit(json!({"seed": 2})).await];
+    for id in [&old, &new] {
+        assert_eq!(service.until_final(id).await["state"], "succeeded");
+    }
+    let database = service.folder.path().join("homolog.sqlite");
+    let pool =
+        sqlx::SqlitePool::connect_with(sqlx::sqlite::SqliteConnectOptions::new().filename(database)).await.unwrap();
+    let age = sqlx::query("UPDATE jobs SET finished_at = finished_at - 40 * 86400000 WHERE id = $1").bind(&old);
+    assert_eq!(age.execute(&pool).await.unwrap().rows_affected(), 1);
+    pool.close().await;
+
+    let said = run(&commands_after("Apply a shorter retention"), service.folder.path()).await;
+    let said: Vec<&str> = said.lines().collect();
+    assert!(said[0].starts_with("would be removed: results of 1 jobs"), "{said:?}");
+    assert!(said[1].starts_with("removed: results of 1 jobs") && !said[1].ends_with(" 0 files"), "{said:?}");
+    assert_eq!(service.get(&format!("/v1/jobs/{old}/result")).await.status(), 410);
+    assert_eq!(service.get(&format!("/v1/jobs/{new}/result")).await.status(), 200);
+    service.end().await;
+}
+
+/// Whether a tool that an operator needs is on this machine; says so if it is not.
+fn has_tool(name: &str) -> bool {
+    let found = Command::new(name).arg("--version").output().is_ok();
+    if !found {
+        println!("skipped: {name} is not installed");
+    }
+    found
+}
+
+#[tokio::test]
+async fn the_write_ahead_log_is_truncated_while_the_service_runs() {
+    if !has_tool("sqlite3") {
+        return;
+    }
+    let service = TestService::start(&[]).await;
+    for seed in 0..5 {
+        let id = service.submit(json!({"seed": seed})).await;
+        service.until_final(&id).await;
+    }
+    let log = service.folder.path().join("homolog.sqlite-wal");
+    assert!(std::fs::metadata(&log).unwrap().len() > 0);
+    let runbook = std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/runbook.md")).unwrap();
+    let command = runbook.split('`').find(|span| span.starts_with("sqlite3") && span.contains("TRUNCATE")).unwrap();
+    let command = format!("D=$HOMOLOG_DATA_DIR; {command}");
+    let said = run(&command, service.folder.path()).await;
+    assert!(said.starts_with("0|"), "{said}");
+    assert!(std::fs::metadata(&log).unwrap().len() < 100_000, "only what was written since");
+    let id = service.submit(json!({"seed": 9})).await;
+    assert_eq!(service.until_final(&id).await["state"], "succeeded");
+    service.end().await;
+}
+
+#[tokio::test]
+async fn the_queue_is_looked_at_through_the_api() {
+    if !has_tool("curl") {
+        return;
+    }
+    let service = TestService::start(&["--workers", "0"]).await;
+    let id = service.submit(json!({})).await;
+    let commands = commands_after("Through the API, with a key of the tenant concerned:");
+    assert!(commands.contains("state=queued") && commands.contains("state=running"), "{commands}");
+    let said = run(&format!("API={}; auth='x: y'; {commands}", service.base), service.folder.path()).await;
+    assert!(said.contains(&id) && said.contains("\"jobs\":[]"), "{said}");
+    service.end().await;
+}

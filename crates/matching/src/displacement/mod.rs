@@ -14,14 +14,18 @@
 //!    the smoothness of the field and the pulls along normals all around. Without that freedom the assignment, which
 //!    favours the present place of a vertex, holds every vertex back: in three hard cases of 8 % warps 47 to 89 % of the
 //!    vertices were within one edge of the truth, with it 94 to 96 %.
-//! 4. **Local**: between closed surfaces of two subjects the field stays stiff. Otherwise, where the residual heights show displacement over shorter distances, a second kernel is added, of the width
-//!    and variance under which they are most probable ([`local`]). On warps with bumps of 0.06 to 0.09 diagonals 0.97 of the
-//!    vertices are within one edge with it, 0.81 without. Otherwise:
+//! 4. **Local**: between closed surfaces of two subjects the field stays stiff. Otherwise, where the residual heights show
+//!    displacement over shorter distances, a second kernel is added, of the width and variance under which they are most
+//!    probable ([`local`]). On warps with bumps of 0.06 to 0.09 diagonals 0.97 of the vertices are within one edge with it,
+//!    0.81 without. Otherwise:
 //! 5. **Settling**: copies of one anatomy come within the sampling noise of each other. Two subjects do not: what remains is
 //!    individual anatomy, which is correlated over millimetres. The residual along the normals (0.08 to 0.10 mm for
 //!    copies, 0.24 to 0.29 mm for two subjects) sets the weight of the observations.
 //! 6. **Back**: closed surfaces of two subjects are fitted in the other direction as well, and the mean of the two maps is
 //!    the answer ([`both_ways`]).
+//!
+//! Where the surfaces do not agree after all that, or where a mirror image fits better, the stages are run once more from
+//! correspondences of bending-invariant forms ([`unbent`]).
 //!
 //! Sources: Myronenko, Song, "Point set registration: coherent point drift", IEEE PAMI 32(12), 2010; Hirose, "A
 //! Bayesian formulation of coherent point drift", IEEE PAMI 43(7), 2021 (prior, weights); Chen, Medioni 1992 (distance
@@ -200,9 +204,10 @@ pub(crate) fn displace(
     // The mean of two fits agrees with any surface better than either does, so agreement is measured before.
     let mut own = refined.moved(source).0;
     let mut agreement = forward.agreement(&own);
-    let mirror_image_fits_better =
-        compared.iter().any(|c| c.mirrored != compared[0].mirrored && c.misfit < compared[0].misfit);
-    if (agreement.is_doubtful() || mirror_image_fits_better)
+    let fits_worse_than_its_mirror_image = compared.iter().any(|c| c.mirrored && c.misfit < compared[0].misfit);
+    // Correspondences of the forms never mirror.
+    if !compared[0].mirrored
+        && (agreement.is_doubtful() || fits_worse_than_its_mirror_image)
         && let (Some(of_source), Some(of_target)) =
             ((surfaces.form_of)(Which::Source), (surfaces.form_of)(Which::Target))
         && let Some(unbent) = forward.unbent(of_source, of_target)?

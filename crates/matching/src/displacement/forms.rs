@@ -6,7 +6,7 @@
 //! start of its own, and the stages on the surfaces themselves compare them. A start whose correspondences turn the surface
 //! inside out is dropped.
 
-use super::stages::{NORMAL_WEIGHT, displaced, kernel, observed_means, precision_of_features};
+use super::stages::{NORMAL_WEIGHT, comparison_kernel, displaced, kernel, observed_means, precision_of_features};
 use super::surface::{N_FEATURES, SmoothSurface};
 use super::{DisplacementOptions, diagonal_mm, prior};
 use faer::Mat;
@@ -78,6 +78,11 @@ impl Form {
         Some(Form { sites, normals: mesh.vertex_normals(), neighbors: form.neighbors, mesh, areas, surroundings })
     }
 
+    /// The sites on the surface itself, mm.
+    pub(super) fn places(&self, surface: &SmoothSurface) -> Vec<Point3<f64>> {
+        self.sites.iter().map(|&k| surface.mesh.vertices()[k as usize]).collect()
+    }
+
     fn oriented(&self) -> OrientedPoints<'_> {
         OrientedPoints {
             points: self.mesh.vertices(),
@@ -110,11 +115,14 @@ struct FormSide<'a> {
 
 impl<'a> FormSide<'a> {
     fn new(surface: &SmoothSurface, form: &'a Form) -> Self {
-        let sites = || form.sites.iter().map(|&k| k as usize);
         FormSide {
             form,
-            points: sites().map(|k| surface.mesh.vertices()[k]).collect(),
-            features: sites().flat_map(|k| surface.features[k * N_FEATURES..][..N_FEATURES].to_vec()).collect(),
+            points: form.places(surface),
+            features: form
+                .sites
+                .iter()
+                .flat_map(|&k| surface.features[k as usize * N_FEATURES..][..N_FEATURES].to_vec())
+                .collect(),
         }
     }
 
@@ -177,7 +185,7 @@ impl Between<'_> {
             precision = precision_of_features(&assigned.feature_variance);
         }
         let source = OrientedPoints { points: &moved, normals: &normals, ..self.source.oriented() };
-        let misfit = assign(&source, &target, &kernel(last, vec![4.0 / N_FEATURES as f64; N_FEATURES])).misfit;
+        let misfit = assign(&source, &target, &comparison_kernel(last)).misfit;
         let (images, mass) = self.images(&source, last, &precision);
         (handedness(&self.source.points, &images, &form.neighbors) > 0.0).then_some(FormMatch { images, mass, misfit })
     }

@@ -66,6 +66,12 @@ pub(super) fn kernel(sigma_mm: f64, feature_precision: Vec<f64>) -> AssignmentKe
     AssignmentKernel { sigma_mm, normal_weight: NORMAL_WEIGHT, feature_precision, outlier_share: OUTLIER_SHARE }
 }
 
+/// The kernel by which starts are compared: with the same precisions for all, so that a wrong one that has come to distrust
+/// features does not gain by that.
+pub(super) fn comparison_kernel(sigma_mm: f64) -> AssignmentKernel {
+    kernel(sigma_mm, vec![4.0 / N_FEATURES as f64; N_FEATURES])
+}
+
 pub(super) fn precision_of_features(variance: &[f64]) -> Vec<f64> {
     variance.iter().map(|v| FEATURE_SHARE / (N_FEATURES as f64 * v.max(MIN_FEATURE_VARIANCE))).collect()
 }

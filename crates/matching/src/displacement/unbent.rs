@@ -11,15 +11,14 @@ use super::fine::Refined;
 use super::forms::{Form, FormMatch, form_matches};
 use super::functions::Functions;
 use super::prior;
-use super::stages::{Base, Displacement, State, kernel};
-use super::surface::N_FEATURES;
+use super::stages::{Base, Displacement, State, comparison_kernel};
 use super::unbending::Unbending;
 use crate::MatchError;
 use crate::surface_index::SurfaceIndex;
 use homolog_primitives::observe::checkpoint;
-use homolog_registration::absolute_orientation;
 use homolog_registration::alignment::{OrientedPoints, assign};
 use homolog_registration::deformation::{GaussianKernel, Observation, fit_field};
+use homolog_registration::{RigidTransform, absolute_orientation};
 use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
 use std::sync::Arc;
@@ -119,8 +118,7 @@ impl Displacement<'_> {
 
     /// This displacement with functions that are smooth over the form of the source.
     fn on_form(&self, form: &Form) -> Option<Displacement<'_>> {
-        let sites: Vec<Point3<f64>> = form.sites.iter().map(|&k| self.source.mesh.vertices()[k as usize]).collect();
-        let unbending = Arc::new(Unbending::new(&sites, form.mesh.vertices(), &form.neighbors));
+        let unbending = Arc::new(Unbending::new(&form.places(&self.source), form.mesh.vertices(), &form.neighbors));
         let mut prior = prior(self.diagonal_mm, self.options);
         prior.kernels.push(GaussianKernel {
             width_mm: JOINT_WIDTH * self.diagonal_mm,
@@ -139,27 +137,33 @@ impl Displacement<'_> {
 
     /// The source bent by the correspondences of the forms, over their rigid part.
     fn bent(&self, form: &Form, of_forms: &FormMatch) -> Option<Base> {
-        let points: Vec<Point3<f64>> = form.sites.iter().map(|&k| self.source.mesh.vertices()[k as usize]).collect();
+        let points = form.places(&self.source);
         let pose = absolute_orientation(&points, &of_forms.images, Some(&of_forms.mass), false).ok()?;
         let precision = (FORM_SIGMA * self.diagonal_mm).powi(-2);
-        let observed: Vec<Observation> = points
-            .iter()
-            .zip(&of_forms.images)
-            .zip(&of_forms.mass)
-            .map(|((p, q), mass)| Observation::isotropic(q - pose.apply(p), precision * mass.min(1.0)))
-            .collect();
-        let field = fit_field(self.functions.values(&points).as_ref(), &observed)?;
-        Some(Base::rigid(pose).bent_by(&field))
+        self.base_through(pose, &points, &of_forms.images, |i| precision * of_forms.mass[i].min(1.0))
     }
 
     /// The source where `refined` moves it, as a base.
     fn rebased(&self, refined: &Refined) -> Option<Base> {
-        let pose = refined.base.pose;
         let moved = refined.moved(&self.source.mesh).0;
         let precision = (REBASED_SIGMA * self.diagonal_mm).powi(-2);
-        let points = self.source.mesh.vertices();
-        let observed: Vec<Observation> =
-            points.iter().zip(&moved).map(|(p, q)| Observation::isotropic(q - pose.apply(p), precision)).collect();
+        self.base_through(refined.base.pose, self.source.mesh.vertices(), &moved, |_| precision)
+    }
+
+    /// The base over `pose` that moves `points` to their `images` (mm), each with a precision, 1/mm².
+    fn base_through(
+        &self,
+        pose: RigidTransform,
+        points: &[Point3<f64>],
+        images: &[Point3<f64>],
+        precision: impl Fn(usize) -> f64,
+    ) -> Option<Base> {
+        let observed: Vec<Observation> = points
+            .iter()
+            .zip(images)
+            .enumerate()
+            .map(|(i, (p, q))| Observation::isotropic(q - pose.apply(p), precision(i)))
+            .collect();
         let field = fit_field(self.functions.values(points).as_ref(), &observed)?;
         Some(Base::rigid(pose).bent_by(&field))
     }
@@ -173,7 +177,7 @@ impl Displacement<'_> {
         let normals: Vec<Vector3<f64>> = thinned.vertices.iter().map(|&i| normals[i]).collect();
         let points: Vec<Point3<f64>> = thinned.vertices.iter().map(|&i| mesh.vertices()[i]).collect();
         let samples = OrientedPoints { points: &points, normals: &normals, ..thinned.samples() };
-        let kernel = kernel(COMPARISON_SCALE * self.lengths.root_mm, vec![4.0 / N_FEATURES as f64; N_FEATURES]);
+        let kernel = comparison_kernel(COMPARISON_SCALE * self.lengths.root_mm);
         assign(&samples, &self.target.samples(), &kernel).misfit
     }
 }

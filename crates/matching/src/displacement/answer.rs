@@ -2,16 +2,13 @@
 
 use homolog_mesh::{ClosestPoint, ClosestPointIndex, SurfaceMesh};
 use homolog_primitives::points::NeighborGrid;
-use nalgebra::{Matrix3, Point3};
+use nalgebra::Point3;
 use rayon::prelude::*;
 use std::f64::consts::TAU;
 
-/// Squared error of an image that no field explains, in squared sampling distances. With [`FIELD_SHARE`] fitted to the
-/// errors on 4 % and 8 % warps and copies, by deciles of the predicted variance.
+/// Squared error of an image that no field explains, in squared sampling distances. Fitted with the share of the field's
+/// covariance that counts.
 const SAMPLING_VARIANCE: f64 = 0.039;
-/// Squared error over the trace of the posterior covariance of a wide field, in which correlated residuals count as
-/// independent ones of a low density.
-const FIELD_SHARE: f64 = 0.25;
 /// Radii and angles of the quadrature over an error in the tangent plane.
 const RADII: usize = 16;
 const ANGLES: usize = 24;
@@ -31,25 +28,23 @@ pub(crate) struct Image {
     pub spread_mm: f64,
 }
 
-/// The images of source vertices that the field moves to `moved`, with the posterior covariance of each, mm², on surfaces
-/// sampled at a distance of `sampling_mm`. With `is_local`, the covariance is that of the whole displacement.
+/// The images of source vertices that are moved to `moved`, with the variance of each, mm², on surfaces sampled at a distance
+/// of `sampling_mm`.
 ///
 /// Cost `O(n log n')`.
 pub(super) fn images(
     target: &SurfaceMesh,
     index: &ClosestPointIndex,
     moved: &[Point3<f64>],
-    covariances: &[Matrix3<f64>],
+    variances: &[f64],
     sampling_mm: f64,
-    is_local: bool,
 ) -> Vec<Image> {
-    let share = if is_local { 1.0 } else { FIELD_SHARE };
     let edge_mm = target.mean_edge_length();
     let grid = NeighborGrid::new(target.vertices(), 2.0 * edge_mm);
     moved
         .par_iter()
-        .zip(covariances)
-        .map(|(p, covariance)| {
+        .zip(variances)
+        .map(|(p, variance)| {
             let closest = index.closest(p);
             // The nearest corner, unless a vertex around it is nearer still: triangles can be obtuse.
             let corner = closest.nearest_corner();
@@ -59,7 +54,7 @@ pub(super) fn images(
                     best = (squared, j);
                 }
             });
-            let variance = SAMPLING_VARIANCE * sampling_mm * sampling_mm + share * covariance.trace();
+            let variance = SAMPLING_VARIANCE * sampling_mm * sampling_mm + variance;
             let confidence = within(edge_mm, best.0.sqrt(), (variance / 2.0).sqrt());
             Image { moved: *p, closest, label: best.1, confidence, spread_mm: variance.sqrt() }
         })
@@ -103,9 +98,9 @@ mod tests {
     #[test]
     fn vertices_of_the_target_are_their_own_images() {
         let target = ellipsoid(Vector3::new(9.0, 6.0, 4.0), 3);
-        let none = vec![Matrix3::zeros(); target.n_vertices()];
+        let none = vec![0.0; target.n_vertices()];
         for (i, image) in
-            images(&target, &ClosestPointIndex::new(&target), target.vertices(), &none, 1.0, false).iter().enumerate()
+            images(&target, &ClosestPointIndex::new(&target), target.vertices(), &none, 1.0).iter().enumerate()
         {
             assert_eq!(image.label as usize, i);
             assert!((image.closest.point - target.vertices()[i]).norm() < 1e-9);
@@ -128,9 +123,8 @@ mod tests {
             &target,
             &ClosestPointIndex::new(&target),
             &points,
-            &vec![Matrix3::identity(); points.len()],
+            &vec![0.75; points.len()],
             1.0,
-            false,
         )) {
             let nearest = target.vertices().iter().map(|q| (q - p).norm()).fold(f64::INFINITY, f64::min);
             assert_eq!((target.vertices()[image.label as usize] - p).norm(), nearest);

@@ -5,66 +5,128 @@
 //! gives the width and the variance of a second kernel and the noise. The sum of both kernels is then fitted as one field:
 //! normals of different directions within one width determine the displacement along the surface as well, and where they
 //! do not, the posterior covariance says so.
+//!
+//! The wide field alone takes narrow displacements for wide ones and slides along the surface to follow them. So the field of
+//! both kernels is fitted anew, from the rigid pose through all stages.
 
-use super::fine::{Refined, outwards};
-use super::functions::Functions;
+use super::fine::{Fine, Refined};
 use super::prior;
-use super::stages::{Base, Displacement, displaced, kernel, precision_of_features};
+use super::stages::{Base, Displacement, kernel, precision_of_features};
+use super::track::Track;
 use crate::MatchError;
-use faer::Mat;
+use crate::surface_index::SurfaceIndex;
 use homolog_primitives::observe::checkpoint;
-use homolog_registration::alignment::{OrientedPoints, assign};
-use homolog_registration::deformation::{FittedField, KernelEvidence, fit_field, most_probable_kernel};
-use nalgebra::{Point3, Vector3};
+use homolog_registration::deformation::{FittedField, GaussianKernel, KernelEvidence, fit_field, most_probable_kernel};
+use nalgebra::Point3;
 
 /// Widths that are tried, in diagonals of the source. What varies over a shorter distance, two or three voxels of a
 /// hippocampus, is the outline that somebody drew: with 0.05 as well, landmarks on molars were farther off (3.7 % of the
 /// root of the area, against 3.5 %) and so were narrow warps (0.44 edges, against 0.42).
 const WIDTHS: [f64; 4] = [0.07, 0.1, 0.14, 0.2];
-/// Amplitude of the kernel that counts as noise along the normals; 0.3 to 1 gave the same errors within their spread.
+/// Displacement over the amplitude that the heights show: they are distances to the closest points, and a point that is
+/// displaced along the surface as well has a closer one than its counterpart.
+const AMPLITUDE: f64 = 2.0;
+/// Amplitude that the heights show which counts as noise along the normals: shapes of two subjects differ there where nothing
+/// was displaced.
 const OFFSET_SHARE: f64 = 0.7;
 /// Points over which the marginal likelihood is evaluated.
 const EVIDENCE_SAMPLES: usize = 400;
-/// Gain of the logarithm of the marginal likelihood from which a second kernel is added.
-const LEAST_GAIN: f64 = 20.0;
+/// Gain of the logarithm of the marginal likelihood from which a second kernel is added: the Bayesian information criterion for
+/// its width and its variance.
+const LEAST_GAIN: f64 = 6.0;
 /// Inducing points of the field with both kernels.
 const N_INDUCING: usize = 300;
 /// Points and steps of the fit.
 const SAMPLES: usize = 1200;
 const STEPS: u32 = 5;
 
+/// A second kernel, and the noise that it leaves.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct LocalKernel {
+    pub kernel: GaussianKernel,
+    /// Standard deviation along the normals, mm.
+    pub noise_mm: f64,
+}
+
+impl LocalKernel {
+    fn of(found: &KernelEvidence) -> Self {
+        let GaussianKernel { width_mm, amplitude_mm } = found.kernel;
+        LocalKernel {
+            kernel: GaussianKernel { width_mm, amplitude_mm: AMPLITUDE * amplitude_mm },
+            noise_mm: found.noise_mm.hypot(OFFSET_SHARE * amplitude_mm),
+        }
+    }
+}
+
+/// A field of both kernels.
+struct Local {
+    track: Track,
+    field: FittedField,
+}
+
 impl Displacement<'_> {
-    /// The field with a second, narrower kernel, from the source after the rigid `pose` (`all_base`) and after the fine stage
-    /// (`moved`); `None` where the heights over the target are no more than noise.
-    pub(super) fn local(
-        &self,
-        base: &Base,
-        all_base: &[Point3<f64>],
-        moved: Vec<Point3<f64>>,
-        feature_precision: Vec<f64>,
-        residual_mm: f64,
-    ) -> Result<Option<Refined>, MatchError> {
+    /// The field with a second, narrower kernel; `None` where the heights over the target that `fine` leaves are no more than
+    /// noise.
+    pub(super) fn local(&self, fine: &Fine) -> Result<Option<Refined>, MatchError> {
+        let moved = fine.moved();
         let Some(found) = self.evidence(&moved) else { return Ok(None) };
         if found.gain < LEAST_GAIN {
             return Ok(None);
         }
         checkpoint(self.observer)?;
-        let mut prior = prior(self.diagonal_mm, self.options);
-        prior.kernels.push(found.kernel);
-        // Shapes of two subjects differ along the normals where nothing was displaced.
-        let noise_mm = found.noise_mm.hypot(OFFSET_SHARE * found.kernel.amplitude_mm);
-        let Some(functions) = self.functions.with_prior(self.source.mesh.vertices(), prior, N_INDUCING) else {
-            return Ok(None);
+        let local = LocalKernel::of(&found);
+        let Some(joint) = self.with_kernel(&local) else { return Ok(None) };
+        let base = &fine.track.base;
+        // What the wide field took for displacement along the surface is forgotten, where the base allows it.
+        let found = match base.bend {
+            None => joint.anew(base, &local)?,
+            Some(_) => {
+                let track = fine.track.with_functions_of(&joint);
+                joint.followed_locally(track, moved, fine.feature_precision.clone(), &local)?
+            }
         };
-        let fitted = self.fitted(base, &functions, noise_mm, all_base, moved, feature_precision)?;
-        Ok(fitted.map(|field| Refined {
-            base: base.clone(),
+        Ok(found.map(|kept| self.refined_locally(&joint, kept, fine.residual_mm, local)))
+    }
+
+    /// The field with the kernel that was found in the other direction, from `pose`.
+    pub(super) fn locally_from(&self, base: &Base, local: &LocalKernel) -> Result<Option<Refined>, MatchError> {
+        let Some(joint) = self.with_kernel(local) else { return Ok(None) };
+        let Some(kept) = joint.anew(base, local)? else { return Ok(None) };
+        Ok(Some(self.refined_locally(&joint, kept, 0.0, *local)))
+    }
+
+    fn refined_locally(&self, joint: &Displacement<'_>, kept: Local, residual_mm: f64, local: LocalKernel) -> Refined {
+        Refined {
+            base: kept.track.base,
             base_functions: self.functions.clone(),
-            field,
-            functions,
+            field: kept.field,
+            functions: joint.functions.clone(),
             residual_mm,
-            is_local: true,
-        }))
+            local: Some(local),
+        }
+    }
+
+    /// This displacement with a second kernel.
+    fn with_kernel(&self, local: &LocalKernel) -> Option<Displacement<'_>> {
+        let mut prior = prior(self.diagonal_mm, self.options);
+        prior.kernels.push(local.kernel);
+        let functions = self.functions.with_prior(self.source.mesh.vertices(), prior, N_INDUCING)?;
+        Some(Displacement {
+            source: self.source.clone(),
+            target: self.target.clone(),
+            closest: SurfaceIndex::with_normals(&self.target.mesh, self.target.normals.clone()),
+            guides: self.guides.with_functions(&functions),
+            functions,
+            ..*self
+        })
+    }
+
+    /// The field of both kernels through all stages from a rigid base.
+    fn anew(&self, base: &Base, local: &LocalKernel) -> Result<Option<Local>, MatchError> {
+        let Some(state) = self.coarse_alone(&base.pose) else { return Ok(None) };
+        let Some(fine) = self.fine(state)? else { return Ok(None) };
+        let moved = fine.moved();
+        self.followed_locally(fine.track, moved, fine.feature_precision, local)
     }
 
     /// The kernel under which the heights of the source, moved to `moved`, below the target are most probable.
@@ -86,47 +148,36 @@ impl Displacement<'_> {
         most_probable_kernel(&points, &normals, &heights, &widths)
     }
 
-    /// The field of `functions` after some steps from `moved`, with noise of `noise_mm` along the normals.
-    fn fitted(
+    /// The field after some steps from `moved`, and its energy.
+    fn followed_locally(
         &self,
-        start: &Base,
-        functions: &Functions,
-        noise_mm: f64,
-        all_base: &[Point3<f64>],
+        track: Track,
         mut moved: Vec<Point3<f64>>,
         mut precision: Vec<f64>,
-    ) -> Result<Option<FittedField>, MatchError> {
+        local: &LocalKernel,
+    ) -> Result<Option<Local>, MatchError> {
         let thinned = self.source.thinned(SAMPLES);
         let target = self.target.samples();
-        let all_values = functions.values(self.source.mesh.vertices());
-        let values =
-            Mat::from_fn(thinned.vertices.len(), all_values.ncols(), |i, k| all_values[(thinned.vertices[i], k)]);
-        let guides = self.guides.with_functions(functions);
-        let guided = self.guides.observations(start);
-        let values = guides.below(&values);
-        let base: Vec<Point3<f64>> = thinned.vertices.iter().map(|&i| all_base[i]).collect();
+        let values = self.guides.below(&track.values(&thinned));
+        let starts = track.starts(&thinned);
+        let mirrored = track.base.pose.is_reflection();
 
         let sigma_mm = self.diagonal_mm * self.options.sigma[3];
         let mean_area = thinned.areas.iter().sum::<f64>() / thinned.areas.len() as f64;
-        let along = 1.0 / (mean_area * noise_mm * noise_mm);
+        let along = 1.0 / (mean_area * local.noise_mm * local.noise_mm);
         let across = self.density(3, 3, 1.0) / (sigma_mm * sigma_mm);
-        let outwards = outwards(&start.pose);
         let mut fitted = None;
         for _ in 0..STEPS {
             checkpoint(self.observer)?;
-            let Ok(mesh) = self.source.mesh.with_vertices(moved) else { return Ok(None) };
-            let normals = mesh.vertex_normals();
-            let normals: Vec<Vector3<f64>> = thinned.vertices.iter().map(|&i| normals[i] * outwards).collect();
-            let points: Vec<Point3<f64>> = thinned.vertices.iter().map(|&i| mesh.vertices()[i]).collect();
-            let samples = OrientedPoints { points: &points, normals: &normals, ..thinned.samples() };
-            let assigned = assign(&samples, &target, &kernel(sigma_mm, precision));
-            let (observed, _) = self.sliding(&assigned, &samples, &base, along, across);
-            let observed = [observed, guided.clone()].concat();
-            let Some(next) = fit_field(values.as_ref(), &observed) else { return Ok(None) };
-            moved = displaced(all_base, &next, &all_values);
-            precision = precision_of_features(&assigned.feature_variance);
+            let kernel = kernel(sigma_mm, precision);
+            let Some(assigned) = self.assigned(moved, mirrored, &thinned, &target, &kernel) else { return Ok(None) };
+            let (observed, _) = self.sliding(&assigned, &thinned.areas, &starts, along, across);
+            let Some(next) = fit_field(values.as_ref(), &track.with_guides(observed)) else { return Ok(None) };
+            moved = track.moved(&next);
+            precision = precision_of_features(&assigned.found.feature_variance);
             fitted = Some(next);
         }
-        Ok(fitted)
+        let Some(field) = fitted else { return Ok(None) };
+        Ok(Some(Local { track, field }))
     }
 }

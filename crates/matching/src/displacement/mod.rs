@@ -45,6 +45,7 @@ mod stages;
 mod surface;
 #[cfg(test)]
 pub(super) mod tests;
+mod track;
 mod unbending;
 mod unbent;
 
@@ -64,18 +65,25 @@ use fine::Refined;
 use functions::Functions;
 use guides::Guides;
 use homolog_contract::parameters::Landmark;
+use homolog_geometry::curvature::vertex_areas;
 use homolog_mesh::{ClosestPointIndex, SurfaceMesh};
 use homolog_primitives::observe::{Observer, checkpoint};
-use homolog_registration::RigidTransform;
 use homolog_registration::deformation::{GaussianKernel, SmoothPrior};
+use homolog_registration::{RigidTransform, weighted_moments};
+use local::LocalKernel;
 use nalgebra::Point3;
-use stages::{Displacement, displaced};
+use rayon::prelude::*;
+use stages::{Base, Displacement, displaced};
 use surface::{SmoothSurface, prepare};
 
 /// Residual along the normals, in sampling distances, from which surfaces count as those of two subjects and are fitted in
 /// both directions: warps and copies had 0.09 to 0.11, pairs of subjects 0.20 to 0.33. For one anatomy the fit back only adds its own error:
 /// on ten 8 % warps 96.2 % of the vertices were within one edge with it, 97.6 % without.
 const TWO_SUBJECTS: f64 = 0.17;
+
+/// Squared error over the trace of the posterior covariance of a wide field. Fitted with that of sampling ([`images`]) to the
+/// errors on 4 % and 8 % warps and copies, by deciles of the predicted variance.
+const FIELD_SHARE: f64 = 0.25;
 
 /// A start from forms is taken if its misfit at the scale of the sampling is lower by this: on bodies in two poses it was lower
 /// by 0.11 to 0.6.
@@ -136,8 +144,10 @@ pub(crate) struct Surfaces<'a> {
     pub full_source: &'a SurfaceMesh,
     /// The target on which the images lie.
     pub full_target: &'a SurfaceMesh,
+    /// Closest points of `full_source`.
+    pub source_closest: &'a ClosestPointIndex,
     /// Closest points of `full_target`.
-    pub full_closest: &'a ClosestPointIndex,
+    pub target_closest: &'a ClosestPointIndex,
     /// Pairs of points that are known to correspond.
     pub landmarks: &'a [Landmark],
     /// Whether a part of either surface may be missing.
@@ -145,6 +155,51 @@ pub(crate) struct Surfaces<'a> {
     pub lengths: Lengths,
     /// The bending-invariant form of a surface that the fields are fitted on, made when it is asked for.
     pub form_of: &'a (dyn Fn(Which) -> Option<&'a Form> + Sync),
+}
+
+impl Surfaces<'_> {
+    /// Whether the pair is fitted from the target to the source: from the surface that is more spread out for its area. Places
+    /// that lie far apart along it lie far apart in space as well, and a field can move them differently; on a bent surface
+    /// they may be neighbors.
+    fn is_fitted_backwards(&self) -> bool {
+        spread(self.full_target) > spread(self.full_source)
+    }
+
+    /// The pair in the other direction.
+    fn swapped<'b>(
+        &'b self,
+        landmarks: &'b [Landmark],
+        form_of: &'b (dyn Fn(Which) -> Option<&'b Form> + Sync),
+    ) -> Surfaces<'b> {
+        Surfaces {
+            source: self.target,
+            target: self.source,
+            full_source: self.full_target,
+            full_target: self.full_source,
+            source_closest: self.target_closest,
+            target_closest: self.source_closest,
+            landmarks,
+            form_of,
+            open: self.open,
+            lengths: self.lengths,
+        }
+    }
+}
+
+/// Variance of the places on a surface, over its area.
+fn spread(mesh: &SurfaceMesh) -> f64 {
+    let areas = vertex_areas(mesh);
+    let total: f64 = areas.iter().sum();
+    weighted_moments(mesh.vertices(), &areas, total).map_or(0.0, |(_, scatter)| scatter.trace() / (total * total))
+}
+
+impl Which {
+    fn other(self) -> Which {
+        match self {
+            Which::Source => Which::Target,
+            Which::Target => Which::Source,
+        }
+    }
 }
 
 /// The result of a displacement.
@@ -165,6 +220,9 @@ pub(crate) struct DisplacementAnswer {
 /// Corresponding points of the source on the target, from the best of the rigid `poses`. A pose that mirrors takes part in
 /// the comparison, but is kept only with `allow_reflection`.
 ///
+/// A pair of closed surfaces is fitted in one of its two directions, which the surfaces decide, and the other is the inverse
+/// of it: there and back is the same place.
+///
 /// `None` if no pose may be kept, or where numbers that are not finite make a fit impossible. The same bits on any number of
 /// threads.
 ///
@@ -172,7 +230,8 @@ pub(crate) struct DisplacementAnswer {
 /// [`MatchError::ScaleSpace`]; [`MatchError::Cancelled`].
 ///
 /// # Cost
-/// `O(steps · n · (pairs + M²))` for `M` functions of the field, about 40 for the defaults; twice that for two subjects.
+/// `O(steps · n · (pairs + M²))` for `M` functions of the field, about 30 for the defaults and 140 with a second kernel; twice
+/// that for two subjects.
 pub(crate) fn displace(
     surfaces: &Surfaces<'_>,
     poses: &[StartPose],
@@ -180,7 +239,78 @@ pub(crate) fn displace(
     options: &DisplacementOptions,
     observer: &dyn Observer,
 ) -> Result<Option<DisplacementAnswer>, MatchError> {
-    let Surfaces { source, target, full_source, full_target, full_closest, landmarks, open, lengths, .. } = *surfaces;
+    let backwards = !surfaces.open && surfaces.is_fitted_backwards();
+    let found = if backwards {
+        let landmarks: Vec<Landmark> = surfaces.landmarks.iter().map(swapped).collect();
+        let form_of = |which: Which| (surfaces.form_of)(which.other());
+        let poses: Vec<StartPose> =
+            poses.iter().map(|start| StartPose { pose: start.pose.inverse(), ..*start }).collect();
+        let back = deformed(&surfaces.swapped(&landmarks, &form_of), &poses, allow_reflection, options, observer)?;
+        back.and_then(|back| back.inverse(surfaces.full_target, surfaces.full_source))
+    } else {
+        deformed(surfaces, poses, allow_reflection, options, observer)?
+    };
+    Ok(found.map(|found| {
+        let Deformed { moved, variances, transform, compared, residual_mm, agreement } = found;
+        let (target, closest) = (surfaces.full_target, surfaces.target_closest);
+        let images = images(target, closest, &moved, &variances, surfaces.lengths.sampling_mm);
+        DisplacementAnswer { images, transform, compared, residual_mm, agreement }
+    }))
+}
+
+/// One surface deformed onto another.
+struct Deformed {
+    /// The vertices of the source, mm.
+    moved: Vec<Point3<f64>>,
+    /// Posterior variance of each, mm².
+    variances: Vec<f64>,
+    transform: RigidTransform,
+    compared: Vec<ComparedPose>,
+    residual_mm: f64,
+    agreement: Agreement,
+}
+
+impl Deformed {
+    /// The vertices of `target` moved to `source`, the surface that was deformed. `None` where a number is not finite.
+    ///
+    /// Cost `O(n' log n)`.
+    fn inverse(self, source: &SurfaceMesh, target: &SurfaceMesh) -> Option<Deformed> {
+        let outwards = if self.transform.is_reflection() { -1.0 } else { 1.0 };
+        let deformed = source.with_vertices(self.moved).ok()?;
+        let (before, after) = (source.vertex_normals(), deformed.vertex_normals());
+        let index = ClosestPointIndex::new(&deformed);
+        let inverse = |q: &Point3<f64>| {
+            let at = index.closest(q);
+            let height = outwards * at.blend(|k| after[k]).normalize().dot(&(q - at.point));
+            let image = at.blend(|k| source.vertices()[k].coords) + at.blend(|k| before[k]).normalize() * height;
+            (Point3::from(image), at.blend(|k| self.variances[k]))
+        };
+        let (moved, variances) = target.vertices().par_iter().map(inverse).unzip();
+        let of_form =
+            |compared: ComparedPose| ComparedPose { of_form: compared.of_form.map(|pose| pose.inverse()), ..compared };
+        Some(Deformed {
+            moved,
+            variances,
+            transform: self.transform.inverse(),
+            compared: self.compared.into_iter().map(of_form).collect(),
+            ..self
+        })
+    }
+}
+
+fn swapped(landmark: &Landmark) -> Landmark {
+    Landmark { source_mm: landmark.target_mm, target_mm: landmark.source_mm, ..landmark.clone() }
+}
+
+/// The source deformed onto the target, in this direction.
+fn deformed(
+    surfaces: &Surfaces<'_>,
+    poses: &[StartPose],
+    allow_reflection: bool,
+    options: &DisplacementOptions,
+    observer: &dyn Observer,
+) -> Result<Option<Deformed>, MatchError> {
+    let Surfaces { source, target, full_source, full_target, target_closest, landmarks, open, lengths, .. } = *surfaces;
     let (smooth_source, smooth_target) = prepare(source, target, lengths.root_mm)?;
     checkpoint(observer)?;
     let Some(functions) = functions(source, &smooth_source, options) else { return Ok(None) };
@@ -200,32 +330,39 @@ pub(crate) fn displace(
     let may_answer = |pose: &RigidTransform| allow_reflection || !pose.is_reflection();
     let Some((mut compared, state)) = forward.coarse(poses, may_answer)? else { return Ok(None) };
     let pose = poses[compared[0].pose].pose;
-    // A part that is missing on one surface has no counterpart in a fit back.
-    let Some(mut refined) = forward.refined(state)? else { return Ok(None) };
-    // The mean of two fits agrees with any surface better than either does, so agreement is measured before.
-    let mut own = refined.moved(source).0;
-    let mut agreement = forward.agreement(&own);
+    let Some(fine) = forward.fine(state)? else { return Ok(None) };
+    // Whether another start is needed shows before a field is narrow enough to hide that it does not lead to the truth.
+    let wide = fine.moved();
     let fits_worse_than_its_mirror_image = compared.iter().any(|c| c.mirrored && c.misfit < compared[0].misfit);
+    let mut unbent = None;
     // Correspondences of the forms never mirror.
     if !compared[0].mirrored
-        && (agreement.is_doubtful() || fits_worse_than_its_mirror_image)
+        && (fits_worse_than_its_mirror_image || forward.agreement(&wide).is_doubtful())
         && let (Some(of_source), Some(of_target)) =
             ((surfaces.form_of)(Which::Source), (surfaces.form_of)(Which::Target))
-        && let Some(unbent) = forward.unbent(of_source, of_target)?
-        && unbent.fine_misfit < forward.fine_misfit(&refined) - CLEARLY_BETTER
     {
-        own = unbent.refined.moved(source).0;
-        agreement = forward.agreement(&own);
-        refined = unbent.refined;
-        compared = unbent.compared.into_iter().chain(compared).collect();
+        let misfit = forward.fine_misfit(wide, false);
+        unbent = forward.unbent(of_source, of_target)?.filter(|found| found.fine_misfit < misfit - CLEARLY_BETTER);
     }
+    let refined = match unbent {
+        Some(unbent) => {
+            compared = unbent.compared.into_iter().chain(compared).collect();
+            Some(unbent.refined)
+        }
+        None => forward.refined_from(fine)?,
+    };
+    let Some(refined) = refined else { return Ok(None) };
+    // The mean of two fits agrees with any surface better than either does, so agreement is measured before.
+    let own = refined.moved(source).0;
+    let agreement = forward.agreement(&own);
     let residual_mm = refined.residual_mm;
+    // A part that is missing on one surface has no counterpart in a fit back.
     let returned = if open || refined.base.bend.is_some() || residual_mm < TWO_SUBJECTS * lengths.sampling_mm {
         None
     } else {
-        forward.returned(surfaces, &pose)?
+        forward.returned(surfaces, &pose, refined.local)?
     };
-    let back = returned.and_then(|returned| WayBack::new(full_target, full_closest, returned));
+    let back = returned.and_then(|returned| WayBack::new(full_target, target_closest, returned));
     let met = |mesh: &SurfaceMesh, points: Vec<Point3<f64>>| match &back {
         Some(back) => back.met(mesh.vertices(), &points),
         None => points,
@@ -238,16 +375,11 @@ pub(crate) fn displace(
         // A field pulls the part without counterpart towards the rim, and its surroundings with it.
         points = full_source.vertices().iter().map(|p| rigid.transform.apply(p)).collect();
     }
-    let images = images(
-        full_target,
-        full_closest,
-        &points,
-        &refined.field.covariances(values.as_ref()),
-        lengths.sampling_mm,
-        refined.is_local,
-    );
+    // The covariance of a wide field takes correlated residuals for independent ones of a low density.
+    let share = if refined.local.is_some() { 1.0 } else { FIELD_SHARE };
+    let variances = refined.field.covariances(values.as_ref()).iter().map(|c| share * c.trace()).collect();
     let transform = rigid.transform;
-    Ok(Some(DisplacementAnswer { images, transform, compared, residual_mm, agreement }))
+    Ok(Some(Deformed { moved: points, variances, transform, compared, residual_mm, agreement }))
 }
 
 /// The prior of the displacement of `mesh`, on its smooth version.
@@ -274,7 +406,12 @@ fn diagonal_mm(mesh: &SurfaceMesh) -> f64 {
 
 impl Displacement<'_> {
     /// The vertices of the full target moved onto the source by a fit in that direction, from the inverse of `pose`.
-    fn returned(&self, surfaces: &Surfaces<'_>, pose: &RigidTransform) -> Result<Option<Vec<Point3<f64>>>, MatchError> {
+    fn returned(
+        &self,
+        surfaces: &Surfaces<'_>,
+        pose: &RigidTransform,
+        local: Option<LocalKernel>,
+    ) -> Result<Option<Vec<Point3<f64>>>, MatchError> {
         let Some(functions) = functions(surfaces.target, &self.target, self.options) else { return Ok(None) };
         let back = Displacement {
             source: self.target.clone(),
@@ -289,9 +426,14 @@ impl Displacement<'_> {
             observer: self.observer,
         };
         let inverse = pose.inverse();
-        let Some(state) = back.coarse_alone(&inverse) else { return Ok(None) };
-        let Some(refined) = back.refined(state)? else { return Ok(None) };
-        Ok(Some(refined.moved(surfaces.full_target).0))
+        let refined = match local {
+            Some(local) => back.locally_from(&Base::rigid(inverse), &local)?,
+            None => match back.coarse_alone(&inverse) {
+                Some(state) => back.refined(state)?,
+                None => None,
+            },
+        };
+        Ok(refined.map(|refined| refined.moved(surfaces.full_target).0))
     }
 }
 
@@ -299,7 +441,7 @@ impl Refined {
     /// The vertices of `mesh` moved by the base and the field, and the functions of the field there.
     fn moved(&self, mesh: &SurfaceMesh) -> (Vec<Point3<f64>>, Mat<f64>) {
         let values = self.functions.values(mesh.vertices());
-        let base = if self.is_local && self.base.bend.is_some() {
+        let base = if self.local.is_some() && self.base.bend.is_some() {
             self.base.moved(mesh.vertices(), &self.base_functions.values(mesh.vertices()))
         } else {
             self.base.moved(mesh.vertices(), &values)

@@ -16,10 +16,9 @@ use super::unbending::Unbending;
 use crate::MatchError;
 use crate::surface_index::SurfaceIndex;
 use homolog_primitives::observe::checkpoint;
-use homolog_registration::alignment::{OrientedPoints, assign};
 use homolog_registration::deformation::{GaussianKernel, Observation, fit_field};
 use homolog_registration::{RigidTransform, absolute_orientation};
-use nalgebra::{Point3, Vector3};
+use nalgebra::Point3;
 use rayon::prelude::*;
 use std::sync::Arc;
 
@@ -89,7 +88,7 @@ impl Displacement<'_> {
         let mut best: Option<(f64, usize, Refined)> = None;
         for (k, (_, state)) in found.into_iter().take(REFINED).enumerate() {
             let Some(refined) = on_form.refined(state)? else { continue };
-            let misfit = on_form.fine_misfit(&refined);
+            let misfit = on_form.fine_misfit(refined.moved(&self.source.mesh).0, false);
             if best.as_ref().is_none_or(|b| misfit < b.0) {
                 best = Some((misfit, k, refined));
             }
@@ -103,7 +102,7 @@ impl Displacement<'_> {
                 break;
             };
             let Some(next) = on_form.refined(state)? else { break };
-            let misfit = on_form.fine_misfit(&next);
+            let misfit = on_form.fine_misfit(next.moved(&self.source.mesh).0, false);
             let gain = fine_misfit - misfit;
             if gain > 0.0 {
                 (fine_misfit, refined) = (misfit, next);
@@ -168,16 +167,12 @@ impl Displacement<'_> {
         Some(Base::rigid(pose).bent_by(&field))
     }
 
-    /// Misfit of the moved source at the scale of the sampling: mean of `−ln` of the likelihood of the other surface at each
-    /// point; lower is better.
-    pub(super) fn fine_misfit(&self, refined: &Refined) -> f64 {
-        let Ok(mesh) = self.source.mesh.with_vertices(refined.moved(&self.source.mesh).0) else { return f64::INFINITY };
-        let normals = mesh.vertex_normals();
+    /// Misfit at the scale of the sampling of the source with its vertices at `moved`, by a pose that may have mirrored it: mean
+    /// of `−ln` of the likelihood of the other surface at each point; lower is better.
+    pub(super) fn fine_misfit(&self, moved: Vec<Point3<f64>>, mirrored: bool) -> f64 {
         let thinned = self.source.thinned(COMPARISON_SAMPLES);
-        let normals: Vec<Vector3<f64>> = thinned.vertices.iter().map(|&i| normals[i]).collect();
-        let points: Vec<Point3<f64>> = thinned.vertices.iter().map(|&i| mesh.vertices()[i]).collect();
-        let samples = OrientedPoints { points: &points, normals: &normals, ..thinned.samples() };
         let kernel = comparison_kernel(COMPARISON_SCALE * self.lengths.root_mm);
-        assign(&samples, &self.target.samples(), &kernel).misfit
+        let assigned = self.assigned(moved, mirrored, &thinned, &self.target.samples(), &kernel);
+        assigned.map_or(f64::INFINITY, |assigned| assigned.found.misfit)
     }
 }

@@ -1,6 +1,6 @@
 //! The posterior of a displacement field given observations.
 
-use faer::linalg::solvers::Solve;
+use faer::linalg::solvers::{DenseSolveCore, Llt, Solve};
 use faer::{Mat, MatRef, Side};
 use nalgebra::{Matrix3, Vector3};
 
@@ -28,13 +28,13 @@ impl Observation {
     }
 }
 
-/// The posterior of a field: mean and covariance of its coefficients.
+/// The posterior of a field: mean and precision of its coefficients.
 #[derive(Debug, Clone)]
 pub struct FittedField {
     /// `M × 3`.
     pub coefficients: Mat<f64>,
-    /// Covariance of the coefficients: `3M × 3M`, axis by axis, or `M × M` if it is the same for each axis.
-    covariance: Mat<f64>,
+    /// Precision of the coefficients: `3M × 3M`, axis by axis, or `M × M` if it is the same for each axis.
+    precision: Llt<f64>,
 }
 
 /// `Φᵀ diag(w) Φ`.
@@ -60,8 +60,7 @@ pub fn fit_field(values: MatRef<'_, f64>, observations: &[Observation]) -> Optio
             system[(k, k)] += 1.0;
         }
         let factor = system.llt(Side::Lower).ok()?;
-        let covariance = factor.solve(Mat::<f64>::identity(m, m));
-        return Some(FittedField { coefficients: factor.solve(&right_side), covariance });
+        return Some(FittedField { coefficients: factor.solve(&right_side), precision: factor });
     }
     let mut system = Mat::<f64>::identity(3 * m, 3 * m);
     for a in 0..3 {
@@ -77,8 +76,7 @@ pub fn fit_field(values: MatRef<'_, f64>, observations: &[Observation]) -> Optio
     let factor = system.llt(Side::Lower).ok()?;
     let stacked = Mat::from_fn(3 * m, 1, |k, _| right_side[(k % m, k / m)]);
     let solution = factor.solve(&stacked);
-    let covariance = factor.solve(Mat::<f64>::identity(3 * m, 3 * m));
-    Some(FittedField { coefficients: Mat::from_fn(m, 3, |k, a| solution[(a * m + k, 0)]), covariance })
+    Some(FittedField { coefficients: Mat::from_fn(m, 3, |k, a| solution[(a * m + k, 0)]), precision: factor })
 }
 
 impl FittedField {
@@ -88,17 +86,18 @@ impl FittedField {
         (0..u.nrows()).map(|i| Vector3::new(u[(i, 0)], u[(i, 1)], u[(i, 2)])).collect()
     }
 
-    /// Posterior covariance of the displacement at every point of `values`, mm². Cost `O(n M²)`.
+    /// Posterior covariance of the displacement at every point of `values`, mm². Cost `O(n M² + M³)`.
     pub fn covariances(&self, values: MatRef<'_, f64>) -> Vec<Matrix3<f64>> {
         let (n, m) = (values.nrows(), values.ncols());
         let mut found = vec![Matrix3::zeros(); n];
-        let shared = self.covariance.nrows() == m;
+        let covariance = self.precision.inverse();
+        let shared = covariance.nrows() == m;
         for a in 0..3 {
             for b in 0..=a {
                 if shared && (a, b) != (0, 0) {
                     continue;
                 }
-                let block = self.covariance.as_ref().submatrix(a * m, b * m, m, m);
+                let block = covariance.as_ref().submatrix(a * m, b * m, m, m);
                 let product = values * block;
                 for (i, c) in found.iter_mut().enumerate() {
                     let value: f64 = (0..m).map(|k| product[(i, k)] * values[(i, k)]).sum();

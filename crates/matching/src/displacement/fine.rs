@@ -3,12 +3,14 @@
 use super::functions::Functions;
 use super::local::LocalKernel;
 use super::stages::{Base, Displacement, State, kernel, observed_means, precision_of_features};
+use super::surface::SmoothSurface;
 use super::track::{Assigned, Track};
 use crate::MatchError;
 use crate::robust::{STD_OF_MAD, median};
 use homolog_primitives::observe::checkpoint;
 use homolog_registration::alignment::{annealed, progress_to_end};
 use homolog_registration::deformation::{FittedField, Observation, fit_field};
+use homolog_registration::{RigidTransform, absolute_orientation};
 use nalgebra::Point3;
 use rayon::prelude::*;
 
@@ -53,6 +55,13 @@ impl Fine {
 }
 
 impl Displacement<'_> {
+    /// The rigid part of what moves the vertices of the source to `moved`: a start that forgets from where it was reached.
+    /// `fallback` where there is none.
+    pub(super) fn pose_of(&self, moved: &[Point3<f64>], fallback: &RigidTransform) -> RigidTransform {
+        let SmoothSurface { mesh, areas, .. } = &self.source;
+        absolute_orientation(mesh.vertices(), moved, Some(areas), true).unwrap_or(*fallback)
+    }
+
     /// The field after all stages.
     pub(super) fn refined(&self, start: State) -> Result<Option<Refined>, MatchError> {
         match self.fine(start)? {

@@ -11,11 +11,12 @@
 
 use super::fine::{Fine, Refined};
 use super::prior;
-use super::stages::{Base, Displacement, kernel, precision_of_features};
+use super::stages::{Displacement, kernel, precision_of_features};
 use super::track::Track;
 use crate::MatchError;
 use crate::surface_index::SurfaceIndex;
 use homolog_primitives::observe::checkpoint;
+use homolog_registration::RigidTransform;
 use homolog_registration::deformation::{FittedField, GaussianKernel, KernelEvidence, fit_field, most_probable_kernel};
 use nalgebra::Point3;
 
@@ -79,7 +80,7 @@ impl Displacement<'_> {
         let base = &fine.track.base;
         // What the wide field took for displacement along the surface is forgotten, where the base allows it.
         let found = match base.bend {
-            None => joint.anew(base, &local)?,
+            None => joint.anew(&self.pose_of(&moved, &base.pose), &local)?,
             Some(_) => {
                 let track = fine.track.with_functions_of(&joint);
                 joint.followed_locally(track, moved, fine.feature_precision.clone(), &local)?
@@ -89,9 +90,13 @@ impl Displacement<'_> {
     }
 
     /// The field with the kernel that was found in the other direction, from `pose`.
-    pub(super) fn locally_from(&self, base: &Base, local: &LocalKernel) -> Result<Option<Refined>, MatchError> {
+    pub(super) fn locally_from(
+        &self,
+        pose: &RigidTransform,
+        local: &LocalKernel,
+    ) -> Result<Option<Refined>, MatchError> {
         let Some(joint) = self.with_kernel(local) else { return Ok(None) };
-        let Some(kept) = joint.anew(base, local)? else { return Ok(None) };
+        let Some(kept) = joint.anew(pose, local)? else { return Ok(None) };
         Ok(Some(self.refined_locally(&joint, kept, 0.0, *local)))
     }
 
@@ -122,8 +127,8 @@ impl Displacement<'_> {
     }
 
     /// The field of both kernels through all stages from a rigid base.
-    fn anew(&self, base: &Base, local: &LocalKernel) -> Result<Option<Local>, MatchError> {
-        let Some(state) = self.coarse_alone(&base.pose) else { return Ok(None) };
+    fn anew(&self, pose: &RigidTransform, local: &LocalKernel) -> Result<Option<Local>, MatchError> {
+        let Some(state) = self.coarse_alone(pose) else { return Ok(None) };
         let Some(fine) = self.fine(state)? else { return Ok(None) };
         let moved = fine.moved();
         self.followed_locally(fine.track, moved, fine.feature_precision, local)

@@ -73,7 +73,7 @@ use homolog_registration::{RigidTransform, weighted_moments};
 use local::LocalKernel;
 use nalgebra::Point3;
 use rayon::prelude::*;
-use stages::{Base, Displacement, displaced};
+use stages::{Displacement, displaced};
 use surface::{SmoothSurface, prepare};
 
 /// Residual along the normals, in sampling distances, from which surfaces count as those of two subjects and are fitted in
@@ -165,6 +165,20 @@ impl Surfaces<'_> {
         spread(self.full_target) > spread(self.full_source)
     }
 
+    /// The inverse of the map from the target to the source, from the inverse of `pose`.
+    fn turned(
+        &self,
+        pose: &RigidTransform,
+        options: &DisplacementOptions,
+        observer: &dyn Observer,
+    ) -> Result<Option<Deformed>, MatchError> {
+        let landmarks: Vec<Landmark> = self.landmarks.iter().map(swapped).collect();
+        let form_of = |which: Which| (self.form_of)(which.other());
+        let start = [StartPose { pose: pose.inverse(), excess: 0.0 }];
+        let back = deformed(&self.swapped(&landmarks, &form_of), &start, true, false, options, observer)?;
+        Ok(back.and_then(|back| back.inverse(self.full_target, self.full_source)))
+    }
+
     /// The pair in the other direction.
     fn swapped<'b>(
         &'b self,
@@ -220,8 +234,8 @@ pub(crate) struct DisplacementAnswer {
 /// Corresponding points of the source on the target, from the best of the rigid `poses`. A pose that mirrors takes part in
 /// the comparison, but is kept only with `allow_reflection`.
 ///
-/// A pair of closed surfaces is fitted in one of its two directions, which the surfaces decide, and the other is the inverse
-/// of it: there and back is the same place.
+/// Closed surfaces of two subjects are fitted from the one that is more spread out, and the map in the other direction is the
+/// inverse of it: there and back is the same place.
 ///
 /// `None` if no pose may be kept, or where numbers that are not finite make a fit impossible. The same bits on any number of
 /// threads.
@@ -239,17 +253,7 @@ pub(crate) fn displace(
     options: &DisplacementOptions,
     observer: &dyn Observer,
 ) -> Result<Option<DisplacementAnswer>, MatchError> {
-    let backwards = !surfaces.open && surfaces.is_fitted_backwards();
-    let found = if backwards {
-        let landmarks: Vec<Landmark> = surfaces.landmarks.iter().map(swapped).collect();
-        let form_of = |which: Which| (surfaces.form_of)(which.other());
-        let poses: Vec<StartPose> =
-            poses.iter().map(|start| StartPose { pose: start.pose.inverse(), ..*start }).collect();
-        let back = deformed(&surfaces.swapped(&landmarks, &form_of), &poses, allow_reflection, options, observer)?;
-        back.and_then(|back| back.inverse(surfaces.full_target, surfaces.full_source))
-    } else {
-        deformed(surfaces, poses, allow_reflection, options, observer)?
-    };
+    let found = deformed(surfaces, poses, allow_reflection, true, options, observer)?;
     Ok(found.map(|found| {
         let Deformed { moved, variances, transform, compared, residual_mm, agreement } = found;
         let (target, closest) = (surfaces.full_target, surfaces.target_closest);
@@ -302,11 +306,13 @@ fn swapped(landmark: &Landmark) -> Landmark {
     Landmark { source_mm: landmark.target_mm, target_mm: landmark.source_mm, ..landmark.clone() }
 }
 
-/// The source deformed onto the target, in this direction.
+/// The source deformed onto the target; with `may_turn`, by the inverse of the map from the target where that is the direction
+/// for two subjects.
 fn deformed(
     surfaces: &Surfaces<'_>,
     poses: &[StartPose],
     allow_reflection: bool,
+    may_turn: bool,
     options: &DisplacementOptions,
     observer: &dyn Observer,
 ) -> Result<Option<Deformed>, MatchError> {
@@ -349,7 +355,14 @@ fn deformed(
             compared = unbent.compared.into_iter().chain(compared).collect();
             Some(unbent.refined)
         }
-        None => forward.refined_from(fine)?,
+        None => {
+            let two_subjects = !open && fine.residual_mm >= TWO_SUBJECTS * lengths.sampling_mm;
+            if may_turn && two_subjects && surfaces.is_fitted_backwards() {
+                let back = surfaces.turned(&forward.pose_of(&fine.moved(), &pose), options, observer)?;
+                return Ok(back.map(|back| Deformed { compared, ..back }));
+            }
+            forward.refined_from(fine)?
+        }
     };
     let Some(refined) = refined else { return Ok(None) };
     // The mean of two fits agrees with any surface better than either does, so agreement is measured before.
@@ -360,7 +373,7 @@ fn deformed(
     let returned = if open || refined.base.bend.is_some() || residual_mm < TWO_SUBJECTS * lengths.sampling_mm {
         None
     } else {
-        forward.returned(surfaces, &pose, refined.local)?
+        forward.returned(surfaces, &forward.pose_of(&own, &pose), refined.local)?
     };
     let back = returned.and_then(|returned| WayBack::new(full_target, target_closest, returned));
     let met = |mesh: &SurfaceMesh, points: Vec<Point3<f64>>| match &back {
@@ -427,7 +440,7 @@ impl Displacement<'_> {
         };
         let inverse = pose.inverse();
         let refined = match local {
-            Some(local) => back.locally_from(&Base::rigid(inverse), &local)?,
+            Some(local) => back.locally_from(&inverse, &local)?,
             None => match back.coarse_alone(&inverse) {
                 Some(state) => back.refined(state)?,
                 None => None,

@@ -148,3 +148,20 @@ fn without_a_pose_there_is_no_answer() {
     let none = displace(&source.mesh, &target.mesh, &[], &DisplacementOptions::default(), &Silent).unwrap();
     assert_eq!(none, None);
 }
+
+#[test]
+fn there_and_back_is_the_same_place() {
+    let (source, target, _) = pair(warped);
+    let (source, target) = (source.mesh, target.mesh);
+    let options = DisplacementOptions::default();
+    let there = displace(&source, &target, &[motion()], &options, &Silent).unwrap().unwrap();
+    let back = displace(&target, &source, &[motion().inverse()], &options, &Silent).unwrap().unwrap();
+    let edge = source.mean_edge_length();
+    let returned = |i: usize| {
+        let at = there.images[i].closest;
+        let place = at.blend(|k| back.images[k].closest.point.coords);
+        (place - source.vertices()[i].coords).norm() / edge
+    };
+    let worst = (0..source.n_vertices()).map(returned).fold(0.0, f64::max);
+    assert!(worst < 0.3, "{worst} edges");
+}

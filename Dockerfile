@@ -1,7 +1,7 @@
 # The service in a container.
 #
 #   docker build --build-arg HOMOLOG_COMMIT="$(git rev-parse --short=12 HEAD)" -t homolog .
-#   docker run --rm -v homolog-data:/data homolog keys create --init --tenant default --scope submit,read
+#   docker run --rm -v homolog-data:/data homolog keys create --init --tenant default --role submitter
 #   docker run --rm -p 127.0.0.1:8080:8080 -v homolog-data:/data homolog
 #
 # In a container the service listens on 0.0.0.0, so that it can be reached from outside, and therefore requires an API

@@ -9,7 +9,8 @@ use super::serve::in_runtime;
 use crate::app;
 use crate::config::ServiceSettings;
 use crate::jobs::{
-    ApiKey, BlobHolds as _, Housekeeping as _, JobError, JobStore as _, KeyStore as _, Purged, Scope, SecretKey, Tenant,
+    ApiKey, BlobHolds as _, Housekeeping as _, JobError, JobStore as _, KeyStore as _, Purged, Role, Scope, SecretKey,
+    Tenant,
 };
 use crate::store::sql::SqlStore;
 use std::time::Duration;
@@ -38,8 +39,12 @@ enum KeysAction {
         /// Tenant that the key belongs to: lower-case letters, digits and hyphens
         #[arg(long, default_value = "default")]
         tenant: String,
-        /// What the key allows, separated by commas: read, submit, admin
-        #[arg(long, value_delimiter = ',', default_value = "read,submit")]
+        /// Who the key is for: reader reads results, submitter also submits jobs, admin also manages webhooks and keys;
+        /// default: submitter
+        #[arg(long, value_name = "ROLE", conflicts_with = "scope")]
+        role: Option<String>,
+        /// What the key allows, separated by commas, where no role fits: read, submit, admin
+        #[arg(long, value_delimiter = ',', value_name = "SCOPES")]
         scope: Vec<String>,
         /// Days until the key expires; absent: it does not expire
         #[arg(long, value_parser = clap::value_parser!(u64).range(1..=36_500), value_name = "DAYS")]
@@ -98,10 +103,15 @@ pub(super) fn migrate(args: &MigrateArgs) -> Result<(), CliError> {
 /// Creates, lists or revokes keys.
 pub(super) fn keys(args: &KeysArgs) -> Result<(), CliError> {
     match &args.action {
-        KeysAction::Create { tenant, scope, expires_days, name, init, service } => {
+        KeysAction::Create { tenant, role, scope, expires_days, name, init, service } => {
             let allowed = "lower-case letters, digits and hyphens, at most 64";
             let owner = Tenant::new(tenant).ok_or_else(|| CliError::BadInput(format!("--tenant: {allowed}")))?;
-            let mut scopes = Vec::new();
+            let role = match role.as_deref() {
+                None => Role::Submitter,
+                Some(name) => Role::from_name(name)
+                    .ok_or_else(|| CliError::BadInput(format!("--role: reader, submitter, admin, not {name}")))?,
+            };
+            let mut scopes = if scope.is_empty() { role.scopes().to_vec() } else { Vec::new() };
             for word in scope {
                 let scope = Scope::from_name(word.trim());
                 scopes.push(
@@ -126,7 +136,7 @@ pub(super) fn keys(args: &KeysArgs) -> Result<(), CliError> {
             require_database(service)?;
             with_store(service, async |store| {
                 let lines: Vec<String> = store.list_keys().await?.iter().map(line).collect();
-                Ok(format!("id\ttenant\tscopes\tstate\tcreated\texpires\tname\n{}", lines.join("\n")))
+                Ok(format!("id\ttenant\trole\tscopes\tstate\tcreated\texpires\tname\n{}", lines.join("\n")))
             })
         }
         KeysAction::Revoke { id, service } => {
@@ -157,7 +167,8 @@ fn line(key: &ApiKey) -> String {
     };
     let expires = key.expires_at.map_or_else(|| "never".to_owned(), |time| time.to_string());
     let (id, tenant, name) = (&key.id, key.tenant.name(), &key.name);
-    format!("{id}\t{tenant}\t{}\t{state}\t{}\t{expires}\t{name}", scopes.join(","), key.created_at)
+    let role = Role::of_scopes(&key.scopes).map_or("-", Role::name);
+    format!("{id}\t{tenant}\t{role}\t{}\t{state}\t{}\t{expires}\t{name}", scopes.join(","), key.created_at)
 }
 
 /// Deletes what is past its retention time.

@@ -3,7 +3,7 @@
 use super::problem::Problem;
 use super::problem_table::ProblemKind;
 use super::router::HttpState;
-use crate::jobs::{Scope, SecretKey, Tenant};
+use crate::jobs::{Role, Scope, SecretKey, Tenant};
 use axum::extract::FromRequestParts;
 use axum::http::header;
 use axum::http::request::Parts;
@@ -45,7 +45,8 @@ async fn tenant_with(parts: &Parts, state: &HttpState, scope: Scope) -> Result<T
     // The answer does not reveal which part of the key was wrong.
     let Some(found) = found else { return Err(Problem::new(ProblemKind::Unauthenticated)) };
     if !found.scopes.contains(&scope) {
-        let detail = format!("requires an API key with the scope {}", scope.name());
+        let (scope, role) = (scope.name(), Role::least_with(scope).name());
+        let detail = format!("requires an API key with the scope {scope}, such as one with the role {role}");
         return Err(Problem::new(ProblemKind::ScopeMissing).detail(detail));
     }
     Ok(found.tenant)

@@ -22,6 +22,7 @@ const REQUESTS: &[(&str, &str, &str)] = &[
     ("submit_batch", "application/json", file!("batch_submission.json")),
     ("create_webhook", "application/json", file!("webhook_submission.json")),
     ("update_webhook", "application/json", file!("webhook_change.json")),
+    ("create_key", "application/json", file!("key_submission.json")),
     ("upload_mesh", "multipart/form-data", r#"{"file": "(binary content of a file)"}"#),
     ("upload_mesh", "application/octet-stream", r#""(binary content of a file)""#),
 ];
@@ -48,6 +49,9 @@ const ANSWERS: &[(&str, &str)] = &[
     ("list_webhooks", file!("webhook_list.json")),
     ("list_deliveries", file!("delivery_list.json")),
     ("test_webhook", file!("delivery.json")),
+    ("create_key", file!("key_created.json")),
+    ("get_key", file!("key.json")),
+    ("list_keys", file!("key_list.json")),
     ("get_trace", file!("trace.json")),
     ("get_result", file!("result.json")),
     ("get_correspondences", file!("correspondences.json")),
@@ -164,16 +168,18 @@ fn typical(operation: &str, status: StatusCode) -> ProblemKind {
             "get_webhook" | "update_webhook" | "delete_webhook" | "list_deliveries" | "test_webhook",
             StatusCode::NOT_FOUND,
         ) => ProblemKind::WebhookNotFound,
+        ("get_key" | "revoke_key", StatusCode::NOT_FOUND) => ProblemKind::KeyNotFound,
         (_, StatusCode::NOT_FOUND) => ProblemKind::JobNotFound,
         (_, StatusCode::UNAUTHORIZED) => ProblemKind::Unauthenticated,
         (_, StatusCode::GONE) => ProblemKind::Expired,
         (_, StatusCode::REQUEST_TIMEOUT) => ProblemKind::UploadTimeout,
         ("delete_mesh", StatusCode::CONFLICT) => ProblemKind::MeshInUse,
         ("create_webhook", StatusCode::CONFLICT) => ProblemKind::TooManyWebhooks,
+        ("create_key", StatusCode::CONFLICT) => ProblemKind::TooManyKeys,
         ("submit_job" | "submit_batch", StatusCode::CONFLICT) => ProblemKind::IdempotencyKeyInProgress,
         ("retry_job", StatusCode::CONFLICT) => ProblemKind::JobActive,
         ("submit_batch", StatusCode::UNPROCESSABLE_ENTITY) => ProblemKind::UnsuitableBatch,
-        ("create_webhook" | "update_webhook" | "upload_mesh", StatusCode::UNPROCESSABLE_ENTITY) => {
+        ("create_webhook" | "update_webhook" | "create_key" | "upload_mesh", StatusCode::UNPROCESSABLE_ENTITY) => {
             ProblemKind::InvalidRequest
         }
         ("submit_job", StatusCode::BAD_REQUEST) => ProblemKind::MalformedMultipart,

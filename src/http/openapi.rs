@@ -19,6 +19,7 @@ use utoipa::{Modify, OpenApi};
         (name = "batches", description = "Many jobs in one request"),
         (name = "meshes", description = "Uploads that jobs refer to by id"),
         (name = "webhooks", description = "Notifications of state changes"),
+        (name = "keys", description = "API keys of a tenant"),
         (name = "results", description = "Results of succeeded jobs"),
         (name = "methods", description = "Methods and their parameters"),
         (name = "system", description = "Health, metrics and the description of the API"),

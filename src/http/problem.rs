@@ -162,6 +162,7 @@ impl From<JobError> for Problem {
             JobError::MeshNotFound => Problem::new(ProblemKind::MeshNotFound),
             JobError::BatchNotFound => Problem::new(ProblemKind::BatchNotFound),
             JobError::WebhookNotFound => Problem::new(ProblemKind::WebhookNotFound),
+            JobError::KeyNotFound => Problem::new(ProblemKind::KeyNotFound),
             JobError::MeshInUse => Problem::new(ProblemKind::MeshInUse),
             JobError::Gone => Problem::new(ProblemKind::Expired),
             JobError::BeingRemoved => Problem::new(ProblemKind::Unavailable).retry_after(2),

@@ -53,10 +53,12 @@ problems! {
         "Check the id.";
     WebhookNotFound = "webhook-not-found", NOT_FOUND, "No such webhook",
         "Check the id.";
+    KeyNotFound = "key-not-found", NOT_FOUND, "No such API key",
+        "Check the id; GET /v1/keys lists the keys of the tenant.";
     Unauthenticated = "unauthenticated", UNAUTHORIZED, "A valid API key is required",
         "Send the header Authorization: Bearer KEY with a key that is neither expired nor revoked.";
     ScopeMissing = "scope-missing", FORBIDDEN, "The API key does not allow this",
-        "Ask the operator for a key with the scope named in detail.";
+        "Use a key with the role named in detail; an admin of the tenant can create one with POST /v1/keys.";
     MethodNotFound = "method-not-found", NOT_FOUND, "No such matching method",
         "GET /v1/methods lists the methods.";
     ProblemNotFound = "problem-not-found", NOT_FOUND, "No such problem type",
@@ -120,6 +122,8 @@ problems! {
         "Send it again after the time in Retry-After, to get the answer of the first.";
     TooManyWebhooks = "too-many-webhooks", CONFLICT, "The tenant has the maximum number of webhooks",
         "Delete a webhook that is no longer needed.";
+    TooManyKeys = "too-many-keys", CONFLICT, "The tenant has the maximum number of valid API keys",
+        "Revoke a key that is no longer needed.";
     UnsuitableBatch = "unsuitable-batch", UNPROCESSABLE_ENTITY, "Some jobs of the batch cannot be created",
         "Each entry of errors points to a pair and says why. No job was created.";
     ResultNotReady = "result-not-ready", CONFLICT, "The job is not finished",

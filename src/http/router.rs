@@ -222,6 +222,8 @@ pub(super) fn api() -> OpenApiRouter<HttpState> {
         .routes(routes!(routes::webhooks::get, routes::webhooks::update, routes::webhooks::delete))
         .routes(routes!(routes::webhooks::deliveries))
         .routes(routes!(routes::webhooks::test))
+        .routes(routes!(routes::keys::create, routes::keys::list))
+        .routes(routes!(routes::keys::get, routes::keys::revoke))
         .routes(routes!(routes::methods::list))
         .routes(routes!(routes::methods::get))
         .routes(routes!(routes::system::healthz))

@@ -50,6 +50,9 @@ pub enum JobError {
     /// No such webhook of this tenant.
     #[error("no such webhook")]
     WebhookNotFound,
+    /// No such API key of this tenant.
+    #[error("no such API key")]
+    KeyNotFound,
     /// Jobs refer to the upload.
     #[error("jobs refer to the mesh")]
     MeshInUse,

@@ -1,4 +1,4 @@
-//! API keys: tenants and scopes of requests.
+//! API keys: the tenant of a request, and what it may do: scopes, which roles bundle.
 
 use super::error::JobError;
 use super::job::Tenant;
@@ -8,14 +8,14 @@ use serde::{Deserialize, Serialize};
 use std::time::Duration;
 
 /// What a key allows.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize, utoipa::ToSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Scope {
     /// Read everything of the tenant.
     Read,
     /// Submit, cancel, retry and delete jobs; upload.
     Submit,
-    /// Manage webhooks, and read what operators need.
+    /// Manage webhooks and API keys.
     Admin,
 }
 
@@ -38,6 +38,62 @@ impl Scope {
     }
 }
 
+/// Who a key is for: each role has the scopes of those before it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize, utoipa::ToSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Role {
+    /// Reads everything of the tenant: jobs, results, uploads, changes.
+    Reader,
+    /// Also submits, cancels, retries and deletes jobs, and uploads.
+    Submitter,
+    /// Also manages webhooks and API keys of the tenant.
+    Admin,
+}
+
+impl Role {
+    /// All roles, the one that may do least first.
+    pub const ALL: [Role; 3] = [Role::Reader, Role::Submitter, Role::Admin];
+
+    /// The name used in JSON and on the command line.
+    pub fn name(self) -> &'static str {
+        match self {
+            Role::Reader => "reader",
+            Role::Submitter => "submitter",
+            Role::Admin => "admin",
+        }
+    }
+
+    /// The role of this name.
+    pub fn from_name(name: &str) -> Option<Role> {
+        Role::ALL.into_iter().find(|role| role.name() == name)
+    }
+
+    /// What it allows.
+    pub fn scopes(self) -> &'static [Scope] {
+        match self {
+            Role::Reader => &[Scope::Read],
+            Role::Submitter => &[Scope::Read, Scope::Submit],
+            Role::Admin => &[Scope::Read, Scope::Submit, Scope::Admin],
+        }
+    }
+
+    /// The role with exactly these scopes; keys of the command line may have other combinations.
+    pub fn of_scopes(scopes: &[Scope]) -> Option<Role> {
+        Role::ALL.into_iter().find(|role| {
+            role.scopes().iter().all(|s| scopes.contains(s)) && scopes.iter().all(|s| role.scopes().contains(s))
+        })
+    }
+
+    /// The least role that has a scope.
+    pub fn least_with(scope: Scope) -> Role {
+        match scope {
+            Scope::Read => Role::Reader,
+            Scope::Submit => Role::Submitter,
+            Scope::Admin => Role::Admin,
+        }
+    }
+}
+
 /// A key in full, as its owner receives it once.
 #[derive(Clone, PartialEq, Eq)]
 pub struct SecretKey {
@@ -57,6 +113,10 @@ pub fn random_secret() -> blake3::Hash {
     hasher.finalize()
 }
 
+fn is_hex(text: &str) -> bool {
+    text.bytes().all(|b| b.is_ascii_hexdigit())
+}
+
 impl SecretKey {
     /// A random key.
     pub fn random() -> Self {
@@ -68,9 +128,14 @@ impl SecretKey {
     pub fn parse(text: &str) -> Option<Self> {
         let mut parts = text.split('_');
         let (prefix, id, secret) = (parts.next()?, parts.next()?, parts.next()?);
-        let is_hex = |text: &str| text.bytes().all(|b| b.is_ascii_hexdigit());
-        let whole = prefix == PREFIX && id.len() == 12 && secret.len() == 64 && parts.next().is_none();
-        (whole && is_hex(id) && is_hex(secret)).then(|| SecretKey { id: id.to_owned(), secret: secret.to_owned() })
+        let whole = prefix == PREFIX && secret.len() == 64 && parts.next().is_none();
+        (whole && SecretKey::is_id(id) && is_hex(secret))
+            .then(|| SecretKey { id: id.to_owned(), secret: secret.to_owned() })
+    }
+
+    /// Whether a text has the form of a public part.
+    pub fn is_id(text: &str) -> bool {
+        text.len() == 12 && is_hex(text)
     }
 
     /// Its public part.
@@ -123,6 +188,15 @@ pub struct ApiKey {
     pub is_valid: bool,
 }
 
+/// A page of the list of a tenant's keys.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct KeyPage {
+    /// The keys, newest first.
+    pub keys: Vec<ApiKey>,
+    /// Where the next page begins, if there is one: creation time in ms and id.
+    pub next: Option<(i64, String)>,
+}
+
 /// Records of API keys.
 #[async_trait]
 pub trait KeyStore: Send + Sync {
@@ -142,6 +216,17 @@ pub trait KeyStore: Send + Sync {
     /// All keys.
     async fn list_keys(&self) -> Result<Vec<ApiKey>, JobError>;
 
+    /// A page of a tenant's keys, newest first, after a creation time in ms and an id.
+    async fn list_tenant_keys(
+        &self,
+        tenant: &Tenant,
+        size: u32,
+        after: Option<(i64, String)>,
+    ) -> Result<KeyPage, JobError>;
+
+    /// The number of a tenant's keys that are valid.
+    async fn count_valid_keys(&self, tenant: &Tenant) -> Result<u32, JobError>;
+
     /// Revokes a key. `false` if there is no such key or it is revoked already.
     async fn revoke_key(&self, id: &str) -> Result<bool, JobError>;
 }
@@ -149,6 +234,22 @@ pub trait KeyStore: Send + Sync {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_role_has_the_scopes_of_lesser_ones_and_is_known_by_its_scopes() {
+        for role in Role::ALL {
+            assert_eq!(Role::of_scopes(role.scopes()), Some(role));
+            assert_eq!(Role::from_name(role.name()), Some(role));
+            for lesser in Role::ALL.into_iter().filter(|lesser| *lesser < role) {
+                assert!(lesser.scopes().iter().all(|scope| role.scopes().contains(scope)));
+            }
+        }
+        for scope in Scope::ALL {
+            let allowed: Vec<_> = Role::ALL.into_iter().filter(|role| role.scopes().contains(&scope)).collect();
+            assert_eq!(allowed.first(), Some(&Role::least_with(scope)));
+        }
+        assert_eq!(Role::of_scopes(&[Scope::Submit]), None);
+    }
 
     #[test]
     fn keys_are_parsed_and_redacted_in_logs() {

@@ -43,7 +43,7 @@ pub use engine::{
 };
 pub use error::JobError;
 pub use job::{Failure, Job, JobFilter, JobId, JobInput, JobPage, NewJob, Order, PageRequest, Tenant};
-pub use key::{ApiKey, KeyStore, Scope, SecretKey};
+pub use key::{ApiKey, KeyPage, KeyStore, Role, Scope, SecretKey};
 pub use lease::{Lease, LeaseStatus, LeasedJob, Recovered, WorkerId};
 pub use mesh::{CheckOutcome, Mesh, MeshPage, MeshStore};
 pub use ports::{

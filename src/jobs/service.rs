@@ -8,7 +8,7 @@ use super::engine::{Engine, MethodDescription};
 use super::error::JobError;
 use super::follow::{Feed, Feeds, Seen};
 use super::job::{Cursor, Job, JobFilter, JobId, JobPage, Order, PageRequest, Tenant};
-use super::key::{ApiKey, KeyStore, SecretKey};
+use super::key::{ApiKey, KeyPage, KeyStore, Role, SecretKey};
 use super::mesh::MeshStore;
 use super::ports::{ArtifactKind, ArtifactRef, ArtifactStore, BlobStream, JobStore, Load};
 use super::signals::Signals;
@@ -111,6 +111,55 @@ impl JobService {
     pub async fn authenticate(&self, key: &SecretKey) -> Result<Option<ApiKey>, JobError> {
         let stored = self.stores.keys.get_key(key.id()).await?;
         Ok(stored.filter(|stored| stored.is_valid && key.has_hash(&stored.hash)))
+    }
+
+    /// Creates a key of a tenant. `None` if the tenant has `at_most` valid ones already; concurrent requests may exceed that
+    /// by their own number.
+    ///
+    /// # Errors
+    /// [`JobError`].
+    pub async fn create_key(
+        &self,
+        tenant: &Tenant,
+        name: &str,
+        role: Role,
+        valid_for: Option<Duration>,
+        at_most: u32,
+    ) -> Result<Option<(SecretKey, ApiKey)>, JobError> {
+        let keys = self.stores.keys.as_ref();
+        if keys.count_valid_keys(tenant).await? >= at_most {
+            return Ok(None);
+        }
+        let key = SecretKey::random();
+        keys.insert_key(&key, tenant, name, role.scopes(), valid_for).await?;
+        let stored = self.key(tenant, key.id()).await?;
+        Ok(Some((key, stored)))
+    }
+
+    /// A key of a tenant.
+    ///
+    /// # Errors
+    /// [`JobError::KeyNotFound`].
+    pub async fn key(&self, tenant: &Tenant, id: &str) -> Result<ApiKey, JobError> {
+        let found = self.stores.keys.get_key(id).await?;
+        found.filter(|key| key.tenant == *tenant).ok_or(JobError::KeyNotFound)
+    }
+
+    /// A page of a tenant's keys, newest first, after a creation time in ms and an id.
+    ///
+    /// # Errors
+    /// [`JobError`].
+    pub async fn keys(&self, tenant: &Tenant, size: u32, after: Option<(i64, String)>) -> Result<KeyPage, JobError> {
+        self.stores.keys.list_tenant_keys(tenant, size, after).await
+    }
+
+    /// Revokes a key of a tenant; no error if it was revoked before.
+    ///
+    /// # Errors
+    /// [`JobError::KeyNotFound`].
+    pub async fn revoke_key(&self, tenant: &Tenant, id: &str) -> Result<(), JobError> {
+        let key = self.key(tenant, id).await?;
+        self.stores.keys.revoke_key(&key.id).await.map(|_| ())
     }
 
     /// Checks whether the tenant's queue has room; called before the files of a submission are read.

@@ -55,6 +55,104 @@ async fn keys_grant_their_scopes_within_their_tenant() {
     service.end().await;
 }
 
+#[tokio::test]
+async fn admins_manage_the_keys_of_their_tenant_and_roles_allow_what_they_say() {
+    let service = TestService::start(&["--auth", "keys", "--workers", "0"]).await;
+    let folder = service.folder.path().to_owned();
+    let admin = keys(&folder, &["create", "--tenant", "clinic-a", "--role", "admin"]);
+    let other = keys(&folder, &["create", "--tenant", "clinic-b", "--role", "admin"]);
+    let ask = |method: &str, path: &str, key: &str| {
+        let method = reqwest::Method::from_bytes(method.as_bytes()).unwrap();
+        service.client.request(method, format!("{}{path}", service.base)).bearer_auth(key)
+    };
+    let create = async |key: &str, body: Value| ask("POST", "/v1/keys", key).json(&body).send().await.unwrap();
+
+    let mut made = Vec::new();
+    for role in ["reader", "submitter", "admin"] {
+        let answer = create(&admin, json!({"role": role, "name": format!("for a {role}"), "expires_days": 30})).await;
+        assert_eq!((answer.status().as_u16(), &answer.headers()["cache-control"]), (201, &"no-store".parse().unwrap()));
+        let location = answer.headers()["location"].to_str().unwrap().to_owned();
+        let document: Value = answer.json().await.unwrap();
+        assert_eq!((&document["role"], &document["state"]), (&json!(role), &json!("valid")));
+        let read: Value = ask("GET", &location, &admin).send().await.unwrap().json().await.unwrap();
+        assert!(read["key"].is_null() && read["id"] == document["id"] && read["expires_at"].is_string(), "{read}");
+        made.push((document["key"].as_str().unwrap().to_owned(), location));
+    }
+    // What each may do: read, submit, administer.
+    let may = async |key: &str| {
+        let read = ask("GET", "/v1/jobs", key).send().await.unwrap().status() == 200;
+        let submit = ask("POST", "/v1/jobs", key).multipart(form("a", "b", &json!({}))).send().await.unwrap();
+        let administer = ask("GET", "/v1/keys", key).send().await.unwrap();
+        (read, submit.status() == 202, administer.status() == 200)
+    };
+    assert_eq!(may(&made[0].0).await, (true, false, false));
+    assert_eq!(may(&made[1].0).await, (true, true, false));
+    assert_eq!(may(&made[2].0).await, (true, true, true));
+    let refused = problem(create(&made[1].0, json!({"role": "admin"})).await, 403, "scope-missing").await;
+    assert!(refused["detail"].as_str().unwrap().contains("role admin"), "{refused}");
+
+    // Lists have pages and no secrets, and show the own tenant only.
+    let mut ids = Vec::new();
+    let mut token = String::new();
+    loop {
+        let path = format!("/v1/keys?page_size=3&page_token={token}");
+        let text = ask("GET", &path, &admin).send().await.unwrap().text().await.unwrap();
+        assert!(made.iter().all(|(key, _)| !text.contains(key.rsplit('_').next().unwrap())), "{text}");
+        let page: Value = serde_json::from_str(&text).unwrap();
+        ids.extend(page["keys"].as_array().unwrap().iter().map(|key| key["id"].as_str().unwrap().to_owned()));
+        match page["next_page_token"].as_str() {
+            Some(next) => token = next.to_owned(),
+            None => break,
+        }
+    }
+    assert_eq!(ids.len(), 4, "{ids:?}");
+    let foreign = format!("/v1/keys/{}", other.split('_').nth(1).unwrap());
+    for method in ["GET", "DELETE"] {
+        problem(ask(method, &foreign, &admin).send().await.unwrap(), 404, "key-not-found").await;
+        problem(ask(method, "/v1/keys/nosuch", &admin).send().await.unwrap(), 404, "key-not-found").await;
+    }
+
+    // A revoked key is refused at once; its record stays.
+    for _ in 0..2 {
+        assert_eq!(ask("DELETE", &made[1].1, &admin).send().await.unwrap().status(), 204);
+    }
+    problem(ask("GET", "/v1/jobs", &made[1].0).send().await.unwrap(), 401, "unauthenticated").await;
+    let read: Value = ask("GET", &made[1].1, &admin).send().await.unwrap().json().await.unwrap();
+    assert!(read["state"] == "revoked" && read["revoked_at"].is_string(), "{read}");
+
+    for (body, pointer) in [
+        (json!({"role": "reader", "name": "n".repeat(101)}), "/name"),
+        (json!({"role": "reader", "name": "two\nlines"}), "/name"),
+        (json!({"role": "reader", "expires_days": 0}), "/expires_days"),
+        (json!({"role": "owner"}), "/role"),
+        (json!({}), ""),
+        (json!({"role": "reader", "tenant": "clinic-b"}), "/tenant"),
+    ] {
+        let refused = problem(create(&admin, body).await, 422, "invalid-request").await;
+        assert_eq!(refused["errors"][0]["pointer"], pointer, "{refused}");
+    }
+    service.end().await;
+}
+
+#[tokio::test]
+async fn a_tenant_has_a_bounded_number_of_valid_keys() {
+    let service = TestService::start(&["--workers", "0"]).await;
+    let create = async || {
+        let request = service.client.post(format!("{}/v1/keys", service.base));
+        request.json(&json!({"role": "reader"})).send().await.unwrap()
+    };
+    let mut last = String::new();
+    for _ in 0..200 {
+        let answer = create().await;
+        assert_eq!(answer.status(), 201);
+        last = answer.headers()["location"].to_str().unwrap().to_owned();
+    }
+    problem(create().await, 409, "too-many-keys").await;
+    assert_eq!(service.delete(&last).await.status(), 204);
+    assert_eq!(create().await.status(), 201, "one that was revoked does not count");
+    service.end().await;
+}
+
 /// Exit code, standard output and standard error of `homolog`.
 fn run(data_dir: &Path, arguments: &[&str]) -> (Option<i32>, String, String) {
     let done = homolog().args(arguments).arg("--data-dir").arg(data_dir).output().unwrap();
@@ -114,6 +212,7 @@ fn wrong_arguments_are_named() {
     for (arguments, said) in [
         (["create", "--tenant", "A b"], "--tenant"),
         (["create", "--scope", "write"], "--scope"),
+        (["create", "--role", "owner"], "--role"),
         (["create", "--expires-days", "0"], "--expires-days"),
     ] {
         let done = homolog().arg("keys").args(arguments).arg("--data-dir").arg(folder.path()).output().unwrap();

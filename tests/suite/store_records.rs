@@ -9,7 +9,7 @@ use homolog::jobs::{
     OnceStatus, Outcome, Overdue, PageRequest, Purged, Retention, Scope, SecretKey, Tenant, TurnLimits, Webhook,
     WebhookStore, WorkerId,
 };
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::time::Duration;
 
 async fn an_equal_job_is_answered_from_the_first_result(f: Fixture) {
@@ -264,6 +264,16 @@ async fn keys_are_invalid_once_revoked_or_expired(f: Fixture) {
     assert!(!is_valid(&lasting).await);
     assert_eq!(f.store.list_keys().await.unwrap().len(), 2);
     assert!(f.store.get_key("none").await.unwrap().is_none());
+    // By tenant, newest first, and page by page.
+    let other = Tenant::new("other").unwrap();
+    f.store.insert_key(&SecretKey::random(), &other, "three", &[Scope::Read], None).await.unwrap();
+    assert_eq!(f.store.count_valid_keys(&f.tenant).await.unwrap(), 0);
+    assert_eq!(f.store.count_valid_keys(&other).await.unwrap(), 1);
+    let first = f.store.list_tenant_keys(&f.tenant, 1, None).await.unwrap();
+    let second = f.store.list_tenant_keys(&f.tenant, 1, first.next).await.unwrap();
+    let ids: BTreeSet<String> = [first.keys, second.keys].concat().into_iter().map(|key| key.id).collect();
+    assert_eq!(ids, BTreeSet::from([lasting.id().to_owned(), brief.id().to_owned()]));
+    assert!(second.next.is_none());
 }
 
 async fn a_webhook_gets_one_delivery_for_each_change(f: Fixture) {

@@ -5,6 +5,7 @@ pub(crate) mod changes;
 pub(crate) mod docs;
 pub(crate) mod events;
 pub(crate) mod jobs;
+pub(crate) mod keys;
 pub(crate) mod meshes;
 pub(crate) mod methods;
 pub(crate) mod result;
@@ -16,13 +17,21 @@ pub(crate) mod webhooks;
 use super::problem::Problem;
 use super::problem_table::ProblemKind;
 use super::query::QueryString;
+use super::router::{HttpState, IN_MEMORY};
+use super::shares::Origin;
+use super::submission::{media_type, read_json};
+use super::upload::Tap;
 use crate::jobs::job::Cursor;
-use crate::jobs::{BatchId, JobId};
+use crate::jobs::{BatchId, JobId, Tenant};
+use axum::extract::Request;
+use serde::de::DeserializeOwned;
 
 /// Entries of a page, unless asked for otherwise.
 const DEFAULT_PAGE: u32 = 50;
 /// Most entries of a page.
 const MAX_PAGE: u32 = 500;
+/// Largest body of a request with a small document, bytes.
+const MAX_SMALL_BODY: usize = 64 << 10;
 
 /// The job that a path names; what cannot be an id names none.
 fn job_id(text: &str) -> Result<JobId, Problem> {
@@ -43,4 +52,24 @@ fn page(query: &mut QueryString) -> (u32, Option<Cursor>) {
         query.fault("page_token", "out_of_range", "must be a next_page_token of an earlier answer");
     }
     (size, after)
+}
+
+/// The document in the JSON body of a request that has no large ones and no query.
+async fn small_json<T: DeserializeOwned>(
+    state: &HttpState,
+    tenant: &Tenant,
+    request: Request,
+    query: QueryString,
+) -> Result<T, Problem> {
+    let (request, tap) = Tap::on(request, MAX_SMALL_BODY);
+    let read = async {
+        query.finish()?;
+        if media_type(&request) != "application/json" {
+            return Err(Problem::new(ProblemKind::UnsupportedMediaType));
+        }
+        state.begin_reading(&tap, tenant, Origin::of(request.extensions()), IN_MEMORY).await?;
+        read_json(request, &tap, &state.limits, MAX_SMALL_BODY).await
+    };
+    let read = read.await;
+    tap.settle(read).await
 }

@@ -1,17 +1,14 @@
 //! `/v1/webhooks`: notifications of state changes.
 
-use super::page;
+use super::{page, small_json};
 use crate::http::auth::Admin;
 use crate::http::problem::{FieldError, Problem, ProblemDocument};
 use crate::http::problem_table::ProblemKind;
 use crate::http::query::QueryString;
-use crate::http::router::{HttpState, IN_MEMORY};
-use crate::http::shares::Origin;
-use crate::http::submission::{media_type, read_json};
-use crate::http::upload::Tap;
+use crate::http::router::HttpState;
 use crate::jobs::address::check_url;
 use crate::jobs::key::random_secret;
-use crate::jobs::{Delivery, DeliveryState, JobState, Tenant, Webhook};
+use crate::jobs::{Delivery, DeliveryState, JobState, Webhook};
 use axum::Json;
 use axum::extract::{Path, Request, State};
 use axum::http::{StatusCode, header};
@@ -19,13 +16,10 @@ use axum::response::{IntoResponse, Response};
 use base64::Engine as _;
 use base64::prelude::BASE64_STANDARD;
 use jiff::Timestamp;
-use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 use serde_json::json;
 use utoipa::ToSchema;
 
-/// Largest body, bytes.
-const MAX_BODY: usize = 64 << 10;
 /// Most webhooks of a tenant.
 const MAX_WEBHOOKS: u32 = 20;
 
@@ -157,25 +151,6 @@ impl From<Delivery> for DeliveryDocument {
     }
 }
 
-async fn body<T: DeserializeOwned>(
-    state: &HttpState,
-    tenant: &Tenant,
-    request: Request,
-    query: QueryString,
-) -> Result<T, Problem> {
-    let (request, tap) = Tap::on(request, MAX_BODY);
-    let read = async {
-        query.finish()?;
-        if media_type(&request) != "application/json" {
-            return Err(Problem::new(ProblemKind::UnsupportedMediaType));
-        }
-        state.begin_reading(&tap, tenant, Origin::of(request.extensions()), IN_MEMORY).await?;
-        read_json(request, &tap, &state.limits, MAX_BODY).await
-    };
-    let read = read.await;
-    tap.settle(read).await
-}
-
 /// The id of a webhook in a path; 404 for what cannot be one.
 fn webhook_id(id: &str) -> Result<&str, Problem> {
     let is_id = id.len() == 36 && uuid::Uuid::try_parse(id).is_ok();
@@ -210,7 +185,7 @@ pub(crate) async fn create(
     query: QueryString,
     request: Request,
 ) -> Result<Response, Problem> {
-    let NewWebhookDocument { url, states } = body(&state, &tenant, request, query).await?;
+    let NewWebhookDocument { url, states } = small_json(&state, &tenant, request, query).await?;
     checked_url(&state, &url)?;
     let new = Webhook {
         id: uuid::Uuid::now_v7().to_string(),
@@ -297,7 +272,7 @@ pub(crate) async fn update(
     query: QueryString,
     request: Request,
 ) -> Result<Json<WebhookDocument>, Problem> {
-    let WebhookChangeDocument { url, states, enabled } = body(&state, &tenant, request, query).await?;
+    let WebhookChangeDocument { url, states, enabled } = small_json(&state, &tenant, request, query).await?;
     if let Some(url) = &url {
         checked_url(&state, url)?;
     }

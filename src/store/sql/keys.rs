@@ -3,7 +3,7 @@
 use super::database::{Row, bind};
 use super::dialect::sql;
 use super::{SqlStore, rows};
-use crate::jobs::{ApiKey, JobError, KeyStore, Scope, SecretKey, Tenant};
+use crate::jobs::{ApiKey, JobError, KeyPage, KeyStore, Scope, SecretKey, Tenant};
 use async_trait::async_trait;
 use std::time::Duration;
 
@@ -43,6 +43,27 @@ impl KeyStore for SqlStore {
 
     async fn list_keys(&self) -> Result<Vec<ApiKey>, JobError> {
         self.database.reader().await?.rows(sql!("list_keys"), bind![]).await?.iter().map(api_key).collect()
+    }
+
+    async fn list_tenant_keys(
+        &self,
+        tenant: &Tenant,
+        size: u32,
+        after: Option<(i64, String)>,
+    ) -> Result<KeyPage, JobError> {
+        let (time, id) = after.unzip();
+        let arguments = bind![tenant, time, id, i64::from(size) + 1];
+        let rows = self.database.reader().await?.rows(sql!("list_tenant_keys"), arguments).await?;
+        let mut keys: Vec<ApiKey> = rows.iter().map(api_key).collect::<Result<_, _>>()?;
+        let more = keys.len() > size as usize;
+        keys.truncate(size as usize);
+        let next = keys.last().filter(|_| more).map(|key| (key.created_at.as_millisecond(), key.id.clone()));
+        Ok(KeyPage { keys, next })
+    }
+
+    async fn count_valid_keys(&self, tenant: &Tenant) -> Result<u32, JobError> {
+        let row = self.database.reader().await?.row(sql!("count_valid_keys"), bind![tenant]).await?;
+        row.map_or(Ok(0), |row| row.count(0))
     }
 
     async fn revoke_key(&self, id: &str) -> Result<bool, JobError> {

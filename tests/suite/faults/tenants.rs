@@ -42,6 +42,7 @@ async fn a19_resources_of_another_tenant_are_not_found(backend: Backend) {
     };
     let batch = post("/v1/batches", json!({"pairs": [{"source": mesh, "target": mesh}]})).await;
     let webhook = post("/v1/webhooks", json!({"url": "https://example.org/", "states": ["dead"]})).await;
+    let key_id = post("/v1/keys", json!({"role": "reader"})).await;
     // The other tenant has a job too, so that its lists are not empty.
     let own = other.submit(steps(1, 1)).await;
     other.until_succeeded(&own, SOON).await;
@@ -55,6 +56,8 @@ async fn a19_resources_of_another_tenant_are_not_found(backend: Backend) {
             (mesh.clone(), format!("blake3:{}", "0".repeat(64)))
         } else if path.starts_with("/v1/batches") {
             (batch.clone(), uuid::Uuid::now_v7().to_string())
+        } else if path.starts_with("/v1/keys") {
+            (key_id.clone(), "0".repeat(12))
         } else if path.starts_with("/v1/webhooks") {
             (webhook.clone(), uuid::Uuid::now_v7().to_string())
         } else {
@@ -85,7 +88,7 @@ async fn a19_resources_of_another_tenant_are_not_found(backend: Backend) {
                 }
             }
             let text = body.to_string();
-            let reveals = [&job, &mesh, &batch, &webhook].into_iter().any(|id| text.contains(id.as_str()));
+            let reveals = [&job, &mesh, &batch, &webhook, &key_id].into_iter().any(|id| text.contains(id.as_str()));
             assert!(!reveals, "{method} {path} reveals a resource of another tenant: {text}");
             n_asked += 1;
         }

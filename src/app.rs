@@ -2,6 +2,7 @@
 
 use crate::config::{HttpSettings, ServiceSettings};
 use crate::http::{AuthMode, ConnectionLimits, HttpState, probe_router, router, serve};
+use crate::jobs::audit::Recorder;
 use crate::jobs::{ArtifactStore, Engine, JobError, JobService, JobStore, Processes, Stores, WorkerId};
 use crate::store::artifacts::{FolderArtifacts, S3Artifacts};
 use crate::store::private_files;
@@ -218,7 +219,9 @@ impl App {
         probes: Option<TcpListener>,
         shutdown: &Shutdown,
     ) {
-        let Some((listener, http, service)) = http else { return self.run_with(Vec::new(), None, shutdown).await };
+        let Some((listener, http, service)) = http else {
+            return self.run_with(Vec::new(), None, None, shutdown).await;
+        };
         let auth = http.auth_mode().unwrap_or(AuthMode::Keys);
         if http.is_open_to_others() {
             tracing::warn!(
@@ -230,16 +233,17 @@ impl App {
         let state = self.http_state(&http, &service, auth, shutdown);
         let webhooks = WebhookDelivery::new(Arc::new(self.stores[0].clone()), http.webhook_delivery_settings());
         let webhooks = webhooks.inspect_err(|error| tracing::error!(%error, "webhooks are not delivered")).ok();
+        let recorder = Arc::clone(state.service.recorder());
         let mut servers = vec![(listener, router(state.clone()), http.connection_limits())];
         servers.extend(probes.map(|probes| (probes, probe_router(state), http.probe_limits())));
-        self.run_with(servers, webhooks, shutdown).await;
+        self.run_with(servers, webhooks, Some(recorder), shutdown).await;
     }
 
     /// Runs jobs, and answers the probes of supervisors on `listener`, until `shutdown`.
     pub async fn run_with_probes(self, listener: TcpListener, service: &ServiceSettings, shutdown: &Shutdown) {
         let http = HttpSettings::default();
         let state = self.http_state(&http, service, AuthMode::Keys, shutdown);
-        self.run_with(vec![(listener, probe_router(state), http.probe_limits())], None, shutdown).await;
+        self.run_with(vec![(listener, probe_router(state), http.probe_limits())], None, None, shutdown).await;
     }
 
     fn http_state(
@@ -254,7 +258,8 @@ impl App {
             jobs: Arc::clone(&self.parts.store),
             meshes: own.clone(),
             keys: own.clone(),
-            webhooks: own,
+            webhooks: own.clone(),
+            audit: own,
             artifacts: Arc::clone(&self.parts.artifacts),
         };
         let (engine, signals) = (Arc::clone(&self.parts.engine), Arc::clone(&self.parts.signals));
@@ -268,6 +273,7 @@ impl App {
         self,
         servers: Vec<(TcpListener, Router, ConnectionLimits)>,
         webhooks: Option<WebhookDelivery>,
+        recorder: Option<Arc<Recorder>>,
         shutdown: &Shutdown,
     ) {
         telemetry::metrics_text(); // starts to collect metrics
@@ -294,6 +300,10 @@ impl App {
                 server.abort();
                 let _ = server.await;
             }
+        }
+        if let Some(recorder) = recorder {
+            // Rows of requests whose clients have left.
+            let _ = tokio::time::timeout_at(drained_by, recorder.settled()).await;
         }
         for store in &self.stores {
             store.close().await;

@@ -130,6 +130,10 @@ pub struct HttpSettings {
     /// Allow webhooks to private addresses, such as those of the local network
     #[arg(long, env = "HOMOLOG_ALLOW_PRIVATE_WEBHOOKS", value_parser = clap::builder::FalseyValueParser::new())]
     pub allow_private_webhooks: bool,
+    /// Refuse requests whose row of the audit log cannot be stored, with 503; otherwise they are answered, and the row is in the
+    /// log of the process
+    #[arg(long, env = "HOMOLOG_AUDIT_REQUIRED", value_parser = clap::builder::FalseyValueParser::new())]
+    pub audit_required: bool,
     /// Pause after the first failed attempt to deliver a webhook, ms; each further pause is three times as long
     #[arg(long, env = "HOMOLOG_WEBHOOK_PAUSE_MS", default_value_t = 5_000, value_parser = clap::value_parser!(u64).range(10..=3_600_000), value_name = "MS")]
     pub webhook_pause_ms: u64,
@@ -337,6 +341,7 @@ impl HttpSettings {
             upload_timeout: Duration::from_secs(self.upload_timeout_s),
             request_timeout: Duration::from_secs(self.request_timeout_s),
             allow_private_webhooks: self.allow_private_webhooks,
+            audit_required: self.audit_required,
         }
     }
 

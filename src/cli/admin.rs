@@ -9,8 +9,8 @@ use super::serve::in_runtime;
 use crate::app;
 use crate::config::ServiceSettings;
 use crate::jobs::{
-    ApiKey, BlobHolds as _, Housekeeping as _, JobError, JobStore as _, KeyStore as _, Purged, Role, Scope, SecretKey,
-    Tenant,
+    ApiKey, AuditEvent, AuditStore as _, BlobHolds as _, Housekeeping as _, JobError, JobStore as _, KeyStore as _,
+    Purged, Role, Scope, SecretKey, Tenant,
 };
 use crate::store::sql::SqlStore;
 use std::time::Duration;
@@ -129,6 +129,7 @@ pub(super) fn keys(args: &KeysArgs) -> Result<(), CliError> {
             with_store(service, async |store| {
                 let key = SecretKey::random();
                 store.insert_key(&key, &owner, name, &scopes, valid_for).await?;
+                record(store, "create_key", Some(&owner), Some(key.id())).await?;
                 Ok(key.reveal())
             })
         }
@@ -145,6 +146,8 @@ pub(super) fn keys(args: &KeysArgs) -> Result<(), CliError> {
             let id = SecretKey::parse(id).map_or_else(|| id.clone(), |key| key.id().to_owned());
             with_store(service, async |store| {
                 if store.revoke_key(&id).await? {
+                    let tenant = store.get_key(&id).await?.map(|key| key.tenant);
+                    record(store, "revoke_key", tenant.as_ref(), Some(&id)).await?;
                     return Ok(format!("{id} is revoked"));
                 }
                 match store.list_keys().await?.iter().any(|key| key.id == id) {
@@ -195,6 +198,7 @@ pub(super) fn purge(args: &PurgeArgs) -> Result<(), CliError> {
             store.overwrite_deleted().await?;
             blobs = store.remove_unreferenced_blobs(artifacts.as_ref()).await?;
             blobs += artifacts.sweep().await?;
+            record(store, "purge", None, None).await?;
         }
         let verb = if dry_run { "would be removed" } else { "removed" };
         let Purged { results, jobs, meshes, changes, deliveries, idempotency_keys } = total;
@@ -207,7 +211,7 @@ pub(super) fn purge(args: &PurgeArgs) -> Result<(), CliError> {
 }
 
 /// Refuses a data directory that holds no database.
-fn require_database(settings: &ServiceSettings) -> Result<(), CliError> {
+pub(super) fn require_database(settings: &ServiceSettings) -> Result<(), CliError> {
     if settings.database(1).is_there() {
         return Ok(());
     }
@@ -218,8 +222,21 @@ fn require_database(settings: &ServiceSettings) -> Result<(), CliError> {
     )))
 }
 
-/// Opens the database, runs `work` on it, and prints the answer.
-fn with_store(
+/// Records what a command has changed. Commands have no tenant and no key: whoever may read the database may run them.
+async fn record(store: &SqlStore, action: &str, tenant: Option<&Tenant>, key_id: Option<&str>) -> Result<(), JobError> {
+    let event = AuditEvent {
+        tenant: tenant.cloned(),
+        key_id: None,
+        action: action.to_owned(),
+        resource: key_id.map(|id| format!("keys/{id}")),
+        address: Some("command-line".to_owned()),
+        status: None,
+    };
+    store.append_audit(&[event]).await
+}
+
+/// Opens the database, runs `work` on it, and prints the answer unless it is empty.
+pub(super) fn with_store(
     settings: &ServiceSettings,
     work: impl AsyncFnOnce(&SqlStore) -> Result<String, CliError>,
 ) -> Result<(), CliError> {
@@ -233,5 +250,6 @@ fn with_store(
         store.close().await;
         Ok(())
     })?;
-    print(answer?.trim_end())
+    let answer = answer?;
+    if answer.is_empty() { Ok(()) } else { print(answer.trim_end()) }
 }

@@ -2,6 +2,7 @@
 //! standard error. Exit codes: 0 done, 1 failed, 2 bad input, 130 interrupted.
 
 mod admin;
+mod audit;
 mod demo;
 mod error;
 mod experiment;
@@ -41,6 +42,7 @@ enum Command {
     Migrate(admin::MigrateArgs),
     Keys(admin::KeysArgs),
     Purge(admin::PurgeArgs),
+    Audit(audit::AuditArgs),
     Match(match_pair::MatchArgs),
     Inspect(inspect::InspectArgs),
     Phantom(phantom::PhantomArgs),
@@ -84,6 +86,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Command::Migrate(args) => admin::migrate(&args),
         Command::Keys(args) => admin::keys(&args),
         Command::Purge(args) => admin::purge(&args),
+        Command::Audit(args) => audit::run(&args),
         Command::Openapi => serve::print_openapi(),
         Command::Problems => serve::print_problems(),
         Command::Parameters => parameter_table::print_parameters(),
@@ -108,7 +111,12 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
 fn unknown_setting(command: &Command) -> Option<String> {
     let runs_service = matches!(
         command,
-        Command::Serve(_) | Command::Worker(_) | Command::Migrate(_) | Command::Keys(_) | Command::Purge(_)
+        Command::Serve(_)
+            | Command::Worker(_)
+            | Command::Migrate(_)
+            | Command::Keys(_)
+            | Command::Purge(_)
+            | Command::Audit(_)
     );
     let names = std::env::vars_os().filter_map(|(name, _)| name.into_string().ok());
     if runs_service { names.into_iter().find(|name| is_unknown(name)) } else { None }

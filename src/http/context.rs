@@ -1,6 +1,7 @@
 //! The outermost layer around every request: request id, log span, metrics, time limit, and a problem document for errors
 //! that no handler has answered.
 
+use super::audit::{Caller, Recording};
 use super::preferences::{trace_id, traceparent};
 use super::problem::{PROBLEM_JSON, Problem};
 use super::problem_table::ProblemKind;
@@ -47,7 +48,7 @@ fn method_label(method: &Method) -> &'static str {
 }
 
 /// The outermost layer: gives the request an id, logs and counts its answer, and turns errors of other layers into problems.
-pub(crate) async fn surround(State(state): State<HttpState>, request: Request, next: Next) -> Response {
+pub(crate) async fn surround(State(state): State<HttpState>, mut request: Request, next: Next) -> Response {
     let id = accepted_id(request.headers());
     let header = HeaderValue::from_str(&id).ok();
     let route = request.extensions().get::<MatchedPath>().map(|p| p.as_str().to_owned());
@@ -60,6 +61,9 @@ pub(crate) async fn surround(State(state): State<HttpState>, request: Request, n
         method,
         route,
     );
+    let caller = Caller::default();
+    request.extensions_mut().insert(caller.clone());
+    let recording = Recording::of(&state, &caller, &request, &route);
     let began = Instant::now();
     let limit = match (method, route.as_str()) {
         // The handler limits the upload itself, with a better answer; this covers what follows the upload.
@@ -71,9 +75,13 @@ pub(crate) async fn surround(State(state): State<HttpState>, request: Request, n
             Ok(response) => response,
             Err(_) => Problem::new(ProblemKind::Timeout).retry_after(5).into_response(),
         };
-        let response = as_problem(response);
+        let mut response = as_problem(response);
+        if let Some(recording) = recording {
+            response = recording.end(response).await;
+        }
         let elapsed_ms = began.elapsed().as_millis();
-        tracing::info!(status = response.status().as_u16(), elapsed_ms, "answered");
+        let (tenant, key_id) = (caller.tenant(), caller.key_id());
+        tracing::info!(status = response.status().as_u16(), elapsed_ms, tenant, key_id, "answered");
         // Every label comes from a closed set, because requests are counted before they are authenticated: the methods
         // below, the routes of the router, the statuses that the service answers.
         let status = response.status().as_u16().to_string();

@@ -2,13 +2,14 @@
 //!
 //! Reading order: [`mod@router`] (layers and routes), [`routes`] (one file for each resource), [`upload`] (bodies under
 //! limits; `shares` among clients, `pace` of each), `strict_json`, [`wire`] (JSON forms), `accept` and `representation` (content negotiation), `content` (streams and ranges), `conditional` and `long_poll` (ETags
-//! and `?wait=`), [`problem`] (errors), [`context`] (request ids, spans, metrics), [`hosts`] (host validation), [`server`]
+//! and `?wait=`), [`problem`] (errors), [`context`] (request ids, spans, metrics), `audit` (what is recorded), [`hosts`] (host validation), [`server`]
 //! (connections).
 //!
 //! Invariant: every error answer is `application/problem+json`; an answer of 5xx hides its cause and carries the
 //! request id. Nothing here knows a store or how a match is computed.
 
 mod accept;
+mod audit;
 mod auth;
 mod conditional;
 mod content;

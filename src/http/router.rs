@@ -56,6 +56,8 @@ pub struct HttpLimits {
     pub request_timeout: Duration,
     /// Whether webhooks may go to private addresses.
     pub allow_private_webhooks: bool,
+    /// Whether a request that cannot be recorded in the audit log is refused.
+    pub audit_required: bool,
 }
 
 impl HttpLimits {

@@ -23,6 +23,10 @@ pub(super) struct Peer(pub(super) IpAddr);
 pub(crate) struct Origin(pub(super) Option<IpAddr>);
 
 impl Origin {
+    pub(super) fn address(self) -> Option<IpAddr> {
+        self.0
+    }
+
     pub(super) fn of(extensions: &Extensions) -> Self {
         Origin(extensions.get::<Peer>().map(|peer| peer.0))
     }

@@ -3,13 +3,14 @@
 //! Reading order: [`state`] (the state machine), [`job`] (the record), [`lease`] (which worker runs it, fenced by an epoch),
 //! [`trace`] (progress and energy trace), [`demand`] (cores and memory), [`turns`] (of tenants), [`ports`] (storage), [`engine`] (the computation),
 //! [`service`] (the use cases), [`submission`], [`uploads`], [`follow`], [`signals`]. Beside the job: [`admission`],
-//! [`mod@batch`], [`change`], [`mesh`], [`metadata`], [`key`], [`webhook`], [`retention`], [`presentation`] (the formats of a result).
+//! [`mod@batch`], [`change`], [`mesh`], [`metadata`], [`key`], [`audit`], [`webhook`], [`retention`], [`presentation`] (the formats of a result).
 //!
 //! Invariant: nothing here knows SQL, HTTP or how a match is computed. Parameters, reports and results pass through as JSON
 //! and blobs; an [`engine::Computation`] holds parameters in types that are opaque here.
 
 pub mod address;
 pub mod admission;
+pub mod audit;
 pub mod batch;
 pub mod change;
 pub mod demand;
@@ -35,6 +36,7 @@ pub mod uploads;
 pub mod webhook;
 
 pub use admission::{Admission, Made, Once, OnceStatus};
+pub use audit::{AuditEvent, AuditHead, AuditRow, AuditStore};
 pub use batch::{Batch, BatchId, BatchPage, NewBatch};
 pub use change::{Change, ChangePage};
 pub use demand::{Demand, SurfaceSize, WaitingJob};

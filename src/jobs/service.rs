@@ -2,6 +2,7 @@
 //!
 //! Submissions are in [`super::submission`], uploads in [`super::uploads`], following a job in [`super::follow`].
 
+use super::audit::{AuditStore, Recorder};
 use super::batch::{Batch, BatchId, BatchPage};
 use super::change::ChangePage;
 use super::engine::{Engine, MethodDescription};
@@ -59,6 +60,8 @@ pub struct Stores {
     pub keys: Arc<dyn KeyStore>,
     /// Webhooks.
     pub webhooks: Arc<dyn WebhookStore>,
+    /// The audit log.
+    pub audit: Arc<dyn AuditStore>,
     /// Blobs.
     pub artifacts: Arc<dyn ArtifactStore>,
 }
@@ -74,6 +77,7 @@ pub struct JobService {
     /// Wakes the workers of this process. Only makes them faster: they also poll.
     pub(super) signals: Arc<Signals>,
     feeds: Feeds,
+    recorder: Arc<Recorder>,
 }
 
 /// The outcome of cancelling many jobs.
@@ -91,7 +95,13 @@ impl JobService {
         let checks = Arc::new(Semaphore::new(limits.max_checks.max(1)));
         let presentations = Arc::new(Semaphore::new(MAX_PRESENTATIONS));
         let feeds = Feeds::new(Arc::clone(&stores.jobs), Arc::clone(&signals));
-        JobService { stores, engine, limits, checks, presentations, signals, feeds }
+        let recorder = Recorder::new(Arc::clone(&stores.audit));
+        JobService { stores, engine, limits, checks, presentations, signals, feeds, recorder }
+    }
+
+    /// Appends to the audit log.
+    pub fn recorder(&self) -> &Arc<Recorder> {
+        &self.recorder
     }
 
     /// Limits on submissions.

@@ -81,6 +81,7 @@ async fn made_up_requests_create_no_new_series() {
         ("state", words("queued running")),
         ("end", ["succeeded", "failed", "cancelled", "given back", "lease lost"].map(str::to_owned).into()),
         ("lookup", words("hit miss")),
+        ("row", ["written", "lost", "left out"].map(str::to_owned).into()),
     ]);
     for (name, labels) in &after {
         for (label, value) in labels {

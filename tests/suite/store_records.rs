@@ -254,10 +254,10 @@ async fn meshes_are_kept_while_jobs_refer_to_them(f: Fixture) {
 async fn keys_are_invalid_once_revoked_or_expired(f: Fixture) {
     let (lasting, brief) = (SecretKey::random(), SecretKey::random());
     f.store.insert_key(&lasting, &f.tenant, "one", &[Scope::Read], None).await.unwrap();
-    f.store.insert_key(&brief, &f.tenant, "two", &[Scope::Submit], Some(SHORT)).await.unwrap();
+    f.store.insert_key(&brief, &f.tenant, "two", &[Scope::Submit], Some(SHORT * 10)).await.unwrap();
     let is_valid = async |key: &SecretKey| f.store.get_key(key.id()).await.unwrap().unwrap().is_valid;
     assert!(is_valid(&lasting).await && is_valid(&brief).await);
-    tokio::time::sleep(SHORT * 2).await;
+    tokio::time::sleep(SHORT * 12).await;
     assert!(!is_valid(&brief).await);
     assert!(f.store.revoke_key(lasting.id()).await.unwrap());
     assert!(!f.store.revoke_key(lasting.id()).await.unwrap());

@@ -10,9 +10,10 @@
 //!
 //! Each port of [`crate::jobs`] is implemented in one file: [`reading`] ([`crate::jobs::JobReader`]), [`writing`]
 //! ([`crate::jobs::JobWriter`]), [`leasing`] ([`crate::jobs::JobQueue`]), [`blobs`] ([`crate::jobs::BlobHolds`]),
-//! [`housekeeping`] ([`crate::jobs::Housekeeping`]), [`meshes`], [`keys`], [`webhooks`]. Beside them: [`batches`],
+//! [`housekeeping`] ([`crate::jobs::Housekeeping`]), [`meshes`], [`keys`], [`audit`], [`webhooks`]. Beside them: [`batches`],
 //! [`changes`] (the feed), [`once`] (idempotency keys), [`retention`], [`rows`] (from rows to records).
 
+mod audit;
 mod batches;
 mod blobs;
 mod changes;

@@ -26,7 +26,7 @@ mod s3;
 mod schema;
 pub(crate) mod site;
 mod tenants;
-mod witness;
+pub(crate) mod witness;
 
 use std::time::Duration;
 

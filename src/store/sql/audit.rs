@@ -1,0 +1,91 @@
+//! The audit log: appended row by row in one chain, whatever process writes.
+
+use super::SqlStore;
+use super::database::{Row, Session, bind};
+use super::dialect::sql;
+use crate::jobs::{AuditEvent, AuditHead, AuditRow, AuditStore, JobError};
+use async_trait::async_trait;
+use jiff::Timestamp;
+
+/// A time in ms as it stands in the log: always with milliseconds.
+fn written(at_ms: i64) -> String {
+    Timestamp::from_millisecond(at_ms).map_or_else(|_| at_ms.to_string(), |at| format!("{at:.3}"))
+}
+
+fn head(row: &Row) -> Result<AuditHead, JobError> {
+    Ok(AuditHead { position: row.get::<i64>("position")?.unsigned_abs(), hash: row.get("hash")? })
+}
+
+/// Whatever is stored is returned, so that verification can judge it.
+fn audit_row(row: &Row) -> Result<AuditRow, JobError> {
+    Ok(AuditRow {
+        position: row.get::<i64>("position")?.unsigned_abs(),
+        at: written(row.get("at")?),
+        tenant: row.get("tenant")?,
+        key_id: row.get("key_id")?,
+        action: row.get("action")?,
+        resource: row.get("resource")?,
+        address: row.get("address")?,
+        status: row.get("status")?,
+        hash: row.get("hash")?,
+    })
+}
+
+async fn insert_audit(session: &mut Session, row: &AuditRow, at_ms: i64) -> Result<(), JobError> {
+    let AuditRow { position, tenant, key_id, action, resource, address, status, hash, .. } = row;
+    let arguments = bind![*position, at_ms, tenant, key_id, action, resource, address, *status, hash];
+    session.execute(sql!("insert_audit"), arguments).await.map(|_| ())
+}
+
+#[async_trait]
+impl AuditStore for SqlStore {
+    async fn append_audit(&self, events: &[AuditEvent]) -> Result<(), JobError> {
+        self.database
+            .transaction(async |session| {
+                // Locked until the commit: the next process continues from the last row of this one.
+                let locked = session.row(sql!("lock_audit_head"), bind![]).await?;
+                let locked = locked.ok_or(JobError::Corrupt { what: "the end of the audit log", source: None })?;
+                let (mut last, at_ms) = (head(&locked)?, locked.get::<i64>("at")?);
+                for event in events {
+                    let mut row = AuditRow {
+                        position: last.position + 1,
+                        at: written(at_ms),
+                        tenant: event.tenant.as_ref().map(|tenant| tenant.name().to_owned()),
+                        key_id: event.key_id.clone(),
+                        action: event.action.clone(),
+                        resource: event.resource.clone(),
+                        address: event.address.clone(),
+                        status: event.status.map(i64::from),
+                        hash: String::new(),
+                    };
+                    row.hash = row.hash_after(&last.hash);
+                    insert_audit(session, &row, at_ms).await?;
+                    last = AuditHead { position: row.position, hash: row.hash };
+                }
+                session.execute(sql!("move_audit_head"), bind![last.position, last.hash]).await.map(|_| ())
+            })
+            .await
+    }
+
+    async fn list_audit(&self, after: u64, limit: u32) -> Result<Vec<AuditRow>, JobError> {
+        let rows = self.database.reader().await?.rows(sql!("list_audit"), bind![after, limit]).await?;
+        rows.iter().map(audit_row).collect()
+    }
+
+    async fn audit_head(&self) -> Result<AuditHead, JobError> {
+        let row = self.database.reader().await?.row(sql!("audit_head"), bind![]).await?;
+        head(&row.ok_or(JobError::Corrupt { what: "the end of the audit log", source: None })?)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn times_always_have_milliseconds() {
+        assert_eq!(written(1_795_238_118_123), "2026-11-21T05:15:18.123Z");
+        assert_eq!(written(1_795_238_118_000), "2026-11-21T05:15:18.000Z");
+        assert_eq!(written(i64::MAX), i64::MAX.to_string());
+    }
+}

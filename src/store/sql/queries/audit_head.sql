@@ -1,0 +1,2 @@
+-- audit_head
+SELECT position, hash FROM audit_head

@@ -1,4 +1,7 @@
-//! The settings, each from the command line or the environment, with its default. The texts of `--help` are here.
+//! The settings, each from the command line, the environment or a configuration file ([`file`]), with its default. The texts of
+//! `--help` are here.
+
+pub mod file;
 
 use crate::http::{AllowedHosts, AuthMode, ConnectionLimits, HttpLimits, LeastRate};
 use crate::jobs::{Retention, SubmissionLimits, TenantWeight, TenantWeights};
@@ -17,6 +20,10 @@ const MAX_LIST: usize = crate::http::MAX_LIST;
 /// Settings of every process of the service.
 #[derive(Debug, Clone, clap::Args)]
 pub struct ServiceSettings {
+    /// Configuration file in TOML: settings under their names with underscores, such as max_queue = 500; the environment and the
+    /// command line go before it
+    #[arg(long, env = "HOMOLOG_CONFIG", value_name = "FILE")]
+    pub config: Option<PathBuf>,
     /// Folder of the database and the files
     #[arg(long, env = "HOMOLOG_DATA_DIR", default_value = "./homolog-data", value_name = "DIR")]
     pub data_dir: PathBuf,
@@ -222,15 +229,23 @@ fn retained(days: f64) -> Option<Duration> {
     (days > 0.0).then(|| Duration::from_secs_f64(days * 86_400.0))
 }
 
-/// Further settings of a process that only runs jobs.
+/// When a process that only runs jobs exits.
 #[derive(Debug, Clone, Default, clap::Args)]
-pub struct WorkerProcessSettings {
+pub struct WorkerEnd {
     /// Exit after this time without a job, s; default: never
     #[arg(long, env = "HOMOLOG_EXIT_WHEN_IDLE_S", value_name = "S")]
     pub exit_when_idle_s: Option<u64>,
     /// Exit after this number of jobs; default: never
     #[arg(long, env = "HOMOLOG_MAX_JOBS", value_parser = clap::value_parser!(u64).range(1..), value_name = "N")]
     pub max_jobs: Option<u64>,
+}
+
+/// Further settings of a process that only runs jobs.
+#[derive(Debug, Clone, Default, clap::Args)]
+pub struct WorkerProcessSettings {
+    /// When it exits.
+    #[command(flatten)]
+    pub end: WorkerEnd,
     /// Address on which to serve /healthz, /readyz and /metrics; default: none
     #[arg(long, env = "HOMOLOG_PROBE_LISTEN", value_name = "ADDRESS:PORT")]
     pub probe_listen: Option<SocketAddr>,

@@ -3,6 +3,7 @@
 
 mod admin;
 mod audit;
+mod config;
 mod demo;
 mod error;
 mod experiment;
@@ -19,6 +20,7 @@ mod progress;
 mod serve;
 mod summary;
 
+use config::Refused;
 use error::CliError;
 
 use clap::{Parser, Subcommand};
@@ -43,6 +45,7 @@ enum Command {
     Keys(admin::KeysArgs),
     Purge(admin::PurgeArgs),
     Audit(audit::AuditArgs),
+    Config(config::ConfigArgs),
     Match(match_pair::MatchArgs),
     Inspect(inspect::InspectArgs),
     Phantom(phantom::PhantomArgs),
@@ -66,17 +69,28 @@ fn version() -> &'static str {
 
 /// Runs the program with these arguments, of which the first is the name of the program.
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
-    let cli = match Cli::try_parse_from(arguments) {
-        Ok(cli) => cli,
-        Err(error) => {
+    let program = <Cli as clap::CommandFactory>::command();
+    let arguments: Vec<OsString> = arguments.into_iter().collect();
+    let parsed = config::parse(&program, &arguments).and_then(|(matches, file)| {
+        let cli = <Cli as clap::FromArgMatches>::from_arg_matches(&matches).map_err(Refused::Usage)?;
+        Ok((cli, matches, file))
+    });
+    let (cli, matches, file) = match parsed {
+        Ok(parsed) => parsed,
+        Err(Refused::Usage(error)) => {
             // Help and version exit with 0, usage errors with 2, whether or not the text could be printed.
             let _ = error.print();
             return ExitCode::from(u8::try_from(error.exit_code()).unwrap_or(2));
         }
+        Err(Refused::File(reason)) => {
+            output::note(&format!("homolog: {reason}"));
+            return ExitCode::from(2);
+        }
     };
     if let Some(unknown) = unknown_setting(&cli.command) {
+        let nearest = nearest_variable(&program, &unknown);
         output::note(&format!(
-            "homolog: {unknown} is no setting of this program; `homolog serve --help` and `homolog worker --help` list all"
+            "homolog: {unknown} is no setting of this program; did you mean {nearest}? `homolog config` lists all settings"
         ));
         return ExitCode::from(2);
     }
@@ -87,6 +101,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Command::Keys(args) => admin::keys(&args),
         Command::Purge(args) => admin::purge(&args),
         Command::Audit(args) => audit::run(&args),
+        Command::Config(_) => config::run(&program, &matches, &file),
         Command::Openapi => serve::print_openapi(),
         Command::Problems => serve::print_problems(),
         Command::Parameters => parameter_table::print_parameters(),
@@ -117,6 +132,7 @@ fn unknown_setting(command: &Command) -> Option<String> {
             | Command::Keys(_)
             | Command::Purge(_)
             | Command::Audit(_)
+            | Command::Config(_)
     );
     let names = std::env::vars_os().filter_map(|(name, _)| name.into_string().ok());
     if runs_service { names.into_iter().find(|name| is_unknown(name)) } else { None }
@@ -128,6 +144,12 @@ fn is_unknown(name: &str) -> bool {
     let is_of_kubernetes = name.contains("_SERVICE_") || name.ends_with("_PORT") || name.contains("_PORT_");
     let program = <Cli as clap::CommandFactory>::command();
     name.starts_with("HOMOLOG_") && !OTHERS.contains(&name) && !is_of_kubernetes && !has_variable(&program, name)
+}
+
+/// The variable that is most like an unknown one.
+fn nearest_variable(program: &clap::Command, unknown: &str) -> String {
+    let variables: Vec<String> = config::variables(program);
+    crate::config::file::nearest(unknown, &variables).unwrap_or_default().to_owned()
 }
 
 fn has_variable(command: &clap::Command, name: &str) -> bool {

@@ -62,7 +62,7 @@ pub(super) fn worker(args: WorkerArgs) -> Result<(), CliError> {
             None => None,
         };
         let mut app = App::open(&args.service, app::engine(&args.service), &shutdown, false).await?;
-        app.limit_to(Quota::new(args.process.exit_when_idle_s.map(Duration::from_secs), args.process.max_jobs));
+        app.limit_to(Quota::new(args.process.end.exit_when_idle_s.map(Duration::from_secs), args.process.end.max_jobs));
         say(&match &args.service.database_url {
             None => format!("homolog worker runs jobs of {}", args.service.data_dir.display()),
             Some(_) => "homolog worker runs jobs of the database server".to_owned(),

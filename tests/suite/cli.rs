@@ -150,3 +150,108 @@ fn the_demo_runs_from_submission_to_aligned_surface() {
     let left: Vec<_> = fs::read_dir(&out).unwrap().map(|e| e.unwrap().file_name()).collect();
     assert!(!left.iter().any(|name| name.to_string_lossy().starts_with("service-data")), "{left:?}");
 }
+
+/// Exit code, standard output and standard error of `homolog` with these variables and no other settings.
+fn with_environment(arguments: &[&str], environment: &[(&str, &str)]) -> (Option<i32>, String, String) {
+    let mut command = homolog();
+    std::env::vars().filter(|(name, _)| name.starts_with("HOMOLOG_")).for_each(|(name, _)| {
+        command.env_remove(name);
+    });
+    let done = command.args(arguments).envs(environment.iter().copied()).output().unwrap();
+    let text = |bytes| String::from_utf8(bytes).unwrap();
+    (done.status.code(), text(done.stdout), text(done.stderr))
+}
+
+#[test]
+fn settings_come_from_the_file_the_environment_and_the_command_line_in_this_order() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("homolog.toml");
+    fs::write(
+        &file,
+        "max_queue = 11\nmax_batch = 12\nmax_checks = 13\ninsecure = true\nauth = \"keys\"\ntenant_weights = [\"a=2\", \"b=3\"]\n\
+         retain_results_days = 7.5\ndatabase_url = \"postgres://homolog:geheim@db/homolog\"\nmax_jobs = 5\n",
+    )
+    .unwrap();
+    let path = file.to_str().unwrap();
+    let environment = [("HOMOLOG_MAX_BATCH", "22"), ("HOMOLOG_MAX_CHECKS", "23"), ("HOMOLOG_CONFIG", path)];
+    let (code, printed, stderr) = with_environment(&["config", "--max-checks", "33"], &environment);
+    assert_eq!(code, Some(0), "{stderr}");
+    let line = |name: &str| {
+        let found = printed.lines().find(|line| line.trim_start_matches("# ").starts_with(&format!("{name} =")));
+        let (value, source) = found.unwrap_or_else(|| panic!("no {name}:\n{printed}")).rsplit_once('#').unwrap();
+        (value.trim().to_owned(), source.trim().to_owned())
+    };
+    let expect = |name: &str, value: &str, source: &str| {
+        assert_eq!(line(name), (format!("{name} = {value}"), source.to_owned()));
+    };
+    expect("max_queue", "11", "file");
+    expect("max_batch", "22", "environment");
+    expect("max_checks", "33", "command line");
+    expect("insecure", "true", "file");
+    expect("auth", "\"keys\"", "file");
+    expect("tenant_weights", "[\"a=2\", \"b=3\"]", "file");
+    expect("retain_results_days", "7.5", "file");
+    expect("max_jobs", "5", "file");
+    expect("listen", "\"127.0.0.1:8080\"", "default");
+    assert_eq!(line("cores").1, "not set");
+    assert_eq!(line("database_url"), ("# database_url = \"***\"".to_owned(), "file".to_owned()));
+    assert!(!printed.contains("geheim"));
+
+    // What is printed is a configuration file that gives the same settings.
+    let again = folder.path().join("again.toml");
+    fs::write(&again, &printed).unwrap();
+    let (code, reprinted, stderr) = with_environment(&["config", "--config", again.to_str().unwrap()], &[]);
+    assert_eq!(code, Some(0), "{stderr}");
+    let settings = |text: &str| -> Vec<String> {
+        text.lines()
+            .filter(|line| !line.contains("database_url"))
+            .map(|line| line.rsplit_once('#').unwrap().0.to_owned())
+            .collect()
+    };
+    assert_eq!(settings(&reprinted), settings(&printed));
+}
+
+#[test]
+fn every_setting_is_in_the_printed_configuration() {
+    let (_, printed, _) = with_environment(&["config"], &[]);
+    for command in ["serve", "worker", "purge"] {
+        let (_, help, _) = with_environment(&[command, "--help"], &[]);
+        let words: Vec<&str> = help.split_whitespace().collect();
+        for name in words
+            .join(" ")
+            .split("[env: HOMOLOG_")
+            .skip(1)
+            .map(|rest| rest.split(['=', ']']).next().unwrap().to_owned())
+        {
+            let key = name.to_lowercase();
+            let is_there = printed.lines().any(|line| line.trim_start_matches("# ").starts_with(&format!("{key} =")));
+            assert!(is_there || name == "CONFIG", "{command}: {name} is not in\n{printed}");
+        }
+    }
+}
+
+#[test]
+fn wrong_configuration_files_are_refused_with_the_place() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("homolog.toml");
+    let data = folder.path().join("data");
+    for (text, said) in [
+        ("max_queues = 5", "max_queues is no setting; did you mean max_queue?"),
+        ("config = \"other.toml\"", "config is no setting"),
+        ("max_queue = \"many\"", "invalid value 'many' for '--max-queue <N>'"),
+        ("lease_ms = 1", "--lease-ms"),
+        ("max_queue = {n = 1}", "max_queue must be a text"),
+        ("max_queue 5", "is no TOML"),
+    ] {
+        fs::write(&file, text).unwrap();
+        let arguments = ["config", "--data-dir", data.to_str().unwrap(), "--config", file.to_str().unwrap()];
+        let (code, stdout, stderr) = with_environment(&arguments, &[]);
+        assert_eq!((code, stdout.as_str()), (Some(2), ""), "{text}: {stderr}");
+        assert!(stderr.contains(said) && stderr.contains("homolog.toml"), "{text}: {stderr}");
+        assert!(!data.exists());
+    }
+    let (code, _, stderr) = with_environment(&["config", "--config", "/nonexistent.toml"], &[]);
+    assert!(code == Some(2) && stderr.contains("/nonexistent.toml"), "{stderr}");
+    let (code, _, stderr) = with_environment(&["config"], &[("HOMOLOG_MAX_QUEUES", "5")]);
+    assert!(code == Some(2) && stderr.contains("did you mean HOMOLOG_MAX_QUEUE?"), "{stderr}");
+}

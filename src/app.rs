@@ -338,7 +338,12 @@ pub async fn open_database(settings: &ServiceSettings) -> Result<SqlStore, AppEr
         (None, Some(_)) => None,
     };
     let seal = seal.map(|(path, seal)| seal.map_err(|error| AppError::SecretKey { path, error })).transpose()?;
-    let settings = StoreSettings { weights: settings.tenant_weights(), crash_pause: settings.crash_pause(), seal };
+    let settings = StoreSettings {
+        weights: settings.tenant_weights(),
+        max_running: settings.max_running,
+        crash_pause: settings.crash_pause(),
+        seal,
+    };
     Ok(opened.with(settings))
 }
 

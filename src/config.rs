@@ -72,6 +72,10 @@ pub struct ServiceSettings {
     /// Share of a tenant in the turns of all tenants whose jobs wait, as TENANT=WEIGHT; 1 unless given; repeatable
     #[arg(long = "tenant-weight", env = "HOMOLOG_TENANT_WEIGHTS", value_delimiter = ',', value_name = "TENANT=WEIGHT")]
     pub tenant_weights: Vec<TenantWeight>,
+    /// Maximum number of running jobs of a tenant, in all processes together, the same setting in each; further ones wait in the
+    /// queue; default: any number
+    #[arg(long, env = "HOMOLOG_MAX_RUNNING", value_parser = clap::value_parser!(u32).range(1..), value_name = "N")]
+    pub max_running: Option<u32>,
     /// How long smaller jobs may overtake a queued one for which not enough cores or memory are free, ms; then they wait too
     #[arg(long, env = "HOMOLOG_PATIENCE_MS", default_value_t = 10_000, value_name = "MS")]
     pub patience_ms: u64,
@@ -153,6 +157,13 @@ pub struct HttpSettings {
     /// Maximum number of queued jobs per tenant
     #[arg(long, env = "HOMOLOG_MAX_QUEUE", default_value_t = 1_000, value_name = "N")]
     pub max_queue: u32,
+    /// Maximum number of bytes of the uploads and results of a tenant; default: any number
+    #[arg(long, env = "HOMOLOG_MAX_STORED_BYTES", value_parser = clap::value_parser!(u64).range(1..), value_name = "BYTES")]
+    pub max_stored_bytes: Option<u64>,
+    /// Maximum number of requests a second of a tenant to this process, on average; ten times as many at once after a pause; 0:
+    /// any number
+    #[arg(long, env = "HOMOLOG_MAX_REQUEST_RATE", default_value_t = 0, value_parser = clap::value_parser!(u32).range(0..=100_000), value_name = "N/S")]
+    pub max_request_rate: u32,
     /// Number of submissions and uploads received at the same time; a tenant may have half of them
     #[arg(long, env = "HOMOLOG_MAX_UPLOADS", default_value_t = 64, value_name = "N")]
     pub max_uploads: usize,
@@ -357,6 +368,7 @@ impl HttpSettings {
             request_timeout: Duration::from_secs(self.request_timeout_s),
             allow_private_webhooks: self.allow_private_webhooks,
             audit_required: self.audit_required,
+            max_request_rate: self.max_request_rate,
         }
     }
 
@@ -412,6 +424,7 @@ impl HttpSettings {
             once_for: Duration::from_secs(24 * 3600),
             keep_results: service.retention().results,
             max_run: Duration::from_secs(service.max_run_s),
+            max_stored_bytes: self.max_stored_bytes,
         }
     }
 }

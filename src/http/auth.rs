@@ -4,6 +4,7 @@ use super::audit::Caller;
 use super::problem::Problem;
 use super::problem_table::ProblemKind;
 use super::router::HttpState;
+use super::shares::Origin;
 use crate::jobs::{Role, Scope, SecretKey, Tenant};
 use axum::extract::FromRequestParts;
 use axum::http::header;
@@ -31,9 +32,11 @@ pub(crate) struct Submitter(pub(crate) Tenant);
 pub(crate) struct Admin(pub(crate) Tenant);
 
 async fn tenant_with(parts: &Parts, state: &HttpState, scope: Scope) -> Result<Tenant, Problem> {
+    let origin = Origin::of(&parts.extensions);
     let caller = parts.extensions.get::<Caller>().cloned().unwrap_or_default();
     if state.auth == AuthMode::None {
         caller.is(&Tenant::default(), None);
+        state.begin_request(&Tenant::default(), origin)?;
         return Ok(Tenant::default());
     }
     let sent = parts.headers.get(header::AUTHORIZATION).and_then(|value| value.to_str().ok());
@@ -48,6 +51,7 @@ async fn tenant_with(parts: &Parts, state: &HttpState, scope: Scope) -> Result<T
     // The answer does not reveal which part of the key was wrong.
     let Some(found) = found else { return Err(Problem::new(ProblemKind::Unauthenticated)) };
     caller.is(&found.tenant, Some(&found.id));
+    state.begin_request(&found.tenant, origin)?;
     if !found.scopes.contains(&scope) {
         let (scope, role) = (scope.name(), Role::least_with(scope).name());
         let detail = format!("requires an API key with the scope {scope}, such as one with the role {role}");

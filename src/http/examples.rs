@@ -89,13 +89,14 @@ const TEXTS: &[(&str, &str)] = &[
 const WARPED_CSV: &str = "vertex,displacement_x_mm,displacement_y_mm,displacement_z_mm,displacement_normal_mm,residual_mm,\
      area_ratio,confidence,spread_mm,outlier\r\n0,-0.354,1.036,-0.109,-0.136,1.1,0.846,1,0.3,0\r\n";
 /// Errors that any operation can answer.
-const ALWAYS: [(StatusCode, &str); 5] = [
+const ALWAYS: [(StatusCode, &str); 6] = [
     (StatusCode::BAD_REQUEST, "The path or the query is malformed"),
     (StatusCode::UNAUTHORIZED, "No valid API key"),
     (
         StatusCode::FORBIDDEN,
         "The Host or Origin header names a host that is not allowed, or the API key lacks the scope",
     ),
+    (StatusCode::TOO_MANY_REQUESTS, "The tenant sends too many requests"),
     (StatusCode::INTERNAL_SERVER_ERROR, "Internal error"),
     (StatusCode::SERVICE_UNAVAILABLE, "A dependency does not respond, or not in time"),
 ];
@@ -124,7 +125,7 @@ fn complete_operation(operation: &mut Operation) {
     let asks_for_keys =
         operation.tags.as_ref().is_none_or(|tags| !tags.iter().any(|tag| tag == "system" || tag == "methods"));
     for (status, description) in ALWAYS {
-        if status == StatusCode::UNAUTHORIZED && !asks_for_keys {
+        if [StatusCode::UNAUTHORIZED, StatusCode::TOO_MANY_REQUESTS].contains(&status) && !asks_for_keys {
             continue;
         }
         let schema = Ref::from_schema_name("ProblemDocument");
@@ -194,7 +195,8 @@ fn typical(operation: &str, status: StatusCode) -> ProblemKind {
         ("get_job" | "get_batch" | "list_changes" | "follow_job", StatusCode::TOO_MANY_REQUESTS) => {
             ProblemKind::TooManyStreams
         }
-        (_, StatusCode::TOO_MANY_REQUESTS) => ProblemKind::QueueFull,
+        ("submit_job" | "submit_batch" | "retry_job", StatusCode::TOO_MANY_REQUESTS) => ProblemKind::QueueFull,
+        (_, StatusCode::TOO_MANY_REQUESTS) => ProblemKind::TooManyRequests,
         ("submit_job", StatusCode::SERVICE_UNAVAILABLE) => ProblemKind::Busy,
         (_, StatusCode::INSUFFICIENT_STORAGE) => ProblemKind::StorageFull,
         (_, status) => ProblemKind::from_status(status),

@@ -1,7 +1,7 @@
 //! The HTTP API: routes, problems, wire types and the OpenAPI document.
 //!
 //! Reading order: [`mod@router`] (layers and routes), [`routes`] (one file for each resource), [`upload`] (bodies under
-//! limits; `shares` among clients, `pace` of each), `strict_json`, [`wire`] (JSON forms), `accept` and `representation` (content negotiation), `content` (streams and ranges), `conditional` and `long_poll` (ETags
+//! limits; `shares` among clients, `pace` and `rate` of each), `strict_json`, [`wire`] (JSON forms), `accept` and `representation` (content negotiation), `content` (streams and ranges), `conditional` and `long_poll` (ETags
 //! and `?wait=`), [`problem`] (errors), [`context`] (request ids, spans, metrics), `audit` (what is recorded), [`hosts`] (host validation), [`server`]
 //! (connections).
 //!
@@ -23,6 +23,7 @@ mod preferences;
 mod problem;
 mod problem_table;
 mod query;
+mod rate;
 mod representation;
 mod router;
 mod routes;

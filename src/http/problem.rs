@@ -167,8 +167,14 @@ impl From<JobError> for Problem {
             JobError::Gone => Problem::new(ProblemKind::Expired),
             JobError::BeingRemoved => Problem::new(ProblemKind::Unavailable).retry_after(2),
             JobError::QueueFull { limit } => {
-                Problem::new(ProblemKind::QueueFull).detail(format!("{limit} jobs are queued")).retry_after(10)
+                let detail = format!("{limit} jobs are queued, as many as a tenant may have");
+                Problem::new(ProblemKind::QueueFull).detail(detail).member("limit", limit.into()).retry_after(10)
             }
+            JobError::ShareFull { stored, limit } => Problem::new(ProblemKind::StorageShareFull)
+                .detail(format!("{stored} of {limit} bytes are stored"))
+                .member("stored_bytes", stored.into())
+                .member("limit_bytes", limit.into())
+                .retry_after(600),
             JobError::StillActive { state } => with_state(ProblemKind::JobActive, state),
             JobError::AlreadyFinal { state } => with_state(ProblemKind::JobFinished, state),
             JobError::NotReady { state } => with_state(ProblemKind::ResultNotReady, state).retry_after(1),

@@ -100,6 +100,10 @@ problems! {
         "Send smaller files, or ask the operator for a higher limit.";
     QueueFull = "queue-full", TOO_MANY_REQUESTS, "The queue is full",
         "Submit again after the time in Retry-After.";
+    StorageShareFull = "storage-share-full", INSUFFICIENT_STORAGE, "The tenant has stored as many bytes as it may",
+        "Delete jobs and uploads that are no longer needed, wait until their retention time is over, or ask the operator for a higher limit.";
+    TooManyRequests = "too-many-requests", TOO_MANY_REQUESTS, "The tenant sends too many requests",
+        "Send the request again after the time in Retry-After; follow many jobs with GET /v1/changes?wait=20.";
     Busy = "busy", SERVICE_UNAVAILABLE, "The service is receiving or sending too much at the moment",
         "Send the request again after the time in Retry-After.";
     TooManyStreams = "too-many-streams", TOO_MANY_REQUESTS, "Too many event streams and long polls are open",

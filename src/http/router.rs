@@ -8,6 +8,7 @@ use super::openapi::document;
 use super::pace::LeastRate;
 use super::problem::Problem;
 use super::problem_table::ProblemKind;
+use super::rate::RequestRate;
 use super::routes;
 use super::shares::{Origin, Shares, Taken, owner};
 use super::upload::{Reading, Tap};
@@ -17,7 +18,7 @@ use axum::extract::DefaultBodyLimit;
 use axum::http::{Extensions, HeaderMap, HeaderValue, StatusCode, Version, header};
 use axum::routing::get;
 use std::sync::Arc;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 use tokio_util::sync::CancellationToken;
 use tower_http::catch_panic::CatchPanicLayer;
 use tower_http::compression::{CompressionLayer, CompressionLevel};
@@ -58,6 +59,8 @@ pub struct HttpLimits {
     pub allow_private_webhooks: bool,
     /// Whether a request that cannot be recorded in the audit log is refused.
     pub audit_required: bool,
+    /// Requests a second of a tenant, on average; 0: any number.
+    pub max_request_rate: u32,
 }
 
 impl HttpLimits {
@@ -91,6 +94,7 @@ struct Stocks {
     body_memory: Arc<Shares>,
     answer_memory: Arc<Shares>,
     streams: Arc<Shares>,
+    requests: RequestRate,
 }
 
 impl Stocks {
@@ -106,6 +110,7 @@ impl Stocks {
             body_memory: Shares::new(memory, half(memory).max(largest)),
             answer_memory: Shares::new(limits.max_answer_memory_bytes, half(limits.max_answer_memory_bytes)),
             streams: Shares::new(u64::MAX, streams),
+            requests: RequestRate::new(limits.max_request_rate),
         }
     }
 }
@@ -126,6 +131,21 @@ impl HttpState {
 }
 
 impl HttpState {
+    /// Counts a request of a tenant.
+    ///
+    /// # Errors
+    /// `too-many-requests`.
+    pub(super) fn begin_request(&self, tenant: &Tenant, origin: Origin) -> Result<(), Problem> {
+        let rate = &self.stocks.requests;
+        let Err(wait) = rate.take(&owner(self.auth, tenant, origin), Instant::now()) else { return Ok(()) };
+        let (per_s, burst) = (rate.per_s(), rate.burst());
+        let seconds = u32::try_from(wait.as_secs()).unwrap_or(u32::MAX).saturating_add(1);
+        Err(Problem::new(ProblemKind::TooManyRequests)
+            .detail(format!("at most {per_s} requests a second on average, and {burst} at once"))
+            .member("limit_per_s", per_s.into())
+            .retry_after(seconds))
+    }
+
     /// Begins to read a body, which takes `factor` times its size of memory. Its slot and its memory are returned when the
     /// tap is dropped.
     ///

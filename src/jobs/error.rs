@@ -14,6 +14,14 @@ pub enum JobError {
         /// Maximum number of queued jobs.
         limit: u32,
     },
+    /// The tenant has stored as many bytes as it may.
+    #[error("{stored} of {limit} bytes are stored")]
+    ShareFull {
+        /// What it has stored, bytes.
+        stored: u64,
+        /// What it may store, bytes.
+        limit: u64,
+    },
     /// The job has to be finished first.
     #[error("the job is {}", state.name())]
     StillActive {

@@ -2,7 +2,7 @@
 //!
 //! Reading order: [`state`] (the state machine), [`job`] (the record), [`lease`] (which worker runs it, fenced by an epoch),
 //! [`trace`] (progress and energy trace), [`demand`] (cores and memory), [`turns`] (of tenants), [`ports`] (storage), [`engine`] (the computation),
-//! [`service`] (the use cases), [`submission`], [`uploads`], [`follow`], [`signals`]. Beside the job: [`admission`],
+//! [`service`] (the use cases), [`submission`], [`uploads`], [`follow`], [`signals`]. Beside the job: [`admission`], `stored` (bytes of a tenant),
 //! [`mod@batch`], [`change`], [`mesh`], [`metadata`], [`key`], [`audit`], [`webhook`], [`retention`], [`presentation`] (the formats of a result).
 //!
 //! Invariant: nothing here knows SQL, HTTP or how a match is computed. Parameters, reports and results pass through as JSON
@@ -29,6 +29,7 @@ pub mod retention;
 pub mod service;
 pub mod signals;
 pub mod state;
+mod stored;
 pub mod submission;
 pub mod trace;
 pub mod turns;

@@ -185,6 +185,9 @@ pub trait JobReader: Send + Sync {
     /// The number of a tenant's queued jobs, counted up to `at_most`.
     async fn queue_length(&self, tenant: &Tenant, at_most: u32) -> Result<u32, JobError>;
 
+    /// The bytes of a tenant's uploads and results, each blob once; reads a row of each.
+    async fn stored_bytes(&self, tenant: &Tenant) -> Result<u64, JobError>;
+
     /// The numbers of queued and running jobs of all tenants.
     async fn load(&self) -> Result<Load, JobError>;
 }

@@ -14,6 +14,7 @@ use super::mesh::MeshStore;
 use super::ports::{ArtifactKind, ArtifactRef, ArtifactStore, BlobStream, JobStore, Load};
 use super::signals::Signals;
 use super::state::JobState;
+use super::stored::StoredBytes;
 use super::trace::TracePage;
 use super::webhook::WebhookStore;
 use bytes::Bytes;
@@ -47,6 +48,8 @@ pub struct SubmissionLimits {
     pub keep_results: Option<Duration>,
     /// Maximum run time of a job.
     pub max_run: Duration,
+    /// Maximum number of bytes of a tenant's uploads and results; any number if `None`.
+    pub max_stored_bytes: Option<u64>,
 }
 
 /// The stores of the use cases.
@@ -78,6 +81,7 @@ pub struct JobService {
     pub(super) signals: Arc<Signals>,
     feeds: Feeds,
     recorder: Arc<Recorder>,
+    pub(super) stored: StoredBytes,
 }
 
 /// The outcome of cancelling many jobs.
@@ -96,7 +100,17 @@ impl JobService {
         let presentations = Arc::new(Semaphore::new(MAX_PRESENTATIONS));
         let feeds = Feeds::new(Arc::clone(&stores.jobs), Arc::clone(&signals));
         let recorder = Recorder::new(Arc::clone(&stores.audit));
-        JobService { stores, engine, limits, checks, presentations, signals, feeds, recorder }
+        JobService {
+            stores,
+            engine,
+            limits,
+            checks,
+            presentations,
+            signals,
+            feeds,
+            recorder,
+            stored: StoredBytes::default(),
+        }
     }
 
     /// Appends to the audit log.
@@ -172,14 +186,18 @@ impl JobService {
         self.stores.keys.revoke_key(&key.id).await.map(|_| ())
     }
 
-    /// Checks whether the tenant's queue has room; called before the files of a submission are read.
+    /// Checks whether the tenant's queue and its share of the storage have room; called before the files of a submission are
+    /// read.
     ///
     /// # Errors
-    /// [`JobError::QueueFull`] if it has none, and those of the store.
+    /// [`JobError::QueueFull`] or [`JobError::ShareFull`] if one has none, and those of the store.
     pub async fn refuse_when_full(&self, tenant: &Tenant) -> Result<(), JobError> {
         let limit = self.limits.max_queued;
         let waiting = self.stores.jobs.queue_length(tenant, limit).await?;
-        if waiting >= limit { Err(JobError::QueueFull { limit }) } else { Ok(()) }
+        if waiting >= limit {
+            return Err(JobError::QueueFull { limit });
+        }
+        self.refuse_over_share(tenant, 1).await
     }
 
     /// The numbers of queued and running jobs of all tenants.

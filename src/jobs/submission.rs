@@ -459,6 +459,9 @@ impl JobService {
             .into_iter()
             .filter_map(|input| ArtifactKey::of_hash(&job.tenant, &input.hash))
             .collect();
+        let n_bytes = inputs.iter().filter_map(|input| input.bytes.as_ref()).map(|bytes| bytes.len() as u64).sum();
+        self.refuse_over_share(&job.tenant, n_bytes).await?;
+        self.note_stored(&job.tenant, n_bytes);
         let admission = self.admission(&holder, once);
         let stored = async {
             // The hold comes before the blobs, so that a concurrent removal spares them.

@@ -48,8 +48,9 @@ impl JobService {
     /// Begins an upload; nothing is stored unless [`JobService::end_upload`] is called.
     ///
     /// # Errors
-    /// Those of the store.
+    /// [`JobError::ShareFull`], and those of the store.
     pub async fn begin_upload(&self, tenant: &Tenant) -> Result<Upload, JobError> {
+        self.refuse_over_share(tenant, 1).await?;
         let writer = self.stores.artifacts.begin(tenant).await?;
         Ok(Upload { tenant: tenant.clone(), writer, hasher: blake3::Hasher::new(), n_bytes: 0 })
     }
@@ -57,10 +58,14 @@ impl JobService {
     /// Stores an upload under the hash of its content and records it. Returns it, and whether it is new.
     ///
     /// # Errors
-    /// Those of the stores.
+    /// [`JobError::ShareFull`], and those of the stores.
     pub async fn end_upload(&self, upload: Upload, name_hint: Option<&str>) -> Result<(Mesh, bool), JobError> {
         let Upload { tenant, writer, hasher, n_bytes } = upload;
         let hash = hasher.finalize().to_hex().to_string();
+        // The same bytes again take nothing more.
+        if matches!(self.stores.meshes.get_mesh(&tenant, &hash).await, Err(JobError::MeshNotFound)) {
+            self.refuse_over_share(&tenant, n_bytes).await?;
+        }
         let key = ArtifactKey::of_hash(&tenant, &hash)
             .ok_or(JobError::Corrupt { what: "the hash of an upload", source: None })?;
         let holder = format!("upload:{}", uuid::Uuid::new_v4());
@@ -70,7 +75,10 @@ impl JobService {
             self.stores.meshes.insert_mesh(&key, n_bytes, name_hint, &holder).await
         };
         match recorded.await {
-            Ok(is_new) => Ok((self.stores.meshes.get_mesh(&tenant, &hash).await?, is_new)),
+            Ok(is_new) => {
+                self.note_stored(&tenant, if is_new { n_bytes } else { 0 });
+                Ok((self.stores.meshes.get_mesh(&tenant, &hash).await?, is_new))
+            }
             Err(error) => {
                 let _ = self.stores.jobs.drop_hold(&holder).await;
                 Err(error)

@@ -3,7 +3,7 @@
 use super::database::{Row, Session, bind};
 use super::dialect::{Sql, sql};
 use super::writing::{end_job, insert_artifact};
-use super::{SqlStore, blobs, rows};
+use super::{SqlStore, StoreSettings, blobs, rows};
 use crate::jobs::{
     JobError, JobId, JobQueue, JobState, Lease, LeaseStatus, LeasedJob, Outcome, Tenant, TenantWeights, TraceChunk,
     WaitingJob, WorkerId, state_after_release,
@@ -39,6 +39,17 @@ async fn tenants_in_turn(session: &mut Session) -> Result<Vec<Row>, JobError> {
     session.rows(sql!("tenants_in_turn"), bind![TENANTS_AT_ONCE]).await
 }
 
+/// The number of a tenant's running jobs, counted up to `at_most`.
+async fn running_jobs(session: &mut Session, tenant: &str, at_most: u32) -> Result<u32, JobError> {
+    let row = session.row(sql!("running_jobs"), bind![tenant, at_most]).await?;
+    row.map_or(Ok(0), |row| row.count(0))
+}
+
+/// Locks the turns of a tenant, so that of all transactions that claim its jobs one at a time counts them.
+async fn lock_turns(session: &mut Session, tenant: &str) -> Result<(), JobError> {
+    session.execute(sql!("lock_turns"), bind![tenant]).await.map(|_| ())
+}
+
 /// The front of the queue: tenants take turns, in proportion to their weights, and each takes its own jobs by priority and
 /// age. A tenant that was idle begins at the present: it is owed no turns, and it does not wait behind those that queued more.
 ///
@@ -46,9 +57,10 @@ async fn tenants_in_turn(session: &mut Session) -> Result<Vec<Row>, JobError> {
 async fn front(
     session: &mut Session,
     limit: u32,
-    weights: &TenantWeights,
+    settings: &StoreSettings,
     of_tenant: &'static Sql,
 ) -> Result<Vec<Row>, JobError> {
+    let weights = &settings.weights;
     let tenants = tenants_in_turn(session).await?;
     let of_each = (limit / u32::try_from(tenants.len()).unwrap_or(limit).max(1)).max(LEAST_OF_TENANT).min(limit);
     let mut jobs = Vec::new();
@@ -56,7 +68,14 @@ async fn front(
         let tenant: String = row.get("tenant")?;
         let (due, present): (i64, i64) = (row.get("due")?, row.get("present")?);
         let turn = TURN / i64::from(weights.of(&tenant));
-        for (place, row) in (0..).zip(session.rows(of_tenant, bind![tenant, of_each]).await?) {
+        let of_this = match settings.max_running {
+            Some(most) => of_each.min(most.saturating_sub(running_jobs(session, &tenant, most).await?)),
+            None => of_each,
+        };
+        if of_this == 0 {
+            continue;
+        }
+        for (place, row) in (0..).zip(session.rows(of_tenant, bind![tenant, of_this]).await?) {
             jobs.push((due.max(present) + place * turn, row));
         }
     }
@@ -75,7 +94,16 @@ async fn take_turn(session: &mut Session, tenant: &Tenant, weights: &TenantWeigh
 /// Claims the first of `jobs` that is still queued and that no other transaction has locked.
 async fn claim_first(session: &mut Session, jobs: &[JobId], claim: &Claim<'_>) -> Result<Option<LeasedJob>, JobError> {
     for &job in jobs {
-        if let Some(id) = lock_queued(session, job).await? {
+        if let Some(queued) = lock_queued(session, job).await? {
+            let (id, tenant): (String, String) = (queued.get("id")?, queued.get("tenant")?);
+            if let Some(most) = claim.max_running {
+                lock_turns(session, &tenant).await?;
+                if running_jobs(session, &tenant, most).await? >= most {
+                    // The next look at the front of the queue leaves this tenant out. Going on to another one's jobs would
+                    // lock the turns of two tenants, in an order that differs between processes.
+                    return Ok(None);
+                }
+            }
             return claim_job(session, &id, claim).await.map(Some);
         }
     }
@@ -88,16 +116,18 @@ struct Claim<'a> {
     lease: Duration,
     max_run: Duration,
     weights: &'a TenantWeights,
+    /// Maximum number of running jobs of a tenant.
+    max_running: Option<u32>,
 }
 
 /// Locks a job if it is still queued and no other transaction has locked it.
-async fn lock_queued(session: &mut Session, id: JobId) -> Result<Option<String>, JobError> {
-    session.value(sql!("lock_queued"), bind![id]).await
+async fn lock_queued(session: &mut Session, id: JobId) -> Result<Option<Row>, JobError> {
+    session.row(sql!("lock_queued"), bind![id]).await
 }
 
 /// Leases a queued job whose row is locked.
 async fn claim_job(session: &mut Session, id: &str, claim: &Claim<'_>) -> Result<LeasedJob, JobError> {
-    let &Claim { worker, lease, max_run, weights } = claim;
+    let &Claim { worker, lease, max_run, weights, .. } = claim;
     let epoch: Option<i64> = session.value(sql!("claim_job"), bind![id, worker.name(), lease, max_run]).await?;
     if epoch != Some(1) {
         // A rerun computes the same trace from its first point: the points of earlier epochs would be duplicates.
@@ -121,7 +151,7 @@ impl JobQueue for SqlStore {
         max_run: Duration,
     ) -> Result<Option<LeasedJob>, JobError> {
         let mut session = self.database.reader().await?;
-        let front = front(&mut session, FRONT, &self.settings.weights, sql!("queued_of_tenant")).await?;
+        let front = front(&mut session, FRONT, &self.settings, sql!("queued_of_tenant")).await?;
         drop(session);
         let jobs = front.iter().map(|row| rows::job_id(&row.get::<String>("id")?)).collect::<Result<Vec<_>, _>>()?;
         // Idle workers take no lock several times a second.
@@ -133,7 +163,7 @@ impl JobQueue for SqlStore {
 
     async fn front_of_queue(&self, limit: u32) -> Result<Vec<WaitingJob>, JobError> {
         let mut session = self.database.reader().await?;
-        let front = front(&mut session, limit, &self.settings.weights, sql!("queue_of_tenant")).await?;
+        let front = front(&mut session, limit, &self.settings, sql!("queue_of_tenant")).await?;
         front.iter().map(rows::waiting_job).collect()
     }
 
@@ -144,7 +174,8 @@ impl JobQueue for SqlStore {
         lease: Duration,
         max_run: Duration,
     ) -> Result<Option<LeasedJob>, JobError> {
-        let claim = Claim { worker, lease, max_run, weights: &self.settings.weights };
+        let claim =
+            Claim { worker, lease, max_run, weights: &self.settings.weights, max_running: self.settings.max_running };
         self.database.transaction(async |session| claim_first(session, jobs, &claim).await).await
     }
 

@@ -55,6 +55,8 @@ pub struct SqlStore {
 pub struct StoreSettings {
     /// The weights of tenants.
     pub weights: TenantWeights,
+    /// Maximum number of running jobs of a tenant; any number if `None`.
+    pub max_running: Option<u32>,
     /// How long a job waits after the first crash of its worker; five times as long after each further one.
     pub crash_pause: Duration,
     /// What seals the secrets of webhooks; without it they are stored as they are.

@@ -129,6 +129,11 @@ impl JobReader for SqlStore {
         queue_length(&mut self.database.reader().await?, tenant, at_most).await
     }
 
+    async fn stored_bytes(&self, tenant: &Tenant) -> Result<u64, JobError> {
+        let n_bytes: Option<i64> = self.database.reader().await?.value(sql!("stored_bytes"), bind![tenant]).await?;
+        Ok(n_bytes.unwrap_or(0).unsigned_abs())
+    }
+
     async fn load(&self) -> Result<Load, JobError> {
         let row = self.database.reader().await?.row(sql!("load"), bind![]).await?;
         let row = row.ok_or(JobError::Corrupt { what: "the load", source: None })?;

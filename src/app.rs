@@ -140,6 +140,7 @@ impl App {
         shutdown: &Shutdown,
         serves: bool,
     ) -> Result<Self, AppError> {
+        telemetry::metrics_text(); // starts to collect metrics
         let data_dir = settings.data_dir.clone();
         let unusable = |error| AppError::DataDir { path: data_dir.clone(), error };
         let is_shared = settings.database_url.is_some();
@@ -262,10 +263,15 @@ impl App {
             audit: own,
             artifacts: Arc::clone(&self.parts.artifacts),
         };
+        let store = self.stores[0].clone();
+        let metrics = move || {
+            store.gauge_connections();
+            telemetry::metrics_text()
+        };
         let (engine, signals) = (Arc::clone(&self.parts.engine), Arc::clone(&self.parts.signals));
         let use_cases = JobService::new(stores, engine, http.submission_limits(service), signals);
         HttpState::new(Arc::new(use_cases), http.http_limits(service), auth, shutdown.stop.clone())
-            .with_metrics(telemetry::metrics_text)
+            .with_metrics(metrics)
             .for_hosts(http.hosts())
     }
 
@@ -276,7 +282,6 @@ impl App {
         recorder: Option<Arc<Recorder>>,
         shutdown: &Shutdown,
     ) {
-        telemetry::metrics_text(); // starts to collect metrics
         let housekeeping = tokio::spawn(self.housekeeper.clone().run(shutdown.stop.clone()));
         let mut aside = tokio::task::JoinSet::new();
         let (store, signals) = (Arc::clone(&self.parts.store), Arc::clone(&self.parts.signals));

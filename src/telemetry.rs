@@ -34,15 +34,86 @@ fn log_panics() {
     }));
 }
 
+/// Kind of a metric.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Kind {
+    /// Only grows.
+    Counter,
+    /// Goes up and down.
+    Gauge,
+    /// Durations, in buckets.
+    Histogram,
+}
+
+/// Every metric of this program, with what its HELP says. On Linux, the usual ones of the process are added, such as
+/// `process_open_fds`.
+const METRICS: &[(&str, Kind, &str)] = &[
+    ("homolog_build_info", Kind::Gauge, "1, with the version of the program"),
+    ("homolog_jobs", Kind::Gauge, "Jobs that are queued or running, of the whole service"),
+    ("homolog_queue_oldest_age_seconds", Kind::Gauge, "How long the oldest queued job has waited"),
+    ("homolog_job_store_up", Kind::Gauge, "Whether the database answered when the metrics were read"),
+    ("homolog_jobs_finished_total", Kind::Counter, "Runs of jobs in this process, by how they ended"),
+    ("homolog_job_seconds", Kind::Histogram, "Duration of a run of a job in this process"),
+    ("homolog_jobs_dead_total", Kind::Counter, "Jobs that lost their workers too often"),
+    ("homolog_leases_expired_total", Kind::Counter, "Jobs that were taken back from lost workers"),
+    ("homolog_prepared_surfaces_total", Kind::Counter, "Lookups of prepared surfaces, by whether they were kept"),
+    ("homolog_prepared_surfaces_bytes", Kind::Gauge, "Memory of the prepared surfaces that are kept"),
+    ("homolog_http_requests_total", Kind::Counter, "Answered requests, by method, route and status"),
+    ("homolog_http_request_seconds", Kind::Histogram, "Time from the head of a request to that of its answer"),
+    ("homolog_problems_total", Kind::Counter, "Answers that refuse a request or report a failure, by type of problem"),
+    ("homolog_audit_rows_total", Kind::Counter, "Rows of the audit log: written, lost, or left out"),
+    ("homolog_webhook_attempts_total", Kind::Counter, "Attempts to deliver an event, by outcome"),
+    ("homolog_webhook_attempt_seconds", Kind::Histogram, "Duration of an attempt to deliver an event"),
+    (
+        "homolog_database_connections",
+        Kind::Gauge,
+        "Connections of this process to the database: busy, idle, most allowed",
+    ),
+];
+
+fn describe() {
+    for &(name, kind, help) in METRICS {
+        match kind {
+            Kind::Counter => metrics::describe_counter!(name, help),
+            Kind::Gauge => metrics::describe_gauge!(name, help),
+            Kind::Histogram => metrics::describe_histogram!(name, help),
+        }
+    }
+    #[cfg(target_os = "linux")]
+    metrics_process::Collector::default().describe();
+    let labels = [("version", env!("CARGO_PKG_VERSION")), ("commit", env!("HOMOLOG_COMMIT"))];
+    metrics::gauge!("homolog_build_info", &labels).set(1.0);
+    // An increase can be seen only of a series that was there before.
+    for end in ["succeeded", "failed", "cancelled", "given back", "lease lost", "not stored"] {
+        metrics::counter!("homolog_jobs_finished_total", "end" => end).increment(0);
+    }
+    for row in ["written", "lost", "left out"] {
+        metrics::counter!("homolog_audit_rows_total", "row" => row).increment(0);
+    }
+    for outcome in ["delivered", "failed", "given up"] {
+        metrics::counter!("homolog_webhook_attempts_total", "outcome" => outcome).increment(0);
+    }
+    for lookup in ["hit", "miss"] {
+        metrics::counter!("homolog_prepared_surfaces_total", "lookup" => lookup).increment(0);
+    }
+    metrics::gauge!("homolog_prepared_surfaces_bytes").set(0.0);
+    metrics::counter!("homolog_jobs_dead_total").increment(0);
+    metrics::counter!("homolog_leases_expired_total").increment(0);
+}
+
 /// The metrics of this process in the text format of Prometheus, collected from the first call on.
 pub fn metrics_text() -> String {
     static RECORDER: OnceLock<Option<PrometheusHandle>> = OnceLock::new();
     let recorder = RECORDER.get_or_init(|| {
         let buckets = [0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 30.0];
         let builder = PrometheusBuilder::new().set_buckets(&buckets).ok()?;
-        builder.install_recorder().ok()
+        let recorder = builder.install_recorder().ok();
+        describe();
+        recorder
     });
     recorder.as_ref().map_or_else(String::new, |recorder| {
+        #[cfg(target_os = "linux")]
+        metrics_process::Collector::default().collect();
         recorder.run_upkeep();
         recorder.render()
     })

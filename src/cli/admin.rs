@@ -223,7 +223,12 @@ pub(super) fn require_database(settings: &ServiceSettings) -> Result<(), CliErro
 }
 
 /// Records what a command has changed. Commands have no tenant and no key: whoever may read the database may run them.
-async fn record(store: &SqlStore, action: &str, tenant: Option<&Tenant>, key_id: Option<&str>) -> Result<(), JobError> {
+pub(super) async fn record(
+    store: &SqlStore,
+    action: &str,
+    tenant: Option<&Tenant>,
+    key_id: Option<&str>,
+) -> Result<(), JobError> {
     let event = AuditEvent {
         tenant: tenant.cloned(),
         key_id: None,

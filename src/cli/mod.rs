@@ -3,6 +3,7 @@
 
 mod admin;
 mod audit;
+mod backup;
 mod config;
 mod demo;
 mod error;
@@ -46,6 +47,8 @@ enum Command {
     Purge(admin::PurgeArgs),
     Audit(audit::AuditArgs),
     Config(config::ConfigArgs),
+    Backup(backup::BackupArgs),
+    Restore(backup::RestoreArgs),
     Match(match_pair::MatchArgs),
     Inspect(inspect::InspectArgs),
     Phantom(phantom::PhantomArgs),
@@ -101,6 +104,8 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Command::Keys(args) => admin::keys(&args),
         Command::Purge(args) => admin::purge(&args),
         Command::Audit(args) => audit::run(&args),
+        Command::Backup(args) => backup::back_up(&args),
+        Command::Restore(args) => backup::restore(&args),
         Command::Config(_) => config::run(&program, &matches, &file),
         Command::Openapi => serve::print_openapi(),
         Command::Problems => serve::print_problems(),
@@ -132,6 +137,8 @@ fn unknown_setting(command: &Command) -> Option<String> {
             | Command::Keys(_)
             | Command::Purge(_)
             | Command::Audit(_)
+            | Command::Backup(_)
+            | Command::Restore(_)
             | Command::Config(_)
     );
     let names = std::env::vars_os().filter_map(|(name, _)| name.into_string().ok());

@@ -124,9 +124,17 @@ fn chain(error: &dyn std::error::Error) -> String {
     text
 }
 
+/// Begins to count problems of every type: an increase can be seen only of a series that was there before.
+pub(super) fn begin_to_count() {
+    for kind in ProblemKind::ALL {
+        metrics::counter!("homolog_problems_total", "type" => kind.entry().slug).increment(0);
+    }
+}
+
 impl IntoResponse for Problem {
     fn into_response(self) -> Response {
         let entry = self.kind.entry();
+        metrics::counter!("homolog_problems_total", "type" => entry.slug).increment(1);
         let mut body = Map::new();
         body.insert("type".to_owned(), format!("/problems/{}", entry.slug).into());
         body.insert("title".to_owned(), entry.title.into());

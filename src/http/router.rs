@@ -6,7 +6,7 @@ use super::context::{panic_problem, surround};
 use super::hosts::{AllowedHosts, check_host};
 use super::openapi::document;
 use super::pace::LeastRate;
-use super::problem::Problem;
+use super::problem::{Problem, begin_to_count};
 use super::problem_table::ProblemKind;
 use super::rate::RequestRate;
 use super::routes;
@@ -270,6 +270,7 @@ fn is_long_text(_: StatusCode, _: Version, headers: &HeaderMap, _: &Extensions) 
 
 /// The service as one router.
 pub fn router(state: HttpState) -> Router {
+    begin_to_count();
     let (router, _) = api().split_for_parts();
     router
         .route("/docs", get(routes::docs::leave))

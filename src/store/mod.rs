@@ -1,10 +1,12 @@
 //! Storage, behind the ports of [`crate::jobs`].
 //!
 //! [`sql`] stores jobs in SQLite or PostgreSQL, [`artifacts`] stores blobs in a folder or an S3-compatible store, and
+//! [`backup`] copies a database and a folder while they are used,
 //! [`processes`] records which processes of one machine are alive. [`seal`] encrypts secrets, `private_files` keeps files from
 //! other users.
 
 pub mod artifacts;
+pub mod backup;
 pub(crate) mod private_files;
 pub(crate) mod processes;
 pub mod seal;

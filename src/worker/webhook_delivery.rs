@@ -17,7 +17,7 @@ use reqwest::redirect::Policy;
 use reqwest::{Client, StatusCode};
 use std::net::SocketAddr;
 use std::sync::Arc;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 use tokio_util::sync::CancellationToken;
 
 /// Time between two looks for changes and deliveries.
@@ -151,7 +151,16 @@ impl WebhookDelivery {
 
     async fn deliver(&self, due: DueDelivery) -> Result<Attempted, JobError> {
         let attempted = if due.is_wanted {
-            self.attempt(&due).await?
+            let began = Instant::now();
+            let attempted = self.attempt(&due).await?;
+            let outcome = match &attempted {
+                Attempted::Delivered { .. } => "delivered",
+                Attempted::Retry { .. } => "failed",
+                Attempted::Failed { .. } => "given up",
+            };
+            metrics::counter!("homolog_webhook_attempts_total", "outcome" => outcome).increment(1);
+            metrics::histogram!("homolog_webhook_attempt_seconds").record(began.elapsed().as_secs_f64());
+            attempted
         } else {
             Attempted::Failed { status: None, error: "the webhook is disabled".to_owned() }
         };

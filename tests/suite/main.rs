@@ -3,6 +3,7 @@
 
 mod api;
 mod audit;
+mod backups;
 mod cli;
 mod contract;
 mod deploy;

@@ -4,6 +4,8 @@ use super::cli::homolog;
 use super::jobs_support::{TestService, form};
 use serde_json::json;
 use std::collections::{BTreeMap, BTreeSet};
+use std::path::Path;
+use std::process::Command;
 
 /// Labels of a line in the text format of Prometheus, and the name of its metric.
 fn series(line: &str) -> (String, BTreeMap<String, String>) {
@@ -74,19 +76,29 @@ async fn made_up_requests_create_no_new_series() {
     let document = service.json("/openapi.json").await;
     let mut routes: BTreeSet<String> = document["paths"].as_object().unwrap().keys().cloned().collect();
     routes.extend(["/docs", "/docs/", "/docs/{*path}", "none"].map(str::to_owned));
+    let problems = std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("api/problems.md")).unwrap();
+    let slugs = problems.split("`/problems/").skip(1).map(|rest| rest.split('`').next().unwrap().to_owned()).collect();
     let words = |words: &str| words.split(' ').map(str::to_owned).collect::<BTreeSet<_>>();
     let closed = BTreeMap::from([
         ("method", words("GET HEAD POST PUT PATCH DELETE OPTIONS other")),
         ("route", routes),
         ("state", words("queued running")),
-        ("end", ["succeeded", "failed", "cancelled", "given back", "lease lost"].map(str::to_owned).into()),
+        (
+            "end",
+            ["succeeded", "failed", "cancelled", "given back", "lease lost", "not stored"].map(str::to_owned).into(),
+        ),
         ("lookup", words("hit miss")),
+        ("type", slugs),
+        ("outcome", ["delivered", "failed", "given up"].map(str::to_owned).into()),
+        ("use", words("busy idle most")),
+        ("version", words(env!("CARGO_PKG_VERSION"))),
         ("row", ["written", "lost", "left out"].map(str::to_owned).into()),
     ]);
     for (name, labels) in &after {
         for (label, value) in labels {
             match label.as_str() {
                 "le" | "quantile" => {}
+                "commit" => assert_eq!(name, "homolog_build_info"),
                 "status" => assert!(value.len() == 3 && value.parse::<u16>().is_ok(), "{name} {value}"),
                 label => {
                     let known = closed.get(label).unwrap_or_else(|| panic!("{name} has the unknown label {label}"));
@@ -96,4 +108,88 @@ async fn made_up_requests_create_no_new_series() {
         }
     }
     service.end().await;
+}
+
+/// The metrics of a service that has done something of everything, with their help texts.
+async fn described() -> (BTreeSet<String>, BTreeMap<String, String>) {
+    let service = TestService::start(&["--allow-private-webhooks"]).await;
+    let receiver = tokio::net::TcpListener::bind("127.0.0.1:0").await.unwrap();
+    let webhook = json!({"url": format!("http://{}/", receiver.local_addr().unwrap())});
+    drop(receiver); // nobody listens: the attempt fails
+    service.client.post(format!("{}/v1/webhooks", service.base)).json(&webhook).send().await.unwrap();
+    let id = service.submit(json!({})).await;
+    service.until_final(&id).await;
+    let began = std::time::Instant::now();
+    let text = loop {
+        let text = service.get("/metrics").await.text().await.unwrap();
+        if text.contains("homolog_webhook_attempt_seconds") {
+            break text;
+        }
+        assert!(began.elapsed() < std::time::Duration::from_secs(20), "{text}");
+        tokio::time::sleep(std::time::Duration::from_millis(100)).await;
+    };
+    service.end().await;
+    let helps = text.lines().filter_map(|line| line.strip_prefix("# HELP ")?.split_once(' '));
+    let helps = helps.map(|(name, help)| (name.to_owned(), help.to_owned())).collect();
+    (all_series(&text).into_iter().map(|(name, _)| name).collect(), helps)
+}
+
+/// The name of a metric without what the parts of a histogram add to it.
+fn family(name: &str) -> &str {
+    ["_bucket", "_sum", "_count"].iter().find_map(|end| name.strip_suffix(end)).unwrap_or(name)
+}
+
+#[tokio::test]
+async fn every_metric_has_a_help_text_and_every_one_that_is_described_exists() {
+    let (series, helps) = described().await;
+    let families: BTreeSet<&str> = series.iter().map(|name| family(name)).collect();
+    let without: Vec<_> = families.iter().filter(|name| !helps.contains_key(**name)).collect();
+    assert!(without.is_empty(), "no HELP: {without:?}");
+    let missing: Vec<_> = helps.keys().filter(|name| !families.contains(name.as_str())).collect();
+    assert!(missing.iter().all(|name| name.starts_with("process_")), "described, but never there: {missing:?}");
+    for name in ["process_resident_memory_bytes", "process_open_fds", "process_max_fds", "process_cpu_seconds_total"] {
+        assert!(!cfg!(target_os = "linux") || families.contains(name), "{name}");
+    }
+}
+
+#[tokio::test]
+async fn every_metric_of_the_alert_rules_and_the_dashboard_exists() {
+    let (_, helps) = described().await;
+    let deploy = Path::new(env!("CARGO_MANIFEST_DIR")).join("deploy");
+    for file in ["prometheus/homolog.rules.yaml", "prometheus/homolog.rules.test.yaml", "grafana/homolog.json"] {
+        let text = std::fs::read_to_string(deploy.join(file)).unwrap();
+        let mut named = BTreeSet::new();
+        for prefix in ["homolog_", "process_"] {
+            for (at, _) in text.match_indices(prefix) {
+                let is_tail = text[..at].ends_with(|c: char| c.is_ascii_alphanumeric() || c == '_');
+                let end = text[at..].find(|c: char| !(c.is_ascii_lowercase() || c == '_')).unwrap();
+                if !is_tail {
+                    named.insert(text[at..at + end].to_owned());
+                }
+            }
+        }
+        assert!(named.len() >= 5, "{file}: {named:?}");
+        let unknown: Vec<_> = named.iter().filter(|name| !helps.contains_key(family(name))).collect();
+        assert!(unknown.is_empty(), "{file}: no such metric: {unknown:?}");
+    }
+    serde_json::from_str::<serde_json::Value>(&std::fs::read_to_string(deploy.join("grafana/homolog.json")).unwrap())
+        .unwrap();
+}
+
+#[test]
+fn the_alert_rules_pass_their_tests() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("deploy/prometheus");
+    let promtool = std::env::var_os("PROMTOOL").unwrap_or_else(|| "promtool".into());
+    for arguments in [["check", "rules", "homolog.rules.yaml"], ["test", "rules", "homolog.rules.test.yaml"]] {
+        let Ok(done) = Command::new(&promtool).args(arguments).current_dir(&folder).output() else {
+            println!("skipped: promtool, of the package prometheus, is not installed");
+            return;
+        };
+        assert!(
+            done.status.success(),
+            "{}{}",
+            String::from_utf8_lossy(&done.stdout),
+            String::from_utf8_lossy(&done.stderr)
+        );
+    }
 }

@@ -92,3 +92,44 @@ async fn the_queue_is_looked_at_through_the_api() {
     assert!(said.contains(&id) && said.contains("\"jobs\":[]"), "{said}");
     service.end().await;
 }
+
+#[tokio::test]
+async fn a_back_up_is_restored_and_passes_the_drill() {
+    let runs = |command: &str| {
+        let done = Command::new("bash").args(["-c", command]).output();
+        done.is_ok_and(|done| done.status.success())
+    };
+    if !has_tool("curl") || !runs("unshare --net --map-root-user ip link set lo up") {
+        println!("skipped: curl, or unshare and ip with the right to make a network, are missing");
+        return;
+    }
+    let service = TestService::start(&[]).await;
+    let ids = [service.submit(json!({"seed": 1})).await, service.submit(json!({"seed": 2})).await];
+    for id in &ids {
+        assert_eq!(service.until_final(id).await["state"], "succeeded");
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let [data, backup] = ["data", "backup"].map(|name| folder.path().join(name).display().to_string());
+    let variables = format!("D='{}'; B='{backup}';", service.folder.path().display());
+    let said = run(&format!("{variables} {}", commands_after("While the service runs:")), service.folder.path()).await;
+    assert!(said.starts_with("backed up the database"), "{said}");
+    let held = service.end().await;
+
+    // The data directory of the test cannot be renamed; a copy of it can.
+    let variables = format!("D='{data}'; B='{backup}';");
+    let commands = commands_after("To restore, with the service stopped:");
+    let copied = format!("cp -a '{}' '{data}'; {variables} {commands}", held.path().display());
+    let said = run(&copied, Path::new(&data)).await;
+    assert!(said.starts_with("restored the database"), "{said}");
+    let [key, kept] = [data.clone(), format!("{data}.before")]
+        .map(|data| std::fs::read(Path::new(&data).join("secret.key")).unwrap());
+    assert_eq!(key, kept);
+
+    let drill =
+        commands_after("### Restore drill").replace("/tmp/drill", folder.path().join("drill").to_str().unwrap());
+    let said = run(&format!("{variables} {drill}"), Path::new(&data)).await;
+    assert!(said.contains("the audit log is whole") && !said.contains("no result"), "{said}");
+    for id in &ids {
+        assert!(said.contains(&format!("result: {id}")), "{said}");
+    }
+}

@@ -70,6 +70,7 @@ const ARROWS: &[(&str, &[&str])] = &[
             "homolog_run",
             "http",
             "jobs",
+            "store::backup",
             "store::sql",
             "telemetry",
             "worker::quota",

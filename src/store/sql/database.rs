@@ -46,7 +46,7 @@ const POSTGRES_TIMEOUT: Duration = Duration::from_secs(10);
 /// Time limit for a connection to PostgreSQL.
 const CONNECT_TIMEOUT: Duration = Duration::from_secs(5);
 /// Read connections to SQLite; each is a thread, and reads are short.
-const READERS: u32 = 4;
+pub(super) const READERS: u32 = 4;
 /// A process that stalls inside a transaction keeps rows locked; PostgreSQL ends such a transaction after this time.
 const IDLE_IN_TRANSACTION: &str = "SET idle_in_transaction_session_timeout = '30s'";
 /// The NOTIFY channel on which processes announce queued jobs. The name must not change: processes of two versions share
@@ -580,7 +580,7 @@ fn refuse_nul(arguments: &[Argument]) -> Result<(), JobError> {
     if arguments.iter().any(has_nul) { Err(JobError::Unstorable) } else { Ok(()) }
 }
 
-fn lost() -> sqlx::Error {
+pub(super) fn lost() -> sqlx::Error {
     sqlx::Error::PoolClosed
 }
 

@@ -11,7 +11,7 @@
 //! Each port of [`crate::jobs`] is implemented in one file: [`reading`] ([`crate::jobs::JobReader`]), [`writing`]
 //! ([`crate::jobs::JobWriter`]), [`leasing`] ([`crate::jobs::JobQueue`]), [`blobs`] ([`crate::jobs::BlobHolds`]),
 //! [`housekeeping`] ([`crate::jobs::Housekeeping`]), [`meshes`], [`keys`], [`audit`], [`webhooks`]. Beside them: [`batches`],
-//! [`changes`] (the feed), [`once`] (idempotency keys), [`retention`], [`rows`] (from rows to records).
+//! [`changes`] (the feed), [`once`] (idempotency keys), [`retention`], [`inspection`] (copies and checks of a whole database), [`rows`] (from rows to records).
 
 mod audit;
 mod batches;
@@ -20,6 +20,7 @@ mod changes;
 mod database;
 mod dialect;
 mod housekeeping;
+mod inspection;
 mod keys;
 mod leasing;
 mod meshes;
@@ -32,11 +33,12 @@ mod writing;
 
 pub use database::DatabaseLocation;
 
-use crate::jobs::{JobError, JobStore, TenantWeights};
+use crate::jobs::{JobError, JobStore, Tenant, TenantWeights};
 use crate::store::seal::Seal;
 use async_trait::async_trait;
-use database::{Database, bind};
+use database::{Database, Row, bind};
 use dialect::sql;
+use std::path::Path;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
@@ -48,6 +50,20 @@ pub struct SqlStore {
     settings: Arc<StoreSettings>,
     /// Something was deleted since the files of the database were last cleaned.
     has_deleted: Arc<AtomicBool>,
+}
+
+/// Blobs listed at once.
+const BLOBS_AT_ONCE: u32 = 5_000;
+
+/// A blob to which a job or an upload refers.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) struct StoredBlob {
+    /// Its owner.
+    pub(crate) tenant: Tenant,
+    /// Its path under the tenant.
+    pub(crate) path: String,
+    /// Its size, bytes.
+    pub(crate) n_bytes: u64,
 }
 
 /// Settings of a store; those of tests by default.
@@ -85,6 +101,44 @@ impl SqlStore {
 
     fn note_deletion(&self) {
         self.has_deleted.store(true, Ordering::SeqCst);
+    }
+
+    /// Copies one state of a SQLite database into an empty file, while others write.
+    ///
+    /// # Errors
+    /// [`JobError::Unavailable`]; also for PostgreSQL, which has tools of its own for this.
+    pub(crate) async fn copy_into(&self, file: &Path) -> Result<(), JobError> {
+        self.database.copy_into(file).await
+    }
+
+    /// Whether a SQLite database is undamaged.
+    ///
+    /// # Errors
+    /// As for [`SqlStore::copy_into`].
+    pub(crate) async fn is_intact(&self) -> Result<bool, JobError> {
+        self.database.is_intact().await
+    }
+
+    /// The blobs to which jobs and uploads refer, after a tenant and a path, in this order; a page of them.
+    ///
+    /// # Errors
+    /// [`JobError::Unavailable`].
+    pub(crate) async fn list_blobs(&self, after: Option<(Tenant, String)>) -> Result<Vec<StoredBlob>, JobError> {
+        let (tenant, path) = after.map_or_else(Default::default, |(tenant, path)| (tenant.name().to_owned(), path));
+        let rows = self.database.reader().await?.rows(sql!("list_blobs"), bind![tenant, path, BLOBS_AT_ONCE]).await?;
+        let blob = |row: &Row| {
+            let n_bytes = row.get::<i64>("n_bytes")?.unsigned_abs();
+            Ok(StoredBlob { tenant: rows::tenant(&row.get::<String>("tenant")?)?, path: row.get("path")?, n_bytes })
+        };
+        rows.iter().map(blob).collect()
+    }
+
+    /// Sets the gauges of the connections to the database.
+    pub fn gauge_connections(&self) {
+        let (busy, open, most) = self.database.connections();
+        for (r#use, n) in [("busy", busy), ("idle", open - busy), ("most", most)] {
+            metrics::gauge!("homolog_database_connections", "use" => r#use).set(n);
+        }
     }
 
     /// Closes all connections.

@@ -1,0 +1,326 @@
+//! Back-up and restore of a service on SQLite and a folder of blobs, while the service runs.
+//!
+//! A back-up is a folder: `blobs` as in the data directory, a copy of the database, and `backup.json`, which names that copy and
+//! is replaced last: a back-up that is interrupted leaves the one before it. Blobs never change, so that a further back-up into the
+//! same folder copies only new ones. They are copied before the database and once more after it: then every blob to which the
+//! copied database refers is there.
+
+use super::private_files;
+use super::sql::{DatabaseLocation, SqlStore};
+use crate::jobs::JobError;
+use serde::{Deserialize, Serialize};
+use std::fs::{self, File};
+use std::io::{self, Read as _, Write as _};
+use std::path::{Path, PathBuf};
+
+/// The file that describes a back-up.
+const MANIFEST: &str = "backup.json";
+/// The folder of blobs, in the data directory and in a back-up.
+const BLOBS: &str = "blobs";
+/// The file of the database in its folder.
+const DATABASE: &str = "homolog.sqlite";
+/// The folder in which a copy of the database is prepared and checked.
+const DRAFT: &str = "next";
+/// The file that may be in a data directory into which is restored: it is kept apart from back-ups.
+const SECRET_KEY: &str = "secret.key";
+/// How often the database is copied again because a blob was created and deleted meanwhile.
+const TRIES: u32 = 3;
+
+/// What is in a back-up.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Manifest {
+    /// Version of the program that wrote it.
+    pub version: String,
+    /// When it was written.
+    pub created_at: jiff::Timestamp,
+    /// Name of the copy of the database.
+    pub database: String,
+    /// BLAKE3 of that file.
+    pub database_blake3: String,
+    /// Number of blobs to which the database refers.
+    pub n_blobs: u64,
+    /// Their size, bytes.
+    pub n_bytes: u64,
+}
+
+/// Why a back-up is not written or not restored.
+#[derive(Debug, thiserror::Error)]
+pub enum BackupError {
+    /// The database does not answer.
+    #[error("the database cannot be copied")]
+    Database(#[from] JobError),
+    /// A file or folder cannot be read or written.
+    #[error("{}: {error}", path.display())]
+    File {
+        /// Which one.
+        path: PathBuf,
+        /// Why.
+        error: io::Error,
+    },
+    /// The folder for a back-up holds something else.
+    #[error("{} holds something that is no back-up; choose an empty folder", .0.display())]
+    NotABackup(PathBuf),
+    /// The folder to restore from holds no back-up.
+    #[error("{} holds no back-up: there is no backup.json", .0.display())]
+    NoBackup(PathBuf),
+    /// The data directory is in use or was used.
+    #[error("{} is not empty; restore into an empty data directory, which may hold secret.key alone", .0.display())]
+    NotEmpty(PathBuf),
+    /// A file is not what was written.
+    #[error("{} is damaged; use another back-up", .0.display())]
+    Damaged(PathBuf),
+    /// A blob is not there.
+    #[error("{n} blobs are missing, the first is {first}")]
+    Missing {
+        /// How many.
+        n: u64,
+        /// Address of the first.
+        first: String,
+    },
+}
+
+fn at(path: &Path) -> impl FnOnce(io::Error) -> BackupError + '_ {
+    move |error| BackupError::File { path: path.to_owned(), error }
+}
+
+/// Runs file operations on a thread that may block.
+async fn blocking<T: Send + 'static>(
+    work: impl FnOnce() -> Result<T, BackupError> + Send + 'static,
+) -> Result<T, BackupError> {
+    match tokio::task::spawn_blocking(work).await {
+        Ok(done) => done,
+        Err(join) => Err(JobError::Unavailable(Box::new(join)).into()),
+    }
+}
+
+/// Backs up the service of this database and data directory into the folder `to`.
+///
+/// # Errors
+/// [`BackupError`]; the back-up that was there before is then still valid.
+pub async fn back_up(store: &SqlStore, data_dir: &Path, to: &Path) -> Result<Manifest, BackupError> {
+    let (from, to) = (data_dir.join(BLOBS), to.to_owned());
+    let folder = to.clone();
+    blocking(move || prepare(&folder)).await?;
+    let mut tries = 0;
+    let (database, counted) = loop {
+        let copy = async || {
+            let (from, blobs) = (from.clone(), to.join(BLOBS));
+            blocking(move || copy_blobs(&from, &blobs, false)).await
+        };
+        copy().await?;
+        let draft = to.join(DRAFT);
+        let folder = draft.clone();
+        blocking(move || recreate(&folder)).await?;
+        store.copy_into(&draft.join(DATABASE)).await?;
+        copy().await?;
+        match checked(&draft, &to).await {
+            Err(BackupError::Missing { .. }) if tries + 1 < TRIES => tries += 1,
+            done => break (draft.join(DATABASE), done?),
+        }
+    };
+    blocking(move || publish(&database, &to, counted)).await
+}
+
+/// Number and size of blobs.
+type Counted = (u64, u64);
+
+/// Checks the database in `folder`, and that all of its blobs are in `data`.
+async fn checked(folder: &Path, data: &Path) -> Result<Counted, BackupError> {
+    let store = SqlStore::open(&DatabaseLocation::Folder(folder.to_owned())).await?;
+    let found = async {
+        if !store.is_intact().await? {
+            return Err(BackupError::Damaged(folder.join(DATABASE)));
+        }
+        let (mut n_blobs, mut n_bytes, mut n_missing, mut first) = (0, 0, 0, None);
+        let mut after = None;
+        loop {
+            let page = store.list_blobs(after.take()).await?;
+            let Some(last) = page.last() else { break };
+            after = Some((last.tenant.clone(), last.path.clone()));
+            for blob in page {
+                let path = data.join(BLOBS).join(blob.tenant.name()).join(&blob.path);
+                if fs::metadata(path).is_ok_and(|found| found.len() == blob.n_bytes) {
+                    (n_blobs, n_bytes) = (n_blobs + 1, n_bytes + blob.n_bytes);
+                } else {
+                    n_missing += 1;
+                    first.get_or_insert_with(|| format!("{}/{}", blob.tenant.name(), blob.path));
+                }
+            }
+        }
+        match first {
+            Some(first) => Err(BackupError::Missing { n: n_missing, first }),
+            None => Ok((n_blobs, n_bytes)),
+        }
+    };
+    let found = found.await;
+    store.close().await;
+    found
+}
+
+/// Creates the folder of a back-up; one that holds something else is refused.
+fn prepare(folder: &Path) -> Result<(), BackupError> {
+    private_files::create_dir_all(folder).map_err(at(folder))?;
+    let is_empty = fs::read_dir(folder).map_err(at(folder))?.next().is_none();
+    let is_backup = folder.join(MANIFEST).is_file() || folder.join(BLOBS).is_dir();
+    if is_empty || is_backup { Ok(()) } else { Err(BackupError::NotABackup(folder.to_owned())) }
+}
+
+fn recreate(folder: &Path) -> Result<(), BackupError> {
+    match fs::remove_dir_all(folder) {
+        Err(error) if error.kind() != io::ErrorKind::NotFound => return Err(at(folder)(error)),
+        _ => {}
+    }
+    private_files::create_dir_all(folder).map_err(at(folder))?;
+    // With the permissions that it is to have, for the copy to be written into.
+    let file = folder.join(DATABASE);
+    private_files::create_new(&file).map(|_| ()).map_err(at(&file))
+}
+
+/// Gives the checked copy of the database its name, and replaces the description.
+fn publish(database: &Path, to: &Path, (n_blobs, n_bytes): Counted) -> Result<Manifest, BackupError> {
+    let hash = hash_of(database)?;
+    let manifest = Manifest {
+        version: env!("CARGO_PKG_VERSION").to_owned(),
+        created_at: jiff::Timestamp::now(),
+        database: format!("database-{}.sqlite", &hash[..16]),
+        database_blake3: hash,
+        n_blobs,
+        n_bytes,
+    };
+    let named = to.join(&manifest.database);
+    fs::rename(database, &named).map_err(at(&named))?;
+    let (draft, path) = (to.join(format!("{MANIFEST}.next")), to.join(MANIFEST));
+    let text = serde_json::to_string_pretty(&manifest).map_err(|error| at(&path)(error.into()))?;
+    let written = private_files::options().create(true).truncate(true).write(true).open(&draft).and_then(|mut file| {
+        writeln!(file, "{text}")?;
+        file.sync_all()
+    });
+    written.map_err(at(&draft))?;
+    fs::rename(&draft, &path).map_err(at(&path))?;
+    sync_folder(to)?;
+    // What the description no longer names.
+    let _ = fs::remove_dir_all(to.join(DRAFT));
+    for entry in fs::read_dir(to).map_err(at(to))?.flatten() {
+        let name = entry.file_name();
+        let is_older = name.to_str().is_some_and(|name| name.starts_with("database-") && name != manifest.database);
+        if is_older {
+            let _ = fs::remove_file(entry.path());
+        }
+    }
+    Ok(manifest)
+}
+
+/// Restores the back-up in `from` into a data directory that is empty or does not exist. Every blob is compared with its hash.
+///
+/// # Errors
+/// [`BackupError`]; the data directory then holds no database, and has to be emptied before the next try.
+pub async fn restore(from: &Path, data_dir: &Path) -> Result<Manifest, BackupError> {
+    let (source, data) = (from.to_owned(), data_dir.to_owned());
+    let draft = data_dir.join(DRAFT);
+    let folder = draft.clone();
+    let manifest = blocking(move || {
+        let manifest = read_manifest(&source)?;
+        refuse_used(&data)?;
+        private_files::create_dir_all(&data).map_err(at(&data))?;
+        recreate(&folder)?;
+        let database = source.join(&manifest.database);
+        if hash_of(&database)? != manifest.database_blake3 {
+            return Err(BackupError::Damaged(database));
+        }
+        copy_file(&database, &folder.join(DATABASE))?;
+        copy_blobs(&source.join(BLOBS), &data.join(BLOBS), true)?;
+        Ok(manifest)
+    });
+    let manifest = manifest.await?;
+    checked(&draft, data_dir).await?;
+    let data = data_dir.to_owned();
+    blocking(move || {
+        // Last: a data directory without this file holds no service.
+        fs::rename(draft.join(DATABASE), data.join(DATABASE)).map_err(at(&data))?;
+        let _ = fs::remove_dir_all(&draft);
+        sync_folder(&data)
+    })
+    .await?;
+    Ok(manifest)
+}
+
+fn read_manifest(folder: &Path) -> Result<Manifest, BackupError> {
+    let path = folder.join(MANIFEST);
+    let text = match fs::read(&path) {
+        Err(error) if error.kind() == io::ErrorKind::NotFound => {
+            return Err(BackupError::NoBackup(folder.to_owned()));
+        }
+        read => read.map_err(at(&path))?,
+    };
+    let manifest: Manifest = serde_json::from_slice(&text).map_err(|_| BackupError::Damaged(path.clone()))?;
+    // A name in this folder, and no path out of it.
+    let is_name = manifest.database.bytes().all(|b| b.is_ascii_alphanumeric() || b == b'-' || b == b'.');
+    if is_name { Ok(manifest) } else { Err(BackupError::Damaged(path)) }
+}
+
+fn refuse_used(data_dir: &Path) -> Result<(), BackupError> {
+    let entries = match fs::read_dir(data_dir) {
+        Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(()),
+        read => read.map_err(at(data_dir))?,
+    };
+    let is_empty = entries.flatten().all(|entry| entry.file_name() == SECRET_KEY);
+    if is_empty { Ok(()) } else { Err(BackupError::NotEmpty(data_dir.to_owned())) }
+}
+
+/// Copies the blobs that are not there yet; `verified`: compares each with the hash that is its name.
+fn copy_blobs(from: &Path, to: &Path, verified: bool) -> Result<(), BackupError> {
+    private_files::create_dir_all(to).map_err(at(to))?;
+    let entries = match fs::read_dir(from) {
+        // Nothing was uploaded yet, or the folder was removed with its last blob.
+        Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(()),
+        read => read.map_err(at(from))?,
+    };
+    let mut is_new = false;
+    for entry in entries {
+        let entry = entry.map_err(at(from))?;
+        let (source, target) = (entry.path(), to.join(entry.file_name()));
+        let Ok(found) = entry.metadata() else { continue };
+        if found.is_dir() {
+            copy_blobs(&source, &target, verified)?;
+        } else if !fs::metadata(&target).is_ok_and(|copy| copy.len() == found.len()) {
+            if verified && hash_of(&source)? != entry.file_name().to_string_lossy() {
+                return Err(BackupError::Damaged(source));
+            }
+            match copy_file(&source, &target) {
+                // Deleted in the meantime: what the database still refers to is checked afterwards.
+                Err(BackupError::File { error, .. }) if error.kind() == io::ErrorKind::NotFound && !source.exists() => {
+                }
+                copied => copied?,
+            }
+            is_new = true;
+        }
+    }
+    if is_new { sync_folder(to) } else { Ok(()) }
+}
+
+/// Copies a file, under another name until it is complete.
+fn copy_file(from: &Path, to: &Path) -> Result<(), BackupError> {
+    let mut source = File::open(from).map_err(at(from))?;
+    let draft = to.with_extension("part");
+    let written = private_files::options().create(true).truncate(true).write(true).open(&draft).and_then(|mut file| {
+        io::copy(&mut source, &mut file)?;
+        file.sync_all()
+    });
+    written.map_err(at(&draft))?;
+    fs::rename(&draft, to).map_err(at(to))
+}
+
+fn hash_of(path: &Path) -> Result<String, BackupError> {
+    let mut file = File::open(path).map_err(at(path))?;
+    let (mut hasher, mut part) = (blake3::Hasher::new(), vec![0; 1 << 20]);
+    loop {
+        match file.read(&mut part).map_err(at(path))? {
+            0 => return Ok(hasher.finalize().to_hex().to_string()),
+            n => hasher.update(&part[..n]),
+        };
+    }
+}
+
+fn sync_folder(folder: &Path) -> Result<(), BackupError> {
+    File::open(folder).and_then(|open| open.sync_all()).map_err(at(folder))
+}

@@ -4,7 +4,9 @@
 #              why; HOMOLOG_REAL_DATA=dir: the real data that some need
 # make faults  fault injection in full length, half an hour: processes killed, databases stopped, disks filled;
 #              TEST=a06: only the test of that name
-# make check   formatting, lints, documentation, unused dependencies
+# make check   formatting, lints, documentation, unused dependencies, licenses and sources of dependencies (deny.toml)
+# make sbom    software bill of materials of the program, target/homolog.cdx.json (CycloneDX)
+# make advisories  known vulnerabilities of dependencies; needs the internet
 # make contract  test a running service against its OpenAPI document with schemathesis
 # make build   target/release/homolog
 # make api     regenerate api/ and docs/parameters.md
@@ -21,7 +23,7 @@
 SHELL := /usr/bin/env bash
 .SHELLFLAGS := -eu -o pipefail -c
 .DEFAULT_GOAL := help
-.PHONY: help demo test faults check contract build api picture experiment accuracy answers bench bench-service
+.PHONY: help demo test faults check sbom advisories contract build api picture experiment accuracy answers bench bench-service
 
 CARGO ?= cargo
 SOURCE ?=
@@ -63,6 +65,16 @@ check:
 	$(CARGO) clippy --workspace --locked --all-targets -- -D warnings
 	RUSTDOCFLAGS="-D warnings" $(CARGO) doc --workspace --locked --no-deps --document-private-items
 	target/tools/bin/cargo-machete
+	target/tools/bin/cargo-deny --locked check bans licenses sources
+
+sbom:
+	@scripts/setup build
+	mkdir -p target
+	scripts/sbom > target/homolog.cdx.json
+
+advisories:
+	@scripts/setup check
+	target/tools/bin/cargo-deny --locked check advisories
 
 contract:
 	@scripts/setup test

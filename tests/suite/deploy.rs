@@ -373,6 +373,30 @@ fn every_service_requires_keys() {
     assert!(n_services >= 3, "only {n_services} were found");
 }
 
+#[test]
+fn containers_are_neither_root_nor_writable() {
+    let mut n_pods = 0;
+    for (name, document) in documents() {
+        for container in containers(&document) {
+            if !container.contains_key("args") {
+                assert_eq!(container.get("read_only"), Some(&Value::Bool(true)), "{name}");
+                continue;
+            }
+            let security = &container["securityContext"];
+            assert_eq!(security["readOnlyRootFilesystem"], true, "{name}");
+            assert_eq!(security["allowPrivilegeEscalation"], false, "{name}");
+            assert_eq!(security["capabilities"]["drop"][0], "ALL", "{name}");
+        }
+        for object in objects(&document).iter().filter(|object| object.contains_key("containers")) {
+            assert_eq!(object["securityContext"]["runAsNonRoot"], true, "{name}");
+            assert_eq!(object["automountServiceAccountToken"], false, "{name}");
+            n_pods += 1;
+        }
+    }
+    assert!(n_pods >= 3, "only {n_pods} pods were found");
+    assert_eq!(instruction("USER").split(':').next(), Some("65532"));
+}
+
 /// What a client can occupy must not decide whether a supervisor restarts the process.
 #[test]
 fn services_answer_probes_apart_from_clients() {

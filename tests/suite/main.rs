@@ -25,5 +25,6 @@ mod server;
 mod service;
 mod store;
 mod store_records;
+mod supply;
 mod tidy;
 mod webhooks;

@@ -1,7 +1,7 @@
 //! The wiring: which store, which engine, which workers, and how a process starts and exits.
 
 use crate::config::{HttpSettings, ServiceSettings};
-use crate::http::{AuthMode, ConnectionLimits, HttpState, probe_router, router, serve};
+use crate::http::{AuthMode, ConnectionLimits, HttpState, Tokens, probe_router, router, serve};
 use crate::jobs::audit::Recorder;
 use crate::jobs::{ArtifactStore, Engine, JobError, JobService, JobStore, Processes, Stores, WorkerId};
 use crate::store::artifacts::{FolderArtifacts, S3Artifacts};
@@ -76,6 +76,9 @@ pub enum AppError {
         /// Why.
         error: std::io::Error,
     },
+    /// The settings of OpenID Connect are incomplete or wrong.
+    #[error("tokens of OpenID Connect cannot be verified: {0}")]
+    Tokens(String),
     /// The operating system starts no thread.
     #[error("cannot start a thread: {0}")]
     Thread(std::io::Error),
@@ -272,6 +275,8 @@ impl App {
         let use_cases = JobService::new(stores, engine, http.submission_limits(service), signals);
         HttpState::new(Arc::new(use_cases), http.http_limits(service), auth, shutdown.stop.clone())
             .with_metrics(metrics)
+            // Checked before the address was bound; if the file is gone since, tokens are refused.
+            .with_tokens(open_tokens(http).ok().flatten())
             .for_hosts(http.hosts())
     }
 
@@ -379,7 +384,14 @@ pub async fn listen(http: &HttpSettings) -> Result<TcpListener, AppError> {
     if http.auth_mode().is_none() {
         return Err(AppError::Insecure(address));
     }
+    open_tokens(http)?;
     bind(address).await
+}
+
+/// What verifies tokens, by the settings; `None`: no tokens are accepted.
+fn open_tokens(http: &HttpSettings) -> Result<Option<Tokens>, AppError> {
+    let settings = http.tokens().map_err(AppError::Tokens)?;
+    settings.map(Tokens::open).transpose().map_err(AppError::Tokens)
 }
 
 /// A listener on this address.

@@ -3,7 +3,7 @@
 
 pub mod file;
 
-use crate::http::{AllowedHosts, AuthMode, ConnectionLimits, HttpLimits, LeastRate};
+use crate::http::{AllowedHosts, AuthMode, ConnectionLimits, HttpLimits, KeySetSource, LeastRate, TokenSettings};
 use crate::jobs::{Retention, SubmissionLimits, TenantWeight, TenantWeights};
 use crate::store::sql::DatabaseLocation;
 use crate::worker::WorkerSettings;
@@ -138,6 +138,24 @@ pub struct HttpSettings {
     /// Authentication: none, or API keys; default: none on a loopback address, API keys elsewhere
     #[arg(long, env = "HOMOLOG_AUTH", value_enum)]
     pub auth: Option<AuthMode>,
+    /// Issuer of tokens of an OpenID Connect provider, which are accepted beside API keys: the claim iss
+    #[arg(long, env = "HOMOLOG_OIDC_ISSUER", value_name = "URL")]
+    pub oidc_issuer: Option<String>,
+    /// Audience of these tokens: what the claim aud must be or contain
+    #[arg(long, env = "HOMOLOG_OIDC_AUDIENCE", value_name = "NAME")]
+    pub oidc_audience: Option<String>,
+    /// Key set of the provider (JWKS): its URL, or a file; read again when a token names a key that is not in it
+    #[arg(long, env = "HOMOLOG_OIDC_JWKS", value_name = "URL|FILE")]
+    pub oidc_jwks: Option<String>,
+    /// Claim with the roles of the user: reader, submitter, admin, or the same with homolog- before it; dots lead into objects
+    #[arg(long, env = "HOMOLOG_OIDC_ROLE_CLAIM", default_value = "roles", value_name = "CLAIM")]
+    pub oidc_role_claim: String,
+    /// Claim with the tenant of the user; default: all are of the tenant default
+    #[arg(long, env = "HOMOLOG_OIDC_TENANT_CLAIM", value_name = "CLAIM")]
+    pub oidc_tenant_claim: Option<String>,
+    /// How far the clocks of the provider and of this machine may differ, s
+    #[arg(long, env = "HOMOLOG_OIDC_LEEWAY_S", default_value_t = 30, value_parser = clap::value_parser!(u64).range(0..=600), value_name = "S")]
+    pub oidc_leeway_s: u64,
     /// Allow webhooks to private addresses, such as those of the local network
     #[arg(long, env = "HOMOLOG_ALLOW_PRIVATE_WEBHOOKS", value_parser = clap::builder::FalseyValueParser::new())]
     pub allow_private_webhooks: bool,
@@ -347,9 +365,36 @@ impl HttpSettings {
         match self.auth {
             Some(AuthMode::None) if !is_local && !self.insecure => None,
             Some(mode) => Some(mode),
+            None if self.oidc_issuer.is_some() => Some(AuthMode::Keys),
             None if is_local || self.insecure => Some(AuthMode::None),
             None => Some(AuthMode::Keys),
         }
+    }
+
+    /// Which tokens are accepted beside API keys; `None`: no tokens.
+    ///
+    /// # Errors
+    /// What is missing or wrong.
+    pub fn tokens(&self) -> Result<Option<TokenSettings>, String> {
+        let (issuer, audience, jwks) = match (&self.oidc_issuer, &self.oidc_audience, &self.oidc_jwks) {
+            (None, None, None) => return Ok(None),
+            (Some(issuer), Some(audience), Some(jwks)) => (issuer, audience, jwks),
+            _ => return Err("--oidc-issuer, --oidc-audience and --oidc-jwks are needed together".to_owned()),
+        };
+        if self.auth == Some(AuthMode::None) {
+            return Err(
+                "--auth none would accept requests without a token; remove it, or the settings of OpenID Connect"
+                    .to_owned(),
+            );
+        }
+        Ok(Some(TokenSettings {
+            issuer: issuer.clone(),
+            audience: audience.clone(),
+            key_set: KeySetSource::parse(jwks).map_err(|reason| format!("--oidc-jwks: {reason}"))?,
+            role_claim: self.oidc_role_claim.clone(),
+            tenant_claim: self.oidc_tenant_claim.clone(),
+            leeway: Duration::from_secs(self.oidc_leeway_s),
+        }))
     }
 
     /// Limits on requests.

@@ -1,10 +1,11 @@
-//! Authentication by API key, and authorization by the scopes of the key.
+//! Authentication by API key or by a token of an OpenID Connect provider, and authorization by the scopes of either.
 
 use super::audit::Caller;
 use super::problem::Problem;
 use super::problem_table::ProblemKind;
 use super::router::HttpState;
 use super::shares::Origin;
+use super::tokens::{Bearer, TokenFault};
 use crate::jobs::{Role, Scope, SecretKey, Tenant};
 use axum::extract::FromRequestParts;
 use axum::http::header;
@@ -15,7 +16,7 @@ use axum::http::request::Parts;
 pub enum AuthMode {
     /// No authentication: every client is the tenant `default` and has every scope.
     None,
-    /// API keys are required: `Authorization: Bearer hml_…`.
+    /// API keys are required, `Authorization: Bearer hml_…`, or tokens where a provider is set.
     Keys,
 }
 
@@ -31,6 +32,35 @@ pub(crate) struct Submitter(pub(crate) Tenant);
 #[derive(Debug, Clone)]
 pub(crate) struct Admin(pub(crate) Tenant);
 
+/// Who sends a request, and what they may do.
+struct Identity {
+    tenant: Tenant,
+    id: String,
+    scopes: Vec<Scope>,
+}
+
+/// The owner of an API key or of a token of the OpenID Connect provider.
+async fn identity(bearer: &str, state: &HttpState) -> Result<Identity, Problem> {
+    let unauthenticated = || Problem::new(ProblemKind::Unauthenticated);
+    if let Some(key) = SecretKey::parse(bearer) {
+        let found = state.service.authenticate(&key).await?.ok_or_else(unauthenticated)?;
+        return Ok(Identity { tenant: found.tenant, id: found.id, scopes: found.scopes });
+    }
+    let Some(tokens) = &state.tokens else { return Err(unauthenticated()) };
+    match tokens.verify(bearer).await {
+        Ok(Bearer { tenant, role, id }) => Ok(Identity { tenant, id, scopes: role.scopes().to_vec() }),
+        Err(TokenFault::Invalid) => Err(unauthenticated()),
+        Err(TokenFault::NoRole) => {
+            let detail = "the token names no role of this service, or no tenant";
+            Err(Problem::new(ProblemKind::ScopeMissing).detail(detail))
+        }
+        Err(TokenFault::Unavailable) => {
+            let detail = "the keys of the OpenID Connect provider cannot be read";
+            Err(Problem::new(ProblemKind::Unavailable).detail(detail).retry_after(5))
+        }
+    }
+}
+
 async fn tenant_with(parts: &Parts, state: &HttpState, scope: Scope) -> Result<Tenant, Problem> {
     let origin = Origin::of(&parts.extensions);
     let caller = parts.extensions.get::<Caller>().cloned().unwrap_or_default();
@@ -40,16 +70,13 @@ async fn tenant_with(parts: &Parts, state: &HttpState, scope: Scope) -> Result<T
         return Ok(Tenant::default());
     }
     let sent = parts.headers.get(header::AUTHORIZATION).and_then(|value| value.to_str().ok());
-    let key = sent.and_then(|sent| {
-        let (scheme, key) = sent.split_once(' ')?;
-        scheme.eq_ignore_ascii_case("bearer").then(|| SecretKey::parse(key.trim())).flatten()
+    let bearer = sent.and_then(|sent| {
+        let (scheme, bearer) = sent.split_once(' ')?;
+        scheme.eq_ignore_ascii_case("bearer").then(|| bearer.trim())
     });
-    let found = match &key {
-        Some(key) => state.service.authenticate(key).await?,
-        None => None,
-    };
-    // The answer does not reveal which part of the key was wrong.
-    let Some(found) = found else { return Err(Problem::new(ProblemKind::Unauthenticated)) };
+    // The answer does not reveal which part of a key or a token was wrong.
+    let Some(bearer) = bearer else { return Err(Problem::new(ProblemKind::Unauthenticated)) };
+    let found = identity(bearer, state).await?;
     caller.is(&found.tenant, Some(&found.id));
     state.begin_request(&found.tenant, origin)?;
     if !found.scopes.contains(&scope) {

@@ -11,6 +11,7 @@ use super::problem_table::ProblemKind;
 use super::rate::RequestRate;
 use super::routes;
 use super::shares::{Origin, Shares, Taken, owner};
+use super::tokens::Tokens;
 use super::upload::{Reading, Tap};
 use crate::jobs::{JobService, Tenant};
 use axum::Router;
@@ -83,6 +84,8 @@ pub struct HttpState {
     pub metrics: Arc<dyn Fn() -> String + Send + Sync>,
     /// Which hosts a request may name; `None`: any.
     pub hosts: Option<Arc<AllowedHosts>>,
+    /// Verifies tokens, where an OpenID Connect provider is set.
+    pub tokens: Option<Arc<Tokens>>,
     /// Cancelled when the process shuts down; long polls then answer at once.
     pub stop: CancellationToken,
     stocks: Arc<Stocks>,
@@ -119,7 +122,14 @@ impl HttpState {
     /// The state over these use cases.
     pub fn new(service: Arc<JobService>, limits: HttpLimits, auth: AuthMode, stop: CancellationToken) -> Self {
         let stocks = Arc::new(Stocks::new(&limits));
-        HttpState { service, limits, auth, metrics: Arc::new(String::new), hosts: None, stop, stocks }
+        HttpState { service, limits, auth, metrics: Arc::new(String::new), hosts: None, tokens: None, stop, stocks }
+    }
+
+    /// Accepts tokens too.
+    #[must_use]
+    pub fn with_tokens(mut self, tokens: Option<Tokens>) -> Self {
+        self.tokens = tokens.map(Arc::new);
+        self
     }
 
     /// Restricts the hosts that requests may name; `None` allows any.

@@ -27,4 +27,5 @@ mod store;
 mod store_records;
 mod supply;
 mod tidy;
+mod tokens;
 mod webhooks;

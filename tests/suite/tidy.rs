@@ -55,7 +55,7 @@ const ARROWS: &[(&str, &[&str])] = &[
     ),
     ("config", &["homolog_run", "http", "jobs", "store::sql", "worker"]),
     ("telemetry", &["config::LogFormat"]),
-    ("http", &["jobs"]),
+    ("http", &["jobs", "tls"]),
     ("app", &["config", "homolog_run", "http", "jobs", "store", "telemetry", "worker"]),
     (
         "cli",

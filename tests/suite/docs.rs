@@ -97,6 +97,30 @@ fn the_log_lines_of_the_runbook_exist() {
     }
 }
 
+#[test]
+fn the_tests_of_the_threat_model_exist() {
+    let model = fs::read_to_string(root().join("docs/threat-model.md")).unwrap();
+    let rows = model.lines().filter(|line| line.starts_with("| ") && !line.starts_with("| threat "));
+    let mut n_tests = 0;
+    for row in rows {
+        let tests = row.trim_end_matches('|').rsplit('|').next().unwrap();
+        let named: Vec<&str> = tests.split('`').skip(1).step_by(2).collect();
+        assert!(!named.is_empty(), "no test: {row}");
+        for test in named {
+            let (place, function) = test.rsplit_once("::").unwrap();
+            let file = match place.strip_suffix(".rs") {
+                Some(_) => root().join(place),
+                None => root().join("tests/suite").join(place.replace("::", "/")).with_extension("rs"),
+            };
+            let source = fs::read_to_string(&file).unwrap_or_else(|error| panic!("{}: {error}", file.display()));
+            assert!(source.contains(&format!("fn {function}(")), "there is no {test}");
+            n_tests += 1;
+        }
+    }
+    assert!(n_tests > 35, "{n_tests}");
+    assert!(model.lines().count() < 120, "two pages");
+}
+
 /// All Rust files below a folder, one after another.
 fn sources_under(folder: &Path) -> String {
     let paths = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());

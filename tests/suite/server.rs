@@ -150,3 +150,25 @@ async fn a_service_that_requires_keys_accepts_any_host_name() {
     problem(request.send().await.unwrap(), 401, "unauthenticated").await;
     service.end().await;
 }
+
+#[tokio::test]
+async fn what_is_no_http_is_answered_with_an_empty_body_as_documented() {
+    let service = TestService::start(&["--workers", "0"]).await;
+    let long = "a".repeat(70_000);
+    let many: String = (0..101).map(|n| format!("x-{n}: 1\r\n")).collect();
+    for (request, status) in [
+        ("nonsense\r\n\r\n".to_owned(), 400),
+        ("GET /healthz HTTP/1.1\r\nhost localhost\r\n\r\n".to_owned(), 400),
+        ("GET /healthz HTTP/1.1\r\nhost: localhost\r\ncontent-length: 1\r\ncontent-length: 2\r\n\r\n".to_owned(), 400),
+        (format!("GET /{long} HTTP/1.1\r\nhost: localhost\r\n\r\n"), 414),
+        (format!("GET /healthz HTTP/1.1\r\nhost: localhost\r\n{many}\r\n"), 431),
+    ] {
+        let mut stream = connect(&service).await;
+        stream.write_all(request.as_bytes()).await.unwrap();
+        let answer = String::from_utf8(until_closed(&mut stream).await).unwrap();
+        assert!(answer.starts_with(&format!("HTTP/1.1 {status} ")), "{answer}");
+        assert!(answer.ends_with("\r\n\r\n"), "an empty body: {answer}");
+    }
+    assert_eq!(service.json("/healthz").await["status"], "alive");
+    service.end().await;
+}

@@ -4,6 +4,8 @@
 #              why; HOMOLOG_REAL_DATA=dir: the real data that some need
 # make faults  fault injection in full length, half an hour: processes killed, databases stopped, disks filled;
 #              TEST=a06: only the test of that name
+# make soak    an hour of mixed load with faults: memory and open files must not grow, nothing be lost; SECONDS=600: shorter;
+#              the record is target/soak.md
 # make check   formatting, lints, documentation, unused dependencies, licenses and sources of dependencies (deny.toml)
 # make sbom    software bill of materials of the program, target/homolog.cdx.json (CycloneDX)
 # make advisories  known vulnerabilities of dependencies; needs the internet
@@ -23,7 +25,7 @@
 SHELL := /usr/bin/env bash
 .SHELLFLAGS := -eu -o pipefail -c
 .DEFAULT_GOAL := help
-.PHONY: help demo test faults check sbom advisories contract build api picture experiment accuracy answers bench bench-service
+.PHONY: help demo test faults soak check sbom advisories contract build api picture experiment accuracy answers bench bench-service
 
 CARGO ?= cargo
 SOURCE ?=
@@ -33,6 +35,7 @@ TEST ?=
 DATA ?= data
 EXAMPLES ?= 50
 PART ?=
+SECONDS ?= 3600
 DEMO_OUT ?= target/demo
 EVAL ?= eval
 CASES ?=
@@ -58,6 +61,9 @@ test:
 faults:
 	@scripts/setup test
 	@CARGO="$(CARGO)" scripts/test faults "$(TEST)"
+
+soak: build
+	scripts/soak target/release/homolog --seconds $(SECONDS) --record target/soak.md
 
 check:
 	@scripts/setup check

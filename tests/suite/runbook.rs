@@ -133,3 +133,46 @@ async fn a_back_up_is_restored_and_passes_the_drill() {
         assert!(said.contains(&format!("result: {id}")), "{said}");
     }
 }
+
+#[tokio::test]
+async fn keys_are_created_listed_and_revoked() {
+    let service = TestService::start(&["--auth", "keys", "--workers", "0"]).await;
+    let commands = commands_after("**API keys** may overlap");
+    let (create, rest) = commands.split_once('\n').unwrap();
+    let key = run(create, service.folder.path()).await;
+    let asked = async || {
+        let request = service.client.get(format!("{}/v1/jobs", service.base)).bearer_auth(key.trim());
+        request.send().await.unwrap().status().as_u16()
+    };
+    assert_eq!(asked().await, 200);
+    let said = run(&rest.replace("ID", key.split('_').nth(1).unwrap()), service.folder.path()).await;
+    assert!(said.contains("PACS bridge 2027") && said.contains("submitter") && said.contains("is revoked"), "{said}");
+    assert_eq!(asked().await, 401);
+    service.end().await;
+}
+
+mod postgres {
+    use super::*;
+    use crate::faults::site::{Backend, Site};
+
+    #[tokio::test]
+    #[ignore = "needs PostgreSQL"]
+    async fn the_queries_of_the_runbook_are_answered() {
+        if !has_tool("psql") {
+            return;
+        }
+        let site = Site::open(Backend::Postgres);
+        let node = site.serve(&["--workers", "0"]);
+        let id = site.client(&node).submit(json!({"points": 1, "step_ms": 1})).await;
+        let url = site.cluster.as_ref().unwrap().url();
+        for (place, answer) in [
+            ("With SQL, over all tenants", id.as_str()),
+            ("PostgreSQL's write-ahead log grows", "failed_count"),
+            ("To see which migrations the database has:", "fairness"),
+        ] {
+            let commands = commands_after(place).replace("psql \"", "psql --set ON_ERROR_STOP=1 \"");
+            let said = run(&format!("HOMOLOG_DATABASE_URL='{url}'; {commands}"), &site.data_dir()).await;
+            assert!(said.contains(answer), "{place}: {said}");
+        }
+    }
+}

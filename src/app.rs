@@ -186,6 +186,7 @@ impl App {
         let job_store: Arc<dyn JobStore> = Arc::new(store.clone());
         let housekeeper = Housekeeper {
             store: Arc::clone(&job_store),
+            audit: Arc::new(store.clone()),
             artifacts: Arc::clone(&artifacts),
             processes,
             retention: settings.retention(),

@@ -1,7 +1,7 @@
 //! Periodic work of every process: jobs of lost workers return to the queue, and unreferenced blobs are removed.
 
 use super::pool::with_sources;
-use crate::jobs::{ArtifactStore, JobError, JobStore, Processes, Retention};
+use crate::jobs::{ArtifactStore, AuditEvent, AuditStore, JobError, JobStore, Processes, Retention};
 use std::sync::Arc;
 use std::time::Duration;
 use tokio_util::sync::CancellationToken;
@@ -22,12 +22,26 @@ const OVERDUE_TOLERANCE: Duration = Duration::from_secs(30);
 pub(crate) struct Housekeeper {
     /// Jobs.
     pub(crate) store: Arc<dyn JobStore>,
+    /// The audit log.
+    pub(crate) audit: Arc<dyn AuditStore>,
     /// Blobs.
     pub(crate) artifacts: Arc<dyn ArtifactStore>,
     /// The processes that share this one's data directory; `None` with a database server.
     pub(crate) processes: Option<Arc<dyn Processes>>,
     /// How long jobs and results are kept.
     pub(crate) retention: Retention,
+}
+
+/// What the audit log says of a purge: nobody asked for it but the settings.
+fn purge_event() -> AuditEvent {
+    AuditEvent {
+        tenant: None,
+        key_id: None,
+        action: "purge".to_owned(),
+        resource: None,
+        address: Some("service".to_owned()),
+        status: None,
+    }
 }
 
 impl Housekeeper {
@@ -90,6 +104,9 @@ impl Housekeeper {
             let purged = self.store.purge(&self.retention, PURGED_AT_ONCE, false).await?;
             if !purged.is_nothing() {
                 tracing::info!(?purged, "what outlived its retention is removed");
+            }
+            if purged.results + purged.jobs + purged.meshes > 0 {
+                self.audit.append_audit(&[purge_event()]).await?;
             }
         }
         self.store.remove_unreferenced_blobs(self.artifacts.as_ref()).await?;

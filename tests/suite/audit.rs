@@ -322,3 +322,25 @@ async fn requests_that_cannot_be_recorded_are_refused_if_the_log_is_required() {
         service.end().await;
     }
 }
+
+#[tokio::test]
+async fn what_the_service_purges_by_itself_is_recorded() {
+    let service = TestService::start(&[]).await;
+    let id = service.submit(json!({})).await;
+    service.until_final(&id).await;
+    assert!(rows(&service).await.iter().all(|row| row.action != "purge"));
+    let folder = service.end().await;
+    let service = TestService::start_in(folder, &["--retain-results-days", "0.0000001"]).await;
+    let began = Instant::now();
+    loop {
+        let rows = rows(&service).await;
+        if let Some(row) = rows.iter().find(|row| row.action == "purge") {
+            assert_eq!((row.tenant.as_deref(), row.address.as_deref()), (None, Some("service")));
+            break;
+        }
+        assert!(began.elapsed() < Duration::from_secs(15), "{rows:?}");
+        tokio::time::sleep(Duration::from_millis(100)).await;
+    }
+    assert_eq!(service.get(&format!("/v1/jobs/{id}/result")).await.status(), 410);
+    service.end().await;
+}

@@ -1,4 +1,4 @@
-//! The settings, each from the command line, the environment or a configuration file ([`file`]), with its default. The texts of
+//! The settings, each from the command line, the environment or a configuration file ([`mod@file`]), with its default. The texts of
 //! `--help` are here.
 
 pub mod file;

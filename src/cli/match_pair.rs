@@ -1,24 +1,24 @@
 //! `homolog match SOURCE TARGET`: one match without the service.
 
 use super::error::CliError;
-use super::files::{OutputFolder, file_name, read_input};
+use super::files::{OutputFolder, file_name, read_input, write_file};
 use super::interrupt::Interrupt;
 use super::output::{note, print, print_json};
 use super::parameters::ParameterArgs;
 use super::progress::{Progress, WithoutTerminal};
 use super::summary::summary;
 use clap::Args;
-use homolog_contract::result::WarpDirection;
+use homolog_contract::result::{Correspondences, WarpDirection};
 use homolog_formats::gifti::write_gifti;
 use homolog_formats::ply::{write_ply, write_ply_with};
 use homolog_formats::vertex_table::write_csv;
 use homolog_formats::vtp::write_vtp_with;
 use homolog_primitives::observe::{Observer, Phase, TracePoint};
 use homolog_run::intake::IntakeLimits;
-use homolog_run::{InputFile, RunError, RunOutput, WarpedSurface, run_match};
+use homolog_run::{InputFile, ReportInputs, RunError, RunOutput, WarpedSurface, run_match, write_report};
 use serde::Serialize;
 use std::fmt::Write;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 use std::time::Instant;
 
@@ -36,6 +36,9 @@ pub(super) struct MatchArgs {
     /// .surf.gii and .csv (the source bent onto the target) and trace.jsonl
     #[arg(long, value_name = "DIR")]
     pub(super) out: Option<PathBuf>,
+    /// File for a page with the verdict, both surfaces to turn with the mouse, and all numbers; it contains no file names
+    #[arg(long, value_name = "PAGE.html")]
+    pub(super) html: Option<PathBuf>,
     /// Print the result document, and nothing else, as JSON
     #[arg(long)]
     pub(super) json: bool,
@@ -73,6 +76,9 @@ pub(super) fn run(args: &MatchArgs) -> Result<(), CliError> {
     if let Some(folder) = &folder {
         write_files(folder, &output, &trace)?;
     }
+    if let Some(page) = &args.html {
+        write_page(page, &output, &trace)?;
+    }
     if args.json {
         return print_json(&output.document);
     }
@@ -105,6 +111,21 @@ fn write_files(folder: &OutputFolder, output: &RunOutput, trace: &[TimedPoint]) 
     }
     folder.write("trace.jsonl", lines.as_bytes())?;
     Ok(())
+}
+
+/// The report as an HTML page.
+fn write_page(path: &Path, output: &RunOutput, trace: &[TimedPoint]) -> Result<(), CliError> {
+    let trace: Vec<TracePoint> = trace.iter().map(|timed| timed.point.clone()).collect();
+    let none = Correspondences::default();
+    let page = write_report(&ReportInputs {
+        document: &output.document,
+        correspondences: output.document.correspondences.as_ref().unwrap_or(&none),
+        source: &output.source,
+        target: &output.target,
+        trace: &trace,
+    });
+    let page = page.map_err(|e| CliError::Failed(format!("cannot make the report: {e}")))?;
+    write_file(path, page.as_bytes())
 }
 
 /// A bent surface with the deformation at each vertex, in the formats that hold both.

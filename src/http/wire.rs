@@ -197,6 +197,8 @@ pub(crate) struct ResultLinks {
     pub(crate) aligned: String,
     /// The source surface bent onto the target, with the deformation at each vertex; also as a table.
     pub(crate) warped: String,
+    /// A page with the verdict, both surfaces and all numbers, for browsers.
+    pub(crate) report: String,
 }
 
 /// The available methods.
@@ -599,6 +601,7 @@ impl ResultLinks {
             trace: format!("{path}/trace"),
             aligned: format!("{path}/aligned"),
             warped: format!("{path}/warped"),
+            report: format!("{path}/report"),
             job: path,
         }
     }

@@ -7,9 +7,14 @@ use super::error::JobError;
 use super::job::{JobId, Tenant};
 use super::ports::{ArtifactKind, ArtifactRef};
 use super::service::JobService;
+use super::trace::NumberedPoint;
 use bytes::Bytes;
 pub use homolog_contract::result::{WarpDirection, WarpSpace};
 use std::sync::Arc;
+
+/// Points of the energy trace that are read at once, and at most for a report: more than a plot can show.
+const TRACE_PAGE: u32 = 1000;
+const MOST_TRACE_POINTS: usize = 20_000;
 
 /// A part of a result that a client can read.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -31,6 +36,8 @@ pub enum ResultPart {
         /// In whose coordinates.
         space: WarpSpace,
     },
+    /// A page for people, with everything that can be looked at.
+    Report,
 }
 
 /// A file format.
@@ -60,6 +67,8 @@ pub enum PartFormat {
     Itk,
     /// FreeSurfer linear transform array.
     Lta,
+    /// A page for browsers.
+    Html,
 }
 
 impl ResultPart {
@@ -72,17 +81,19 @@ impl ResultPart {
             ResultPart::TargetSurface => "target",
             ResultPart::Aligned => "aligned",
             ResultPart::Warped { .. } => "warped",
+            ResultPart::Report => "report",
         }
     }
 
     /// The available formats, the default first.
     pub fn formats(self) -> &'static [PartFormat] {
-        use PartFormat::{Arrow, Csv, Gifti, Itk, Json, Lta, Npy, Ply, Stl, Text, Vtk, Vtp};
+        use PartFormat::{Arrow, Csv, Gifti, Html, Itk, Json, Lta, Npy, Ply, Stl, Text, Vtk, Vtp};
         match self {
             ResultPart::Correspondences => &[Json, Csv, Npy, Arrow, Ply, Vtk, Vtp, Gifti],
             ResultPart::Transform => &[Json, Text, Itk, Lta],
             ResultPart::SourceSurface | ResultPart::TargetSurface | ResultPart::Aligned => &[Ply, Vtk, Vtp, Gifti, Stl],
             ResultPart::Warped { .. } => &[Ply, Vtk, Vtp, Gifti, Stl, Json, Csv, Npy, Arrow],
+            ResultPart::Report => &[Html],
         }
     }
 
@@ -90,7 +101,7 @@ impl ResultPart {
     fn stored_as(self) -> Option<PartFormat> {
         match self {
             ResultPart::Correspondences => Some(PartFormat::Json),
-            ResultPart::Transform | ResultPart::Warped { .. } => None,
+            ResultPart::Transform | ResultPart::Warped { .. } | ResultPart::Report => None,
             _ => Some(PartFormat::Ply),
         }
     }
@@ -106,7 +117,7 @@ impl ResultPart {
             (ResultPart::SourceSurface, _) => &[ArtifactKind::SourceSurface],
             (ResultPart::TargetSurface, _) => &[ArtifactKind::TargetSurface],
             (ResultPart::Aligned, _) => &[ArtifactKind::Aligned],
-            (ResultPart::Warped { .. }, _) => &[
+            (ResultPart::Warped { .. } | ResultPart::Report, _) => &[
                 ArtifactKind::Result,
                 ArtifactKind::Correspondences,
                 ArtifactKind::SourceSurface,
@@ -132,6 +143,7 @@ impl PartFormat {
             PartFormat::Text => "text",
             PartFormat::Itk => "tfm",
             PartFormat::Lta => "lta",
+            PartFormat::Html => "html",
         }
     }
 }
@@ -167,6 +179,8 @@ pub struct Presentation {
     part: ResultPart,
     format: PartFormat,
     blobs: Vec<ArtifactRef>,
+    /// Whose energy trace is needed beside the blobs.
+    trace_of: Option<(Tenant, JobId)>,
 }
 
 /// The content of a part in one format.
@@ -212,7 +226,8 @@ impl JobService {
         for &kind in part.made_from(format) {
             blobs.push(self.result_part(tenant, id, kind).await?);
         }
-        Ok(Presentation { part, format, blobs })
+        let trace_of = (part == ResultPart::Report).then(|| (tenant.clone(), id));
+        Ok(Presentation { part, format, blobs, trace_of })
     }
 
     /// Its content: the blob in which it is stored in this format, or what is converted on a blocking thread.
@@ -231,6 +246,11 @@ impl JobService {
         for blob in &wanted.blobs {
             blobs.push(self.read(blob).await?);
         }
+        if let Some((tenant, id)) = &wanted.trace_of {
+            let points = self.whole_trace(tenant, *id).await?;
+            let points = serde_json::to_vec(&points).map_err(|error| JobError::corrupt("an energy trace", error))?;
+            blobs.push(points.into());
+        }
         let engine: Arc<dyn Engine> = Arc::clone(&self.engine);
         let made = tokio::task::spawn_blocking(move || {
             let _permit = permit;
@@ -242,6 +262,22 @@ impl JobService {
             Ok(Err(PresentError::NoInverse)) => Err(JobError::NoInverse),
             Ok(Err(error)) => Err(JobError::corrupt("a stored part of a result", error)),
             Err(error) => Err(JobError::corrupt("a stored part of a result", error)),
+        }
+    }
+
+    /// The energy trace of a finished job, up to [`MOST_TRACE_POINTS`].
+    async fn whole_trace(&self, tenant: &Tenant, id: JobId) -> Result<Vec<NumberedPoint>, JobError> {
+        let mut points: Vec<NumberedPoint> = Vec::new();
+        loop {
+            let after = points.last().map_or(0, |point| point.seq);
+            let page = self.trace(tenant, id, after, TRACE_PAGE).await?;
+            points.extend(page.points);
+            if page.complete
+                || points.last().is_none_or(|point| point.seq == after)
+                || points.len() >= MOST_TRACE_POINTS
+            {
+                return Ok(points);
+            }
         }
     }
 }

@@ -2,7 +2,7 @@
 //! vertices of the uploads (see [`homolog_run`]), which the stored surfaces have.
 
 use crate::jobs::{PartFormat, PresentError, ResultPart};
-use homolog_contract::result::{Correspondences, TransformDocument};
+use homolog_contract::result::{Correspondences, ResultDocument, TransformDocument};
 use homolog_formats::arrow::{write_arrow, write_arrow_table};
 use homolog_formats::gifti::write_gifti;
 use homolog_formats::npy::write_npy;
@@ -13,14 +13,16 @@ use homolog_formats::vtk::write_vtk_with;
 use homolog_formats::vtp::write_vtp_with;
 use homolog_formats::{PairColumns, ReadLimits, VertexArray, VertexValues, write_stl};
 use homolog_mesh::SurfaceMesh;
-use homolog_run::{WarpError, WarpedSurface, warp};
+use homolog_primitives::observe::TracePoint;
+use homolog_run::{ReportInputs, WarpError, WarpedSurface, warp, write_report};
 use serde::Deserialize;
 
 /// Value of `target` for a source vertex without a correspondence; its other values are 0.
 pub const NO_TARGET: i32 = -1;
 
 /// A part of a result in `format`, made from the stored blobs of the part: the correspondences (JSON), with the source
-/// surface (PLY) for surface formats; the result document (JSON); a surface (PLY); or all of these for a bent surface.
+/// surface (PLY) for surface formats; the result document (JSON); a surface (PLY); all of these for a bent surface; or these
+/// and the energy trace (JSON) for a report.
 ///
 /// # Errors
 /// [`PresentError`].
@@ -50,6 +52,23 @@ pub fn present(part: ResultPart, format: PartFormat, stored: &[&[u8]]) -> Result
                 PartFormat::Arrow => Some(write_arrow_table(&arrays)),
                 _ => surface_file(&mesh, &arrays, format),
             }
+        }
+        (ResultPart::Report, [result, columns, source, target, trace]) => {
+            let document: ResultDocument =
+                serde_json::from_slice(result).map_err(|error| unreadable("a stored result", error))?;
+            let trace: Vec<TracePoint> =
+                serde_json::from_slice(trace).map_err(|error| unreadable("a stored energy trace", error))?;
+            let (source, target) = (surface_mesh(source)?, surface_mesh(target)?);
+            let correspondences = correspondences(columns)?;
+            let inputs = ReportInputs {
+                document: &document,
+                correspondences: &correspondences,
+                source: &source,
+                target: &target,
+                trace: &trace,
+            };
+            let page = write_report(&inputs).map_err(|error| unreadable("a report", error))?;
+            (format == PartFormat::Html).then(|| page.into_bytes())
         }
         (_, [surface]) => surface_file(&surface_mesh(surface)?, &[], format),
         _ => None,

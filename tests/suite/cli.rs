@@ -89,6 +89,8 @@ fn match_prints_the_result_document_and_nothing_else() {
         .args([&source, &target])
         .args(["--json", "--seed", "7", "--out"])
         .arg(&out)
+        .arg("--html")
+        .arg(folder.path().join("page.html"))
         .output()
         .unwrap();
     assert!(done.status.success(), "{}", String::from_utf8_lossy(&done.stderr));
@@ -104,6 +106,9 @@ fn match_prints_the_result_document_and_nothing_else() {
     assert!(fs::read_to_string(out.join("warped.csv")).unwrap().starts_with("vertex,displacement_x_mm,"));
     assert!(fs::read_to_string(out.join("warped.vtp")).unwrap().contains("displacement_normal_mm"));
     assert!(fs::read_to_string(out.join("warped.surf.gii")).unwrap().contains("area_ratio"));
+    let page = fs::read_to_string(folder.path().join("page.html")).unwrap();
+    assert!(page.contains("RELIABLE") && page.contains("iterations; dashed: a new round"), "{}", &page[..2000]);
+    assert!(!page.contains("source.ply") && page.len() < 1 << 20, "no file names; {} bytes", page.len());
     let trace = fs::read_to_string(out.join("trace.jsonl")).unwrap();
     let seqs: Vec<u64> =
         trace.lines().map(|l| serde_json::from_str::<Value>(l).unwrap()["seq"].as_u64().unwrap()).collect();

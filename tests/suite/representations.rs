@@ -62,7 +62,8 @@ fn mesh_of(bytes: &[u8]) -> SurfaceMesh {
 type Offered = (&'static str, &'static str, Option<&'static str>);
 
 /// Parts and their formats; the first format is the default.
-const PARTS: [(&str, &[Offered]); 6] = [
+const PARTS: [(&str, &[Offered]); 7] = [
+    ("report", &[("html", "text/html", None)]),
     (
         "correspondences",
         &[
@@ -124,7 +125,7 @@ async fn every_part_comes_in_every_format_it_has() {
     for (part, formats) in PARTS {
         let path = format!("{job}/{part}");
         let default = service.get(&path).await;
-        assert_eq!(default.headers()["content-type"], formats[0].1);
+        assert!(text(default.headers(), "content-type").unwrap().starts_with(formats[0].1), "{path}");
         for &(format, media_type, ending) in formats {
             let by_query = accepting(&service, &format!("{path}?format={format}"), "image/png").await;
             assert_eq!(by_query.status(), 200, "{path} {format}: the query goes before Accept");
@@ -160,6 +161,15 @@ async fn every_part_comes_in_every_format_it_has() {
     assert_eq!(etags.len(), n_etags, "each representation has a validator of its own");
     let unknown = accepting(&service, "/v1/jobs/00000000-0000-0000-0000-000000000000/aligned", "image/png").await;
     problem(unknown, 404, "job-not-found").await;
+
+    // The page runs its own script alone, and not in the name of the service.
+    let page = service.get(&format!("{job}/report")).await;
+    assert_eq!(
+        text(page.headers(), "content-security-policy").unwrap(),
+        "sandbox allow-scripts; frame-ancestors 'none'"
+    );
+    let page = page.text().await.unwrap();
+    assert!(page.contains("RELIABLE") && page.contains("iterations; dashed: a new round") && !page.contains("Doe^Jane"));
 
     // All formats have the numbers of the JSON.
     let columns = service.json(&format!("{job}/correspondences")).await;

@@ -11,11 +11,13 @@
 pub mod intake;
 #[cfg(test)]
 mod numbering_tests;
+mod report;
 mod surfaces;
 #[cfg(test)]
 mod surfaces_tests;
 mod warped;
 
+pub use report::{ReportInputs, write_report};
 pub use surfaces::SurfaceCache;
 pub use warped::{WarpError, WarpedSurface, warp};
 

@@ -130,7 +130,8 @@ fn match_over_http(
 }
 
 /// What the demo downloads: name of the file, link of the result, format, and which programs open it.
-const DOWNLOADS: [(&str, &str, &str, &str); 6] = [
+const DOWNLOADS: [(&str, &str, &str, &str); 7] = [
+    ("report.html", "report", "html", "a page with the verdict and both surfaces to turn: any browser"),
     ("aligned.ply", "aligned", "ply", "the source moved rigidly: MeshLab, Blender, ParaView, 3D Slicer"),
     ("warped.vtp", "warped", "vtp", "the source bent onto the target, with arrays: ParaView, 3D Slicer"),
     ("warped.surf.gii", "warped", "gifti", "the same: Connectome Workbench, FreeSurfer's freeview, nibabel"),

@@ -1,4 +1,4 @@
-//! `/v1/jobs/{id}/result`, `/correspondences` and `/transform`.
+//! `/v1/jobs/{id}/result`, `/correspondences`, `/transform` and `/report`.
 
 use super::job_id;
 use crate::http::auth::Reader;
@@ -182,6 +182,43 @@ pub(crate) async fn transform(
         query,
     )
     .await
+}
+
+/// Get the report
+///
+/// One HTML page for people, which loads nothing from anywhere: first whether the answer can be relied on and why not, then
+/// both surfaces, to be turned with the mouse, in corresponding colors or colored by confidence or residual, the energy over
+/// the iterations, and all numbers, parameters and hashes. It contains no file names.
+#[utoipa::path(
+    get, path = "/v1/jobs/{id}/report", tag = "results", operation_id = "get_report",
+    params(
+        ("id" = String, Path, description = "The job"),
+        ("format" = Option<String>, Query, description = "`html`"),
+        ("If-None-Match" = Option<String>, Header, description = "ETag of an earlier answer"),
+    ),
+    responses(
+        (status = 200, description = "The page", content((String = "text/html")), headers(
+            ("ETag" = String, description = "Of this page"), ("Vary" = String, description = "`accept`"),
+        )),
+        (status = 304, description = "Not modified since the version that `If-None-Match` names"),
+        (status = 400, description = "Invalid query parameters", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 410, description = "The result was deleted at the end of its retention time", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 404, description = "No such job", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 406, description = "`Accept` allows no HTML", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 409, description = "The job is not finished, or finished without a result", body = ProblemDocument, content_type = "application/problem+json"),
+    )
+)]
+pub(crate) async fn report(
+    State(state): State<HttpState>,
+    Reader(tenant): Reader,
+    Path(id): Path<String>,
+    method: Method,
+    origin: Origin,
+    headers: HeaderMap,
+    query: QueryString,
+) -> Result<Response, Problem> {
+    let asking = Asking { method: &method, headers: &headers, origin };
+    answer(&state, &tenant, job_id(&id)?, ResultPart::Report, asking, query).await
 }
 
 fn unreadable() -> Problem {

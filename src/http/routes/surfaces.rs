@@ -137,6 +137,7 @@ pub(crate) async fn aligned(
         )),
         (status = 304, description = "Not modified since the version that `If-None-Match` names"),
         (status = 400, description = "Invalid query parameters", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 410, description = "The result was deleted at the end of its retention time", body = ProblemDocument, content_type = "application/problem+json"),
         (status = 404, description = "No such job, or no inverse correspondences", body = ProblemDocument, content_type = "application/problem+json"),
         (status = 406, description = "`Accept` allows none of the formats; `available` lists them", body = ProblemDocument, content_type = "application/problem+json"),
         (status = 409, description = "The job is not finished, or finished without a result", body = ProblemDocument, content_type = "application/problem+json"),

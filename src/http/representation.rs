@@ -40,6 +40,9 @@ fn form(format: PartFormat) -> Form {
         PartFormat::Stl => ("model/stl", "model/stl", Some("stl")),
         PartFormat::Text => ("text/plain", "text/plain; charset=utf-8", None),
         PartFormat::Itk => ("application/x-itk-transform", "application/x-itk-transform", Some("tfm")),
+        PartFormat::Npz => ("application/x-npz", "application/x-npz", Some("npz")),
+        PartFormat::Glb => ("model/gltf-binary", "model/gltf-binary", Some("glb")),
+        PartFormat::Dicom => ("application/dicom", "application/dicom", Some("dcm")),
         PartFormat::Html => ("text/html", "text/html; charset=utf-8", None),
         PartFormat::Lta => ("application/x-freesurfer-lta", "application/x-freesurfer-lta", Some("lta")),
     };

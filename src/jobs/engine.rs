@@ -34,7 +34,8 @@ pub trait Engine: Send + Sync {
     fn restore(&self, parameters: &Value) -> Result<Arc<dyn Computation>, Failure>;
 
     /// A part of a result in another format than the stored one, from its stored blobs in the order in which the part
-    /// lists them; for a report, the energy trace as JSON comes last. Called on a blocking thread.
+    /// lists them; for a report, the energy trace as JSON comes last, for DICOM, the time when the
+    /// job ended. Called on a blocking thread.
     ///
     /// # Errors
     /// [`PresentError`].

@@ -154,6 +154,7 @@ fn answer(output: RunOutput) -> Result<Answer, Failure> {
         .aligned()
         .map_err(|_| Failure::new("internal-error", "the aligned surface has coordinates that are not finite"))?;
     let RunOutput { mut document, source, target } = output;
+    env!("HOMOLOG_COMMIT").clone_into(&mut document.provenance.commit);
     let correspondences = document.correspondences.take().unwrap_or_default();
     let written = |e: serde_json::Error| Failure::new("internal-error", format!("the result cannot be written: {e}"));
     let products = vec![

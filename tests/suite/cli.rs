@@ -96,6 +96,9 @@ fn match_prints_the_result_document_and_nothing_else() {
     assert!(done.status.success(), "{}", String::from_utf8_lossy(&done.stderr));
     let printed: Value = serde_json::from_slice(&done.stdout).unwrap();
     assert_eq!(printed["provenance"]["seed"], 7);
+    let version = String::from_utf8(homolog().arg("--version").output().unwrap().stdout).unwrap();
+    let commit = printed["provenance"]["commit"].as_str().unwrap();
+    assert!(version.contains(&format!("({commit})")), "{version} {commit}");
     let n = printed["correspondences"]["source"].as_array().unwrap().len();
     assert!(n > 0);
     assert_eq!(read_json(&out.join("result.json")), printed);

@@ -7,6 +7,7 @@ mod contract;
 mod deploy;
 mod docs;
 mod faults;
+mod field_readers;
 mod hostile;
 mod jobs;
 mod jobs_support;

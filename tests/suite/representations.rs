@@ -14,6 +14,11 @@ use std::sync::Arc;
 
 /// A service with a finished match of two small voxel surfaces; the path of the job.
 async fn matched() -> (TestService, String) {
+    matched_with(json!({"input": {"surface": "voxel"}})).await
+}
+
+/// The same with these parameters.
+pub(super) async fn matched_with(parameters: Value) -> (TestService, String) {
     let recipe = PairRecipe {
         subject: 1,
         target_subject: 1,
@@ -28,7 +33,7 @@ async fn matched() -> (TestService, String) {
     let form = Form::new()
         .part("source", source.file_name("Doe^Jane.nii.gz"))
         .part("target", target.file_name("b.nii.gz"))
-        .text("parameters", json!({"input": {"surface": "voxel"}}).to_string());
+        .text("parameters", parameters.to_string());
     let folder = Arc::new(tempfile::tempdir().unwrap());
     let engine = Arc::new(MatchEngine::new(IntakeLimits::default(), 0));
     let service = TestService::start_with(folder, &[], Some(engine)).await;
@@ -45,7 +50,7 @@ async fn accepting(service: &TestService, path: &str, accept: &str) -> Response 
     service.client.get(format!("{}{path}", service.base)).header("accept", accept).send().await.unwrap()
 }
 
-async fn bytes(service: &TestService, path: &str) -> Vec<u8> {
+pub(super) async fn bytes(service: &TestService, path: &str) -> Vec<u8> {
     let response = service.get(path).await;
     assert_eq!(response.status(), 200, "{path}");
     response.bytes().await.unwrap().to_vec()
@@ -59,10 +64,10 @@ fn mesh_of(bytes: &[u8]) -> SurfaceMesh {
 }
 
 /// A format, its media type, and its file extension.
-type Offered = (&'static str, &'static str, Option<&'static str>);
+pub(super) type Offered = (&'static str, &'static str, Option<&'static str>);
 
 /// Parts and their formats; the first format is the default.
-const PARTS: [(&str, &[Offered]); 7] = [
+pub(super) const PARTS: [(&str, &[Offered]); 7] = [
     ("report", &[("html", "text/html", None)]),
     (
         "correspondences",
@@ -70,11 +75,13 @@ const PARTS: [(&str, &[Offered]); 7] = [
             ("json", "application/json", None),
             ("csv", "text/csv", Some("csv")),
             ("npy", "application/x-npy", Some("npy")),
+            ("npz", "application/x-npz", Some("npz")),
             ("arrow", "application/vnd.apache.arrow.file", Some("arrow")),
             ("ply", "model/ply", Some("ply")),
             ("vtk", "model/vtk", Some("vtk")),
             ("vtp", "application/vnd.vtk.vtp", Some("vtp")),
             ("gifti", "application/gifti+xml", Some("surf.gii")),
+            ("glb", "model/gltf-binary", Some("glb")),
         ],
     ),
     (
@@ -97,9 +104,11 @@ const PARTS: [(&str, &[Offered]); 7] = [
             ("vtp", "application/vnd.vtk.vtp", Some("vtp")),
             ("gifti", "application/gifti+xml", Some("surf.gii")),
             ("stl", "model/stl", Some("stl")),
+            ("glb", "model/gltf-binary", Some("glb")),
             ("json", "application/json", None),
             ("csv", "text/csv", Some("csv")),
             ("npy", "application/x-npy", Some("npy")),
+            ("npz", "application/x-npz", Some("npz")),
             ("arrow", "application/vnd.apache.arrow.file", Some("arrow")),
         ],
     ),
@@ -111,6 +120,7 @@ const SURFACE: &[Offered] = &[
     ("vtp", "application/vnd.vtk.vtp", Some("vtp")),
     ("gifti", "application/gifti+xml", Some("surf.gii")),
     ("stl", "model/stl", Some("stl")),
+    ("glb", "model/gltf-binary", Some("glb")),
 ];
 
 fn text(headers: &HeaderMap, name: &str) -> Option<String> {
@@ -169,7 +179,9 @@ async fn every_part_comes_in_every_format_it_has() {
         "sandbox allow-scripts; frame-ancestors 'none'"
     );
     let page = page.text().await.unwrap();
-    assert!(page.contains("RELIABLE") && page.contains("iterations; dashed: a new round") && !page.contains("Doe^Jane"));
+    assert!(
+        page.contains("RELIABLE") && page.contains("iterations; dashed: a new round") && !page.contains("Doe^Jane")
+    );
 
     // All formats have the numbers of the JSON.
     let columns = service.json(&format!("{job}/correspondences")).await;
@@ -261,8 +273,15 @@ async fn the_source_bent_onto_the_target_lies_on_the_target() {
         let length = (matrix.transform_point(&source.vertices()[k]) - warped.vertices()[k]).norm();
         assert!((length - residual.as_f64().unwrap()).abs() < 1e-9);
     }
-    let body = problem(service.get(&format!("{job}/warped?direction=inverse")).await, 404, "route-not-found").await;
-    assert!(body["detail"].as_str().unwrap().contains("both_directions"), "{body}");
+    assert_eq!(mesh_of(&bytes(&service, &format!("{job}/warped?space=aligned")).await), warped);
+    for path in [
+        "warped?direction=inverse",
+        "correspondences?direction=inverse",
+        "correspondences?direction=inverse&format=glb",
+    ] {
+        let body = problem(service.get(&format!("{job}/{path}")).await, 404, "route-not-found").await;
+        assert!(body["detail"].as_str().unwrap().contains("both_directions"), "{body}");
+    }
     problem(service.get(&format!("{job}/warped?space=moon")).await, 400, "invalid-query").await;
     service.end().await;
 }

@@ -4,12 +4,10 @@
 //! nothing else. It contains no file names. No library draws the surfaces: a viewer of two meshes is 130 lines of WebGL, and
 //! the smallest library that has one is larger than the data.
 
-mod colors;
 mod plot;
 
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD as BASE64;
-use colors::Colors;
 use homolog_contract::result::{Correspondences, InputProvenance, OutlierReason, ResultDocument};
 use homolog_contract::result::{WarpDirection, WarpSpace};
 use homolog_mesh::SurfaceMesh;
@@ -20,6 +18,7 @@ use serde_json::json;
 use sha2::{Digest, Sha256};
 use std::fmt::Write;
 
+use crate::colors::{Colors, ramp_svg};
 use crate::warped::{WarpError, warp};
 
 const STYLE: &str = include_str!("page.css");
@@ -159,7 +158,7 @@ impl View {
              more</span> Gray: no counterpart.</p>\n\
              <p class=\"hint\">Drag or use the arrow keys to turn, scroll to zoom.</p>\n",
             colors.largest_residual_mm,
-            ramp = colors::ramp_svg(),
+            ramp = ramp_svg(),
         );
         Ok(View { section, data: data.to_string() })
     }

@@ -22,17 +22,21 @@ const VIRIDIS: [Color; 9] = [
     [253, 231, 37],
 ];
 
-/// Colors of the vertices of both surfaces, in the three modes of the page.
-pub(super) struct Colors {
-    pub(super) source: [Vec<u8>; 3],
-    pub(super) target: [Vec<u8>; 3],
+/// Colors of the vertices of both surfaces by correspondence, by confidence and by residual: red, green and blue (sRGB), one
+/// vertex after the other. A vertex without a counterpart is gray.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Colors {
+    /// Of the source.
+    pub source: [Vec<u8>; 3],
+    /// Of the target.
+    pub target: [Vec<u8>; 3],
     /// The residual at the end of the scale, mm: the 95th percentile.
-    pub(super) largest_residual_mm: f64,
+    pub largest_residual_mm: f64,
 }
 
 impl Colors {
-    /// `rigid` and `bent` are the source in the coordinates of the target.
-    pub(super) fn new(pairs: &Correspondences, rigid: &SurfaceMesh, bent: &SurfaceMesh, target: &SurfaceMesh) -> Self {
+    /// `rigid` and `bent` are the source, moved rigidly onto the target and bent onto it.
+    pub fn new(pairs: &Correspondences, rigid: &SurfaceMesh, bent: &SurfaceMesh, target: &SurfaceMesh) -> Self {
         let n = rigid.n_vertices();
         let (mut confidence, mut residual) = (vec![None; n], vec![None; n]);
         for (row, &vertex) in pairs.source.iter().enumerate() {
@@ -118,6 +122,14 @@ fn carried(pairs: &Correspondences, target: &SurfaceMesh, values: &[Option<f64>]
     carried
 }
 
+/// Colors of values from 0 to their 95th percentile, as in [`Colors`].
+pub fn value_colors(values: &[f64]) -> Vec<u8> {
+    let mut sorted = values.to_vec();
+    sorted.sort_by(f64::total_cmp);
+    let largest = sorted.get(sorted.len() * 19 / 20).copied().unwrap_or(0.0).max(f64::MIN_POSITIVE);
+    values.iter().flat_map(|value| viridis(value / largest)).collect()
+}
+
 /// Colors of values from 0 to `largest`.
 fn bytes(values: &[Option<f64>], largest: f64) -> Vec<u8> {
     values.iter().flat_map(|value| value.map_or(GRAY, |value| viridis(value / largest))).collect()
@@ -134,7 +146,7 @@ fn viridis(share: f64) -> Color {
 }
 
 /// The color map as a bar. An element of SVG, since the policy of the page allows no style attributes.
-pub(super) fn ramp_svg() -> String {
+pub(crate) fn ramp_svg() -> String {
     let bars: String = (0..32)
         .map(|k| {
             let [r, g, b] = viridis(f64::from(k) / 31.0);

@@ -30,7 +30,7 @@ async fn every_format_of_the_service_is_read_as_written() {
             std::fs::write(folder.path().join(name), bytes(&service, &format!("{job}/{path}")).await).unwrap();
         };
         for (part, formats) in PARTS {
-            for (format, _, _) in formats.iter().filter(|(format, _, _)| *format != "html") {
+            for (format, _, _) in formats.iter().filter(|(format, _, _)| !["html", "dicom"].contains(format)) {
                 write(&format!("{part}?format={format}"), &format!("{}.{format}", part.replace('/', "-"))).await;
                 if part == "correspondences" || part == "warped" {
                     write(&format!("{part}?format={format}&direction=inverse"), &format!("{part}-inverse.{format}"))

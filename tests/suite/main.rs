@@ -15,6 +15,7 @@ mod keys;
 mod long_polls;
 mod metrics;
 mod numbering;
+mod orthanc;
 mod phantom;
 mod process;
 mod representations;

@@ -91,6 +91,7 @@ pub(super) const PARTS: [(&str, &[Offered]); 7] = [
             ("text", "text/plain", None),
             ("tfm", "application/x-itk-transform", Some("tfm")),
             ("lta", "application/x-freesurfer-lta", Some("lta")),
+            ("dicom", "application/dicom", Some("dcm")),
         ],
     ),
     ("surfaces/source", SURFACE),
@@ -138,6 +139,11 @@ async fn every_part_comes_in_every_format_it_has() {
         assert!(text(default.headers(), "content-type").unwrap().starts_with(formats[0].1), "{path}");
         for &(format, media_type, ending) in formats {
             let by_query = accepting(&service, &format!("{path}?format={format}"), "image/png").await;
+            if format == "dicom" {
+                let body = problem(by_query, 406, "not-acceptable").await;
+                assert!(body["detail"].as_str().unwrap().contains("no patient and no study"), "{body}");
+                continue;
+            }
             assert_eq!(by_query.status(), 200, "{path} {format}: the query goes before Accept");
             let headers = by_query.headers().clone();
             assert!(text(&headers, "content-type").unwrap().starts_with(media_type), "{path} {format}");

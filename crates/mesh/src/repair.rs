@@ -70,7 +70,7 @@ pub fn weld_reported(mesh: &SurfaceMesh) -> Result<(RepairedMesh, WeldReport), M
     let mut add = |face: Corners| {
         if face.repeat() {
             report.n_degenerate += 1;
-        } else if seen.insert(face.from_lowest()) {
+        } else if seen.insert(face.beginning_with_lowest()) {
             indices.extend(face.all());
         } else {
             report.n_duplicate += 1;
@@ -108,10 +108,10 @@ impl Corners {
     }
 
     /// The same face, beginning with its lowest corner.
-    fn from_lowest(&self) -> Self {
+    fn beginning_with_lowest(self) -> Self {
         let corners = self.all();
         let first = (0..corners.len()).min_by_key(|&k| corners[k]).unwrap_or(0);
-        let mut turned = *self;
+        let mut turned = self;
         turned.0[..corners.len()].rotate_left(first);
         turned
     }

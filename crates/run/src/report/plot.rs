@@ -56,7 +56,7 @@ pub(super) fn energy_plot(initial: f64, trace: &[TracePoint]) -> Option<String> 
         svg,
         "<text x=\"{}\" y=\"{}\" text-anchor=\"end\">{high:.2}</text><text x=\"{}\" y=\"{BOTTOM}\" \
          text-anchor=\"end\">{low:.2}</text><text x=\"{LEFT}\" y=\"{}\">iterations; dashed: a new round{kind}</text>\
-         <text x=\"{RIGHT}\" y=\"{}\" text-anchor=\"end\">{}</text></svg>\n",
+         <text x=\"{RIGHT}\" y=\"{}\" text-anchor=\"end\">{}</text></svg>",
         LEFT - 6.0,
         TOP + 8.0,
         LEFT - 6.0,

@@ -19,13 +19,14 @@
 #              EVAL=dir: the folder of real_cases.py; CASES=10: pairs per set; OURS_ONLY=1: without the other programs
 # make answers compare the answers of this build with tests/answers.tsv, to the bit, on 20 real pairs and all methods;
 #              DATA=dir: label volumes in dir/hippocampus
+# make fuzz    coverage-guided fuzzing of the readers; FOR=600: seconds; needs a nightly toolchain
 # make bench   benchmarks of a match
 # make bench-service  benchmarks of the service; PART=poll: one part of them
 
 SHELL := /usr/bin/env bash
 .SHELLFLAGS := -eu -o pipefail -c
 .DEFAULT_GOAL := help
-.PHONY: help demo test faults soak check sbom advisories contract build api picture experiment accuracy answers bench bench-service
+.PHONY: help demo test faults fuzz soak check sbom advisories contract build api picture experiment accuracy answers bench bench-service
 
 CARGO ?= cargo
 SOURCE ?=
@@ -112,11 +113,21 @@ accuracy: build
 answers: build
 	scripts/answers target/release/homolog --data "$(DATA)" --against tests/answers.tsv
 
+# A panic, a file that costs more than two seconds, and one that asks for more than 256 MiB at once are faults (64 KiB may inflate to
+# 64 MiB, and a buffer that grows doubles). Files that were found go to fuzz/crashes, which a test reads under tighter limits.
+fuzz:
+	command -v cargo-fuzz >/dev/null || $(CARGO) install --locked --version 0.13.2 cargo-fuzz
+	mkdir -p fuzz/corpus/read fuzz/artifacts/read
+	find $(or $(DATA),../shared/data)/formats tests/fixtures crates/formats/tests -type f -size -64k -exec cp -n {} fuzz/corpus/read/ \; || true
+	cd fuzz && $(CARGO) +nightly fuzz run read corpus/read -- -max_total_time=$(or $(FOR),600) -timeout=2 -malloc_limit_mb=256 \
+	  -rss_limit_mb=2048 -max_len=65536 -dict=formats.dict
+
 bench:
 	@scripts/setup build
 	mkdir -p benches/records
 	$(CARGO) bench --locked -p homolog-laboratory --bench matching -- | tee target/bench.md
 	$(CARGO) bench --locked -p homolog-laboratory --bench kernel -- | tee -a target/bench.md
+	$(CARGO) bench --locked -p homolog-formats --bench reading -- | tee -a target/bench.md
 	record="benches/records/$$(date -u +%Y-%m-%d)-$$(git rev-parse --short HEAD 2>/dev/null || echo unknown).md"; \
 	  { echo "# Benchmarks, $$(date -u +%Y-%m-%d); command: make bench"; echo; cat target/bench.md; } > "$$record"; \
 	  echo "record: $$record"

@@ -3,7 +3,7 @@
 
 use homolog::app::{self, App, Shutdown};
 use homolog::config::{HttpSettings, ServiceSettings};
-use homolog::jobs::engine::{MethodDescription, Product, Resolved};
+use homolog::jobs::engine::{Answer, MethodDescription, Product, Resolved};
 use homolog::jobs::{
     ArtifactKind, Computation, ComputeError, ComputeInputs, Engine, Failure, InputBytes, InputRefusal, InputSummary,
     ParameterFault, PartFormat, PresentError, ResultPart,
@@ -163,7 +163,7 @@ impl Computation for ToldComputation {
         Ok(InputSummary { n_vertices: 3, n_faces: 1, report: json!({}) })
     }
 
-    fn compute(&self, _: &ComputeInputs, observer: &dyn Observer) -> Result<Vec<Product>, ComputeError> {
+    fn compute(&self, _: &ComputeInputs, observer: &dyn Observer) -> Result<Answer, ComputeError> {
         let number = |key: &str| self.parameters.get(key).and_then(Value::as_u64).unwrap_or(0);
         observer.phase(Phase::Inference);
         let end = Instant::now() + Duration::from_millis(number("burn_ms"));
@@ -183,6 +183,7 @@ impl Computation for ToldComputation {
             observer.progress(i as f64 / number("points") as f64);
             std::thread::sleep(Duration::from_millis(number("step_ms")));
         }
-        Ok(vec![Product { kind: ArtifactKind::Result, bytes: b"{}".to_vec() }])
+        let products = vec![Product { kind: ArtifactKind::Result, bytes: b"{}".to_vec() }];
+        Ok(Answer { products, verdict: None })
     }
 }

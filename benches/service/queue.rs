@@ -60,7 +60,7 @@ pub(crate) fn admission() -> Admission {
 /// The outcome of a successful job, with a result.
 pub(crate) fn outcome(tenant: &Tenant) -> Outcome {
     let key = ArtifactKey::of_hash(tenant, &"c".repeat(64)).unwrap();
-    Outcome::Succeeded(vec![ArtifactRef { kind: ArtifactKind::Result, key, n_bytes: 1 }])
+    Outcome::Succeeded { artifacts: vec![ArtifactRef { kind: ArtifactKind::Result, key, n_bytes: 1 }], verdict: None }
 }
 
 /// One of many tenants, over which jobs are spread so that none exceeds its queue limit.

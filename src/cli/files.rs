@@ -30,6 +30,23 @@ pub(super) fn file_name(path: &Path) -> Option<&str> {
     path.file_name().and_then(|n| n.to_str())
 }
 
+/// Writes a temporary file beside `path` and renames it, so that no reader sees an incomplete file.
+pub(super) fn write_file(path: &Path, bytes: &[u8]) -> Result<(), CliError> {
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    let unfinished = path.with_file_name(format!(".{name}.{}.tmp", std::process::id()));
+    let written = (|| {
+        let mut file = fs::File::create(&unfinished)?;
+        file.write_all(bytes)?;
+        file.sync_all()?;
+        fs::rename(&unfinished, path)
+    })();
+    written.map_err(|error| {
+        // The write has failed already; a leftover temporary file is harmless.
+        let _ = fs::remove_file(&unfinished);
+        CliError::write(path, error)
+    })
+}
+
 /// A folder for results, created if it does not exist.
 pub(super) struct OutputFolder {
     path: PathBuf,
@@ -45,22 +62,10 @@ impl OutputFolder {
         &self.path
     }
 
-    /// Writes a temporary file and renames it, so that no reader sees an incomplete file.
+    /// Writes a file of the folder; see [`write_file`].
     pub(super) fn write(&self, name: &str, bytes: &[u8]) -> Result<PathBuf, CliError> {
         let path = self.path.join(name);
-        let unfinished = self.path.join(format!(".{name}.{}.tmp", std::process::id()));
-        let written = (|| {
-            let mut file = fs::File::create(&unfinished)?;
-            file.write_all(bytes)?;
-            file.sync_all()?;
-            fs::rename(&unfinished, &path)
-        })();
-        if let Err(error) = written {
-            // The write has failed already; a leftover temporary file is harmless.
-            let _ = fs::remove_file(&unfinished);
-            return Err(CliError::write(&path, error));
-        }
-        Ok(path)
+        write_file(&path, bytes).map(|()| path)
     }
 
     pub(super) fn write_json(&self, name: &str, value: &impl Serialize) -> Result<PathBuf, CliError> {

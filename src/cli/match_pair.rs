@@ -1,24 +1,27 @@
 //! `homolog match SOURCE TARGET`: one match without the service.
 
 use super::error::CliError;
-use super::files::{OutputFolder, file_name, read_input};
+use super::files::{OutputFolder, file_name, read_input, write_file};
 use super::interrupt::Interrupt;
 use super::output::{note, print, print_json};
 use super::parameters::ParameterArgs;
 use super::progress::{Progress, WithoutTerminal};
 use super::summary::summary;
 use clap::Args;
-use homolog_contract::result::WarpDirection;
+use homolog_contract::result::{Correspondences, WarpDirection};
+use homolog_formats::ReadLimits;
 use homolog_formats::gifti::write_gifti;
 use homolog_formats::ply::{write_ply, write_ply_with};
+use homolog_formats::spatial_registration::{RegisteredFiles, write_spatial_registration};
+use homolog_formats::transform::{write_itk_transform, write_lta};
 use homolog_formats::vertex_table::write_csv;
 use homolog_formats::vtp::write_vtp_with;
 use homolog_primitives::observe::{Observer, Phase, TracePoint};
 use homolog_run::intake::IntakeLimits;
-use homolog_run::{InputFile, RunError, RunOutput, WarpedSurface, run_match};
+use homolog_run::{InputFile, ReportInputs, RunError, RunOutput, WarpedSurface, run_match, write_report};
 use serde::Serialize;
 use std::fmt::Write;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 use std::time::Instant;
 
@@ -33,9 +36,12 @@ pub(super) struct MatchArgs {
     #[command(flatten)]
     pub(super) parameters: ParameterArgs,
     /// Folder for result.json, correspondences.csv, source.ply, target.ply, aligned.ply (moved rigidly), warped.ply, .vtp,
-    /// .surf.gii and .csv (the source bent onto the target) and trace.jsonl
+    /// .surf.gii and .csv (the source bent onto the target), transform.tfm, .lta and, for DICOM inputs, .dcm, and trace.jsonl
     #[arg(long, value_name = "DIR")]
     pub(super) out: Option<PathBuf>,
+    /// File for a page with the verdict, both surfaces to turn with the mouse, and all numbers; it contains no file names
+    #[arg(long, value_name = "PAGE.html")]
+    pub(super) html: Option<PathBuf>,
     /// Print the result document, and nothing else, as JSON
     #[arg(long)]
     pub(super) json: bool,
@@ -61,7 +67,7 @@ pub(super) fn run(args: &MatchArgs) -> Result<(), CliError> {
         &observer,
     );
     let trace = observer.finish();
-    let output = outcome.map_err(|error| match error {
+    let mut output = outcome.map_err(|error| match error {
         RunError::Input { side, error } => {
             let path = if side.name() == "source" { &args.source } else { &args.target };
             CliError::BadInput(format!("{} {}: {}", side.name(), path.display(), error.for_command_line()))
@@ -70,8 +76,13 @@ pub(super) fn run(args: &MatchArgs) -> Result<(), CliError> {
         error if error.is_cancelled() => CliError::Interrupted,
         error => CliError::Failed(error.to_string()),
     })?;
+    env!("HOMOLOG_COMMIT").clone_into(&mut output.document.provenance.commit);
     if let Some(folder) = &folder {
         write_files(folder, &output, &trace)?;
+        write_transforms(folder, &output, &source, &target)?;
+    }
+    if let Some(page) = &args.html {
+        write_page(page, &output, &trace)?;
     }
     if args.json {
         return print_json(&output.document);
@@ -88,6 +99,9 @@ fn write_files(folder: &OutputFolder, output: &RunOutput, trace: &[TimedPoint]) 
     folder.write_json("result.json", document)?;
     if let Some(correspondences) = &document.correspondences {
         folder.write("correspondences.csv", correspondences.to_csv().as_bytes())?;
+        if let Some(inverse) = &correspondences.inverse {
+            folder.write("correspondences-inverse.csv", inverse.to_csv().as_bytes())?;
+        }
     }
     folder.write("source.ply", &write_ply(&output.source))?;
     folder.write("target.ply", &write_ply(&output.target))?;
@@ -105,6 +119,38 @@ fn write_files(folder: &OutputFolder, output: &RunOutput, trace: &[TimedPoint]) 
     }
     folder.write("trace.jsonl", lines.as_bytes())?;
     Ok(())
+}
+
+/// The rigid transform for other programs; as DICOM if an input is a DICOM object.
+fn write_transforms(folder: &OutputFolder, output: &RunOutput, source: &[u8], target: &[u8]) -> Result<(), CliError> {
+    let matrix = &output.document.transform.matrix;
+    if let Some(text) = write_itk_transform(matrix) {
+        folder.write("transform.tfm", text.as_bytes())?;
+    }
+    folder.write("transform.lta", write_lta(matrix).as_bytes())?;
+    let now = jiff::Timestamp::now().strftime("%Y%m%d%H%M%S").to_string();
+    let files = RegisteredFiles { source, target, max_inflated_bytes: ReadLimits::default().max_inflated_bytes };
+    let registration = write_spatial_registration(matrix, &files, &now)
+        .map_err(|e| CliError::Failed(format!("cannot write the transform as DICOM: {e}")))?;
+    if let Some(registration) = registration {
+        folder.write("transform.dcm", &registration)?;
+    }
+    Ok(())
+}
+
+/// The report as an HTML page.
+fn write_page(path: &Path, output: &RunOutput, trace: &[TimedPoint]) -> Result<(), CliError> {
+    let trace: Vec<TracePoint> = trace.iter().map(|timed| timed.point.clone()).collect();
+    let none = Correspondences::default();
+    let page = write_report(&ReportInputs {
+        document: &output.document,
+        correspondences: output.document.correspondences.as_ref().unwrap_or(&none),
+        source: &output.source,
+        target: &output.target,
+        trace: &trace,
+    });
+    let page = page.map_err(|e| CliError::Failed(format!("cannot make the report: {e}")))?;
+    write_file(path, page.as_bytes())
 }
 
 /// A bent surface with the deformation at each vertex, in the formats that hold both.

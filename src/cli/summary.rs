@@ -1,18 +1,19 @@
-//! A result document summarized in a few lines.
+//! A result document summarized in a few lines, the verdict first.
 
-use homolog_contract::result::{ResultDocument, StopReason};
+use homolog_contract::result::{EnergyDocument, OutlierReason, ResultDocument, StopReason};
 use std::fmt::Write;
 
-/// Transform, support, distances, energies and counts.
+/// Verdict, transform, support, distances, energies and counts.
 pub(super) fn summary(result: &ResultDocument) -> String {
-    let (t, s, d) = (&result.transform, &result.support, &result.surface_distance);
+    let (t, s) = (&result.transform, &result.support);
     let p = &result.provenance;
-    let mut text = String::new();
-    let _ = writeln!(text, "target_from_source (mm)");
+    let mut text = verdict(result);
+    let _ = writeln!(text, "\ntarget_from_source (mm)");
     for row in &t.matrix {
-        let _ = writeln!(text, "  {:>10.5} {:>10.5} {:>10.5} {:>11.4}", row[0], row[1], row[2], row[3]);
+        let [a, b, c, d] = row.map(without_sign_of_zero);
+        let _ = writeln!(text, "  {a:>10.5} {b:>10.5} {c:>10.5} {d:>11.4}");
     }
-    let [x, y, z] = t.translation_mm;
+    let [x, y, z] = t.translation_mm.map(without_sign_of_zero);
     let _ = writeln!(text, "rotation          {:.2}°", t.rotation_angle_deg);
     let _ = writeln!(text, "translation       {x:.2}  {y:.2}  {z:.2} mm");
     let _ = writeln!(
@@ -24,39 +25,78 @@ pub(super) fn summary(result: &ResultDocument) -> String {
         s.rms_mm,
         s.trials
     );
-    let _ = writeln!(
-        text,
-        "surface distance  mean {:.3} mm, 95th percentile {:.3} mm, maximum {:.3} mm",
-        d.mean_mm, d.p95_mm, d.max_mm
-    );
     if let Some(e) = &result.energy {
-        let bound = e.lower_bound.map_or_else(String::new, |bound| format!(", lower bound {bound:.2}"));
-        let _ = writeln!(
-            text,
-            "energy            {:.2} (from {:.2}; unary {:.2}, pairwise {:.2}{bound}), {}",
-            e.r#final,
-            e.initial,
-            e.unary,
-            e.pairwise,
-            match result.stop_reason {
-                StopReason::Converged => "converged",
-                StopReason::MaxIterations => "iteration limit reached",
-                StopReason::TargetReached => "target energy reached",
-                StopReason::RegistrationOnly => "not minimized",
-            }
-        );
+        let _ = writeln!(text, "energy            {}", energy(result, e));
     }
     let _ = writeln!(
         text,
-        "map               {:.1} % of edges keep their neighborhood, {:.1} % of target vertices covered",
+        "map               {:.1} % of neighboring vertices stay neighbors; {:.1} % of target vertices are the nearest one \
+         to a corresponding point",
         100.0 * result.topology.consistency,
         100.0 * result.topology.coverage
     );
-    let _ = writeln!(text, "variables         {} source vertices", p.source.n_vertices);
-    let _ = writeln!(text, "labels            {} target vertices", p.target.n_vertices);
+    let _ = writeln!(
+        text,
+        "vertices          {} of the source, {} of the target",
+        p.source.n_vertices, p.target.n_vertices
+    );
     if let Some(total) = result.timings_ms.get("total") {
         let _ = writeln!(text, "time              {:.2} s", total / 1000.0);
     }
     text.truncate(text.trim_end().len());
     text
+}
+
+/// Whether the answer can be relied on, and why not, in words.
+fn verdict(result: &ResultDocument) -> String {
+    let verdict = result.verdict();
+    let mut text = format!("{}\n", verdict.headline());
+    for reason in &verdict.reasons {
+        let _ = writeln!(text, "  - {} {}", reason.meaning(), reason.advice());
+    }
+    if result.ambiguous_axes {
+        let _ =
+            writeln!(text, "  - Two axes of an ellipsoid are nearly equal: the rotation about the third is arbitrary.");
+    }
+    let _ = writeln!(text, "{}", verdict.distance());
+    if let Some(pairs) = &result.correspondences {
+        let missing = pairs.outlier.iter().filter(|&&reason| reason == OutlierReason::NoCounterpart).count();
+        if missing > 0 {
+            let _ = writeln!(
+                text,
+                "{missing} of {} source vertices have no counterpart on the target.",
+                pairs.source.len()
+            );
+        }
+    }
+    text
+}
+
+/// The energy before and after its minimization, and that of the answer where a displacement field changed the labeling.
+fn energy(result: &ResultDocument, e: &EnergyDocument) -> String {
+    let chosen = result.rounds.iter().find(|round| round.chosen);
+    let minimized = chosen.map_or(e.r#final, |round| round.energy);
+    let iterations: u32 = result.rounds.iter().map(|round| round.iterations).sum();
+    let mut text = format!("{:.2}, minimized to {minimized:.2}", e.initial);
+    let _ = match result.rounds.len() {
+        0 => Ok(()),
+        1 => write!(text, " in {iterations} iterations"),
+        n => write!(text, " in {iterations} iterations of {n} rounds"),
+    };
+    if result.stop_reason == StopReason::TargetReached {
+        text.push_str(", the target");
+    }
+    // What the displacement field adds is the price of a smooth map.
+    if (e.r#final - minimized).abs() > 0.005 {
+        let _ = write!(text, "; {:.2} for the smooth map of the answer", e.r#final);
+    }
+    if let Some(bound) = e.lower_bound {
+        let _ = write!(text, "; no labeling is below {bound:.2}");
+    }
+    text
+}
+
+/// Rounded to what is shown, so that no number is shown as −0.
+fn without_sign_of_zero(value: f64) -> f64 {
+    if value.abs() < 5e-6 { 0.0 } else { value }
 }

@@ -16,13 +16,14 @@ use utoipa::openapi::PathItem;
 use utoipa::openapi::path::Operation;
 
 /// Operations that change nothing and are recorded: they give out what was computed of a patient, or uploaded.
-pub(super) const RECORDED_READS: [&str; 7] = [
+pub(super) const RECORDED_READS: [&str; 8] = [
     "get_result",
     "get_correspondences",
     "get_transform",
     "get_surface",
     "get_aligned",
     "get_warped",
+    "get_report",
     "get_mesh_content",
 ];
 

@@ -73,6 +73,7 @@ const TEXTS: &[(&str, &str)] = &[
         "text/event-stream",
         "event: trace\nid: 7\ndata: {\"seq\":7,\"round\":0,\"phase\":\"inference\",\"iteration\":7,\"elapsed_ms\":410}\n\n",
     ),
+    ("text/html", "<!doctype html>\n<html lang=\"en\">...</html>\n"),
     ("text/plain", "1.0 0.0 0.0 12.5\n0.0 1.0 0.0 -3.25\n0.0 0.0 1.0 40.0\n0.0 0.0 0.0 1.0\n"),
     (
         "application/x-itk-transform",

@@ -167,6 +167,8 @@ impl From<JobError> for Problem {
             JobError::NotFound => Problem::new(ProblemKind::JobNotFound),
             JobError::NoInverse => Problem::new(ProblemKind::RouteNotFound)
                 .detail("the job has no inverse correspondences; submit it with both_directions set to true"),
+            JobError::NotDicom => Problem::new(ProblemKind::NotAcceptable)
+                .detail("neither input of the job is a DICOM object, so there is no patient and no study; ask for json, text, tfm or lta"),
             JobError::MeshNotFound => Problem::new(ProblemKind::MeshNotFound),
             JobError::BatchNotFound => Problem::new(ProblemKind::BatchNotFound),
             JobError::WebhookNotFound => Problem::new(ProblemKind::WebhookNotFound),

@@ -14,6 +14,9 @@ use axum::http::{HeaderMap, HeaderValue, Method, header};
 use axum::response::{IntoResponse, Response};
 use serde_json::json;
 
+/// A page of this service may run its own scripts, as its own policy says, but not in the name of this service.
+const PAGE_POLICY: HeaderValue = HeaderValue::from_static("sandbox allow-scripts; frame-ancestors 'none'");
+
 /// The headers of a format.
 struct Form {
     /// Compared with `Accept`.
@@ -37,6 +40,10 @@ fn form(format: PartFormat) -> Form {
         PartFormat::Stl => ("model/stl", "model/stl", Some("stl")),
         PartFormat::Text => ("text/plain", "text/plain; charset=utf-8", None),
         PartFormat::Itk => ("application/x-itk-transform", "application/x-itk-transform", Some("tfm")),
+        PartFormat::Npz => ("application/x-npz", "application/x-npz", Some("npz")),
+        PartFormat::Glb => ("model/gltf-binary", "model/gltf-binary", Some("glb")),
+        PartFormat::Dicom => ("application/dicom", "application/dicom", Some("dcm")),
+        PartFormat::Html => ("text/html", "text/html; charset=utf-8", None),
         PartFormat::Lta => ("application/x-freesurfer-lta", "application/x-freesurfer-lta", Some("lta")),
     };
     Form { media_type, content_type, ending }
@@ -80,7 +87,12 @@ pub(super) async fn answer(
         },
         Presented::Converted(bytes) => {
             let memory = state.answer_memory(tenant, origin, bytes.len()).await?;
-            respond(headers, &etag, form.content_type, Body::new(Counted::new(bytes, memory)))
+            let mut response = respond(headers, &etag, form.content_type, Body::new(Counted::new(bytes, memory)));
+            if format == PartFormat::Html {
+                response.headers_mut().insert(header::CONTENT_SECURITY_POLICY, PAGE_POLICY);
+                response.headers_mut().insert(header::X_CONTENT_TYPE_OPTIONS, HeaderValue::from_static("nosniff"));
+            }
+            response
         }
     };
     Ok(varying(named(response, id, part, form.ending)))

@@ -242,6 +242,7 @@ pub(super) fn api() -> OpenApiRouter<HttpState> {
         .routes(routes!(routes::surfaces::surface))
         .routes(routes!(routes::surfaces::aligned))
         .routes(routes!(routes::surfaces::warped))
+        .routes(routes!(routes::result::report))
         .routes(routes!(routes::changes::list))
         .routes(routes!(routes::batches::submit, routes::batches::list))
         .routes(routes!(routes::batches::get))

@@ -1,7 +1,7 @@
 //! JSON documents of the answers.
 
 use super::problem::{ProblemDocument, failure_document};
-use crate::jobs::documents::{InputReport, MatchParameters, ResultDocument};
+use crate::jobs::documents::{InputReport, MatchParameters, ResultDocument, SurfaceDistanceDocument, UnreliableReason};
 use crate::jobs::engine::MethodDescription;
 use crate::jobs::mesh::content_id;
 use crate::jobs::{
@@ -14,7 +14,7 @@ use serde_json::Value;
 use std::collections::BTreeMap;
 use utoipa::ToSchema;
 
-/// A job. Members without a value are omitted.
+/// A job. Members without a value are omitted, except `reliable`.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, ToSchema)]
 pub(crate) struct JobDocument {
     /// UUIDv7.
@@ -91,6 +91,15 @@ pub(crate) struct JobDocument {
     pub(crate) cancel_requested: bool,
     /// Whether it has the result of an earlier, equal job.
     pub(crate) cached: bool,
+    /// Whether its answer can be relied on. `null` until it has succeeded, for methods that fit no displacement field, and
+    /// for jobs that ended before verdicts were stored.
+    pub(crate) reliable: Option<bool>,
+    /// Why its answer cannot be relied on; the result has more.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(crate) unreliable_reasons: Option<Vec<UnreliableReason>>,
+    /// Symmetric distance between the registered surfaces.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(crate) surface_distance: Option<SurfaceDistanceDocument>,
     /// Why it finished without a result.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) error: Option<ProblemDocument>,
@@ -188,6 +197,8 @@ pub(crate) struct ResultLinks {
     pub(crate) aligned: String,
     /// The source surface bent onto the target, with the deformation at each vertex; also as a table.
     pub(crate) warped: String,
+    /// A page with the verdict, both surfaces and all numbers, for browsers.
+    pub(crate) report: String,
 }
 
 /// The available methods.
@@ -450,6 +461,9 @@ impl From<&Job> for JobDocument {
             batch_id: job.batch_id.map(|id| id.to_string()),
             cancel_requested: job.cancel_requested,
             cached: job.cached,
+            reliable: job.verdict.as_ref().and_then(|verdict| verdict.reliable),
+            unreliable_reasons: job.verdict.as_ref().map(|verdict| verdict.reasons.clone()),
+            surface_distance: job.verdict.as_ref().map(|verdict| verdict.surface_distance.clone()),
             error: job.error.as_ref().map(failure_document),
             links,
         }
@@ -587,6 +601,7 @@ impl ResultLinks {
             trace: format!("{path}/trace"),
             aligned: format!("{path}/aligned"),
             warped: format!("{path}/warped"),
+            report: format!("{path}/report"),
             job: path,
         }
     }

@@ -3,5 +3,8 @@
 
 pub use homolog_contract::input::InputReport;
 pub use homolog_contract::parameters::MatchParameters;
-pub use homolog_contract::result::{Correspondences, ResultDocument, TransformDocument};
+pub use homolog_contract::result::{
+    Correspondences, ResultDocument, SurfaceDistanceDocument, TransformDocument, UnreliableReason,
+};
+pub use homolog_contract::verdict::Verdict;
 pub use homolog_mesh::topology::TopologyReport;

@@ -5,6 +5,7 @@
 //! parsed again afterwards. The real engine is [`crate::worker::match_engine`]; tests substitute others.
 
 use super::demand::{Demand, SurfaceSize};
+use super::documents::Verdict;
 use super::job::Failure;
 use super::ports::ArtifactKind;
 use super::presentation::{PartFormat, PresentError, ResultPart};
@@ -33,7 +34,8 @@ pub trait Engine: Send + Sync {
     fn restore(&self, parameters: &Value) -> Result<Arc<dyn Computation>, Failure>;
 
     /// A part of a result in another format than the stored one, from its stored blobs in the order in which the part
-    /// lists them. Called on a blocking thread.
+    /// lists them; for a report, the energy trace as JSON comes last, for DICOM, the time when the
+    /// job ended. Called on a blocking thread.
     ///
     /// # Errors
     /// [`PresentError`].
@@ -71,7 +73,7 @@ pub trait Computation: Debug + Send + Sync {
     ///
     /// # Errors
     /// Why there is no result.
-    fn compute(&self, inputs: &ComputeInputs, observer: &dyn Observer) -> Result<Vec<Product>, ComputeError>;
+    fn compute(&self, inputs: &ComputeInputs, observer: &dyn Observer) -> Result<Answer, ComputeError>;
 }
 
 /// A method, for clients to choose.
@@ -162,6 +164,15 @@ pub struct ComputeInputs {
     pub target: Vec<u8>,
     /// Extensions of its file name.
     pub target_hint: Option<String>,
+}
+
+/// A result, as it is stored.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Answer {
+    /// Its blobs.
+    pub products: Vec<Product>,
+    /// Whether it can be relied on, if the engine says so.
+    pub verdict: Option<Verdict>,
 }
 
 /// One of the blobs of a result.

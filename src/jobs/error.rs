@@ -49,6 +49,9 @@ pub enum JobError {
     /// The job did not compute the map from the target to the source.
     #[error("the inverse correspondences were not computed")]
     NoInverse,
+    /// There is no patient and no study for a DICOM object.
+    #[error("neither input is a DICOM object")]
+    NotDicom,
     /// No such upload of this tenant.
     #[error("no such mesh")]
     MeshNotFound,

@@ -1,6 +1,7 @@
 //! The record of a job, the form of a new one, and how lists of jobs are requested.
 
 use super::batch::BatchId;
+use super::documents::Verdict;
 use super::metadata::{ExternalRef, Labels};
 use super::state::JobState;
 use super::trace::Progress;
@@ -153,6 +154,9 @@ pub struct Job {
     pub cancel_requested: bool,
     /// Why it has no result.
     pub error: Option<Failure>,
+    /// Whether its result can be relied on; absent before it has succeeded, and for jobs that ended before verdicts were
+    /// stored.
+    pub verdict: Option<Verdict>,
     /// Maximum run time that its submitter allows, ms.
     pub max_run_ms: Option<u64>,
     /// The job of which this one is a retry.
@@ -189,6 +193,7 @@ impl Job {
             expires_at: None,
             cancel_requested: false,
             error: None,
+            verdict: None,
             purged_at: None,
             lease_epoch: 0,
             ..self.clone()

@@ -4,6 +4,7 @@ use super::admission::{Admission, Once, OnceStatus};
 use super::batch::{Batch, BatchId, BatchPage, NewBatch};
 use super::change::ChangePage;
 use super::demand::WaitingJob;
+use super::documents::Verdict;
 use super::error::JobError;
 use super::job::{Cursor, Failure, Job, JobFilter, JobId, JobPage, NewJob, PageRequest, Tenant};
 use super::lease::{Lease, LeaseStatus, LeasedJob, Recovered, WorkerId};
@@ -135,8 +136,13 @@ pub struct Load {
 /// How a job ended.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Outcome {
-    /// With a result, which is in these blobs.
-    Succeeded(Vec<ArtifactRef>),
+    /// With a result.
+    Succeeded {
+        /// The blobs that it is in.
+        artifacts: Vec<ArtifactRef>,
+        /// Whether it can be relied on, if the engine says so.
+        verdict: Option<Verdict>,
+    },
     /// Without a result.
     Failed(Failure),
     /// Because a client cancelled it.

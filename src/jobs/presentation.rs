@@ -7,15 +7,23 @@ use super::error::JobError;
 use super::job::{JobId, Tenant};
 use super::ports::{ArtifactKind, ArtifactRef};
 use super::service::JobService;
+use super::trace::NumberedPoint;
 use bytes::Bytes;
 pub use homolog_contract::result::{WarpDirection, WarpSpace};
 use std::sync::Arc;
+
+/// Points of the energy trace that are read at once, and at most for a report: more than a plot can show.
+const TRACE_PAGE: u32 = 1000;
+const MOST_TRACE_POINTS: usize = 20_000;
 
 /// A part of a result that a client can read.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum ResultPart {
     /// The dense correspondence.
-    Correspondences,
+    Correspondences {
+        /// From source to target, or from target to source.
+        direction: WarpDirection,
+    },
     /// The rigid transform.
     Transform,
     /// The source surface to whose vertices the correspondences refer.
@@ -31,6 +39,8 @@ pub enum ResultPart {
         /// In whose coordinates.
         space: WarpSpace,
     },
+    /// A page for people, with everything that can be looked at.
+    Report,
 }
 
 /// A file format.
@@ -60,37 +70,54 @@ pub enum PartFormat {
     Itk,
     /// FreeSurfer linear transform array.
     Lta,
+    /// A page for browsers.
+    Html,
+    /// NumPy arrays in a zip archive.
+    Npz,
+    /// glTF 2.0 binary.
+    Glb,
+    /// DICOM, of the study of an input.
+    Dicom,
 }
 
 impl ResultPart {
     /// The name used in file names.
     pub fn name(self) -> &'static str {
         match self {
-            ResultPart::Correspondences => "correspondences",
+            ResultPart::Correspondences { direction: WarpDirection::Forward } => "correspondences",
+            ResultPart::Correspondences { direction: WarpDirection::Inverse } => "correspondences-inverse",
             ResultPart::Transform => "transform",
             ResultPart::SourceSurface => "source",
             ResultPart::TargetSurface => "target",
             ResultPart::Aligned => "aligned",
-            ResultPart::Warped { .. } => "warped",
+            ResultPart::Warped { direction: WarpDirection::Forward, .. } => "warped",
+            ResultPart::Warped { direction: WarpDirection::Inverse, .. } => "warped-inverse",
+            ResultPart::Report => "report",
         }
     }
 
     /// The available formats, the default first.
     pub fn formats(self) -> &'static [PartFormat] {
-        use PartFormat::{Arrow, Csv, Gifti, Itk, Json, Lta, Npy, Ply, Stl, Text, Vtk, Vtp};
+        use PartFormat::{Arrow, Csv, Dicom, Gifti, Glb, Html, Itk, Json, Lta, Npy, Npz, Ply, Stl, Text, Vtk, Vtp};
         match self {
-            ResultPart::Correspondences => &[Json, Csv, Npy, Arrow, Ply, Vtk, Vtp, Gifti],
-            ResultPart::Transform => &[Json, Text, Itk, Lta],
-            ResultPart::SourceSurface | ResultPart::TargetSurface | ResultPart::Aligned => &[Ply, Vtk, Vtp, Gifti, Stl],
-            ResultPart::Warped { .. } => &[Ply, Vtk, Vtp, Gifti, Stl, Json, Csv, Npy, Arrow],
+            ResultPart::Correspondences { .. } => &[Json, Csv, Npy, Npz, Arrow, Ply, Vtk, Vtp, Gifti, Glb],
+            ResultPart::Transform => &[Json, Text, Itk, Lta, Dicom],
+            ResultPart::SourceSurface | ResultPart::TargetSurface | ResultPart::Aligned => {
+                &[Ply, Vtk, Vtp, Gifti, Stl, Glb]
+            }
+            ResultPart::Warped { .. } => &[Ply, Vtk, Vtp, Gifti, Stl, Glb, Json, Csv, Npy, Npz, Arrow],
+            ResultPart::Report => &[Html],
         }
     }
 
     /// The format in which it is stored.
     fn stored_as(self) -> Option<PartFormat> {
         match self {
-            ResultPart::Correspondences => Some(PartFormat::Json),
-            ResultPart::Transform | ResultPart::Warped { .. } => None,
+            ResultPart::Correspondences { direction: WarpDirection::Forward } => Some(PartFormat::Json),
+            ResultPart::Correspondences { direction: WarpDirection::Inverse }
+            | ResultPart::Transform
+            | ResultPart::Warped { .. }
+            | ResultPart::Report => None,
             _ => Some(PartFormat::Ply),
         }
     }
@@ -98,15 +125,28 @@ impl ResultPart {
     /// The blobs from which it is converted to a format.
     fn made_from(self, format: PartFormat) -> &'static [ArtifactKind] {
         match (self, format) {
-            (ResultPart::Correspondences, PartFormat::Ply | PartFormat::Vtk | PartFormat::Vtp | PartFormat::Gifti) => {
-                &[ArtifactKind::Correspondences, ArtifactKind::SourceSurface]
+            (
+                ResultPart::Correspondences { direction },
+                PartFormat::Ply | PartFormat::Vtk | PartFormat::Vtp | PartFormat::Gifti,
+            ) => match direction {
+                WarpDirection::Forward => &[ArtifactKind::Correspondences, ArtifactKind::SourceSurface],
+                WarpDirection::Inverse => &[ArtifactKind::Correspondences, ArtifactKind::TargetSurface],
+            },
+            (ResultPart::Correspondences { .. }, PartFormat::Glb) => &[
+                ArtifactKind::Result,
+                ArtifactKind::Correspondences,
+                ArtifactKind::SourceSurface,
+                ArtifactKind::TargetSurface,
+            ],
+            (ResultPart::Correspondences { .. }, _) => &[ArtifactKind::Correspondences],
+            (ResultPart::Transform, PartFormat::Dicom) => {
+                &[ArtifactKind::Result, ArtifactKind::Source, ArtifactKind::Target]
             }
-            (ResultPart::Correspondences, _) => &[ArtifactKind::Correspondences],
             (ResultPart::Transform, _) => &[ArtifactKind::Result],
             (ResultPart::SourceSurface, _) => &[ArtifactKind::SourceSurface],
             (ResultPart::TargetSurface, _) => &[ArtifactKind::TargetSurface],
             (ResultPart::Aligned, _) => &[ArtifactKind::Aligned],
-            (ResultPart::Warped { .. }, _) => &[
+            (ResultPart::Warped { .. } | ResultPart::Report, _) => &[
                 ArtifactKind::Result,
                 ArtifactKind::Correspondences,
                 ArtifactKind::SourceSurface,
@@ -132,6 +172,10 @@ impl PartFormat {
             PartFormat::Text => "text",
             PartFormat::Itk => "tfm",
             PartFormat::Lta => "lta",
+            PartFormat::Html => "html",
+            PartFormat::Npz => "npz",
+            PartFormat::Glb => "glb",
+            PartFormat::Dicom => "dicom",
         }
     }
 }
@@ -150,6 +194,9 @@ pub enum PresentError {
     /// The job did not compute the map from the target to the source.
     #[error("the inverse correspondences were not computed")]
     NoInverse,
+    /// Neither input is a DICOM object, so there is no patient and no study.
+    #[error("neither input is a DICOM object")]
+    NotDicom,
     /// The stored part cannot be read, or not be written in this format.
     #[error("{what}")]
     Unreadable {
@@ -167,6 +214,8 @@ pub struct Presentation {
     part: ResultPart,
     format: PartFormat,
     blobs: Vec<ArtifactRef>,
+    /// The job that they are of.
+    of: (Tenant, JobId),
 }
 
 /// The content of a part in one format.
@@ -190,6 +239,7 @@ impl Presentation {
         };
         let form = match self.part {
             ResultPart::Warped { direction, space } => format!("{form}-{}-{}", direction.name(), space.name()),
+            ResultPart::Correspondences { direction } => format!("{form}-{}", direction.name()),
             _ => form,
         };
         format!("{}-{form}", blobs.join("-"))
@@ -212,7 +262,7 @@ impl JobService {
         for &kind in part.made_from(format) {
             blobs.push(self.result_part(tenant, id, kind).await?);
         }
-        Ok(Presentation { part, format, blobs })
+        Ok(Presentation { part, format, blobs, of: (tenant.clone(), id) })
     }
 
     /// Its content: the blob in which it is stored in this format, or what is converted on a blocking thread.
@@ -231,6 +281,20 @@ impl JobService {
         for blob in &wanted.blobs {
             blobs.push(self.read(blob).await?);
         }
+        let (tenant, id) = &wanted.of;
+        match (part, format) {
+            (ResultPart::Report, _) => {
+                let points = self.whole_trace(tenant, *id).await?;
+                let points =
+                    serde_json::to_vec(&points).map_err(|error| JobError::corrupt("an energy trace", error))?;
+                blobs.push(points.into());
+            }
+            (_, PartFormat::Dicom) => {
+                let finished_at = self.get(tenant, *id).await?.finished_at.unwrap_or_default();
+                blobs.push(finished_at.strftime("%Y%m%d%H%M%S").to_string().into_bytes().into());
+            }
+            _ => {}
+        }
         let engine: Arc<dyn Engine> = Arc::clone(&self.engine);
         let made = tokio::task::spawn_blocking(move || {
             let _permit = permit;
@@ -240,8 +304,25 @@ impl JobService {
         match made.await {
             Ok(Ok(bytes)) => Ok(Presented::Converted(bytes.into())),
             Ok(Err(PresentError::NoInverse)) => Err(JobError::NoInverse),
+            Ok(Err(PresentError::NotDicom)) => Err(JobError::NotDicom),
             Ok(Err(error)) => Err(JobError::corrupt("a stored part of a result", error)),
             Err(error) => Err(JobError::corrupt("a stored part of a result", error)),
+        }
+    }
+
+    /// The energy trace of a finished job, up to [`MOST_TRACE_POINTS`].
+    async fn whole_trace(&self, tenant: &Tenant, id: JobId) -> Result<Vec<NumberedPoint>, JobError> {
+        let mut points: Vec<NumberedPoint> = Vec::new();
+        loop {
+            let after = points.last().map_or(0, |point| point.seq);
+            let page = self.trace(tenant, id, after, TRACE_PAGE).await?;
+            points.extend(page.points);
+            if page.complete
+                || points.last().is_none_or(|point| point.seq == after)
+                || points.len() >= MOST_TRACE_POINTS
+            {
+                return Ok(points);
+            }
         }
     }
 }

@@ -6,7 +6,7 @@ use super::control::{Control, StopCause};
 use super::observer::JobObserver;
 use super::pool::{PoolParts, with_sources};
 use super::priority::lower_priority;
-use crate::jobs::engine::Product;
+use crate::jobs::engine::{Answer, Product};
 use crate::jobs::{
     ArtifactKey, ArtifactRef, Computation, ComputeError, ComputeInputs, Failure, Job, JobError, JobInput, Lease,
     LeasedJob, Outcome, TraceChunk,
@@ -27,11 +27,11 @@ const STORE_TIMEOUT: Duration = Duration::from_secs(60);
 const AFTER_OUTAGE: Duration = Duration::from_secs(5);
 
 /// What the computation's thread returns.
-type Computed = Result<Vec<Product>, ComputeError>;
+type Computed = Result<Answer, ComputeError>;
 
 /// How the job is to end.
 enum Ending {
-    Publish(Vec<Product>),
+    Publish(Answer),
     Fail(Failure),
     Cancel,
     Release,
@@ -210,7 +210,7 @@ fn decide(computed: Option<Computed>, cause: Option<StopCause>) -> Ending {
     match (computed, cause) {
         (_, Some(StopCause::LeaseLost)) => Ending::Abandon,
         // A finished result is accepted, whatever was requested in the meantime.
-        (Some(Ok(products)), _) => Ending::Publish(products),
+        (Some(Ok(answer)), _) => Ending::Publish(answer),
         (Some(Err(ComputeError::Failed(failure))), _) => Ending::Fail(failure),
         (_, Some(StopCause::CancelRequested)) => Ending::Cancel,
         (_, Some(StopCause::Shutdown)) => Ending::Release,
@@ -232,9 +232,9 @@ async fn settle(parts: &PoolParts, lease: &Lease, rest: [Option<TraceChunk>; 2],
             retrying(|| parts.store.append_trace(lease, chunk)).await?;
         }
         match ending {
-            Ending::Publish(products) => {
+            Ending::Publish(Answer { products, verdict }) => {
                 let artifacts = publish(parts, lease, products).await?;
-                let outcome = Outcome::Succeeded(artifacts);
+                let outcome = Outcome::Succeeded { artifacts, verdict };
                 retrying(|| parts.store.finish_job(lease, &outcome, parts.settings.keep_results)).await?;
                 Ok("succeeded")
             }

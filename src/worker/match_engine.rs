@@ -3,7 +3,7 @@
 //! The only module that connects jobs with [`homolog_run`], [`homolog_run::intake`] and [`homolog_matching`].
 
 use super::{prediction, presentation};
-use crate::jobs::engine::{MethodDescription, Product, Resolved};
+use crate::jobs::engine::{Answer, MethodDescription, Product, Resolved};
 use crate::jobs::{
     ArtifactKind, Computation, ComputeError, ComputeInputs, Demand, Engine, Failure, InputBytes, InputRefusal,
     InputSummary, ParameterFault, PartFormat, PresentError, ResultPart, SurfaceSize,
@@ -137,32 +137,34 @@ impl Computation for Match {
         prediction::predict(&self.parameters, source, target)
     }
 
-    fn compute(&self, inputs: &ComputeInputs, observer: &dyn Observer) -> Result<Vec<Product>, ComputeError> {
+    fn compute(&self, inputs: &ComputeInputs, observer: &dyn Observer) -> Result<Answer, ComputeError> {
         let (source_name, target_name) =
             (inputs.source_hint.as_deref().map(file_name), inputs.target_hint.as_deref().map(file_name));
         let source = InputFile { bytes: &inputs.source, name: source_name.as_deref() };
         let target = InputFile { bytes: &inputs.target, name: target_name.as_deref() };
         let Shared { limits, surfaces } = self.shared.as_ref();
         let output = run_match_with(surfaces, source, target, &self.parameters, limits, observer);
-        products(output.map_err(compute_error)?).map_err(ComputeError::Failed)
+        answer(output.map_err(compute_error)?).map_err(ComputeError::Failed)
     }
 }
 
 /// The blobs of a result. The correspondences are a blob of their own, because they are large and rarely needed.
-fn products(output: RunOutput) -> Result<Vec<Product>, Failure> {
+fn answer(output: RunOutput) -> Result<Answer, Failure> {
     let aligned = output
         .aligned()
         .map_err(|_| Failure::new("internal-error", "the aligned surface has coordinates that are not finite"))?;
     let RunOutput { mut document, source, target } = output;
+    env!("HOMOLOG_COMMIT").clone_into(&mut document.provenance.commit);
     let correspondences = document.correspondences.take().unwrap_or_default();
     let written = |e: serde_json::Error| Failure::new("internal-error", format!("the result cannot be written: {e}"));
-    Ok(vec![
+    let products = vec![
         Product { kind: ArtifactKind::Result, bytes: serde_json::to_vec(&document).map_err(written)? },
         Product { kind: ArtifactKind::Correspondences, bytes: serde_json::to_vec(&correspondences).map_err(written)? },
         Product { kind: ArtifactKind::SourceSurface, bytes: write_ply(&source) },
         Product { kind: ArtifactKind::TargetSurface, bytes: write_ply(&target) },
         Product { kind: ArtifactKind::Aligned, bytes: write_ply(&aligned) },
-    ])
+    ];
+    Ok(Answer { products, verdict: Some(document.verdict()) })
 }
 
 /// A file name that reveals nothing but the format.

@@ -2,48 +2,74 @@
 //! vertices of the uploads (see [`homolog_run`]), which the stored surfaces have.
 
 use crate::jobs::{PartFormat, PresentError, ResultPart};
-use homolog_contract::result::{Correspondences, TransformDocument};
+use homolog_contract::result::{Correspondences, ResultDocument, TransformDocument, WarpDirection, WarpSpace};
 use homolog_formats::arrow::{write_arrow, write_arrow_table};
 use homolog_formats::gifti::write_gifti;
+use homolog_formats::glb::{ColoredSurface, write_glb};
 use homolog_formats::npy::write_npy;
+use homolog_formats::npz::{write_npz, write_npz_table};
 use homolog_formats::ply::{read_ply, write_ply_with};
+use homolog_formats::spatial_registration::{RegisteredFiles, write_spatial_registration};
 use homolog_formats::transform::{write_itk_transform, write_lta, write_matrix_text};
 use homolog_formats::vertex_table::{write_csv, write_npy_table};
 use homolog_formats::vtk::write_vtk_with;
 use homolog_formats::vtp::write_vtp_with;
 use homolog_formats::{PairColumns, ReadLimits, VertexArray, VertexValues, write_stl};
 use homolog_mesh::SurfaceMesh;
-use homolog_run::{WarpError, WarpedSurface, warp};
+use homolog_primitives::observe::TracePoint;
+use homolog_run::{Colors, ReportInputs, WarpError, WarpedSurface, value_colors, warp, write_report};
 use serde::Deserialize;
 
 /// Value of `target` for a source vertex without a correspondence; its other values are 0.
 pub const NO_TARGET: i32 = -1;
 
 /// A part of a result in `format`, made from the stored blobs of the part: the correspondences (JSON), with the source
-/// surface (PLY) for surface formats; the result document (JSON); a surface (PLY); or all of these for a bent surface.
+/// surface (PLY) for surface formats; the result document (JSON); a surface (PLY); all of these for a bent surface; or these
+/// and the energy trace (JSON) for a report; the result document, both uploads and the time of its end for DICOM.
 ///
 /// # Errors
 /// [`PresentError`].
 pub fn present(part: ResultPart, format: PartFormat, stored: &[&[u8]]) -> Result<Vec<u8>, PresentError> {
     match (part, stored) {
-        (ResultPart::Correspondences, [columns]) => table(&correspondences(columns)?, format),
-        (ResultPart::Correspondences, [columns, surface]) => {
+        (ResultPart::Correspondences { direction }, [columns]) => {
+            table(&one_way(correspondences(columns)?, direction)?, format)?
+        }
+        (ResultPart::Correspondences { direction }, [columns, surface]) => {
             let mesh = surface_mesh(surface)?;
-            let arrays = vertex_arrays(&correspondences(columns)?, mesh.n_vertices());
+            let arrays = vertex_arrays(&one_way(correspondences(columns)?, direction)?, mesh.n_vertices());
             surface_file(&mesh, &arrays, format)
         }
+        (ResultPart::Correspondences { direction }, [result, columns, source, target]) => {
+            let surfaces = [surface_mesh(source)?, surface_mesh(target)?];
+            let pairs = correspondences(columns)?;
+            Some(corresponding_scene(&surfaces, &pairs, &stored_transform(result)?.matrix, direction)?)
+        }
         (ResultPart::Transform, [result]) => transform(result, format)?,
+        (ResultPart::Transform, [result, source, target, ended_at]) => {
+            let max_inflated_bytes = ReadLimits::default().max_inflated_bytes;
+            let ended_at = String::from_utf8_lossy(ended_at);
+            let files = RegisteredFiles { source, target, max_inflated_bytes };
+            let written = write_spatial_registration(&stored_transform(result)?.matrix, &files, &ended_at);
+            Some(written.map_err(|error| unreadable("an input", error))?.ok_or(PresentError::NotDicom)?)
+        }
         (ResultPart::Warped { direction, space }, [result, columns, source, target]) => {
             let surfaces = [surface_mesh(source)?, surface_mesh(target)?];
             let matrix = stored_transform(result)?.matrix;
             let pairs = correspondences(columns)?;
             let warped = warp([&surfaces[0], &surfaces[1]], &pairs, &matrix, direction, space);
-            let WarpedSurface { mesh, arrays } = warped.map_err(|error| match error {
-                WarpError::NoInverse => PresentError::NoInverse,
-                error => unreadable("a bent surface", error),
-            })?;
+            let WarpedSurface { mesh, arrays } = warped.map_err(not_warped)?;
             match format {
                 PartFormat::Stl => surface_file(&mesh, &[], format),
+                PartFormat::Glb => {
+                    let residual = arrays.iter().find(|array| array.name == "residual_mm");
+                    let colors = residual.map(|array| match &array.values {
+                        VertexValues::Real(values) => value_colors(values),
+                        _ => Vec::new(),
+                    });
+                    let colors = colors.unwrap_or_default();
+                    Some(write_glb(&[ColoredSurface { name: "warped", mesh: &mesh, colors: &colors }]))
+                }
+                PartFormat::Npz => Some(npz(write_npz_table(&arrays))?),
                 PartFormat::Json => Some(json_table(&arrays).to_string().into_bytes()),
                 PartFormat::Csv => Some(write_csv(&arrays)),
                 PartFormat::Npy => Some(write_npy_table(&arrays)),
@@ -51,23 +77,90 @@ pub fn present(part: ResultPart, format: PartFormat, stored: &[&[u8]]) -> Result
                 _ => surface_file(&mesh, &arrays, format),
             }
         }
+        (ResultPart::Report, [result, columns, source, target, trace]) => {
+            let document: ResultDocument =
+                serde_json::from_slice(result).map_err(|error| unreadable("a stored result", error))?;
+            let trace: Vec<TracePoint> =
+                serde_json::from_slice(trace).map_err(|error| unreadable("a stored energy trace", error))?;
+            let (source, target) = (surface_mesh(source)?, surface_mesh(target)?);
+            let correspondences = correspondences(columns)?;
+            let inputs = ReportInputs {
+                document: &document,
+                correspondences: &correspondences,
+                source: &source,
+                target: &target,
+                trace: &trace,
+            };
+            let page = write_report(&inputs).map_err(|error| unreadable("a report", error))?;
+            (format == PartFormat::Html).then(|| page.into_bytes())
+        }
         (_, [surface]) => surface_file(&surface_mesh(surface)?, &[], format),
         _ => None,
     }
     .ok_or(PresentError::NotOffered { part, format })
 }
 
-fn table(pairs: &Correspondences, format: PartFormat) -> Option<Vec<u8>> {
+/// The correspondences from source to target, or those from target to source.
+fn one_way(pairs: Correspondences, direction: WarpDirection) -> Result<Correspondences, PresentError> {
+    match (direction, pairs.inverse) {
+        (WarpDirection::Forward, inverse) => Ok(Correspondences { inverse, ..pairs }),
+        (WarpDirection::Inverse, None) => Err(PresentError::NoInverse),
+        (WarpDirection::Inverse, Some(inverse)) => {
+            inverse.completed().ok_or(PresentError::Unreadable { what: "columns of unequal length", source: None })
+        }
+    }
+}
+
+/// Both surfaces in one scene, in corresponding colors: one moved rigidly onto the other, and the other.
+fn corresponding_scene(
+    [source, target]: &[SurfaceMesh; 2],
+    pairs: &Correspondences,
+    matrix: &[[f64; 4]; 4],
+    direction: WarpDirection,
+) -> Result<Vec<u8>, PresentError> {
+    let space = match direction {
+        WarpDirection::Forward => WarpSpace::Target,
+        WarpDirection::Inverse => WarpSpace::Source,
+    };
+    let bent = warp([source, target], pairs, matrix, direction, space).map_err(not_warped)?;
+    let rigid = bent.without_deformation().map_err(not_warped)?;
+    let moved = one_way(pairs.clone(), direction)?;
+    let (fixed, names) = match direction {
+        WarpDirection::Forward => (target, ["source", "target"]),
+        WarpDirection::Inverse => (source, ["target", "source"]),
+    };
+    let colors = Colors::new(&moved, &rigid, &bent.mesh, fixed);
+    Ok(write_glb(&[
+        ColoredSurface { name: names[0], mesh: &rigid, colors: &colors.source[0] },
+        ColoredSurface { name: names[1], mesh: fixed, colors: &colors.target[0] },
+    ]))
+}
+
+fn not_warped(error: WarpError) -> PresentError {
+    match error {
+        WarpError::NoInverse => PresentError::NoInverse,
+        error => unreadable("a bent surface", error),
+    }
+}
+
+fn npz(written: std::io::Result<Vec<u8>>) -> Result<Vec<u8>, PresentError> {
+    written.map_err(|error| unreadable("columns as an archive", error))
+}
+
+fn table(pairs: &Correspondences, format: PartFormat) -> Result<Option<Vec<u8>>, PresentError> {
     let Correspondences { source, target, confidence, inlier, spread_mm, outlier, triangle, barycentric, .. } = pairs;
     let outlier: Vec<u8> = outlier.iter().map(|reason| reason.code()).collect();
     let columns =
         PairColumns { source, target, confidence, inlier, spread_mm, outlier: &outlier, triangle, barycentric };
-    match format {
+    Ok(match format {
+        // Forwards, the stored form is this one already.
+        PartFormat::Json => Some(serde_json::to_vec(pairs).map_err(|e| unreadable("correspondences as JSON", e))?),
         PartFormat::Csv => Some(pairs.to_csv().into_bytes()),
         PartFormat::Npy => Some(write_npy(&columns)),
+        PartFormat::Npz => Some(npz(write_npz(&columns))?),
         PartFormat::Arrow => Some(write_arrow(&columns)),
         _ => None,
-    }
+    })
 }
 
 fn surface_file(mesh: &SurfaceMesh, arrays: &[VertexArray], format: PartFormat) -> Option<Vec<u8>> {
@@ -76,6 +169,9 @@ fn surface_file(mesh: &SurfaceMesh, arrays: &[VertexArray], format: PartFormat) 
         PartFormat::Vtk => Some(write_vtk_with(mesh, arrays)),
         PartFormat::Vtp => Some(write_vtp_with(mesh, arrays)),
         PartFormat::Gifti => Some(write_gifti(mesh, arrays)),
+        PartFormat::Glb if arrays.is_empty() => {
+            Some(write_glb(&[ColoredSurface { name: "surface", mesh, colors: &[] }]))
+        }
         // STL cannot hold arrays.
         PartFormat::Stl if arrays.is_empty() => Some(write_stl(mesh)),
         _ => None,
@@ -189,10 +285,11 @@ mod tests {
     #[test]
     fn a_format_that_a_part_does_not_have_is_refused() {
         let columns = br#"{"source": [], "target": [], "confidence": [], "inlier": []}"#.as_slice();
-        for (part, format) in [(ResultPart::Correspondences, PartFormat::Lta), (ResultPart::Aligned, PartFormat::Stl)] {
+        let forward = ResultPart::Correspondences { direction: WarpDirection::Forward };
+        for (part, format) in [(forward, PartFormat::Lta), (ResultPart::Aligned, PartFormat::Stl)] {
             let error = present(part, format, &[columns]).unwrap_err();
             let refused = matches!(error, PresentError::NotOffered { .. });
-            assert_eq!(refused, part == ResultPart::Correspondences, "{error}");
+            assert_eq!(refused, part == forward, "{error}");
         }
     }
 }

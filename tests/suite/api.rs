@@ -17,6 +17,8 @@ async fn a_submission_becomes_a_result() {
     assert_eq!(location, format!("/v1/jobs/{id}"));
     assert_eq!(job["links"]["self"], location);
     assert_eq!(job["seed"], 7);
+    assert_eq!(job.get("reliable"), Some(&Value::Null), "there is no answer yet");
+    assert!(job.get("surface_distance").is_none());
     assert_eq!(job["source"]["report"]["hint"], ".nii.gz");
     assert!(!job.to_string().contains("Jane"), "file names may name patients");
     assert_eq!(job["source"]["hash"], format!("blake3:{}", blake3::hash(b"source").to_hex()));
@@ -26,6 +28,10 @@ async fn a_submission_becomes_a_result() {
     assert_eq!(job["progress"]["fraction"], 1.0);
     assert_eq!(job["attempt"], 1);
     assert_eq!(job["energy_latest"], 200.0);
+    for job in [&job, &service.json("/v1/jobs").await["jobs"][0]] {
+        assert_eq!((&job["reliable"], &job["unreliable_reasons"]), (&json!(false), &json!(["ambiguous_pose"])));
+        assert_eq!(job["surface_distance"], json!({"mean_mm": 0.5, "p95_mm": 1.25, "max_mm": 3.0}));
+    }
 
     let trace = service.json(&format!("{location}/trace")).await;
     let seqs: Vec<_> = trace["points"].as_array().unwrap().iter().map(|p| p["seq"].as_u64().unwrap()).collect();

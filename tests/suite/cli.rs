@@ -1,5 +1,8 @@
 //! The command line: exit codes, standard output and standard error, and the files that commands write.
 
+use homolog_formats::ply::write_ply;
+use homolog_formats::{FileContent, ReadLimits, read};
+use nalgebra::Point3;
 use serde_json::Value;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -86,11 +89,16 @@ fn match_prints_the_result_document_and_nothing_else() {
         .args([&source, &target])
         .args(["--json", "--seed", "7", "--out"])
         .arg(&out)
+        .arg("--html")
+        .arg(folder.path().join("page.html"))
         .output()
         .unwrap();
     assert!(done.status.success(), "{}", String::from_utf8_lossy(&done.stderr));
     let printed: Value = serde_json::from_slice(&done.stdout).unwrap();
     assert_eq!(printed["provenance"]["seed"], 7);
+    let version = String::from_utf8(homolog().arg("--version").output().unwrap().stdout).unwrap();
+    let commit = printed["provenance"]["commit"].as_str().unwrap();
+    assert!(version.contains(&format!("({commit})")), "{version} {commit}");
     let n = printed["correspondences"]["source"].as_array().unwrap().len();
     assert!(n > 0);
     assert_eq!(read_json(&out.join("result.json")), printed);
@@ -101,10 +109,41 @@ fn match_prints_the_result_document_and_nothing_else() {
     assert!(fs::read_to_string(out.join("warped.csv")).unwrap().starts_with("vertex,displacement_x_mm,"));
     assert!(fs::read_to_string(out.join("warped.vtp")).unwrap().contains("displacement_normal_mm"));
     assert!(fs::read_to_string(out.join("warped.surf.gii")).unwrap().contains("area_ratio"));
+    let page = fs::read_to_string(folder.path().join("page.html")).unwrap();
+    assert!(page.contains("RELIABLE") && page.contains("iterations; dashed: a new round"), "{}", &page[..2000]);
+    assert!(!page.contains("source.ply") && page.len() < 1 << 20, "no file names; {} bytes", page.len());
     let trace = fs::read_to_string(out.join("trace.jsonl")).unwrap();
     let seqs: Vec<u64> =
         trace.lines().map(|l| serde_json::from_str::<Value>(l).unwrap()["seq"].as_u64().unwrap()).collect();
     assert!(!seqs.is_empty() && seqs.windows(2).all(|w| w[0] < w[1]));
+}
+
+#[test]
+fn match_says_first_whether_the_answer_can_be_relied_on() {
+    let folder = tempfile::tempdir().unwrap();
+    let (source, target) = small_pair(folder.path());
+    let shown = |target: &Path| {
+        let done = homolog().arg("match").args([&source, target]).output().unwrap();
+        assert!(done.status.success(), "{}", String::from_utf8_lossy(&done.stderr));
+        String::from_utf8(done.stdout).unwrap()
+    };
+    let text = shown(&target);
+    assert!(text.starts_with("RELIABLE: no reason was found"), "{text}");
+    // A file against itself alarms nobody.
+    let text = shown(&source);
+    assert!(text.starts_with("RELIABLE") && text.contains("0.00 mm apart on average"), "{text}");
+    assert!(!text.contains("limit") && !text.contains("-0.00"), "{text}");
+
+    let mirrored = folder.path().join("mirrored.ply");
+    let FileContent::Mesh(file) = read(&fs::read(&target).unwrap(), None, &ReadLimits::default()).unwrap().content
+    else {
+        panic!("a mesh is expected")
+    };
+    let points = file.mesh.vertices().iter().map(|p| Point3::new(-p.x, p.y, p.z)).collect();
+    fs::write(&mirrored, write_ply(&file.mesh.with_vertices(points).unwrap())).unwrap();
+    let text = shown(&mirrored);
+    assert!(text.starts_with("NOT RELIABLE: do not use"), "{text}");
+    assert!(text.contains("A mirror image of the source fits the target better. Is one of them left"), "{text}");
 }
 
 #[test]
@@ -134,6 +173,27 @@ fn inspect_reports_a_closed_surface_of_genus_zero() {
     assert!(done.status.success(), "{}", String::from_utf8_lossy(&done.stderr));
     let report: Value = serde_json::from_slice(&done.stdout).unwrap();
     assert_eq!(report["topology"]["genus"], 0);
+}
+
+#[test]
+fn the_demo_compares_its_answer_with_the_truth() {
+    let folder = tempfile::tempdir().unwrap();
+    let done = homolog().args(["demo", "--out"]).arg(folder.path()).output().unwrap();
+    assert!(done.status.success(), "{}", String::from_utf8_lossy(&done.stderr));
+    let shown = String::from_utf8(done.stdout).unwrap();
+    assert!(shown.starts_with("RELIABLE"), "{shown}");
+    let after = |text: &str| shown.split_once(text).unwrap().1.split_whitespace().next().unwrap().to_owned();
+    let [degrees, median_mm] = ["\n  rotation", "\n  corresponding points"].map(after);
+    assert!(degrees.trim_end_matches('°').parse::<f64>().unwrap() < 10.0, "{shown}");
+    // Half a voxel.
+    assert!(median_mm.parse::<f64>().unwrap() < 0.5, "{shown}");
+    // The text and the plot name the same energies.
+    let (initial, minimized) = (after("energy "), after("minimized to"));
+    assert!(shown.contains(&format!("{} ┤", initial.trim_end_matches(','))), "{shown}");
+    assert!(shown.lines().any(|line| line.contains('┤') && line.ends_with(&format!(" {minimized}"))), "{shown}");
+    for name in ["warped.vtp", "warped.surf.gii", "correspondences.csv", "transform.tfm", "transform.lta"] {
+        assert!(fs::metadata(folder.path().join(name)).unwrap().len() > 0, "{name}");
+    }
 }
 
 #[test]

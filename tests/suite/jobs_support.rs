@@ -2,11 +2,13 @@
 
 use homolog::app::{self, App, Shutdown};
 use homolog::config::{HttpSettings, ServiceSettings};
-use homolog::jobs::engine::{MethodDescription, Product, Resolved};
+use homolog::jobs::engine::{Answer, MethodDescription, Product, Resolved};
 use homolog::jobs::{
     ArtifactKind, Computation, ComputeError, ComputeInputs, Demand, Engine, Failure, InputBytes, InputRefusal,
     InputSummary, ParameterFault, PartFormat, PresentError, ResultPart, SurfaceSize,
 };
+use homolog_contract::result::{SurfaceDistanceDocument, UnreliableReason};
+use homolog_contract::verdict::Verdict;
 use homolog_primitives::observe::{Observer, Phase, TracePoint};
 use reqwest::multipart::{Form, Part};
 use serde_json::{Value, json};
@@ -17,6 +19,12 @@ use std::time::{Duration, Instant};
 
 /// Numbers that a job's parameters may set: points of the trace, ms between them, and switches (not 0 = on).
 const KEYS: [&str; 9] = ["points", "step_ms", "fail", "panic", "abort", "deaf", "sign", "seed", "cores"];
+
+/// The verdict on the answers of the scripted engine.
+pub(crate) fn doubtful() -> Verdict {
+    let surface_distance = SurfaceDistanceDocument { mean_mm: 0.5, p95_mm: 1.25, max_mm: 3.0 };
+    Verdict { reliable: Some(false), reasons: vec![UnreliableReason::AmbiguousPose], surface_distance }
+}
 
 /// Does what the parameters say.
 #[derive(Debug, Default)]
@@ -117,7 +125,7 @@ impl Computation for Obedience {
         cores.map_or(Demand::UNKNOWN, |&cores| Demand { cores: cores as usize, memory_bytes: 0 })
     }
 
-    fn compute(&self, _: &ComputeInputs, observer: &dyn Observer) -> Result<Vec<Product>, ComputeError> {
+    fn compute(&self, _: &ComputeInputs, observer: &dyn Observer) -> Result<Answer, ComputeError> {
         self.computed.fetch_add(1, Ordering::SeqCst);
         let number = |key: &str| self.number(key);
         let points = number("points");
@@ -148,13 +156,14 @@ impl Computation for Obedience {
         }
         let product = |kind, text: String| Product { kind, bytes: text.into_bytes() };
         let columns = json!({"source": [0, 1], "target": [1, 0], "confidence": [0.5, 0.25], "inlier": [true, false]});
-        Ok(vec![
+        let products = vec![
             product(ArtifactKind::Result, result.to_string()),
             product(ArtifactKind::Correspondences, columns.to_string()),
             product(ArtifactKind::SourceSurface, "ply source".to_owned()),
             product(ArtifactKind::TargetSurface, "ply target".to_owned()),
             product(ArtifactKind::Aligned, "ply aligned".to_owned()),
-        ])
+        ];
+        Ok(Answer { products, verdict: Some(doubtful()) })
     }
 }
 

@@ -200,6 +200,8 @@ fn mesh_of(bytes: &[u8]) -> SurfaceMesh {
     }
 }
 
+const FORWARD: ResultPart = ResultPart::Correspondences { direction: homolog::jobs::WarpDirection::Forward };
+
 fn engine() -> MatchEngine {
     MatchEngine::new(IntakeLimits::default(), 0)
 }
@@ -207,7 +209,7 @@ fn engine() -> MatchEngine {
 fn matched(source: Vec<u8>, target: Vec<u8>, request: &Value) -> Stored {
     let computation = engine().resolve(request).unwrap().computation;
     let inputs = ComputeInputs { source, source_hint: None, target, target_hint: None };
-    let products = computation.compute(&inputs, &Silent).unwrap();
+    let products = computation.compute(&inputs, &Silent).unwrap().products;
     let of = |kind| products.iter().find(|p: &&Product| p.kind == kind).unwrap().bytes.clone();
     let document = serde_json::from_slice(&of(ArtifactKind::Result)).unwrap();
     let columns = serde_json::from_slice(&of(ArtifactKind::Correspondences)).unwrap();
@@ -283,7 +285,7 @@ fn target_array(format: PartFormat, bytes: &[u8], n: usize) -> Vec<i32> {
 fn assert_exports(stored: &Stored, n_source: usize) {
     let columns = stored.bytes(ArtifactKind::Correspondences);
     let surface = stored.bytes(ArtifactKind::SourceSurface);
-    let present = |format, blobs: &[&[u8]]| engine().present(ResultPart::Correspondences, format, blobs).unwrap();
+    let present = |format, blobs: &[&[u8]]| engine().present(FORWARD, format, blobs).unwrap();
     let expected = indices(&stored.columns);
     assert_eq!(of_csv(&present(PartFormat::Csv, &[columns])), expected);
     assert_eq!(of_npy(&present(PartFormat::Npy, &[columns])), expected);

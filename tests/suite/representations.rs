@@ -14,6 +14,11 @@ use std::sync::Arc;
 
 /// A service with a finished match of two small voxel surfaces; the path of the job.
 async fn matched() -> (TestService, String) {
+    matched_with(json!({"input": {"surface": "voxel"}})).await
+}
+
+/// The same with these parameters.
+pub(super) async fn matched_with(parameters: Value) -> (TestService, String) {
     let recipe = PairRecipe {
         subject: 1,
         target_subject: 1,
@@ -28,7 +33,7 @@ async fn matched() -> (TestService, String) {
     let form = Form::new()
         .part("source", source.file_name("Doe^Jane.nii.gz"))
         .part("target", target.file_name("b.nii.gz"))
-        .text("parameters", json!({"input": {"surface": "voxel"}}).to_string());
+        .text("parameters", parameters.to_string());
     let folder = Arc::new(tempfile::tempdir().unwrap());
     let engine = Arc::new(MatchEngine::new(IntakeLimits::default(), 0));
     let service = TestService::start_with(folder, &[], Some(engine)).await;
@@ -45,7 +50,7 @@ async fn accepting(service: &TestService, path: &str, accept: &str) -> Response 
     service.client.get(format!("{}{path}", service.base)).header("accept", accept).send().await.unwrap()
 }
 
-async fn bytes(service: &TestService, path: &str) -> Vec<u8> {
+pub(super) async fn bytes(service: &TestService, path: &str) -> Vec<u8> {
     let response = service.get(path).await;
     assert_eq!(response.status(), 200, "{path}");
     response.bytes().await.unwrap().to_vec()
@@ -59,21 +64,24 @@ fn mesh_of(bytes: &[u8]) -> SurfaceMesh {
 }
 
 /// A format, its media type, and its file extension.
-type Offered = (&'static str, &'static str, Option<&'static str>);
+pub(super) type Offered = (&'static str, &'static str, Option<&'static str>);
 
 /// Parts and their formats; the first format is the default.
-const PARTS: [(&str, &[Offered]); 6] = [
+pub(super) const PARTS: [(&str, &[Offered]); 7] = [
+    ("report", &[("html", "text/html", None)]),
     (
         "correspondences",
         &[
             ("json", "application/json", None),
             ("csv", "text/csv", Some("csv")),
             ("npy", "application/x-npy", Some("npy")),
+            ("npz", "application/x-npz", Some("npz")),
             ("arrow", "application/vnd.apache.arrow.file", Some("arrow")),
             ("ply", "model/ply", Some("ply")),
             ("vtk", "model/vtk", Some("vtk")),
             ("vtp", "application/vnd.vtk.vtp", Some("vtp")),
             ("gifti", "application/gifti+xml", Some("surf.gii")),
+            ("glb", "model/gltf-binary", Some("glb")),
         ],
     ),
     (
@@ -83,6 +91,7 @@ const PARTS: [(&str, &[Offered]); 6] = [
             ("text", "text/plain", None),
             ("tfm", "application/x-itk-transform", Some("tfm")),
             ("lta", "application/x-freesurfer-lta", Some("lta")),
+            ("dicom", "application/dicom", Some("dcm")),
         ],
     ),
     ("surfaces/source", SURFACE),
@@ -96,9 +105,11 @@ const PARTS: [(&str, &[Offered]); 6] = [
             ("vtp", "application/vnd.vtk.vtp", Some("vtp")),
             ("gifti", "application/gifti+xml", Some("surf.gii")),
             ("stl", "model/stl", Some("stl")),
+            ("glb", "model/gltf-binary", Some("glb")),
             ("json", "application/json", None),
             ("csv", "text/csv", Some("csv")),
             ("npy", "application/x-npy", Some("npy")),
+            ("npz", "application/x-npz", Some("npz")),
             ("arrow", "application/vnd.apache.arrow.file", Some("arrow")),
         ],
     ),
@@ -110,6 +121,7 @@ const SURFACE: &[Offered] = &[
     ("vtp", "application/vnd.vtk.vtp", Some("vtp")),
     ("gifti", "application/gifti+xml", Some("surf.gii")),
     ("stl", "model/stl", Some("stl")),
+    ("glb", "model/gltf-binary", Some("glb")),
 ];
 
 fn text(headers: &HeaderMap, name: &str) -> Option<String> {
@@ -124,9 +136,14 @@ async fn every_part_comes_in_every_format_it_has() {
     for (part, formats) in PARTS {
         let path = format!("{job}/{part}");
         let default = service.get(&path).await;
-        assert_eq!(default.headers()["content-type"], formats[0].1);
+        assert!(text(default.headers(), "content-type").unwrap().starts_with(formats[0].1), "{path}");
         for &(format, media_type, ending) in formats {
             let by_query = accepting(&service, &format!("{path}?format={format}"), "image/png").await;
+            if format == "dicom" {
+                let body = problem(by_query, 406, "not-acceptable").await;
+                assert!(body["detail"].as_str().unwrap().contains("no patient and no study"), "{body}");
+                continue;
+            }
             assert_eq!(by_query.status(), 200, "{path} {format}: the query goes before Accept");
             let headers = by_query.headers().clone();
             assert!(text(&headers, "content-type").unwrap().starts_with(media_type), "{path} {format}");
@@ -160,6 +177,17 @@ async fn every_part_comes_in_every_format_it_has() {
     assert_eq!(etags.len(), n_etags, "each representation has a validator of its own");
     let unknown = accepting(&service, "/v1/jobs/00000000-0000-0000-0000-000000000000/aligned", "image/png").await;
     problem(unknown, 404, "job-not-found").await;
+
+    // The page runs its own script alone, and not in the name of the service.
+    let page = service.get(&format!("{job}/report")).await;
+    assert_eq!(
+        text(page.headers(), "content-security-policy").unwrap(),
+        "sandbox allow-scripts; frame-ancestors 'none'"
+    );
+    let page = page.text().await.unwrap();
+    assert!(
+        page.contains("RELIABLE") && page.contains("iterations; dashed: a new round") && !page.contains("Doe^Jane")
+    );
 
     // All formats have the numbers of the JSON.
     let columns = service.json(&format!("{job}/correspondences")).await;
@@ -251,8 +279,15 @@ async fn the_source_bent_onto_the_target_lies_on_the_target() {
         let length = (matrix.transform_point(&source.vertices()[k]) - warped.vertices()[k]).norm();
         assert!((length - residual.as_f64().unwrap()).abs() < 1e-9);
     }
-    let body = problem(service.get(&format!("{job}/warped?direction=inverse")).await, 404, "route-not-found").await;
-    assert!(body["detail"].as_str().unwrap().contains("both_directions"), "{body}");
+    assert_eq!(mesh_of(&bytes(&service, &format!("{job}/warped?space=aligned")).await), warped);
+    for path in [
+        "warped?direction=inverse",
+        "correspondences?direction=inverse",
+        "correspondences?direction=inverse&format=glb",
+    ] {
+        let body = problem(service.get(&format!("{job}/{path}")).await, 404, "route-not-found").await;
+        assert!(body["detail"].as_str().unwrap().contains("both_directions"), "{body}");
+    }
     problem(service.get(&format!("{job}/warped?space=moon")).await, 400, "invalid-query").await;
     service.end().await;
 }

@@ -1,5 +1,6 @@
 //! The suite of stores, continued: records other than jobs, on SQLite with a folder and on PostgreSQL with an S3 server.
 
+use super::jobs_support::doubtful;
 use super::store::{Fixture, LONG, SHORT, chunk, is_lost, new_job, on_every_store, result, room};
 use homolog::jobs::job::Order;
 use homolog::jobs::metadata::{ExternalRef, Labels};
@@ -23,6 +24,9 @@ async fn an_equal_job_is_answered_from_the_first_result(f: Fixture) {
 
     let second = f.store.insert_job(&with_key(), &room(10)).await.unwrap();
     assert_eq!((second.state, second.cached, second.attempt), (JobState::Succeeded, true, 0));
+    assert_eq!(second.verdict, Some(doubtful()), "the verdict belongs to the result");
+    let finished = f.store.get_job(&f.tenant, first.id).await.unwrap();
+    assert_eq!((first.verdict, finished.verdict), (None, Some(doubtful())));
     assert!(second.finished_at.is_some());
     assert_eq!(f.seqs(second.id, 0, 10).await, [1, 2, 3]);
     f.store.delete_job(&f.tenant, first.id).await.unwrap();
@@ -198,7 +202,10 @@ async fn retention_removes_results_then_records(f: Fixture) {
     f.artifacts.put(&key, bytes).await.unwrap();
     f.store.append_trace(&lease, &chunk(1..=3)).await.unwrap();
     let artifact = ArtifactRef { kind: ArtifactKind::Result, key: key.clone(), n_bytes: 6 };
-    f.store.finish_job(&lease, &Outcome::Succeeded(vec![artifact]), Some(SHORT)).await.unwrap();
+    f.store
+        .finish_job(&lease, &Outcome::Succeeded { artifacts: vec![artifact], verdict: None }, Some(SHORT))
+        .await
+        .unwrap();
     let young = f.add(0).await;
     tokio::time::sleep(SHORT * 2).await;
 

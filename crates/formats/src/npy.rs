@@ -33,7 +33,19 @@ pub fn write_npy(pairs: &PairColumns<'_>) -> Vec<u8> {
 
 /// A file up to its data: the header of a one-dimensional structured array of `n` rows with these fields.
 pub(super) fn npy_file(fields: &str, n: usize) -> Vec<u8> {
-    let mut header = format!("{{'descr': [{fields}], 'fortran_order': False, 'shape': ({n},), }}");
+    with_header(&format!("[{fields}]"), &format!("({n},)"))
+}
+
+/// A file with numbers of one type, row by row.
+pub(super) fn npy_array(kind: &str, shape: &[usize], data: Vec<u8>) -> Vec<u8> {
+    let shape: String = shape.iter().map(|n| format!("{n},")).collect();
+    let mut file = with_header(&format!("'{kind}'"), &format!("({shape})"));
+    file.extend(data);
+    file
+}
+
+fn with_header(kind: &str, shape: &str) -> Vec<u8> {
+    let mut header = format!("{{'descr': {kind}, 'fortran_order': False, 'shape': {shape}, }}");
     let begin = MAGIC.len() + 2;
     let padded = (begin + header.len() + 1).next_multiple_of(ALIGNMENT);
     header.extend(std::iter::repeat_n(' ', padded - begin - header.len() - 1));

@@ -168,6 +168,18 @@ fn every_prefix_of_every_file_costs_little_and_panics_nowhere() {
     }
 }
 
+/// What coverage-guided fuzzing (`make fuzz`) has found.
+#[test]
+fn files_that_once_were_trouble_are_none() {
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fuzz/crashes");
+    let mut paths: Vec<_> = std::fs::read_dir(folder).unwrap().map(|file| file.unwrap().path()).collect();
+    paths.sort();
+    for path in paths {
+        let bytes = std::fs::read(&path).unwrap();
+        check(&path.file_name().unwrap().to_string_lossy(), &bytes, bytes.len());
+    }
+}
+
 /// Files of other programs, which are not part of the repository.
 mod real_data {
     use super::*;

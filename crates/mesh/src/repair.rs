@@ -6,6 +6,7 @@
 use super::topology::vertex_components;
 use super::{FaceArity, MeshError, Numbering, SurfaceMesh};
 use nalgebra::Point3;
+use std::collections::hash_map::Entry;
 use std::collections::{HashMap, HashSet};
 
 /// A repaired mesh with the map to its input.
@@ -61,36 +62,59 @@ pub fn weld_reported(mesh: &SurfaceMesh) -> Result<(RepairedMesh, WeldReport), M
         let distance = (mesh.vertices()[at] - mesh.vertices()[other as usize]).norm();
         report.largest_mm = report.largest_mm.max(distance);
     }
-    let renamed = |face: &[u32]| -> Vec<u32> { face.iter().map(|&v| kept[v as usize]).collect() };
-    let collapsed_quad = mesh.arity() == FaceArity::Quad
-        && mesh.faces().any(|f| {
-            let f = renamed(f);
-            (0..4).any(|k| f[k + 1..].contains(&f[k]))
-        });
-    let (arity, faces): (_, Vec<Vec<u32>>) = if collapsed_quad {
-        (FaceArity::Triangle, mesh.triangles().iter().map(|t| renamed(t)).collect())
-    } else {
-        (mesh.arity(), mesh.faces().map(renamed).collect())
-    };
-    let mut seen = HashSet::new();
-    let mut indices = Vec::with_capacity(faces.len() * arity.n_corners());
-    for face in faces {
-        let repeats = (0..face.len()).any(|k| face[k + 1..].contains(&face[k]));
-        let mut name = face.clone();
-        let first = (0..name.len()).min_by_key(|&k| name[k]).unwrap_or(0);
-        name.rotate_left(first);
-        if repeats {
+    let renamed = |face: &[u32]| Corners::of(face, &kept);
+    let collapsed_quad = mesh.arity() == FaceArity::Quad && mesh.faces().any(|f| renamed(f).repeat());
+    let arity = if collapsed_quad { FaceArity::Triangle } else { mesh.arity() };
+    let mut seen = HashSet::with_capacity(mesh.n_faces());
+    let mut indices = Vec::with_capacity(mesh.n_faces() * arity.n_corners());
+    let mut add = |face: Corners| {
+        if face.repeat() {
             report.n_degenerate += 1;
-        } else if seen.insert(name) {
-            indices.extend(face);
+        } else if seen.insert(face.beginning_with_lowest()) {
+            indices.extend(face.all());
         } else {
             report.n_duplicate += 1;
         }
+    };
+    if collapsed_quad {
+        mesh.triangles().iter().for_each(|t| add(renamed(t)));
+    } else {
+        mesh.faces().for_each(|f| add(renamed(f)));
     }
     if indices.is_empty() {
         return Err(MeshError::Empty { n_vertices: mesh.n_vertices(), n_faces: 0 });
     }
     Ok((compacted(mesh.vertices(), arity, indices), report))
+}
+
+/// The corners of a triangle or a quad, without an allocation for each; the fourth of a triangle is `u32::MAX`.
+#[derive(Clone, Copy, PartialEq, Eq, Hash)]
+struct Corners([u32; 4]);
+
+impl Corners {
+    fn of(face: &[u32], names: &[u32]) -> Self {
+        let mut corners = [u32::MAX; 4];
+        corners.iter_mut().zip(face).for_each(|(corner, &v)| *corner = names[v as usize]);
+        Corners(corners)
+    }
+
+    fn all(&self) -> &[u32] {
+        &self.0[..if self.0[3] == u32::MAX { 3 } else { 4 }]
+    }
+
+    fn repeat(&self) -> bool {
+        let corners = self.all();
+        (0..corners.len()).any(|k| corners[k + 1..].contains(&corners[k]))
+    }
+
+    /// The same face, beginning with its lowest corner.
+    fn beginning_with_lowest(self) -> Self {
+        let corners = self.all();
+        let first = (0..corners.len()).min_by_key(|&k| corners[k]).unwrap_or(0);
+        let mut turned = self;
+        turned.0[..corners.len()].rotate_left(first);
+        turned
+    }
 }
 
 /// For every vertex the lowest kept vertex within the tolerance; a kept vertex maps to itself.
@@ -105,7 +129,18 @@ fn nearest_kept(mesh: &SurfaceMesh) -> Vec<u32> {
     };
     let mut cells: HashMap<[i64; 3], Vec<u32>> = HashMap::new();
     let mut kept: Vec<u32> = Vec::with_capacity(v.len());
+    // Of vertices at exactly one position, as formats without shared vertices have them, the later ones share the answer of
+    // the first: what was added in between has a higher index.
+    let mut exact: HashMap<[u64; 3], u32> = HashMap::with_capacity(v.len() / 4);
     for (i, p) in v.iter().enumerate() {
+        let position = exact.entry([p.x.to_bits(), p.y.to_bits(), p.z.to_bits()]);
+        let place = match position {
+            Entry::Occupied(earlier) => {
+                kept.push(*earlier.get());
+                continue;
+            }
+            Entry::Vacant(place) => place,
+        };
         let mut found = u32::MAX;
         let mut looked = [[i64::MIN; 3]; 8];
         for corner in 0..8 {
@@ -125,6 +160,7 @@ fn nearest_kept(mesh: &SurfaceMesh) -> Vec<u32> {
             found = i as u32;
             cells.entry(cell(p, [0.0; 3])).or_default().push(found);
         }
+        place.insert(found);
         kept.push(found);
     }
     kept
@@ -204,6 +240,34 @@ mod tests {
             let first = split.vertices().iter().position(|p| *p == one.mesh.vertices()[new]);
             assert_eq!(first, Some(uploaded as usize));
         }
+    }
+
+    #[test]
+    fn each_vertex_is_merged_into_the_lowest_kept_one_within_the_tolerance() {
+        // Copies of few places, some exactly there, some moved by more or less than the tolerance.
+        let places: Vec<Point3<f64>> =
+            (0..40).map(|k| Point3::new(f64::from(k % 5), f64::from(k / 5 % 4), f64::from(k / 20))).collect();
+        let tolerance = (places[39] - places[0]).norm() * WELD_RTOL;
+        let steps = [0.0, 0.0, 0.4, -0.4, 0.9, 1.3, 0.0, -0.9];
+        let vertices: Vec<Point3<f64>> = (0..600)
+            .map(|k| {
+                let step = steps[k * 7 % 8] * tolerance;
+                let mut p = places[k * 17 % 40];
+                p[k % 3] += step;
+                p
+            })
+            .collect();
+        let faces = (0..600).collect();
+        let mesh = SurfaceMesh::new(vertices.clone(), FaceArity::Triangle, faces).unwrap();
+        let (low, high) = mesh.bounding_box();
+        let tolerance = (high - low).norm() * WELD_RTOL;
+        let mut kept: Vec<u32> = Vec::new();
+        for (i, p) in vertices.iter().enumerate() {
+            let near = |k: &usize| kept[*k] as usize == *k && (vertices[*k] - p).norm() <= tolerance;
+            kept.push((0..i).find(near).unwrap_or(i) as u32);
+        }
+        assert_eq!(nearest_kept(&mesh), kept);
+        assert!(kept.iter().enumerate().filter(|&(k, &other)| k == other as usize).count() > 40, "some are apart");
     }
 
     #[test]

@@ -8,14 +8,18 @@
 //! repair drops, or that are merged into another have no row and occur in no column
 //! ([`homolog_mesh::Numbering`]).
 
+mod colors;
 pub mod intake;
 #[cfg(test)]
 mod numbering_tests;
+mod report;
 mod surfaces;
 #[cfg(test)]
 mod surfaces_tests;
 mod warped;
 
+pub use colors::{Colors, value_colors};
+pub use report::{ReportInputs, write_report};
 pub use surfaces::SurfaceCache;
 pub use warped::{WarpError, WarpedSurface, warp};
 
@@ -65,7 +69,8 @@ impl Side {
 /// What a finished run yields.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RunOutput {
-    /// The result document, correspondences included.
+    /// The result document, correspondences included. The commit of its provenance is for the program to fill in, which alone
+    /// knows it.
     pub document: ResultDocument,
     /// The source surface whose vertices the correspondences count: all vertices of the uploaded mesh, with the faces that
     /// were matched; or the surface made from the uploaded volume.
@@ -184,7 +189,8 @@ pub fn run_match_with(
     let outcome = match_levels(&source.levels, &target.levels, parameters, &timed)?;
     let provenance = Provenance {
         version: env!("CARGO_PKG_VERSION").to_owned(),
-        commit: option_env!("HOMOLOG_COMMIT").unwrap_or("unknown").to_owned(),
+        // Only the program knows it.
+        commit: "unknown".to_owned(),
         parameters: parameters.clone(),
         seed: parameters.seed,
         source: input_provenance(&source),

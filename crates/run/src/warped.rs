@@ -16,6 +16,23 @@ pub struct WarpedSurface {
     pub arrays: Vec<VertexArray>,
 }
 
+impl WarpedSurface {
+    /// The surface that was bent, moved rigidly alone, in the same space.
+    ///
+    /// # Errors
+    /// [`WarpError::Mesh`] if a coordinate overflows.
+    pub fn without_deformation(&self) -> Result<SurfaceMesh, WarpError> {
+        let mut vertices = self.mesh.vertices().to_vec();
+        for (k, name) in ["displacement_x_mm", "displacement_y_mm", "displacement_z_mm"].into_iter().enumerate() {
+            let array = self.arrays.iter().find(|array| array.name == name);
+            if let Some(VertexArray { values: VertexValues::Real(values), .. }) = array {
+                vertices.iter_mut().zip(values).for_each(|(vertex, value)| vertex[k] -= value);
+            }
+        }
+        Ok(self.mesh.with_vertices(vertices)?)
+    }
+}
+
 /// Why a surface cannot be bent.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum WarpError {
@@ -181,6 +198,8 @@ mod tests {
             [0.0, 1.0, 0.0]
         );
         assert_eq!(real(&there, "residual_mm"), [0.0, 1.0, 1.0, 1.0]);
+        let rigid = there.without_deformation().unwrap();
+        assert!((rigid.vertices()[1] - Point3::new(10.0, 1.0, 0.0)).norm() < 1e-12);
         assert!(real(&there, "area_ratio").iter().all(|ratio| (ratio - 4.0).abs() < 1e-12));
         let here = warped(WarpSpace::Source);
         assert!((here.mesh.vertices()[1] - Point3::new(2.0, 0.0, 0.0)).norm() < 1e-12);

@@ -3,6 +3,7 @@
 pub(super) mod client;
 mod plot;
 mod service;
+mod truth;
 
 use super::error::CliError;
 use super::files::{OutputFolder, file_name, read_input};
@@ -14,18 +15,22 @@ use super::summary::summary;
 use clap::Args;
 use client::{FormPart, ServiceClient};
 use homolog_contract::result::ResultDocument;
+use homolog_formats::ReadLimits;
+use homolog_formats::ply::read_ply;
 use homolog_laboratory::phantom::{DEFAULT_EDGE_MM, PairRecipe};
+use homolog_mesh::SurfaceMesh;
 use homolog_run::intake::IntakeLimits;
 use plot::plot;
 use serde_json::Value;
 use service::ServiceProcess;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
+use truth::compared_with_truth;
 
 /// Start a service, match a pair over HTTP and show the result
 #[derive(Debug, Clone, Args)]
 pub(super) struct DemoArgs {
-    /// Source: the surface that is moved; absent: two synthetic subjects in different poses are matched
+    /// Source: the surface that is moved; absent: a synthetic structure and a bent and rotated copy of it are matched
     #[arg(requires = "target")]
     pub(super) source: Option<PathBuf>,
     /// Target: the surface that stays in place
@@ -33,7 +38,7 @@ pub(super) struct DemoArgs {
     /// Keep the service running after the match, until Ctrl-C
     #[arg(long)]
     pub(super) keep: bool,
-    /// Folder for the synthetic inputs, result.json, aligned.ply and the data of the service
+    /// Folder for the synthetic inputs, the results and the data of the service
     #[arg(long, value_name = "DIR", default_value = "homolog-demo")]
     pub(super) out: PathBuf,
 }
@@ -42,12 +47,12 @@ pub(super) struct DemoArgs {
 const POLL_EVERY: Duration = Duration::from_millis(100);
 /// Timeout of a request.
 const REQUEST_TIMEOUT: Duration = Duration::from_secs(60);
-/// Two subjects and a pose; any others would do.
+/// A structure, bent and rotated, so that every true corresponding point is known; any other would do.
 const DEMO_PAIR: PairRecipe = PairRecipe {
     subject: 1,
-    target_subject: 2,
-    deform_share: 0.0,
-    deform_seed: 0,
+    target_subject: 1,
+    deform_share: 0.04,
+    deform_seed: 1,
     pose_seed: Some(7),
     permute_seed: None,
 };
@@ -59,12 +64,12 @@ const DEMO_PAIR: PairRecipe = PairRecipe {
 pub(super) fn run(args: &DemoArgs) -> Result<(), CliError> {
     let interrupt = Interrupt::listen();
     let folder = OutputFolder::create(&args.out)?;
-    let (source, target) = match (&args.source, &args.target) {
-        (Some(source), Some(target)) => (source.clone(), target.clone()),
+    let (source, target, recipe) = match (&args.source, &args.target) {
+        (Some(source), Some(target)) => (source.clone(), target.clone(), None),
         _ => {
-            note("generating two synthetic subjects in different poses");
+            note("generating a synthetic structure, and a bent and rotated copy of it");
             let written = write_pair(&DEMO_PAIR, Kind::Volume, 1.0, DEFAULT_EDGE_MM, &folder)?;
-            (written[0].clone(), written[1].clone())
+            (written[0].clone(), written[1].clone(), Some(&DEMO_PAIR))
         }
     };
     let data_dir = folder.path().join(format!("service-data-{}", std::process::id()));
@@ -73,7 +78,7 @@ pub(super) fn run(args: &DemoArgs) -> Result<(), CliError> {
     let url = service.url();
     note(&format!("the service listens on {url}"));
     let client = ServiceClient::new(&url, REQUEST_TIMEOUT);
-    let shown = match_over_http(&client, &mut service, &source, &target, &folder, &interrupt);
+    let shown = match_over_http(&client, &mut service, [&source, &target], recipe, &folder, &interrupt);
     if shown.is_ok() && args.keep {
         print(&format!("\nthe service runs on {url} (data in {}); Ctrl-C stops it", data_dir.display()))?;
         while !interrupt.is_set() {
@@ -92,8 +97,8 @@ pub(super) fn run(args: &DemoArgs) -> Result<(), CliError> {
 fn match_over_http(
     client: &ServiceClient,
     service: &mut ServiceProcess,
-    source: &Path,
-    target: &Path,
+    [source, target]: [&Path; 2],
+    recipe: Option<&PairRecipe>,
     folder: &OutputFolder,
     interrupt: &Interrupt,
 ) -> Result<(), CliError> {
@@ -107,21 +112,45 @@ fn match_over_http(
     let document: ResultDocument = serde_json::from_value(result.clone())
         .map_err(|e| CliError::Failed(format!("unexpected form of the result: {e}")))?;
     print(&summary(&document))?;
-    show_energy(&trace)?;
-    let aligned = fetch_link(client, &result, "aligned")?;
-    let written = [folder.write("aligned.ply", &aligned)?, folder.write_json("result.json", &result)?];
-    print("")?;
-    for path in written {
-        print(&format!("wrote {}", path.display()))?;
+    if let Some(recipe) = recipe {
+        let [source, warped] = ["source_surface", "warped"].map(|name| fetch_surface(client, &result, name));
+        let text = compared_with_truth(recipe, &source?, &warped?, &document.transform)?;
+        print(&format!("\n{text}"))?;
+    }
+    show_energy(&document, &trace)?;
+    print(&format!("\nwritten to {}", folder.path().display()))?;
+    folder.write_json("result.json", &result)?;
+    print(&format!("  {:<22}everything above and more, as JSON", "result.json"))?;
+    for (name, link, format, programs) in DOWNLOADS {
+        let content = fetch_link(client, &result, link, &format!("?format={format}"))?;
+        folder.write(name, &content)?;
+        print(&format!("  {name:<22}{programs}"))?;
     }
     Ok(())
 }
 
-/// The body behind a link of the result.
-fn fetch_link(client: &ServiceClient, result: &Value, name: &str) -> Result<Vec<u8>, CliError> {
+/// What the demo downloads: name of the file, link of the result, format, and which programs open it.
+const DOWNLOADS: [(&str, &str, &str, &str); 7] = [
+    ("report.html", "report", "html", "a page with the verdict and both surfaces to turn: any browser"),
+    ("aligned.ply", "aligned", "ply", "the source moved rigidly: MeshLab, Blender, ParaView, 3D Slicer"),
+    ("warped.vtp", "warped", "vtp", "the source bent onto the target, with arrays: ParaView, 3D Slicer"),
+    ("warped.surf.gii", "warped", "gifti", "the same: Connectome Workbench, FreeSurfer's freeview, nibabel"),
+    ("correspondences.csv", "correspondences", "csv", "a row for each source vertex: R, pandas, spreadsheets"),
+    ("transform.tfm", "transform", "tfm", "the rigid transform: 3D Slicer, ITK-SNAP, ANTs"),
+    ("transform.lta", "transform", "lta", "the same: FreeSurfer"),
+];
+
+/// The surface behind a link of the result.
+fn fetch_surface(client: &ServiceClient, result: &Value, name: &str) -> Result<SurfaceMesh, CliError> {
+    let file = read_ply(&fetch_link(client, result, name, "")?, &ReadLimits::default());
+    file.map(|file| file.mesh).map_err(|error| CliError::Failed(format!("the surface {name} cannot be read: {error}")))
+}
+
+/// The body behind a link of the result, with this query.
+fn fetch_link(client: &ServiceClient, result: &Value, name: &str, query: &str) -> Result<Vec<u8>, CliError> {
     let link = result.pointer(&format!("/links/{name}")).and_then(Value::as_str);
     let link = link.ok_or_else(|| CliError::Failed(format!("the result has no link named {name}")))?;
-    let answer = client.get(link)?;
+    let answer = client.get(&format!("{link}{query}"))?;
     match answer.status {
         200 => Ok(answer.body),
         status => Err(CliError::Failed(format!("GET {link} answered {status}: {}", answer.problem()))),
@@ -198,18 +227,22 @@ fn follow(
     }
 }
 
-/// Plots the energy over the iterations of all rounds.
-fn show_energy(trace: &[Value]) -> Result<(), CliError> {
+/// Plots the energy that was minimized over the iterations of all rounds, from that of the first labeling on.
+fn show_energy(document: &ResultDocument, trace: &[Value]) -> Result<(), CliError> {
+    let Some(energy) = &document.energy else { return Ok(()) };
+    // The energy of the smooth map at the end is no iteration, and higher.
+    let inference = |point: &&Value| point.get("phase").and_then(Value::as_str) == Some("inference");
     let points: Vec<(f64, u64)> = trace
         .iter()
+        .filter(inference)
         .filter_map(|p| Some((p.get("energy")?.as_f64()?, p.get("round").and_then(Value::as_u64).unwrap_or(0))))
         .collect();
-    let energies: Vec<f64> = points.iter().map(|(energy, _)| *energy).collect();
     let starts: Vec<usize> = (0..points.len()).filter(|&k| k == 0 || points[k].1 != points[k - 1].1).collect();
+    let energies: Vec<f64> = [energy.initial].into_iter().chain(points.iter().map(|(energy, _)| *energy)).collect();
     let lines = plot(&energies, &starts, 60, 10);
     if lines.is_empty() {
         return Ok(());
     }
-    print(&format!("\nenergy, {} points in {} rounds (┴ start of a round)", points.len(), starts.len()))?;
+    print(&format!("\nenergy over {} iterations of {} rounds (┴ start of a round)", points.len(), starts.len()))?;
     lines.iter().try_for_each(|line| print(line))
 }

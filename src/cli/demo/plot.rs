@@ -43,18 +43,21 @@ pub(super) fn plot(values: &[f64], marks: &[usize], width: usize, height: usize)
     let mut lines = Vec::with_capacity(height + 1);
     for (k, row) in cells.iter().enumerate() {
         let label = match k {
-            0 => format!("{high:.4}"),
-            k if k + 1 == height => format!("{low:.4}"),
+            0 => format!("{high:.2}"),
+            k if k + 1 == height => format!("{low:.2}"),
+            k if k == height / 2 && logarithmic => "(logarithmic)".to_owned(),
             _ => String::new(),
         };
+        // What the curve ends with stands behind its end.
+        let end = last.filter(|&(_, y)| y / 4 == k).and(finite.last()).map_or_else(String::new, |v| format!(" {v:.2}"));
         let curve: String = row.iter().map(|&bits| char::from_u32(0x2800 + bits).unwrap_or(' ')).collect();
-        lines.push(format!("{label:>12} ┤{curve}"));
+        lines.push(format!("{label:>13} ┤{curve}{end}"));
     }
     let mut axis = vec!['─'; width];
     for &mark in marks.iter().filter(|&&m| m < values.len()) {
         axis[column_of(mark) / 2] = '┴';
     }
-    lines.push(format!("{:>12} └{}", "", axis.into_iter().collect::<String>()));
+    lines.push(format!("{:>13} └{}", "", axis.into_iter().collect::<String>()));
     lines
 }
 
@@ -66,9 +69,10 @@ mod tests {
     fn a_falling_line_goes_from_corner_to_corner() {
         let lines = plot(&[1.0, 0.0], &[0], 2, 2);
         assert_eq!(lines.len(), 3);
+        assert!(lines[1].ends_with(" 0.00"), "{lines:?}");
         let first: Vec<char> = lines[0].chars().collect();
         let second: Vec<char> = lines[1].chars().collect();
-        assert!(first[first.len() - 2] != '\u{2800}' && second[second.len() - 1] != '\u{2800}');
+        assert!(first[first.len() - 2] != '\u{2800}' && second[second.len() - 6] != '\u{2800}');
         assert!(lines[2].ends_with("└┴─"));
     }
 

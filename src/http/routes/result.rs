@@ -1,4 +1,4 @@
-//! `/v1/jobs/{id}/result`, `/correspondences` and `/transform`.
+//! `/v1/jobs/{id}/result`, `/correspondences`, `/transform` and `/report`.
 
 use super::job_id;
 use crate::http::auth::Reader;
@@ -10,7 +10,7 @@ use crate::http::router::HttpState;
 use crate::http::shares::Origin;
 use crate::http::wire::{JobResultDocument, ResultLinks};
 use crate::jobs::documents::{Correspondences, TransformDocument};
-use crate::jobs::{ArtifactKind, BlobStream, JobError, ResultPart};
+use crate::jobs::{ArtifactKind, BlobStream, JobError, ResultPart, WarpDirection};
 use axum::body::Body;
 use axum::extract::{Path, State};
 use axum::http::{HeaderMap, Method, header};
@@ -78,26 +78,29 @@ pub(crate) async fn result(
 /// Get the dense correspondence
 ///
 /// Either as a table with a row for each corresponding pair: JSON (an array for each column), CSV, NumPy (`.npy`, one
-/// structured array) or Arrow (IPC file, also known as Feather 2). The columns are `source` and `target` (vertex indices),
+/// structured array; `.npz`, an array for each column) or Arrow (IPC file, also known as Feather 2). The columns are `source` and `target` (vertex indices),
 /// `confidence`, `inlier`, `spread_mm`, `outlier` (a word in JSON and CSV, else 0 none, 1 residual, 2 neighborhood, 3 both,
 /// 4 no_counterpart), and the corresponding point on the target surface, which lies between vertices: the vertices of its
 /// `triangle` and its `barycentric` coordinates, three numbers each.
 ///
 /// Or as the source surface with these values at each vertex: PLY (properties), legacy VTK and VTP (point data) or GIFTI (further
 /// data arrays; single precision, quads split into triangles). A vertex without a correspondence has `target` −1,
-/// `confidence` 0 and `inlier` 0.
+/// `confidence` 0 and `inlier` 0. Or as glTF (`glb`), for browsers: the source moved rigidly onto the target, and the target,
+/// corresponding points in one color.
 #[utoipa::path(
     get, path = "/v1/jobs/{id}/correspondences", tag = "results", operation_id = "get_correspondences",
     params(
         ("id" = String, Path, description = "The job"),
-        ("format" = Option<String>, Query, description = "`json`, `csv`, `npy`, `arrow`, `ply`, `vtk`, `vtp` or `gifti`; takes precedence over `Accept`; JSON if neither is given"),
+        ("format" = Option<String>, Query, description = "`json`, `csv`, `npy`, `npz`, `arrow`, `ply`, `vtk`, `vtp`, `gifti` or `glb`; takes precedence over `Accept`; JSON if neither is given"),
+        ("direction" = Option<String>, Query, description = "`forward` (default): from source to target; `inverse`: from target to source, if the job had `both_directions`; `source` is then a vertex of the target, and `target` one of the source"),
         ("If-None-Match" = Option<String>, Header, description = "ETag of an earlier answer"),
     ),
     responses(
         (status = 200, description = "The correspondence", content(
             (Correspondences = "application/json"), (String = "text/csv"), (Vec<u8> = "application/x-npy"),
-            (Vec<u8> = "application/vnd.apache.arrow.file"), (Vec<u8> = "model/ply"), (Vec<u8> = "model/vtk"),
-            (String = "application/vnd.vtk.vtp"), (String = "application/gifti+xml"),
+            (Vec<u8> = "application/x-npz"), (Vec<u8> = "application/vnd.apache.arrow.file"), (Vec<u8> = "model/ply"),
+            (Vec<u8> = "model/vtk"), (String = "application/vnd.vtk.vtp"), (String = "application/gifti+xml"),
+            (Vec<u8> = "model/gltf-binary"),
         ), headers(
             ("ETag" = String, description = "Of this representation"), ("Vary" = String, description = "`accept`"),
             ("Content-Disposition" = String, description = "Suggested file name; not with JSON"),
@@ -105,7 +108,7 @@ pub(crate) async fn result(
         (status = 304, description = "Not modified since the version that `If-None-Match` names"),
         (status = 400, description = "Invalid query parameters", body = ProblemDocument, content_type = "application/problem+json"),
         (status = 410, description = "The result was deleted at the end of its retention time", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 404, description = "No such job", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 404, description = "No such job, or no inverse correspondences", body = ProblemDocument, content_type = "application/problem+json"),
         (status = 406, description = "`Accept` allows none of the formats; `available` lists them", body = ProblemDocument, content_type = "application/problem+json"),
         (status = 409, description = "The job is not finished, or finished without a result", body = ProblemDocument, content_type = "application/problem+json"),
     )
@@ -117,17 +120,17 @@ pub(crate) async fn correspondences(
     method: Method,
     origin: Origin,
     headers: HeaderMap,
-    query: QueryString,
+    mut query: QueryString,
 ) -> Result<Response, Problem> {
-    answer(
-        &state,
-        &tenant,
-        job_id(&id)?,
-        ResultPart::Correspondences,
-        Asking { method: &method, headers: &headers, origin },
-        query,
-    )
-    .await
+    let direction = direction(&mut query);
+    let asking = Asking { method: &method, headers: &headers, origin };
+    answer(&state, &tenant, job_id(&id)?, ResultPart::Correspondences { direction }, asking, query).await
+}
+
+/// `?direction=`: from source to target unless the query says otherwise.
+pub(super) fn direction(query: &mut QueryString) -> WarpDirection {
+    let both = [WarpDirection::Forward, WarpDirection::Inverse].map(|direction| (direction.name(), direction));
+    query.word("direction", &both).unwrap_or(WarpDirection::Forward)
 }
 
 /// Get the rigid transform
@@ -135,7 +138,12 @@ pub(crate) async fn correspondences(
 /// It maps points of the source to points of the target, `p' = R p + t`, in millimetres, in the coordinates of the inputs.
 ///
 /// Formats: JSON as in the result; plain text, four lines of four numbers (`numpy.loadtxt`); an ITK transform file (`tfm`);
-/// a FreeSurfer linear transform array (`lta`). The last two assume that the inputs have RAS coordinates, as in NIfTI.
+/// a FreeSurfer linear transform array (`lta`); a DICOM Spatial Registration (`dicom`). `tfm` and `lta` assume that the inputs
+/// have RAS coordinates, as in NIfTI; LPS coordinates of DICOM, NRRD and of meshes that declare them are converted on reading.
+///
+/// The Spatial Registration maps the frame of reference of the source to that of the target, in LPS as DICOM has it, and belongs
+/// to the patient and the study of the source, or of the target if the source is no DICOM object. An input that is none has a frame of reference
+/// named by its content. 406 if neither is one.
 ///
 /// The ITK file follows the convention of ITK, ANTs and 3D Slicer: LPS coordinates, and the map from points of the target
 /// (fixed) to points of the source (moving), which is the inverse of the matrix in JSON. Use it unchanged to resample the
@@ -145,13 +153,13 @@ pub(crate) async fn correspondences(
     get, path = "/v1/jobs/{id}/transform", tag = "results", operation_id = "get_transform",
     params(
         ("id" = String, Path, description = "The job"),
-        ("format" = Option<String>, Query, description = "`json`, `text`, `tfm` or `lta`; takes precedence over `Accept`; JSON if neither is given"),
+        ("format" = Option<String>, Query, description = "`json`, `text`, `tfm`, `lta` or `dicom`; takes precedence over `Accept`; JSON if neither is given"),
         ("If-None-Match" = Option<String>, Header, description = "ETag of an earlier answer"),
     ),
     responses(
         (status = 200, description = "The transform", content(
             (TransformDocument = "application/json"), (String = "text/plain"), (String = "application/x-itk-transform"),
-            (String = "application/x-freesurfer-lta"),
+            (String = "application/x-freesurfer-lta"), (Vec<u8> = "application/dicom"),
         ), headers(
             ("ETag" = String, description = "Of this representation"), ("Vary" = String, description = "`accept`"),
             ("Content-Disposition" = String, description = "Suggested file name; not with JSON and text"),
@@ -182,6 +190,43 @@ pub(crate) async fn transform(
         query,
     )
     .await
+}
+
+/// Get the report
+///
+/// One HTML page for people, which loads nothing from anywhere: first whether the answer can be relied on and why not, then
+/// both surfaces, to be turned with the mouse, in corresponding colors or colored by confidence or residual, the energy over
+/// the iterations, and all numbers, parameters and hashes. It contains no file names.
+#[utoipa::path(
+    get, path = "/v1/jobs/{id}/report", tag = "results", operation_id = "get_report",
+    params(
+        ("id" = String, Path, description = "The job"),
+        ("format" = Option<String>, Query, description = "`html`"),
+        ("If-None-Match" = Option<String>, Header, description = "ETag of an earlier answer"),
+    ),
+    responses(
+        (status = 200, description = "The page", content((String = "text/html")), headers(
+            ("ETag" = String, description = "Of this page"), ("Vary" = String, description = "`accept`"),
+        )),
+        (status = 304, description = "Not modified since the version that `If-None-Match` names"),
+        (status = 400, description = "Invalid query parameters", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 410, description = "The result was deleted at the end of its retention time", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 404, description = "No such job", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 406, description = "`Accept` allows no HTML", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 409, description = "The job is not finished, or finished without a result", body = ProblemDocument, content_type = "application/problem+json"),
+    )
+)]
+pub(crate) async fn report(
+    State(state): State<HttpState>,
+    Reader(tenant): Reader,
+    Path(id): Path<String>,
+    method: Method,
+    origin: Origin,
+    headers: HeaderMap,
+    query: QueryString,
+) -> Result<Response, Problem> {
+    let asking = Asking { method: &method, headers: &headers, origin };
+    answer(&state, &tenant, job_id(&id)?, ResultPart::Report, asking, query).await
 }
 
 fn unreadable() -> Problem {

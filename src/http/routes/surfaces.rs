@@ -1,6 +1,7 @@
 //! `/v1/jobs/{id}/surfaces/{which}`, `/aligned` and `/warped`: surfaces as files.
 
 use super::job_id;
+use super::result::direction;
 use crate::http::auth::Reader;
 use crate::http::problem::{Problem, ProblemDocument};
 use crate::http::problem_table::ProblemKind;
@@ -23,13 +24,13 @@ use axum::response::Response;
     params(
         ("id" = String, Path, description = "The job"),
         ("which" = String, Path, description = "`source` or `target`"),
-        ("format" = Option<String>, Query, description = "`ply`, `vtk`, `vtp`, `gifti` or `stl`; takes precedence over `Accept`; PLY if neither is given"),
+        ("format" = Option<String>, Query, description = "`ply`, `vtk`, `vtp`, `gifti`, `stl` or `glb`; takes precedence over `Accept`; PLY if neither is given"),
         ("If-None-Match" = Option<String>, Header, description = "ETag of an earlier answer"),
     ),
     responses(
         (status = 200, description = "The surface, mm", content(
             (Vec<u8> = "model/ply"), (Vec<u8> = "model/vtk"), (String = "application/vnd.vtk.vtp"),
-            (String = "application/gifti+xml"), (Vec<u8> = "model/stl"),
+            (String = "application/gifti+xml"), (Vec<u8> = "model/stl"), (Vec<u8> = "model/gltf-binary"),
         ), headers(
             ("ETag" = String, description = "Of this representation"), ("Vary" = String, description = "`accept`"),
             ("Content-Disposition" = String, description = "Suggested file name"),
@@ -67,13 +68,13 @@ pub(crate) async fn surface(
     get, path = "/v1/jobs/{id}/aligned", tag = "results", operation_id = "get_aligned",
     params(
         ("id" = String, Path, description = "The job"),
-        ("format" = Option<String>, Query, description = "`ply`, `vtk`, `vtp`, `gifti` or `stl`; takes precedence over `Accept`; PLY if neither is given"),
+        ("format" = Option<String>, Query, description = "`ply`, `vtk`, `vtp`, `gifti`, `stl` or `glb`; takes precedence over `Accept`; PLY if neither is given"),
         ("If-None-Match" = Option<String>, Header, description = "ETag of an earlier answer"),
     ),
     responses(
         (status = 200, description = "The surface, mm", content(
             (Vec<u8> = "model/ply"), (Vec<u8> = "model/vtk"), (String = "application/vnd.vtk.vtp"),
-            (String = "application/gifti+xml"), (Vec<u8> = "model/stl"),
+            (String = "application/gifti+xml"), (Vec<u8> = "model/stl"), (Vec<u8> = "model/gltf-binary"),
         ), headers(
             ("ETag" = String, description = "Of this representation"), ("Vary" = String, description = "`accept`"),
             ("Content-Disposition" = String, description = "Suggested file name"),
@@ -116,14 +117,15 @@ pub(crate) async fn aligned(
 /// `displacement_z_mm` (in the coordinates of `space`), `displacement_normal_mm` (along the outward normal), `residual_mm`
 /// (its length), `area_ratio` (area around the vertex after bending over that before), `confidence`, `spread_mm` and
 /// `outlier` (0 none, 1 residual, 2 neighborhood, 3 both, 4 no counterpart). PLY, legacy VTK, VTP and GIFTI hold them with
-/// the surface; STL holds the surface alone; JSON, CSV, NumPy and Arrow hold the values alone, a row for each vertex.
+/// the surface; STL holds the surface alone, glTF (`glb`) the surface colored by
+/// residual; JSON, CSV, NumPy and Arrow hold the values alone, a row for each vertex.
 #[utoipa::path(
     get, path = "/v1/jobs/{id}/warped", tag = "results", operation_id = "get_warped",
     params(
         ("id" = String, Path, description = "The job"),
-        ("format" = Option<String>, Query, description = "`ply`, `vtk`, `vtp`, `gifti`, `stl`, `json`, `csv`, `npy` or `arrow`; takes precedence over `Accept`; PLY if neither is given"),
+        ("format" = Option<String>, Query, description = "`ply`, `vtk`, `vtp`, `gifti`, `stl`, `glb`, `json`, `csv`, `npy`, `npz` or `arrow`; takes precedence over `Accept`; PLY if neither is given"),
         ("direction" = Option<String>, Query, description = "`forward` (default): the source is bent onto the target; `inverse`: the target onto the source, if the job had `both_directions`"),
-        ("space" = Option<String>, Query, description = "Coordinates of the answer, `target` or `source`; by default those of the surface onto which the other is bent. In the other space the same shape is moved rigidly"),
+        ("space" = Option<String>, Query, description = "Coordinates of the answer, `target` or `source`; by default those of the surface onto which the other is bent. In the other space the same shape is moved rigidly. `aligned` is another name for `target`: the space of `/aligned`"),
         ("If-None-Match" = Option<String>, Header, description = "ETag of an earlier answer"),
     ),
     responses(
@@ -131,12 +133,14 @@ pub(crate) async fn aligned(
             (Vec<u8> = "model/ply"), (Vec<u8> = "model/vtk"), (String = "application/vnd.vtk.vtp"),
             (String = "application/gifti+xml"), (Vec<u8> = "model/stl"), (serde_json::Value = "application/json"),
             (String = "text/csv"), (Vec<u8> = "application/x-npy"), (Vec<u8> = "application/vnd.apache.arrow.file"),
+            (Vec<u8> = "model/gltf-binary"), (Vec<u8> = "application/x-npz"),
         ), headers(
             ("ETag" = String, description = "Of this representation"), ("Vary" = String, description = "`accept`"),
             ("Content-Disposition" = String, description = "Suggested file name; not with JSON"),
         )),
         (status = 304, description = "Not modified since the version that `If-None-Match` names"),
         (status = 400, description = "Invalid query parameters", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 410, description = "The result was deleted at the end of its retention time", body = ProblemDocument, content_type = "application/problem+json"),
         (status = 404, description = "No such job, or no inverse correspondences", body = ProblemDocument, content_type = "application/problem+json"),
         (status = 406, description = "`Accept` allows none of the formats; `available` lists them", body = ProblemDocument, content_type = "application/problem+json"),
         (status = 409, description = "The job is not finished, or finished without a result", body = ProblemDocument, content_type = "application/problem+json"),
@@ -151,13 +155,13 @@ pub(crate) async fn warped(
     headers: HeaderMap,
     mut query: QueryString,
 ) -> Result<Response, Problem> {
-    let both = [WarpDirection::Forward, WarpDirection::Inverse].map(|direction| (direction.name(), direction));
-    let direction = query.word("direction", &both).unwrap_or(WarpDirection::Forward);
+    let direction = direction(&mut query);
     let own = match direction {
         WarpDirection::Forward => WarpSpace::Target,
         WarpDirection::Inverse => WarpSpace::Source,
     };
-    let spaces = [WarpSpace::Source, WarpSpace::Target].map(|space| (space.name(), space));
+    let names = [WarpSpace::Source, WarpSpace::Target].map(|space| (space.name(), space));
+    let spaces = [names[0], names[1], ("aligned", WarpSpace::Target)];
     let space = query.word("space", &spaces).unwrap_or(own);
     let asking = Asking { method: &method, headers: &headers, origin };
     answer(&state, &tenant, job_id(&id)?, ResultPart::Warped { direction, space }, asking, query).await

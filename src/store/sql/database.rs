@@ -29,12 +29,14 @@ const SQLITE_MIGRATIONS: &[(i64, &str, &str)] = &[
     (2, "service", include_str!("migrations/sqlite/0002_service.sql")),
     (3, "fairness", include_str!("migrations/sqlite/0003_fairness.sql")),
     (4, "audit", include_str!("migrations/sqlite/0004_audit.sql")),
+    (5, "verdict", include_str!("migrations/sqlite/0005_verdict.sql")),
 ];
 /// Migrations of PostgreSQL, in the same form.
 const POSTGRES_MIGRATIONS: &[(i64, &str, &str)] = &[
     (1, "service", include_str!("migrations/postgres/0001_service.sql")),
     (2, "fairness", include_str!("migrations/postgres/0002_fairness.sql")),
     (3, "audit", include_str!("migrations/postgres/0003_audit.sql")),
+    (4, "verdict", include_str!("migrations/postgres/0004_verdict.sql")),
 ];
 
 /// Time limit for SQLite: for the write lock that another process holds, and for a free connection.

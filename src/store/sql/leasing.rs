@@ -223,10 +223,12 @@ impl JobQueue for SqlStore {
             .transaction(async |session| {
                 lock_lease(session, lease).await?;
                 match outcome {
-                    Outcome::Succeeded(artifacts) => {
+                    Outcome::Succeeded { artifacts, verdict } => {
                         for artifact in artifacts {
                             insert_artifact(session, id, artifact).await?;
                         }
+                        let verdict = verdict.as_ref().map(|v| rows::to_json("a verdict", v)).transpose()?;
+                        session.execute(sql!("set_verdict"), bind![id, verdict]).await?;
                         end_job(session, id, JobState::Succeeded, None, keep).await?;
                     }
                     Outcome::Failed(failure) => {

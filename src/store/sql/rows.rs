@@ -1,6 +1,7 @@
 //! Conversion of rows to records.
 
 use super::database::Row;
+use crate::jobs::documents::Verdict;
 use crate::jobs::job::Cursor;
 use crate::jobs::{BatchId, Failure, Job, JobError, JobId, JobInput, JobState, Progress, Tenant, WaitingJob};
 use homolog_primitives::observe::Phase;
@@ -21,6 +22,7 @@ pub(super) fn job(row: &Row) -> Result<Job, JobError> {
         }),
     };
     let error: Option<String> = row.get("error")?;
+    let verdict: Option<String> = row.get("verdict")?;
     Ok(Job {
         id: job_id(&row.get::<String>("id")?)?,
         tenant: tenant(&row.get::<String>("tenant")?)?,
@@ -45,6 +47,7 @@ pub(super) fn job(row: &Row) -> Result<Job, JobError> {
         deadline_at: maybe_time(row, "deadline_at")?,
         cancel_requested: row.get("cancel_requested")?,
         error: error.as_deref().map(|e| json::<Failure>("a job's error", e)).transpose()?,
+        verdict: verdict.as_deref().map(|v| json::<Verdict>("a job's verdict", v)).transpose()?,
         max_run_ms: row.get::<Option<i64>>("max_run_ms")?.map(i64::unsigned_abs),
         retry_of: row.get::<Option<String>>("retry_of")?.as_deref().map(job_id).transpose()?,
         batch_id: row.get::<Option<String>>("batch_id")?.as_deref().map(batch_id).transpose()?,

@@ -83,7 +83,7 @@ async fn answer_from_cache(
     for query in [sql!("copy_artifacts"), sql!("copy_trace"), sql!("copy_progress")] {
         session.execute(query, bind![job.id, &first]).await?;
     }
-    session.execute(sql!("answer_from_cache"), bind![job.id, keep]).await.map(|_| ())
+    session.execute(sql!("answer_from_cache"), bind![job.id, keep, &first]).await.map(|_| ())
 }
 
 #[async_trait]

@@ -40,7 +40,7 @@ impl Queue {
     pub(super) async fn finish(&self, lease: &Lease, text: &str) -> Result<(), JobError> {
         let key = ArtifactKey::of_result(lease, text.as_bytes());
         let result = ArtifactRef { kind: ArtifactKind::Result, key, n_bytes: text.len() as u64 };
-        self.store.finish_job(lease, &Outcome::Succeeded(vec![result]), None).await
+        self.store.finish_job(lease, &Outcome::Succeeded { artifacts: vec![result], verdict: None }, None).await
     }
 
     pub(super) async fn finish_cancelled(&self, lease: &Lease) -> Result<(), JobError> {

@@ -1,0 +1,362 @@
+//! DICOM Spatial Registration: the rigid transform as an object of the study that the source belongs to.
+//!
+//! Source: DICOM PS3.3, sections A.39 and C.20.2 (Spatial Registration), and PS3.10, section 7 (file). Written by hand in
+//! explicit little endian, as [`super::dicom`] reads: a library would bring a dictionary of all attributes for forty of them.
+//!
+//! The registered coordinate system is the frame of reference of the target. Patient and study are those of the source, or of
+//! the target where the source is no DICOM object, so that a structure matched to a template of another format keeps its
+//! study. A file that is no DICOM object has a frame of reference named by its content: the same template has the same one.
+//! Equal inputs give an object with the same UID.
+
+use super::dicom::{DataSet, SOP_CLASS, is_dicom, read_file};
+use super::{FormatError, gzip};
+use nalgebra::{Matrix4, Vector4};
+
+const CLASS: &str = "1.2.840.10008.5.1.4.1.1.66.1";
+const EXPLICIT_LITTLE_ENDIAN: &str = "1.2.840.10008.1.2.1";
+const SOP_INSTANCE: u32 = 0x0008_0018;
+const STUDY: u32 = 0x0020_000d;
+const SERIES: u32 = 0x0020_000e;
+const FRAME_OF_REFERENCE: u32 = 0x0020_0052;
+const CHARACTER_SET: u32 = 0x0008_0005;
+
+/// Attributes of patient and study that are copied: tag, representation; those that must be there are written empty if they
+/// are not.
+const COPIED: [(u32, &[u8; 2], bool); 11] = [
+    (CHARACTER_SET, b"CS", false),
+    (0x0008_0020, b"DA", true),
+    (0x0008_0030, b"TM", true),
+    (0x0008_0050, b"SH", true),
+    (0x0008_0090, b"PN", true),
+    (0x0010_0010, b"PN", true),
+    (0x0010_0020, b"LO", true),
+    (0x0010_0030, b"DA", true),
+    (0x0010_0040, b"CS", true),
+    (STUDY, b"UI", true),
+    (0x0020_0010, b"SH", true),
+];
+
+/// The two inputs of a match, as uploaded.
+#[derive(Debug, Clone, Copy)]
+pub struct RegisteredFiles<'a> {
+    /// The source.
+    pub source: &'a [u8],
+    /// The target.
+    pub target: &'a [u8],
+    /// Largest size of an input after decompression, bytes.
+    pub max_inflated_bytes: usize,
+}
+
+/// The object as a file of part 10. `created_at` is when the transform was computed: `YYYYMMDDHHMMSS`, UTC.
+/// `Ok(None)` if neither input is a DICOM object, so that there is no patient and no study.
+///
+/// # Errors
+/// [`FormatError`] if an input is a DICOM object that cannot be read.
+pub fn write_spatial_registration(
+    target_from_source: &[[f64; 4]; 4],
+    files: &RegisteredFiles<'_>,
+    created_at: &str,
+) -> Result<Option<Vec<u8>>, FormatError> {
+    let limit = files.max_inflated_bytes;
+    let plain = [gzip::inflate(files.source, limit)?, gzip::inflate(files.target, limit)?];
+    let mut inflated = [Vec::new(), Vec::new()];
+    let [of_source, of_target] = &mut inflated;
+    let source = data_set(&plain[0], of_source, limit)?;
+    let target = data_set(&plain[1], of_target, limit)?;
+    let Some(study) = source.as_ref().or(target.as_ref()) else { return Ok(None) };
+    let frame = |set: Option<&DataSet<'_>>, bytes: &[u8]| {
+        let stated = set.map(|set| set.text(FRAME_OF_REFERENCE)).filter(|uid| !uid.is_empty());
+        stated.unwrap_or_else(|| uid_of(&[b"frame of reference", bytes]))
+    };
+    let frames = [frame(source.as_ref(), &plain[0]), frame(target.as_ref(), &plain[1])];
+    let matrix = in_lps(target_from_source);
+    let numbers: Vec<u8> = target_from_source.iter().flatten().flat_map(|v| v.to_le_bytes()).collect();
+    let of_inputs = [blake3::hash(&plain[0]), blake3::hash(&plain[1])].map(|hash| *hash.as_bytes());
+    let uid = |what: &[u8]| uid_of(&[what, &of_inputs[0], &of_inputs[1], &numbers]);
+    let (instance, series) = (uid(b"instance"), uid(b"series"));
+    let (day, time) = created_at.split_at_checked(8).unwrap_or(("19700101", "000000"));
+
+    let mut body = Elements::default();
+    for (tag, representation, required) in COPIED {
+        let value = study.bytes(tag);
+        if required || !value.is_empty() {
+            body.add(tag, representation, value);
+        }
+    }
+    body.text(SOP_CLASS, b"UI", CLASS);
+    body.text(SOP_INSTANCE, b"UI", &instance);
+    body.text(0x0008_0023, b"DA", day);
+    body.text(0x0008_0033, b"TM", time);
+    body.text(0x0008_0060, b"CS", "REG");
+    body.text(0x0008_0070, b"LO", "homolog");
+    body.text(0x0008_103e, b"LO", "Rigid registration of surfaces");
+    body.text(0x0018_1020, b"LO", env!("CARGO_PKG_VERSION"));
+    body.text(SERIES, b"UI", &series);
+    body.text(0x0020_0011, b"IS", "1");
+    body.text(0x0020_0013, b"IS", "1");
+    body.text(FRAME_OF_REFERENCE, b"UI", &frames[1]);
+    // Unknown, and to be there.
+    body.text(0x0020_0060, b"CS", "");
+    body.text(0x0020_1040, b"LO", "");
+    body.text(0x0070_0080, b"CS", "REGISTRATION");
+    body.text(0x0070_0081, b"LO", "Rigid transform of the source onto the target");
+    body.text(0x0070_0084, b"PN", "");
+    let identity = Matrix4::identity();
+    body.items(
+        0x0070_0308,
+        &[registration(&frames[1], target.as_ref(), &identity), registration(&frames[0], source.as_ref(), &matrix)],
+    );
+    references(&mut body, study, [source.as_ref(), target.as_ref()]);
+    Ok(Some(file(&instance, body)))
+}
+
+/// The data set of a DICOM file; `None` if it is no such file.
+fn data_set<'a>(bytes: &'a [u8], inflated: &'a mut Vec<u8>, limit: usize) -> Result<Option<DataSet<'a>>, FormatError> {
+    if is_dicom(bytes) { read_file(bytes, inflated, limit).map(|(set, _)| Some(set)) } else { Ok(None) }
+}
+
+/// `F · M · F` with `F = diag(−1, −1, 1, 1)`: the same map in LPS.
+fn in_lps(target_from_source: &[[f64; 4]; 4]) -> Matrix4<f64> {
+    let flip = Matrix4::from_diagonal(&Vector4::new(-1.0, -1.0, 1.0, 1.0));
+    flip * Matrix4::from_fn(|r, c| target_from_source[r][c]) * flip
+}
+
+/// Rigid unless the transform mirrors, which a rigid one of DICOM does not.
+fn kind(matrix: &Matrix4<f64>) -> &'static str {
+    if matrix.fixed_view::<3, 3>(0, 0).determinant() > 0.0 { "RIGID" } else { "AFFINE" }
+}
+
+/// An item of the registration sequence: how a frame of reference, and `input` in it, is mapped to that of the object.
+fn registration(frame: &str, input: Option<&DataSet<'_>>, matrix: &Matrix4<f64>) -> Elements {
+    let numbers: Vec<String> = (0..16).map(|k| decimal(matrix[(k / 4, k % 4)])).collect();
+    let mut one = Elements::default();
+    one.text(0x0070_030c, b"CS", kind(matrix));
+    one.text(0x3006_00c6, b"DS", &numbers.join("\\"));
+    let mut matrices = Elements::default();
+    matrices.items(0x0070_030a, &[one]);
+    matrices.items(0x0070_030d, &[]);
+    let mut item = Elements::default();
+    item.text(FRAME_OF_REFERENCE, b"UI", frame);
+    if let Some(input) = input {
+        item.items(0x0008_1140, &[instance_of(input)]);
+    }
+    item.items(0x0070_0309, &[matrices]);
+    item
+}
+
+/// A reference to an instance.
+fn instance_of(set: &DataSet<'_>) -> Elements {
+    let mut instance = Elements::default();
+    instance.text(0x0008_1150, b"UI", &set.text(SOP_CLASS));
+    instance.text(0x0008_1155, b"UI", &set.text(SOP_INSTANCE));
+    instance
+}
+
+/// References to the inputs: those of the study, and those of others.
+fn references(body: &mut Elements, study: &DataSet<'_>, inputs: [Option<&DataSet<'_>>; 2]) {
+    let series = |set: &DataSet<'_>| {
+        let mut series = Elements::default();
+        series.items(0x0008_114a, &[instance_of(set)]);
+        series.text(SERIES, b"UI", &set.text(SERIES));
+        series
+    };
+    let (mut here, mut elsewhere, mut seen) = (Vec::new(), Vec::new(), Vec::new());
+    for set in inputs.into_iter().flatten() {
+        // A file matched with itself is referred to once.
+        let instance = set.text(SOP_INSTANCE);
+        if seen.contains(&instance) {
+            continue;
+        }
+        seen.push(instance);
+        if set.text(STUDY) == study.text(STUDY) {
+            here.push(series(set));
+        } else {
+            let mut other = Elements::default();
+            other.items(0x0008_1115, &[series(set)]);
+            other.text(STUDY, b"UI", &set.text(STUDY));
+            elsewhere.push(other);
+        }
+    }
+    if !here.is_empty() {
+        body.items(0x0008_1115, &here);
+    }
+    if !elsewhere.is_empty() {
+        body.items(0x0008_1200, &elsewhere);
+    }
+}
+
+/// A UID made of a hash (PS3.5, section B.2): `2.25.` and a number of 128 bits, those of a UUID of version 8.
+fn uid_of(parts: &[&[u8]]) -> String {
+    let mut hasher = blake3::Hasher::new();
+    for part in parts {
+        hasher.update(&(part.len() as u64).to_le_bytes());
+        hasher.update(part);
+    }
+    let mut bytes = [0; 16];
+    bytes.copy_from_slice(&hasher.finalize().as_bytes()[..16]);
+    bytes[6] = bytes[6] & 0x0f | 0x80;
+    bytes[8] = bytes[8] & 0x3f | 0x80;
+    format!("2.25.{}", u128::from_be_bytes(bytes))
+}
+
+/// A number as a decimal string, which has at most 16 characters.
+fn decimal(value: f64) -> String {
+    let value = value + 0.0;
+    (0..=14)
+        .rev()
+        .map(|digits| format!("{value:.digits$}"))
+        .find(|text| text.len() <= 16)
+        .unwrap_or_else(|| format!("{value:.8e}"))
+}
+
+/// Data elements, which [`Elements::bytes`] puts into the order of their tags.
+#[derive(Default)]
+struct Elements {
+    list: Vec<(u32, [u8; 2], Vec<u8>)>,
+}
+
+impl Elements {
+    fn add(&mut self, tag: u32, representation: &[u8; 2], value: &[u8]) {
+        let mut value = value.to_vec();
+        if value.len() % 2 == 1 {
+            value.push(if representation == b"UI" { 0 } else { b' ' });
+        }
+        self.list.push((tag, *representation, value));
+    }
+
+    fn text(&mut self, tag: u32, representation: &[u8; 2], value: &str) {
+        self.add(tag, representation, value.as_bytes());
+    }
+
+    fn items(&mut self, tag: u32, items: &[Elements]) {
+        let mut value = Vec::new();
+        for item in items {
+            let bytes = item.bytes();
+            value.extend([0xfe, 0xff, 0x00, 0xe0]);
+            value.extend((bytes.len() as u32).to_le_bytes());
+            value.extend(bytes);
+        }
+        self.add(tag, b"SQ", &value);
+    }
+
+    fn bytes(&self) -> Vec<u8> {
+        let mut order: Vec<&(u32, [u8; 2], Vec<u8>)> = self.list.iter().collect();
+        order.sort_by_key(|(tag, _, _)| *tag);
+        let mut bytes = Vec::new();
+        for (tag, representation, value) in order {
+            bytes.extend(((tag >> 16) as u16).to_le_bytes());
+            bytes.extend((*tag as u16).to_le_bytes());
+            bytes.extend(representation);
+            if matches!(representation, b"SQ" | b"OB") {
+                bytes.extend([0, 0]);
+                bytes.extend((value.len() as u32).to_le_bytes());
+            } else {
+                // Values with short lengths are identifiers and names; none comes near the limit.
+                let length = value.len().min(usize::from(u16::MAX) - 1);
+                bytes.extend((length as u16).to_le_bytes());
+                bytes.extend(&value[..length]);
+                continue;
+            }
+            bytes.extend(value);
+        }
+        bytes
+    }
+}
+
+/// Preamble, meta information and data set.
+fn file(instance: &str, body: Elements) -> Vec<u8> {
+    let mut meta = Elements::default();
+    meta.add(0x0002_0001, b"OB", &[0, 1]);
+    meta.text(0x0002_0002, b"UI", CLASS);
+    meta.text(0x0002_0003, b"UI", instance);
+    meta.text(0x0002_0010, b"UI", EXPLICIT_LITTLE_ENDIAN);
+    meta.text(0x0002_0012, b"UI", &uid_of(&[b"homolog"]));
+    meta.text(0x0002_0013, b"SH", "homolog");
+    let meta = meta.bytes();
+    let mut group = Elements::default();
+    group.add(0x0002_0000, b"UL", &(meta.len() as u32).to_le_bytes());
+    let mut file = vec![0; 128];
+    file.extend(b"DICM");
+    file.extend(group.bytes());
+    file.extend(meta);
+    file.extend(body.bytes());
+    file
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const MOVED: [[f64; 4]; 4] =
+        [[0.0, -1.0, 0.0, 10.0], [1.0, 0.0, 0.0, -20.5], [0.0, 0.0, 1.0, 3.0], [0.0, 0.0, 0.0, 1.0]];
+
+    /// A data set of a patient, in a study, with a frame of reference.
+    fn input(patient: &str, study: &str, frame: &str, instance: &str) -> Vec<u8> {
+        let mut set = Elements::default();
+        set.text(SOP_CLASS, b"UI", "1.2.840.10008.5.1.4.1.1.66.4");
+        set.text(SOP_INSTANCE, b"UI", instance);
+        set.text(0x0010_0010, b"PN", patient);
+        set.text(STUDY, b"UI", study);
+        set.text(SERIES, b"UI", "1.2.9");
+        set.text(FRAME_OF_REFERENCE, b"UI", frame);
+        file(instance, set)
+    }
+
+    fn written(source: &[u8], target: &[u8]) -> Option<Vec<u8>> {
+        let files = RegisteredFiles { source, target, max_inflated_bytes: 1 << 20 };
+        write_spatial_registration(&MOVED, &files, "20261122201500").unwrap()
+    }
+
+    fn matrix(item: &DataSet<'_>) -> Vec<f64> {
+        let one = item.item(0x0070_0309).unwrap().item(0x0070_030a).unwrap();
+        assert_eq!(one.text(0x0070_030c), "RIGID");
+        one.numbers(0x3006_00c6)
+    }
+
+    #[test]
+    fn the_object_belongs_to_the_study_of_the_source_and_maps_to_the_target_in_lps() {
+        let [source, target] = [("Doe^Jane", "1.2.3", "1.2.5", "1.2.7"), ("Template", "1.2.4", "1.2.6", "1.2.8")]
+            .map(|(patient, study, frame, instance)| input(patient, study, frame, instance));
+        let bytes = written(&source, &target).unwrap();
+        assert_eq!(written(&source, &target).unwrap(), bytes, "equal inputs give equal bytes");
+        let mut inflated = Vec::new();
+        let set = read_file(&bytes, &mut inflated, 1 << 20).unwrap().0;
+        assert_eq!((set.text(0x0010_0010).as_str(), set.text(STUDY).as_str()), ("Doe^Jane", "1.2.3"));
+        assert_eq!((set.text(SOP_CLASS).as_str(), set.text(FRAME_OF_REFERENCE).as_str()), (CLASS, "1.2.6"));
+        assert_eq!((set.text(0x0008_0023).as_str(), set.text(0x0008_0033).as_str()), ("20261122", "201500"));
+        let items = set.items(0x0070_0308);
+        assert_eq!([0, 1].map(|k| items[k].text(FRAME_OF_REFERENCE)), ["1.2.6", "1.2.5"]);
+        let expected = [0.0, -1.0, 0.0, -10.0, 1.0, 0.0, 0.0, 20.5, 0.0, 0.0, 1.0, 3.0, 0.0, 0.0, 0.0, 1.0];
+        assert_eq!(matrix(&items[1]), expected);
+        assert_eq!(matrix(&items[0]), Matrix4::<f64>::identity().as_slice());
+        let here = set.item(0x0008_1115).unwrap().item(0x0008_114a).unwrap();
+        let other = set.item(0x0008_1200).unwrap();
+        assert_eq!((here.text(0x0008_1155).as_str(), other.text(STUDY).as_str()), ("1.2.7", "1.2.4"));
+    }
+
+    #[test]
+    fn a_template_that_is_no_dicom_object_has_a_frame_of_reference_of_its_own() {
+        let source = input("Doe^Jane", "1.2.3", "1.2.5", "1.2.7");
+        let frame = |template: &[u8]| {
+            let bytes = written(&source, template).unwrap();
+            let mut inflated = Vec::new();
+            read_file(&bytes, &mut inflated, 1 << 20).unwrap().0.text(FRAME_OF_REFERENCE)
+        };
+        assert_eq!(frame(b"ply one"), frame(b"ply one"));
+        assert_ne!(frame(b"ply one"), frame(b"ply two"));
+        assert!(frame(b"ply one").starts_with("2.25.") && frame(b"ply one").len() <= 64);
+        assert_eq!(written(b"ply one", b"ply two"), None, "no patient, no study");
+    }
+
+    #[test]
+    fn decimal_strings_have_at_most_sixteen_characters() {
+        for (value, text) in [(0.0, "0.00000000000000"), (-0.0, "0.00000000000000"), (-123.456, "-123.45600000000")] {
+            assert_eq!(decimal(value), text);
+        }
+        for value in [1.0 / 3.0, -1e9 / 7.0, 1e20, -1.0 / 3e5, 123_456_789.123] {
+            let text = decimal(value);
+            assert!(text.len() <= 16, "{text}");
+            assert!((text.parse::<f64>().unwrap() / value - 1.0).abs() < 1e-8, "{text}");
+        }
+    }
+}

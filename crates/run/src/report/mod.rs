@@ -1,0 +1,367 @@
+//! One page for one match: the verdict first, both surfaces to turn with the mouse, and the numbers.
+//!
+//! The page is one HTML file that loads nothing. Its policy allows its own script and style, named by their hashes, and
+//! nothing else. It contains no file names. No library draws the surfaces: a viewer of two meshes is 130 lines of WebGL, and
+//! the smallest library that has one is larger than the data.
+
+mod plot;
+
+use base64::Engine as _;
+use base64::engine::general_purpose::STANDARD as BASE64;
+use homolog_contract::result::{Correspondences, InputProvenance, OutlierReason, ResultDocument};
+use homolog_contract::result::{WarpDirection, WarpSpace};
+use homolog_mesh::SurfaceMesh;
+use homolog_primitives::observe::TracePoint;
+use nalgebra::{Matrix3, Point3, Vector3};
+use plot::energy_plot;
+use serde_json::json;
+use sha2::{Digest, Sha256};
+use std::fmt::Write;
+
+use crate::colors::{Colors, ramp_svg};
+use crate::warped::{WarpError, warp};
+
+const STYLE: &str = include_str!("page.css");
+const SCRIPT: &str = include_str!("page.js");
+
+/// What a page shows.
+#[derive(Debug, Clone, Copy)]
+pub struct ReportInputs<'a> {
+    /// The result; its own correspondences are not used.
+    pub document: &'a ResultDocument,
+    /// The correspondences.
+    pub correspondences: &'a Correspondences,
+    /// The source surface, whose vertices the correspondences count.
+    pub source: &'a SurfaceMesh,
+    /// The target surface.
+    pub target: &'a SurfaceMesh,
+    /// The energy trace.
+    pub trace: &'a [TracePoint],
+}
+
+/// The page as HTML.
+///
+/// # Errors
+/// [`WarpError`] if the correspondences are not of these surfaces.
+///
+/// # Cost
+/// Linear in the size of both surfaces; about 100 bytes a vertex.
+pub fn write_report(inputs: &ReportInputs<'_>) -> Result<String, WarpError> {
+    let view = View::new(inputs)?;
+    let mut page = String::with_capacity(view.data.len() + 60_000);
+    let policy = format!(
+        "default-src 'none'; script-src '{}'; style-src '{}'; base-uri 'none'; form-action 'none'",
+        hash(SCRIPT),
+        hash(STYLE)
+    );
+    let _ = write!(
+        page,
+        "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
+         <meta http-equiv=\"Content-Security-Policy\" content=\"{policy}\">\n\
+         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
+         <meta name=\"referrer\" content=\"no-referrer\">\n<title>homolog: a match of two surfaces</title>\n\
+         <style>{STYLE}</style>\n</head>\n<body>\n<main>\n<h1>Match of two surfaces</h1>\n"
+    );
+    page.push_str(&verdict(inputs));
+    page.push_str(&view.section);
+    page.push_str(&numbers(inputs));
+    page.push_str(&energy(inputs));
+    page.push_str(&provenance(inputs.document));
+    let _ = write!(
+        page,
+        "</main>\n<script type=\"application/json\" id=\"data\">{}</script>\n<script>{SCRIPT}</script>\n</body>\n</html>\n",
+        view.data
+    );
+    Ok(page)
+}
+
+/// A source of a content security policy: the hash of an inline element.
+fn hash(text: &str) -> String {
+    format!("sha256-{}", BASE64.encode(Sha256::digest(text)))
+}
+
+/// Text escaped for HTML content and attributes.
+fn escaped(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
+}
+
+/// The verdict, why, and what to check.
+fn verdict(inputs: &ReportInputs<'_>) -> String {
+    let verdict = inputs.document.verdict();
+    let class = match verdict.reliable {
+        Some(true) => "good",
+        Some(false) => "bad",
+        None => "open",
+    };
+    let mut html = format!("<section class=\"verdict {class}\"><strong>{}</strong>", escaped(verdict.headline()));
+    if !verdict.reasons.is_empty() {
+        html.push_str("<ul>");
+        for reason in &verdict.reasons {
+            let _ = write!(html, "<li>{} {}</li>", escaped(reason.meaning()), escaped(reason.advice()));
+        }
+        html.push_str("</ul>");
+    }
+    let _ = write!(html, "<p>{}</p>", escaped(&verdict.distance()));
+    let missing = inputs.correspondences.outlier.iter().filter(|&&o| o == OutlierReason::NoCounterpart).count();
+    if missing > 0 {
+        let n = inputs.correspondences.source.len();
+        let _ = write!(html, "<p>{missing} of {n} source vertices have no counterpart on the target.</p>");
+    }
+    html.push_str("</section>\n");
+    html
+}
+
+/// The view of both surfaces.
+struct View {
+    section: String,
+    /// What the script draws, as JSON.
+    data: String,
+}
+
+impl View {
+    fn new(inputs: &ReportInputs<'_>) -> Result<View, WarpError> {
+        let &ReportInputs { document, correspondences, source, target, .. } = inputs;
+        let matrix = &document.transform.matrix;
+        let bent = warp([source, target], correspondences, matrix, WarpDirection::Forward, WarpSpace::Target)?.mesh;
+        let rigid = source.moved(matrix)?;
+        let colors = Colors::new(correspondences, &rigid, &bent, target);
+        let (centre, radius, turn) = frame(target.vertices(), rigid.vertices());
+        let data = json!({
+            "radius": radius,
+            "turn": turn,
+            "surfaces": [
+                {
+                    "points": points(&rigid, &centre),
+                    "bent": points(&bent, &centre),
+                    "triangles": triangles(&rigid),
+                    "colors": colors.source.map(|bytes| BASE64.encode(bytes)),
+                },
+                {
+                    "points": points(target, &centre),
+                    "triangles": triangles(target),
+                    "colors": colors.target.map(|bytes| BASE64.encode(bytes)),
+                },
+            ],
+        });
+        let section = format!(
+            "<h2>Surfaces</h2>\n<div class=\"stage\"><canvas id=\"view\" tabindex=\"0\" role=\"img\" aria-label=\"Source and \
+             target surface in corresponding colors\"></canvas><span class=\"name left\">source, moved rigidly onto the \
+             target</span><span class=\"name right\">target</span></div>\n<div class=\"controls\"><fieldset>\
+             <legend>Color:</legend>\
+             <label><input type=\"radio\" name=\"color\" checked> correspondence</label>\
+             <label><input type=\"radio\" name=\"color\"> confidence</label>\
+             <label><input type=\"radio\" name=\"color\"> residual</label></fieldset>\
+             <label>Bend the source onto the target <input type=\"range\" id=\"bending\" min=\"0\" max=\"100\" value=\"0\">\
+             </label></div>\n<p class=\"legend\" id=\"legend\"><span>Corresponding points have the same color.</span>\
+             <span hidden>Confidence: probability of being within one edge of the true point. 0 {ramp} 1</span>\
+             <span hidden>Residual: distance to the corresponding point after rigid registration. 0 {ramp} {:.2} mm or \
+             more</span> Gray: no counterpart.</p>\n\
+             <p class=\"hint\">Drag or use the arrow keys to turn, scroll to zoom.</p>\n",
+            colors.largest_residual_mm,
+            ramp = ramp_svg(),
+        );
+        Ok(View { section, data: data.to_string() })
+    }
+}
+
+/// Centre, radius and first rotation of the view: the longest axis of the target from left to right, the shortest towards
+/// the viewer.
+fn frame(target: &[Point3<f64>], source: &[Point3<f64>]) -> (Point3<f64>, f64, Vec<f64>) {
+    let n = target.len().max(1) as f64;
+    let centre = Point3::from(target.iter().map(|p| p.coords).sum::<Vector3<f64>>() / n);
+    let scatter: Matrix3<f64> = target.iter().map(|p| (p - centre) * (p - centre).transpose()).sum();
+    let axes = scatter.symmetric_eigen();
+    let mut order = [0, 1, 2];
+    order.sort_by(|&a, &b| axes.eigenvalues[b].total_cmp(&axes.eigenvalues[a]));
+    let [x, y] = [order[0], order[1]].map(|k| axes.eigenvectors.column(k).into_owned());
+    let rows = [x, y, x.cross(&y)];
+    let reach = target.iter().chain(source).map(|p| (p - centre).norm()).fold(0.0, f64::max);
+    (centre, reach.max(f64::MIN_POSITIVE), rows.iter().flat_map(|row| row.iter().copied()).collect())
+}
+
+/// Positions about `centre`, three little-endian numbers of four bytes each, in base64.
+fn points(mesh: &SurfaceMesh, centre: &Point3<f64>) -> String {
+    let numbers = mesh.vertices().iter().flat_map(|p| [p.x - centre.x, p.y - centre.y, p.z - centre.z]);
+    BASE64.encode(numbers.flat_map(|x| (x as f32).to_le_bytes()).collect::<Vec<u8>>())
+}
+
+/// Corners of all triangles, little-endian, in base64; quads are split.
+fn triangles(mesh: &SurfaceMesh) -> String {
+    BASE64.encode(mesh.triangles().into_iter().flatten().flat_map(u32::to_le_bytes).collect::<Vec<u8>>())
+}
+
+/// A table with a heading for each row.
+fn table(rows: &[(&str, String)]) -> String {
+    let rows: String =
+        rows.iter().map(|(name, value)| format!("<tr><th scope=\"row\">{name}</th><td>{value}</td></tr>")).collect();
+    format!("<div class=\"scroll\"><table>{rows}</table></div>\n")
+}
+
+/// The transform and the measures of the answer.
+fn numbers(inputs: &ReportInputs<'_>) -> String {
+    let document = inputs.document;
+    let (t, s, d) = (&document.transform, &document.support, &document.surface_distance);
+    let [x, y, z] = t.translation_mm;
+    let mut confidence = inputs.correspondences.confidence.clone();
+    confidence.sort_by(f64::total_cmp);
+    let median = confidence.get(confidence.len() / 2).copied().unwrap_or(0.0);
+    let mut rows = vec![
+        ("rotation", format!("{:.2}°", t.rotation_angle_deg)),
+        ("translation", format!("{x:.2}, {y:.2}, {z:.2} mm")),
+        (
+            "surface distance",
+            format!("mean {:.3} mm, 95th percentile {:.3} mm, maximum {:.3} mm", d.mean_mm, d.p95_mm, d.max_mm),
+        ),
+        (
+            "inliers of the transform",
+            format!("{} ({:.1} %) within {:.2} mm, RMS {:.3} mm", s.inliers, 100.0 * s.ratio, s.tolerance_mm, s.rms_mm),
+        ),
+        ("median confidence", format!("{median:.2}")),
+    ];
+    if let Some(found) = &document.reliability {
+        let other = |misfit: Option<f64>| misfit.map_or_else(|| "none".to_owned(), |m| format!("{m:.3}"));
+        rows.push((
+            "misfit after bending",
+            format!(
+                "{:.3}; of the best other pose {}, of the best mirror image {} (lower is better)",
+                found.misfit,
+                other(found.runner_up_misfit),
+                other(found.other_handedness_misfit)
+            ),
+        ));
+        rows.push((
+            "agreement",
+            format!("of curvatures {:.2}, of normals {:.2}", found.curvature_agreement, found.normal_agreement),
+        ));
+        rows.push(("residual after bending", format!("{:.3} mm along the normal", found.residual_mm)));
+    }
+    rows.push((
+        "map",
+        format!(
+            "{:.1} % of neighboring vertices stay neighbors; {:.1} % of target vertices are the nearest one to a \
+             corresponding point",
+            100.0 * document.topology.consistency,
+            100.0 * document.topology.coverage
+        ),
+    ));
+    let matrix: Vec<String> =
+        t.matrix.iter().map(|r| format!("{:>10.5} {:>10.5} {:>10.5} {:>11.4}", r[0], r[1], r[2], r[3])).collect();
+    format!(
+        "<h2>Numbers</h2>\n{}<p>Rigid transform <code>target_from_source</code>, mm:</p>\n<pre>{}</pre>\n",
+        table(&rows),
+        matrix.join("\n")
+    )
+}
+
+/// The energy over the iterations.
+fn energy(inputs: &ReportInputs<'_>) -> String {
+    let Some(energy) = &inputs.document.energy else {
+        return "<h2>Energy</h2>\n<p>This method minimizes no energy.</p>\n".to_owned();
+    };
+    let minimized =
+        inputs.document.rounds.iter().find(|round| round.chosen).map_or(energy.r#final, |round| round.energy);
+    format!(
+        "<h2>Energy</h2>\n<p>{:.2} where every vertex takes the label that suits it alone, {minimized:.2} after its \
+         minimization, {:.2} for the answer; {} variables, {} labels, no unit, lower is better. The number of iterations is \
+         part of the method.</p>\n{}",
+        energy.initial,
+        energy.r#final,
+        energy.n_variables,
+        energy.n_labels,
+        energy_plot(energy.initial, inputs.trace).unwrap_or_default()
+    )
+}
+
+/// Inputs, program and parameters: what is needed to compute the answer again.
+fn provenance(document: &ResultDocument) -> String {
+    let p = &document.provenance;
+    let total = document.timings_ms.get("total").copied().unwrap_or(0.0);
+    let rows = [
+        ("program", format!("homolog {}, commit {}", escaped(&p.version), escaped(&p.commit))),
+        ("method", format!("{}, seed {}", p.parameters.method.name(), p.seed)),
+        ("time", format!("{:.2} s", total / 1000.0)),
+        ("source", input(&p.source)),
+        ("target", input(&p.target)),
+    ];
+    let parameters = serde_json::to_string_pretty(&p.parameters).unwrap_or_default();
+    format!(
+        "<h2>Provenance</h2>\n{}<details><summary>All parameters</summary><pre>{}</pre></details>\n",
+        table(&rows),
+        escaped(&parameters)
+    )
+}
+
+/// One input: its hash, its size, and what was done to it.
+fn input(input: &InputProvenance) -> String {
+    let report = &input.report;
+    let mut html = format!(
+        "{}, {} vertices, {} faces<br><code>{}</code>",
+        escaped(report.format.title()),
+        input.n_vertices,
+        input.n_faces,
+        escaped(&input.hash)
+    );
+    for repair in &report.repairs {
+        let _ = write!(html, "<br>{}", escaped(&repair.detail));
+    }
+    for note in &report.notes {
+        let _ = write!(html, "<br>{}", escaped(note));
+    }
+    html
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::intake::IntakeLimits;
+    use crate::{InputFile, run_match};
+    use homolog_contract::parameters::resolve;
+    use homolog_formats::ply::write_ply;
+    use homolog_mesh::shapes::ellipsoid;
+    use homolog_primitives::observe::Silent;
+
+    #[test]
+    fn the_page_begins_with_the_verdict_and_loads_nothing() {
+        let file = write_ply(&ellipsoid(Vector3::new(9.0, 5.0, 3.0), 3));
+        let input = InputFile { bytes: &file, name: Some("Doe^Jane.ply") };
+        let parameters = resolve(&json!({})).unwrap();
+        let output = run_match(input, input, &parameters, &IntakeLimits::default(), &Silent).unwrap();
+        let correspondences = output.document.correspondences.as_ref().unwrap();
+        let inputs = ReportInputs {
+            document: &output.document,
+            correspondences,
+            source: &output.source,
+            target: &output.target,
+            trace: &[],
+        };
+        let page = write_report(&inputs).unwrap();
+        let body = page.split_once("</h1>").unwrap().1;
+        assert!(body.trim_start().starts_with("<section class=\"verdict"), "{}", &body[..200]);
+        assert!(page.contains(output.document.verdict().headline()) && !page.contains("Doe^Jane"));
+        for reference in ["http://", "https://", "src=", "href=", "style=", "url(", "@import", "onclick="] {
+            assert!(!page.contains(reference), "{reference}");
+        }
+        // What runs is what the policy names.
+        let inside = |open: &str, close: &str| {
+            let (_, rest) = page.split_once(open).unwrap();
+            rest.split_once(close).unwrap().0.to_owned()
+        };
+        let policy = inside("content=\"default-src 'none';", "\"");
+        for (element, directive) in [("script", "script-src"), ("style", "style-src")] {
+            let text = inside(&format!("<{element}>"), &format!("</{element}>"));
+            assert!(policy.contains(&format!("{directive} '{}'", hash(&text))), "{policy}");
+            assert_eq!(page.matches(&format!("<{element}>")).count(), 1);
+        }
+        let data: serde_json::Value =
+            serde_json::from_str(&inside("<script type=\"application/json\" id=\"data\">", "</script>")).unwrap();
+        let n = output.source.n_vertices();
+        for surface in data["surfaces"].as_array().unwrap() {
+            let length = |text: &serde_json::Value| BASE64.decode(text.as_str().unwrap()).unwrap().len();
+            assert_eq!(length(&surface["points"]), 12 * n);
+            assert_eq!(length(&surface["triangles"]), 12 * output.source.n_faces());
+            assert!(surface["colors"].as_array().unwrap().iter().all(|colors| length(colors) == 3 * n));
+        }
+        let other = Correspondences { triangle: vec![[u32::MAX; 3]; n], ..correspondences.clone() };
+        assert_eq!(write_report(&ReportInputs { correspondences: &other, ..inputs }), Err(WarpError::OtherSurfaces));
+    }
+}

@@ -12,7 +12,7 @@ from coarse import KINDS as NOISY
 from solids import KINDS as SYMMETRIC
 from peers import PEERS
 
-OURS = {"balanced": 2, "fast": 2, "accurate": 2, "rigid": 1}
+OURS = {"balanced": 2, "rigid": 1}
 """Our methods and the cores that each is given."""
 DEFAULT = "balanced"
 MANY = {"real_cross": 3, "real_resample": 3, **{kind: 10 for kind in NOISY}}

@@ -16,7 +16,8 @@ use homolog_primitives::observe::{Cancelled, Observer, Phase, TracePoint};
 use nalgebra::Point3;
 use rayon::prelude::*;
 
-/// Smallest value of a message. It is far below `exp(−T)` at the default truncation, so that it only keeps products finite.
+/// Smallest value of a message. It is far below `exp(−T)` at the default truncation, so that it only keeps products finite. Under
+/// the hard constraint there is none: it would be what a broken edge costs.
 const MESSAGE_FLOOR: f32 = 1e-5;
 /// The dual method ends when the energy is within this share of the bound.
 const GAP_TOLERANCE: f64 = 1e-6;
@@ -70,8 +71,10 @@ pub(super) fn minimiser<'a>(
     let p = &parameters.inference;
     let propagation = |product| -> Box<dyn Minimiser + 'a> {
         match p.update {
-            Update::Active => Box::new(ActiveLabels::new(model, bp_options(p, product))),
-            Update::Sparse | Update::Full => Box::new(Propagation { bp: belief_propagation(model, p, product) }),
+            Update::Active => Box::new(ActiveLabels::new(model, bp_options(parameters, product))),
+            Update::Sparse | Update::Full => {
+                Box::new(Propagation { bp: belief_propagation(model, parameters, product) })
+            }
         }
     };
     let search = |engine| {
@@ -90,12 +93,19 @@ pub(super) fn minimiser<'a>(
     }
 }
 
-fn bp_options(p: &InferenceParameters, product: Product) -> BpOptions {
-    BpOptions { product, damping: p.damping as f32, floor: MESSAGE_FLOOR, tolerance: p.tolerance as f32 }
+fn bp_options(parameters: &MatchParameters, product: Product) -> BpOptions {
+    let p = &parameters.inference;
+    let floor = parameters.energy.truncation.map_or(0.0, |_| MESSAGE_FLOOR);
+    BpOptions { product, damping: p.damping as f32, floor, tolerance: p.tolerance as f32 }
 }
 
-fn belief_propagation<'a>(model: &'a MrfModel, p: &InferenceParameters, product: Product) -> BeliefPropagation<'a> {
-    let options = bp_options(p, product);
+fn belief_propagation<'a>(
+    model: &'a MrfModel,
+    parameters: &MatchParameters,
+    product: Product,
+) -> BeliefPropagation<'a> {
+    let p = &parameters.inference;
+    let options = bp_options(parameters, product);
     let method = BpMethod {
         update: match p.update {
             Update::Sparse | Update::Active => inference::Update::Sparse,

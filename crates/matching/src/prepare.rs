@@ -75,8 +75,8 @@ fn add_landmarks(unary: &mut [f32], source: &Side, target: &Side, landmarks: &[L
     }
 }
 
-/// Cost of a broken edge under the hard constraint `T → ∞`. `exp(−60)` is far below the floor of every message, so that
-/// messages are those of an infinite truncation while energies stay finite.
+/// Cost of a broken edge under the hard constraint `T → ∞`: no unary potentials outweigh it, energies stay finite, and
+/// `exp(−60)` is still a 32-bit number.
 const HARD_TRUNCATION: f64 = 60.0;
 
 /// The energy of matching `source` to `target`.

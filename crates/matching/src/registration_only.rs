@@ -60,7 +60,7 @@ fn centroid_on_centroid(source: &[Point3<f64>], target: &[Point3<f64>]) -> Rigid
     RigidTransform { rotation: Matrix3::identity(), translation: center(target) - center(source) }
 }
 
-/// Aligns the first-order ellipsoids; the closest of the four poses is chosen.
+/// Aligns the first-order ellipsoids: by the pose of least rotation, or by the closest if that is asked for.
 fn ellipsoids(scene: &Scene<'_>) -> Result<EllipsoidRegistration, MatchError> {
     let of = |mesh: &SurfaceMesh, surface: &'static str| -> Result<FirstOrderEllipsoid, MatchError> {
         let found = parametrize(mesh, &ParametrizationOptions::default(), scene.observer)
@@ -72,7 +72,8 @@ fn ellipsoids(scene: &Scene<'_>) -> Result<EllipsoidRegistration, MatchError> {
     };
     let (source, target) = rayon::join(|| of(scene.source.mesh(), "source"), || of(scene.target.mesh(), "target"));
     let points = scene.source.mesh().vertices();
-    let options = EllipsoidOptions::default();
+    let options =
+        EllipsoidOptions { resolve: scene.parameters.registration.resolve_ambiguity, ..EllipsoidOptions::default() };
     Ok(register_by_ellipsoids(&source?, &target?, points, scene.closest, &options, scene.observer)?)
 }
 

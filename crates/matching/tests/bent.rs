@@ -42,7 +42,7 @@ fn bent(mesh: &SurfaceMesh, degrees: f64) -> SurfaceMesh {
 }
 
 fn matched(source: &SurfaceMesh, target: &SurfaceMesh) -> MatchOutcome {
-    match_surfaces(source, target, &preset(Method::Fast), &Silent).unwrap()
+    match_surfaces(source, target, &preset(Method::Balanced), &Silent).unwrap()
 }
 
 /// Mean distance of the target vertices found from the true ones, in roots of the area.

@@ -14,15 +14,13 @@ use super::{
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum Method {
-    /// The default: belief propagation on coarse levels, Gaussian and mean curvature, soft clamping, a smooth displacement
-    /// field.
+    /// The default: belief propagation on coarse levels, Gaussian and mean curvature, one round of feedback, a smooth
+    /// displacement field. `fast` and `accurate`, which gave the same answers, are accepted in its place.
+    #[cfg_attr(feature = "serde", serde(alias = "fast", alias = "accurate"))]
     Balanced,
-    /// Belief propagation over all vertices, Gaussian curvature only, hard clamping, no refinement.
+    /// Belief propagation over all vertices, Gaussian curvature at one scale, the hard neighborhood constraint, hard clamping, no
+    /// refinement.
     Thesis,
-    /// As balanced, on coarser levels, with fewer iterations and one round.
-    Fast,
-    /// As balanced, on finer levels, with more scales, iterations and rounds.
-    Accurate,
     /// Registration alone, after a search of all orientations.
     Rigid,
     /// Simulated annealing with the Gibbs sampler.
@@ -39,11 +37,9 @@ pub enum Method {
 
 impl Method {
     /// All presets, the default first.
-    pub const ALL: [Method; 10] = [
+    pub const ALL: [Method; 8] = [
         Method::Balanced,
         Method::Thesis,
-        Method::Fast,
-        Method::Accurate,
         Method::Rigid,
         Method::Gibbs,
         Method::Metropolis,
@@ -57,8 +53,6 @@ impl Method {
         match self {
             Method::Balanced => "balanced",
             Method::Thesis => "thesis",
-            Method::Fast => "fast",
-            Method::Accurate => "accurate",
             Method::Rigid => "rigid",
             Method::Gibbs => "gibbs",
             Method::Metropolis => "metropolis",
@@ -72,14 +66,13 @@ impl Method {
     pub fn description(self) -> &'static str {
         match self {
             Method::Balanced => {
-                "Max-product belief propagation on coarse levels, soft clamping rounds, and a smooth displacement field from \
-                 the best pose."
+                "Max-product belief propagation on coarse levels, a round of feedback, and a smooth displacement field from the \
+                 best pose."
             }
             Method::Thesis => {
-                "Max-product belief propagation over all vertices on Gaussian curvature, hard clamping, RANSAC only."
+                "Max-product belief propagation over all vertices on Gaussian curvature at one scale, the hard neighborhood \
+                 constraint, hard clamping, RANSAC only."
             }
-            Method::Fast => "As balanced, on coarser levels, with a third of the iterations and one round of feedback.",
-            Method::Accurate => "As balanced, on finer levels, with more scales, iterations and rounds.",
             Method::Rigid => {
                 "Registration alone: a search of all orientations, its best pose refined by closest points in both \
                  directions; each vertex corresponds to the nearest."
@@ -90,7 +83,7 @@ impl Method {
                 "Random moves that lower the energy, with restarts, until a target energy is reached and certified."
             }
             Method::Foe => {
-                "Baseline: alignment of first-order ellipsoids, with their four-fold ambiguity reported, no refinement."
+                "Baseline: alignment of first-order ellipsoids, the one of least rotation of four poses, no refinement."
             }
             Method::Icp => {
                 "Baseline: iterative closest points from aligned centroids, for surfaces that are nearly aligned."
@@ -99,12 +92,16 @@ impl Method {
     }
 }
 
+/// Scale of the thesis' Gaussian curvature, in roots of the area: the middle one of the default.
+const THESIS_SCALE: f64 = 0.05;
+
 /// The effective parameters of a preset.
 pub fn preset(method: Method) -> MatchParameters {
     let balanced = MatchParameters { method, ..balanced() };
     // Methods for the study of minimisers minimise the energy of all vertices and answer with its labels.
     let direct = MatchParameters {
-        inference: InferenceParameters { coarse_vertices: None, ..balanced.inference.clone() },
+        inference: InferenceParameters { coarse_vertices: None, max_iterations: 40, ..balanced.inference.clone() },
+        clamping: ClampingParameters { mode: ClampingMode::Soft, max_rounds: 3 },
         displacement: DisplacementParameters { mode: DisplacementMode::None, ..balanced.displacement.clone() },
         ..balanced.clone()
     };
@@ -122,23 +119,11 @@ pub fn preset(method: Method) -> MatchParameters {
     match method {
         Method::Balanced => balanced,
         Method::Thesis => MatchParameters {
-            features: vec![feature(FeatureKind::GaussianCurvature, default_scales())],
+            features: vec![feature(FeatureKind::GaussianCurvature, vec![THESIS_SCALE])],
+            energy: EnergyParameters { beta: 1.0, truncation: None, neighborhood_rings: 1, ..direct.energy },
             clamping: ClampingParameters { mode: ClampingMode::Hard, max_rounds: 3 },
             registration: RegistrationParameters { refine: Refinement::None, ..direct.registration },
             ..direct
-        },
-        Method::Fast => MatchParameters {
-            inference: InferenceParameters { max_iterations: 12, coarse_vertices: Some(400), ..balanced.inference },
-            clamping: ClampingParameters { mode: ClampingMode::Soft, max_rounds: 1 },
-            ..balanced
-        },
-        Method::Accurate => MatchParameters {
-            features: [FeatureKind::GaussianCurvature, FeatureKind::MeanCurvature]
-                .map(|kind| feature(kind, vec![0.025, 0.035, 0.05, 0.07, 0.11]))
-                .to_vec(),
-            inference: InferenceParameters { max_iterations: 80, coarse_vertices: Some(1500), ..balanced.inference },
-            clamping: ClampingParameters { mode: ClampingMode::Soft, max_rounds: 6 },
-            ..balanced
         },
         Method::Rigid => registration_only(InitialPose::Search, Refinement::PointToPlane),
         Method::Gibbs => annealed(Algorithm::Gibbs, 300),
@@ -190,8 +175,8 @@ fn balanced() -> MatchParameters {
             update: Update::Sparse,
             schedule: MessageSchedule::Flooding,
             message_bits: 32,
-            coarse_vertices: Some(700),
-            max_iterations: 40,
+            coarse_vertices: Some(400),
+            max_iterations: 12,
             damping: 0.5,
             tolerance: 1e-5,
             annealing: AnnealingParameters {
@@ -203,7 +188,7 @@ fn balanced() -> MatchParameters {
             restart_after: 50,
             lower_bound_iterations: 0,
         },
-        clamping: ClampingParameters { mode: ClampingMode::Soft, max_rounds: 3 },
+        clamping: ClampingParameters { mode: ClampingMode::Soft, max_rounds: 1 },
         registration: RegistrationParameters {
             initial: InitialPose::Ransac,
             estimator: MinimalEstimator::Frame,
@@ -213,6 +198,7 @@ fn balanced() -> MatchParameters {
             max_trials: 100_000,
             allow_reflection: false,
             similarity: false,
+            resolve_ambiguity: false,
             refine: Refinement::PointToPoint,
         },
         displacement: DisplacementParameters { mode: DisplacementMode::Smooth, anatomy: Anatomy::Any },

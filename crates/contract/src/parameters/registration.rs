@@ -22,6 +22,9 @@ pub struct RegistrationParameters {
     pub allow_reflection: bool,
     /// Whether the similarity transform (with scale) that fits the support best is reported in addition to the rigid one.
     pub similarity: bool,
+    /// Whether the pose that brings the surfaces closest is chosen among the four that align two first-order ellipsoids. Without
+    /// it, it is the one that rotates least.
+    pub resolve_ambiguity: bool,
     /// Refinement of the initial pose by iterative closest points.
     pub refine: Refinement,
 }
@@ -36,7 +39,8 @@ pub enum InitialPose {
     Ransac,
     /// Search of all orientations by soft assignment of patches.
     Search,
-    /// Alignment of the first-order ellipsoids (Brechbühler, Gerig, Kübler 1995); the closest of the four possible poses.
+    /// Alignment of the first-order ellipsoids (Brechbühler, Gerig, Kübler 1995); of four possible poses the one that rotates
+    /// least, unless `resolve_ambiguity` asks for the closest.
     FirstOrderEllipsoid,
     /// Alignment of the centroids without rotation, for surfaces that are nearly aligned.
     Centroids,

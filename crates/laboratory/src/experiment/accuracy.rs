@@ -153,7 +153,7 @@ fn cell(accuracy: &Accuracy, method: &str, figure: &Figure) -> Cell {
 
 /// Compares the default method with the best other tool.
 fn finding(accuracy: &Accuracy) -> String {
-    const OURS: [&str; 4] = ["balanced", "fast", "accurate", "rigid"];
+    const OURS: [&str; 2] = ["balanced", "rigid"];
     let names: std::collections::BTreeSet<&str> =
         accuracy.records.iter().map(|r| r.method.as_str()).filter(|m| !m.contains(':') && !OURS.contains(m)).collect();
     let sentence = |set: &str, key: &str, what: &str| {

@@ -62,6 +62,17 @@ fn warped(p: &Point3<f64>) -> Point3<f64> {
         + bump(Vector3::new(-9.0, 4.0, 0.0), Vector3::new(2.0, -1.5, 2.0))
 }
 
+/// The smooth displacement, with ripples of individual anatomy.
+fn of_another_subject(p: &Point3<f64>) -> Point3<f64> {
+    let ripple = |k: Vector3<f64>| 0.5 * k.dot(&p.coords).sin();
+    warped(p)
+        + Vector3::new(
+            ripple(Vector3::new(0.5, 0.9, -0.4)),
+            ripple(Vector3::new(0.7, -0.6, 0.8)),
+            ripple(Vector3::new(-0.8, 0.4, 0.7)),
+        )
+}
+
 /// Source, target, and for every canonical source vertex its true image.
 fn pair(warp: fn(&Point3<f64>) -> Point3<f64>) -> (CanonicalMesh, CanonicalMesh, Vec<Point3<f64>>) {
     let source = lopsided_bean();
@@ -151,7 +162,7 @@ fn without_a_pose_there_is_no_answer() {
 
 #[test]
 fn there_and_back_is_the_same_place() {
-    let (source, target, _) = pair(warped);
+    let (source, target, _) = pair(of_another_subject);
     let (source, target) = (source.mesh, target.mesh);
     let options = DisplacementOptions::default();
     let there = displace(&source, &target, &[motion()], &options, &Silent).unwrap().unwrap();
@@ -162,6 +173,7 @@ fn there_and_back_is_the_same_place() {
         let place = at.blend(|k| back.images[k].closest.point.coords);
         (place - source.vertices()[i].coords).norm() / edge
     };
+    // Fitted on its own in each direction, 1.6.
     let worst = (0..source.n_vertices()).map(returned).fold(0.0, f64::max);
-    assert!(worst < 0.3, "{worst} edges");
+    assert!(worst < 0.6, "{worst} edges");
 }

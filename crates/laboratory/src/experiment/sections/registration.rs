@@ -20,10 +20,7 @@ const METRICS: [Metric; 6] = [
 ];
 
 fn settings(study: &Study<'_>) -> Vec<Setting> {
-    let methods: &[&str] = study.either(
-        &["balanced", "fast", "foe", "icp"],
-        &["balanced", "fast", "accurate", "thesis", "rigid", "foe", "icp"],
-    );
+    let methods: &[&str] = study.either(&["balanced", "foe", "icp"], &["balanced", "thesis", "rigid", "foe", "icp"]);
     methods.iter().map(|&method| (method.to_owned(), json!({"method": method}))).collect()
 }
 

@@ -165,9 +165,10 @@ impl Surfaces<'_> {
         spread(self.full_target) > spread(self.full_source)
     }
 
-    /// The inverse of the map from the target to the source, from the inverse of `pose`.
+    /// The inverse of the map from the target to the source, from the inverse of `pose`; `prepared` are both.
     fn turned(
         &self,
+        (source, target): (&SmoothSurface, &SmoothSurface),
         pose: &RigidTransform,
         options: &DisplacementOptions,
         observer: &dyn Observer,
@@ -175,7 +176,8 @@ impl Surfaces<'_> {
         let landmarks: Vec<Landmark> = self.landmarks.iter().map(swapped).collect();
         let form_of = |which: Which| (self.form_of)(which.other());
         let start = [StartPose { pose: pose.inverse(), excess: 0.0 }];
-        let back = deformed(&self.swapped(&landmarks, &form_of), &start, true, false, options, observer)?;
+        let prepared = (target.clone(), source.clone());
+        let back = deformed(&self.swapped(&landmarks, &form_of), prepared, &start, true, false, options, observer)?;
         Ok(back.and_then(|back| back.inverse(self.full_target, self.full_source)))
     }
 
@@ -253,7 +255,9 @@ pub(crate) fn displace(
     options: &DisplacementOptions,
     observer: &dyn Observer,
 ) -> Result<Option<DisplacementAnswer>, MatchError> {
-    let found = deformed(surfaces, poses, allow_reflection, true, options, observer)?;
+    let prepared = prepare(surfaces.source, surfaces.target, surfaces.lengths.root_mm)?;
+    checkpoint(observer)?;
+    let found = deformed(surfaces, prepared, poses, allow_reflection, true, options, observer)?;
     Ok(found.map(|found| {
         let Deformed { moved, variances, transform, compared, residual_mm, agreement } = found;
         let (target, closest) = (surfaces.full_target, surfaces.target_closest);
@@ -310,6 +314,7 @@ fn swapped(landmark: &Landmark) -> Landmark {
 /// for two subjects.
 fn deformed(
     surfaces: &Surfaces<'_>,
+    (smooth_source, smooth_target): (SmoothSurface, SmoothSurface),
     poses: &[StartPose],
     allow_reflection: bool,
     may_turn: bool,
@@ -317,8 +322,6 @@ fn deformed(
     observer: &dyn Observer,
 ) -> Result<Option<Deformed>, MatchError> {
     let Surfaces { source, target, full_source, full_target, target_closest, landmarks, open, lengths, .. } = *surfaces;
-    let (smooth_source, smooth_target) = prepare(source, target, lengths.root_mm)?;
-    checkpoint(observer)?;
     let Some(functions) = functions(source, &smooth_source, options) else { return Ok(None) };
     let guides = Guides::new(landmarks, &functions, lengths.root_mm);
     let forward = Displacement {
@@ -358,7 +361,8 @@ fn deformed(
         None => {
             let two_subjects = !open && fine.residual_mm >= TWO_SUBJECTS * lengths.sampling_mm;
             if may_turn && two_subjects && surfaces.is_fitted_backwards() {
-                let back = surfaces.turned(&forward.pose_of(&fine.moved(), &pose), options, observer)?;
+                let pose = forward.pose_of(&fine.moved(), &pose);
+                let back = surfaces.turned((&forward.source, &forward.target), &pose, options, observer)?;
                 return Ok(back.map(|back| Deformed { compared, ..back }));
             }
             forward.refined_from(fine)?

@@ -8,16 +8,20 @@ use homolog_formats::gifti::write_gifti;
 use homolog_formats::glb::{ColoredSurface, write_glb};
 use homolog_formats::npy::write_npy;
 use homolog_formats::npz::{write_npz, write_npz_table};
+use homolog_formats::parquet::{write_parquet, write_parquet_table};
 use homolog_formats::ply::{read_ply, write_ply_with};
+use homolog_formats::segmentation::{SegmentationError, SegmentedFiles, write_segmentation};
 use homolog_formats::spatial_registration::{RegisteredFiles, write_spatial_registration};
-use homolog_formats::transform::{write_itk_transform, write_lta, write_matrix_text};
+use homolog_formats::transform::{write_itk_transform, write_matrix_text};
 use homolog_formats::vertex_table::{write_csv, write_npy_table};
 use homolog_formats::vtk::write_vtk_with;
 use homolog_formats::vtp::write_vtp_with;
 use homolog_formats::{PairColumns, ReadLimits, VertexArray, VertexValues, write_stl};
 use homolog_mesh::SurfaceMesh;
 use homolog_primitives::observe::TracePoint;
-use homolog_run::{Colors, ReportInputs, WarpError, WarpedSurface, value_colors, warp, write_report};
+use homolog_run::{
+    Colors, ReportInputs, WarpError, WarpedSurface, lta, segment_label, value_colors, warp, write_report,
+};
 use serde::Deserialize;
 
 /// Value of `target` for a source vertex without a correspondence; its other values are 0.
@@ -25,7 +29,7 @@ pub const NO_TARGET: i32 = -1;
 
 /// A part of a result in `format`, made from the stored blobs of the part: the correspondences (JSON), with the source
 /// surface (PLY) for surface formats; the result document (JSON); a surface (PLY); all of these for a bent surface; or these
-/// and the energy trace (JSON) for a report; the result document, both uploads and the time of its end for DICOM.
+/// and the energy trace (JSON) for a report. With them, both uploads for LTA, and both uploads and the time of its end for DICOM.
 ///
 /// # Errors
 /// [`PresentError`].
@@ -45,6 +49,10 @@ pub fn present(part: ResultPart, format: PartFormat, stored: &[&[u8]]) -> Result
             Some(corresponding_scene(&surfaces, &pairs, &stored_transform(result)?.matrix, direction)?)
         }
         (ResultPart::Transform, [result]) => transform(result, format)?,
+        (ResultPart::Transform, [result, source, target]) => {
+            let matrix = stored_transform(result)?.matrix;
+            (format == PartFormat::Lta).then(|| lta(&matrix, [source, target]).into_bytes())
+        }
         (ResultPart::Transform, [result, source, target, ended_at]) => {
             let max_inflated_bytes = ReadLimits::default().max_inflated_bytes;
             let ended_at = String::from_utf8_lossy(ended_at);
@@ -52,7 +60,9 @@ pub fn present(part: ResultPart, format: PartFormat, stored: &[&[u8]]) -> Result
             let written = write_spatial_registration(&stored_transform(result)?.matrix, &files, &ended_at);
             Some(written.map_err(|error| unreadable("an input", error))?.ok_or(PresentError::NotDicom)?)
         }
-        (ResultPart::Warped { direction, space }, [result, columns, source, target]) => {
+        (ResultPart::Warped { direction, space }, [result, columns, source, target, files @ ..])
+            if matches!(files.len(), 0 | 3) =>
+        {
             let surfaces = [surface_mesh(source)?, surface_mesh(target)?];
             let matrix = stored_transform(result)?.matrix;
             let pairs = correspondences(columns)?;
@@ -74,6 +84,21 @@ pub fn present(part: ResultPart, format: PartFormat, stored: &[&[u8]]) -> Result
                 PartFormat::Csv => Some(write_csv(&arrays)),
                 PartFormat::Npy => Some(write_npy_table(&arrays)),
                 PartFormat::Arrow => Some(write_arrow_table(&arrays)),
+                PartFormat::Parquet => Some(write_parquet_table(&arrays)),
+                PartFormat::Dicom => match files {
+                    [source, target, ended_at] => {
+                        let (own, other) = match space {
+                            WarpSpace::Source => (source, target),
+                            WarpSpace::Target => (target, source),
+                        };
+                        let max_inflated_bytes = ReadLimits::default().max_inflated_bytes;
+                        let files = SegmentedFiles { own, other, max_inflated_bytes };
+                        let ended_at = String::from_utf8_lossy(ended_at);
+                        let written = write_segmentation(&mesh, segment_label(direction), &files, &ended_at);
+                        Some(written.map_err(not_segmented)?)
+                    }
+                    _ => None,
+                },
                 _ => surface_file(&mesh, &arrays, format),
             }
         }
@@ -136,6 +161,14 @@ fn corresponding_scene(
     ]))
 }
 
+fn not_segmented(error: SegmentationError) -> PresentError {
+    match error {
+        SegmentationError::NotDicom => PresentError::NotDicom,
+        SegmentationError::Open | SegmentationError::TooLarge => PresentError::NoSegmentation,
+        SegmentationError::Input(error) => unreadable("an input", error),
+    }
+}
+
 fn not_warped(error: WarpError) -> PresentError {
     match error {
         WarpError::NoInverse => PresentError::NoInverse,
@@ -159,6 +192,7 @@ fn table(pairs: &Correspondences, format: PartFormat) -> Result<Option<Vec<u8>>,
         PartFormat::Npy => Some(write_npy(&columns)),
         PartFormat::Npz => Some(npz(write_npz(&columns))?),
         PartFormat::Arrow => Some(write_arrow(&columns)),
+        PartFormat::Parquet => Some(write_parquet(&columns)),
         _ => None,
     })
 }
@@ -213,7 +247,6 @@ fn transform(result: &[u8], format: PartFormat) -> Result<Option<Vec<u8>>, Prese
             let text = write_itk_transform(&transform.matrix);
             Some(text.ok_or(PresentError::Unreadable { what: "a matrix without inverse", source: None })?.into_bytes())
         }
-        PartFormat::Lta => Some(write_lta(&transform.matrix).into_bytes()),
         _ => None,
     })
 }

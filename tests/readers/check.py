@@ -13,6 +13,7 @@ import meshio
 import nibabel
 import numpy as np
 import pyarrow.feather
+import pyarrow.parquet
 import SimpleITK
 import trimesh
 import vtk
@@ -206,6 +207,10 @@ def of_table(path):
             return flat({name: arrays[name] for name in arrays.files})
     if kind == "arrow":
         table = pyarrow.feather.read_table(path)
+        return {name: table[name].to_numpy() for name in table.column_names}
+    if kind == "parquet":
+        table = pyarrow.parquet.read_table(path)
+        assert table.num_rows == pyarrow.parquet.read_metadata(path).num_rows
         return {name: table[name].to_numpy() for name in table.column_names}
     return None
 

@@ -21,7 +21,7 @@ mod warped;
 pub use colors::{Colors, value_colors};
 pub use report::{ReportInputs, write_report};
 pub use surfaces::SurfaceCache;
-pub use warped::{WarpError, WarpedSurface, warp};
+pub use warped::{WarpError, WarpedSurface, lta, segment_label, warp};
 
 use surfaces::ReadySurface;
 

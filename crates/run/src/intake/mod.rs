@@ -16,6 +16,7 @@ pub use inspection::inspect;
 use candidate::Candidate;
 use homolog_contract::input::{LabelCount, Refusal, RepairNote, VolumeInspection};
 use homolog_contract::parameters::{InputParameters, Repair};
+pub use homolog_formats::DEFAULT_INFLATION;
 use homolog_formats::{FileContent, FormatError, ReadFile, ReadLimits};
 use homolog_mesh::{Numbering, SurfaceMesh};
 
@@ -53,6 +54,8 @@ pub struct IntakeLimits {
     pub max_bytes: usize,
     /// Largest file after decompression, bytes.
     pub max_inflated_bytes: usize,
+    /// Largest file after decompression, as a multiple of the file as uploaded, above a mebibyte.
+    pub max_inflation: usize,
     /// Most vertices of a surface.
     pub max_vertices: usize,
     /// Most memory that one match may take, bytes; it grows with the product of both sizes.
@@ -67,6 +70,7 @@ impl Default for IntakeLimits {
         IntakeLimits {
             max_bytes: 256 << 20,
             max_inflated_bytes: 1 << 30,
+            max_inflation: DEFAULT_INFLATION,
             max_vertices: 200_000,
             max_match_bytes: DEFAULT_MATCH_BYTES,
         }
@@ -89,20 +93,23 @@ pub fn prepare_surface(
     parameters: &InputParameters,
     limits: &IntakeLimits,
 ) -> Result<PreparedSurface, IntakeError> {
-    let file = read(bytes, file_name, limits)?;
+    let file = read(bytes, file_name, parameters, limits)?;
     let candidate = Candidate::from_file(&file, parameters, limits)?;
     if let Some(refusal) = candidate.refusal(&file, parameters, limits) {
         return Err(refusal);
     }
-    let ReadFile { format, content, notes, .. } = file;
-    let Candidate { mesh, numbering, copies, topology, repairs, turned_outward, .. } = candidate;
+    let ReadFile { format, content, mut notes, .. } = file;
+    let Candidate { mesh, numbering, added, topology, repairs, turned_outward, notes: of_repairs, .. } = candidate;
+    notes.extend(of_repairs);
     let report = InputReport { format, topology, repairs, turned_outward, notes };
     let restored = match &content {
         // Repairs keep the order of vertices, so a mesh of as many vertices has the numbering of the file.
-        FileContent::Mesh(file) if numbering.n_vertices() < file.mesh.n_vertices() + copies.len() => {
-            let uploaded = file.mesh.vertices();
-            let copied = copies.iter().map(|&v| uploaded[v as usize]);
-            let vertices: Vec<_> = uploaded.iter().copied().chain(copied).collect();
+        FileContent::Mesh(file) if numbering.n_vertices() < file.mesh.n_vertices() + added.len() => {
+            let mut vertices: Vec<_> = file.mesh.vertices().iter().copied().chain(added).collect();
+            // Closing a tunnel moves some.
+            for (&original, place) in numbering.originals().iter().zip(mesh.vertices()) {
+                vertices[original as usize] = *place;
+            }
             let restored = numbering.restored(&mesh, &vertices);
             Some(restored.map_err(|e| IntakeError::Unreadable(e.into()))?)
         }
@@ -111,7 +118,12 @@ pub fn prepare_surface(
     Ok(PreparedSurface { mesh, numbering, restored, report })
 }
 
-fn read(bytes: &[u8], file_name: Option<&str>, limits: &IntakeLimits) -> Result<ReadFile, IntakeError> {
+fn read(
+    bytes: &[u8],
+    file_name: Option<&str>,
+    parameters: &InputParameters,
+    limits: &IntakeLimits,
+) -> Result<ReadFile, IntakeError> {
     if bytes.len() > limits.max_bytes {
         let (found, limit) = (bytes.len() as u64, limits.max_bytes as u64);
         return Err(IntakeError::TooLarge { what: "bytes", found, limit });
@@ -119,8 +131,9 @@ fn read(bytes: &[u8], file_name: Option<&str>, limits: &IntakeLimits) -> Result<
     if bytes.is_empty() {
         return Err(IntakeError::Unreadable(FormatError::Empty));
     }
-    let read_limits = ReadLimits { max_inflated_bytes: limits.max_inflated_bytes, max_vertices: limits.max_vertices };
-    homolog_formats::read(bytes, file_name, &read_limits).map_err(|error| match error {
+    let IntakeLimits { max_inflated_bytes, max_inflation, max_vertices, .. } = *limits;
+    let read_limits = ReadLimits { max_inflated_bytes, max_inflation, max_vertices };
+    homolog_formats::read_with(bytes, file_name, &read_limits, parameters.fraction).map_err(|error| match error {
         FormatError::UnknownFormat => IntakeError::UnknownFormat,
         FormatError::TooLarge { what, found, limit } => IntakeError::TooLarge { what, found, limit },
         error => IntakeError::Unreadable(error),
@@ -135,6 +148,8 @@ fn repair_name(repair: Repair) -> &'static str {
         Repair::Split => "split",
         Repair::LargestComponent => "largest_component",
         Repair::Fill => "fill",
+        Repair::Triangulate => "triangulate",
+        Repair::Simplify => "simplify",
     }
 }
 

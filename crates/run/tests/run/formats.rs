@@ -1,7 +1,7 @@
 //! Labels chosen by name and for each side, refusals that name everything at once, and a table of every file of the field's
 //! own tools.
 
-use homolog_contract::parameters::{InputParameters, Method, preset, resolve};
+use homolog_contract::parameters::{InputParameters, Method, Repair, preset, resolve};
 use homolog_formats::{InputFormat, write_nifti, write_ply};
 use homolog_mesh::volume::LabelVolume;
 use homolog_mesh::{FaceArity, SurfaceMesh, shapes};
@@ -148,6 +148,69 @@ fn parts_that_touch_at_an_edge_or_a_vertex_are_split_without_moving() {
     assert_eq!(largest.mesh.n_vertices(), 4);
 }
 
+#[test]
+fn tunnels_and_cavities_of_a_mesh_are_closed_on_request_with_counts_and_displacements() {
+    // A ring with a cavity in a ball beside it, behind a vertex that no face uses.
+    let ring = shapes::torus(10.0, 3.0, 40, 20, FaceArity::Quad);
+    let ball = shapes::torus(30.0, 1.0, 60, 8, FaceArity::Quad);
+    let cavity = homolog_mesh::repair::reversed(&shapes::torus(30.0, 0.5, 60, 8, FaceArity::Quad));
+    let (mut vertices, mut indices) = (vec![nalgebra::Point3::new(90.0, 0.0, 0.0)], Vec::new());
+    for piece in [&ring, &ball, &cavity] {
+        let first = vertices.len() as u32;
+        vertices.extend_from_slice(piece.vertices());
+        indices.extend(piece.indices().iter().map(|v| v + first));
+    }
+    let mesh = SurfaceMesh::new(vertices, FaceArity::Quad, indices).unwrap();
+    let with = |repair: serde_json::Value| resolve(&json!({"input": {"repair": repair}})).unwrap().input;
+    let kept = prepare(&write_ply(&mesh), &with(json!(["weld"]))).unwrap();
+    assert_eq!(homolog_mesh::topology::topology_report(&kept.mesh).genus, Some(3));
+    let filled = prepare(&write_ply(&mesh), &with(json!("fill"))).unwrap();
+    let report = homolog_mesh::topology::topology_report(&filled.mesh);
+    assert_eq!((report.genus, report.n_components), (Some(0), 2));
+    let details: Vec<&str> = filled.report.repairs.iter().map(|note| note.detail.as_str()).collect();
+    assert_eq!(details[0], "1 piece inside another dropped");
+    assert!(details[1].starts_with("closed 2 of 2 tunnels, cut along loops of at most 18.7"), "{}", details[1]);
+    assert!(details[1].contains("28 vertices copied and 4 added, none moved more than 0."), "{}", details[1]);
+    let open = SurfaceMesh::new(ring.vertices().to_vec(), FaceArity::Quad, ring.indices()[4..].to_vec()).unwrap();
+    let left = prepare(&write_ply(&open), &with(json!("fill"))).unwrap();
+    assert!(left.report.notes[0].starts_with("tunnels were not looked for: the surface is open"), "{:?}", left.report);
+    // What was added is numbered after the file; what was dropped is still there.
+    let n = mesh.n_vertices();
+    assert_eq!(filled.uploaded().n_vertices(), n + 32);
+    assert_eq!(filled.numbering.originals()[0], 1);
+    assert_eq!(filled.numbering.originals().last(), Some(&(n as u32 + 31)));
+    for (v, place) in filled.mesh.vertices().iter().enumerate() {
+        assert_eq!(filled.uploaded().vertices()[filled.numbering.original(v as u32) as usize], *place);
+    }
+    assert_eq!(filled.uploaded().vertices()[0], mesh.vertices()[0]);
+}
+
+#[test]
+fn a_surface_is_simplified_to_a_number_of_vertices_that_keep_their_numbers() {
+    let ball = shapes::ellipsoid(nalgebra::Vector3::new(12.0, 9.0, 6.0), 4);
+    let with = |input: serde_json::Value| resolve(&json!({ "input": input })).unwrap().input;
+    let small = prepare(&write_ply(&ball), &with(json!({"max_vertices": 300}))).unwrap();
+    assert_eq!(small.mesh.n_vertices(), 300);
+    let detail = &small.report.repairs[0].detail;
+    assert!(detail.starts_with("300 of 2562 vertices kept where they are; the others are at most 0."), "{detail}");
+    assert_eq!(small.uploaded().vertices(), ball.vertices());
+    for (v, place) in small.mesh.vertices().iter().enumerate() {
+        assert_eq!(ball.vertices()[small.numbering.original(v as u32) as usize], *place);
+    }
+    let whole = prepare(&write_ply(&ball), &with(json!({"max_vertices": 2562}))).unwrap();
+    assert_eq!((whole.mesh, whole.report.repairs.len()), (ball, 0));
+    // A volume has no vertices of its own: the answer counts those of the small surface. Quads become triangles.
+    let bytes = write_nifti(&two_balls());
+    let chosen = json!({"labels": 3, "surface": "voxel", "max_vertices": 100, "repair": ["triangulate", "simplify"]});
+    let of_volume = prepare(&bytes, &with(chosen)).unwrap();
+    assert_eq!((of_volume.uploaded(), of_volume.mesh.n_vertices()), (&of_volume.mesh, 100));
+    let made: Vec<_> = of_volume.report.repairs.iter().map(|note| note.repair).collect();
+    assert_eq!(made, [Repair::Triangulate, Repair::Simplify]);
+    for wrong in [json!({"max_vertices": 99}), json!({"repair": "simplify"}), json!({"fraction": 0.0})] {
+        assert!(resolve(&json!({ "input": wrong })).is_err(), "{wrong}");
+    }
+}
+
 /// What should come of a file.
 enum Expected {
     /// Format, vertices, faces and genus as read.
@@ -263,6 +326,27 @@ mod real_data {
                 }
                 (seen, _) => panic!("{name}: {seen:?}"),
             }
+        }
+    }
+
+    #[test]
+    #[ignore = "needs real data (formats, structures)"]
+    fn tunnels_of_real_surfaces_are_closed() {
+        let tunnels = [
+            ("structures/Model_54_right_amygdala.vtk", 1),
+            ("structures/Model_50_right_caudate_nucleus.vtk", 3),
+            ("formats/stl/42400-IDGH.stl", 10),
+        ];
+        for (name, n_tunnels) in tunnels {
+            let bytes = std::fs::read(real(name)).unwrap();
+            let repair = json!(["weld", "largest_component", "orient", "fill"]);
+            let parameters = resolve(&json!({"input": {"repair": repair, "allow_boundary": false}})).unwrap().input;
+            let closed = prepare(&bytes, &parameters).unwrap();
+            let report = homolog_mesh::topology::topology_report(&closed.mesh);
+            assert_eq!((report.genus, report.n_components), (Some(0), 1), "{name}");
+            let detail = &closed.report.repairs.last().unwrap().detail;
+            assert!(detail.starts_with(&format!("closed {n_tunnels} of {n_tunnels} tunnel")), "{name}: {detail}");
+            println!("{name}: {detail}");
         }
     }
 

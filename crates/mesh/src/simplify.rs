@@ -70,9 +70,11 @@ struct Collapsing<'a> {
     fixed: Vec<bool>,
     /// Raised when what a collapse of a vertex costs may have changed.
     version: Vec<u32>,
-    /// Bits of the cost, the vertex to drop, the one to keep, the version of both.
-    queue: BinaryHeap<Reverse<(u64, u32, u32, [u32; 2])>>,
+    queue: BinaryHeap<Reverse<Collapse>>,
 }
+
+/// Bits of the cost, the vertex to drop, the one to keep, the version of both.
+type Collapse = (u64, u32, u32, [u32; 2]);
 
 impl<'a> Collapsing<'a> {
     fn new(mesh: &'a SurfaceMesh) -> Self {

@@ -33,8 +33,8 @@ pub struct InputParameters {
     #[cfg_attr(feature = "serde", serde(default = "half"))]
     #[cfg_attr(feature = "openapi", schema(exclusive_minimum = 0, maximum = 1))]
     pub fraction: f64,
-    /// A surface of more vertices is simplified to this many, as its last repair; `null`: none is. Vertices are dropped, and
-    /// none moves, so indices in the answer count the vertices of the upload as ever.
+    /// A surface of more vertices is simplified to this many before it is matched; `null`: none is. The answer has a row for
+    /// every vertex of the upload as ever: that of a dropped vertex is the weighted mean of those around it.
     #[cfg_attr(feature = "serde", serde(default))]
     #[cfg_attr(feature = "openapi", schema(minimum = 100, maximum = 1_000_000))]
     pub max_vertices: Option<u32>,

@@ -15,9 +15,6 @@ use homolog_mesh::{FaceArity, MeshError, Numbering, SurfaceMesh, repair};
 use nalgebra::Point3;
 use std::collections::BTreeMap;
 
-/// Most voxels of the box around a structure, 8 million: filling and smoothing work on the whole box.
-const MAX_BOX_VOXELS: u64 = 1 << 23;
-
 /// Standard deviation of the filter over a mask, in voxels: the least that removes the steps between voxels.
 const SMOOTHING: f64 = 0.7;
 
@@ -32,6 +29,8 @@ pub(super) struct Candidate {
     pub numbering: Numbering,
     /// Vertices that repairs added, numbered after those of the upload: where they were added.
     pub added: Vec<Point3<f64>>,
+    /// The surface before it was simplified, and which vertex of the upload each of its vertices is.
+    pub whole: Option<(SurfaceMesh, Numbering)>,
     /// Topology before repairs.
     pub topology: TopologyReport,
     /// Topology after repairs.
@@ -54,7 +53,14 @@ impl Candidate {
     ) -> Result<Self, IntakeError> {
         let mut candidate = match &file.content {
             FileContent::Labels(volume) => from_labels(volume, &file.label_names, parameters, limits)?,
-            FileContent::Mesh(file) => from_mesh(file, parameters)?,
+            FileContent::Mesh(file) => {
+                // Before repairs, which cost more than reading does.
+                let (found, limit) = (file.mesh.n_faces() as u64, limits.max_faces as u64);
+                if found > limit {
+                    return Err(IntakeError::TooLarge { what: "faces", found, limit });
+                }
+                from_mesh(file, parameters)?
+            }
         };
         if let Some(SurfaceFault::InsideOut { .. }) = candidate.fault {
             candidate.mesh = repair::reversed(&candidate.mesh);
@@ -63,8 +69,9 @@ impl Candidate {
             candidate.repaired.volume_mm3 = candidate.repaired.volume_mm3.map(|v| -v);
         }
         candidate.triangulate(parameters);
-        candidate.simplify(file, parameters);
-        let (found, limit) = (candidate.mesh.n_vertices() as u64, limits.max_vertices as u64);
+        candidate.simplify(parameters);
+        let n_whole = candidate.whole.as_ref().map_or(candidate.mesh.n_vertices(), |(mesh, _)| mesh.n_vertices());
+        let (found, limit) = (n_whole as u64, limits.max_vertices as u64);
         if found > limit {
             return Err(IntakeError::TooLarge { what: "surface vertices", found, limit });
         }
@@ -87,6 +94,7 @@ impl Candidate {
             mesh,
             numbering,
             added: Vec::new(),
+            whole: None,
             topology,
             repaired,
             fault,
@@ -108,7 +116,7 @@ impl Candidate {
     }
 
     /// Drops vertices down to `input.max_vertices`.
-    fn simplify(&mut self, file: &ReadFile, parameters: &InputParameters) {
+    fn simplify(&mut self, parameters: &InputParameters) {
         let Some(wanted) = parameters.max_vertices.map(|n| n as usize).filter(|&n| n < self.mesh.n_vertices()) else {
             return;
         };
@@ -116,16 +124,14 @@ impl Candidate {
         let Simplified { repaired, largest_mm } = simplify(&self.mesh, wanted);
         let RepairedMesh { mesh, numbering } = repaired;
         self.repaired = topology_report(&mesh);
-        self.numbering = match file.content {
-            FileContent::Labels(_) => Numbering::identity(mesh.n_vertices()),
-            FileContent::Mesh(_) => numbering.over(&self.numbering),
-        };
+        let numbering = numbering.over(&self.numbering);
         let detail = format!(
             "{} of {before} vertices kept where they are; the others are at most {largest_mm:.3} mm from the new surface",
             mesh.n_vertices()
         );
         self.repairs.push(RepairNote { repair: Repair::Simplify, detail });
-        self.mesh = mesh;
+        let mesh = std::mem::replace(&mut self.mesh, mesh);
+        self.whole = Some((mesh, std::mem::replace(&mut self.numbering, numbering)));
     }
 
     /// The refusal, if this surface is unsuitable, with the smallest set of repairs that would make it suitable.
@@ -377,13 +383,14 @@ fn unnumbered(mesh: SurfaceMesh, topology: TopologyReport, repairs: Vec<RepairNo
 /// several, which is the likely reason.
 fn check_size(mask: &VoxelMask, limits: &IntakeLimits, slack: f64, of_all: bool) -> Result<(), IntakeError> {
     let found = mask.dims().iter().map(|&d| d as u64).product();
-    if found > MAX_BOX_VOXELS {
+    let limit = limits.max_voxels;
+    if found > limit {
         let what = if of_all {
             "voxels in the box around all its labels (input.labels chooses some)"
         } else {
             "voxels in the box around the structure"
         };
-        return Err(IntakeError::TooLarge { what, found, limit: MAX_BOX_VOXELS });
+        return Err(IntakeError::TooLarge { what, found, limit });
     }
     let (found, limit) = (mask.n_boundary_faces() as u64, (slack * limits.max_vertices as f64) as u64);
     if found > limit {

@@ -3,9 +3,12 @@
 
 use homolog_contract::parameters::{InputParameters, Method, Repair, preset, resolve};
 use homolog_formats::{InputFormat, write_nifti, write_ply};
+use homolog_laboratory::phantom::PhantomPair;
 use homolog_mesh::volume::LabelVolume;
 use homolog_mesh::{FaceArity, SurfaceMesh, shapes};
+use homolog_primitives::observe::Silent;
 use homolog_run::intake::{IntakeError, IntakeLimits, PreparedSurface, inspect, prepare_surface};
+use homolog_run::{InputFile, RunOutput, run_match};
 use nalgebra::Matrix4;
 use serde_json::json;
 
@@ -78,6 +81,18 @@ fn a_limit_counts_only_the_chosen_labels() {
     let all = with(json!(null)).unwrap_err().to_string();
     assert!(all.contains("of all its labels together (input.labels chooses some)"), "{all}");
     assert!(with(json!(7)).is_ok());
+    let boxed = |max_voxels| {
+        let parameters = resolve(&json!({"input": {"labels": 7}})).unwrap().input;
+        prepare_surface(&bytes, None, &parameters, &IntakeLimits { max_voxels, ..IntakeLimits::default() })
+    };
+    // The ball of radius 3 mm has 6 voxels across, and one beside it on each side.
+    assert!(boxed(512).is_ok());
+    assert!(boxed(511).unwrap_err().to_string().contains("512 voxels in the box around the structure"));
+    let ring = write_ply(&shapes::torus(8.0, 3.0, 24, 12, FaceArity::Triangle));
+    let faces =
+        |max_faces| prepare_surface(&ring, None, &defaults(), &IntakeLimits { max_faces, ..IntakeLimits::default() });
+    assert!(faces(576).is_ok());
+    assert!(faces(575).unwrap_err().to_string().contains("576 faces, but at most 575"));
 }
 
 #[test]
@@ -193,21 +208,81 @@ fn a_surface_is_simplified_to_a_number_of_vertices_that_keep_their_numbers() {
     assert_eq!(small.mesh.n_vertices(), 300);
     let detail = &small.report.repairs[0].detail;
     assert!(detail.starts_with("300 of 2562 vertices kept where they are; the others are at most 0."), "{detail}");
-    assert_eq!(small.uploaded().vertices(), ball.vertices());
+    assert_eq!(small.uploaded(), &ball, "an answer counts the whole surface");
     for (v, place) in small.mesh.vertices().iter().enumerate() {
         assert_eq!(ball.vertices()[small.numbering.original(v as u32) as usize], *place);
     }
     let whole = prepare(&write_ply(&ball), &with(json!({"max_vertices": 2562}))).unwrap();
     assert_eq!((whole.mesh, whole.report.repairs.len()), (ball, 0));
-    // A volume has no vertices of its own: the answer counts those of the small surface. Quads become triangles.
+    // A volume has no vertices of its own: the answer counts those of the surface before. Quads become triangles.
     let bytes = write_nifti(&two_balls());
     let chosen = json!({"labels": 3, "surface": "voxel", "max_vertices": 100, "repair": ["triangulate", "simplify"]});
     let of_volume = prepare(&bytes, &with(chosen)).unwrap();
-    assert_eq!((of_volume.uploaded(), of_volume.mesh.n_vertices()), (&of_volume.mesh, 100));
+    let before = prepare(&bytes, &with(json!({"labels": 3, "surface": "voxel", "repair": ["triangulate"]}))).unwrap();
+    assert_eq!((of_volume.uploaded(), of_volume.mesh.n_vertices()), (&before.mesh, 100));
     let made: Vec<_> = of_volume.report.repairs.iter().map(|note| note.repair).collect();
     assert_eq!(made, [Repair::Triangulate, Repair::Simplify]);
     for wrong in [json!({"max_vertices": 99}), json!({"repair": "simplify"}), json!({"fraction": 0.0})] {
         assert!(resolve(&json!({ "input": wrong })).is_err(), "{wrong}");
+    }
+}
+
+#[test]
+fn the_same_surface_in_seven_formats_gives_the_same_answer_to_the_bit() {
+    let single = |mesh: &SurfaceMesh| {
+        let places = mesh.vertices().iter().map(|p| p.map(|x| f64::from(x as f32))).collect();
+        SurfaceMesh::new(places, FaceArity::Triangle, mesh.triangles().concat()).unwrap()
+    };
+    let [source, target] = PhantomPair::against_template(0).unwrap().meshes(2.0).unwrap().each_ref().map(single);
+    let text = |head: &str, vertex: &str, face: &str, first: u32| {
+        let vertices = source.vertices().iter().map(|p| format!("{vertex}{} {} {}\n", p.x, p.y, p.z));
+        let faces = source.faces().map(|f| format!("{face}{} {} {}\n", f[0] + first, f[1] + first, f[2] + first));
+        (head.to_owned() + &vertices.chain(faces).collect::<String>()).into_bytes()
+    };
+    let off = format!("OFF\n{} {} 0\n", source.n_vertices(), source.n_faces());
+    let files = [
+        ("PLY", write_ply(&source)),
+        ("VTK", homolog_formats::write_vtk(&source)),
+        ("VTP", homolog_formats::write_vtp(&source)),
+        ("GIFTI", homolog_formats::gifti::write_gifti(&source, &[])),
+        ("OBJ", text("", "v ", "f ", 1)),
+        ("OFF", text(&off, "", "3 ", 0)),
+        ("STL", homolog_formats::write_stl(&source)),
+    ];
+    let target = write_ply(&target);
+    let answer = |bytes: &[u8]| {
+        let [source, target] = [bytes, &target].map(|bytes| InputFile { bytes, name: None });
+        let parameters = resolve(&json!({})).unwrap();
+        run_match(source, target, &parameters, &IntakeLimits::default(), &Silent).unwrap()
+    };
+    let expected = answer(&files[0].1);
+    let pairs = |output: &RunOutput| output.document.correspondences.clone().unwrap();
+    for (name, bytes) in &files[1..] {
+        let found = answer(bytes);
+        let (found_document, document) = (&found.document, &expected.document);
+        assert_eq!(found_document.transform, document.transform, "{name}");
+        assert_eq!(found_document.energy, document.energy, "{name}");
+        assert_eq!(found_document.surface_distance, document.surface_distance, "{name}");
+        assert_eq!(found_document.reliability, document.reliability, "{name}");
+        // STL has an order of vertices of its own.
+        if *name != "STL" {
+            assert_eq!(pairs(&found), pairs(&expected), "{name}");
+            continue;
+        }
+        let by_place = |output: &RunOutput| {
+            let columns = pairs(output);
+            let rows = columns.source.iter().zip(&columns.target).zip(&columns.confidence);
+            let place = |v: u32| output.source.vertices()[v as usize].map(f64::to_bits);
+            let mut rows: Vec<_> = rows
+                .map(|((&source, &target), confidence)| {
+                    let p = place(source);
+                    ([p.x, p.y, p.z], target, confidence.to_bits())
+                })
+                .collect();
+            rows.sort_unstable();
+            rows
+        };
+        assert_eq!(by_place(&found), by_place(&expected), "{name}");
     }
 }
 

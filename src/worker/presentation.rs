@@ -24,7 +24,7 @@ use homolog_run::{
 };
 use serde::Deserialize;
 
-/// Value of `target` for a source vertex without a correspondence; its other values are 0.
+/// Value of `target` and of the corners of the triangle for a source vertex without a correspondence; its other values are 0.
 pub const NO_TARGET: i32 = -1;
 
 /// A part of a result in `format`, made from the stored blobs of the part: the correspondences (JSON), with the source
@@ -219,6 +219,8 @@ fn vertex_arrays(pairs: &Correspondences, n_vertices: usize) -> Vec<VertexArray>
     let mut inlier = vec![0; n_vertices];
     let mut spread_mm = vec![0.0; n_vertices];
     let mut outlier = vec![0; n_vertices];
+    let mut triangle = [(); 3].map(|()| vec![NO_TARGET; n_vertices]);
+    let mut barycentric = [(); 3].map(|()| vec![0.0; n_vertices]);
     for row in 0..pairs.source.len() {
         let vertex = pairs.source[row] as usize;
         if vertex < n_vertices {
@@ -227,15 +229,24 @@ fn vertex_arrays(pairs: &Correspondences, n_vertices: usize) -> Vec<VertexArray>
             inlier[vertex] = u8::from(pairs.inlier[row]);
             spread_mm[vertex] = pairs.spread_mm[row];
             outlier[vertex] = pairs.outlier[row].code();
+            for corner in 0..3 {
+                triangle[corner][vertex] = i32::try_from(pairs.triangle[row][corner]).unwrap_or(NO_TARGET);
+                barycentric[corner][vertex] = pairs.barycentric[row][corner];
+            }
         }
     }
-    vec![
+    let names = ["triangle_0", "triangle_1", "triangle_2"].into_iter();
+    let corners = names.zip(triangle).map(|(name, values)| VertexArray { name, values: VertexValues::Int(values) });
+    let names = ["barycentric_0", "barycentric_1", "barycentric_2"].into_iter();
+    let weights = names.zip(barycentric).map(|(name, values)| VertexArray { name, values: VertexValues::Real(values) });
+    let columns = [
         VertexArray { name: "target", values: VertexValues::Int(target) },
         VertexArray { name: "confidence", values: VertexValues::Real(confidence) },
         VertexArray { name: "inlier", values: VertexValues::Byte(inlier) },
         VertexArray { name: "spread_mm", values: VertexValues::Real(spread_mm) },
         VertexArray { name: "outlier", values: VertexValues::Byte(outlier) },
-    ]
+    ];
+    columns.into_iter().chain(corners).chain(weights).collect()
 }
 
 fn transform(result: &[u8], format: PartFormat) -> Result<Option<Vec<u8>>, PresentError> {
@@ -301,6 +312,8 @@ mod tests {
             inlier: vec![true, false, true],
             spread_mm: vec![0.5, 3.0, 1.0],
             outlier: vec![OutlierReason::None, OutlierReason::Both, OutlierReason::Residual],
+            triangle: vec![[7, 8, 9], [0, 1, 2], [4, 5, 6]],
+            barycentric: vec![[0.5, 0.25, 0.25], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]],
             ..Correspondences::default()
         };
         let arrays = vertex_arrays(&pairs, 5);
@@ -311,6 +324,12 @@ mod tests {
             ("inlier", VertexValues::Byte(vec![0, 0, 0, 1, 0])),
             ("spread_mm", VertexValues::Real(vec![0.0, 3.0, 0.0, 0.5, 0.0])),
             ("outlier", VertexValues::Byte(vec![0, 3, 0, 0, 0])),
+            ("triangle_0", VertexValues::Int(vec![NO_TARGET, 0, NO_TARGET, 7, NO_TARGET])),
+            ("triangle_1", VertexValues::Int(vec![NO_TARGET, 1, NO_TARGET, 8, NO_TARGET])),
+            ("triangle_2", VertexValues::Int(vec![NO_TARGET, 2, NO_TARGET, 9, NO_TARGET])),
+            ("barycentric_0", VertexValues::Real(vec![0.0, 1.0, 0.0, 0.5, 0.0])),
+            ("barycentric_1", VertexValues::Real(vec![0.0, 0.0, 0.0, 0.25, 0.0])),
+            ("barycentric_2", VertexValues::Real(vec![0.0, 0.0, 0.0, 0.25, 0.0])),
         ];
         assert_eq!(values, expected, "a row of a vertex that the surface does not have is skipped");
     }

@@ -243,7 +243,9 @@ def check_correspondences(folder, part, surface):
             check_colors(path, columns, surface)
             continue
         arrays = same_surface(path, surface)
-        named = {name: columns[name] for name in ("target", "confidence", "inlier", "spread_mm", "outlier")}
+        names = ["target", "confidence", "inlier", "spread_mm", "outlier"]
+        names += [f"{name}_{k}" for name in ("triangle", "barycentric") for k in range(3)]
+        named = {name: columns[name] for name in names}
         same_values(path.name, {name: values[at] for name, values in arrays.items()}, named, "gii" in path.name or "gifti" in path.name)
 
 

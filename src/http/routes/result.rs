@@ -84,7 +84,8 @@ pub(crate) async fn result(
 /// `triangle` and its `barycentric` coordinates, three numbers each.
 ///
 /// Or as the source surface with these values at each vertex: PLY (properties), legacy VTK and VTP (point data) or GIFTI (further
-/// data arrays; single precision, quads split into triangles). A vertex without a correspondence has `target` −1,
+/// data arrays; single precision, quads split into triangles). The corners and weights are
+/// `triangle_0` to `triangle_2` and `barycentric_0` to `barycentric_2`. A vertex without a correspondence has `target` and corners −1,
 /// `confidence` 0 and `inlier` 0. Or as glTF (`glb`), for browsers: the source moved rigidly onto the target, and the target,
 /// corresponding points in one color.
 #[utoipa::path(

@@ -425,6 +425,50 @@ mod real_data {
         }
     }
 
+    /// An array of a NumPy archive as the bytes of its values.
+    fn npz_column(archive: &[u8], name: &str) -> Vec<u8> {
+        use std::io::Read;
+        let number = |at: usize, n: usize| (0..n).rev().fold(0usize, |sum, k| sum << 8 | usize::from(archive[at + k]));
+        // The entry in the directory: its name begins 46 bytes after its mark.
+        let mark =
+            |at: &usize| archive[*at..].starts_with(b"PK\x01\x02") && archive[at + 46..].starts_with(name.as_bytes());
+        let entry = (0..archive.len()).find(mark).unwrap();
+        let (packed, local) = (number(entry + 20, 4), number(entry + 42, 4));
+        let start = local + 30 + number(local + 26, 2) + number(local + 28, 2);
+        let mut array = Vec::new();
+        flate2::read::DeflateDecoder::new(&archive[start..start + packed]).read_to_end(&mut array).unwrap();
+        let header = 10 + usize::from(array[8]) + (usize::from(array[9]) << 8);
+        array.split_off(header)
+    }
+
+    #[test]
+    #[ignore = "needs real data (landmarked)"]
+    fn the_tunnel_of_a_vertebra_is_closed_by_cutting_its_arch() {
+        let archive = std::fs::read(real_files("landmarked/vertebra").first().unwrap()).unwrap();
+        let coordinates: Vec<f64> = npz_column(&archive, "V.npy")
+            .chunks_exact(4)
+            .map(|b| f64::from(f32::from_le_bytes([b[0], b[1], b[2], b[3]])))
+            .collect();
+        let vertices = coordinates.chunks_exact(3).map(|p| nalgebra::Point3::new(p[0], p[1], p[2])).collect();
+        let faces = npz_column(&archive, "F.npy");
+        let faces = faces.chunks_exact(4).map(|b| u32::from_le_bytes([b[0], b[1], b[2], b[3]])).collect();
+        let vertebra = SurfaceMesh::new(vertices, FaceArity::Triangle, faces).unwrap();
+        let with = |repair: serde_json::Value| resolve(&json!({"input": {"repair": repair}})).unwrap().input;
+        let bytes = write_ply(&vertebra);
+        let repairs = json!(["weld", "split", "largest_component", "orient"]);
+        let before = prepare(&bytes, &with(repairs.clone())).unwrap();
+        let genus = |prepared: &PreparedSurface| homolog_mesh::topology::topology_report(&prepared.mesh).genus;
+        assert!(genus(&before).unwrap() > 0);
+        let mut all = repairs;
+        all.as_array_mut().unwrap().push(json!("fill"));
+        let after = prepare(&bytes, &with(all)).unwrap();
+        assert_eq!(genus(&after), Some(0));
+        println!("{}", after.report.repairs.last().unwrap().detail);
+        // Only a thin slice of the arch is gone.
+        let lost = 1.0 - after.mesh.signed_volume() / before.mesh.signed_volume();
+        assert!((0.0..0.01).contains(&lost), "{lost}");
+    }
+
     #[test]
     #[ignore = "needs real data (formats)"]
     fn a_segmentation_and_its_nrrd_twin_give_the_same_surface() {

@@ -8,6 +8,7 @@
 use super::dicom::{DataSet, PixelEncoding, SOP_CLASS, SOP_INSTANCE, read_file, rle_frame};
 use super::label_file::{LabelFile, Overlay};
 use super::{FormatError, ReadLimits, lps};
+use homolog_contract::input::InputSpace;
 use nalgebra::{Matrix4, Vector3};
 use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet};
@@ -126,7 +127,8 @@ pub fn read_dicom_seg(files: &[&[u8]], limits: &ReadLimits, fraction: f64) -> Re
             if numbers.n_changed == 1 { "1 segment".to_owned() } else { format!("{} segments", numbers.n_changed) }
         ));
     }
-    Ok(LabelFile { volume: overlay.volume(dims, lps::affine_to_ras(&stack.affine))?, names, notes })
+    let volume = overlay.volume(dims, lps::affine_to_ras(&stack.affine))?;
+    Ok(LabelFile { volume, space: InputSpace::Lps, names, notes })
 }
 
 /// Whether a file of part 10 is a segmentation.

@@ -48,7 +48,7 @@ pub mod vtp;
 
 pub use archive::write_zip;
 pub use error::{FormatError, GzipFault};
-pub use homolog_contract::input::InputFormat;
+pub use homolog_contract::input::{InputFormat, InputSpace};
 pub use label_file::LabelFile;
 pub use nifti::{write_nifti, write_nifti_gz};
 pub use pairs::PairColumns;
@@ -91,6 +91,8 @@ pub struct ReadFile {
     pub format: InputFormat,
     /// Its content, in RAS.
     pub content: FileContent,
+    /// The space of coordinates that it declares, before they were converted.
+    pub space: InputSpace,
     /// Names of the labels of a volume, for formats that have them, as the file gives them.
     pub label_names: BTreeMap<u32, String>,
     /// What was done to coordinates or values, and whether the name promises another format: a sentence each, without text
@@ -170,7 +172,10 @@ fn read_file(
     let format = if nifti::is_nifti(&head) { InputFormat::Nifti } else { detect::detect(&inflated, file_name)? };
     let bytes: &[u8] = &inflated;
     let mut read = match format {
-        InputFormat::Nifti => ReadFile::volume(format, nifti::read_nifti(bytes, limits)?),
+        InputFormat::Nifti => {
+            let space = if nifti::states_space(&head) { InputSpace::ScannerRas } else { InputSpace::Unknown };
+            ReadFile::labels(format, LabelFile { space, ..LabelFile::unnamed(nifti::read_nifti(bytes, limits)?) })
+        }
         InputFormat::Mgh => ReadFile::labels(format, mgh::read_mgh(bytes, limits)?),
         InputFormat::Nrrd => ReadFile::labels(format, nrrd::read_nrrd(bytes, limits)?),
         InputFormat::MetaImage => ReadFile::labels(format, metaimage::read_metaimage(bytes, limits)?),
@@ -193,18 +198,14 @@ fn read_file(
 const DECLARATION_BYTES: usize = 1024;
 
 impl ReadFile {
-    fn volume(format: InputFormat, volume: LabelVolume) -> Self {
-        ReadFile { format, content: FileContent::Labels(volume), label_names: BTreeMap::new(), notes: Vec::new() }
-    }
-
     fn labels(format: InputFormat, file: LabelFile) -> Self {
-        let LabelFile { volume, names, notes } = file;
-        ReadFile { format, content: FileContent::Labels(volume), label_names: names, notes }
+        let LabelFile { volume, space, names, notes } = file;
+        ReadFile { format, content: FileContent::Labels(volume), space, label_names: names, notes }
     }
 
     fn mesh(format: InputFormat, mut file: MeshFile) -> Self {
-        let notes = std::mem::take(&mut file.notes);
-        ReadFile { format, content: FileContent::Mesh(file), label_names: BTreeMap::new(), notes }
+        let (space, notes) = (file.space, std::mem::take(&mut file.notes));
+        ReadFile { format, content: FileContent::Mesh(file), space, label_names: BTreeMap::new(), notes }
     }
 
     /// A mesh of a format in which 3D Slicer declares the space of the coordinates in free text.

@@ -3,7 +3,9 @@
 
 mod samples;
 
-use homolog_formats::{FileContent, FormatError, InputFormat, ReadFile, ReadLimits, read, read_with, write_zip};
+use homolog_formats::{
+    FileContent, FormatError, InputFormat, InputSpace, ReadFile, ReadLimits, read, read_with, write_zip,
+};
 use homolog_mesh::SurfaceMesh;
 use homolog_mesh::volume::LabelVolume;
 use nalgebra::{Matrix4, Point3};
@@ -198,6 +200,37 @@ fn a_segment_that_all_frames_share_is_found_in_the_shared_groups() {
     moved[groups + 8..groups + 12].copy_from_slice(&value.to_le_bytes());
     moved.splice(at + 20..at + 20, sequence);
     assert_eq!(volume("shared", &moved).1, volume("own", &own).1);
+}
+
+#[test]
+fn the_space_that_a_file_declares_is_reported() {
+    use InputSpace::{FreesurferRas, Lps, ScannerRas, Unknown};
+    let expected = |format, name: &str| match format {
+        InputFormat::Nifti | InputFormat::Mgh => ScannerRas,
+        InputFormat::Nrrd | InputFormat::MetaImage | InputFormat::DicomSeg => Lps,
+        InputFormat::Freesurfer => FreesurferRas,
+        _ => {
+            if name.contains("LPS") {
+                Lps
+            } else {
+                Unknown
+            }
+        }
+    };
+    for (name, format, bytes) in surfaces().into_iter().chain(volumes()) {
+        assert_eq!(read_file(&bytes, Some(name)).unwrap().space, expected(format, name), "{name}");
+    }
+    let of = |bytes: &[u8]| read_file(bytes, None).unwrap().space;
+    let mut silent = samples::nifti_2(false);
+    // Without codes, positions are through the voxel sizes.
+    silent[344..352].fill(0);
+    for at in [112, 120, 128] {
+        silent[at..at + 8].copy_from_slice(&1.0f64.to_le_bytes());
+    }
+    assert_eq!(of(&silent), Unknown);
+    let scanner = String::from_utf8(gifti("ASCII", false, false, "INT32", IDENTITY)).unwrap();
+    let scanner = scanner.replace("NIFTI_XFORM_UNKNOWN", "NIFTI_XFORM_SCANNER_ANAT");
+    assert_eq!(of(scanner.as_bytes()), ScannerRas);
 }
 
 #[test]

@@ -32,6 +32,7 @@ pub fn inspect(
     let mut inspection = Inspection {
         format: file.format,
         kind,
+        space: file.space,
         volume,
         topology: None,
         repaired_topology: None,

@@ -119,11 +119,11 @@ pub fn prepare_surface(
     if let Some(refusal) = candidate.refusal(&file, parameters, limits) {
         return Err(refusal);
     }
-    let ReadFile { format, content, mut notes, .. } = file;
+    let ReadFile { format, content, space, mut notes, .. } = file;
     let Candidate { mesh, numbering, added, whole, topology, repairs, turned_outward, notes: of_repairs, .. } =
         candidate;
     notes.extend(of_repairs);
-    let report = InputReport { format, topology, repairs, turned_outward, notes };
+    let report = InputReport { format, space: Some(space), topology, repairs, turned_outward, notes };
     let dropped = whole.as_ref().map(|whole| dropped(&mesh, &numbering, whole)).unwrap_or_default();
     // What was there before simplification is what an answer counts.
     let (faces, names) = whole.as_ref().map_or((&mesh, &numbering), |(faces, names)| (faces, names));

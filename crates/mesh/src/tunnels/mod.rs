@@ -6,7 +6,7 @@
 //! joined again by welding.
 //!
 //! # Source
-//! Loops: [`shortest_loop`]. Closing tunnels by cutting shortest non-separating loops: Guskov and Wood, "Topological noise
+//! Loops: [`mod@shortest_loop`]. Closing tunnels by cutting shortest non-separating loops: Guskov and Wood, "Topological noise
 //! removal", Graphics Interface 2001; Wood, Hoppe, Desbrun and Schröder, "Removing excess topology from isosurfaces", ACM
 //! Transactions on Graphics 23(2), 2004.
 

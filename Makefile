@@ -118,6 +118,7 @@ answers: build
 fuzz:
 	command -v cargo-fuzz >/dev/null || $(CARGO) install --locked --version 0.13.2 cargo-fuzz
 	mkdir -p fuzz/corpus/read fuzz/artifacts/read
+	HOMOLOG_FUZZ_SEEDS="$$PWD/fuzz/corpus/read" $(CARGO) test --locked -p homolog-formats --test hostile every_format
 	find $(or $(DATA),../shared/data)/formats tests/fixtures crates/formats/tests -type f -size -64k -exec cp -n {} fuzz/corpus/read/ \; || true
 	cd fuzz && $(CARGO) +nightly fuzz run read corpus/read -- -max_total_time=$(or $(FOR),600) -timeout=2 -malloc_limit_mb=256 \
 	  -rss_limit_mb=2048 -max_len=65536 -dict=formats.dict

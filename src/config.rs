@@ -9,7 +9,7 @@ use crate::store::sql::DatabaseLocation;
 use crate::worker::WorkerSettings;
 use crate::worker::machine;
 use crate::worker::webhook_delivery::WebhookDeliverySettings;
-use homolog_run::intake::{DEFAULT_MATCH_BYTES, IntakeLimits};
+use homolog_run::intake::{DEFAULT_FACES, DEFAULT_INFLATION, DEFAULT_MATCH_BYTES, DEFAULT_VOXELS, IntakeLimits};
 use std::net::SocketAddr;
 use std::path::PathBuf;
 use std::time::Duration;
@@ -100,9 +100,18 @@ pub struct ServiceSettings {
     /// Maximum size of an input file after decompression, bytes
     #[arg(long, env = "HOMOLOG_MAX_INFLATED_BYTES", default_value_t = 512 << 20, value_name = "BYTES")]
     pub max_inflated_bytes: usize,
+    /// Maximum size of an input file after decompression, as a multiple of its size, above a mebibyte
+    #[arg(long, env = "HOMOLOG_MAX_INFLATION", default_value_t = DEFAULT_INFLATION, value_name = "N")]
+    pub max_inflation: usize,
     /// Maximum number of vertices of an input surface
     #[arg(long, env = "HOMOLOG_MAX_VERTICES", default_value_t = 200_000, value_name = "N")]
     pub max_vertices: usize,
+    /// Maximum number of faces of an input mesh
+    #[arg(long, env = "HOMOLOG_MAX_FACES", default_value_t = DEFAULT_FACES, value_name = "N")]
+    pub max_faces: usize,
+    /// Maximum number of voxels of the box around the chosen labels of a volume
+    #[arg(long, env = "HOMOLOG_MAX_VOXELS", default_value_t = DEFAULT_VOXELS, value_name = "N")]
+    pub max_voxels: u64,
     /// Maximum memory that one match may be predicted to take, bytes
     #[arg(long, env = "HOMOLOG_MAX_MATCH_BYTES", default_value_t = DEFAULT_MATCH_BYTES, value_name = "BYTES")]
     pub max_match_bytes: u64,
@@ -301,7 +310,10 @@ impl ServiceSettings {
         IntakeLimits {
             max_bytes: self.max_file_bytes,
             max_inflated_bytes: self.max_inflated_bytes,
+            max_inflation: self.max_inflation,
             max_vertices: self.max_vertices,
+            max_faces: self.max_faces,
+            max_voxels: self.max_voxels,
             max_match_bytes: self.max_match_bytes,
         }
     }

@@ -1,18 +1,20 @@
 //! Files of commands: inputs are read under a size limit, outputs are written atomically.
 
 use super::error::CliError;
+use homolog_formats::write_zip;
 use homolog_run::intake::IntakeLimits;
 use serde::Serialize;
 use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-/// The bytes of an input; a file that is too large is refused before it is read.
+/// The bytes of an input; a file that is too large is refused before it is read. The DICOM files of a folder are read as a
+/// zip archive of them, as the service takes it.
 pub(super) fn read_input(path: &Path, limits: &IntakeLimits) -> Result<Vec<u8>, CliError> {
     let unreadable = |error: io::Error| CliError::BadInput(format!("cannot read {}: {error}", path.display()));
     let metadata = fs::metadata(path).map_err(unreadable)?;
     if metadata.is_dir() {
-        return Err(CliError::BadInput(format!("{} is a folder; name a file", path.display())));
+        return read_folder(path, limits);
     }
     if metadata.len() > limits.max_bytes as u64 {
         return Err(CliError::BadInput(format!(
@@ -23,6 +25,42 @@ pub(super) fn read_input(path: &Path, limits: &IntakeLimits) -> Result<Vec<u8>, 
         )));
     }
     fs::read(path).map_err(unreadable)
+}
+
+/// The DICOM files of a folder and its folders, in one archive.
+fn read_folder(folder: &Path, limits: &IntakeLimits) -> Result<Vec<u8>, CliError> {
+    let unreadable = |path: &Path, e: io::Error| CliError::BadInput(format!("cannot read {}: {e}", path.display()));
+    let (mut files, mut left) = (Vec::new(), limits.max_bytes as u64);
+    let mut folders = vec![folder.to_owned()];
+    while let Some(at) = folders.pop() {
+        for entry in fs::read_dir(&at).map_err(|e| unreadable(&at, e))? {
+            let entry = entry.map_err(|e| unreadable(&at, e))?;
+            let path = entry.path();
+            // Links to folders could lead round in circles.
+            if entry.file_type().map_err(|e| unreadable(&path, e))?.is_dir() {
+                folders.push(path);
+                continue;
+            }
+            let mut head = [0; 132];
+            let opened = fs::File::open(&path).and_then(|mut file| io::Read::read_exact(&mut file, &mut head));
+            if opened.is_err() || !head.ends_with(b"DICM") {
+                continue;
+            }
+            let bytes = fs::read(&path).map_err(|e| unreadable(&path, e))?;
+            left = left.checked_sub(bytes.len() as u64).ok_or_else(|| {
+                let limit = limits.max_bytes;
+                CliError::BadInput(format!("the DICOM files of {} have more than {limit} bytes", folder.display()))
+            })?;
+            let name = path.strip_prefix(folder).unwrap_or(&path).to_string_lossy().into_owned();
+            files.push((name, bytes));
+        }
+    }
+    if files.is_empty() {
+        let advice = "name a file, or a folder of DICOM segmentations";
+        return Err(CliError::BadInput(format!("{} is a folder without DICOM files; {advice}", folder.display())));
+    }
+    files.sort();
+    write_zip(&files).map_err(|e| CliError::Failed(format!("cannot pack {}: {e}", folder.display())))
 }
 
 /// The last part of a path, like the file name of an upload.

@@ -12,13 +12,16 @@ use homolog_contract::result::{Correspondences, WarpDirection};
 use homolog_formats::ReadLimits;
 use homolog_formats::gifti::write_gifti;
 use homolog_formats::ply::{write_ply, write_ply_with};
+use homolog_formats::segmentation::{SegmentationError, SegmentedFiles, write_segmentation};
 use homolog_formats::spatial_registration::{RegisteredFiles, write_spatial_registration};
-use homolog_formats::transform::{write_itk_transform, write_lta};
+use homolog_formats::transform::write_itk_transform;
 use homolog_formats::vertex_table::write_csv;
 use homolog_formats::vtp::write_vtp_with;
 use homolog_primitives::observe::{Observer, Phase, TracePoint};
 use homolog_run::intake::IntakeLimits;
-use homolog_run::{InputFile, ReportInputs, RunError, RunOutput, WarpedSurface, run_match, write_report};
+use homolog_run::{
+    InputFile, ReportInputs, RunError, RunOutput, WarpedSurface, lta, run_match, segment_label, write_report,
+};
 use serde::Serialize;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
@@ -36,7 +39,8 @@ pub(super) struct MatchArgs {
     #[command(flatten)]
     pub(super) parameters: ParameterArgs,
     /// Folder for result.json, correspondences.csv, source.ply, target.ply, aligned.ply (moved rigidly), warped.ply, .vtp,
-    /// .surf.gii and .csv (the source bent onto the target), transform.tfm, .lta and, for DICOM inputs, .dcm, and trace.jsonl
+    /// .surf.gii and .csv (the source bent onto the target), transform.tfm, .lta and, for DICOM inputs,
+    /// transform.dcm and warped.dcm, and trace.jsonl
     #[arg(long, value_name = "DIR")]
     pub(super) out: Option<PathBuf>,
     /// File for a page with the verdict, both surfaces to turn with the mouse, and all numbers; it contains no file names
@@ -121,19 +125,35 @@ fn write_files(folder: &OutputFolder, output: &RunOutput, trace: &[TimedPoint]) 
     Ok(())
 }
 
-/// The rigid transform for other programs; as DICOM if an input is a DICOM object.
+/// The rigid transform for other programs; if an input is a DICOM object also as DICOM, and with it the bent surfaces.
 fn write_transforms(folder: &OutputFolder, output: &RunOutput, source: &[u8], target: &[u8]) -> Result<(), CliError> {
     let matrix = &output.document.transform.matrix;
     if let Some(text) = write_itk_transform(matrix) {
         folder.write("transform.tfm", text.as_bytes())?;
     }
-    folder.write("transform.lta", write_lta(matrix).as_bytes())?;
+    folder.write("transform.lta", lta(matrix, [source, target]).as_bytes())?;
     let now = jiff::Timestamp::now().strftime("%Y%m%d%H%M%S").to_string();
     let files = RegisteredFiles { source, target, max_inflated_bytes: ReadLimits::default().max_inflated_bytes };
     let registration = write_spatial_registration(matrix, &files, &now)
         .map_err(|e| CliError::Failed(format!("cannot write the transform as DICOM: {e}")))?;
     if let Some(registration) = registration {
         folder.write("transform.dcm", &registration)?;
+    }
+    let has_inverse = output.document.correspondences.as_ref().is_some_and(|pairs| pairs.inverse.is_some());
+    let inverse = has_inverse.then_some((WarpDirection::Inverse, "warped-inverse.dcm"));
+    for (direction, name) in [(WarpDirection::Forward, "warped.dcm")].into_iter().chain(inverse) {
+        let (own, other) = match direction {
+            WarpDirection::Forward => (target, source),
+            WarpDirection::Inverse => (source, target),
+        };
+        let files = SegmentedFiles { own, other, max_inflated_bytes: ReadLimits::default().max_inflated_bytes };
+        let mesh =
+            output.warped(direction).map_err(|e| CliError::Failed(format!("cannot bend the surface: {e}")))?.mesh;
+        match write_segmentation(&mesh, segment_label(direction), &files, &now) {
+            Ok(segmentation) => folder.write(name, &segmentation).map(|_| ())?,
+            Err(SegmentationError::NotDicom) => break,
+            Err(error) => note(&format!("{name} is not written: {error}")),
+        }
     }
     Ok(())
 }

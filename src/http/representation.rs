@@ -41,6 +41,7 @@ fn form(format: PartFormat) -> Form {
         PartFormat::Text => ("text/plain", "text/plain; charset=utf-8", None),
         PartFormat::Itk => ("application/x-itk-transform", "application/x-itk-transform", Some("tfm")),
         PartFormat::Npz => ("application/x-npz", "application/x-npz", Some("npz")),
+        PartFormat::Parquet => ("application/vnd.apache.parquet", "application/vnd.apache.parquet", Some("parquet")),
         PartFormat::Glb => ("model/gltf-binary", "model/gltf-binary", Some("glb")),
         PartFormat::Dicom => ("application/dicom", "application/dicom", Some("dcm")),
         PartFormat::Html => ("text/html", "text/html; charset=utf-8", None),

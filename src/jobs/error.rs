@@ -52,6 +52,9 @@ pub enum JobError {
     /// There is no patient and no study for a DICOM object.
     #[error("neither input is a DICOM object")]
     NotDicom,
+    /// The bent surface is open or too large for a grid, so that it has no segmentation.
+    #[error("the bent surface has no segmentation")]
+    NoSegmentation,
     /// No such upload of this tenant.
     #[error("no such mesh")]
     MeshNotFound,

@@ -74,6 +74,8 @@ pub enum PartFormat {
     Html,
     /// NumPy arrays in a zip archive.
     Npz,
+    /// Apache Parquet.
+    Parquet,
     /// glTF 2.0 binary.
     Glb,
     /// DICOM, of the study of an input.
@@ -98,14 +100,16 @@ impl ResultPart {
 
     /// The available formats, the default first.
     pub fn formats(self) -> &'static [PartFormat] {
-        use PartFormat::{Arrow, Csv, Dicom, Gifti, Glb, Html, Itk, Json, Lta, Npy, Npz, Ply, Stl, Text, Vtk, Vtp};
+        use PartFormat::{
+            Arrow, Csv, Dicom, Gifti, Glb, Html, Itk, Json, Lta, Npy, Npz, Parquet, Ply, Stl, Text, Vtk, Vtp,
+        };
         match self {
-            ResultPart::Correspondences { .. } => &[Json, Csv, Npy, Npz, Arrow, Ply, Vtk, Vtp, Gifti, Glb],
+            ResultPart::Correspondences { .. } => &[Json, Csv, Npy, Npz, Arrow, Parquet, Ply, Vtk, Vtp, Gifti, Glb],
             ResultPart::Transform => &[Json, Text, Itk, Lta, Dicom],
             ResultPart::SourceSurface | ResultPart::TargetSurface | ResultPart::Aligned => {
                 &[Ply, Vtk, Vtp, Gifti, Stl, Glb]
             }
-            ResultPart::Warped { .. } => &[Ply, Vtk, Vtp, Gifti, Stl, Glb, Json, Csv, Npy, Npz, Arrow],
+            ResultPart::Warped { .. } => &[Ply, Vtk, Vtp, Gifti, Stl, Glb, Json, Csv, Npy, Npz, Arrow, Parquet, Dicom],
             ResultPart::Report => &[Html],
         }
     }
@@ -139,13 +143,21 @@ impl ResultPart {
                 ArtifactKind::TargetSurface,
             ],
             (ResultPart::Correspondences { .. }, _) => &[ArtifactKind::Correspondences],
-            (ResultPart::Transform, PartFormat::Dicom) => {
+            (ResultPart::Transform, PartFormat::Dicom | PartFormat::Lta) => {
                 &[ArtifactKind::Result, ArtifactKind::Source, ArtifactKind::Target]
             }
             (ResultPart::Transform, _) => &[ArtifactKind::Result],
             (ResultPart::SourceSurface, _) => &[ArtifactKind::SourceSurface],
             (ResultPart::TargetSurface, _) => &[ArtifactKind::TargetSurface],
             (ResultPart::Aligned, _) => &[ArtifactKind::Aligned],
+            (ResultPart::Warped { .. }, PartFormat::Dicom) => &[
+                ArtifactKind::Result,
+                ArtifactKind::Correspondences,
+                ArtifactKind::SourceSurface,
+                ArtifactKind::TargetSurface,
+                ArtifactKind::Source,
+                ArtifactKind::Target,
+            ],
             (ResultPart::Warped { .. } | ResultPart::Report, _) => &[
                 ArtifactKind::Result,
                 ArtifactKind::Correspondences,
@@ -174,6 +186,7 @@ impl PartFormat {
             PartFormat::Lta => "lta",
             PartFormat::Html => "html",
             PartFormat::Npz => "npz",
+            PartFormat::Parquet => "parquet",
             PartFormat::Glb => "glb",
             PartFormat::Dicom => "dicom",
         }
@@ -197,6 +210,9 @@ pub enum PresentError {
     /// Neither input is a DICOM object, so there is no patient and no study.
     #[error("neither input is a DICOM object")]
     NotDicom,
+    /// The bent surface is open or too large for a grid, so that it has no segmentation.
+    #[error("the bent surface has no segmentation")]
+    NoSegmentation,
     /// The stored part cannot be read, or not be written in this format.
     #[error("{what}")]
     Unreadable {
@@ -305,6 +321,7 @@ impl JobService {
             Ok(Ok(bytes)) => Ok(Presented::Converted(bytes.into())),
             Ok(Err(PresentError::NoInverse)) => Err(JobError::NoInverse),
             Ok(Err(PresentError::NotDicom)) => Err(JobError::NotDicom),
+            Ok(Err(PresentError::NoSegmentation)) => Err(JobError::NoSegmentation),
             Ok(Err(error)) => Err(JobError::corrupt("a stored part of a result", error)),
             Err(error) => Err(JobError::corrupt("a stored part of a result", error)),
         }

@@ -8,24 +8,28 @@ use homolog_formats::gifti::write_gifti;
 use homolog_formats::glb::{ColoredSurface, write_glb};
 use homolog_formats::npy::write_npy;
 use homolog_formats::npz::{write_npz, write_npz_table};
+use homolog_formats::parquet::{write_parquet, write_parquet_table};
 use homolog_formats::ply::{read_ply, write_ply_with};
+use homolog_formats::segmentation::{SegmentationError, SegmentedFiles, write_segmentation};
 use homolog_formats::spatial_registration::{RegisteredFiles, write_spatial_registration};
-use homolog_formats::transform::{write_itk_transform, write_lta, write_matrix_text};
+use homolog_formats::transform::{write_itk_transform, write_matrix_text};
 use homolog_formats::vertex_table::{write_csv, write_npy_table};
 use homolog_formats::vtk::write_vtk_with;
 use homolog_formats::vtp::write_vtp_with;
 use homolog_formats::{PairColumns, ReadLimits, VertexArray, VertexValues, write_stl};
 use homolog_mesh::SurfaceMesh;
 use homolog_primitives::observe::TracePoint;
-use homolog_run::{Colors, ReportInputs, WarpError, WarpedSurface, value_colors, warp, write_report};
+use homolog_run::{
+    Colors, ReportInputs, WarpError, WarpedSurface, lta, segment_label, value_colors, warp, write_report,
+};
 use serde::Deserialize;
 
-/// Value of `target` for a source vertex without a correspondence; its other values are 0.
+/// Value of `target` and of the corners of the triangle for a source vertex without a correspondence; its other values are 0.
 pub const NO_TARGET: i32 = -1;
 
 /// A part of a result in `format`, made from the stored blobs of the part: the correspondences (JSON), with the source
 /// surface (PLY) for surface formats; the result document (JSON); a surface (PLY); all of these for a bent surface; or these
-/// and the energy trace (JSON) for a report; the result document, both uploads and the time of its end for DICOM.
+/// and the energy trace (JSON) for a report. With them, both uploads for LTA, and both uploads and the time of its end for DICOM.
 ///
 /// # Errors
 /// [`PresentError`].
@@ -45,6 +49,10 @@ pub fn present(part: ResultPart, format: PartFormat, stored: &[&[u8]]) -> Result
             Some(corresponding_scene(&surfaces, &pairs, &stored_transform(result)?.matrix, direction)?)
         }
         (ResultPart::Transform, [result]) => transform(result, format)?,
+        (ResultPart::Transform, [result, source, target]) => {
+            let matrix = stored_transform(result)?.matrix;
+            (format == PartFormat::Lta).then(|| lta(&matrix, [source, target]).into_bytes())
+        }
         (ResultPart::Transform, [result, source, target, ended_at]) => {
             let max_inflated_bytes = ReadLimits::default().max_inflated_bytes;
             let ended_at = String::from_utf8_lossy(ended_at);
@@ -52,7 +60,9 @@ pub fn present(part: ResultPart, format: PartFormat, stored: &[&[u8]]) -> Result
             let written = write_spatial_registration(&stored_transform(result)?.matrix, &files, &ended_at);
             Some(written.map_err(|error| unreadable("an input", error))?.ok_or(PresentError::NotDicom)?)
         }
-        (ResultPart::Warped { direction, space }, [result, columns, source, target]) => {
+        (ResultPart::Warped { direction, space }, [result, columns, source, target, files @ ..])
+            if matches!(files.len(), 0 | 3) =>
+        {
             let surfaces = [surface_mesh(source)?, surface_mesh(target)?];
             let matrix = stored_transform(result)?.matrix;
             let pairs = correspondences(columns)?;
@@ -74,6 +84,21 @@ pub fn present(part: ResultPart, format: PartFormat, stored: &[&[u8]]) -> Result
                 PartFormat::Csv => Some(write_csv(&arrays)),
                 PartFormat::Npy => Some(write_npy_table(&arrays)),
                 PartFormat::Arrow => Some(write_arrow_table(&arrays)),
+                PartFormat::Parquet => Some(write_parquet_table(&arrays)),
+                PartFormat::Dicom => match files {
+                    [source, target, ended_at] => {
+                        let (own, other) = match space {
+                            WarpSpace::Source => (source, target),
+                            WarpSpace::Target => (target, source),
+                        };
+                        let max_inflated_bytes = ReadLimits::default().max_inflated_bytes;
+                        let files = SegmentedFiles { own, other, max_inflated_bytes };
+                        let ended_at = String::from_utf8_lossy(ended_at);
+                        let written = write_segmentation(&mesh, segment_label(direction), &files, &ended_at);
+                        Some(written.map_err(not_segmented)?)
+                    }
+                    _ => None,
+                },
                 _ => surface_file(&mesh, &arrays, format),
             }
         }
@@ -136,6 +161,14 @@ fn corresponding_scene(
     ]))
 }
 
+fn not_segmented(error: SegmentationError) -> PresentError {
+    match error {
+        SegmentationError::NotDicom => PresentError::NotDicom,
+        SegmentationError::Open | SegmentationError::TooLarge => PresentError::NoSegmentation,
+        SegmentationError::Input(error) => unreadable("an input", error),
+    }
+}
+
 fn not_warped(error: WarpError) -> PresentError {
     match error {
         WarpError::NoInverse => PresentError::NoInverse,
@@ -159,6 +192,7 @@ fn table(pairs: &Correspondences, format: PartFormat) -> Result<Option<Vec<u8>>,
         PartFormat::Npy => Some(write_npy(&columns)),
         PartFormat::Npz => Some(npz(write_npz(&columns))?),
         PartFormat::Arrow => Some(write_arrow(&columns)),
+        PartFormat::Parquet => Some(write_parquet(&columns)),
         _ => None,
     })
 }
@@ -185,6 +219,8 @@ fn vertex_arrays(pairs: &Correspondences, n_vertices: usize) -> Vec<VertexArray>
     let mut inlier = vec![0; n_vertices];
     let mut spread_mm = vec![0.0; n_vertices];
     let mut outlier = vec![0; n_vertices];
+    let mut triangle = [(); 3].map(|()| vec![NO_TARGET; n_vertices]);
+    let mut barycentric = [(); 3].map(|()| vec![0.0; n_vertices]);
     for row in 0..pairs.source.len() {
         let vertex = pairs.source[row] as usize;
         if vertex < n_vertices {
@@ -193,15 +229,24 @@ fn vertex_arrays(pairs: &Correspondences, n_vertices: usize) -> Vec<VertexArray>
             inlier[vertex] = u8::from(pairs.inlier[row]);
             spread_mm[vertex] = pairs.spread_mm[row];
             outlier[vertex] = pairs.outlier[row].code();
+            for corner in 0..3 {
+                triangle[corner][vertex] = i32::try_from(pairs.triangle[row][corner]).unwrap_or(NO_TARGET);
+                barycentric[corner][vertex] = pairs.barycentric[row][corner];
+            }
         }
     }
-    vec![
+    let names = ["triangle_0", "triangle_1", "triangle_2"].into_iter();
+    let corners = names.zip(triangle).map(|(name, values)| VertexArray { name, values: VertexValues::Int(values) });
+    let names = ["barycentric_0", "barycentric_1", "barycentric_2"].into_iter();
+    let weights = names.zip(barycentric).map(|(name, values)| VertexArray { name, values: VertexValues::Real(values) });
+    let columns = [
         VertexArray { name: "target", values: VertexValues::Int(target) },
         VertexArray { name: "confidence", values: VertexValues::Real(confidence) },
         VertexArray { name: "inlier", values: VertexValues::Byte(inlier) },
         VertexArray { name: "spread_mm", values: VertexValues::Real(spread_mm) },
         VertexArray { name: "outlier", values: VertexValues::Byte(outlier) },
-    ]
+    ];
+    columns.into_iter().chain(corners).chain(weights).collect()
 }
 
 fn transform(result: &[u8], format: PartFormat) -> Result<Option<Vec<u8>>, PresentError> {
@@ -213,7 +258,6 @@ fn transform(result: &[u8], format: PartFormat) -> Result<Option<Vec<u8>>, Prese
             let text = write_itk_transform(&transform.matrix);
             Some(text.ok_or(PresentError::Unreadable { what: "a matrix without inverse", source: None })?.into_bytes())
         }
-        PartFormat::Lta => Some(write_lta(&transform.matrix).into_bytes()),
         _ => None,
     })
 }
@@ -268,6 +312,8 @@ mod tests {
             inlier: vec![true, false, true],
             spread_mm: vec![0.5, 3.0, 1.0],
             outlier: vec![OutlierReason::None, OutlierReason::Both, OutlierReason::Residual],
+            triangle: vec![[7, 8, 9], [0, 1, 2], [4, 5, 6]],
+            barycentric: vec![[0.5, 0.25, 0.25], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]],
             ..Correspondences::default()
         };
         let arrays = vertex_arrays(&pairs, 5);
@@ -278,6 +324,12 @@ mod tests {
             ("inlier", VertexValues::Byte(vec![0, 0, 0, 1, 0])),
             ("spread_mm", VertexValues::Real(vec![0.0, 3.0, 0.0, 0.5, 0.0])),
             ("outlier", VertexValues::Byte(vec![0, 3, 0, 0, 0])),
+            ("triangle_0", VertexValues::Int(vec![NO_TARGET, 0, NO_TARGET, 7, NO_TARGET])),
+            ("triangle_1", VertexValues::Int(vec![NO_TARGET, 1, NO_TARGET, 8, NO_TARGET])),
+            ("triangle_2", VertexValues::Int(vec![NO_TARGET, 2, NO_TARGET, 9, NO_TARGET])),
+            ("barycentric_0", VertexValues::Real(vec![0.0, 1.0, 0.0, 0.5, 0.0])),
+            ("barycentric_1", VertexValues::Real(vec![0.0, 0.0, 0.0, 0.25, 0.0])),
+            ("barycentric_2", VertexValues::Real(vec![0.0, 0.0, 0.0, 0.25, 0.0])),
         ];
         assert_eq!(values, expected, "a row of a vertex that the surface does not have is skipped");
     }

@@ -13,6 +13,7 @@ import meshio
 import nibabel
 import numpy as np
 import pyarrow.feather
+import pyarrow.parquet
 import SimpleITK
 import trimesh
 import vtk
@@ -207,6 +208,10 @@ def of_table(path):
     if kind == "arrow":
         table = pyarrow.feather.read_table(path)
         return {name: table[name].to_numpy() for name in table.column_names}
+    if kind == "parquet":
+        table = pyarrow.parquet.read_table(path)
+        assert table.num_rows == pyarrow.parquet.read_metadata(path).num_rows
+        return {name: table[name].to_numpy() for name in table.column_names}
     return None
 
 
@@ -238,7 +243,9 @@ def check_correspondences(folder, part, surface):
             check_colors(path, columns, surface)
             continue
         arrays = same_surface(path, surface)
-        named = {name: columns[name] for name in ("target", "confidence", "inlier", "spread_mm", "outlier")}
+        names = ["target", "confidence", "inlier", "spread_mm", "outlier"]
+        names += [f"{name}_{k}" for name in ("triangle", "barycentric") for k in range(3)]
+        named = {name: columns[name] for name in names}
         same_values(path.name, {name: values[at] for name, values in arrays.items()}, named, "gii" in path.name or "gifti" in path.name)
 
 

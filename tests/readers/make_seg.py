@@ -47,7 +47,16 @@ seg.SamplesPerPixel, seg.PhotometricInterpretation = 1, "MONOCHROME2"
 seg.BitsAllocated, seg.BitsStored, seg.HighBit, seg.PixelRepresentation = 1, 1, 0, 0
 # Columns run along the first axis of the volume, rows along the second.
 seg.Columns, seg.Rows, seg.NumberOfFrames = voxels.shape
-seg.SegmentSequence = Sequence([item(SegmentNumber=1, SegmentLabel="Left Hippocampus", SegmentAlgorithmType="MANUAL")])
+structure = code("123037004", "SCT", "Anatomical Structure")
+seg.SegmentSequence = Sequence([
+    item(
+        SegmentNumber=1,
+        SegmentLabel="Left Hippocampus",
+        SegmentAlgorithmType="MANUAL",
+        SegmentedPropertyCategoryCodeSequence=[structure],
+        SegmentedPropertyTypeCodeSequence=[structure],
+    )
+])
 seg.SharedFunctionalGroupsSequence = Sequence([
     item(
         PixelMeasuresSequence=[item(PixelSpacing=[spacing[1], spacing[0]], SliceThickness=spacing[2], SpacingBetweenSlices=spacing[2])],

@@ -106,7 +106,7 @@ fn match_prints_the_result_document_and_nothing_else() {
     for name in ["source.ply", "target.ply", "aligned.ply", "warped.ply"] {
         assert!(fs::read(out.join(name)).unwrap().starts_with(b"ply"), "{name}");
     }
-    assert!(fs::read_to_string(out.join("warped.csv")).unwrap().starts_with("vertex,displacement_x_mm,"));
+    assert!(fs::read_to_string(out.join("warped.csv")).unwrap().starts_with("vertex,image_x_mm,"));
     assert!(fs::read_to_string(out.join("warped.vtp")).unwrap().contains("displacement_normal_mm"));
     assert!(fs::read_to_string(out.join("warped.surf.gii")).unwrap().contains("area_ratio"));
     let page = fs::read_to_string(folder.path().join("page.html")).unwrap();

@@ -259,12 +259,16 @@ fn after<'a>(bytes: &'a [u8], mark: &str) -> &'a [u8] {
     &bytes[at + mark.len()..]
 }
 
+const PLY_VERTEX_BYTES: usize = 24 + 4 + 8 + 1 + 8 + 1 + 3 * 4 + 3 * 8;
+
 /// The array `target` of a surface file of `n` vertices.
 fn target_array(format: PartFormat, bytes: &[u8], n: usize) -> Vec<i32> {
     let int = |b: &[u8]| i32::from_le_bytes(*b.first_chunk().unwrap());
     match format {
-        // Position, target, confidence, inlier, spread, outlier.
-        PartFormat::Ply => after(bytes, "end_header\n").chunks_exact(46).take(n).map(|v| int(&v[24..])).collect(),
+        // Position, target, confidence, inlier, spread, outlier, corners of the triangle, weights.
+        PartFormat::Ply => {
+            after(bytes, "end_header\n").chunks_exact(PLY_VERTEX_BYTES).take(n).map(|v| int(&v[24..])).collect()
+        }
         PartFormat::Vtk => {
             let values = after(bytes, &format!("\ntarget 1 {n} int\n"));
             values.chunks_exact(4).take(n).map(|v| i32::from_be_bytes(*v.first_chunk().unwrap())).collect()
@@ -291,9 +295,15 @@ fn assert_exports(stored: &Stored, n_source: usize) {
     assert_eq!(of_npy(&present(PartFormat::Npy, &[columns])), expected);
     assert_eq!(of_arrow(&present(PartFormat::Arrow, &[columns]), expected.len()), expected);
     let mut targets = vec![NO_TARGET; n_source];
-    for (source, target, _) in expected {
+    let mut triangles = vec![[NO_TARGET; 3]; n_source];
+    for (source, target, triangle) in expected {
         targets[source as usize] = target as i32;
+        triangles[source as usize] = triangle.map(|corner| corner as i32);
     }
+    let ply = present(PartFormat::Ply, &[columns, surface]);
+    let vertices = after(&ply, "end_header\n").chunks_exact(PLY_VERTEX_BYTES).take(n_source);
+    let corners = vertices.map(|v| [46, 50, 54].map(|at| u32_at(v, at) as i32));
+    assert_eq!(corners.collect::<Vec<_>>(), triangles);
     for format in [PartFormat::Ply, PartFormat::Vtk, PartFormat::Gifti] {
         let made = present(format, &[columns, surface]);
         assert_eq!(target_array(format, &made, n_source), targets, "{}", format.name());

@@ -2,6 +2,7 @@
 
 use super::jobs_support::TestService;
 use homolog::worker::match_engine::MatchEngine;
+use homolog_formats::write_zip;
 use homolog_run::intake::IntakeLimits;
 use serde_json::{Value, json};
 use std::fs;
@@ -93,6 +94,47 @@ fn python(script: &str, arguments: &[&Path]) {
     let program = root().join("target/readers-env/bin/python");
     let done = Command::new(program).arg(root().join("tests/readers").join(script)).args(arguments).output().unwrap();
     assert!(done.status.success(), "{}", String::from_utf8_lossy(&done.stderr));
+}
+
+#[test]
+#[ignore = "needs dciodvfy and the Python environment that scripts/setup test makes"]
+fn a_bent_structure_is_a_segmentation_on_the_grid_of_the_target() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = |name: &str| folder.path().join(name);
+    let homolog = |arguments: &[&str], paths: &[&Path]| {
+        let done = Command::new(env!("CARGO_BIN_EXE_homolog")).args(arguments).args(paths).output().unwrap();
+        assert!(done.status.success(), "{}", String::from_utf8_lossy(&done.stderr));
+        done.stdout
+    };
+    homolog(&["phantom", "--spacing", "1.5", "--rotate-seed", "7", "--out"], &[folder.path()]);
+    for (name, study) in [("source", "1.2.3.4.5"), ("target", "1.2.3.4.6")] {
+        python("make_seg.py", &[&at(&format!("{name}.nii.gz")), &at(&format!("{name}.dcm")), Path::new(study)]);
+    }
+    homolog(&["match", "--out"], &[&at("out"), &at("source.dcm"), &at("target.dcm")]);
+    let files = ["out/warped.dcm", "out/warped.ply", "target.dcm", "target.nii.gz", "target.nrrd"].map(&at);
+    python("check_segmentation.py", &files.each_ref().map(PathBuf::as_path));
+    let checked = Command::new("dciodvfy").arg(at("out/warped.dcm")).output().unwrap();
+    let said = String::from_utf8_lossy(&checked.stderr);
+    assert!(said.contains("Segmentation") && !said.contains("Error"), "{said}");
+    // What was written is read as any segmentation is; a folder of instances, their archive and one file are the same input.
+    let topology = |name: &str| {
+        let seen: Value = serde_json::from_slice(&homolog(&["inspect", "--json"], &[&at(name)])).unwrap();
+        assert!(seen["suitable"].as_bool().unwrap(), "{name}: {seen}");
+        seen["topology"].clone()
+    };
+    topology("out/warped.dcm");
+    assert_eq!(topology("target.nrrd"), topology("target.nii.gz"));
+    fs::create_dir_all(at("study/series")).unwrap();
+    fs::copy(at("target.dcm"), at("study/series/1")).unwrap();
+    fs::write(at("study/notes.txt"), "not a DICOM file").unwrap();
+    assert_eq!(topology("study"), topology("target.dcm"));
+    fs::write(at("target.zip"), write_zip(&[("a/1".to_owned(), fs::read(at("target.dcm")).unwrap())]).unwrap())
+        .unwrap();
+    assert_eq!(topology("target.zip"), topology("target.dcm"));
+    fs::remove_file(at("study/series/1")).unwrap();
+    let refused = Command::new(env!("CARGO_BIN_EXE_homolog")).arg("inspect").arg(at("study")).output().unwrap();
+    assert_eq!(refused.status.code(), Some(2));
+    assert!(String::from_utf8_lossy(&refused.stderr).contains("is a folder without DICOM files"));
 }
 
 #[tokio::test]

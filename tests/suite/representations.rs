@@ -77,6 +77,7 @@ pub(super) const PARTS: [(&str, &[Offered]); 7] = [
             ("npy", "application/x-npy", Some("npy")),
             ("npz", "application/x-npz", Some("npz")),
             ("arrow", "application/vnd.apache.arrow.file", Some("arrow")),
+            ("parquet", "application/vnd.apache.parquet", Some("parquet")),
             ("ply", "model/ply", Some("ply")),
             ("vtk", "model/vtk", Some("vtk")),
             ("vtp", "application/vnd.vtk.vtp", Some("vtp")),
@@ -111,6 +112,8 @@ pub(super) const PARTS: [(&str, &[Offered]); 7] = [
             ("npy", "application/x-npy", Some("npy")),
             ("npz", "application/x-npz", Some("npz")),
             ("arrow", "application/vnd.apache.arrow.file", Some("arrow")),
+            ("parquet", "application/vnd.apache.parquet", Some("parquet")),
+            ("dicom", "application/dicom", Some("dcm")),
         ],
     ),
 ];

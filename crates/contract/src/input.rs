@@ -99,6 +99,24 @@ impl InputFormat {
     }
 }
 
+/// The space of coordinates that a file declares. Inside, and in every answer, coordinates are RAS: those in LPS are converted,
+/// all others stay as they are.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
+pub enum InputSpace {
+    /// Right, anterior, superior, of the scanner or of an image aligned with it.
+    ScannerRas,
+    /// Surface RAS of FreeSurfer (tkregister): shifted against scanner RAS by the `c_ras` of the volume.
+    FreesurferRas,
+    /// Left, posterior, superior, as in DICOM and ITK; converted to RAS.
+    Lps,
+    /// None, or one that is none of these.
+    #[default]
+    Unknown,
+}
+
 /// An input: its format, its topology and the repairs made to it.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -106,6 +124,9 @@ impl InputFormat {
 pub struct InputReport {
     /// The file's format.
     pub format: InputFormat,
+    /// The space of coordinates that it declares; absent in results of earlier versions.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+    pub space: Option<InputSpace>,
     /// Topology of the surface before repairs.
     pub topology: TopologyReport,
     /// Repairs that changed the surface, in the order in which they were made.
@@ -139,6 +160,9 @@ pub struct Inspection {
     pub format: InputFormat,
     /// Its contents.
     pub kind: InputKind,
+    /// The space of coordinates that it declares.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub space: InputSpace,
     /// The label volume; absent for meshes.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub volume: Option<VolumeInspection>,

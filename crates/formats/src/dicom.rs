@@ -14,6 +14,7 @@ const ITEM_END: u32 = 0xfffe_e00d;
 const SEQUENCE_END: u32 = 0xfffe_e0dd;
 
 pub(super) const SOP_CLASS: u32 = 0x0008_0016;
+pub(super) const SOP_INSTANCE: u32 = 0x0008_0018;
 const TRANSFER_SYNTAX: u32 = 0x0002_0010;
 
 /// Whether these are the first bytes of a file of part 10.

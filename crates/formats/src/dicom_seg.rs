@@ -1,16 +1,17 @@
-//! DICOM segmentations (SEG) in one file: binary, fractional and label maps, of one or many segments.
+//! DICOM segmentations (SEG) in one file or several: binary, fractional and label maps, of one or many segments.
 //!
 //! Source: DICOM PS3.3, sections A.51 and C.8.20. The geometry is that of the functional groups of the frames. A frame that
 //! is missing for one segment but present for another is empty for it, as the standard allows; where the stack of all
 //! frames has a gap, the file is refused, because nothing says whether the structure is absent there or the frame was lost.
 //! Segments may overlap. Coordinates are LPS and are converted to RAS.
 
-use super::dicom::{DataSet, PixelEncoding, SOP_CLASS, read_file, rle_frame};
+use super::dicom::{DataSet, PixelEncoding, SOP_CLASS, SOP_INSTANCE, read_file, rle_frame};
 use super::label_file::{LabelFile, Overlay};
 use super::{FormatError, ReadLimits, lps};
+use homolog_contract::input::InputSpace;
 use nalgebra::{Matrix4, Vector3};
 use std::borrow::Cow;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 pub(super) const PIXEL_DATA: u32 = 0x7fe0_0010;
 const SHARED_GROUPS: u32 = 0x5200_9229;
@@ -33,12 +34,13 @@ pub(super) const SEQUENCES: [u32; 8] = [
     SEGMENTS,
 ];
 
-/// Share of the largest value from which a voxel of a fractional segmentation belongs to a segment.
-const FRACTION: f64 = 0.5;
 /// How far a frame may be from its place in the stack, in frames.
 const PLACE_TOLERANCE: f64 = 0.05;
 
-/// Reads a label volume whose labels are the numbers of the segments.
+/// Reads a label volume whose labels are the numbers of the segments, from one instance or from several of one grid, such as
+/// the parts of a series. Where instances number different segments alike, those of later ones get new numbers, and a note
+/// says so; parts of one concatenation share their numbers. `fraction` is the share of the largest value from which a voxel
+/// of a fractional segmentation belongs to a segment.
 ///
 /// # Errors
 /// [`FormatError`]; other DICOM objects, segmentations of slides, frames that are not parallel or not equally spaced, and
@@ -46,61 +48,190 @@ const PLACE_TOLERANCE: f64 = 0.05;
 ///
 /// # Cost
 /// Linear in the number of voxels of all frames.
-pub fn read_dicom_seg(bytes: &[u8], limits: &ReadLimits) -> Result<LabelFile, FormatError> {
-    let mut inflated = Vec::new();
-    let (set, encoding) = read_file(bytes, &mut inflated, limits.max_inflated_bytes)?;
-    check_class(&set)?;
-    let size = |tag| set.short(tag).map_or(0, usize::from);
-    let (rows, columns) = (size(0x0028_0010), size(0x0028_0011));
-    let groups = set.items(FRAME_GROUPS);
-    let stated: usize = set.text(0x0028_0008).parse().unwrap_or(1);
-    if rows == 0 || columns == 0 || groups.is_empty() || stated != groups.len() {
-        let value = format!("{rows} rows, {columns} columns, {stated} frames, functional groups of {}", groups.len());
-        return Err(fault("size", value, "each frame needs functional groups; export the segmentation again"));
+pub fn read_dicom_seg(files: &[&[u8]], limits: &ReadLimits, fraction: f64) -> Result<LabelFile, FormatError> {
+    let mut inflated = vec![Vec::new(); files.len()];
+    let each = limits.max_inflated_bytes / files.len().max(1);
+    let mut instances = Vec::with_capacity(files.len());
+    for (bytes, inflated) in files.iter().zip(&mut inflated) {
+        instances.push(Instance::new(read_file(bytes, inflated, each)?, fraction)?);
     }
-    let stack = Stack::new(&set, groups)?;
+    instances.sort_by_cached_key(Instance::order);
+    let size = instances.first().map_or((0, 0), |first| (first.rows, first.columns));
+    let (rows, columns) = size;
+    if instances.iter().any(|instance| (instance.rows, instance.columns) != size) {
+        return Err(of_different("sizes of frames"));
+    }
+    let frame_of_reference = |instance: &Instance<'_>| instance.set.text(0x0020_0052);
+    if instances.windows(2).any(|pair| frame_of_reference(&pair[0]) != frame_of_reference(&pair[1])) {
+        return Err(of_different("frames of reference"));
+    }
+    let groups: Vec<_> = instances
+        .iter()
+        .flat_map(|instance| {
+            let shared = instance.set.item(SHARED_GROUPS);
+            instance.set.items(FRAME_GROUPS).iter().map(move |frame| Groups { shared, frame })
+        })
+        .collect();
+    let stack = Stack::new(&groups)?;
     let dims = [columns, rows, stack.n_frames];
     let n_voxels = dims.iter().fold(1u64, |n, &d| n.saturating_mul(d as u64));
     let limit = limits.max_inflated_bytes as u64;
     if n_voxels.saturating_mul(4) > limit {
         return Err(FormatError::TooLarge { what: "bytes of voxels", found: n_voxels.saturating_mul(4), limit });
     }
-    let frames = Frames::new(&set, encoding, rows * columns, groups.len())?;
     let mut notes = vec![lps::NOTE.to_owned()];
-    if let Kind::Fractional { .. } = frames.kind {
-        notes.push(
-            "the segmentation is fractional: voxels with at least half the largest value belong to a segment"
-                .to_owned(),
-        );
+    if instances.iter().any(|instance| matches!(instance.frames.kind, Kind::Fractional { .. })) {
+        notes.push(format!(
+            "the segmentation is fractional: voxels with at least {fraction} of the largest value belong to a segment"
+        ));
+    }
+    let mut numbers = Numbers::default();
+    let mut names = BTreeMap::new();
+    for instance in &instances {
+        for segment in instance.set.items(SEGMENTS) {
+            let (number, name) = (segment.short(0x0062_0004).unwrap_or(0), segment.text(0x0062_0005));
+            if number > 0 {
+                let label = numbers.label(&instance.owner, number.into());
+                if !name.is_empty() {
+                    names.insert(label, name);
+                }
+            }
+        }
     }
     let mut overlay = Overlay::new(n_voxels as usize);
-    for (k, group) in groups.iter().enumerate() {
-        let first = stack.place[k] * rows * columns;
-        let segment = group.item(SEGMENT_IDENTIFICATION).and_then(|s| s.short(0x0062_000b)).map(u32::from);
-        let segment = segment.filter(|&n| n > 0);
-        if segment.is_none() && frames.kind != Kind::LabelMap {
-            return Err(fault("segment of a frame", "missing".to_owned(), "each frame must name its segment"));
+    let mut places = stack.place.iter();
+    for instance in &instances {
+        let shared = instance.set.item(SHARED_GROUPS);
+        for (k, group) in instance.set.items(FRAME_GROUPS).iter().enumerate() {
+            let first = places.next().copied().unwrap_or(0) * rows * columns;
+            let identification = [Some(group), shared].map(|set| set?.item(SEGMENT_IDENTIFICATION));
+            let segment = identification.into_iter().flatten().find_map(|s| s.short(0x0062_000b)).map(u32::from);
+            let segment = segment.filter(|&n| n > 0);
+            if segment.is_none() && instance.frames.kind != Kind::LabelMap {
+                return Err(fault("segment of a frame", "missing".to_owned(), "each frame must name its segment"));
+            }
+            // Pixels of one label follow each other.
+            let mut last = (0, 0);
+            instance.frames.visit(k, &mut |at, value| {
+                let number = segment.unwrap_or(value);
+                if last.0 != number {
+                    last = (number, numbers.label(&instance.owner, number));
+                }
+                overlay.add(first + at, last.1)
+            })?;
         }
-        frames.visit(k, &mut |at, label| overlay.add(first + at, segment.unwrap_or(label)))?;
     }
-    let mut names = BTreeMap::new();
-    for segment in set.items(SEGMENTS) {
-        let (number, name) = (segment.short(0x0062_0004).unwrap_or(0), segment.text(0x0062_0005));
-        if number > 0 && !name.is_empty() {
-            names.insert(number.into(), name);
+    if numbers.n_changed > 0 {
+        notes.push(format!(
+            "{} of instances that number different segments alike got a new number, above those of the others",
+            if numbers.n_changed == 1 { "1 segment".to_owned() } else { format!("{} segments", numbers.n_changed) }
+        ));
+    }
+    let volume = overlay.volume(dims, lps::affine_to_ras(&stack.affine))?;
+    Ok(LabelFile { volume, space: InputSpace::Lps, names, notes })
+}
+
+/// Whether a file of part 10 is a segmentation.
+pub(super) fn is_segmentation(bytes: &[u8]) -> bool {
+    let mut inflated = Vec::new();
+    // What is inflated here is looked at once more when it is read.
+    read_file(bytes, &mut inflated, bytes.len().saturating_mul(32)).is_ok_and(|(set, _)| is_class(&set))
+}
+
+fn of_different(what: &'static str) -> FormatError {
+    let advice = "the instances must be segmentations on one grid; send them one by one";
+    fault("instances", format!("of different {what}"), advice)
+}
+
+/// A file that is a part of the volume.
+struct Instance<'a> {
+    set: DataSet<'a>,
+    rows: usize,
+    columns: usize,
+    frames: Frames<'a>,
+    /// Parts of one concatenation share the numbers of their segments.
+    owner: String,
+}
+
+impl<'a> Instance<'a> {
+    fn new((set, encoding): (DataSet<'a>, PixelEncoding), fraction: f64) -> Result<Self, FormatError> {
+        check_class(&set)?;
+        let size = |tag| set.short(tag).map_or(0, usize::from);
+        let (rows, columns) = (size(0x0028_0010), size(0x0028_0011));
+        let n_frames = set.items(FRAME_GROUPS).len();
+        let stated: usize = set.text(0x0028_0008).parse().unwrap_or(1);
+        if rows == 0 || columns == 0 || n_frames == 0 || stated != n_frames {
+            let value = format!("{rows} rows, {columns} columns, {stated} frames, functional groups of {n_frames}");
+            return Err(fault("size", value, "each frame needs functional groups; export the segmentation again"));
         }
+        let frames = Frames::new(&set, encoding, rows * columns, n_frames, fraction)?;
+        let concatenation = set.text(0x0020_9161);
+        let owner = if concatenation.is_empty() { set.text(SOP_INSTANCE) } else { concatenation };
+        Ok(Instance { set, rows, columns, frames, owner })
     }
-    Ok(LabelFile { volume: overlay.volume(dims, lps::affine_to_ras(&stack.affine))?, names, notes })
+
+    /// Where it belongs among others: by instance number, number in the concatenation, and identifier.
+    fn order(&self) -> (u32, u16, String) {
+        let number = self.set.text(0x0020_0013).parse().unwrap_or(u32::MAX);
+        (number, self.set.short(0x0020_9162).unwrap_or(0), self.set.text(SOP_INSTANCE))
+    }
+}
+
+/// Labels for the segments of all instances.
+#[derive(Default)]
+struct Numbers {
+    labels: BTreeMap<(String, u32), u32>,
+    taken: BTreeSet<u32>,
+    n_changed: usize,
+}
+
+impl Numbers {
+    fn label(&mut self, owner: &str, number: u32) -> u32 {
+        let key = (owner.to_owned(), number);
+        if let Some(&label) = self.labels.get(&key) {
+            return label;
+        }
+        let is_new = self.taken.insert(number);
+        let label = if is_new { number } else { self.taken.last().map_or(1, |last| last + 1) };
+        self.n_changed += usize::from(!is_new);
+        self.taken.insert(label);
+        self.labels.insert(key, label);
+        label
+    }
+}
+
+/// The functional groups of a frame: its own, and those that it shares.
+#[derive(Clone, Copy)]
+struct Groups<'s, 'a> {
+    shared: Option<&'s DataSet<'a>>,
+    frame: &'s DataSet<'a>,
+}
+
+impl Groups<'_, '_> {
+    fn numbers(&self, sequence: u32, tag: u32) -> Vec<f64> {
+        let own = self.frame.item(sequence).map(|item| item.numbers(tag)).filter(|v| !v.is_empty());
+        own.or_else(|| self.shared?.item(sequence).map(|item| item.numbers(tag))).unwrap_or_default()
+    }
+
+    fn is_of_slide(&self) -> bool {
+        [Some(self.frame), self.shared].into_iter().flatten().any(|set| set.item(SLIDE_POSITION).is_some())
+    }
 }
 
 fn fault(field: &'static str, value: String, advice: &'static str) -> FormatError {
     FormatError::Header { field, value, advice }
 }
 
+fn is_class(set: &DataSet<'_>) -> bool {
+    ["1.2.840.10008.5.1.4.1.1.66.4", "1.2.840.10008.5.1.4.1.1.66.7"].contains(&set.text(SOP_CLASS).as_str())
+}
+
 /// Refuses DICOM objects other than segmentations, by their names.
 fn check_class(set: &DataSet<'_>) -> Result<(), FormatError> {
+    if is_class(set) {
+        return Ok(());
+    }
     let (what, advice) = match set.text(SOP_CLASS).as_str() {
-        "1.2.840.10008.5.1.4.1.1.66.4" | "1.2.840.10008.5.1.4.1.1.66.7" => return Ok(()),
         "1.2.840.10008.5.1.4.1.1.481.3" => (
             "a DICOM RT structure set",
             "its contours are not a volume; convert it to a label volume on the grid of its images, for example with \
@@ -127,15 +258,10 @@ struct Stack {
 }
 
 impl Stack {
-    fn new(set: &DataSet<'_>, groups: &[DataSet<'_>]) -> Result<Self, FormatError> {
-        let shared = set.item(SHARED_GROUPS);
+    fn new(groups: &[Groups<'_, '_>]) -> Result<Self, FormatError> {
         // A functional group is shared by all frames, or stated for each.
-        let group = |frame: &DataSet<'_>, sequence, tag| -> Vec<f64> {
-            let own = frame.item(sequence).map(|item| item.numbers(tag)).filter(|v| !v.is_empty());
-            own.or_else(|| shared?.item(sequence).map(|item| item.numbers(tag))).unwrap_or_default()
-        };
-        let of_slide = |set: &DataSet<'_>| set.item(SLIDE_POSITION).is_some();
-        if groups.iter().any(of_slide) || shared.is_some_and(of_slide) {
+        let group = |frame: &Groups<'_, '_>, sequence, tag| frame.numbers(sequence, tag);
+        if groups.iter().any(Groups::is_of_slide) {
             return Err(FormatError::Unsupported {
                 what: "a segmentation of a microscope slide",
                 advice: "send a segmentation of a three-dimensional image",
@@ -264,13 +390,19 @@ enum FrameData<'a> {
 }
 
 impl<'a> Frames<'a> {
-    fn new(set: &DataSet<'a>, encoding: PixelEncoding, n_pixels: usize, n_frames: usize) -> Result<Self, FormatError> {
+    fn new(
+        set: &DataSet<'a>,
+        encoding: PixelEncoding,
+        n_pixels: usize,
+        n_frames: usize,
+        fraction: f64,
+    ) -> Result<Self, FormatError> {
         let bits = set.short(0x0028_0100).unwrap_or(0);
         let kind = match set.text(0x0062_0001).as_str() {
             "BINARY" => Kind::Binary,
             "FRACTIONAL" => {
                 let largest = set.short(0x0062_000e).filter(|&v| v > 0).unwrap_or(255);
-                Kind::Fractional { threshold: FRACTION * f64::from(largest) }
+                Kind::Fractional { threshold: fraction * f64::from(largest) }
             }
             "LABELMAP" => Kind::LabelMap,
             _ => {

@@ -35,6 +35,12 @@ pub enum FormatError {
         /// Bytes inflated before the fault was found.
         n_bytes: usize,
     },
+    /// The zip archive is damaged or incomplete.
+    #[error("the zip archive {what}; pack it again, or repeat the upload")]
+    Zip {
+        /// What is wrong with it.
+        what: &'static str,
+    },
     /// The file is shorter than its header says.
     #[error(
         "{part} needs {needed} bytes, but only {available} are left; the file is truncated or its header is wrong, so export \

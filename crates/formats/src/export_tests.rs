@@ -302,7 +302,7 @@ fn text_and_lta_hold_the_matrix_as_it_is() {
     let (_, matrix) = motion();
     let rows = |text: &str| text.lines().map(numbers).collect::<Vec<_>>();
     assert_eq!(rows(&write_matrix_text(&matrix)), matrix.map(|row| row.to_vec()), "to the bit");
-    let lta = write_lta(&matrix);
+    let lta = write_lta(&matrix, [None; 2]);
     let mut lines = lta.lines();
     assert!(lines.next().unwrap().split_whitespace().eq(["type", "=", "1", "#", "LINEAR_RAS_TO_RAS"]));
     let found: Vec<_> = lines.skip(4).take(4).map(numbers).collect();
@@ -310,4 +310,17 @@ fn text_and_lta_hold_the_matrix_as_it_is() {
     assert!(error < 1e-12, "{lta}");
     assert_eq!(lta.matches("valid = 0").count(), 2);
     assert!(lta.contains("\nsrc volume info\n") && lta.contains("\ndst volume info\n"));
+    // Voxels of 2 x 1 x 3 mm, the first axis to the left and the second upwards.
+    let affine = Matrix4::new(-2.0, 0.0, 0.0, 10.0, 0.0, 0.0, 3.0, -4.0, 0.0, 1.0, 0.0, 6.0, 0.0, 0.0, 0.0, 1.0);
+    let volume = homolog_mesh::volume::LabelVolume::new([4, 6, 2], vec![1; 48], affine).unwrap();
+    let lta = write_lta(&matrix, [None, Some(&volume)]);
+    let geometry = lta.split("dst volume info\n").nth(1).unwrap();
+    let values = |name: &str| {
+        let line = geometry.lines().find(|line| line.starts_with(name)).unwrap();
+        numbers(line.split_once('=').unwrap().1)
+    };
+    assert!(geometry.starts_with("valid = 1 ") && geometry.contains("volume = 4 6 2\n"), "{geometry}");
+    assert_eq!(values("voxelsize"), [2.0, 1.0, 3.0]);
+    assert_eq!([values("xras"), values("yras"), values("zras")], [[-1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, 1.0, 0.0]]);
+    assert_eq!(values("cras"), [10.0 - 4.0, -4.0 + 3.0, 6.0 + 3.0], "the middle of the volume");
 }

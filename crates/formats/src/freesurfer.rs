@@ -49,6 +49,7 @@ pub fn read_freesurfer(bytes: &[u8], limits: &ReadLimits) -> Result<MeshFile, Fo
     };
     let mut file = polygons.into_mesh()?;
     let note = "coordinates are FreeSurfer's surface RAS (tkregister), as stored; scanner RAS differs by the c_ras of the volume";
+    file.space = homolog_contract::input::InputSpace::FreesurferRas;
     file.notes.push(note.to_owned());
     Ok(file)
 }

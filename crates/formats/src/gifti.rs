@@ -20,6 +20,7 @@ use ::base64::Engine;
 use ::base64::engine::general_purpose::STANDARD;
 use flate2::Compression;
 use flate2::write::ZlibEncoder;
+use homolog_contract::input::InputSpace;
 use homolog_mesh::SurfaceMesh;
 use nalgebra::{Matrix4, Point3};
 use std::io::Write;
@@ -87,11 +88,20 @@ pub fn read_gifti(bytes: &[u8], limits: &ReadLimits) -> Result<MeshFile, FormatE
         return unsupported("a GIFTI file without a pointset and triangles", advice);
     };
     let mut polygons = Polygons::of(points.rows());
-    let note = points.matrix.map(|matrix| matrix.apply(&mut polygons.vertices)).transpose()?.flatten();
+    let (mut note, mut space) = (None, InputSpace::Unknown);
+    if let Some(matrix) = &points.matrix {
+        note = matrix.apply(&mut polygons.vertices)?;
+        // Where the matrix is the identity, both spaces are the same.
+        let named = if note.is_some() { &matrix.spaces[1..] } else { &matrix.spaces[..] };
+        if named.iter().any(|name| name.trim_ascii() == b"NIFTI_XFORM_SCANNER_ANAT") {
+            space = InputSpace::ScannerRas;
+        }
+    }
     for triangle in triangles.numbers.chunks_exact(3) {
         polygons.push(triangle.iter().map(|&v| v as i64))?;
     }
     let mut file = polygons.into_mesh()?;
+    file.space = space;
     file.notes.extend(note);
     Ok(file)
 }

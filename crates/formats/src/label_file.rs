@@ -1,6 +1,7 @@
 //! The label volume of a file, with the names of its labels; structures that overlap share voxels.
 
 use super::FormatError;
+use homolog_contract::input::InputSpace;
 use homolog_mesh::volume::LabelVolume;
 use nalgebra::Matrix4;
 use std::collections::{BTreeMap, HashMap};
@@ -10,6 +11,8 @@ use std::collections::{BTreeMap, HashMap};
 pub struct LabelFile {
     /// The volume, in RAS.
     pub volume: LabelVolume,
+    /// The space of coordinates that the file declares.
+    pub space: InputSpace,
     /// Names of labels, for formats that have them, as the file gives them.
     pub names: BTreeMap<u32, String>,
     /// What was done to the coordinates or values: a sentence each, without text of the file.
@@ -17,9 +20,9 @@ pub struct LabelFile {
 }
 
 impl LabelFile {
-    /// A volume without names.
+    /// A volume without names, in scanner RAS.
     pub(super) fn unnamed(volume: LabelVolume) -> Self {
-        LabelFile { volume, names: BTreeMap::new(), notes: Vec::new() }
+        LabelFile { volume, space: InputSpace::ScannerRas, names: BTreeMap::new(), notes: Vec::new() }
     }
 }
 

@@ -7,8 +7,10 @@
 //! from the bytes and uses the file's name only where they do not decide. Errors carry positions (lines, vertices,
 //! voxels), never text of the file, which may name a patient.
 
+mod archive;
 mod detect;
 mod dicom;
+mod dicom_file;
 mod element;
 mod error;
 mod gzip;
@@ -34,7 +36,9 @@ pub mod npz;
 pub mod nrrd;
 pub mod obj;
 pub mod off;
+pub mod parquet;
 pub mod ply;
+pub mod segmentation;
 pub mod spatial_registration;
 pub mod stl;
 pub mod transform;
@@ -42,8 +46,9 @@ pub mod vertex_table;
 pub mod vtk;
 pub mod vtp;
 
+pub use archive::write_zip;
 pub use error::{FormatError, GzipFault};
-pub use homolog_contract::input::InputFormat;
+pub use homolog_contract::input::{InputFormat, InputSpace};
 pub use label_file::LabelFile;
 pub use nifti::{write_nifti, write_nifti_gz};
 pub use pairs::PairColumns;
@@ -63,13 +68,19 @@ use std::collections::BTreeMap;
 pub struct ReadLimits {
     /// Largest size after decompression, bytes; also the most memory that the labels of a volume may take.
     pub max_inflated_bytes: usize,
+    /// Largest size after decompression, as a multiple of what was received, above a mebibyte.
+    pub max_inflation: usize,
     /// Most vertices of a mesh.
     pub max_vertices: usize,
 }
 
+/// The default of [`ReadLimits::max_inflation`]: deflate itself reaches 1032, so only archives that name the same bytes
+/// several times, or that are compressed twice, inflate more.
+pub const DEFAULT_INFLATION: usize = 1100;
+
 impl Default for ReadLimits {
     fn default() -> Self {
-        ReadLimits { max_inflated_bytes: 1 << 30, max_vertices: 200_000 }
+        ReadLimits { max_inflated_bytes: 1 << 30, max_inflation: DEFAULT_INFLATION, max_vertices: 200_000 }
     }
 }
 
@@ -80,6 +91,8 @@ pub struct ReadFile {
     pub format: InputFormat,
     /// Its content, in RAS.
     pub content: FileContent,
+    /// The space of coordinates that it declares, before they were converted.
+    pub space: InputSpace,
     /// Names of the labels of a volume, for formats that have them, as the file gives them.
     pub label_names: BTreeMap<u32, String>,
     /// What was done to coordinates or values, and whether the name promises another format: a sentence each, without text
@@ -96,16 +109,62 @@ pub enum FileContent {
     Mesh(MeshFile),
 }
 
-/// Reads a file of any of the [`InputFormat`]s, plain or compressed with gzip. The format is found from the content; the
-/// name decides only where that does not.
+/// The default of the least share of the largest value from which a voxel of a fractional segmentation belongs to a segment.
+pub const DEFAULT_FRACTION: f64 = 0.5;
+
+/// [`read_with`] at [`DEFAULT_FRACTION`].
+///
+/// # Errors
+/// Those of [`read_with`].
+pub fn read(bytes: &[u8], file_name: Option<&str>, limits: &ReadLimits) -> Result<ReadFile, FormatError> {
+    read_with(bytes, file_name, limits, DEFAULT_FRACTION)
+}
+
+/// Reads a file of any of the [`InputFormat`]s, plain, compressed with gzip, or alone in a zip archive; or a zip archive of
+/// DICOM segmentations, as one volume. The format is found from the content; the name decides only where that does not.
+/// `fraction` is the share of the largest value from which a voxel of a fractional segmentation belongs to a segment.
 ///
 /// # Errors
 /// [`FormatError::UnknownFormat`] if it is none of them; [`FormatError::Unsupported`] if it is one that is known and not
-/// read; [`FormatError::Gzip`] if the compressed stream is damaged or incomplete; else those of the format's reader.
+/// read; [`FormatError::Gzip`] or [`FormatError::Zip`] if what is compressed is damaged or incomplete; else those of the
+/// format's reader.
 ///
 /// # Cost
 /// Linear in the inflated size.
-pub fn read(bytes: &[u8], file_name: Option<&str>, limits: &ReadLimits) -> Result<ReadFile, FormatError> {
+pub fn read_with(
+    bytes: &[u8],
+    file_name: Option<&str>,
+    limits: &ReadLimits,
+    fraction: f64,
+) -> Result<ReadFile, FormatError> {
+    let most = bytes.len().max(1 << 20).saturating_mul(limits.max_inflation);
+    let limits = &ReadLimits { max_inflated_bytes: limits.max_inflated_bytes.min(most), ..*limits };
+    if !archive::is_zip(bytes) {
+        return read_file(bytes, file_name, limits, fraction);
+    }
+    match archive::content(bytes, limits)? {
+        archive::Content::File(file, name) => read_file(&file, Some(&name), limits, fraction),
+        archive::Content::Instances(instances, n_others) => {
+            let files: Vec<&[u8]> = instances.iter().map(|file| &**file).collect();
+            let mut read =
+                ReadFile::labels(InputFormat::DicomSeg, dicom_seg::read_dicom_seg(&files, limits, fraction)?);
+            read.notes.push(format!(
+                "the archive has {} of DICOM, which were read as one volume, and {} that were not read",
+                if files.len() == 1 { "1 segmentation".to_owned() } else { format!("{} segmentations", files.len()) },
+                if n_others == 1 { "1 other file".to_owned() } else { format!("{n_others} other files") }
+            ));
+            Ok(read)
+        }
+    }
+}
+
+/// [`read_with`] for a file that is no archive.
+fn read_file(
+    bytes: &[u8],
+    file_name: Option<&str>,
+    limits: &ReadLimits,
+    fraction: f64,
+) -> Result<ReadFile, FormatError> {
     let head = gzip::unverified_prefix(bytes, nifti::HEADER_BYTES)?;
     // A volume need not be inflated as a whole.
     let inflated =
@@ -113,11 +172,14 @@ pub fn read(bytes: &[u8], file_name: Option<&str>, limits: &ReadLimits) -> Resul
     let format = if nifti::is_nifti(&head) { InputFormat::Nifti } else { detect::detect(&inflated, file_name)? };
     let bytes: &[u8] = &inflated;
     let mut read = match format {
-        InputFormat::Nifti => ReadFile::volume(format, nifti::read_nifti(bytes, limits)?),
+        InputFormat::Nifti => {
+            let space = if nifti::states_space(&head) { InputSpace::ScannerRas } else { InputSpace::Unknown };
+            ReadFile::labels(format, LabelFile { space, ..LabelFile::unnamed(nifti::read_nifti(bytes, limits)?) })
+        }
         InputFormat::Mgh => ReadFile::labels(format, mgh::read_mgh(bytes, limits)?),
         InputFormat::Nrrd => ReadFile::labels(format, nrrd::read_nrrd(bytes, limits)?),
         InputFormat::MetaImage => ReadFile::labels(format, metaimage::read_metaimage(bytes, limits)?),
-        InputFormat::DicomSeg => ReadFile::labels(format, dicom_seg::read_dicom_seg(bytes, limits)?),
+        InputFormat::DicomSeg => ReadFile::labels(format, dicom_seg::read_dicom_seg(&[bytes], limits, fraction)?),
         InputFormat::Freesurfer => ReadFile::mesh(format, freesurfer::read_freesurfer(bytes, limits)?),
         InputFormat::Gifti => ReadFile::mesh(format, gifti::read_gifti(bytes, limits)?),
         InputFormat::Ply => ReadFile::declared(format, ply::read_ply(bytes, limits)?, bytes)?,
@@ -136,18 +198,14 @@ pub fn read(bytes: &[u8], file_name: Option<&str>, limits: &ReadLimits) -> Resul
 const DECLARATION_BYTES: usize = 1024;
 
 impl ReadFile {
-    fn volume(format: InputFormat, volume: LabelVolume) -> Self {
-        ReadFile { format, content: FileContent::Labels(volume), label_names: BTreeMap::new(), notes: Vec::new() }
-    }
-
     fn labels(format: InputFormat, file: LabelFile) -> Self {
-        let LabelFile { volume, names, notes } = file;
-        ReadFile { format, content: FileContent::Labels(volume), label_names: names, notes }
+        let LabelFile { volume, space, names, notes } = file;
+        ReadFile { format, content: FileContent::Labels(volume), space, label_names: names, notes }
     }
 
     fn mesh(format: InputFormat, mut file: MeshFile) -> Self {
-        let notes = std::mem::take(&mut file.notes);
-        ReadFile { format, content: FileContent::Mesh(file), label_names: BTreeMap::new(), notes }
+        let (space, notes) = (file.space, std::mem::take(&mut file.notes));
+        ReadFile { format, content: FileContent::Mesh(file), space, label_names: BTreeMap::new(), notes }
     }
 
     /// A mesh of a format in which 3D Slicer declares the space of the coordinates in free text.

@@ -2,6 +2,7 @@
 
 use super::FormatError;
 use super::polygons::MeshFile;
+use homolog_contract::input::InputSpace;
 use homolog_mesh::SurfaceMesh;
 use nalgebra::{Matrix4, Point3, Vector4};
 
@@ -21,6 +22,7 @@ pub(super) fn to_ras(file: &mut MeshFile) -> Result<(), FormatError> {
     let mesh = &file.mesh;
     let vertices = mesh.vertices().iter().map(|p| Point3::new(-p.x, -p.y, p.z)).collect();
     file.mesh = SurfaceMesh::new(vertices, mesh.arity(), mesh.indices().to_vec())?;
+    file.space = InputSpace::Lps;
     file.notes.push(NOTE.to_owned());
     Ok(())
 }

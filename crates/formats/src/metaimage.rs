@@ -107,6 +107,7 @@ pub fn read_metaimage(bytes: &[u8], limits: &ReadLimits) -> Result<LabelFile, Fo
     };
     let affine = lps::affine_to_ras(&header.affine()?);
     let mut file = LabelFile::unnamed(LabelVolume::new(voxels.dims, labels, affine)?);
+    file.space = homolog_contract::input::InputSpace::Lps;
     file.notes.push(lps::NOTE.to_owned());
     Ok(file)
 }

@@ -80,6 +80,7 @@ pub fn read_mgh(bytes: &[u8], limits: &ReadLimits) -> Result<LabelFile, FormatEr
     affine.fixed_view_mut::<3, 1>(0, 3).copy_from(&(center - linear * middle));
     let mut file = LabelFile::unnamed(LabelVolume::new(dims, labels, affine)?);
     if !has_geometry {
+        file.space = homolog_contract::input::InputSpace::Unknown;
         file.notes
             .push("the file has no geometry: 1 mm voxels in coronal slices around the origin are assumed".to_owned());
     }

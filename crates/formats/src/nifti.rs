@@ -228,6 +228,13 @@ impl Fields<'_> {
     }
 }
 
+/// Whether a header has a code of an orientation, qform or sform, that is not 0, in either byte order.
+pub(super) fn states_space(head: &[u8]) -> bool {
+    let is_second = head.starts_with(&540i32.to_le_bytes()) || head.starts_with(&540i32.to_be_bytes());
+    let codes = if is_second { 344..352 } else { 252..256 };
+    head.get(codes).is_some_and(|codes| codes.iter().any(|&byte| byte != 0))
+}
+
 /// A NIfTI-1 file, little-endian, with the affine as sform (single precision, mm); labels in the narrowest of 8, 16
 /// and 32 bits that holds them all.
 pub fn write_nifti(volume: &LabelVolume) -> Vec<u8> {

@@ -8,6 +8,7 @@ use super::element::{ByteOrder, Element, Voxels};
 use super::label_file::{LabelFile, Overlay};
 use super::text::Scanner;
 use super::{FormatError, ReadLimits, gzip, lps};
+use homolog_contract::input::InputSpace;
 use homolog_mesh::volume::LabelVolume;
 use nalgebra::{Matrix4, Vector4};
 use std::borrow::Cow;
@@ -60,10 +61,11 @@ pub fn read_nrrd(bytes: &[u8], limits: &ReadLimits) -> Result<LabelFile, FormatE
     let segments = segments(&header, grid.n_layers);
     let mut file = if grid.n_layers > 1 {
         let (volume, names) = layered(&values, &grid, &segments)?;
-        LabelFile { volume, names, notes: Vec::new() }
+        LabelFile { volume, space: grid.space, names, notes: Vec::new() }
     } else {
         let names = segments.iter().map(|s| (s.value, s.name.clone())).filter(|(_, name)| !name.is_empty()).collect();
-        LabelFile { volume: LabelVolume::new(grid.dims, values, grid.affine)?, names, notes: Vec::new() }
+        let volume = LabelVolume::new(grid.dims, values, grid.affine)?;
+        LabelFile { volume, space: grid.space, names, notes: Vec::new() }
     };
     file.notes.extend(grid.note);
     Ok(file)
@@ -175,6 +177,7 @@ struct Grid {
     layers_first: bool,
     /// To RAS.
     affine: Matrix4<f64>,
+    space: InputSpace,
     note: Option<String>,
 }
 
@@ -220,13 +223,19 @@ impl Grid {
             affine.set_column(3, &Vector4::new(*x, *y, *z, 1.0));
         }
         let scale = |x, y| Matrix4::from_diagonal(&Vector4::new(x, y, 1.0, 1.0));
-        let (affine, note) = match header.get("space").to_ascii_lowercase().as_str() {
-            "left-posterior-superior" | "lps" => (lps::affine_to_ras(&affine), Some(lps::NOTE.to_owned())),
-            "left-anterior-superior" | "las" => {
-                (scale(-1.0, 1.0) * affine, Some("the file has LAS coordinates; they were converted to RAS".to_owned()))
+        let (affine, space, note) = match header.get("space").to_ascii_lowercase().as_str() {
+            "left-posterior-superior" | "lps" => {
+                (lps::affine_to_ras(&affine), InputSpace::Lps, Some(lps::NOTE.to_owned()))
             }
-            "right-anterior-superior" | "ras" => (affine, None),
-            "" => (affine, Some("the file does not state its space; its coordinates are taken as RAS".to_owned())),
+            "left-anterior-superior" | "las" => {
+                let note = "the file has LAS coordinates; they were converted to RAS".to_owned();
+                (scale(-1.0, 1.0) * affine, InputSpace::Unknown, Some(note))
+            }
+            "right-anterior-superior" | "ras" => (affine, InputSpace::ScannerRas, None),
+            "" => {
+                let note = "the file does not state its space; its coordinates are taken as RAS".to_owned();
+                (affine, InputSpace::Unknown, Some(note))
+            }
             _ => {
                 let advice = "it must be left-posterior-superior, left-anterior-superior or right-anterior-superior";
                 return Err(bad("space", "another".to_owned(), advice));
@@ -234,7 +243,7 @@ impl Grid {
         };
         let dims = [0, 1, 2].map(|k| sizes[axes[k]] as usize);
         let n_layers = layer.map_or(1, |k| sizes[k] as usize);
-        Ok(Grid { dims, n_layers, layers_first: layer == Some(0), affine, note })
+        Ok(Grid { dims, n_layers, layers_first: layer == Some(0), affine, space, note })
     }
 }
 

@@ -1,6 +1,7 @@
 //! From the polygons of a file to a triangle or quad mesh.
 
 use super::{FormatError, ReadLimits};
+use homolog_contract::input::InputSpace;
 use homolog_mesh::{FaceArity, MeshError, SurfaceMesh};
 use nalgebra::Point3;
 
@@ -15,6 +16,8 @@ pub struct MeshFile {
     pub n_degenerate: usize,
     /// Whether the vertices were welded on reading, because the format has no shared vertices.
     pub welded: bool,
+    /// The space of coordinates that the file declares.
+    pub space: InputSpace,
     /// What was done to the coordinates, or has to be known about them: a sentence each, without text of the file.
     pub notes: Vec<String>,
 }
@@ -96,7 +99,14 @@ impl Polygons {
             }
         }
         let mesh = SurfaceMesh::new(self.vertices, arity, indices)?;
-        Ok(MeshFile { mesh, first_degenerate, n_degenerate, welded: false, notes: Vec::new() })
+        Ok(MeshFile {
+            mesh,
+            first_degenerate,
+            n_degenerate,
+            welded: false,
+            space: InputSpace::Unknown,
+            notes: Vec::new(),
+        })
     }
 }
 

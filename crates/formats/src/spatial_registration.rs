@@ -8,33 +8,14 @@
 //! study. A file that is no DICOM object has a frame of reference named by its content: the same template has the same one.
 //! Equal inputs give an object with the same UID.
 
-use super::dicom::{DataSet, SOP_CLASS, is_dicom, read_file};
-use super::{FormatError, gzip};
+use super::dicom::{DataSet, SOP_CLASS, SOP_INSTANCE, is_dicom, read_file};
+use super::dicom_file::{
+    Elements, FRAME_OF_REFERENCE, SERIES, STUDY, add_study, decimal, file, frame_of_reference, uid_of,
+};
+use super::{FormatError, ReadLimits, archive};
 use nalgebra::{Matrix4, Vector4};
 
 const CLASS: &str = "1.2.840.10008.5.1.4.1.1.66.1";
-const EXPLICIT_LITTLE_ENDIAN: &str = "1.2.840.10008.1.2.1";
-const SOP_INSTANCE: u32 = 0x0008_0018;
-const STUDY: u32 = 0x0020_000d;
-const SERIES: u32 = 0x0020_000e;
-const FRAME_OF_REFERENCE: u32 = 0x0020_0052;
-const CHARACTER_SET: u32 = 0x0008_0005;
-
-/// Attributes of patient and study that are copied: tag, representation; those that must be there are written empty if they
-/// are not.
-const COPIED: [(u32, &[u8; 2], bool); 11] = [
-    (CHARACTER_SET, b"CS", false),
-    (0x0008_0020, b"DA", true),
-    (0x0008_0030, b"TM", true),
-    (0x0008_0050, b"SH", true),
-    (0x0008_0090, b"PN", true),
-    (0x0010_0010, b"PN", true),
-    (0x0010_0020, b"LO", true),
-    (0x0010_0030, b"DA", true),
-    (0x0010_0040, b"CS", true),
-    (STUDY, b"UI", true),
-    (0x0020_0010, b"SH", true),
-];
 
 /// The two inputs of a match, as uploaded.
 #[derive(Debug, Clone, Copy)]
@@ -58,17 +39,14 @@ pub fn write_spatial_registration(
     created_at: &str,
 ) -> Result<Option<Vec<u8>>, FormatError> {
     let limit = files.max_inflated_bytes;
-    let plain = [gzip::inflate(files.source, limit)?, gzip::inflate(files.target, limit)?];
+    let limits = ReadLimits { max_inflated_bytes: limit, ..ReadLimits::default() };
+    let plain = [archive::dicom_or_plain(files.source, &limits)?, archive::dicom_or_plain(files.target, &limits)?];
     let mut inflated = [Vec::new(), Vec::new()];
     let [of_source, of_target] = &mut inflated;
     let source = data_set(&plain[0], of_source, limit)?;
     let target = data_set(&plain[1], of_target, limit)?;
     let Some(study) = source.as_ref().or(target.as_ref()) else { return Ok(None) };
-    let frame = |set: Option<&DataSet<'_>>, bytes: &[u8]| {
-        let stated = set.map(|set| set.text(FRAME_OF_REFERENCE)).filter(|uid| !uid.is_empty());
-        stated.unwrap_or_else(|| uid_of(&[b"frame of reference", bytes]))
-    };
-    let frames = [frame(source.as_ref(), &plain[0]), frame(target.as_ref(), &plain[1])];
+    let frames = [frame_of_reference(source.as_ref(), &plain[0]), frame_of_reference(target.as_ref(), &plain[1])];
     let matrix = in_lps(target_from_source);
     let numbers: Vec<u8> = target_from_source.iter().flatten().flat_map(|v| v.to_le_bytes()).collect();
     let of_inputs = [blake3::hash(&plain[0]), blake3::hash(&plain[1])].map(|hash| *hash.as_bytes());
@@ -77,12 +55,7 @@ pub fn write_spatial_registration(
     let (day, time) = created_at.split_at_checked(8).unwrap_or(("19700101", "000000"));
 
     let mut body = Elements::default();
-    for (tag, representation, required) in COPIED {
-        let value = study.bytes(tag);
-        if required || !value.is_empty() {
-            body.add(tag, representation, value);
-        }
-    }
+    add_study(&mut body, study);
     body.text(SOP_CLASS, b"UI", CLASS);
     body.text(SOP_INSTANCE, b"UI", &instance);
     body.text(0x0008_0023, b"DA", day);
@@ -107,7 +80,7 @@ pub fn write_spatial_registration(
         &[registration(&frames[1], target.as_ref(), &identity), registration(&frames[0], source.as_ref(), &matrix)],
     );
     references(&mut body, study, [source.as_ref(), target.as_ref()]);
-    Ok(Some(file(&instance, body)))
+    Ok(Some(file(CLASS, &instance, &body)))
 }
 
 /// The data set of a DICOM file; `None` if it is no such file.
@@ -185,104 +158,6 @@ fn references(body: &mut Elements, study: &DataSet<'_>, inputs: [Option<&DataSet
     }
 }
 
-/// A UID made of a hash (PS3.5, section B.2): `2.25.` and a number of 128 bits, those of a UUID of version 8.
-fn uid_of(parts: &[&[u8]]) -> String {
-    let mut hasher = blake3::Hasher::new();
-    for part in parts {
-        hasher.update(&(part.len() as u64).to_le_bytes());
-        hasher.update(part);
-    }
-    let mut bytes = [0; 16];
-    bytes.copy_from_slice(&hasher.finalize().as_bytes()[..16]);
-    bytes[6] = bytes[6] & 0x0f | 0x80;
-    bytes[8] = bytes[8] & 0x3f | 0x80;
-    format!("2.25.{}", u128::from_be_bytes(bytes))
-}
-
-/// A number as a decimal string, which has at most 16 characters.
-fn decimal(value: f64) -> String {
-    let value = value + 0.0;
-    (0..=14)
-        .rev()
-        .map(|digits| format!("{value:.digits$}"))
-        .find(|text| text.len() <= 16)
-        .unwrap_or_else(|| format!("{value:.8e}"))
-}
-
-/// Data elements, which [`Elements::bytes`] puts into the order of their tags.
-#[derive(Default)]
-struct Elements {
-    list: Vec<(u32, [u8; 2], Vec<u8>)>,
-}
-
-impl Elements {
-    fn add(&mut self, tag: u32, representation: &[u8; 2], value: &[u8]) {
-        let mut value = value.to_vec();
-        if value.len() % 2 == 1 {
-            value.push(if representation == b"UI" { 0 } else { b' ' });
-        }
-        self.list.push((tag, *representation, value));
-    }
-
-    fn text(&mut self, tag: u32, representation: &[u8; 2], value: &str) {
-        self.add(tag, representation, value.as_bytes());
-    }
-
-    fn items(&mut self, tag: u32, items: &[Elements]) {
-        let mut value = Vec::new();
-        for item in items {
-            let bytes = item.bytes();
-            value.extend([0xfe, 0xff, 0x00, 0xe0]);
-            value.extend((bytes.len() as u32).to_le_bytes());
-            value.extend(bytes);
-        }
-        self.add(tag, b"SQ", &value);
-    }
-
-    fn bytes(&self) -> Vec<u8> {
-        let mut order: Vec<&(u32, [u8; 2], Vec<u8>)> = self.list.iter().collect();
-        order.sort_by_key(|(tag, _, _)| *tag);
-        let mut bytes = Vec::new();
-        for (tag, representation, value) in order {
-            bytes.extend(((tag >> 16) as u16).to_le_bytes());
-            bytes.extend((*tag as u16).to_le_bytes());
-            bytes.extend(representation);
-            if matches!(representation, b"SQ" | b"OB") {
-                bytes.extend([0, 0]);
-                bytes.extend((value.len() as u32).to_le_bytes());
-            } else {
-                // Values with short lengths are identifiers and names; none comes near the limit.
-                let length = value.len().min(usize::from(u16::MAX) - 1);
-                bytes.extend((length as u16).to_le_bytes());
-                bytes.extend(&value[..length]);
-                continue;
-            }
-            bytes.extend(value);
-        }
-        bytes
-    }
-}
-
-/// Preamble, meta information and data set.
-fn file(instance: &str, body: Elements) -> Vec<u8> {
-    let mut meta = Elements::default();
-    meta.add(0x0002_0001, b"OB", &[0, 1]);
-    meta.text(0x0002_0002, b"UI", CLASS);
-    meta.text(0x0002_0003, b"UI", instance);
-    meta.text(0x0002_0010, b"UI", EXPLICIT_LITTLE_ENDIAN);
-    meta.text(0x0002_0012, b"UI", &uid_of(&[b"homolog"]));
-    meta.text(0x0002_0013, b"SH", "homolog");
-    let meta = meta.bytes();
-    let mut group = Elements::default();
-    group.add(0x0002_0000, b"UL", &(meta.len() as u32).to_le_bytes());
-    let mut file = vec![0; 128];
-    file.extend(b"DICM");
-    file.extend(group.bytes());
-    file.extend(meta);
-    file.extend(body.bytes());
-    file
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -299,7 +174,7 @@ mod tests {
         set.text(STUDY, b"UI", study);
         set.text(SERIES, b"UI", "1.2.9");
         set.text(FRAME_OF_REFERENCE, b"UI", frame);
-        file(instance, set)
+        file(CLASS, instance, &set)
     }
 
     fn written(source: &[u8], target: &[u8]) -> Option<Vec<u8>> {

@@ -314,7 +314,7 @@ proptest! {
             bytes[at] = value;
         }
         let start = std::time::Instant::now();
-        let _ = read(&bytes, Some(name), &ReadLimits { max_inflated_bytes: 1 << 24, max_vertices: 100_000 });
+        let _ = read(&bytes, Some(name), &ReadLimits { max_inflated_bytes: 1 << 24, max_vertices: 100_000, ..limits() });
         prop_assert!(start.elapsed().as_secs() < 2);
     }
 

@@ -3,7 +3,8 @@
 //! The input is `target_from_source`, 4×4, row by row: it maps points of the source, in RAS millimetres as in NIfTI, onto
 //! the target. A file may hold another matrix, where the program that reads it expects that.
 
-use nalgebra::Matrix4;
+use homolog_mesh::volume::LabelVolume;
+use nalgebra::{Matrix4, Vector4};
 
 /// The matrix itself as text: four lines of four numbers, as `numpy.loadtxt` and most registration programs read it.
 pub fn write_matrix_text(target_from_source: &[[f64; 4]; 4]) -> String {
@@ -36,18 +37,41 @@ pub fn write_itk_transform(target_from_source: &[[f64; 4]; 4]) -> Option<String>
 
 /// A FreeSurfer linear transform array (`.lta`) of type 1 (RAS to RAS), source to target: the matrix as it is.
 ///
-/// The geometry of the two volumes is not known here. It is written as invalid, with the values that FreeSurfer writes for
-/// an unknown volume; programs that need it take `--src` and `--trg` (`lta_convert`) or `--mov` and `--targ`.
+/// `volumes` are the label volumes of source and target, whose geometry the file states. That of an input that is a mesh is
+/// written as invalid, with the values that FreeSurfer writes for an unknown volume; programs that need it take `--src` and
+/// `--trg` (`lta_convert`) or `--mov` and `--targ`.
 ///
 /// # Source
 /// FreeSurfer, `LTAwrite` and `VOL_GEOM::write`.
-pub fn write_lta(target_from_source: &[[f64; 4]; 4]) -> String {
+pub fn write_lta(target_from_source: &[[f64; 4]; 4], volumes: [Option<&LabelVolume>; 2]) -> String {
     let row = |row: &[f64; 4]| row.map(|v| format!("{v:.15e}")).join(" ") + "\n";
     let matrix: String = target_from_source.iter().map(row).collect();
-    let geometry = "valid = 0  # volume info invalid\nfilename = unknown\nvolume = 256 256 256\nvoxelsize = 1 1 1\n\
+    let unknown = "valid = 0  # volume info invalid\nfilename = unknown\nvolume = 256 256 256\nvoxelsize = 1 1 1\n\
                     xras   = -1 0 0\nyras   = 0 0 -1\nzras   = 0 1 0\ncras   = 0 0 0\n";
+    let geometry = volumes.map(|volume| volume.map_or_else(|| unknown.to_owned(), volume_geometry));
     format!(
         "type      = 1 # LINEAR_RAS_TO_RAS\nnxforms   = 1\nmean      = 0.0000 0.0000 0.0000\nsigma     = 1.0000\n1 4 4\n\
-         {matrix}src volume info\n{geometry}dst volume info\n{geometry}"
+         {matrix}src volume info\n{}dst volume info\n{}",
+        geometry[0], geometry[1]
+    )
+}
+
+/// Size, spacing, directions of the axes and the place of the middle, as FreeSurfer states them.
+fn volume_geometry(volume: &LabelVolume) -> String {
+    let (affine, size, spacing) = (volume.affine(), volume.dims(), volume.spacing_mm());
+    let row = |v: [f64; 3]| v.map(|v| format!("{v:.15e}")).join(" ");
+    let axis = |k: usize| row([0, 1, 2].map(|r| affine[(r, k)] / spacing[k]));
+    let middle = affine * Vector4::new(size[0] as f64 / 2.0, size[1] as f64 / 2.0, size[2] as f64 / 2.0, 1.0);
+    format!(
+        "valid = 1  # volume info valid\nfilename = unknown\nvolume = {} {} {}\nvoxelsize = {}\nxras   = {}\nyras   = {}\n\
+         zras   = {}\ncras   = {}\n",
+        size[0],
+        size[1],
+        size[2],
+        row(spacing),
+        axis(0),
+        axis(1),
+        axis(2),
+        row([middle.x, middle.y, middle.z])
     )
 }

@@ -3,11 +3,15 @@
 
 mod samples;
 
-use homolog_formats::{FileContent, FormatError, InputFormat, ReadFile, ReadLimits, read};
+use homolog_formats::{
+    FileContent, FormatError, InputFormat, InputSpace, ReadFile, ReadLimits, read, read_with, write_zip,
+};
 use homolog_mesh::SurfaceMesh;
 use homolog_mesh::volume::LabelVolume;
 use nalgebra::{Matrix4, Point3};
-use samples::{IDENTITY, affine, dicom_seg, gifti, gzip, labels, layered_nrrd, surface, surfaces, volumes};
+use samples::{
+    IDENTITY, affine, archive_of, dicom_seg, gifti, gzip, instances, labels, layered_nrrd, surface, surfaces, volumes,
+};
 
 fn read_file(bytes: &[u8], name: Option<&str>) -> Result<ReadFile, FormatError> {
     read(bytes, name, &ReadLimits::default())
@@ -122,6 +126,114 @@ fn segments_that_overlap_keep_their_voxels_and_names() {
 }
 
 #[test]
+fn instances_in_an_archive_are_one_volume_in_which_no_two_segments_share_a_number() {
+    let counts = |bytes: &[u8]| {
+        let (file, found) = volume("archive", bytes);
+        (found.label_counts().into_iter().collect::<Vec<_>>(), file)
+    };
+    let whole = [17, 53].map(|label| labels().iter().filter(|&&l| l == label).count() as u64);
+    let (found, file) = counts(&archive_of(instances(true, "1.2.3")));
+    assert_eq!(found, [(17, whole[0]), (53, whole[1])], "parts of a concatenation share the numbers");
+    assert!(
+        file.notes.iter().any(|n| n.contains("has 2 segmentations") && n.contains("2 other files")),
+        "{:?}",
+        file.notes
+    );
+    // Both instances name segments 17 and 53; the second one has voxels of its 53 alone.
+    let (found, file) = counts(&archive_of(instances(false, "")));
+    assert_eq!(found, [(17, whole[0]), (55, whole[1])]);
+    assert_eq!([17, 55].map(|label| file.label_names[&label].as_str()), ["Left Hippocampus", "Right Hippocampus"]);
+    assert!(file.notes.iter().any(|n| n.starts_with("2 segments of instances")), "{:?}", file.notes);
+    // One file of any format is taken out of its archive, with its name.
+    let ply = write_zip(&[("a/b.ply".to_owned(), homolog_formats::write_ply(&surface()))]).unwrap();
+    assert_eq!(mesh("archive", &ply).1, surface());
+    let mut elsewhere = instances(true, "1.2.3");
+    let rows = [0x28, 0, 0x10, 0, b'U', b'S', 2, 0];
+    let at = elsewhere[1].windows(8).position(|w| w == rows).unwrap() + 8;
+    elsewhere[1][at] = 3;
+    let error = read_file(&archive_of(elsewhere), None).unwrap_err().to_string();
+    assert!(error.contains("of different sizes of frames"), "{error}");
+}
+
+#[test]
+fn the_share_from_which_a_fractional_voxel_counts_is_chosen() {
+    // Of 200: half at most in slice 0, three quarters in slice 1.
+    let bytes = dicom_seg("FRACTIONAL", &[(17, 0), (17, 1)], |_, at| if at < 12 { 100 } else { 150 });
+    let voxels = |fraction: f64| {
+        let file = read_with(&bytes, None, &ReadLimits::default(), fraction).unwrap();
+        assert!(file.notes.iter().any(|note| note.contains(&format!("at least {fraction} of the largest"))));
+        let FileContent::Labels(found) = file.content else { panic!("a label volume") };
+        found.label_counts().get(&17).copied().unwrap_or(0)
+    };
+    assert_eq!([0.01, 0.5, 0.51, 0.75, 0.76, 1.0].map(voxels), [24, 24, 12, 12, 0, 0]);
+}
+
+#[test]
+fn what_inflates_beyond_all_measure_is_refused() {
+    let bytes = gzip(&vec![b'\n'; 8 << 20]);
+    let read = |max_inflation| {
+        let limits = ReadLimits { max_inflation, ..ReadLimits::default() };
+        homolog_formats::read(&bytes, Some("a.off"), &limits).unwrap_err()
+    };
+    assert!(matches!(read(4), FormatError::TooLarge { what: "bytes", limit: 4_194_304, .. }));
+    assert!(!matches!(read(8), FormatError::TooLarge { .. }));
+}
+
+#[test]
+fn a_segment_that_all_frames_share_is_found_in_the_shared_groups() {
+    let own = dicom_seg("BINARY", &[(17, 0), (17, 1)], |_, at| u16::from(labels()[at] == 17));
+    let item = [0x62, 0, 0x0b, 0, b'U', b'S', 2, 0, 17, 0];
+    // The sequence of the segment, 12 + 8 + 10 bytes, moves from both frames to the groups that they share.
+    let mut moved = own.clone();
+    let mut sequence = Vec::new();
+    while let Some(at) = moved.windows(10).position(|w| w == item) {
+        sequence = moved.drain(at - 20..at + 10).collect();
+    }
+    let shared = [0x00, 0x52, 0x29, 0x92, b'S', b'Q', 0, 0];
+    let at = moved.windows(8).position(|w| w == shared).unwrap();
+    for length in [at + 8, at + 16] {
+        let value = u32::from_le_bytes(moved[length..length + 4].try_into().unwrap()) + 30;
+        moved[length..length + 4].copy_from_slice(&value.to_le_bytes());
+    }
+    let groups = moved.windows(8).position(|w| w == [0x00, 0x52, 0x30, 0x92, b'S', b'Q', 0, 0]).unwrap();
+    let value = u32::from_le_bytes(moved[groups + 8..groups + 12].try_into().unwrap()) - 60;
+    moved[groups + 8..groups + 12].copy_from_slice(&value.to_le_bytes());
+    moved.splice(at + 20..at + 20, sequence);
+    assert_eq!(volume("shared", &moved).1, volume("own", &own).1);
+}
+
+#[test]
+fn the_space_that_a_file_declares_is_reported() {
+    use InputSpace::{FreesurferRas, Lps, ScannerRas, Unknown};
+    let expected = |format, name: &str| match format {
+        InputFormat::Nifti | InputFormat::Mgh => ScannerRas,
+        InputFormat::Nrrd | InputFormat::MetaImage | InputFormat::DicomSeg => Lps,
+        InputFormat::Freesurfer => FreesurferRas,
+        _ => {
+            if name.contains("LPS") {
+                Lps
+            } else {
+                Unknown
+            }
+        }
+    };
+    for (name, format, bytes) in surfaces().into_iter().chain(volumes()) {
+        assert_eq!(read_file(&bytes, Some(name)).unwrap().space, expected(format, name), "{name}");
+    }
+    let of = |bytes: &[u8]| read_file(bytes, None).unwrap().space;
+    let mut silent = samples::nifti_2(false);
+    // Without codes, positions are through the voxel sizes.
+    silent[344..352].fill(0);
+    for at in [112, 120, 128] {
+        silent[at..at + 8].copy_from_slice(&1.0f64.to_le_bytes());
+    }
+    assert_eq!(of(&silent), Unknown);
+    let scanner = String::from_utf8(gifti("ASCII", false, false, "INT32", IDENTITY)).unwrap();
+    let scanner = scanner.replace("NIFTI_XFORM_UNKNOWN", "NIFTI_XFORM_SCANNER_ANAT");
+    assert_eq!(of(scanner.as_bytes()), ScannerRas);
+}
+
+#[test]
 fn a_gap_between_the_frames_of_a_segmentation_is_refused_with_its_place() {
     let gap = dicom_seg("BINARY", &[(17, 0), (17, 1), (17, 4)], |_, _| 1);
     let error = read_file(&gap, None).unwrap_err().to_string();
@@ -161,7 +273,7 @@ fn formats_that_are_known_and_not_read_are_named_with_what_to_do() {
         ("a.fbx", b"Kaydara FBX Binary  \0\x1a\0".to_vec(), "FBX"),
         ("a.gltf", b"{ \"asset\": {\"version\": \"2.0\"} }".to_vec(), "glTF"),
         ("a.glb", b"glTF\x02\0\0\0".to_vec(), "glTF"),
-        ("a.zip", b"PK\x03\x04....".to_vec(), "zip"),
+        ("a.zip", write_zip(&["a", "b"].map(|name| (name.to_owned(), b"text".to_vec()))).unwrap(), "several files"),
         ("lh.patch", b"\xff\xff\xff\xff\0\0\0\x05".to_vec(), "patch"),
         ("a.mesh", b"binarDCBA\0\0".to_vec(), "BrainVISA"),
         ("a.nhdr", b"NRRD0004\ntype: uchar\nsizes: 1 1 1\ndata file: x.raw\n\n".to_vec(), ".nhdr"),

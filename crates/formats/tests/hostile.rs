@@ -168,6 +168,20 @@ fn every_prefix_of_every_file_costs_little_and_panics_nowhere() {
     }
 }
 
+/// Every format has a sample; `make fuzz` names a folder for them, as seeds.
+#[test]
+fn every_format_is_a_seed_of_fuzzing() {
+    let folder = std::env::var_os("HOMOLOG_FUZZ_SEEDS").map(std::path::PathBuf::from);
+    let mut seen = std::collections::HashSet::new();
+    for (k, (name, bytes)) in all_samples().into_iter().enumerate() {
+        seen.insert(read(&bytes, Some(&name), &ReadLimits::default()).unwrap().format);
+        if let Some(folder) = &folder {
+            std::fs::write(folder.join(format!("sample-{k}")), bytes).unwrap();
+        }
+    }
+    assert_eq!(seen.len(), homolog_formats::InputFormat::ALL.len());
+}
+
 /// What coverage-guided fuzzing (`make fuzz`) has found.
 #[test]
 fn files_that_once_were_trouble_are_none() {

@@ -13,9 +13,11 @@ mod geometry;
 mod numbering;
 pub mod orientation;
 pub mod shapes;
+pub mod simplify;
 
 pub mod repair;
 pub mod topology;
+pub mod tunnels;
 pub mod volume;
 
 pub use canonical::{CanonicalMesh, canonicalize};

@@ -1,7 +1,8 @@
-//! Repairs of a mesh that move no vertex: welding, the largest piece, reversing all faces, dropping unused vertices.
+//! Repairs of a mesh that move no vertex: welding, the largest piece, pieces inside others, triangles, reversing all faces,
+//! dropping unused vertices.
 //!
 //! Vertices keep their order; every repair returns the input index of each kept vertex, so that results can be given in
-//! the numbering of the file. (Tunnels are filled on voxels, not here.)
+//! the numbering of the file. (Tunnels are closed by [`super::tunnels`].)
 
 use super::topology::vertex_components;
 use super::{FaceArity, MeshError, Numbering, SurfaceMesh};
@@ -180,6 +181,64 @@ pub fn largest_component(mesh: &SurfaceMesh) -> RepairedMesh {
     compacted(&mesh.vertices, mesh.arity, indices)
 }
 
+/// `mesh` without the pieces that lie inside another piece, such as the walls of cavities, and how many were dropped. `None`
+/// if there are none. A piece lies inside where the winding number of the other around one of its vertices is more than a half.
+///
+/// # Cost
+/// `O(n)` for each pair of pieces whose bounding boxes lie in each other.
+///
+/// # Source
+/// Van Oosterom and Strackee, "The solid angle of a plane triangle", IEEE Transactions on Biomedical Engineering 30(2), 1983.
+pub fn without_inner_pieces(mesh: &SurfaceMesh) -> Option<(RepairedMesh, usize)> {
+    let components = vertex_components(mesh);
+    let n_pieces = components.sizes.len();
+    if n_pieces < 2 {
+        return None;
+    }
+    let mut triangles: Vec<Vec<[u32; 3]>> = vec![Vec::new(); n_pieces];
+    for t in mesh.triangles() {
+        triangles[components.of_vertex[t[0] as usize] as usize].push(t);
+    }
+    let v = mesh.vertices();
+    let boxes: Vec<(Point3<f64>, Point3<f64>)> = triangles
+        .iter()
+        .map(|piece| {
+            let corners = || piece.iter().flatten().map(|&k| v[k as usize]);
+            let first = corners().next().unwrap_or_default();
+            corners().fold((first, first), |(low, high), p| (low.inf(&p), high.sup(&p)))
+        })
+        .collect();
+    let within = |inner: usize, outer: usize| {
+        let ((low, high), (outer_low, outer_high)) = (boxes[inner], boxes[outer]);
+        (0..3).all(|k| outer_low[k] <= low[k] && high[k] <= outer_high[k]) && boxes[inner] != boxes[outer]
+    };
+    let inside = |inner: usize| {
+        let Some(&[vertex, ..]) = triangles[inner].first() else { return false };
+        let at = v[vertex as usize];
+        (0..n_pieces)
+            .any(|outer| outer != inner && within(inner, outer) && winding(v, &triangles[outer], &at).abs() > 0.5)
+    };
+    let dropped: Vec<bool> = (0..n_pieces).map(inside).collect();
+    let n_dropped = dropped.iter().filter(|&&dropped| dropped).count();
+    let kept = mesh.faces().filter(|f| !dropped[components.of_vertex[f[0] as usize] as usize]);
+    (n_dropped > 0).then(|| (compacted(v, mesh.arity, kept.flatten().copied().collect()), n_dropped))
+}
+
+/// How often a piece winds around a point.
+fn winding(vertices: &[Point3<f64>], triangles: &[[u32; 3]], at: &Point3<f64>) -> f64 {
+    let solid_angle = |t: &[u32; 3]| {
+        let [a, b, c] = t.map(|k| vertices[k as usize] - at);
+        let (la, lb, lc) = (a.norm(), b.norm(), c.norm());
+        2.0 * a.dot(&b.cross(&c)).atan2(la * lb * lc + a.dot(&b) * lc + b.dot(&c) * la + c.dot(&a) * lb)
+    };
+    triangles.iter().map(solid_angle).sum::<f64>() / (4.0 * std::f64::consts::PI)
+}
+
+/// `mesh` with every quad split along its first diagonal. Cost `O(n)`.
+pub fn triangulated(mesh: &SurfaceMesh) -> SurfaceMesh {
+    SurfaceMesh { vertices: mesh.vertices.clone(), arity: FaceArity::Triangle, indices: mesh.triangles().concat() }
+}
+
 /// `mesh` without the vertices that no face uses. Cost `O(n)`.
 pub fn drop_unused(mesh: &SurfaceMesh) -> RepairedMesh {
     compacted(&mesh.vertices, mesh.arity, mesh.indices.clone())
@@ -200,7 +259,7 @@ pub(crate) fn reversed_where(mesh: &SurfaceMesh, reverse: impl Fn(usize) -> bool
 }
 
 /// The faces `indices` with only the vertices that they use, in the old order.
-fn compacted(vertices: &[Point3<f64>], arity: FaceArity, mut indices: Vec<u32>) -> RepairedMesh {
+pub(crate) fn compacted(vertices: &[Point3<f64>], arity: FaceArity, mut indices: Vec<u32>) -> RepairedMesh {
     let mut number = vec![u32::MAX; vertices.len()];
     indices.iter().for_each(|&v| number[v as usize] = 0);
     let original: Vec<u32> = (0..vertices.len() as u32).filter(|&v| number[v as usize] == 0).collect();
@@ -287,6 +346,32 @@ mod tests {
         assert!((report.largest_mm - 1e-9).abs() < 1e-15, "{report:?}");
         assert_eq!(welded.mesh.indices(), [0, 1, 2]);
         assert_eq!(welded.numbering.originals(), [0, 1, 2]);
+    }
+
+    #[test]
+    fn pieces_inside_another_are_dropped_and_those_beside_it_stay() {
+        use crate::shapes::{ellipsoid, torus};
+        use nalgebra::Vector3;
+        let outer = ellipsoid(Vector3::new(9.0, 8.0, 7.0), 3);
+        let cavity = reversed(&ellipsoid(Vector3::new(4.0, 3.0, 2.0), 2));
+        // Inside the box of the first, and outside of it.
+        let beside = ellipsoid(Vector3::repeat(0.4), 1)
+            .with_vertices(
+                ellipsoid(Vector3::repeat(0.4), 1).vertices().iter().map(|p| p + Vector3::new(8.0, 7.0, 6.0)).collect(),
+            )
+            .unwrap();
+        let ring = torus(30.0, 2.0, 20, 8, FaceArity::Triangle);
+        let (mut vertices, mut indices) = (Vec::new(), Vec::new());
+        for piece in [&cavity, &outer, &beside, &ring] {
+            let first = vertices.len() as u32;
+            vertices.extend_from_slice(piece.vertices());
+            indices.extend(piece.indices().iter().map(|v| v + first));
+        }
+        let all = SurfaceMesh::new(vertices, FaceArity::Triangle, indices).unwrap();
+        let (kept, n_dropped) = without_inner_pieces(&all).unwrap();
+        assert_eq!((n_dropped, kept.numbering.original(0) as usize), (1, cavity.n_vertices()));
+        assert_eq!(topology_report(&kept.mesh).n_components, 3);
+        assert_eq!(without_inner_pieces(&kept.mesh), None);
     }
 
     #[test]

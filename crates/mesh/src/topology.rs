@@ -114,7 +114,7 @@ pub enum SurfaceFault {
         place_mm: [f64; 3],
     },
     /// Tunnels through the surface.
-    #[error("the surface has {genus} {} (genus {genus}); genus 0, as of a sphere, is needed", tunnels(*genus))]
+    #[error("the surface has {genus} {} (genus {genus}); genus 0, as of a sphere, is needed, and the repair fill closes tunnels", tunnels(*genus))]
     Genus {
         /// The genus.
         genus: u32,

@@ -17,11 +17,12 @@ mod surfaces;
 #[cfg(test)]
 mod surfaces_tests;
 mod warped;
+mod whole;
 
 pub use colors::{Colors, value_colors};
 pub use report::{ReportInputs, write_report};
 pub use surfaces::SurfaceCache;
-pub use warped::{WarpError, WarpedSurface, warp};
+pub use warped::{WarpError, WarpedSurface, lta, segment_label, warp};
 
 use surfaces::ReadySurface;
 
@@ -206,7 +207,7 @@ pub fn run_match_with(
         poses: outcome.poses,
         reliability: outcome.reliability,
         ambiguous_axes: outcome.ambiguous_axes,
-        correspondences: Some(outcome.correspondences),
+        correspondences: Some(whole::of_whole(outcome.correspondences, &source.prepared, &target.prepared)),
         stop_reason: outcome.stop_reason,
         timings_ms: timed.finish(),
         provenance,

@@ -2,9 +2,28 @@
 //! each vertex.
 
 use homolog_contract::result::{Correspondences, OutlierReason, WarpDirection, WarpSpace};
-use homolog_formats::{VertexArray, VertexValues};
+use homolog_formats::transform::write_lta;
+use homolog_formats::{FileContent, ReadLimits, VertexArray, VertexValues};
 use homolog_mesh::{MeshError, SurfaceMesh};
 use nalgebra::{Matrix4, Point3, Vector3};
+
+/// The transform as an LTA file of FreeSurfer, with the geometry of the inputs that are label volumes.
+pub fn lta(target_from_source: &[[f64; 4]; 4], files: [&[u8]; 2]) -> String {
+    let read = files.map(|bytes| homolog_formats::read(bytes, None, &ReadLimits::default()).ok());
+    let volume = |side: usize| match read[side].as_ref().map(|file| &file.content) {
+        Some(FileContent::Labels(volume)) => Some(volume),
+        _ => None,
+    };
+    write_lta(target_from_source, [volume(0), volume(1)])
+}
+
+/// The name of the segment that holds a bent surface.
+pub fn segment_label(direction: WarpDirection) -> &'static str {
+    match direction {
+        WarpDirection::Forward => "source bent onto target",
+        WarpDirection::Inverse => "target bent onto source",
+    }
+}
 
 /// A surface bent onto the other.
 #[derive(Debug, Clone, PartialEq)]
@@ -54,7 +73,8 @@ pub enum WarpError {
 /// on the other surface. `space` is that in which the result is given; the points lie on the other surface where it is the
 /// other surface's own, and otherwise on that surface moved rigidly.
 ///
-/// The arrays, with the rigid transform taken out of every displacement:
+/// The arrays: `image_x_mm`, `image_y_mm`, `image_z_mm` (where the vertex is then), and, with the rigid transform taken out of
+/// every displacement:
 /// `displacement_x_mm`, `displacement_y_mm`, `displacement_z_mm` (from the rigidly moved vertex to its corresponding point,
 /// in `space`), `displacement_normal_mm` (its part along the outward normal), `residual_mm` (its length), `area_ratio` (area
 /// around the vertex after bending, over that before), `confidence`, `spread_mm`, and `outlier` (0 none, 1 residual,
@@ -107,7 +127,11 @@ pub fn warp(
     let area_ratio = ratios(&vertex_areas(&mesh), &vertex_areas(moving));
     let real = |name, values| VertexArray { name, values: VertexValues::Real(values) };
     let component = |k: usize| displacements.iter().map(|d| d[k]).collect();
+    let image = |k: usize| mesh.vertices().iter().map(|p| p[k]).collect();
     let arrays = vec![
+        real("image_x_mm", image(0)),
+        real("image_y_mm", image(1)),
+        real("image_z_mm", image(2)),
         real("displacement_x_mm", component(0)),
         real("displacement_y_mm", component(1)),
         real("displacement_z_mm", component(2)),

@@ -78,20 +78,21 @@ pub(crate) async fn result(
 /// Get the dense correspondence
 ///
 /// Either as a table with a row for each corresponding pair: JSON (an array for each column), CSV, NumPy (`.npy`, one
-/// structured array; `.npz`, an array for each column) or Arrow (IPC file, also known as Feather 2). The columns are `source` and `target` (vertex indices),
+/// structured array; `.npz`, an array for each column), Arrow (IPC file, also known as Feather 2) or Parquet. The columns are `source` and `target` (vertex indices),
 /// `confidence`, `inlier`, `spread_mm`, `outlier` (a word in JSON and CSV, else 0 none, 1 residual, 2 neighborhood, 3 both,
 /// 4 no_counterpart), and the corresponding point on the target surface, which lies between vertices: the vertices of its
 /// `triangle` and its `barycentric` coordinates, three numbers each.
 ///
 /// Or as the source surface with these values at each vertex: PLY (properties), legacy VTK and VTP (point data) or GIFTI (further
-/// data arrays; single precision, quads split into triangles). A vertex without a correspondence has `target` −1,
+/// data arrays; single precision, quads split into triangles). The corners and weights are
+/// `triangle_0` to `triangle_2` and `barycentric_0` to `barycentric_2`. A vertex without a correspondence has `target` and corners −1,
 /// `confidence` 0 and `inlier` 0. Or as glTF (`glb`), for browsers: the source moved rigidly onto the target, and the target,
 /// corresponding points in one color.
 #[utoipa::path(
     get, path = "/v1/jobs/{id}/correspondences", tag = "results", operation_id = "get_correspondences",
     params(
         ("id" = String, Path, description = "The job"),
-        ("format" = Option<String>, Query, description = "`json`, `csv`, `npy`, `npz`, `arrow`, `ply`, `vtk`, `vtp`, `gifti` or `glb`; takes precedence over `Accept`; JSON if neither is given"),
+        ("format" = Option<String>, Query, description = "`json`, `csv`, `npy`, `npz`, `arrow`, `parquet`, `ply`, `vtk`, `vtp`, `gifti` or `glb`; takes precedence over `Accept`; JSON if neither is given"),
         ("direction" = Option<String>, Query, description = "`forward` (default): from source to target; `inverse`: from target to source, if the job had `both_directions`; `source` is then a vertex of the target, and `target` one of the source"),
         ("If-None-Match" = Option<String>, Header, description = "ETag of an earlier answer"),
     ),
@@ -100,7 +101,7 @@ pub(crate) async fn result(
             (Correspondences = "application/json"), (String = "text/csv"), (Vec<u8> = "application/x-npy"),
             (Vec<u8> = "application/x-npz"), (Vec<u8> = "application/vnd.apache.arrow.file"), (Vec<u8> = "model/ply"),
             (Vec<u8> = "model/vtk"), (String = "application/vnd.vtk.vtp"), (String = "application/gifti+xml"),
-            (Vec<u8> = "model/gltf-binary"),
+            (Vec<u8> = "model/gltf-binary"), (Vec<u8> = "application/vnd.apache.parquet"),
         ), headers(
             ("ETag" = String, description = "Of this representation"), ("Vary" = String, description = "`accept`"),
             ("Content-Disposition" = String, description = "Suggested file name; not with JSON"),

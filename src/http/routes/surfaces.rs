@@ -118,12 +118,15 @@ pub(crate) async fn aligned(
 /// (its length), `area_ratio` (area around the vertex after bending over that before), `confidence`, `spread_mm` and
 /// `outlier` (0 none, 1 residual, 2 neighborhood, 3 both, 4 no counterpart). PLY, legacy VTK, VTP and GIFTI hold them with
 /// the surface; STL holds the surface alone, glTF (`glb`) the surface colored by
-/// residual; JSON, CSV, NumPy and Arrow hold the values alone, a row for each vertex.
+/// residual; JSON, CSV, NumPy, Arrow and Parquet hold the values alone, a row for each vertex, with its new place `image_x_mm`,
+/// `image_y_mm`, `image_z_mm`. `dicom` is a DICOM segmentation (SEG), if an input is a DICOM object: the voxels that the bent
+/// surface encloses, on the grid and in the frame of reference of the input of `space`, in the study of that input, or of
+/// the other if that is no DICOM object.
 #[utoipa::path(
     get, path = "/v1/jobs/{id}/warped", tag = "results", operation_id = "get_warped",
     params(
         ("id" = String, Path, description = "The job"),
-        ("format" = Option<String>, Query, description = "`ply`, `vtk`, `vtp`, `gifti`, `stl`, `glb`, `json`, `csv`, `npy`, `npz` or `arrow`; takes precedence over `Accept`; PLY if neither is given"),
+        ("format" = Option<String>, Query, description = "`ply`, `vtk`, `vtp`, `gifti`, `stl`, `glb`, `json`, `csv`, `npy`, `npz`, `arrow`, `parquet` or `dicom`; takes precedence over `Accept`; PLY if neither is given"),
         ("direction" = Option<String>, Query, description = "`forward` (default): the source is bent onto the target; `inverse`: the target onto the source, if the job had `both_directions`"),
         ("space" = Option<String>, Query, description = "Coordinates of the answer, `target` or `source`; by default those of the surface onto which the other is bent. In the other space the same shape is moved rigidly. `aligned` is another name for `target`: the space of `/aligned`"),
         ("If-None-Match" = Option<String>, Header, description = "ETag of an earlier answer"),
@@ -134,6 +137,7 @@ pub(crate) async fn aligned(
             (String = "application/gifti+xml"), (Vec<u8> = "model/stl"), (serde_json::Value = "application/json"),
             (String = "text/csv"), (Vec<u8> = "application/x-npy"), (Vec<u8> = "application/vnd.apache.arrow.file"),
             (Vec<u8> = "model/gltf-binary"), (Vec<u8> = "application/x-npz"),
+            (Vec<u8> = "application/vnd.apache.parquet"), (Vec<u8> = "application/dicom"),
         ), headers(
             ("ETag" = String, description = "Of this representation"), ("Vary" = String, description = "`accept`"),
             ("Content-Disposition" = String, description = "Suggested file name; not with JSON"),

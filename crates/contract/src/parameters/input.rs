@@ -28,6 +28,22 @@ pub struct InputParameters {
     pub repair: Option<Vec<Repair>>,
     /// Whether a mesh may have a boundary, as a part of a structure has.
     pub allow_boundary: bool,
+    /// Share of the largest value from which a voxel of a fractional DICOM segmentation belongs to a segment. Ignored for
+    /// other inputs.
+    #[cfg_attr(feature = "serde", serde(default = "half"))]
+    #[cfg_attr(feature = "openapi", schema(exclusive_minimum = 0, maximum = 1))]
+    pub fraction: f64,
+    /// A surface of more vertices is simplified to this many before it is matched; `null`: none is. The answer has a row for
+    /// every vertex of the upload as ever: that of a dropped vertex is the weighted mean of those around it.
+    #[cfg_attr(feature = "serde", serde(default))]
+    #[cfg_attr(feature = "openapi", schema(minimum = 100, maximum = 1_000_000))]
+    pub max_vertices: Option<u32>,
+}
+
+/// The default of [`InputParameters::fraction`].
+#[cfg(feature = "serde")]
+fn half() -> f64 {
+    0.5
 }
 
 /// Parameters of one of the two inputs.
@@ -119,6 +135,12 @@ pub enum Repair {
     Split,
     /// Only the largest connected component is kept.
     LargestComponent,
-    /// Tunnels and cavities are closed by the smallest change of voxels. Label volumes only.
+    /// Tunnels and cavities are closed: in label volumes by the smallest change of voxels; in meshes by cutting along the
+    /// shortest handles and capping the rims, and by dropping pieces that lie inside others. New vertices are numbered after
+    /// those of the file.
     Fill,
+    /// Quads are split into triangles. Larger polygons of a file always are.
+    Triangulate,
+    /// Edges are collapsed until the surface has `input.max_vertices` vertices. Made where that is set, also if it is not named.
+    Simplify,
 }

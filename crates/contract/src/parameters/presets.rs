@@ -156,6 +156,8 @@ fn balanced() -> MatchParameters {
             smoothing_mm: None,
             repair: None,
             allow_boundary: true,
+            fraction: 0.5,
+            max_vertices: None,
         },
         features: vec![
             feature(FeatureKind::GaussianCurvature, default_scales()),

@@ -4,7 +4,7 @@
 
 use super::{
     Algorithm, Anatomy, ClampingMode, InitialPose, LabelChoice, MatchParameters, MessageSchedule, ParameterError,
-    Update,
+    Repair, Update,
 };
 
 /// Where a value stands inside the lists that its name passes through, and the value; `None` stands for `null`.
@@ -117,6 +117,9 @@ pub struct Lengths {
 /// types (64 and 32 bits, not negative).
 pub const BOUNDS: &[Bounds] = &[
     Bounds::number("input.smoothing_mm", 0.0, 1000.0, |p, visit| visit(&[], p.input.smoothing_mm)).mm().or_null(),
+    Bounds::number("input.fraction", 0.0, 1.0, |p, visit| visit(&[], Some(p.input.fraction))).above_minimum(),
+    Bounds::whole("input.max_vertices", 100, 1_000_000, |p, visit| visit(&[], p.input.max_vertices.map(f64::from)))
+        .or_null(),
     Bounds::number("features[].scales[]", 0.0, 1.0, |p, visit| {
         for (k, feature) in p.features.iter().enumerate() {
             feature.scales.iter().enumerate().for_each(|(s, scale)| visit(&[k, s], Some(*scale)));
@@ -309,6 +312,11 @@ impl MatchParameters {
             );
         }
         check(
+            input.max_vertices.is_some() || !input.repair.iter().flatten().any(|r| *r == Repair::Simplify),
+            "/input/repair",
+            "simplify needs the number of vertices in input.max_vertices",
+        );
+        check(
             self.displacement.anatomy == Anatomy::Any,
             "/displacement/anatomy",
             "must be any: the learned prior of the hippocampus is no longer applied",
@@ -429,6 +437,7 @@ mod tests {
         }
         let mut p = preset(Method::Balanced);
         p.input.smoothing_mm = Some(1.0);
+        p.input.max_vertices = Some(1000);
         p.features[0].scales_mm = Some(vec![1.0]);
         p.features[0].radius_mm = Some(1.0);
         p.inference.target_energy = Some(1.0);

@@ -4,7 +4,7 @@ use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use flate2::Compression;
 use flate2::write::{GzEncoder, ZlibEncoder};
-use homolog_formats::{InputFormat, ply, vtk, vtp};
+use homolog_formats::{InputFormat, ply, vtk, vtp, write_zip};
 use homolog_mesh::{FaceArity, SurfaceMesh};
 use nalgebra::{Matrix4, Point3};
 use std::io::Write;
@@ -419,6 +419,17 @@ impl Dicom {
 
 /// A segmentation with a frame for each (segment, slice), or for each slice of a label map.
 pub(crate) fn dicom_seg(kind: &str, frames: &[(u16, usize)], pixel: impl Fn(u16, usize) -> u16) -> Vec<u8> {
+    dicom_instance(kind, "", "", frames, pixel)
+}
+
+/// The same with the identifiers of the instance and of the concatenation to which it belongs.
+pub(crate) fn dicom_instance(
+    kind: &str,
+    instance: &str,
+    concatenation: &str,
+    frames: &[(u16, usize)],
+    pixel: impl Fn(u16, usize) -> u16,
+) -> Vec<u8> {
     let [x, y, z, origin] = lps();
     let joined = |values: &[f64]| values.iter().map(f64::to_string).collect::<Vec<_>>().join("\\").into_bytes();
     let plane = DIMS[0] * DIMS[1];
@@ -466,6 +477,8 @@ pub(crate) fn dicom_seg(kind: &str, frames: &[(u16, usize)], pixel: impl Fn(u16,
     file.extend(
         Dicom::default()
             .element(8, 0x16, b"UI", class)
+            .element(8, 0x18, b"UI", instance.as_bytes())
+            .element(0x20, 0x9161, b"UI", concatenation.as_bytes())
             .element(0x28, 8, b"IS", frames.len().to_string().as_bytes())
             .element(0x28, 0x10, b"US", &(DIMS[1] as u16).to_le_bytes())
             .element(0x28, 0x11, b"US", &(DIMS[0] as u16).to_le_bytes())
@@ -479,6 +492,27 @@ pub(crate) fn dicom_seg(kind: &str, frames: &[(u16, usize)], pixel: impl Fn(u16,
             .bytes(),
     );
     file
+}
+
+/// The volume of [`labels`] as two instances, a segment or a slice each.
+pub(crate) fn instances(by_slice: bool, concatenation: &str) -> [Vec<u8>; 2] {
+    let all = labels();
+    let is = |segment: u16, at: usize| u16::from(all[at] == u32::from(segment));
+    let frames =
+        if by_slice { [[(17, 0), (53, 0)], [(17, 1), (53, 1)]] } else { [[(17, 0), (17, 1)], [(53, 0), (53, 1)]] };
+    [("1.2.1", frames[0]), ("1.2.2", frames[1])]
+        .map(|(uid, frames)| dicom_instance("BINARY", uid, concatenation, &frames, is))
+}
+
+/// These in an archive with an image and a text.
+pub(crate) fn archive_of(instances: [Vec<u8>; 2]) -> Vec<u8> {
+    let mut image = dicom_seg("BINARY", &[(17, 0)], |_, _| 1);
+    let class = b"1.2.840.10008.5.1.4.1.1.66.4";
+    let at = image.windows(class.len()).position(|w| w == class).unwrap();
+    image[at..at + class.len()].copy_from_slice(b"1.2.840.10008.5.1.4.1.1.2\0\0\0");
+    let [a, b] = instances;
+    let files = [("study/2.dcm", b), ("study/image", image), ("study/1.dcm", a), ("README", b"a study".to_vec())];
+    write_zip(&files.map(|(name, bytes)| (name.to_owned(), bytes))).unwrap()
 }
 
 /// The volume of [`labels`] in every format.
@@ -504,6 +538,7 @@ pub(crate) fn volumes() -> Vec<Sample> {
             DicomSeg,
             dicom_seg("FRACTIONAL", &frames, |s, at| if is(s, at) == 1 { 100 } else { 99 }),
         ),
+        ("DICOM SEG, two instances in an archive", DicomSeg, archive_of(instances(true, "1.2.3"))),
         ("DICOM SEG, label map", DicomSeg, dicom_seg("LABELMAP", &[(0, 1), (0, 0)], |_, at| all[at] as u16)),
     ]
 }

@@ -6,14 +6,14 @@ use homolog_contract::parameters::{InputParameters, LabelChoice, Repair, Surface
 use homolog_formats::{FileContent, MeshFile, ReadFile};
 use homolog_mesh::orientation::oriented;
 use homolog_mesh::repair::RepairedMesh;
+use homolog_mesh::simplify::{Simplified, simplify};
 use homolog_mesh::topology::{Demand, SurfaceFault, TopologyReport, analyze_with, topology_report};
+use homolog_mesh::tunnels::{ClosedTunnels, close_tunnels};
 use homolog_mesh::volume::smooth_surface::FieldRepair;
 use homolog_mesh::volume::{self, BettiNumbers, Contacts, FillChange, LabelVolume, VoxelMask};
-use homolog_mesh::{MeshError, Numbering, SurfaceMesh, repair};
+use homolog_mesh::{FaceArity, MeshError, Numbering, SurfaceMesh, repair};
+use nalgebra::Point3;
 use std::collections::BTreeMap;
-
-/// Most voxels of the box around a structure, 8 million: filling and smoothing work on the whole box.
-const MAX_BOX_VOXELS: u64 = 1 << 23;
 
 /// Standard deviation of the filter over a mask, in voxels: the least that removes the steps between voxels.
 const SMOOTHING: f64 = 0.7;
@@ -27,8 +27,10 @@ pub(super) struct Candidate {
     pub mesh: SurfaceMesh,
     /// Which vertex of the upload each vertex of `mesh` is.
     pub numbering: Numbering,
-    /// Vertices of the upload of which splitting made copies; these are numbered after those of the upload.
-    pub copies: Vec<u32>,
+    /// Vertices that repairs added, numbered after those of the upload: where they were added.
+    pub added: Vec<Point3<f64>>,
+    /// The surface before it was simplified, and which vertex of the upload each of its vertices is.
+    pub whole: Option<(SurfaceMesh, Numbering)>,
     /// Topology before repairs.
     pub topology: TopologyReport,
     /// Topology after repairs.
@@ -39,6 +41,8 @@ pub(super) struct Candidate {
     pub others: Vec<SurfaceFault>,
     pub repairs: Vec<RepairNote>,
     pub turned_outward: bool,
+    /// Repairs that were asked for and not made, and why.
+    pub notes: Vec<String>,
 }
 
 impl Candidate {
@@ -49,7 +53,14 @@ impl Candidate {
     ) -> Result<Self, IntakeError> {
         let mut candidate = match &file.content {
             FileContent::Labels(volume) => from_labels(volume, &file.label_names, parameters, limits)?,
-            FileContent::Mesh(file) => from_mesh(file, parameters)?,
+            FileContent::Mesh(file) => {
+                // Before repairs, which cost more than reading does.
+                let (found, limit) = (file.mesh.n_faces() as u64, limits.max_faces as u64);
+                if found > limit {
+                    return Err(IntakeError::TooLarge { what: "faces", found, limit });
+                }
+                from_mesh(file, parameters)?
+            }
         };
         if let Some(SurfaceFault::InsideOut { .. }) = candidate.fault {
             candidate.mesh = repair::reversed(&candidate.mesh);
@@ -57,7 +68,10 @@ impl Candidate {
             candidate.fault = None;
             candidate.repaired.volume_mm3 = candidate.repaired.volume_mm3.map(|v| -v);
         }
-        let (found, limit) = (candidate.mesh.n_vertices() as u64, limits.max_vertices as u64);
+        candidate.triangulate(parameters);
+        candidate.simplify(parameters);
+        let n_whole = candidate.whole.as_ref().map_or(candidate.mesh.n_vertices(), |(mesh, _)| mesh.n_vertices());
+        let (found, limit) = (n_whole as u64, limits.max_vertices as u64);
         if found > limit {
             return Err(IntakeError::TooLarge { what: "surface vertices", found, limit });
         }
@@ -79,14 +93,45 @@ impl Candidate {
         Candidate {
             mesh,
             numbering,
-            copies: Vec::new(),
+            added: Vec::new(),
+            whole: None,
             topology,
             repaired,
             fault,
             others,
             repairs,
             turned_outward: false,
+            notes: Vec::new(),
         }
+    }
+
+    fn triangulate(&mut self, parameters: &InputParameters) {
+        let allowed = parameters.repair.iter().flatten().any(|repair| *repair == Repair::Triangulate);
+        if allowed && self.mesh.arity() == FaceArity::Quad {
+            let detail = format!("{} split into triangles", counted(self.mesh.n_faces() as u64, "quad", "quads"));
+            self.repairs.push(RepairNote { repair: Repair::Triangulate, detail });
+            self.mesh = repair::triangulated(&self.mesh);
+            self.repaired = topology_report(&self.mesh);
+        }
+    }
+
+    /// Drops vertices down to `input.max_vertices`.
+    fn simplify(&mut self, parameters: &InputParameters) {
+        let Some(wanted) = parameters.max_vertices.map(|n| n as usize).filter(|&n| n < self.mesh.n_vertices()) else {
+            return;
+        };
+        let before = self.mesh.n_vertices();
+        let Simplified { repaired, largest_mm } = simplify(&self.mesh, wanted);
+        let RepairedMesh { mesh, numbering } = repaired;
+        self.repaired = topology_report(&mesh);
+        let numbering = numbering.over(&self.numbering);
+        let detail = format!(
+            "{} of {before} vertices kept where they are; the others are at most {largest_mm:.3} mm from the new surface",
+            mesh.n_vertices()
+        );
+        self.repairs.push(RepairNote { repair: Repair::Simplify, detail });
+        let mesh = std::mem::replace(&mut self.mesh, mesh);
+        self.whole = Some((mesh, std::mem::replace(&mut self.numbering, numbering)));
     }
 
     /// The refusal, if this surface is unsuitable, with the smallest set of repairs that would make it suitable.
@@ -150,27 +195,29 @@ fn from_mesh(file: &MeshFile, parameters: &InputParameters) -> Result<Candidate,
         let n_degenerate = file.n_degenerate + report.n_degenerate;
         if report.n_merged + n_degenerate + report.n_duplicate > 0 {
             let detail = format!(
-                "{} of {vertices} vertices joined to another, at most {:.3e} mm away; {} and {} dropped",
+                "{} of {vertices} vertices joined to another{}; {} and {} dropped",
                 report.n_merged,
-                report.largest_mm,
+                match (report.n_merged, report.largest_mm) {
+                    (0, _) => String::new(),
+                    (_, 0.0) => " at the same place".to_owned(),
+                    (_, largest) => format!(", at most {largest:.3e} mm away"),
+                },
                 counted(n_degenerate as u64, "face that uses a vertex twice", "faces that use a vertex twice"),
                 counted(report.n_duplicate as u64, "repeated face", "repeated faces")
             );
             repairs.push(RepairNote { repair: Repair::Weld, detail });
         }
     }
-    let mut copies = Vec::new();
+    let n_uploaded = file.mesh.n_vertices();
+    let mut added: Vec<Point3<f64>> = Vec::new();
     if allowed.contains(&Repair::Split)
         && let Some(found) = split(&current.mesh).map_err(|e: MeshError| IntakeError::Unreadable(e.into()))?
     {
-        copies.extend(found.copies.iter().map(|&v| current.numbering.original(v)));
-        let n_uploaded = file.mesh.n_vertices();
-        let new = n_uploaded as u32..(n_uploaded + copies.len()) as u32;
-        let originals: Vec<u32> = current.numbering.originals().iter().copied().chain(new).collect();
-        let numbering = Numbering::identity(n_uploaded + copies.len()).select(&originals);
+        let numbering = extended(&current.numbering, n_uploaded + added.len(), found.copies.len());
+        added.extend(found.copies.iter().map(|&v| current.mesh.vertices()[v as usize]));
         let detail = format!(
             "{} copied, where parts touched at {} or at a vertex only; no vertex moved",
-            counted(copies.len() as u64, "vertex", "vertices"),
+            counted(found.copies.len() as u64, "vertex", "vertices"),
             counted(found.n_edges as u64, "edge with more than two faces", "edges with more than two faces")
         );
         repairs.push(RepairNote { repair: Repair::Split, detail });
@@ -196,8 +243,47 @@ fn from_mesh(file: &MeshFile, parameters: &InputParameters) -> Result<Candidate,
         let detail = format!("{} reversed", counted(reversed as u64, "face", "faces"));
         repairs.push(RepairNote { repair: Repair::Orient, detail });
     }
+    let mut notes = Vec::new();
+    if allowed.contains(&Repair::Fill) {
+        if let Some((kept, n_dropped)) = repair::without_inner_pieces(&current.mesh) {
+            current = followed(&current, kept);
+            let detail = format!("{} inside another dropped", counted(n_dropped as u64, "piece", "pieces"));
+            repairs.push(RepairNote { repair: Repair::Fill, detail });
+        }
+        let closed = close_tunnels(&current.mesh).map_err(|e: MeshError| IntakeError::Unreadable(e.into()))?;
+        if closed.is_none() && topology_report(&current.mesh).genus.is_none() {
+            notes.push(
+                "tunnels were not looked for: the surface is open, or has edges of more than two faces or vertices where parts \
+                 only touch; allow the repairs weld, split and orient too, and close its boundary"
+                    .to_owned(),
+            );
+        }
+        if let Some(closed) = closed {
+            let n_new = closed.mesh.n_vertices() - current.mesh.n_vertices();
+            let numbering = extended(&current.numbering, n_uploaded + added.len(), n_new);
+            added.extend(&closed.mesh.vertices()[current.mesh.n_vertices()..]);
+            repairs.push(RepairNote { repair: Repair::Fill, detail: tunnels_note(&closed) });
+            current = RepairedMesh { mesh: closed.mesh, numbering };
+        }
+    }
     let candidate = Candidate::new(current.mesh, current.numbering, topology, repairs, parameters.allow_boundary);
-    Ok(Candidate { copies, ..candidate })
+    Ok(Candidate { added, notes, ..candidate })
+}
+
+/// `numbering` with `n_new` further vertices, which are numbered from `first` on.
+fn extended(numbering: &Numbering, first: usize, n_new: usize) -> Numbering {
+    let new = first as u32..(first + n_new) as u32;
+    let originals: Vec<u32> = numbering.originals().iter().copied().chain(new).collect();
+    Numbering::identity(first + n_new).select(&originals)
+}
+
+fn tunnels_note(closed: &ClosedTunnels) -> String {
+    let ClosedTunnels { n_tunnels, n_closed, n_copied, n_added, longest_loop_mm, largest_mm, .. } = closed;
+    format!(
+        "closed {n_closed} of {}, cut along loops of at most {longest_loop_mm:.3} mm; {n_copied} vertices copied and \
+         {n_added} added, none moved more than {largest_mm:.3} mm",
+        counted((*n_tunnels).into(), "tunnel", "tunnels")
+    )
 }
 
 /// `next`, a repair of `current.mesh`, in terms of the mesh of which `current` is a repair.
@@ -297,13 +383,14 @@ fn unnumbered(mesh: SurfaceMesh, topology: TopologyReport, repairs: Vec<RepairNo
 /// several, which is the likely reason.
 fn check_size(mask: &VoxelMask, limits: &IntakeLimits, slack: f64, of_all: bool) -> Result<(), IntakeError> {
     let found = mask.dims().iter().map(|&d| d as u64).product();
-    if found > MAX_BOX_VOXELS {
+    let limit = limits.max_voxels;
+    if found > limit {
         let what = if of_all {
             "voxels in the box around all its labels (input.labels chooses some)"
         } else {
             "voxels in the box around the structure"
         };
-        return Err(IntakeError::TooLarge { what, found, limit: MAX_BOX_VOXELS });
+        return Err(IntakeError::TooLarge { what, found, limit });
     }
     let (found, limit) = (mask.n_boundary_faces() as u64, (slack * limits.max_vertices as f64) as u64);
     if found > limit {

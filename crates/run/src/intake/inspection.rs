@@ -24,7 +24,7 @@ pub fn inspect(
     parameters: &InputParameters,
     limits: &IntakeLimits,
 ) -> Result<Inspection, IntakeError> {
-    let file = read(bytes, file_name, limits)?;
+    let file = read(bytes, file_name, parameters, limits)?;
     let (kind, volume) = match &file.content {
         FileContent::Labels(volume) => (InputKind::LabelVolume, Some(describe(volume, &file.label_names))),
         FileContent::Mesh(_) => (InputKind::Mesh, None),
@@ -32,6 +32,7 @@ pub fn inspect(
     let mut inspection = Inspection {
         format: file.format,
         kind,
+        space: file.space,
         volume,
         topology: None,
         repaired_topology: None,
@@ -47,6 +48,7 @@ pub fn inspect(
             inspection.topology = Some(candidate.topology);
             inspection.repaired_topology = Some(candidate.repaired);
             inspection.repairs = candidate.repairs;
+            inspection.notes.extend(candidate.notes);
             inspection.turned_outward = candidate.turned_outward;
             refusal
         }

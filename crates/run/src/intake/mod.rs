@@ -13,11 +13,14 @@ pub use error::{Advice, IntakeError};
 pub use homolog_contract::input::{InputFormat, InputKind, InputReport, Inspection};
 pub use inspection::inspect;
 
+use crate::whole::Dropped;
 use candidate::Candidate;
 use homolog_contract::input::{LabelCount, Refusal, RepairNote, VolumeInspection};
 use homolog_contract::parameters::{InputParameters, Repair};
+pub use homolog_formats::DEFAULT_INFLATION;
 use homolog_formats::{FileContent, FormatError, ReadFile, ReadLimits};
-use homolog_mesh::{Numbering, SurfaceMesh};
+use homolog_mesh::{ClosestPointIndex, Numbering, SurfaceMesh};
+use std::collections::HashSet;
 
 /// A surface that is ready to be matched: its faces agree in orientation and look outwards.
 #[derive(Debug, Clone, PartialEq)]
@@ -27,22 +30,29 @@ pub struct PreparedSurface {
     /// Which vertex of the upload each vertex of `mesh` is. For a label volume the upload is the surface made from it,
     /// which is `mesh` itself.
     pub numbering: Numbering,
-    /// The faces of `mesh` over the vertices of the upload, where repairs dropped or merged some.
+    /// The faces of `mesh` over the vertices of the upload, where repairs dropped or merged some; before simplification.
     restored: Option<SurfaceMesh>,
+    /// Vertices that simplification dropped.
+    dropped: Vec<Dropped>,
     /// What the input was and what was done to it.
     pub report: InputReport,
 }
 
 impl PreparedSurface {
-    /// The surface whose vertices an answer counts: the faces that were matched, over all vertices of the upload,
-    /// including those that no face uses any more.
+    /// The surface whose vertices an answer counts: the faces that were matched, or those before simplification, over all
+    /// vertices of the upload, including those that no face uses any more.
     pub fn uploaded(&self) -> &SurfaceMesh {
         self.restored.as_ref().unwrap_or(&self.mesh)
     }
 
+    /// Vertices that simplification dropped, with their places on `mesh`.
+    pub(crate) fn dropped(&self) -> &[Dropped] {
+        &self.dropped
+    }
+
     pub(crate) fn heap_bytes(&self) -> usize {
         let restored = self.restored.as_ref().map_or(0, SurfaceMesh::heap_bytes);
-        self.mesh.heap_bytes() + self.numbering.heap_bytes() + restored
+        self.mesh.heap_bytes() + self.numbering.heap_bytes() + restored + size_of_val(self.dropped.as_slice())
     }
 }
 
@@ -53,11 +63,23 @@ pub struct IntakeLimits {
     pub max_bytes: usize,
     /// Largest file after decompression, bytes.
     pub max_inflated_bytes: usize,
+    /// Largest file after decompression, as a multiple of the file as uploaded, above a mebibyte.
+    pub max_inflation: usize,
     /// Most vertices of a surface.
     pub max_vertices: usize,
+    /// Most faces of an uploaded mesh; the surface of a volume is bounded by its vertices.
+    pub max_faces: usize,
+    /// Most voxels of the box around a structure: filling and smoothing work on the whole box.
+    pub max_voxels: u64,
     /// Most memory that one match may take, bytes; it grows with the product of both sizes.
     pub max_match_bytes: u64,
 }
+
+/// The default of [`IntakeLimits::max_faces`]: a closed surface of triangles has two for each vertex.
+pub const DEFAULT_FACES: usize = 1_000_000;
+
+/// The default of [`IntakeLimits::max_voxels`].
+pub const DEFAULT_VOXELS: u64 = 1 << 23;
 
 /// The default of [`IntakeLimits::max_match_bytes`]: enough for two surfaces of about 12,000 vertices each.
 pub const DEFAULT_MATCH_BYTES: u64 = 8 << 30;
@@ -67,7 +89,10 @@ impl Default for IntakeLimits {
         IntakeLimits {
             max_bytes: 256 << 20,
             max_inflated_bytes: 1 << 30,
+            max_inflation: DEFAULT_INFLATION,
             max_vertices: 200_000,
+            max_faces: DEFAULT_FACES,
+            max_voxels: DEFAULT_VOXELS,
             max_match_bytes: DEFAULT_MATCH_BYTES,
         }
     }
@@ -89,29 +114,41 @@ pub fn prepare_surface(
     parameters: &InputParameters,
     limits: &IntakeLimits,
 ) -> Result<PreparedSurface, IntakeError> {
-    let file = read(bytes, file_name, limits)?;
+    let file = read(bytes, file_name, parameters, limits)?;
     let candidate = Candidate::from_file(&file, parameters, limits)?;
     if let Some(refusal) = candidate.refusal(&file, parameters, limits) {
         return Err(refusal);
     }
-    let ReadFile { format, content, notes, .. } = file;
-    let Candidate { mesh, numbering, copies, topology, repairs, turned_outward, .. } = candidate;
-    let report = InputReport { format, topology, repairs, turned_outward, notes };
+    let ReadFile { format, content, space, mut notes, .. } = file;
+    let Candidate { mesh, numbering, added, whole, topology, repairs, turned_outward, notes: of_repairs, .. } =
+        candidate;
+    notes.extend(of_repairs);
+    let report = InputReport { format, space: Some(space), topology, repairs, turned_outward, notes };
+    let dropped = whole.as_ref().map(|whole| dropped(&mesh, &numbering, whole)).unwrap_or_default();
+    // What was there before simplification is what an answer counts.
+    let (faces, names) = whole.as_ref().map_or((&mesh, &numbering), |(faces, names)| (faces, names));
     let restored = match &content {
         // Repairs keep the order of vertices, so a mesh of as many vertices has the numbering of the file.
-        FileContent::Mesh(file) if numbering.n_vertices() < file.mesh.n_vertices() + copies.len() => {
-            let uploaded = file.mesh.vertices();
-            let copied = copies.iter().map(|&v| uploaded[v as usize]);
-            let vertices: Vec<_> = uploaded.iter().copied().chain(copied).collect();
-            let restored = numbering.restored(&mesh, &vertices);
+        FileContent::Mesh(file) if names.n_vertices() < file.mesh.n_vertices() + added.len() => {
+            let mut vertices: Vec<_> = file.mesh.vertices().iter().copied().chain(added).collect();
+            // Closing a tunnel moves some.
+            for (&original, place) in names.originals().iter().zip(faces.vertices()) {
+                vertices[original as usize] = *place;
+            }
+            let restored = names.restored(faces, &vertices);
             Some(restored.map_err(|e| IntakeError::Unreadable(e.into()))?)
         }
-        _ => None,
+        _ => whole.map(|(faces, _)| faces),
     };
-    Ok(PreparedSurface { mesh, numbering, restored, report })
+    Ok(PreparedSurface { mesh, numbering, restored, dropped, report })
 }
 
-fn read(bytes: &[u8], file_name: Option<&str>, limits: &IntakeLimits) -> Result<ReadFile, IntakeError> {
+fn read(
+    bytes: &[u8],
+    file_name: Option<&str>,
+    parameters: &InputParameters,
+    limits: &IntakeLimits,
+) -> Result<ReadFile, IntakeError> {
     if bytes.len() > limits.max_bytes {
         let (found, limit) = (bytes.len() as u64, limits.max_bytes as u64);
         return Err(IntakeError::TooLarge { what: "bytes", found, limit });
@@ -119,12 +156,27 @@ fn read(bytes: &[u8], file_name: Option<&str>, limits: &IntakeLimits) -> Result<
     if bytes.is_empty() {
         return Err(IntakeError::Unreadable(FormatError::Empty));
     }
-    let read_limits = ReadLimits { max_inflated_bytes: limits.max_inflated_bytes, max_vertices: limits.max_vertices };
-    homolog_formats::read(bytes, file_name, &read_limits).map_err(|error| match error {
+    let IntakeLimits { max_inflated_bytes, max_inflation, max_vertices, .. } = *limits;
+    let read_limits = ReadLimits { max_inflated_bytes, max_inflation, max_vertices };
+    homolog_formats::read_with(bytes, file_name, &read_limits, parameters.fraction).map_err(|error| match error {
         FormatError::UnknownFormat => IntakeError::UnknownFormat,
         FormatError::TooLarge { what, found, limit } => IntakeError::TooLarge { what, found, limit },
         error => IntakeError::Unreadable(error),
     })
+}
+
+/// Where the vertices that simplification dropped lie on the surface that it left.
+fn dropped(mesh: &SurfaceMesh, numbering: &Numbering, (whole, of_whole): &(SurfaceMesh, Numbering)) -> Vec<Dropped> {
+    let kept: HashSet<u32> = numbering.originals().iter().copied().collect();
+    let index = ClosestPointIndex::new(mesh);
+    let all = of_whole.originals().iter().zip(whole.vertices());
+    all.filter(|(vertex, _)| !kept.contains(vertex))
+        .map(|(&vertex, place)| {
+            let at = index.closest(place);
+            let triangle = at.triangle.map(|corner| numbering.original(corner));
+            Dropped { vertex, triangle, barycentric: at.barycentric }
+        })
+        .collect()
 }
 
 /// The name of a repair in JSON.
@@ -135,6 +187,8 @@ fn repair_name(repair: Repair) -> &'static str {
         Repair::Split => "split",
         Repair::LargestComponent => "largest_component",
         Repair::Fill => "fill",
+        Repair::Triangulate => "triangulate",
+        Repair::Simplify => "simplify",
     }
 }
 

@@ -1,11 +1,14 @@
 //! Labels chosen by name and for each side, refusals that name everything at once, and a table of every file of the field's
 //! own tools.
 
-use homolog_contract::parameters::{InputParameters, Method, preset, resolve};
+use homolog_contract::parameters::{InputParameters, Method, Repair, preset, resolve};
 use homolog_formats::{InputFormat, write_nifti, write_ply};
+use homolog_laboratory::phantom::PhantomPair;
 use homolog_mesh::volume::LabelVolume;
 use homolog_mesh::{FaceArity, SurfaceMesh, shapes};
+use homolog_primitives::observe::Silent;
 use homolog_run::intake::{IntakeError, IntakeLimits, PreparedSurface, inspect, prepare_surface};
+use homolog_run::{InputFile, RunOutput, run_match};
 use nalgebra::Matrix4;
 use serde_json::json;
 
@@ -78,6 +81,18 @@ fn a_limit_counts_only_the_chosen_labels() {
     let all = with(json!(null)).unwrap_err().to_string();
     assert!(all.contains("of all its labels together (input.labels chooses some)"), "{all}");
     assert!(with(json!(7)).is_ok());
+    let boxed = |max_voxels| {
+        let parameters = resolve(&json!({"input": {"labels": 7}})).unwrap().input;
+        prepare_surface(&bytes, None, &parameters, &IntakeLimits { max_voxels, ..IntakeLimits::default() })
+    };
+    // The ball of radius 3 mm has 6 voxels across, and one beside it on each side.
+    assert!(boxed(512).is_ok());
+    assert!(boxed(511).unwrap_err().to_string().contains("512 voxels in the box around the structure"));
+    let ring = write_ply(&shapes::torus(8.0, 3.0, 24, 12, FaceArity::Triangle));
+    let faces =
+        |max_faces| prepare_surface(&ring, None, &defaults(), &IntakeLimits { max_faces, ..IntakeLimits::default() });
+    assert!(faces(576).is_ok());
+    assert!(faces(575).unwrap_err().to_string().contains("576 faces, but at most 575"));
 }
 
 #[test]
@@ -146,6 +161,129 @@ fn parts_that_touch_at_an_edge_or_a_vertex_are_split_without_moving() {
     assert!(copied.iter().all(|p| [1, 2, 5].iter().any(|&v| touching.vertices()[v] == *p)), "{copied:?}");
     let largest = prepare(&bytes, &with(json!(["split", "largest_component"]))).unwrap();
     assert_eq!(largest.mesh.n_vertices(), 4);
+}
+
+#[test]
+fn tunnels_and_cavities_of_a_mesh_are_closed_on_request_with_counts_and_displacements() {
+    // A ring with a cavity in a ball beside it, behind a vertex that no face uses.
+    let ring = shapes::torus(10.0, 3.0, 40, 20, FaceArity::Quad);
+    let ball = shapes::torus(30.0, 1.0, 60, 8, FaceArity::Quad);
+    let cavity = homolog_mesh::repair::reversed(&shapes::torus(30.0, 0.5, 60, 8, FaceArity::Quad));
+    let (mut vertices, mut indices) = (vec![nalgebra::Point3::new(90.0, 0.0, 0.0)], Vec::new());
+    for piece in [&ring, &ball, &cavity] {
+        let first = vertices.len() as u32;
+        vertices.extend_from_slice(piece.vertices());
+        indices.extend(piece.indices().iter().map(|v| v + first));
+    }
+    let mesh = SurfaceMesh::new(vertices, FaceArity::Quad, indices).unwrap();
+    let with = |repair: serde_json::Value| resolve(&json!({"input": {"repair": repair}})).unwrap().input;
+    let kept = prepare(&write_ply(&mesh), &with(json!(["weld"]))).unwrap();
+    assert_eq!(homolog_mesh::topology::topology_report(&kept.mesh).genus, Some(3));
+    let filled = prepare(&write_ply(&mesh), &with(json!("fill"))).unwrap();
+    let report = homolog_mesh::topology::topology_report(&filled.mesh);
+    assert_eq!((report.genus, report.n_components), (Some(0), 2));
+    let details: Vec<&str> = filled.report.repairs.iter().map(|note| note.detail.as_str()).collect();
+    assert_eq!(details[0], "1 piece inside another dropped");
+    assert!(details[1].starts_with("closed 2 of 2 tunnels, cut along loops of at most 18.7"), "{}", details[1]);
+    assert!(details[1].contains("28 vertices copied and 4 added, none moved more than 0."), "{}", details[1]);
+    let open = SurfaceMesh::new(ring.vertices().to_vec(), FaceArity::Quad, ring.indices()[4..].to_vec()).unwrap();
+    let left = prepare(&write_ply(&open), &with(json!("fill"))).unwrap();
+    assert!(left.report.notes[0].starts_with("tunnels were not looked for: the surface is open"), "{:?}", left.report);
+    // What was added is numbered after the file; what was dropped is still there.
+    let n = mesh.n_vertices();
+    assert_eq!(filled.uploaded().n_vertices(), n + 32);
+    assert_eq!(filled.numbering.originals()[0], 1);
+    assert_eq!(filled.numbering.originals().last(), Some(&(n as u32 + 31)));
+    for (v, place) in filled.mesh.vertices().iter().enumerate() {
+        assert_eq!(filled.uploaded().vertices()[filled.numbering.original(v as u32) as usize], *place);
+    }
+    assert_eq!(filled.uploaded().vertices()[0], mesh.vertices()[0]);
+}
+
+#[test]
+fn a_surface_is_simplified_to_a_number_of_vertices_that_keep_their_numbers() {
+    let ball = shapes::ellipsoid(nalgebra::Vector3::new(12.0, 9.0, 6.0), 4);
+    let with = |input: serde_json::Value| resolve(&json!({ "input": input })).unwrap().input;
+    let small = prepare(&write_ply(&ball), &with(json!({"max_vertices": 300}))).unwrap();
+    assert_eq!(small.mesh.n_vertices(), 300);
+    let detail = &small.report.repairs[0].detail;
+    assert!(detail.starts_with("300 of 2562 vertices kept where they are; the others are at most 0."), "{detail}");
+    assert_eq!(small.uploaded(), &ball, "an answer counts the whole surface");
+    for (v, place) in small.mesh.vertices().iter().enumerate() {
+        assert_eq!(ball.vertices()[small.numbering.original(v as u32) as usize], *place);
+    }
+    let whole = prepare(&write_ply(&ball), &with(json!({"max_vertices": 2562}))).unwrap();
+    assert_eq!((whole.mesh, whole.report.repairs.len()), (ball, 0));
+    // A volume has no vertices of its own: the answer counts those of the surface before. Quads become triangles.
+    let bytes = write_nifti(&two_balls());
+    let chosen = json!({"labels": 3, "surface": "voxel", "max_vertices": 100, "repair": ["triangulate", "simplify"]});
+    let of_volume = prepare(&bytes, &with(chosen)).unwrap();
+    let before = prepare(&bytes, &with(json!({"labels": 3, "surface": "voxel", "repair": ["triangulate"]}))).unwrap();
+    assert_eq!((of_volume.uploaded(), of_volume.mesh.n_vertices()), (&before.mesh, 100));
+    let made: Vec<_> = of_volume.report.repairs.iter().map(|note| note.repair).collect();
+    assert_eq!(made, [Repair::Triangulate, Repair::Simplify]);
+    for wrong in [json!({"max_vertices": 99}), json!({"repair": "simplify"}), json!({"fraction": 0.0})] {
+        assert!(resolve(&json!({ "input": wrong })).is_err(), "{wrong}");
+    }
+}
+
+#[test]
+fn the_same_surface_in_seven_formats_gives_the_same_answer_to_the_bit() {
+    let single = |mesh: &SurfaceMesh| {
+        let places = mesh.vertices().iter().map(|p| p.map(|x| f64::from(x as f32))).collect();
+        SurfaceMesh::new(places, FaceArity::Triangle, mesh.triangles().concat()).unwrap()
+    };
+    let [source, target] = PhantomPair::against_template(0).unwrap().meshes(2.0).unwrap().each_ref().map(single);
+    let text = |head: &str, vertex: &str, face: &str, first: u32| {
+        let vertices = source.vertices().iter().map(|p| format!("{vertex}{} {} {}\n", p.x, p.y, p.z));
+        let faces = source.faces().map(|f| format!("{face}{} {} {}\n", f[0] + first, f[1] + first, f[2] + first));
+        (head.to_owned() + &vertices.chain(faces).collect::<String>()).into_bytes()
+    };
+    let off = format!("OFF\n{} {} 0\n", source.n_vertices(), source.n_faces());
+    let files = [
+        ("PLY", write_ply(&source)),
+        ("VTK", homolog_formats::write_vtk(&source)),
+        ("VTP", homolog_formats::write_vtp(&source)),
+        ("GIFTI", homolog_formats::gifti::write_gifti(&source, &[])),
+        ("OBJ", text("", "v ", "f ", 1)),
+        ("OFF", text(&off, "", "3 ", 0)),
+        ("STL", homolog_formats::write_stl(&source)),
+    ];
+    let target = write_ply(&target);
+    let answer = |bytes: &[u8]| {
+        let [source, target] = [bytes, &target].map(|bytes| InputFile { bytes, name: None });
+        let parameters = resolve(&json!({})).unwrap();
+        run_match(source, target, &parameters, &IntakeLimits::default(), &Silent).unwrap()
+    };
+    let expected = answer(&files[0].1);
+    let pairs = |output: &RunOutput| output.document.correspondences.clone().unwrap();
+    for (name, bytes) in &files[1..] {
+        let found = answer(bytes);
+        let (found_document, document) = (&found.document, &expected.document);
+        assert_eq!(found_document.transform, document.transform, "{name}");
+        assert_eq!(found_document.energy, document.energy, "{name}");
+        assert_eq!(found_document.surface_distance, document.surface_distance, "{name}");
+        assert_eq!(found_document.reliability, document.reliability, "{name}");
+        // STL has an order of vertices of its own.
+        if *name != "STL" {
+            assert_eq!(pairs(&found), pairs(&expected), "{name}");
+            continue;
+        }
+        let by_place = |output: &RunOutput| {
+            let columns = pairs(output);
+            let rows = columns.source.iter().zip(&columns.target).zip(&columns.confidence);
+            let place = |v: u32| output.source.vertices()[v as usize].map(f64::to_bits);
+            let mut rows: Vec<_> = rows
+                .map(|((&source, &target), confidence)| {
+                    let p = place(source);
+                    ([p.x, p.y, p.z], target, confidence.to_bits())
+                })
+                .collect();
+            rows.sort_unstable();
+            rows
+        };
+        assert_eq!(by_place(&found), by_place(&expected), "{name}");
+    }
 }
 
 /// What should come of a file.
@@ -264,6 +402,71 @@ mod real_data {
                 (seen, _) => panic!("{name}: {seen:?}"),
             }
         }
+    }
+
+    #[test]
+    #[ignore = "needs real data (formats, structures)"]
+    fn tunnels_of_real_surfaces_are_closed() {
+        let tunnels = [
+            ("structures/Model_54_right_amygdala.vtk", 1),
+            ("structures/Model_50_right_caudate_nucleus.vtk", 3),
+            ("formats/stl/42400-IDGH.stl", 10),
+        ];
+        for (name, n_tunnels) in tunnels {
+            let bytes = std::fs::read(real(name)).unwrap();
+            let repair = json!(["weld", "largest_component", "orient", "fill"]);
+            let parameters = resolve(&json!({"input": {"repair": repair, "allow_boundary": false}})).unwrap().input;
+            let closed = prepare(&bytes, &parameters).unwrap();
+            let report = homolog_mesh::topology::topology_report(&closed.mesh);
+            assert_eq!((report.genus, report.n_components), (Some(0), 1), "{name}");
+            let detail = &closed.report.repairs.last().unwrap().detail;
+            assert!(detail.starts_with(&format!("closed {n_tunnels} of {n_tunnels} tunnel")), "{name}: {detail}");
+            println!("{name}: {detail}");
+        }
+    }
+
+    /// An array of a NumPy archive as the bytes of its values.
+    fn npz_column(archive: &[u8], name: &str) -> Vec<u8> {
+        use std::io::Read;
+        let number = |at: usize, n: usize| (0..n).rev().fold(0usize, |sum, k| sum << 8 | usize::from(archive[at + k]));
+        // The entry in the directory: its name begins 46 bytes after its mark.
+        let mark =
+            |at: &usize| archive[*at..].starts_with(b"PK\x01\x02") && archive[at + 46..].starts_with(name.as_bytes());
+        let entry = (0..archive.len()).find(mark).unwrap();
+        let (packed, local) = (number(entry + 20, 4), number(entry + 42, 4));
+        let start = local + 30 + number(local + 26, 2) + number(local + 28, 2);
+        let mut array = Vec::new();
+        flate2::read::DeflateDecoder::new(&archive[start..start + packed]).read_to_end(&mut array).unwrap();
+        let header = 10 + usize::from(array[8]) + (usize::from(array[9]) << 8);
+        array.split_off(header)
+    }
+
+    #[test]
+    #[ignore = "needs real data (landmarked)"]
+    fn the_tunnel_of_a_vertebra_is_closed_by_cutting_its_arch() {
+        let archive = std::fs::read(real_files("landmarked/vertebra").first().unwrap()).unwrap();
+        let coordinates: Vec<f64> = npz_column(&archive, "V.npy")
+            .chunks_exact(4)
+            .map(|b| f64::from(f32::from_le_bytes([b[0], b[1], b[2], b[3]])))
+            .collect();
+        let vertices = coordinates.chunks_exact(3).map(|p| nalgebra::Point3::new(p[0], p[1], p[2])).collect();
+        let faces = npz_column(&archive, "F.npy");
+        let faces = faces.chunks_exact(4).map(|b| u32::from_le_bytes([b[0], b[1], b[2], b[3]])).collect();
+        let vertebra = SurfaceMesh::new(vertices, FaceArity::Triangle, faces).unwrap();
+        let with = |repair: serde_json::Value| resolve(&json!({"input": {"repair": repair}})).unwrap().input;
+        let bytes = write_ply(&vertebra);
+        let repairs = json!(["weld", "split", "largest_component", "orient"]);
+        let before = prepare(&bytes, &with(repairs.clone())).unwrap();
+        let genus = |prepared: &PreparedSurface| homolog_mesh::topology::topology_report(&prepared.mesh).genus;
+        assert!(genus(&before).unwrap() > 0);
+        let mut all = repairs;
+        all.as_array_mut().unwrap().push(json!("fill"));
+        let after = prepare(&bytes, &with(all)).unwrap();
+        assert_eq!(genus(&after), Some(0));
+        println!("{}", after.report.repairs.last().unwrap().detail);
+        // Only a thin slice of the arch is gone.
+        let lost = 1.0 - after.mesh.signed_volume() / before.mesh.signed_volume();
+        assert!((0.0..0.01).contains(&lost), "{lost}");
     }
 
     #[test]

@@ -36,17 +36,20 @@ pub(super) async fn count_purge(store: &SqlStore, retention: &Retentions) -> Res
 
 /// Removes the results, and then the records, that have outlived their retention: at most `limit` of each kind and retention.
 pub(super) async fn purge(store: &SqlStore, retention: &Retentions, limit: u32) -> Result<Purged, JobError> {
-    let database = &store.database;
     let mut purged = Purged::default();
     for (concerned, keep) in retention.all() {
         purged.add(&purge_concerned(store, &concerned, &keep, limit).await?);
     }
-    let keys = database.transaction(async |session| session.execute(sql!("purge_once"), bind![]).await);
-    purged.idempotency_keys = keys.await?;
+    purged.idempotency_keys = purge_once(store).await?;
     if !purged.is_nothing() {
         store.note_deletion();
     }
     Ok(purged)
+}
+
+/// Removes expired idempotency keys.
+async fn purge_once(store: &SqlStore) -> Result<u64, JobError> {
+    store.database.transaction(async |session| session.execute(sql!("purge_once"), bind![]).await).await
 }
 
 /// Removes what has outlived a retention.

@@ -1,22 +1,23 @@
 //! The wiring: which store, which engine, which workers, and how a process starts and exits.
 
 use crate::config::{HttpSettings, ServiceSettings};
-use crate::http::{AuthMode, ConnectionLimits, HttpState, Tokens, probe_router, router, serve};
+use crate::http::{AuthMode, HttpState, Served, Tokens, probe_router, router, serve};
 use crate::jobs::audit::Recorder;
 use crate::jobs::{ArtifactStore, Engine, JobError, JobService, JobStore, Processes, Stores, WorkerId};
-use crate::store::artifacts::{FolderArtifacts, S3Artifacts};
+use crate::store::artifacts::{FolderArtifacts, S3Artifacts, SealedArtifacts, StoredBlobs};
+use crate::store::encryption::Keyring;
 use crate::store::private_files;
 use crate::store::processes::{ProcessRecord, ServeLock};
 use crate::store::seal::Seal;
 use crate::store::sql::{SqlStore, StoreSettings};
 use crate::telemetry;
+use crate::tls::ServerTls;
 use crate::worker::heartbeat::Heartbeats;
 use crate::worker::housekeeper::Housekeeper;
 use crate::worker::match_engine::MatchEngine;
 use crate::worker::quota::Quota;
 use crate::worker::webhook_delivery::WebhookDelivery;
 use crate::worker::{Pool, PoolParts};
-use axum::Router;
 use std::net::SocketAddr;
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -76,6 +77,12 @@ pub enum AppError {
         /// Why.
         error: std::io::Error,
     },
+    /// The keys for encryption at rest cannot be used, or are missing.
+    #[error("encryption at rest: {0}")]
+    Encryption(String),
+    /// The certificates of the listener cannot be used.
+    #[error("TLS: {0}")]
+    Tls(String),
     /// The settings of OpenID Connect are incomplete or wrong.
     #[error("tokens of OpenID Connect cannot be verified: {0}")]
     Tokens(String),
@@ -161,19 +168,25 @@ impl App {
             None
         };
         let database = |e: JobError| store_error("the database", &e);
+        let keyring = open_keyring(settings)?;
         let store = open_database(settings).await?;
-        if serves && is_shared && settings.secret_key_file.is_none() {
+        require_keys(&store, keyring.as_deref(), false).await?;
+        if serves && is_shared && settings.secret_key_file.is_none() && keyring.is_none() {
             tracing::warn!(
                 "secrets of webhooks are stored as they are, because no key is given with --secret-key-file"
             );
         }
         let n_sealed = store.seal_secrets().await.map_err(database)?;
         if n_sealed > 0 {
-            tracing::info!(n_sealed, "secrets of webhooks that were stored as they are were sealed");
+            tracing::info!(n_sealed, "secrets of webhooks were sealed with the current key");
         }
         // Heartbeats have connections of their own, so that they never wait for other work of this process.
         let heartbeat_store = SqlStore::open(&settings.database(HEARTBEAT_CONNECTIONS)).await.map_err(database)?;
-        let artifacts = open_artifacts(settings)?;
+        let stored = open_stored(settings)?;
+        let artifacts: Arc<dyn ArtifactStore> = match keyring {
+            Some(keyring) => Arc::new(SealedArtifacts::new(stored, keyring)),
+            None => stored,
+        };
         let worker = WorkerId::random();
         let processes: Option<Arc<dyn Processes>> = match is_shared {
             true => None,
@@ -239,8 +252,18 @@ impl App {
         let webhooks = WebhookDelivery::new(Arc::new(self.stores[0].clone()), http.webhook_delivery_settings());
         let webhooks = webhooks.inspect_err(|error| tracing::error!(%error, "webhooks are not delivered")).ok();
         let recorder = Arc::clone(state.service.recorder());
-        let mut servers = vec![(listener, router(state.clone()), http.connection_limits())];
-        servers.extend(probes.map(|probes| (probes, probe_router(state), http.probe_limits())));
+        // Checked before the address was bound; without the certificates nothing is served.
+        let tls = match open_tls(&http) {
+            Ok(tls) => tls,
+            Err(error) => {
+                tracing::error!(%error, "the service ends");
+                shutdown.stop.cancel();
+                return self.run_with(Vec::new(), None, None, shutdown).await;
+            }
+        };
+        let limits = http.connection_limits();
+        let mut servers = vec![Served { listener, router: router(state.clone()), limits, tls }];
+        servers.extend(probes.map(|listener| probe_server(listener, state, &http)));
         self.run_with(servers, webhooks, Some(recorder), shutdown).await;
     }
 
@@ -248,7 +271,7 @@ impl App {
     pub async fn run_with_probes(self, listener: TcpListener, service: &ServiceSettings, shutdown: &Shutdown) {
         let http = HttpSettings::default();
         let state = self.http_state(&http, service, AuthMode::Keys, shutdown);
-        self.run_with(vec![(listener, probe_router(state), http.probe_limits())], None, None, shutdown).await;
+        self.run_with(vec![probe_server(listener, state, &http)], None, None, shutdown).await;
     }
 
     fn http_state(
@@ -283,7 +306,7 @@ impl App {
 
     async fn run_with(
         self,
-        servers: Vec<(TcpListener, Router, ConnectionLimits)>,
+        servers: Vec<Served>,
         webhooks: Option<WebhookDelivery>,
         recorder: Option<Arc<Recorder>>,
         shutdown: &Shutdown,
@@ -296,10 +319,11 @@ impl App {
             aside.spawn(webhooks.run(shutdown.stop.clone()));
         }
         let pool = Pool::start(&self.parts);
-        let servers: Vec<_> = servers
-            .into_iter()
-            .map(|(listener, router, limits)| tokio::spawn(serve(listener, router, limits, shutdown.stop.clone())))
-            .collect();
+        for tls in servers.iter().filter_map(|served| served.tls.clone()) {
+            aside.spawn(tls.follow());
+        }
+        let servers: Vec<_> =
+            servers.into_iter().map(|served| tokio::spawn(serve(served, shutdown.stop.clone()))).collect();
         shutdown.stop.cancelled().await;
         pool.ended().await;
         aside.shutdown().await;
@@ -339,8 +363,14 @@ pub fn create_data_dir(settings: &ServiceSettings) -> Result<(), AppError> {
 pub async fn open_database(settings: &ServiceSettings) -> Result<SqlStore, AppError> {
     let opened = SqlStore::open(&settings.database(settings.database_connections)).await;
     let opened = opened.map_err(|e| store_error("the database", &e))?;
+    let keyring = open_keyring(settings)?;
     let seal = match (&settings.secret_key_file, &settings.database_url) {
         (Some(path), _) => Some((path.clone(), Seal::read(path))),
+        // Not created where other keys seal; read where it has sealed what is stored.
+        (None, _) if keyring.is_some() => {
+            let path = settings.data_dir.join(SEAL_KEY);
+            path.exists().then(|| (path.clone(), Seal::read(&path)))
+        }
         (None, None) => {
             let path = settings.data_dir.join(SEAL_KEY);
             Some((path.clone(), Seal::read_or_create(&path)))
@@ -349,6 +379,10 @@ pub async fn open_database(settings: &ServiceSettings) -> Result<SqlStore, AppEr
         (None, Some(_)) => None,
     };
     let seal = seal.map(|(path, seal)| seal.map_err(|error| AppError::SecretKey { path, error })).transpose()?;
+    let seal = match keyring {
+        Some(keyring) => Some(Seal::with_keyring(keyring, seal)),
+        None => seal,
+    };
     let settings = StoreSettings {
         weights: settings.tenant_weights(),
         max_running: settings.max_running,
@@ -358,11 +392,62 @@ pub async fn open_database(settings: &ServiceSettings) -> Result<SqlStore, AppEr
     Ok(opened.with(settings))
 }
 
+/// The keys for encryption at rest; `None` if the settings name none.
+///
+/// # Errors
+/// [`AppError::Encryption`].
+pub fn open_keyring(settings: &ServiceSettings) -> Result<Option<Arc<Keyring>>, AppError> {
+    let read = match (&settings.encryption_key_file, &settings.encryption_key_command) {
+        (None, None) => return Ok(None),
+        (Some(path), None) => Keyring::read(path),
+        (None, Some(command)) => Keyring::from_command(command),
+        (Some(_), Some(_)) => Err("either --encryption-key-file or --encryption-key-command, not both".to_owned()),
+    };
+    read.map(|keyring| Some(Arc::new(keyring))).map_err(AppError::Encryption)
+}
+
+/// Refuses to run without the key that encrypts the blobs of this service; a new key is noted, unless this is a dry run.
+///
+/// # Errors
+/// [`AppError::Encryption`], [`AppError::Store`].
+pub(crate) async fn require_keys(store: &SqlStore, keyring: Option<&Keyring>, dry_run: bool) -> Result<(), AppError> {
+    let database = |e: JobError| store_error("the database", &e);
+    let noted = store.encryption_key().await.map_err(database)?;
+    let current = keyring.and_then(Keyring::current).map(|id| id.to_string());
+    match (noted, keyring, current) {
+        (Some(noted), None, _) => Err(AppError::Encryption(format!(
+            "the blobs of this service are encrypted with the key {noted}; give it with --encryption-key-file or \
+             --encryption-key-command"
+        ))),
+        (Some(noted), Some(keyring), _) if !keyring.knows(&noted) => Err(AppError::Encryption(format!(
+            "the key {noted}, which encrypts the blobs of this service, is not among the given ones"
+        ))),
+        (noted, _, Some(current)) if !dry_run && noted.as_ref() != Some(&current) => {
+            store.set_encryption_key(&current).await.map_err(database)?;
+            tracing::info!(key_id = current, "blobs and secrets are encrypted with this key from now on");
+            Ok(())
+        }
+        _ => Ok(()),
+    }
+}
+
 /// Opens the blob store of the settings.
 ///
 /// # Errors
-/// [`AppError::Store`].
+/// [`AppError::Store`], [`AppError::Encryption`].
 pub fn open_artifacts(settings: &ServiceSettings) -> Result<Arc<dyn ArtifactStore>, AppError> {
+    let stored = open_stored(settings)?;
+    Ok(match open_keyring(settings)? {
+        Some(keyring) => Arc::new(SealedArtifacts::new(stored, keyring)),
+        None => stored,
+    })
+}
+
+/// The blob store of the settings, without encryption.
+///
+/// # Errors
+/// [`AppError::Store`].
+pub(crate) fn open_stored(settings: &ServiceSettings) -> Result<Arc<dyn StoredBlobs>, AppError> {
     Ok(match &settings.artifacts_url {
         None => {
             Arc::new(FolderArtifacts::open(&settings.data_dir).map_err(|e| store_error("the folder of blobs", &e))?)
@@ -386,7 +471,19 @@ pub async fn listen(http: &HttpSettings) -> Result<TcpListener, AppError> {
         return Err(AppError::Insecure(address));
     }
     open_tokens(http)?;
+    open_tls(http)?;
     bind(address).await
+}
+
+/// The certificates of the listener, by the settings; `None`: it is served without TLS.
+fn open_tls(http: &HttpSettings) -> Result<Option<Arc<ServerTls>>, AppError> {
+    let files = http.tls_files().map_err(AppError::Tls)?;
+    files.map(ServerTls::open).transpose().map_err(AppError::Tls)
+}
+
+/// What answers supervisors: always without TLS.
+fn probe_server(listener: TcpListener, state: HttpState, http: &HttpSettings) -> Served {
+    Served { listener, router: probe_router(state), limits: http.probe_limits(), tls: None }
 }
 
 /// What verifies tokens, by the settings; `None`: no tokens are accepted.

@@ -4,8 +4,9 @@
 pub mod file;
 
 use crate::http::{AllowedHosts, AuthMode, ConnectionLimits, HttpLimits, KeySetSource, LeastRate, TokenSettings};
-use crate::jobs::{Retention, SubmissionLimits, TenantWeight, TenantWeights};
+use crate::jobs::{MAX_DAYS, Retention, Retentions, SubmissionLimits, TenantDays, TenantWeight, TenantWeights, kept};
 use crate::store::sql::DatabaseLocation;
+use crate::tls::TlsFiles;
 use crate::worker::WorkerSettings;
 use crate::worker::machine;
 use crate::worker::webhook_delivery::WebhookDeliverySettings;
@@ -46,6 +47,22 @@ pub struct ServiceSettings {
     /// How long the records of jobs, and everything that belongs to them, are kept after they have ended, days; 0: for ever
     #[arg(long, env = "HOMOLOG_RETAIN_JOBS_DAYS", default_value_t = 365.0, value_parser = days, value_name = "DAYS")]
     pub retain_jobs_days: f64,
+    /// How long results and traces of one tenant are kept, as TENANT=DAYS; 0: for ever; repeatable
+    #[arg(
+        long = "tenant-retain-results-days",
+        env = "HOMOLOG_TENANT_RETAIN_RESULTS_DAYS",
+        value_delimiter = ',',
+        value_name = "TENANT=DAYS"
+    )]
+    pub tenant_retain_results_days: Vec<TenantDays>,
+    /// How long the records of jobs of one tenant are kept, as TENANT=DAYS; 0: for ever; repeatable
+    #[arg(
+        long = "tenant-retain-jobs-days",
+        env = "HOMOLOG_TENANT_RETAIN_JOBS_DAYS",
+        value_delimiter = ',',
+        value_name = "TENANT=DAYS"
+    )]
+    pub tenant_retain_jobs_days: Vec<TenantDays>,
     /// Number of jobs run at the same time, each with an equal share of the cores; 0: none; default: as many as fit, small
     /// ones on one core each and large ones on several
     #[arg(long, env = "HOMOLOG_WORKERS", value_name = "N")]
@@ -65,6 +82,13 @@ pub struct ServiceSettings {
     /// processes; default: secret.key in the data directory, which is created; with a database server: secrets are not sealed
     #[arg(long, env = "HOMOLOG_SECRET_KEY_FILE", value_name = "FILE")]
     pub secret_key_file: Option<PathBuf>,
+    /// File with the keys that encrypt uploads, results and the secrets of webhooks at rest, one in each line, 64 hexadecimal digits:
+    /// the first one encrypts, all of them decrypt; default: uploads and results are not encrypted
+    #[arg(long, env = "HOMOLOG_ENCRYPTION_KEY_FILE", value_name = "FILE")]
+    pub encryption_key_file: Option<PathBuf>,
+    /// Command of the shell that prints these keys instead, such as one that asks a key management service; run at each start
+    #[arg(long, env = "HOMOLOG_ENCRYPTION_KEY_COMMAND", hide_env_values = true, value_name = "COMMAND")]
+    pub encryption_key_command: Option<String>,
     /// How long a job waits before it runs again after its worker was lost, ms; five times as long after each further loss, at
     /// most a minute
     #[arg(long, env = "HOMOLOG_CRASH_PAUSE_MS", default_value_t = 1_000, value_parser = clap::value_parser!(u64).range(0..=60_000), value_name = "MS")]
@@ -141,6 +165,16 @@ pub struct HttpSettings {
     /// Address to listen on
     #[arg(long, env = "HOMOLOG_LISTEN", default_value = "127.0.0.1:8080", value_name = "ADDRESS:PORT")]
     pub listen: SocketAddr,
+    /// Serve with TLS: file with the certificate of the service and those between it and a trusted one, in PEM; read again when it
+    /// changes, and at SIGHUP; default: without TLS, for a proxy in front
+    #[arg(long, env = "HOMOLOG_TLS_CERT", value_name = "FILE")]
+    pub tls_cert: Option<PathBuf>,
+    /// File with the private key of the certificate, in PEM
+    #[arg(long, env = "HOMOLOG_TLS_KEY", value_name = "FILE")]
+    pub tls_key: Option<PathBuf>,
+    /// Require certificates of clients that an authority in this file has signed, in PEM; default: clients need no certificate
+    #[arg(long, env = "HOMOLOG_TLS_CLIENT_CA", value_name = "FILE")]
+    pub tls_client_ca: Option<PathBuf>,
     /// Allow an address that other machines can reach without authentication
     #[arg(long, env = "HOMOLOG_INSECURE", value_parser = clap::builder::FalseyValueParser::new())]
     pub insecure: bool,
@@ -252,7 +286,7 @@ fn s3_url(text: &str) -> Result<String, String> {
 /// Parses a number of days that fits into a duration.
 fn days(text: &str) -> Result<f64, String> {
     match text.parse::<f64>() {
-        Ok(days) if (0.0..=36_500.0).contains(&days) => Ok(days),
+        Ok(days) if (0.0..=MAX_DAYS).contains(&days) => Ok(days),
         _ => Err("a number of days from 0 to 36500 is needed here".to_owned()),
     }
 }
@@ -260,11 +294,6 @@ fn days(text: &str) -> Result<f64, String> {
 /// Default of the memory for jobs: the rest is for the process itself, uploads and the operating system.
 fn jobs_memory_bytes() -> u64 {
     machine::memory_bytes().map_or(u64::MAX, |bytes| bytes / 4 * 3)
-}
-
-/// A retention time from days; zero means forever.
-fn retained(days: f64) -> Option<Duration> {
-    (days > 0.0).then(|| Duration::from_secs_f64(days * 86_400.0))
 }
 
 /// When a process that only runs jobs exits.
@@ -301,8 +330,9 @@ impl ServiceSettings {
     }
 
     /// How long jobs and results are kept.
-    pub fn retention(&self) -> Retention {
-        Retention { results: retained(self.retain_results_days), jobs: retained(self.retain_jobs_days) }
+    pub fn retention(&self) -> Retentions {
+        let others = Retention { results: kept(self.retain_results_days), jobs: kept(self.retain_jobs_days) };
+        Retentions::new(others, &self.tenant_retain_results_days, &self.tenant_retain_jobs_days)
     }
 
     /// Limits on inputs.
@@ -351,7 +381,7 @@ impl ServiceSettings {
             heartbeat: Duration::from_millis(self.heartbeat_ms).min(lease / 3),
             poll: Duration::from_millis(self.poll_ms),
             max_run: Duration::from_secs(self.max_run_s),
-            keep_results: self.retention().results,
+            retention: self.retention(),
             ..WorkerSettings::default()
         }
     }
@@ -380,6 +410,21 @@ impl HttpSettings {
             None if self.oidc_issuer.is_some() => Some(AuthMode::Keys),
             None if is_local || self.insecure => Some(AuthMode::None),
             None => Some(AuthMode::Keys),
+        }
+    }
+
+    /// Where the certificates of the listener are; `None`: no TLS.
+    ///
+    /// # Errors
+    /// What is missing.
+    pub fn tls_files(&self) -> Result<Option<TlsFiles>, String> {
+        let client_authorities = self.tls_client_ca.clone();
+        match (&self.tls_cert, &self.tls_key) {
+            (Some(certificates), Some(key)) => {
+                Ok(Some(TlsFiles { certificates: certificates.clone(), key: key.clone(), client_authorities }))
+            }
+            (None, None) if client_authorities.is_none() => Ok(None),
+            _ => Err("--tls-cert and --tls-key are needed together, and both for --tls-client-ca".to_owned()),
         }
     }
 
@@ -479,7 +524,7 @@ impl HttpSettings {
             max_attempts: service.max_attempts,
             max_batch: self.max_batch as usize,
             once_for: Duration::from_secs(24 * 3600),
-            keep_results: service.retention().results,
+            retention: service.retention(),
             max_run: Duration::from_secs(service.max_run_s),
             max_stored_bytes: self.max_stored_bytes,
         }

@@ -1,7 +1,156 @@
-//! The provider of cryptography for all TLS clients of the process.
+//! TLS: the one provider of cryptography of the process, and certificates from files for the listener, which are read again when
+//! they change.
+
+use rustls::pki_types::pem::PemObject as _;
+use rustls::pki_types::{CertificateDer, PrivateKeyDer};
+use rustls::server::WebPkiClientVerifier;
+use rustls::{RootCertStore, ServerConfig};
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex, PoisonError};
+use std::time::Duration;
+
+/// How often the files are read again.
+const BETWEEN_READS: Duration = Duration::from_secs(2);
 
 /// Installs the provider, before the first TLS client is created. May be called any number of times.
 pub fn prepare() {
     // An error means that it is installed already.
     let _ = rustls::crypto::ring::default_provider().install_default();
+}
+
+/// Where the certificates of the listener are: files in PEM.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct TlsFiles {
+    /// The certificate of the service, and those between it and a trusted one.
+    pub certificates: PathBuf,
+    /// Its private key.
+    pub key: PathBuf,
+    /// The authorities one of which must have signed a client's certificate; without it clients need none.
+    pub client_authorities: Option<PathBuf>,
+}
+
+/// What the files contained when they were last read.
+struct Read {
+    content: Vec<Vec<u8>>,
+    config: Arc<ServerConfig>,
+}
+
+/// The TLS of a listener.
+pub struct ServerTls {
+    files: TlsFiles,
+    current: Mutex<Read>,
+}
+
+impl ServerTls {
+    /// With the certificates in these files.
+    ///
+    /// # Errors
+    /// Which file cannot be used, and why.
+    pub fn open(files: TlsFiles) -> Result<Arc<Self>, String> {
+        let content = content(&files)?;
+        let config = config(&files, &content)?;
+        Ok(Arc::new(ServerTls { files, current: Mutex::new(Read { content, config }) }))
+    }
+
+    /// For the next connection.
+    pub fn config(&self) -> Arc<ServerConfig> {
+        Arc::clone(&self.current.lock().unwrap_or_else(PoisonError::into_inner).config)
+    }
+
+    /// Reads the files again. Returns whether they have changed; open connections go on with what they began with.
+    ///
+    /// # Errors
+    /// As for [`ServerTls::open`]; then the certificates stay as they were.
+    pub fn reload(&self) -> Result<bool, String> {
+        let content = content(&self.files)?;
+        if content == self.current.lock().unwrap_or_else(PoisonError::into_inner).content {
+            return Ok(false);
+        }
+        let config = config(&self.files, &content)?;
+        *self.current.lock().unwrap_or_else(PoisonError::into_inner) = Read { content, config };
+        Ok(true)
+    }
+
+    /// Reads the files again whenever they change, and at SIGHUP; never returns.
+    pub async fn follow(self: Arc<Self>) {
+        let mut last_fault = None;
+        loop {
+            wait().await;
+            let tls = Arc::clone(&self);
+            let reloaded = tokio::task::spawn_blocking(move || tls.reload()).await;
+            let fault = match reloaded {
+                Ok(Ok(true)) => {
+                    tracing::info!("new certificates are used for new connections");
+                    None
+                }
+                Ok(Ok(false)) => None,
+                Ok(Err(fault)) => Some(fault),
+                Err(error) => Some(error.to_string()),
+            };
+            // Once for each fault: half-written files are read again soon.
+            if let Some(error) = fault.as_ref().filter(|_| fault != last_fault) {
+                tracing::warn!(error, "the certificates cannot be read again; the earlier ones are used");
+            }
+            last_fault = fault;
+        }
+    }
+}
+
+#[cfg(unix)]
+async fn wait() {
+    use tokio::signal::unix::{SignalKind, signal};
+    match signal(SignalKind::hangup()) {
+        Ok(mut hangup) => {
+            tokio::select! {
+                _ = hangup.recv() => {}
+                () = tokio::time::sleep(BETWEEN_READS) => {}
+            }
+        }
+        Err(_) => tokio::time::sleep(BETWEEN_READS).await,
+    }
+}
+
+#[cfg(not(unix))]
+async fn wait() {
+    tokio::time::sleep(BETWEEN_READS).await;
+}
+
+fn content(files: &TlsFiles) -> Result<Vec<Vec<u8>>, String> {
+    let paths = [Some(&files.certificates), Some(&files.key), files.client_authorities.as_ref()];
+    let read = |path: &PathBuf| std::fs::read(path).map_err(|error| format!("{}: {error}", path.display()));
+    paths.into_iter().flatten().map(read).collect()
+}
+
+fn certificates(path: &Path, text: &[u8]) -> Result<Vec<CertificateDer<'static>>, String> {
+    let found: Result<Vec<_>, _> = CertificateDer::pem_slice_iter(text).collect();
+    match found {
+        Ok(found) if !found.is_empty() => Ok(found),
+        Ok(_) => Err(format!("{}: there is no certificate in PEM", path.display())),
+        Err(error) => Err(format!("{}: {error}", path.display())),
+    }
+}
+
+fn config(files: &TlsFiles, content: &[Vec<u8>]) -> Result<Arc<ServerConfig>, String> {
+    let [chain, key, rest @ ..] = content else { return Err("files are missing".to_owned()) };
+    let chain = certificates(&files.certificates, chain)?;
+    let in_key = |error: &dyn std::fmt::Display| format!("{}: {error}", files.key.display());
+    let key = PrivateKeyDer::from_pem_slice(key).map_err(|error| in_key(&error))?;
+    let provider = Arc::new(rustls::crypto::ring::default_provider());
+    let builder = ServerConfig::builder_with_provider(Arc::clone(&provider))
+        .with_safe_default_protocol_versions()
+        .map_err(|error| error.to_string())?;
+    let builder = match (&files.client_authorities, rest) {
+        (Some(path), [authorities]) => {
+            let mut roots = RootCertStore::empty();
+            for certificate in certificates(path, authorities)? {
+                roots.add(certificate).map_err(|error| format!("{}: {error}", path.display()))?;
+            }
+            let verifier = WebPkiClientVerifier::builder_with_provider(Arc::new(roots), provider).build();
+            builder.with_client_cert_verifier(verifier.map_err(|error| format!("{}: {error}", path.display()))?)
+        }
+        _ => builder.with_no_client_auth(),
+    };
+    let mut config = builder.with_single_cert(chain, key).map_err(|error| in_key(&error))?;
+    config.alpn_protocols = vec![b"http/1.1".to_vec()];
+    Ok(Arc::new(config))
 }

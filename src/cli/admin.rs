@@ -4,7 +4,7 @@
 //! leave it as it is: most often `--data-dir` or `HOMOLOG_DATA_DIR` is not the one that the service uses.
 
 use super::error::CliError;
-use super::output::print;
+use super::output::{note, print};
 use super::serve::in_runtime;
 use crate::app;
 use crate::config::ServiceSettings;
@@ -13,10 +13,12 @@ use crate::jobs::{
     Purged, Role, Scope, SecretKey, Tenant,
 };
 use crate::store::sql::SqlStore;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 /// Rows purged in one transaction.
 const PURGED_AT_ONCE: u32 = 1000;
+/// How long a command tries to overwrite what was deleted.
+const OVERWRITTEN_WITHIN: Duration = Duration::from_secs(10);
 
 /// Create the database, or bring its schema up to date, and exit
 #[derive(Debug, Clone, clap::Args)]
@@ -183,19 +185,14 @@ pub(super) fn purge(args: &PurgeArgs) -> Result<(), CliError> {
         let mut total = Purged::default();
         loop {
             let purged = store.purge(&retention, PURGED_AT_ONCE, dry_run).await?;
-            total.results += purged.results;
-            total.jobs += purged.jobs;
-            total.meshes += purged.meshes;
-            total.changes += purged.changes;
-            total.deliveries += purged.deliveries;
-            total.idempotency_keys += purged.idempotency_keys;
+            total.add(&purged);
             if dry_run || purged.results + purged.jobs + purged.meshes == 0 {
                 break;
             }
         }
         let mut blobs = 0;
         if !dry_run {
-            store.overwrite_deleted().await?;
+            overwrite_deleted(store).await?;
             blobs = store.remove_unreferenced_blobs(artifacts.as_ref()).await?;
             blobs += artifacts.sweep().await?;
             record(store, "purge", None, None).await?;
@@ -208,6 +205,21 @@ pub(super) fn purge(args: &PurgeArgs) -> Result<(), CliError> {
             if dry_run { String::new() } else { format!(", {blobs} files") }
         ))
     })
+}
+
+/// Overwrites what deletions have left in the files of the database; tries again while others read it.
+pub(super) async fn overwrite_deleted(store: &SqlStore) -> Result<(), JobError> {
+    let began = Instant::now();
+    while !store.overwrite_deleted().await? {
+        if began.elapsed() > OVERWRITTEN_WITHIN {
+            note(
+                "others read the database; until they end, its log still holds what was deleted: run this command again",
+            );
+            break;
+        }
+        tokio::time::sleep(Duration::from_millis(100)).await;
+    }
+    Ok(())
 }
 
 /// Refuses a data directory that holds no database.

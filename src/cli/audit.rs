@@ -1,10 +1,13 @@
 //! `homolog audit`: the audit log is exported, and verified.
 
-use super::admin::{require_database, with_store};
+use super::admin::{overwrite_deleted, require_database, with_store};
 use super::error::CliError;
 use super::output::{print, print_json};
 use crate::config::ServiceSettings;
 use crate::jobs::audit::{AuditHead, AuditRow, AuditStore as _, Verifier};
+use jiff::Timestamp;
+use jiff::civil::Date;
+use jiff::tz::TimeZone;
 use std::fs::File;
 use std::io::{BufRead as _, BufReader};
 use std::path::{Path, PathBuf};
@@ -29,6 +32,14 @@ enum AuditAction {
         #[command(flatten)]
         service: Box<ServiceSettings>,
     },
+    /// Remove the rows before a time, after an export; the rest can still be verified, because the place is recorded in it
+    Prune {
+        /// Date, such as 2026-01-31, or time, such as 2026-01-31T12:00:00Z; a date begins at midnight UTC
+        #[arg(long, value_parser = time, value_name = "TIME")]
+        before: Timestamp,
+        #[command(flatten)]
+        service: Box<ServiceSettings>,
+    },
     /// Check that no row was changed, removed or inserted, and print the position and hash of the last one
     Verify {
         /// Position and hash of a row as an earlier verification printed them: also find out whether the log was cut off
@@ -43,6 +54,12 @@ enum AuditAction {
     },
 }
 
+fn time(text: &str) -> Result<Timestamp, String> {
+    let midnight = || text.parse::<Date>().ok()?.to_zoned(TimeZone::UTC).ok();
+    let time = text.parse().ok().or_else(|| midnight().map(|midnight| midnight.timestamp()));
+    time.ok_or_else(|| "a date such as 2026-01-31, or a time such as 2026-01-31T12:00:00Z, is needed here".to_owned())
+}
+
 fn noted(text: &str) -> Result<AuditHead, String> {
     AuditHead::parse(text).ok_or_else(|| "POSITION:HASH is needed here, as `homolog audit verify` prints it".to_owned())
 }
@@ -53,7 +70,8 @@ pub(super) fn run(args: &AuditArgs) -> Result<(), CliError> {
         AuditAction::Export { after, service } => {
             require_database(service)?;
             with_store(service, async |store| {
-                let mut after = *after;
+                // Rows that are being pruned are none of the log any more.
+                let mut after = store.audit_anchor().await?.position.max(*after);
                 loop {
                     let rows = store.list_audit(after, PAGE).await?;
                     rows.iter().try_for_each(print_json)?;
@@ -64,17 +82,32 @@ pub(super) fn run(args: &AuditArgs) -> Result<(), CliError> {
                 }
             })
         }
+        AuditAction::Prune { before, service } => {
+            require_database(service)?;
+            with_store(service, async |store| {
+                let (anchor, n_removed) = store.prune_audit(*before).await?;
+                overwrite_deleted(store).await?;
+                Ok(match n_removed {
+                    0 => format!("no row is older than {before}; the log begins after {anchor}"),
+                    n => format!("removed {n} rows; the log begins after {anchor}"),
+                })
+            })
+        }
         AuditAction::Verify { expect, file, service } => {
-            let mut verifier = Verifier::default();
-            expect.iter().cloned().for_each(|head| verifier.expect(head));
             if let Some(file) = file {
-                return print(&said(verify_file(verifier, file)?));
+                let anchor = beginning_of(file)?;
+                let mut verifier = Verifier::after(anchor.clone());
+                expect.iter().cloned().for_each(|head| verifier.expect(head));
+                return print(&said(&anchor, &verify_file(verifier, file)?));
             }
             require_database(service)?;
             with_store(service, async |store| {
+                let anchor = store.audit_anchor().await?;
+                let mut after = anchor.position;
+                let mut verifier = Verifier::after(anchor.clone());
+                expect.iter().cloned().for_each(|head| verifier.expect(head));
                 // Before the rows: those that are appended meanwhile come after it.
                 verifier.expect(store.audit_head().await?);
-                let mut after = 0;
                 loop {
                     let rows = store.list_audit(after, PAGE).await?;
                     for row in &rows {
@@ -82,7 +115,7 @@ pub(super) fn run(args: &AuditArgs) -> Result<(), CliError> {
                     }
                     match rows.last() {
                         Some(last) => after = last.position,
-                        None => return Ok(said(verifier.end().map_err(|fault| broken(&fault))?)),
+                        None => return Ok(said(&anchor, &verifier.end().map_err(|fault| broken(&fault))?)),
                     }
                 }
             })
@@ -90,19 +123,43 @@ pub(super) fn run(args: &AuditArgs) -> Result<(), CliError> {
     }
 }
 
-fn verify_file(mut verifier: Verifier, path: &Path) -> Result<AuditHead, CliError> {
+/// The rows of an exported log.
+fn rows_of(path: &Path) -> Result<impl Iterator<Item = Result<AuditRow, CliError>>, CliError> {
     let unreadable = |error: std::io::Error| CliError::BadInput(format!("cannot read {}: {error}", path.display()));
-    for (index, line) in BufReader::new(File::open(path).map_err(unreadable)?).lines().enumerate() {
-        let row: AuditRow = serde_json::from_str(&line.map_err(unreadable)?).map_err(|error| {
+    let lines = BufReader::new(File::open(path).map_err(unreadable)?).lines().enumerate();
+    Ok(lines.map(move |(index, line)| {
+        serde_json::from_str(&line.map_err(unreadable)?).map_err(|error| {
             CliError::BadInput(format!("{}: line {} is no row of the audit log: {error}", path.display(), index + 1))
-        })?;
-        verifier.add(&row).map_err(|fault| broken(&fault))?;
+        })
+    }))
+}
+
+/// Where an exported log begins: after the row up to which it was pruned, as one of its rows says.
+fn beginning_of(path: &Path) -> Result<AuditHead, CliError> {
+    let mut rows = rows_of(path)?;
+    let first = rows.next().transpose()?.map_or(1, |row| row.position);
+    if first <= 1 {
+        return Ok(AuditHead::start());
+    }
+    for row in rows {
+        if let Some(anchor) = row?.pruned()
+            && anchor.position + 1 == first
+        {
+            return Ok(anchor);
+        }
+    }
+    Ok(AuditHead::start())
+}
+
+fn verify_file(mut verifier: Verifier, path: &Path) -> Result<AuditHead, CliError> {
+    for row in rows_of(path)? {
+        verifier.add(&row?).map_err(|fault| broken(&fault))?;
     }
     verifier.end().map_err(|fault| broken(&fault))
 }
 
-fn said(last: AuditHead) -> String {
-    format!("the audit log is whole; {} rows, the last is {last}", last.position)
+fn said(anchor: &AuditHead, last: &AuditHead) -> String {
+    format!("the audit log is whole; {} rows, the last is {last}", last.position - anchor.position)
 }
 
 fn broken(fault: &crate::jobs::audit::AuditFault) -> CliError {

@@ -4,6 +4,7 @@ use super::admin::{record, require_database, with_store};
 use super::error::CliError;
 use super::output::print;
 use super::serve::in_runtime;
+use crate::app;
 use crate::config::ServiceSettings;
 use crate::store::backup::{self, BackupError, Manifest};
 use crate::store::sql::SqlStore;
@@ -31,9 +32,10 @@ impl From<BackupError> for CliError {
     fn from(error: BackupError) -> Self {
         match error {
             BackupError::Database(error) => error.into(),
-            BackupError::NotABackup(_) | BackupError::NoBackup(_) | BackupError::NotEmpty(_) => {
-                CliError::BadInput(error.to_string())
-            }
+            BackupError::NotABackup(_)
+            | BackupError::NoBackup(_)
+            | BackupError::NotEmpty(_)
+            | BackupError::Encrypted => CliError::BadInput(error.to_string()),
             other => CliError::Failed(other.to_string()),
         }
     }
@@ -63,7 +65,11 @@ pub(super) fn back_up(args: &BackupArgs) -> Result<(), CliError> {
         // It is a read of everything.
         record(store, "back_up", None, None).await?;
         let manifest = backup::back_up(store, &args.service.data_dir, &args.dir).await?;
-        Ok(format!("backed up {}; keep a copy of secret.key in another place", contents(&manifest)))
+        let keys = match args.service.encryption_key_file.is_some() || args.service.encryption_key_command.is_some() {
+            true => "the encryption keys",
+            false => "secret.key",
+        };
+        Ok(format!("backed up {}; keep a copy of {keys} in another place", contents(&manifest)))
     })
 }
 
@@ -73,7 +79,8 @@ pub(super) fn restore(args: &RestoreArgs) -> Result<(), CliError> {
     let mut restored = Ok(String::new());
     in_runtime(&args.service, async {
         restored = async {
-            let manifest = backup::restore(&args.dir, &args.service.data_dir).await?;
+            let keyring = app::open_keyring(&args.service).map_err(|error| CliError::Failed(error.to_string()))?;
+            let manifest = backup::restore(&args.dir, &args.service.data_dir, keyring).await?;
             // Without the key of secrets, which would be created: the operator has a copy of it.
             let store = SqlStore::open(&args.service.database(1)).await?;
             record(&store, "restore", None, None).await?;

@@ -6,6 +6,7 @@ mod audit;
 mod backup;
 mod config;
 mod demo;
+mod encryption;
 mod error;
 mod experiment;
 mod files;
@@ -46,6 +47,7 @@ enum Command {
     Keys(admin::KeysArgs),
     Purge(admin::PurgeArgs),
     Audit(audit::AuditArgs),
+    Encryption(encryption::EncryptionArgs),
     Config(config::ConfigArgs),
     Backup(backup::BackupArgs),
     Restore(backup::RestoreArgs),
@@ -104,6 +106,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Command::Keys(args) => admin::keys(&args),
         Command::Purge(args) => admin::purge(&args),
         Command::Audit(args) => audit::run(&args),
+        Command::Encryption(args) => encryption::run(&args),
         Command::Backup(args) => backup::back_up(&args),
         Command::Restore(args) => backup::restore(&args),
         Command::Config(_) => config::run(&program, &matches, &file),
@@ -137,6 +140,7 @@ fn unknown_setting(command: &Command) -> Option<String> {
             | Command::Keys(_)
             | Command::Purge(_)
             | Command::Audit(_)
+            | Command::Encryption(_)
             | Command::Backup(_)
             | Command::Restore(_)
             | Command::Config(_)

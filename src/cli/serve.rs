@@ -45,7 +45,8 @@ pub(super) fn serve(args: ServeArgs) -> Result<(), CliError> {
             None => None,
         };
         let app = App::open(&args.service, app::engine(&args.service), &shutdown, true).await?;
-        say(&format!("homolog listens on http://{address}"));
+        let scheme = if args.http.tls_cert.is_some() { "https" } else { "http" };
+        say(&format!("homolog listens on {scheme}://{address}"));
         app.run_probed(Some((listener, args.http, args.service)), probes, &shutdown).await;
         Ok(())
     })

@@ -1,12 +1,13 @@
-//! Authentication by API key or by a token of an OpenID Connect provider, and authorization by the scopes of either.
+//! Authentication by API key, by a token of an OpenID Connect provider or by a ticket, and authorization by the scopes of either.
 
 use super::audit::Caller;
 use super::problem::Problem;
 use super::problem_table::ProblemKind;
 use super::router::HttpState;
 use super::shares::Origin;
+use super::ticketed::ticket_of;
 use super::tokens::{Bearer, TokenFault};
-use crate::jobs::{Role, Scope, SecretKey, Tenant};
+use crate::jobs::{Role, Scope, SecretKey, Tenant, Ticket};
 use axum::extract::FromRequestParts;
 use axum::http::header;
 use axum::http::request::Parts;
@@ -74,6 +75,14 @@ async fn tenant_with(parts: &Parts, state: &HttpState, scope: Scope) -> Result<T
         let (scheme, bearer) = sent.split_once(' ')?;
         scheme.eq_ignore_ascii_case("bearer").then(|| bearer.trim())
     });
+    if sent.is_none()
+        && scope == Scope::Read
+        && let Some(Ticket { tenant, key_id, .. }) = ticket_of(parts, state).await?
+    {
+        caller.is(&tenant, key_id.as_deref());
+        state.begin_request(&tenant, origin)?;
+        return Ok(tenant);
+    }
     // The answer does not reveal which part of a key or a token was wrong.
     let Some(bearer) = bearer else { return Err(Problem::new(ProblemKind::Unauthenticated)) };
     let found = identity(bearer, state).await?;

@@ -3,11 +3,13 @@
 //! JSON examples are files under `api/examples`, taken from a real run; a test validates each against its schema.
 
 use super::problem_table::ProblemKind;
+use super::ticketed::{TICKET, takes_tickets};
 use axum::http::StatusCode;
 use serde_json::{Value, json};
-use utoipa::openapi::path::Operation;
+use utoipa::openapi::path::{Operation, ParameterBuilder, ParameterIn};
 use utoipa::openapi::request_body::RequestBody;
-use utoipa::openapi::{Content, OpenApi, Ref, RefOr, Response};
+use utoipa::openapi::schema::{Object, Type};
+use utoipa::openapi::{Content, OpenApi, Ref, RefOr, Required, Response};
 
 macro_rules! file {
     ($name:literal) => {
@@ -23,6 +25,7 @@ const REQUESTS: &[(&str, &str, &str)] = &[
     ("create_webhook", "application/json", file!("webhook_submission.json")),
     ("update_webhook", "application/json", file!("webhook_change.json")),
     ("create_key", "application/json", file!("key_submission.json")),
+    ("create_ticket", "application/json", file!("ticket_submission.json")),
     ("upload_mesh", "multipart/form-data", r#"{"file": "(binary content of a file)"}"#),
     ("upload_mesh", "application/octet-stream", r#""(binary content of a file)""#),
 ];
@@ -50,6 +53,7 @@ const ANSWERS: &[(&str, &str)] = &[
     ("list_deliveries", file!("delivery_list.json")),
     ("test_webhook", file!("delivery.json")),
     ("create_key", file!("key_created.json")),
+    ("create_ticket", file!("ticket.json")),
     ("get_key", file!("key.json")),
     ("list_keys", file!("key_list.json")),
     ("get_trace", file!("trace.json")),
@@ -123,6 +127,15 @@ fn complete_operation(operation: &mut Operation) {
             set(content, found.and_then(|(_, _, text)| serde_json::from_str(text).ok()));
         }
     }
+    if takes_tickets(&name) {
+        let ticket = ParameterBuilder::new()
+            .name(TICKET)
+            .parameter_in(ParameterIn::Query)
+            .required(Required::False)
+            .schema(Some(Object::with_type(Type::String)))
+            .description(Some("A ticket of `/v1/tickets`, instead of an API key"));
+        operation.parameters.get_or_insert_default().push(ticket.build().into());
+    }
     let asks_for_keys =
         operation.tags.as_ref().is_none_or(|tags| !tags.iter().any(|tag| tag == "system" || tag == "methods"));
     for (status, description) in ALWAYS {
@@ -181,9 +194,10 @@ fn typical(operation: &str, status: StatusCode) -> ProblemKind {
         ("submit_job" | "submit_batch", StatusCode::CONFLICT) => ProblemKind::IdempotencyKeyInProgress,
         ("retry_job", StatusCode::CONFLICT) => ProblemKind::JobActive,
         ("submit_batch", StatusCode::UNPROCESSABLE_ENTITY) => ProblemKind::UnsuitableBatch,
-        ("create_webhook" | "update_webhook" | "create_key" | "upload_mesh", StatusCode::UNPROCESSABLE_ENTITY) => {
-            ProblemKind::InvalidRequest
-        }
+        (
+            "create_webhook" | "update_webhook" | "create_key" | "create_ticket" | "upload_mesh",
+            StatusCode::UNPROCESSABLE_ENTITY,
+        ) => ProblemKind::InvalidRequest,
         ("submit_job", StatusCode::BAD_REQUEST) => ProblemKind::MalformedMultipart,
         (_, StatusCode::BAD_REQUEST) => ProblemKind::InvalidQuery,
         (_, StatusCode::FORBIDDEN) => ProblemKind::HostNotAllowed,

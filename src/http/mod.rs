@@ -2,7 +2,7 @@
 //!
 //! Reading order: [`mod@router`] (layers and routes), [`routes`] (one file for each resource), [`upload`] (bodies under
 //! limits; `shares` among clients, `pace` and `rate` of each), `strict_json`, [`wire`] (JSON forms), `accept` and `representation` (content negotiation), `content` (streams and ranges), `conditional` and `long_poll` (ETags
-//! and `?wait=`), [`problem`] (errors), [`context`] (request ids, spans, metrics), `audit` (what is recorded), `auth` (keys) and `tokens` (of OpenID Connect), [`hosts`] (host validation), [`server`]
+//! and `?wait=`), [`problem`] (errors), [`context`] (request ids, spans, metrics), `audit` (what is recorded), `auth` (keys), `tokens` (of OpenID Connect) and `ticketed` (tickets), [`hosts`] (host validation), [`server`]
 //! (connections).
 //!
 //! Invariant: every error answer is `application/problem+json`; an answer of 5xx hides its cause and carries the
@@ -31,6 +31,7 @@ mod server;
 mod shares;
 mod strict_json;
 mod submission;
+mod ticketed;
 mod token_signatures;
 mod tokens;
 mod upload;
@@ -42,6 +43,6 @@ pub use openapi::openapi_json;
 pub use pace::LeastRate;
 pub use problem_table::problems_markdown;
 pub use router::{HttpLimits, HttpState, probe_router, router};
-pub use server::{ConnectionLimits, serve};
+pub use server::{ConnectionLimits, Served, serve};
 pub(crate) use strict_json::MAX_LIST;
 pub use tokens::{KeySetSource, TokenSettings, Tokens};

@@ -2,6 +2,7 @@
 
 use super::problem::{FieldError, Problem};
 use super::problem_table::ProblemKind;
+use super::ticketed::{TICKET, is_ticketed};
 use axum::extract::{FromRequestParts, Query};
 use axum::http::request::Parts;
 use std::ops::RangeInclusive;
@@ -21,9 +22,14 @@ impl<S: Send + Sync> FromRequestParts<S> for QueryString {
     type Rejection = Problem;
 
     async fn from_request_parts(parts: &mut Parts, state: &S) -> Result<Self, Problem> {
+        let is_ticketed = is_ticketed(&parts.extensions);
         match Query::<Vec<(String, String)>>::from_request_parts(parts, state).await {
             Ok(Query(pairs)) => {
                 let mut query = QueryString { pairs, faults: Vec::new() };
+                if is_ticketed {
+                    // Whoever authenticates the request has read it.
+                    query.pairs.retain(|(name, _)| name != TICKET);
+                }
                 // No stored text contains one, and not every database can be asked for it.
                 if query.pairs.iter().any(|(name, value)| name.contains('\0') || value.contains('\0')) {
                     query.pairs.retain(|(name, value)| !name.contains('\0') && !value.contains('\0'));

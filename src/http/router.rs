@@ -257,6 +257,7 @@ pub(super) fn api() -> OpenApiRouter<HttpState> {
         .routes(routes!(routes::webhooks::test))
         .routes(routes!(routes::keys::create, routes::keys::list))
         .routes(routes!(routes::keys::get, routes::keys::revoke))
+        .routes(routes!(routes::tickets::create))
         .routes(routes!(routes::methods::list))
         .routes(routes!(routes::methods::get))
         .routes(routes!(routes::system::healthz))

@@ -1,11 +1,12 @@
 //! The server loop: accepts connections up to a limit, limits the time for request headers and for reading an answer, and
 //! shuts down gracefully.
 //!
-//! HTTP/1.1 without TLS. hyper's own connection is used and not the one that detects HTTP/2, because detection reads
+//! HTTP/1.1, with TLS if there are certificates. hyper's own connection is used and not the one that detects HTTP/2, because detection reads
 //! the first bytes without a time limit.
 
 use super::pace::{LeastRate, Pace};
 use super::shares::Peer;
+use crate::tls::ServerTls;
 use axum::Router;
 use axum::body::Body;
 use hyper::server::conn::http1;
@@ -21,6 +22,7 @@ use tokio::io::{AsyncRead, AsyncWrite, ReadBuf};
 use tokio::net::{TcpListener, TcpStream};
 use tokio::sync::Semaphore;
 use tokio::task::JoinSet;
+use tokio_rustls::TlsAcceptor;
 use tokio_util::sync::CancellationToken;
 use tower::ServiceExt;
 
@@ -94,9 +96,22 @@ impl AsyncWrite for PacedStream {
     }
 }
 
+/// What is served on an address.
+pub struct Served {
+    /// The address.
+    pub listener: TcpListener,
+    /// What answers.
+    pub router: Router,
+    /// Bounds on its connections.
+    pub limits: ConnectionLimits,
+    /// The certificates; without them it is served without TLS.
+    pub tls: Option<Arc<ServerTls>>,
+}
+
 /// Serves until `stop`. Then no connection is accepted any more, idle connections are closed at once, and requests in
 /// progress are completed. Dropping the future closes all connections.
-pub async fn serve(listener: TcpListener, router: Router, limits: ConnectionLimits, stop: CancellationToken) {
+pub async fn serve(served: Served, stop: CancellationToken) {
+    let Served { listener, router, limits, tls } = served;
     let permits = Arc::new(Semaphore::new(limits.max_connections.clamp(1, Semaphore::MAX_PERMITS)));
     let mut connections = JoinSet::new();
     let mut http = http1::Builder::new();
@@ -113,11 +128,19 @@ pub async fn serve(listener: TcpListener, router: Router, limits: ConnectionLimi
         let ((stream, address), permit) = accepted;
         // Finished tasks are removed, so that the set is no larger than the number of open connections.
         while connections.try_join_next().is_some() {}
-        let (http, router, stop) = (http.clone(), router.clone(), stop.clone());
+        let (http, router, stop, tls) = (http.clone(), router.clone(), stop.clone(), tls.clone());
         connections.spawn(async move {
             let _permit = permit;
             let stream = PacedStream { stream, pace: Pace::new(limits.least_rate) };
-            serve_connection(stream, address, &http, router, stop).await;
+            let Some(tls) = tls else { return serve_connection(stream, address, &http, router, stop).await };
+            // Within the time for headers, so that a client that begins no handshake holds its place no longer than one that
+            // sends no request.
+            let handshake = TlsAcceptor::from(tls.config()).accept(stream);
+            match tokio::time::timeout(limits.header_timeout, handshake).await {
+                Ok(Ok(stream)) => serve_connection(stream, address, &http, router, stop).await,
+                Ok(Err(error)) => tracing::debug!(%error, "a TLS handshake failed"),
+                Err(_) => tracing::debug!("a TLS handshake took too long"),
+            }
         });
     }
     drop(listener);
@@ -147,7 +170,7 @@ async fn accept(listener: &TcpListener) -> (TcpStream, IpAddr) {
 
 /// Serves one connection until it is closed.
 async fn serve_connection(
-    stream: PacedStream,
+    stream: impl AsyncRead + AsyncWrite + Unpin + Send + 'static,
     address: IpAddr,
     http: &http1::Builder,
     router: Router,

@@ -87,6 +87,30 @@ impl AuditRow {
     }
 }
 
+/// What is recorded when rows are pruned.
+const PRUNED: &str = "prune_audit";
+
+impl AuditEvent {
+    /// The removal of all rows up to this one.
+    pub fn pruned(up_to: &AuditHead) -> Self {
+        AuditEvent {
+            tenant: None,
+            key_id: None,
+            action: PRUNED.to_owned(),
+            resource: Some(format!("audit/{up_to}")),
+            address: Some("command-line".to_owned()),
+            status: None,
+        }
+    }
+}
+
+impl AuditRow {
+    /// The row up to which the log was pruned, if this row says that it was.
+    pub fn pruned(&self) -> Option<AuditHead> {
+        AuditHead::parse(self.resource.as_ref().filter(|_| self.action == PRUNED)?.strip_prefix("audit/")?)
+    }
+}
+
 /// The last row of the log.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct AuditHead {
@@ -128,6 +152,9 @@ pub enum AuditFault {
     /// The log ends before the row that is known to be its last.
     #[error("row {0} and those after it were cut off: the log had at least {1} rows")]
     Truncated(u64, u64),
+    /// No row says that the log was pruned up to where it begins.
+    #[error("the log begins after row {0}, and no row says that it was pruned up to there")]
+    Unrecorded(u64),
     /// A row has another hash than the one that was noted of it.
     #[error("row {0} has another hash than the one noted: the log was rewritten")]
     Rewritten(u64),
@@ -138,15 +165,23 @@ pub enum AuditFault {
 pub struct Verifier {
     last: AuditHead,
     expected: Vec<AuditHead>,
+    /// Where the log begins, and whether a row said so.
+    anchor: AuditHead,
+    is_recorded: bool,
 }
 
 impl Default for Verifier {
     fn default() -> Self {
-        Verifier { last: AuditHead::start(), expected: Vec::new() }
+        Verifier::after(AuditHead::start())
     }
 }
 
 impl Verifier {
+    /// Of a log that was pruned up to a row, and that has to say so in a later one.
+    pub fn after(anchor: AuditHead) -> Self {
+        Verifier { last: anchor.clone(), expected: Vec::new(), is_recorded: anchor.position == 0, anchor }
+    }
+
     /// The row of this position must have this hash.
     pub fn expect(&mut self, head: AuditHead) {
         self.expected.push(head);
@@ -167,6 +202,7 @@ impl Verifier {
         if self.expected.iter().any(|head| head.position == position && head.hash != row.hash) {
             return Err(AuditFault::Rewritten(position));
         }
+        self.is_recorded |= row.pruned().is_some_and(|pruned| pruned == self.anchor);
         self.last = AuditHead { position, hash: row.hash.clone() };
         Ok(())
     }
@@ -177,6 +213,12 @@ impl Verifier {
     /// If rows are missing at its end.
     pub fn end(self) -> Result<AuditHead, AuditFault> {
         let last = self.last.position;
+        if !self.is_recorded {
+            return Err(AuditFault::Unrecorded(self.anchor.position));
+        }
+        if self.expected.iter().any(|head| head.position == self.anchor.position && head.hash != self.anchor.hash) {
+            return Err(AuditFault::Rewritten(self.anchor.position));
+        }
         match self.expected.iter().map(|head| head.position).max() {
             Some(known) if known > last => Err(AuditFault::Truncated(last + 1, known)),
             _ => Ok(self.last),
@@ -385,6 +427,24 @@ mod tests {
         }
         assert!(verified(&rewritten, &[]).is_ok());
         assert_eq!(verified(&rewritten, &[noted]), Err(AuditFault::Rewritten(4)));
+    }
+
+    #[test]
+    fn a_pruned_log_begins_where_one_of_its_rows_says() {
+        let mut rows = log(5);
+        let anchor = AuditHead { position: 3, hash: rows[2].hash.clone() };
+        let kept = |rows: &[AuditRow], anchor: &AuditHead| {
+            let mut verifier = Verifier::after(anchor.clone());
+            rows[3..].iter().try_for_each(|row| verifier.add(row))?;
+            verifier.end()
+        };
+        assert_eq!(kept(&rows, &anchor), Err(AuditFault::Unrecorded(3)));
+        let AuditEvent { action, resource, .. } = AuditEvent::pruned(&anchor);
+        (rows[4].action, rows[4].resource) = (action, resource);
+        rows[4].hash = rows[4].hash_after(&rows[3].hash);
+        assert_eq!(kept(&rows, &anchor).unwrap().position, 5);
+        assert_eq!(kept(&rows, &AuditHead { position: 3, hash: "0".repeat(64) }), Err(AuditFault::Changed(4)));
+        assert_eq!(verified(&rows, &[]).unwrap().position, 5, "nothing was removed yet");
     }
 
     #[test]

@@ -2,6 +2,7 @@
 
 use super::error::JobError;
 use super::job::Tenant;
+use super::ticket::Ticket;
 use async_trait::async_trait;
 use jiff::Timestamp;
 use serde::{Deserialize, Serialize};
@@ -226,6 +227,13 @@ pub trait KeyStore: Send + Sync {
 
     /// The number of a tenant's keys that are valid.
     async fn count_valid_keys(&self, tenant: &Tenant) -> Result<u32, JobError>;
+
+    /// Stores a ticket under its hash, to be accepted for `lasts`; `false` if the tenant has `at_most` already.
+    async fn insert_ticket(&self, hash: &str, ticket: &Ticket, lasts: Duration, at_most: u32)
+    -> Result<bool, JobError>;
+
+    /// What the ticket with this hash permits, if it has not expired.
+    async fn get_ticket(&self, hash: &str) -> Result<Option<Ticket>, JobError>;
 
     /// Revokes a key. `false` if there is no such key or it is revoked already.
     async fn revoke_key(&self, id: &str) -> Result<bool, JobError>;

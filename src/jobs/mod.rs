@@ -3,7 +3,7 @@
 //! Reading order: [`state`] (the state machine), [`job`] (the record), [`lease`] (which worker runs it, fenced by an epoch),
 //! [`trace`] (progress and energy trace), [`demand`] (cores and memory), [`turns`] (of tenants), [`ports`] (storage), [`engine`] (the computation),
 //! [`service`] (the use cases), [`submission`], [`uploads`], [`follow`], [`signals`]. Beside the job: [`admission`], `stored` (bytes of a tenant),
-//! [`mod@batch`], [`change`], [`mesh`], [`metadata`], [`key`], [`audit`], [`webhook`], [`retention`], [`presentation`] (the formats of a result).
+//! [`mod@batch`], [`change`], [`mesh`], [`metadata`], [`key`], [`ticket`], [`audit`], [`webhook`], [`retention`], [`presentation`] (the formats of a result).
 //!
 //! Invariant: nothing here knows SQL, HTTP or how a match is computed. Parameters, reports and results pass through as JSON
 //! and blobs; an [`engine::Computation`] holds parameters in types that are opaque here.
@@ -31,6 +31,7 @@ pub mod signals;
 pub mod state;
 mod stored;
 pub mod submission;
+pub mod ticket;
 pub mod trace;
 pub mod turns;
 pub mod uploads;
@@ -54,13 +55,15 @@ pub use ports::{
     Housekeeping, JobQueue, JobReader, JobStore, JobWriter, Load, Outcome, Processes,
 };
 pub use presentation::{PartFormat, PresentError, Presentation, Presented, ResultPart, WarpDirection, WarpSpace};
-pub use retention::{Overdue, Purged, Retention};
+pub(crate) use retention::Concerned;
+pub use retention::{MAX_DAYS, Overdue, Purged, Retention, Retentions, TenantDays, kept};
 pub use service::{BulkCancelled, JobService, Stores, SubmissionLimits};
 pub use signals::{Moves, Signals};
 pub use state::{CancelEffect, JobState, cancel_effect, state_after_crash, state_after_release};
 pub use submission::{
     Accepted, BatchPair, BatchSubmission, Details, Submission, SubmitError, SubmittedFile, SubmittedInput, Validated,
 };
+pub use ticket::{MAX_TICKETS, TICKET_LASTS, Ticket};
 pub use trace::{NumberedPoint, Progress, TraceChunk, TracePage};
 pub use turns::{TenantWeight, TenantWeights};
 pub use webhook::{

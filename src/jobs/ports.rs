@@ -8,7 +8,7 @@ use super::documents::Verdict;
 use super::error::JobError;
 use super::job::{Cursor, Failure, Job, JobFilter, JobId, JobPage, NewJob, PageRequest, Tenant};
 use super::lease::{Lease, LeaseStatus, LeasedJob, Recovered, WorkerId};
-use super::retention::{Overdue, Purged, Retention};
+use super::retention::{Overdue, Purged, Retentions};
 use super::trace::{TraceChunk, TracePage};
 use async_trait::async_trait;
 use bytes::Bytes;
@@ -311,11 +311,11 @@ pub trait Housekeeping: Send + Sync {
     async fn end_overdue(&self, tolerance: Duration) -> Result<Overdue, JobError>;
 
     /// Overwrites what deletions have left in the files of the database, if there were any since the last call. What cannot
-    /// be overwritten now, because somebody reads it, stays for the next call.
-    async fn overwrite_deleted(&self) -> Result<(), JobError>;
+    /// be overwritten now, because somebody reads it, stays for the next call. Returns whether nothing stays.
+    async fn overwrite_deleted(&self) -> Result<bool, JobError>;
 
-    /// Removes what has outlived its retention, at most `limit` jobs at once; as a dry run it only counts.
-    async fn purge(&self, retention: &Retention, limit: u32, dry_run: bool) -> Result<Purged, JobError>;
+    /// Removes what has outlived the retention of its tenant, at most `limit` jobs of each retention at once; as a dry run it only counts.
+    async fn purge(&self, retention: &Retentions, limit: u32, dry_run: bool) -> Result<Purged, JobError>;
 }
 
 /// Blobs, addressed by their content.

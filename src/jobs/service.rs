@@ -12,6 +12,7 @@ use super::job::{Cursor, Job, JobFilter, JobId, JobPage, Order, PageRequest, Ten
 use super::key::{ApiKey, KeyPage, KeyStore, Role, SecretKey};
 use super::mesh::MeshStore;
 use super::ports::{ArtifactKind, ArtifactRef, ArtifactStore, BlobStream, JobStore, Load};
+use super::retention::Retentions;
 use super::signals::Signals;
 use super::state::JobState;
 use super::stored::StoredBytes;
@@ -30,7 +31,7 @@ const READINESS_TIMEOUT: Duration = Duration::from_secs(3);
 const MAX_PRESENTATIONS: usize = 4;
 
 /// Limits on submissions, and how long results are kept.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub struct SubmissionLimits {
     /// Maximum number of queued jobs per tenant.
     pub max_queued: u32,
@@ -45,7 +46,7 @@ pub struct SubmissionLimits {
     /// How long an idempotency key is kept.
     pub once_for: Duration,
     /// How long results are kept; for ever if `None`.
-    pub keep_results: Option<Duration>,
+    pub retention: Retentions,
     /// Maximum run time of a job.
     pub max_run: Duration,
     /// Maximum number of bytes of a tenant's uploads and results; any number if `None`.

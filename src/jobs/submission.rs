@@ -358,7 +358,7 @@ impl JobService {
         };
         let holder = id.to_string();
         let keys: Vec<ArtifactKey> = checked.into_values().flatten().map(|input| input.key).collect();
-        let admission = self.admission(&holder, once);
+        let admission = self.admission(&tenant, &holder, once);
         let stored = async {
             self.stores.jobs.hold_blobs(&holder, &keys, HOLD, None).await?;
             for key in &keys {
@@ -462,7 +462,7 @@ impl JobService {
         let n_bytes = inputs.iter().filter_map(|input| input.bytes.as_ref()).map(|bytes| bytes.len() as u64).sum();
         self.refuse_over_share(&job.tenant, n_bytes).await?;
         self.note_stored(&job.tenant, n_bytes);
-        let admission = self.admission(&holder, once);
+        let admission = self.admission(&job.tenant, &holder, once);
         let stored = async {
             // The hold comes before the blobs, so that a concurrent removal spares them.
             self.stores.jobs.hold_blobs(&holder, &keys, HOLD, None).await?;
@@ -502,11 +502,11 @@ impl JobService {
         }
     }
 
-    fn admission(&self, holder: &str, once: Option<Once>) -> Admission {
+    fn admission(&self, tenant: &Tenant, holder: &str, once: Option<Once>) -> Admission {
         Admission {
             max_queued: self.limits.max_queued,
             holder: holder.to_owned(),
-            keep_result: self.limits.keep_results,
+            keep_result: self.limits.retention.of(tenant).results,
             once,
         }
     }

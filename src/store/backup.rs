@@ -5,13 +5,18 @@
 //! same folder copies only new ones. They are copied before the database and once more after it: then every blob to which the
 //! copied database refers is there.
 
+use super::artifacts::sealed::{is_sealed_blob, sealed_size};
+use super::artifacts::{FolderArtifacts, SealedArtifacts};
+use super::encryption::Keyring;
 use super::private_files;
 use super::sql::{DatabaseLocation, SqlStore};
-use crate::jobs::JobError;
+use crate::jobs::{ArtifactKey, ArtifactStore as _, JobError};
+use futures_util::TryStreamExt as _;
 use serde::{Deserialize, Serialize};
 use std::fs::{self, File};
 use std::io::{self, Read as _, Write as _};
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 /// The file that describes a back-up.
 const MANIFEST: &str = "backup.json";
@@ -69,6 +74,11 @@ pub enum BackupError {
     /// A file is not what was written.
     #[error("{} is damaged; use another back-up", .0.display())]
     Damaged(PathBuf),
+    /// Encrypted blobs cannot be compared with their hashes.
+    #[error(
+        "the blobs of this back-up are encrypted; give their key with --encryption-key-file or --encryption-key-command"
+    )]
+    Encrypted,
     /// A blob is not there.
     #[error("{n} blobs are missing, the first is {first}")]
     Missing {
@@ -139,7 +149,8 @@ async fn checked(folder: &Path, data: &Path) -> Result<Counted, BackupError> {
             after = Some((last.tenant.clone(), last.path.clone()));
             for blob in page {
                 let path = data.join(BLOBS).join(blob.tenant.name()).join(&blob.path);
-                if fs::metadata(path).is_ok_and(|found| found.len() == blob.n_bytes) {
+                let is_whole = |n: u64| n == blob.n_bytes || Some(n) == sealed_size(blob.n_bytes);
+                if fs::metadata(path).is_ok_and(|found| is_whole(found.len())) {
                     (n_blobs, n_bytes) = (n_blobs + 1, n_bytes + blob.n_bytes);
                 } else {
                     n_missing += 1;
@@ -210,11 +221,12 @@ fn publish(database: &Path, to: &Path, (n_blobs, n_bytes): Counted) -> Result<Ma
     Ok(manifest)
 }
 
-/// Restores the back-up in `from` into a data directory that is empty or does not exist. Every blob is compared with its hash.
+/// Restores the back-up in `from` into a data directory that is empty or does not exist. Every blob is compared with its hash;
+/// encrypted ones are decrypted for that with `keyring`.
 ///
 /// # Errors
 /// [`BackupError`]; the data directory then holds no database, and has to be emptied before the next try.
-pub async fn restore(from: &Path, data_dir: &Path) -> Result<Manifest, BackupError> {
+pub async fn restore(from: &Path, data_dir: &Path, keyring: Option<Arc<Keyring>>) -> Result<Manifest, BackupError> {
     let (source, data) = (from.to_owned(), data_dir.to_owned());
     let draft = data_dir.join(DRAFT);
     let folder = draft.clone();
@@ -233,6 +245,7 @@ pub async fn restore(from: &Path, data_dir: &Path) -> Result<Manifest, BackupErr
     });
     let manifest = manifest.await?;
     checked(&draft, data_dir).await?;
+    check_encrypted(&draft, data_dir, keyring).await?;
     let data = data_dir.to_owned();
     blocking(move || {
         // Last: a data directory without this file holds no service.
@@ -242,6 +255,37 @@ pub async fn restore(from: &Path, data_dir: &Path) -> Result<Manifest, BackupErr
     })
     .await?;
     Ok(manifest)
+}
+
+/// Decrypts the blobs that are encrypted, and compares them with their hashes.
+async fn check_encrypted(folder: &Path, data: &Path, keyring: Option<Arc<Keyring>>) -> Result<(), BackupError> {
+    let store = SqlStore::open(&DatabaseLocation::Folder(folder.to_owned())).await?;
+    let checked = async {
+        if store.encryption_key().await?.is_none() {
+            return Ok(());
+        }
+        let Some(keyring) = keyring else { return Err(BackupError::Encrypted) };
+        let artifacts = SealedArtifacts::new(Arc::new(FolderArtifacts::open(data)?), keyring);
+        let mut after = None;
+        loop {
+            let page = store.list_blobs(after.take()).await?;
+            let Some(last) = page.last() else { return Ok(()) };
+            after = Some((last.tenant.clone(), last.path.clone()));
+            for blob in page {
+                let Some(key) = ArtifactKey::from_path(&blob.tenant, &blob.path) else { continue };
+                let read = async {
+                    let mut content = artifacts.open(&key, blob.n_bytes, None).await?;
+                    while content.try_next().await?.is_some() {}
+                    Ok::<_, JobError>(())
+                };
+                read.await
+                    .map_err(|_| BackupError::Damaged(data.join(BLOBS).join(blob.tenant.name()).join(&blob.path)))?;
+            }
+        }
+    };
+    let checked = checked.await;
+    store.close().await;
+    checked
 }
 
 fn read_manifest(folder: &Path) -> Result<Manifest, BackupError> {
@@ -283,7 +327,8 @@ fn copy_blobs(from: &Path, to: &Path, verified: bool) -> Result<(), BackupError>
         if found.is_dir() {
             copy_blobs(&source, &target, verified)?;
         } else if !fs::metadata(&target).is_ok_and(|copy| copy.len() == found.len()) {
-            if verified && hash_of(&source)? != entry.file_name().to_string_lossy() {
+            // Encrypted ones are compared afterwards, with the keys.
+            if verified && !is_encrypted(&source)? && hash_of(&source)? != entry.file_name().to_string_lossy() {
                 return Err(BackupError::Damaged(source));
             }
             match copy_file(&source, &target) {
@@ -308,6 +353,12 @@ fn copy_file(from: &Path, to: &Path) -> Result<(), BackupError> {
     });
     written.map_err(at(&draft))?;
     fs::rename(&draft, to).map_err(at(to))
+}
+
+fn is_encrypted(path: &Path) -> Result<bool, BackupError> {
+    let mut first = Vec::new();
+    File::open(path).and_then(|file| file.take(64).read_to_end(&mut first)).map_err(at(path))?;
+    Ok(is_sealed_blob(&first))
 }
 
 fn hash_of(path: &Path) -> Result<String, BackupError> {

@@ -2,11 +2,13 @@
 //!
 //! [`sql`] stores jobs in SQLite or PostgreSQL, [`artifacts`] stores blobs in a folder or an S3-compatible store, and
 //! [`backup`] copies a database and a folder while they are used,
-//! [`processes`] records which processes of one machine are alive. [`seal`] encrypts secrets, `private_files` keeps files from
+//! [`processes`] records which processes of one machine are alive. [`seal`] encrypts secrets, [`encryption`] has the keys for
+//! blobs and secrets and their rotation, `private_files` keeps files from
 //! other users.
 
 pub mod artifacts;
 pub mod backup;
+pub mod encryption;
 pub(crate) mod private_files;
 pub(crate) mod processes;
 pub mod seal;

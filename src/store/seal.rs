@@ -3,6 +3,7 @@
 //! Authenticated encryption: AES-256 in Galois/counter mode with a random nonce (NIST SP 800-38D), by ring. The identity of what
 //! the secret belongs to is authenticated too, so that it cannot be moved to another record.
 
+use super::encryption::{Keyring, sealed_with};
 use super::private_files;
 use base64::Engine as _;
 use base64::prelude::BASE64_STANDARD;
@@ -11,15 +12,19 @@ use ring::rand::{SecureRandom as _, SystemRandom};
 use std::fmt;
 use std::io::{self, Write as _};
 use std::path::Path;
+use std::sync::Arc;
 
-/// What a sealed secret begins with; others were stored before secrets were sealed.
+/// What a secret begins with that is sealed with the key of secrets; others were stored before secrets were sealed.
 const SEALED: &str = "sealed:1:";
+/// What a secret begins with that is sealed with a key of the keyring.
+const BY_KEYRING: &str = "sealed:2:";
 /// Length of a key, bytes.
 const KEY_BYTES: usize = 32;
 
 /// Seals secrets and opens them again.
 pub struct Seal {
-    key: LessSafeKey,
+    key: Option<LessSafeKey>,
+    keyring: Option<Arc<Keyring>>,
     random: SystemRandom,
 }
 
@@ -69,33 +74,60 @@ impl Seal {
 
     fn new(key: &[u8; KEY_BYTES]) -> io::Result<Self> {
         let key = UnboundKey::new(&AES_256_GCM, key).map_err(|_| invalid("no key"))?;
-        Ok(Seal { key: LessSafeKey::new(key), random: SystemRandom::new() })
+        Ok(Seal { key: Some(LessSafeKey::new(key)), keyring: None, random: SystemRandom::new() })
+    }
+
+    /// Seals with the keys of a keyring; what was sealed with the key of `earlier` is opened too.
+    #[must_use]
+    pub fn with_keyring(keyring: Arc<Keyring>, earlier: Option<Seal>) -> Self {
+        let key = earlier.and_then(|earlier| earlier.key);
+        Seal { key, keyring: Some(keyring), random: SystemRandom::new() }
+    }
+
+    /// Whether a stored secret is sealed with the key that seals now.
+    pub(super) fn is_current(&self, stored: &str) -> bool {
+        let Some(keyring) = &self.keyring else { return stored.starts_with(SEALED) };
+        let sealed = stored.strip_prefix(BY_KEYRING).and_then(|text| BASE64_STANDARD.decode(text).ok());
+        sealed.is_some_and(|sealed| sealed_with(&sealed) == keyring.current())
     }
 
     /// The sealed form of a secret that belongs to `owner`; `None` if there are no random numbers.
     pub(super) fn seal(&self, owner: &str, secret: &str) -> Option<String> {
+        if let Some(keyring) = &self.keyring {
+            let sealed = keyring.seal(&identity(owner), secret.as_bytes())?;
+            return Some(format!("{BY_KEYRING}{}", BASE64_STANDARD.encode(sealed)));
+        }
         let mut nonce = [0; NONCE_LEN];
         self.random.fill(&mut nonce).ok()?;
         let mut text = secret.as_bytes().to_vec();
         let aad = Aad::from(owner.as_bytes());
-        self.key.seal_in_place_append_tag(Nonce::assume_unique_for_key(nonce), aad, &mut text).ok()?;
+        self.key.as_ref()?.seal_in_place_append_tag(Nonce::assume_unique_for_key(nonce), aad, &mut text).ok()?;
         Some(format!("{SEALED}{}", BASE64_STANDARD.encode([&nonce[..], &text].concat())))
     }
 
     /// The secret of `owner` in its sealed form; `None` if it was sealed with another key or for another owner.
     fn open(&self, owner: &str, sealed: &str) -> Option<String> {
+        if let Some(text) = sealed.strip_prefix(BY_KEYRING) {
+            let sealed = BASE64_STANDARD.decode(text).ok()?;
+            return String::from_utf8(self.keyring.as_ref()?.open(&identity(owner), &sealed).ok()?).ok();
+        }
         let bytes = BASE64_STANDARD.decode(sealed.strip_prefix(SEALED)?).ok()?;
         let (nonce, text) = bytes.split_at_checked(NONCE_LEN)?;
         let nonce = Nonce::try_assume_unique_for_key(nonce).ok()?;
         let mut text = text.to_vec();
-        let opened = self.key.open_in_place(nonce, Aad::from(owner.as_bytes()), &mut text).ok()?;
+        let opened = self.key.as_ref()?.open_in_place(nonce, Aad::from(owner.as_bytes()), &mut text).ok()?;
         String::from_utf8(opened.to_vec()).ok()
     }
 }
 
+/// What a secret is sealed for with a key that seals other things too.
+fn identity(owner: &str) -> Vec<u8> {
+    format!("secret\n{owner}").into_bytes()
+}
+
 /// Whether a stored secret is sealed.
-pub(super) fn is_sealed(stored: &str) -> bool {
-    stored.starts_with(SEALED)
+fn is_sealed(stored: &str) -> bool {
+    stored.starts_with(SEALED) || stored.starts_with(BY_KEYRING)
 }
 
 /// The secret of `owner` in its stored form, sealed or not; `None` if it cannot be opened.
@@ -122,6 +154,18 @@ mod tests {
         let other = Seal::read_or_create(&folder.path().join("other.key")).unwrap();
         assert_eq!(opened(Some(&other), "webhook-1", &sealed), None);
         assert_eq!(opened(None, "webhook-1", "whsec_AAAA").as_deref(), Some("whsec_AAAA"), "stored before");
+
+        let [old, new] = ["1", "2"].map(|digit| digit.repeat(64));
+        let ring = |keys: &[&str]| Arc::new(Keyring::parse(&keys.join("\n")).unwrap());
+        let by_ring = Seal::with_keyring(ring(&[&new, &old]), Some(again));
+        assert_eq!(opened(Some(&by_ring), "webhook-1", &sealed).as_deref(), Some("whsec_AAAA"), "sealed before");
+        assert!(!by_ring.is_current(&sealed) && seal.is_current(&sealed));
+        let by_old = Seal::with_keyring(ring(&[&old]), None).seal("webhook-1", "whsec_AAAA").unwrap();
+        assert_eq!(opened(Some(&by_ring), "webhook-1", &by_old).as_deref(), Some("whsec_AAAA"));
+        assert_eq!(opened(Some(&by_ring), "webhook-2", &by_old), None);
+        assert!(!by_ring.is_current(&by_old));
+        assert!(by_ring.is_current(&by_ring.seal("webhook-1", "whsec_AAAA").unwrap()));
+        assert_eq!(opened(Some(&seal), "webhook-1", &by_old), None);
         std::fs::write(&path, "no key").unwrap();
         assert!(Seal::read(&path).is_err());
     }

@@ -235,12 +235,18 @@ async fn settle(parts: &PoolParts, lease: &Lease, rest: [Option<TraceChunk>; 2],
             Ending::Publish(Answer { products, verdict }) => {
                 let artifacts = publish(parts, lease, products).await?;
                 let outcome = Outcome::Succeeded { artifacts, verdict };
-                retrying(|| parts.store.finish_job(lease, &outcome, parts.settings.keep_results)).await?;
+                retrying(|| {
+                    parts.store.finish_job(lease, &outcome, parts.settings.retention.of(&lease.tenant).results)
+                })
+                .await?;
                 Ok("succeeded")
             }
             Ending::Fail(failure) => {
                 let outcome = Outcome::Failed(failure);
-                retrying(|| parts.store.finish_job(lease, &outcome, parts.settings.keep_results)).await?;
+                retrying(|| {
+                    parts.store.finish_job(lease, &outcome, parts.settings.retention.of(&lease.tenant).results)
+                })
+                .await?;
                 Ok("failed")
             }
             Ending::Cancel => {

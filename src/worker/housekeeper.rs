@@ -1,7 +1,7 @@
 //! Periodic work of every process: jobs of lost workers return to the queue, and unreferenced blobs are removed.
 
 use super::pool::with_sources;
-use crate::jobs::{ArtifactStore, AuditEvent, AuditStore, JobError, JobStore, Processes, Retention};
+use crate::jobs::{ArtifactStore, AuditEvent, AuditStore, JobError, JobStore, Processes, Retentions};
 use std::sync::Arc;
 use std::time::Duration;
 use tokio_util::sync::CancellationToken;
@@ -29,7 +29,7 @@ pub(crate) struct Housekeeper {
     /// The processes that share this one's data directory; `None` with a database server.
     pub(crate) processes: Option<Arc<dyn Processes>>,
     /// How long jobs and results are kept.
-    pub(crate) retention: Retention,
+    pub(crate) retention: Retentions,
 }
 
 /// What the audit log says of a purge: nobody asked for it but the settings.

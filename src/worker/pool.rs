@@ -7,8 +7,8 @@ use super::quota::Quota;
 use super::schedule::{Candidate, Room, startable};
 use super::{machine, priority};
 use crate::jobs::{
-    ArtifactStore, Computation, Demand, Engine, Failure, JobError, JobId, JobStore, LeasedJob, Signals, WaitingJob,
-    WorkerId,
+    ArtifactStore, Computation, Demand, Engine, Failure, JobError, JobId, JobStore, LeasedJob, Retentions, Signals,
+    WaitingJob, WorkerId,
 };
 use std::collections::HashMap;
 use std::sync::Arc;
@@ -25,7 +25,7 @@ const AFTER_MISS: Duration = Duration::from_millis(5);
 const FRONT: u32 = 64;
 
 /// How workers behave.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub struct WorkerSettings {
     /// Cores that jobs may use together.
     pub cores: usize,
@@ -48,8 +48,8 @@ pub struct WorkerSettings {
     pub max_run: Duration,
     /// How long a computation may take to stop before its job is ended without it.
     pub stop_timeout: Duration,
-    /// How long results are kept; for ever if `None`.
-    pub keep_results: Option<Duration>,
+    /// How long results are kept.
+    pub retention: Retentions,
     /// How long its cores stay reserved after that, before they are given to other jobs while the thread still runs.
     pub abandon_after: Duration,
 }
@@ -66,7 +66,7 @@ impl Default for WorkerSettings {
             poll: Duration::from_millis(250),
             flush: Duration::from_millis(200),
             max_run: Duration::from_secs(3600),
-            keep_results: None,
+            retention: Retentions::default(),
             stop_timeout: Duration::from_millis(500),
             abandon_after: Duration::from_secs(10),
         }

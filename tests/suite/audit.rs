@@ -1,6 +1,9 @@
 //! The audit log: every request that changes something or reads a result leaves a row, and a log that is not whole is found out.
 
 use super::cli::homolog;
+use super::encryption::command;
+use super::faults::on_both;
+use super::faults::site::{Backend, Site};
 use super::faults::witness::Database;
 use super::jobs_support::{TestService, form, problem};
 use super::store::{Fixture, on_every_store};
@@ -294,6 +297,45 @@ async fn the_log_is_exported_and_verified_by_command() {
     for wrong in ["1", "x:y", &format!("1:{}", "g".repeat(64))] {
         assert_eq!(audit(&folder, &["verify", "--expect", wrong]).await.0, Some(2), "{wrong}");
     }
+}
+
+on_both!(a_pruned_log_is_still_verified_from_where_it_begins);
+
+async fn a_pruned_log_is_still_verified_from_where_it_begins(backend: Backend) {
+    let site = Site::open(backend);
+    let node = site.serve(&["--workers", "0"]);
+    for _ in 0..3 {
+        site.client(&node).submit(json!({})).await;
+    }
+    let (code, said) = command(&site, &["audit", "prune", "--before", "2000-01-01"]).await;
+    assert!(code == Some(0) && said.contains("no row is older"), "{said}");
+    let database = site.database().await;
+    database.try_execute("DELETE FROM audit WHERE position = 1").await;
+    assert_eq!(database.number("SELECT COUNT(*) FROM audit").await, 3, "rows go only by a prune that is recorded");
+    let (code, said) = command(&site, &["audit", "prune", "--before", "2100-01-01"]).await;
+    assert!(code == Some(0) && said.contains("removed 2 rows; the log begins after 2:"), "{said}");
+    site.client(&node).submit(json!({})).await;
+    let (code, said) = command(&site, &["audit", "verify"]).await;
+    assert!(code == Some(0) && said.contains("is whole; 3 rows, the last is 5:"), "{said}");
+
+    let (_, exported) = command(&site, &["audit", "export"]).await;
+    let rows: Vec<&str> = exported.lines().filter(|line| line.starts_with('{')).collect();
+    assert!(rows.len() == 3 && rows[0].contains("\"position\":3,") && rows[1].contains("prune_audit"), "{exported}");
+    let file = site.folder.path().join("audit.jsonl");
+    std::fs::write(&file, rows.join("\n")).unwrap();
+    let (code, said) = command(&site, &["audit", "verify", "--file", file.to_str().unwrap()]).await;
+    assert_eq!(code, Some(0), "{said}");
+
+    // A log that is cut off at its beginning, with an anchor to match, has no row that says so.
+    database.try_execute("DELETE FROM audit WHERE position = 3").await;
+    assert_eq!(database.number("SELECT COUNT(*) FROM audit").await, 3);
+    let of_third: Value = serde_json::from_str(rows[0]).unwrap();
+    database
+        .execute(&format!("UPDATE audit_anchor SET position = 3, hash = '{}'", of_third["hash"].as_str().unwrap()))
+        .await;
+    database.execute("DELETE FROM audit WHERE position = 3").await;
+    let (code, said) = command(&site, &["audit", "verify"]).await;
+    assert!(code == Some(1) && said.contains("no row says that it was pruned"), "{said}");
 }
 
 #[tokio::test]

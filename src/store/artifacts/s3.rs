@@ -5,6 +5,7 @@
 //! parts that only the store sees: give the bucket a lifecycle rule that aborts incomplete multipart uploads.
 
 use super::pieces::in_pieces;
+use super::sealed::StoredBlobs;
 use crate::jobs::{ArtifactKey, ArtifactStore, ArtifactWriter, BlobStream, JobError, Tenant};
 use async_trait::async_trait;
 use bytes::{Bytes, BytesMut};
@@ -116,7 +117,7 @@ impl ArtifactStore for S3Artifacts {
     }
 
     async fn get(&self, key: &ArtifactKey) -> Result<Bytes, JobError> {
-        let bytes = async { self.client.get(&self.path(key)).await?.bytes().await }.await.map_err(domain_error)?;
+        let bytes = self.stored(key).await?;
         if blake3::hash(&bytes).to_hex().as_str() != key.hash() {
             return Err(JobError::Corrupt { what: "a blob whose content is not its name", source: None });
         }
@@ -150,6 +151,13 @@ impl ArtifactStore for S3Artifacts {
             }
         }
         Ok(removed)
+    }
+}
+
+#[async_trait]
+impl StoredBlobs for S3Artifacts {
+    async fn stored(&self, key: &ArtifactKey) -> Result<Bytes, JobError> {
+        async { self.client.get(&self.path(key)).await?.bytes().await }.await.map_err(domain_error)
     }
 }
 

@@ -30,6 +30,9 @@ const SQLITE_MIGRATIONS: &[(i64, &str, &str)] = &[
     (3, "fairness", include_str!("migrations/sqlite/0003_fairness.sql")),
     (4, "audit", include_str!("migrations/sqlite/0004_audit.sql")),
     (5, "verdict", include_str!("migrations/sqlite/0005_verdict.sql")),
+    (6, "encryption", include_str!("migrations/sqlite/0006_encryption.sql")),
+    (7, "audit_anchor", include_str!("migrations/sqlite/0007_audit_anchor.sql")),
+    (8, "tickets", include_str!("migrations/sqlite/0008_tickets.sql")),
 ];
 /// Migrations of PostgreSQL, in the same form.
 const POSTGRES_MIGRATIONS: &[(i64, &str, &str)] = &[
@@ -37,6 +40,9 @@ const POSTGRES_MIGRATIONS: &[(i64, &str, &str)] = &[
     (2, "fairness", include_str!("migrations/postgres/0002_fairness.sql")),
     (3, "audit", include_str!("migrations/postgres/0003_audit.sql")),
     (4, "verdict", include_str!("migrations/postgres/0004_verdict.sql")),
+    (5, "encryption", include_str!("migrations/postgres/0005_encryption.sql")),
+    (6, "audit_anchor", include_str!("migrations/postgres/0006_audit_anchor.sql")),
+    (7, "tickets", include_str!("migrations/postgres/0007_tickets.sql")),
 ];
 
 /// Time limit for SQLite: for the write lock that another process holds, and for a free connection.

@@ -6,7 +6,7 @@ use super::dialect::sql;
 use super::writing::end_job;
 use super::{SqlStore, retention, rows};
 use crate::jobs::{
-    Failure, Housekeeping, JobError, JobId, JobState, Overdue, Purged, Recovered, Retention, WorkerId,
+    Failure, Housekeeping, JobError, JobId, JobState, Overdue, Purged, Recovered, Retentions, WorkerId,
     state_after_crash,
 };
 use async_trait::async_trait;
@@ -83,18 +83,18 @@ impl Housekeeping for SqlStore {
             .await
     }
 
-    async fn overwrite_deleted(&self) -> Result<(), JobError> {
+    async fn overwrite_deleted(&self) -> Result<bool, JobError> {
         if !self.has_deleted.swap(false, Ordering::SeqCst) {
-            return Ok(());
+            return Ok(true);
         }
         let done = self.database.overwrite_deleted().await;
         if !matches!(done, Ok(true)) {
             self.note_deletion();
         }
-        done.map(|_| ())
+        done
     }
 
-    async fn purge(&self, retention: &Retention, limit: u32, dry_run: bool) -> Result<Purged, JobError> {
+    async fn purge(&self, retention: &Retentions, limit: u32, dry_run: bool) -> Result<Purged, JobError> {
         if dry_run {
             retention::count_purge(self, retention).await
         } else {

@@ -3,7 +3,7 @@
 use super::database::{Row, bind};
 use super::dialect::sql;
 use super::{SqlStore, rows};
-use crate::jobs::{ApiKey, JobError, KeyPage, KeyStore, Scope, SecretKey, Tenant};
+use crate::jobs::{ApiKey, JobError, KeyPage, KeyStore, Scope, SecretKey, Tenant, Ticket};
 use async_trait::async_trait;
 use std::time::Duration;
 
@@ -64,6 +64,32 @@ impl KeyStore for SqlStore {
     async fn count_valid_keys(&self, tenant: &Tenant) -> Result<u32, JobError> {
         let row = self.database.reader().await?.row(sql!("count_valid_keys"), bind![tenant]).await?;
         row.map_or(Ok(0), |row| row.count(0))
+    }
+
+    async fn insert_ticket(
+        &self,
+        hash: &str,
+        ticket: &Ticket,
+        lasts: Duration,
+        at_most: u32,
+    ) -> Result<bool, JobError> {
+        let Ticket { tenant, key_id, path } = ticket;
+        let arguments = bind![hash, tenant, key_id, path, lasts, at_most];
+        self.database
+            .transaction(async |session| {
+                session.execute(sql!("remove_old_tickets"), bind![]).await?;
+                Ok(session.execute(sql!("insert_ticket"), arguments).await? == 1)
+            })
+            .await
+    }
+
+    async fn get_ticket(&self, hash: &str) -> Result<Option<Ticket>, JobError> {
+        let row = self.database.reader().await?.row(sql!("get_ticket"), bind![hash]).await?;
+        let ticket = |row: &Row| {
+            let tenant = rows::tenant(&row.get::<String>("tenant")?)?;
+            Ok(Ticket { tenant, key_id: row.get("key_id")?, path: row.get("path")? })
+        };
+        row.as_ref().map(ticket).transpose()
     }
 
     async fn revoke_key(&self, id: &str) -> Result<bool, JobError> {

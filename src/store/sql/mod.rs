@@ -11,7 +11,8 @@
 //! Each port of [`crate::jobs`] is implemented in one file: [`reading`] ([`crate::jobs::JobReader`]), [`writing`]
 //! ([`crate::jobs::JobWriter`]), [`leasing`] ([`crate::jobs::JobQueue`]), [`blobs`] ([`crate::jobs::BlobHolds`]),
 //! [`housekeeping`] ([`crate::jobs::Housekeeping`]), [`meshes`], [`keys`], [`audit`], [`webhooks`]. Beside them: [`batches`],
-//! [`changes`] (the feed), [`once`] (idempotency keys), [`retention`], [`inspection`] (copies and checks of a whole database), [`rows`] (from rows to records).
+//! [`changes`] (the feed), [`once`] (idempotency keys), [`retention`], [`inspection`] (copies and checks of a whole database), [`encryption`] (which key
+//! encrypts blobs), [`rows`] (from rows to records).
 
 mod audit;
 mod batches;
@@ -19,6 +20,7 @@ mod blobs;
 mod changes;
 mod database;
 mod dialect;
+mod encryption;
 mod housekeeping;
 mod inspection;
 mod keys;

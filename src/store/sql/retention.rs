@@ -6,7 +6,7 @@
 use super::database::{Row, Session, bind};
 use super::dialect::sql;
 use super::{SqlStore, blobs, rows, writing};
-use crate::jobs::{JobError, JobId, MeshStore, Purged, Retention};
+use crate::jobs::{Concerned, JobError, JobId, MeshStore, Purged, Retention, Retentions};
 use std::time::Duration;
 
 fn number(row: Option<Row>) -> Result<u64, JobError> {
@@ -14,57 +14,77 @@ fn number(row: Option<Row>) -> Result<u64, JobError> {
 }
 
 /// Counts what a purge would remove.
-pub(super) async fn count_purge(store: &SqlStore, retention: &Retention) -> Result<Purged, JobError> {
-    store
-        .database
-        .read(async |session| {
-            let mut purged = Purged {
-                results: number(session.row(sql!("count_results_to_purge"), bind![retention.results]).await?)?,
-                ..Purged::default()
-            };
-            if let Some(keep) = retention.jobs {
-                purged.jobs = number(session.row(sql!("count_jobs_to_purge"), bind![keep]).await?)?;
-                purged.meshes = number(session.row(sql!("count_meshes_to_purge"), bind![keep]).await?)?;
-                purged.changes = number(session.row(sql!("count_old_changes"), bind![keep]).await?)?;
-                purged.deliveries = number(session.row(sql!("count_old_deliveries"), bind![keep]).await?)?;
-            }
-            purged.idempotency_keys = number(session.row(sql!("count_old_once"), bind![]).await?)?;
-            Ok(purged)
-        })
-        .await
+pub(super) async fn count_purge(store: &SqlStore, retention: &Retentions) -> Result<Purged, JobError> {
+    let mut session = store.database.reader().await?;
+    let mut purged = Purged::default();
+    for (Concerned { tenant, excepted }, keep) in retention.all() {
+        let count = bind![keep.results, &tenant, &excepted];
+        purged.results += number(session.row(sql!("count_results_to_purge"), count).await?)?;
+        let Some(keep) = keep.jobs else { continue };
+        for (total, query) in [
+            (&mut purged.jobs, sql!("count_jobs_to_purge")),
+            (&mut purged.meshes, sql!("count_meshes_to_purge")),
+            (&mut purged.changes, sql!("count_old_changes")),
+            (&mut purged.deliveries, sql!("count_old_deliveries")),
+        ] {
+            *total += number(session.row(query, bind![keep, &tenant, &excepted]).await?)?;
+        }
+    }
+    purged.idempotency_keys = number(session.row(sql!("count_old_once"), bind![]).await?)?;
+    Ok(purged)
 }
 
-/// Removes the results, and then the records, that have outlived their retention: at most `limit` of each kind.
-pub(super) async fn purge(store: &SqlStore, retention: &Retention, limit: u32) -> Result<Purged, JobError> {
-    let database = &store.database;
+/// Removes the results, and then the records, that have outlived their retention: at most `limit` of each kind and retention.
+pub(super) async fn purge(store: &SqlStore, retention: &Retentions, limit: u32) -> Result<Purged, JobError> {
     let mut purged = Purged::default();
-    for row in database.reader().await?.rows(sql!("results_to_purge"), bind![limit, retention.results]).await? {
+    for (concerned, keep) in retention.all() {
+        purged.add(&purge_concerned(store, &concerned, &keep, limit).await?);
+    }
+    purged.idempotency_keys = purge_once(store).await?;
+    if !purged.is_nothing() {
+        store.note_deletion();
+    }
+    Ok(purged)
+}
+
+/// Removes expired idempotency keys.
+async fn purge_once(store: &SqlStore) -> Result<u64, JobError> {
+    store.database.transaction(async |session| session.execute(sql!("purge_once"), bind![]).await).await
+}
+
+/// Removes what has outlived a retention.
+async fn purge_concerned(
+    store: &SqlStore,
+    concerned: &Concerned,
+    retention: &Retention,
+    limit: u32,
+) -> Result<Purged, JobError> {
+    let (database, Concerned { tenant, excepted }) = (&store.database, concerned);
+    let mut purged = Purged::default();
+    let found = bind![limit, retention.results, tenant, excepted];
+    for row in database.reader().await?.rows(sql!("results_to_purge"), found).await? {
         let id = rows::job_id(&row.get::<String>("id")?)?;
         purged.results +=
             u64::from(database.transaction(async |session| purge_result(session, id, retention.results).await).await?);
     }
-    if let Some(keep) = retention.jobs {
-        for row in database.reader().await?.rows(sql!("jobs_to_purge"), bind![keep, limit]).await? {
-            let id = rows::job_id(&row.get::<String>("id")?)?;
-            purged.jobs += u64::from(database.transaction(async |session| purge_job(session, id).await).await?);
-        }
-        for row in database.reader().await?.rows(sql!("meshes_to_purge"), bind![keep, limit]).await? {
-            let tenant = rows::tenant(&row.get::<String>("tenant")?)?;
-            match store.delete_mesh(&tenant, &row.get::<String>("hash")?).await {
-                Ok(()) => purged.meshes += 1,
-                // A job refers to it in the meantime, or another process has removed it.
-                Err(JobError::MeshInUse | JobError::MeshNotFound) => {}
-                Err(error) => return Err(error),
-            }
-        }
-        let records = database.transaction(async |session| purge_records(session, keep).await);
-        (purged.changes, purged.deliveries) = records.await?;
+    let Some(keep) = retention.jobs else { return Ok(purged) };
+    let found = bind![keep, limit, tenant, excepted];
+    for row in database.reader().await?.rows(sql!("jobs_to_purge"), found).await? {
+        let id = rows::job_id(&row.get::<String>("id")?)?;
+        purged.jobs += u64::from(database.transaction(async |session| purge_job(session, id).await).await?);
     }
-    let keys = database.transaction(async |session| session.execute(sql!("purge_once"), bind![]).await);
-    purged.idempotency_keys = keys.await?;
-    if !purged.is_nothing() {
-        store.note_deletion();
+    let found = bind![keep, limit, tenant, excepted];
+    for row in database.reader().await?.rows(sql!("meshes_to_purge"), found).await? {
+        let tenant = rows::tenant(&row.get::<String>("tenant")?)?;
+        match store.delete_mesh(&tenant, &row.get::<String>("hash")?).await {
+            Ok(()) => purged.meshes += 1,
+            // A job refers to it in the meantime, or another process has removed it.
+            Err(JobError::MeshInUse | JobError::MeshNotFound) => {}
+            Err(error) => return Err(error),
+        }
     }
+    let records = database.transaction(async |session| purge_records(session, concerned, keep).await);
+    (purged.changes, purged.deliveries) = records.await?;
     Ok(purged)
 }
 
@@ -91,9 +111,10 @@ async fn purge_job(session: &mut Session, id: JobId) -> Result<bool, JobError> {
 }
 
 /// Removes changes, deliveries and empty batches that are older than `keep`. Returns the numbers of the first two.
-async fn purge_records(session: &mut Session, keep: Duration) -> Result<(u64, u64), JobError> {
-    let changes = session.execute(sql!("purge_changes"), bind![keep]).await?;
-    let deliveries = session.execute(sql!("purge_deliveries"), bind![keep]).await?;
-    session.execute(sql!("purge_empty_batches"), bind![keep]).await?;
+async fn purge_records(session: &mut Session, concerned: &Concerned, keep: Duration) -> Result<(u64, u64), JobError> {
+    let Concerned { tenant, excepted } = concerned;
+    let changes = session.execute(sql!("purge_changes"), bind![keep, tenant, excepted]).await?;
+    let deliveries = session.execute(sql!("purge_deliveries"), bind![keep, tenant, excepted]).await?;
+    session.execute(sql!("purge_empty_batches"), bind![keep, tenant, excepted]).await?;
     Ok((changes, deliveries))
 }

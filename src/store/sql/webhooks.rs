@@ -8,7 +8,7 @@ use crate::jobs::{
     Attempted, Delivery, DeliveryPage, DeliveryState, DueDelivery, JobError, JobState, Tenant, Turn, TurnLimits,
     Webhook, WebhookPage, WebhookStore,
 };
-use crate::store::seal::{Seal, is_sealed, opened};
+use crate::store::seal::{Seal, opened};
 use async_trait::async_trait;
 use serde_json::json;
 use std::collections::HashMap;
@@ -104,21 +104,21 @@ impl SqlStore {
         seal.seal(webhook_id, secret).ok_or(JobError::Corrupt { what: "a secret that cannot be sealed", source: None })
     }
 
-    /// Seals the secrets that were stored before there was a key. Returns their number.
+    /// Seals the secrets that were stored before there was a key, or with another key than the current one. Returns their number.
     ///
     /// # Errors
     /// Those of the database.
     pub async fn seal_secrets(&self) -> Result<u32, JobError> {
-        if self.settings.seal.is_none() {
-            return Ok(0);
-        }
+        let Some(seal) = &self.settings.seal else { return Ok(0) };
         let mut n_sealed = 0;
         for row in self.database.reader().await?.rows(sql!("webhook_secrets"), bind![]).await? {
             let (id, secret): (String, String) = (row.get("id")?, row.get("secret")?);
-            if is_sealed(&secret) {
+            if seal.is_current(&secret) {
                 continue;
             }
-            let arguments = bind![&id, self.sealed(&id, &secret)?, &secret];
+            // One that no key opens stays as it is: a key may be missing by mistake.
+            let Some(clear) = opened(Some(seal), &id, &secret) else { continue };
+            let arguments = bind![&id, self.sealed(&id, &clear)?, &secret];
             self.database.transaction(async |session| session.execute(sql!("seal_secret"), arguments).await).await?;
             n_sealed += 1;
         }

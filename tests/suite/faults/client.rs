@@ -159,11 +159,11 @@ pub(super) fn is_final(job: &Value) -> bool {
 }
 
 /// The id of a job.
-pub(super) fn id_of(job: &Value) -> String {
+pub(crate) fn id_of(job: &Value) -> String {
     job["id"].as_str().unwrap_or_else(|| panic!("no id in {job}")).to_owned()
 }
 
 /// Parameters of a job that emits `points` trace points at intervals of `step_ms`.
-pub(super) fn steps(points: u64, step_ms: u64) -> Value {
+pub(crate) fn steps(points: u64, step_ms: u64) -> Value {
     json!({"points": points, "step_ms": step_ms})
 }

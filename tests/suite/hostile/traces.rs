@@ -73,6 +73,35 @@ async fn nothing_of_a_deleted_job_is_left_in_the_files() {
 }
 
 #[tokio::test]
+async fn nothing_of_a_purged_job_is_left_in_the_files() {
+    let service = TestService::start(&[]).await;
+    let texts = ["Doe-Jane-label", "Doe-Jane-reference", "Doe-Jane-source", "Doe-Jane-target", "Doe-Jane-upload"];
+    let [label, reference, source, target, upload] = texts;
+    let submission = form(source, target, &json!({})).text("labels", json!({"patient": label}).to_string());
+    let job: Value = service.send(submission.text("external_ref", reference)).await.json().await.unwrap();
+    service.until_final(job["id"].as_str().unwrap()).await;
+    let sent = service.client.post(format!("{}/v1/meshes", service.base)).body(upload).send().await.unwrap();
+    assert_eq!(sent.status(), 201);
+    // By another process: whoever opens and closes a file of the database in this one releases the locks of the service.
+    let found_by_grep = |text: &str| {
+        let done = std::process::Command::new("grep").args(["-rlaF", "-e", text]).arg(service.folder.path()).output();
+        String::from_utf8(done.unwrap().stdout).unwrap()
+    };
+    for text in texts {
+        assert_ne!(found_by_grep(text), "", "{text} was stored");
+    }
+    // While the service runs and reads.
+    let arguments = ["purge", "--retain-results-days", "0.0000001", "--retain-jobs-days", "0.0000001"];
+    let (code, said, stderr) = crate::backups::run(&arguments, service.folder.path()).await;
+    assert!(code == Some(0) && said.contains("1 jobs"), "{said}{stderr}");
+    // The database with its log, the folder of blobs, and what was being written.
+    for text in texts.into_iter().chain(["ply source", "ply aligned", "transform"]) {
+        assert_eq!(found_by_grep(text), "", "{text:?} is still stored");
+    }
+    service.end().await;
+}
+
+#[tokio::test]
 async fn secrets_of_webhooks_are_sealed() {
     let service = TestService::start(&["--workers", "0"]).await;
     let create = service.client.post(format!("{}/v1/webhooks", service.base));

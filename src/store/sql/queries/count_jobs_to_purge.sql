@@ -1,2 +1,2 @@
 -- count_jobs_to_purge
-SELECT COUNT(*) FROM jobs WHERE finished_at IS NOT NULL AND finished_at <= {now} - $1
+SELECT COUNT(*) FROM jobs WHERE finished_at IS NOT NULL AND finished_at <= {now} - $1 AND ($2 = '' OR tenant = $2) AND $3 NOT LIKE '%,' || tenant || ',%'

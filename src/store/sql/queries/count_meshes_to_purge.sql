@@ -3,4 +3,5 @@ SELECT COUNT(*)
 FROM meshes
 WHERE
     created_at <= {now} - $1
+    AND ($2 = '' OR tenant = $2) AND $3 NOT LIKE '%,' || tenant || ',%'
     AND NOT EXISTS (SELECT 1 FROM job_artifacts AS a WHERE a.tenant = meshes.tenant AND a.path = meshes.path)

@@ -1,2 +1,2 @@
 -- count_old_changes
-SELECT COUNT(*) FROM changes WHERE at <= {now} - $1
+SELECT COUNT(*) FROM changes WHERE at <= {now} - $1 AND ($2 = '' OR tenant = $2) AND $3 NOT LIKE '%,' || tenant || ',%'

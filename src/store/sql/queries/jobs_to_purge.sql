@@ -1,6 +1,6 @@
 -- jobs_to_purge
 SELECT id
 FROM jobs
-WHERE finished_at IS NOT NULL AND finished_at <= {now} - $1
+WHERE finished_at IS NOT NULL AND finished_at <= {now} - $1 AND ($3 = '' OR tenant = $3) AND $4 NOT LIKE '%,' || tenant || ',%'
 ORDER BY finished_at
 LIMIT $2

@@ -3,5 +3,6 @@ SELECT tenant, hash
 FROM meshes
 WHERE
     created_at <= {now} - $1
+    AND ($3 = '' OR tenant = $3) AND $4 NOT LIKE '%,' || tenant || ',%'
     AND NOT EXISTS (SELECT 1 FROM job_artifacts AS a WHERE a.tenant = meshes.tenant AND a.path = meshes.path)
 LIMIT $2

@@ -1,2 +1,2 @@
 -- purge_changes
-DELETE FROM changes WHERE at <= {now} - $1
+DELETE FROM changes WHERE at <= {now} - $1 AND ($2 = '' OR tenant = $2) AND $3 NOT LIKE '%,' || tenant || ',%'

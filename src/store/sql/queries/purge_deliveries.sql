@@ -1,2 +1,2 @@
 -- purge_deliveries
-DELETE FROM webhook_deliveries WHERE created_at <= {now} - $1
+DELETE FROM webhook_deliveries WHERE created_at <= {now} - $1 AND ($2 = '' OR tenant = $2) AND $3 NOT LIKE '%,' || tenant || ',%'

@@ -1,0 +1,296 @@
+//! Encryption at rest: the keys that encrypt the keys of blobs and the secrets in the database, and their rotation.
+//!
+//! A key-encryption key never encrypts content. Each blob has a random key of its own, which is stored with the blob, encrypted with
+//! the current key-encryption key (AES-256-GCM, NIST SP 800-38D, by ring). So a rotation encrypts 32 bytes of each blob anew, and
+//! every key that is still given decrypts.
+
+use super::artifacts::SealedArtifacts;
+use super::sql::SqlStore;
+use crate::jobs::{ArtifactKey, BlobHolds as _, JobError};
+use ring::aead::{AES_256_GCM, Aad, LessSafeKey, NONCE_LEN, Nonce, UnboundKey};
+use ring::rand::{SecureRandom as _, SystemRandom};
+use std::fmt;
+use std::path::Path;
+use std::process::{Command, Stdio};
+use std::time::{Duration, Instant};
+
+/// Length of a key, bytes.
+const KEY_BYTES: usize = 32;
+/// Length of the id of a key, bytes.
+const ID_BYTES: usize = 8;
+/// What a key-encryption key adds to what it encrypts: its id, a nonce and a tag, bytes.
+pub(super) const OVERHEAD: usize = ID_BYTES + NONCE_LEN + 16;
+/// How long the command that prints the keys may take.
+const COMMAND_TIMEOUT: Duration = Duration::from_secs(30);
+/// How long a rotation may take for one blob before others may remove it.
+const HELD: Duration = Duration::from_secs(3_600);
+
+/// Public name of a key-encryption key: 16 hexadecimal digits that say nothing about the key.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct KeyId([u8; ID_BYTES]);
+
+impl fmt::Display for KeyId {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.0.iter().try_for_each(|byte| write!(f, "{byte:02x}"))
+    }
+}
+
+/// Why something encrypted cannot be decrypted.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+pub(super) enum OpenFault {
+    /// With a key that is not given.
+    #[error("it is encrypted with the key {0}, which this process was not given")]
+    UnknownKey(KeyId),
+    /// It is not what was encrypted, or belongs to something else.
+    #[error("it was changed, or belongs to something else")]
+    Altered,
+}
+
+/// Key-encryption keys: the first one encrypts, all of them decrypt.
+pub struct Keyring {
+    keys: Vec<(KeyId, LessSafeKey)>,
+    random: SystemRandom,
+}
+
+impl fmt::Debug for Keyring {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_list().entries(self.keys.iter().map(|(id, _)| id)).finish()
+    }
+}
+
+impl Keyring {
+    /// Keys in lines of 64 hexadecimal digits, the current one first; empty lines and lines that begin with `#` do not count.
+    ///
+    /// # Errors
+    /// What is wrong, without the keys.
+    pub fn parse(text: &str) -> Result<Self, String> {
+        let mut keys: Vec<(KeyId, LessSafeKey)> = Vec::new();
+        for (index, line) in text.lines().enumerate().map(|(index, line)| (index, line.trim())) {
+            if line.is_empty() || line.starts_with('#') {
+                continue;
+            }
+            let key = blake3::Hash::from_hex(line)
+                .map_err(|_| format!("line {} is no key: 64 hexadecimal digits are needed there", index + 1))?;
+            let derived = blake3::derive_key("homolog 2026-11 id of a key-encryption key", key.as_bytes());
+            let mut id = KeyId([0; ID_BYTES]);
+            id.0.copy_from_slice(&derived[..ID_BYTES]);
+            if keys.iter().all(|(known, _)| *known != id) {
+                keys.push((id, cipher(key.as_bytes()).ok_or("a key cannot be used")?));
+            }
+        }
+        if keys.is_empty() {
+            return Err(
+                "there is no key: 64 hexadecimal digits are needed, as `openssl rand -hex 32` prints them".to_owned()
+            );
+        }
+        Ok(Keyring { keys, random: SystemRandom::new() })
+    }
+
+    /// The keys in a file.
+    ///
+    /// # Errors
+    /// If it cannot be read, or as for [`Keyring::parse`].
+    pub fn read(path: &Path) -> Result<Self, String> {
+        let text = std::fs::read_to_string(path).map_err(|error| format!("{}: {error}", path.display()))?;
+        Keyring::parse(&text).map_err(|reason| format!("{}: {reason}", path.display()))
+    }
+
+    /// The keys that a command of the shell prints. Its standard error is that of this process.
+    ///
+    /// # Errors
+    /// If it fails or takes too long, or as for [`Keyring::parse`].
+    pub fn from_command(command: &str) -> Result<Self, String> {
+        let failed = |error: std::io::Error| format!("the command for the encryption keys: {error}");
+        let mut shell = Command::new("/bin/sh");
+        shell.arg("-c").arg(command).stdin(Stdio::null()).stdout(Stdio::piped());
+        let mut child = shell.spawn().map_err(failed)?;
+        let output = child.stdout.take();
+        // On a thread of its own: a command that prints much must not wait for a reader.
+        let reader = std::thread::spawn(move || output.map(std::io::read_to_string).transpose());
+        let began = Instant::now();
+        let status = loop {
+            match child.try_wait().map_err(failed)? {
+                Some(status) => break status,
+                None if began.elapsed() > COMMAND_TIMEOUT => {
+                    let _ = child.kill();
+                    let _ = child.wait();
+                    return Err(format!(
+                        "the command for the encryption keys took over {} s",
+                        COMMAND_TIMEOUT.as_secs()
+                    ));
+                }
+                None => std::thread::sleep(Duration::from_millis(10)),
+            }
+        };
+        if !status.success() {
+            return Err(format!("the command for the encryption keys failed: {status}"));
+        }
+        let text = reader.join().map_err(|_| "the answer of the command for the encryption keys is unreadable")?;
+        Keyring::parse(&text.map_err(failed)?.unwrap_or_default())
+            .map_err(|reason| format!("the answer of the command for the encryption keys: {reason}"))
+    }
+
+    /// The key that encrypts.
+    pub fn current(&self) -> Option<KeyId> {
+        self.keys.first().map(|(id, _)| *id)
+    }
+
+    /// Whether this key is given.
+    pub(crate) fn knows(&self, id: &str) -> bool {
+        self.keys.iter().any(|(known, _)| known.to_string() == id)
+    }
+
+    /// `text`, encrypted with the current key for `owner`, which has to be given again to decrypt it; `None` if there are no random
+    /// numbers. [`OVERHEAD`] bytes longer.
+    pub(super) fn seal(&self, owner: &[u8], text: &[u8]) -> Option<Vec<u8>> {
+        let (id, key) = self.keys.first()?;
+        let mut nonce = [0; NONCE_LEN];
+        self.random.fill(&mut nonce).ok()?;
+        let mut sealed = text.to_vec();
+        key.seal_in_place_append_tag(Nonce::assume_unique_for_key(nonce), Aad::from(owner), &mut sealed).ok()?;
+        Some([&id.0[..], &nonce, &sealed].concat())
+    }
+
+    /// What was encrypted for `owner`.
+    pub(super) fn open(&self, owner: &[u8], sealed: &[u8]) -> Result<Vec<u8>, OpenFault> {
+        let id = sealed_with(sealed).ok_or(OpenFault::Altered)?;
+        let (_, key) = self.keys.iter().find(|(known, _)| *known == id).ok_or(OpenFault::UnknownKey(id))?;
+        let (nonce, text) = sealed[ID_BYTES..].split_at_checked(NONCE_LEN).ok_or(OpenFault::Altered)?;
+        let nonce = Nonce::try_assume_unique_for_key(nonce).map_err(|_| OpenFault::Altered)?;
+        let mut text = text.to_vec();
+        let n = key.open_in_place(nonce, Aad::from(owner), &mut text).map_err(|_| OpenFault::Altered)?.len();
+        text.truncate(n);
+        Ok(text)
+    }
+}
+
+/// The key with which something was encrypted.
+pub(super) fn sealed_with(sealed: &[u8]) -> Option<KeyId> {
+    sealed.first_chunk().copied().map(KeyId)
+}
+
+fn cipher(key: &[u8; KEY_BYTES]) -> Option<LessSafeKey> {
+    UnboundKey::new(&AES_256_GCM, key).ok().map(LessSafeKey::new)
+}
+
+/// A new random key for content, and the cipher with it.
+pub(super) fn random_key() -> Option<([u8; KEY_BYTES], LessSafeKey)> {
+    let mut key = [0; KEY_BYTES];
+    SystemRandom::new().fill(&mut key).ok()?;
+    Some((key, cipher(&key)?))
+}
+
+/// The cipher with a stored key for content.
+pub(super) fn content_cipher(key: &[u8]) -> Option<LessSafeKey> {
+    cipher(key.try_into().ok()?)
+}
+
+/// What a rotation did, or would do, with a blob.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Resealed {
+    /// Nothing: it is encrypted with the current key.
+    Not,
+    /// Its key was encrypted anew.
+    Rewrapped,
+    /// It was encrypted for the first time.
+    Encrypted,
+}
+
+/// What a rotation did, or would do.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Rotated {
+    /// Blobs that are encrypted with the current key already.
+    pub current: u64,
+    /// Blobs whose key was encrypted with the current key instead of an older one.
+    pub rewrapped: u64,
+    /// Blobs that were not encrypted before.
+    pub encrypted: u64,
+    /// Secrets that were encrypted with the current key.
+    pub secrets: u32,
+}
+
+/// Encrypts the key of each blob, and each secret, with the current key; blobs that are not encrypted yet are. The service may run
+/// meanwhile. `dry_run`: only counts.
+///
+/// # Errors
+/// Those of the stores; what was done stays done.
+pub async fn rotate(store: &SqlStore, artifacts: &SealedArtifacts, dry_run: bool) -> Result<Rotated, JobError> {
+    let mut rotated = Rotated::default();
+    let holder = format!("rotation-{}", uuid::Uuid::new_v4());
+    let mut after = None;
+    loop {
+        let page = store.list_blobs(after.take()).await?;
+        let Some(last) = page.last() else { break };
+        after = Some((last.tenant.clone(), last.path.clone()));
+        for blob in page {
+            let Some(key) = ArtifactKey::from_path(&blob.tenant, &blob.path) else { continue };
+            match artifacts.is_current(&key, blob.n_bytes).await {
+                Ok(Resealed::Not) => rotated.current += 1,
+                Ok(Resealed::Rewrapped) if dry_run => rotated.rewrapped += 1,
+                Ok(Resealed::Encrypted) if dry_run => rotated.encrypted += 1,
+                Ok(_) => {
+                    // Held: what is written again after its last reference has gone would stay for ever.
+                    store.hold_blobs(&holder, std::slice::from_ref(&key), HELD, None).await?;
+                    let done = artifacts.reseal(&key, blob.n_bytes).await;
+                    store.drop_hold(&holder).await?;
+                    match done {
+                        Ok(Resealed::Not) => rotated.current += 1,
+                        Ok(Resealed::Rewrapped) => rotated.rewrapped += 1,
+                        Ok(Resealed::Encrypted) => rotated.encrypted += 1,
+                        Err(error) if store.blob_is_needed(&blob).await? => return Err(error),
+                        Err(_) => {}
+                    }
+                }
+                // Deleted since it was listed.
+                Err(error) if store.blob_is_needed(&blob).await? => return Err(error),
+                Err(_) => {}
+            }
+        }
+    }
+    if !dry_run {
+        rotated.secrets = store.seal_secrets().await?;
+    }
+    Ok(rotated)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const OLD: &str = "0000000000000000000000000000000000000000000000000000000000000001";
+    const NEW: &str = "0000000000000000000000000000000000000000000000000000000000000002";
+
+    #[test]
+    fn the_first_key_encrypts_and_all_decrypt() {
+        let old = Keyring::parse(&format!("# of 2026\n\n{OLD}\n")).unwrap();
+        let both = Keyring::parse(&format!("{NEW}\n{OLD}\n{NEW}\n")).unwrap();
+        assert_ne!(old.current(), both.current());
+        let sealed = old.seal(b"owner", b"text").unwrap();
+        assert_eq!(sealed.len(), 4 + OVERHEAD);
+        assert_eq!(sealed_with(&sealed), old.current());
+        assert_eq!(both.open(b"owner", &sealed).unwrap(), b"text");
+        assert_eq!(both.open(b"other", &sealed), Err(OpenFault::Altered));
+        let newer = both.seal(b"owner", b"text").unwrap();
+        assert_eq!(old.open(b"owner", &newer), Err(OpenFault::UnknownKey(both.current().unwrap())));
+        for at in ID_BYTES..sealed.len() {
+            let mut changed = sealed.clone();
+            changed[at] ^= 1;
+            assert_eq!(both.open(b"owner", &changed), Err(OpenFault::Altered), "byte {at}");
+        }
+        assert!((0..sealed.len()).all(|n| both.open(b"owner", &sealed[..n]).is_err()));
+        assert!(!format!("{both:?}").contains("0000000000"), "keys are never printed");
+    }
+
+    #[test]
+    fn keys_come_from_files_and_commands_and_faults_are_named() {
+        for (text, reason) in
+            [("", "no key"), ("# none", "no key"), ("abc", "line 1"), (&format!("{OLD}\n12"), "line 2")]
+        {
+            assert!(Keyring::parse(text).unwrap_err().contains(reason), "{text}");
+        }
+        let printed = Keyring::from_command(&format!("printf '%s\\n' {NEW} {OLD}")).unwrap();
+        assert_eq!(printed.current(), Keyring::parse(NEW).unwrap().current());
+        assert!(Keyring::from_command("exit 3").unwrap_err().contains("failed"));
+        assert!(Keyring::from_command("echo no key").unwrap_err().contains("line 1"));
+    }
+}

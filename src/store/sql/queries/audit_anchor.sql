@@ -1,0 +1,2 @@
+-- audit_anchor
+SELECT position, hash FROM audit_anchor

@@ -1,0 +1,2 @@
+-- encryption_key
+SELECT key_id FROM encryption

@@ -1,0 +1,2 @@
+-- move_audit_anchor
+UPDATE audit_anchor SET position = $1, hash = $2

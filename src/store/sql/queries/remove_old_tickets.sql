@@ -1,0 +1,2 @@
+-- remove_old_tickets
+DELETE FROM tickets WHERE expires_at <= {now}

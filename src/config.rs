@@ -112,6 +112,10 @@ pub struct ServiceSettings {
     /// Format of the log on standard error
     #[arg(long, env = "HOMOLOG_LOG_FORMAT", value_enum, default_value_t = LogFormat::Text)]
     pub log_format: LogFormat,
+    /// Base address of a collector of OpenTelemetry, to which spans of requests and jobs are sent (OTLP over HTTP, protobuf), such
+    /// as http://collector:4318; default: none are sent
+    #[arg(long, env = "HOMOLOG_OTLP_ENDPOINT", hide_env_values = true, value_parser = otlp_endpoint, value_name = "URL")]
+    pub otlp_endpoint: Option<String>,
     /// Filter of the log, in the syntax of RUST_LOG
     #[arg(long, env = "HOMOLOG_LOG", default_value = "info,sqlx=warn", value_name = "FILTER")]
     pub log: String,
@@ -238,6 +242,11 @@ fn s3_url(text: &str) -> Result<String, String> {
         return Err("s3://bucket or s3://bucket/prefix is needed here".to_owned());
     }
     Ok(text.to_owned())
+}
+
+/// Checks the address of a collector.
+fn otlp_endpoint(text: &str) -> Result<String, String> {
+    crate::spans::traces_url(text).map(|_| text.to_owned())
 }
 
 /// Parses a number of days that fits into a duration.

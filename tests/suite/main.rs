@@ -25,6 +25,7 @@ mod runbook;
 mod scheduling;
 mod server;
 mod service;
+mod spans;
 mod store;
 mod store_records;
 mod supply;

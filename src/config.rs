@@ -412,6 +412,7 @@ impl HttpSettings {
             max_file_bytes: service.max_file_bytes,
             max_json_bytes: self.max_json_bytes,
             max_parameters_bytes: self.max_parameters_bytes,
+            max_batch: self.max_batch as usize,
             max_uploads: self.max_uploads,
             max_body_memory_bytes: self.max_body_memory_bytes,
             max_answer_memory_bytes: self.max_answer_memory_bytes,

@@ -59,6 +59,7 @@ fn limits() -> HttpLimits {
         max_file_bytes: 32 << 10,
         max_json_bytes: 64 << 10,
         max_parameters_bytes: 4 << 10,
+        max_batch: 10,
         max_uploads: 1,
         max_body_memory_bytes: 1 << 20,
         max_answer_memory_bytes: 1 << 20,
@@ -78,11 +79,11 @@ pub fn json(bytes: &[u8]) {
     let most = limits().max_parameters_bytes;
     let is_json = serde_json::from_slice::<IgnoredAny>(bytes).is_ok();
     let refusals = [
-        parse::<SubmissionDocument>(bytes, most).err(),
-        parse::<batches::BatchSubmissionDocument>(bytes, most).err(),
-        parse::<keys::NewKeyDocument>(bytes, most).err(),
-        parse::<webhooks::NewWebhookDocument>(bytes, most).err(),
-        parse::<webhooks::WebhookChangeDocument>(bytes, most).err(),
+        parse::<SubmissionDocument>(bytes, most, 10).err(),
+        parse::<batches::BatchSubmissionDocument>(bytes, most, 10).err(),
+        parse::<keys::NewKeyDocument>(bytes, most, 10).err(),
+        parse::<webhooks::NewWebhookDocument>(bytes, most, 10).err(),
+        parse::<webhooks::WebhookChangeDocument>(bytes, most, 10).err(),
     ];
     for refusal in refusals {
         match refusal {

@@ -223,7 +223,8 @@ mod tests {
     #[test]
     fn kept_inputs_are_read_without_a_panic() {
         let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("fuzz/kept");
-        let targets: [(&str, fn(&[u8])); 5] =
+        type Target = (&'static str, fn(&[u8]));
+        let targets: [Target; 5] =
             [("json", json), ("form", form), ("headers", headers), ("query", query), ("token", token)];
         for (name, read) in targets {
             let mut n = 0;

@@ -9,7 +9,12 @@
 # append `serve --auth none --insecure` to the third line. deploy/ has complete setups: one machine, separate services,
 # Kubernetes.
 
-FROM rust:1.95-slim-bookworm AS build
+# Tags, which get security updates. For an image that can be built again to the byte, pass the same with their digests, as
+# `docker buildx imagetools inspect rust:1.95-slim-bookworm` prints them: --build-arg BUILD_IMAGE=rust@sha256:...
+ARG BUILD_IMAGE=rust:1.95-slim-bookworm
+ARG RUN_IMAGE=debian:bookworm-slim
+
+FROM ${BUILD_IMAGE} AS build
 WORKDIR /build
 # The official image includes a C compiler, which the bundled SQLite needs.
 COPY Cargo.toml Cargo.lock build.rs ./
@@ -20,7 +25,7 @@ COPY api api
 ARG HOMOLOG_COMMIT=""
 RUN cargo build --release --locked --bin homolog && mkdir /data
 
-FROM debian:bookworm-slim
+FROM ${RUN_IMAGE}
 COPY --from=build /build/target/release/homolog /usr/local/bin/homolog
 # Trusted certificate authorities, for PostgreSQL, the object store and webhooks over TLS. For a private authority, mount
 # its certificates and name the file in SSL_CERT_FILE.

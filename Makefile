@@ -6,10 +6,13 @@
 #              TEST=a06: only the test of that name
 # make soak    an hour of mixed load with faults: memory and open files must not grow, nothing be lost; SECONDS=600: shorter;
 #              the record is target/soak.md
+# make memory  attack the service in a memory group, or measure its memory where there is none: 2 GiB with workers, 512 MiB
+#              without; SECONDS=60; the record is target/memory.md
 # make check   formatting, lints, documentation, unused dependencies, licenses and sources of dependencies (deny.toml)
 # make sbom    software bill of materials of the program, target/homolog.cdx.json (CycloneDX)
 # make advisories  known vulnerabilities of dependencies; needs the internet
-# make contract  test a running service against its OpenAPI document with schemathesis
+# make contract  test a running service on each store against its OpenAPI document with schemathesis; EXAMPLES=50: requests for
+#              each operation
 # make build   target/release/homolog
 # make api     regenerate api/ and docs/parameters.md
 # make picture redraw docs/match.png
@@ -19,14 +22,15 @@
 #              EVAL=dir: the folder of real_cases.py; CASES=10: pairs per set; OURS_ONLY=1: without the other programs
 # make answers compare the answers of this build with tests/answers.tsv, to the bit, on 20 real pairs and all methods;
 #              DATA=dir: label volumes in dir/hippocampus
-# make fuzz    coverage-guided fuzzing of the readers; FOR=600: seconds; needs a nightly toolchain
+# make fuzz    coverage-guided fuzzing of the readers, or of what clients send: PART=json, form, headers, query or token; FOR=600:
+#              seconds; needs a nightly toolchain
 # make bench   benchmarks of a match
 # make bench-service  benchmarks of the service; PART=poll: one part of them
 
 SHELL := /usr/bin/env bash
 .SHELLFLAGS := -eu -o pipefail -c
 .DEFAULT_GOAL := help
-.PHONY: help demo test faults fuzz soak check sbom advisories contract build api picture experiment accuracy answers bench bench-service
+.PHONY: help demo test faults fuzz soak memory check sbom advisories contract build api picture experiment accuracy answers bench bench-service
 
 CARGO ?= cargo
 SOURCE ?=
@@ -66,6 +70,9 @@ faults:
 soak: build
 	scripts/soak target/release/homolog --seconds $(SECONDS) --record target/soak.md
 
+memory: build
+	scripts/memory target/release/homolog --seconds $(if $(filter file,$(origin SECONDS)),60,$(SECONDS)) --record target/memory.md
+
 check:
 	@scripts/setup check
 	$(CARGO) fmt --all --check
@@ -85,8 +92,7 @@ advisories:
 
 contract:
 	@scripts/setup test
-	$(CARGO) build --locked
-	scripts/check-contract $(EXAMPLES)
+	@HOMOLOG_EXAMPLES=$(EXAMPLES) CARGO="$(CARGO)" scripts/test contract
 
 api:
 	@scripts/setup build
@@ -115,13 +121,20 @@ answers: build
 
 # A panic, a file that costs more than two seconds, and one that asks for more than 256 MiB at once are faults (64 KiB may inflate to
 # 64 MiB, and a buffer that grows doubles). Files that were found go to fuzz/crashes, which a test reads under tighter limits.
+# What clients send begins from fuzz/kept, where what was found goes too; a test reads it.
 fuzz:
 	command -v cargo-fuzz >/dev/null || $(CARGO) install --locked --version 0.13.2 cargo-fuzz
+ifneq ($(filter-out read,$(PART)),)
+	mkdir -p fuzz/corpus/$(PART)
+	cd fuzz && $(CARGO) +nightly fuzz run --features service $(PART) corpus/$(PART) kept/$(PART) -- -max_total_time=$(or $(FOR),600) \
+	  -timeout=2 -malloc_limit_mb=64 -rss_limit_mb=2048 -max_len=8192
+else
 	mkdir -p fuzz/corpus/read fuzz/artifacts/read
 	HOMOLOG_FUZZ_SEEDS="$$PWD/fuzz/corpus/read" $(CARGO) test --locked -p homolog-formats --test hostile every_format
 	find $(or $(DATA),../shared/data)/formats tests/fixtures crates/formats/tests -type f -size -64k -exec cp -n {} fuzz/corpus/read/ \; || true
 	cd fuzz && $(CARGO) +nightly fuzz run read corpus/read -- -max_total_time=$(or $(FOR),600) -timeout=2 -malloc_limit_mb=256 \
 	  -rss_limit_mb=2048 -max_len=65536 -dict=formats.dict
+endif
 
 bench:
 	@scripts/setup build

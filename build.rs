@@ -7,6 +7,8 @@ use std::process::Command;
 
 fn main() {
     println!("cargo:rerun-if-changed=build.rs");
+    // Set by cargo-fuzz.
+    println!("cargo:rustc-check-cfg=cfg(fuzzing)");
     println!("cargo:rerun-if-env-changed=HOMOLOG_COMMIT");
     let stated = env::var("HOMOLOG_COMMIT").ok().map(|c| c.trim().to_owned()).filter(|c| !c.is_empty());
     let commit = stated.or_else(checkout).unwrap_or_else(|| "unknown".to_owned());

@@ -145,6 +145,10 @@ pub struct ServiceSettings {
     /// Format of the log on standard error
     #[arg(long, env = "HOMOLOG_LOG_FORMAT", value_enum, default_value_t = LogFormat::Text)]
     pub log_format: LogFormat,
+    /// Base address of a collector of OpenTelemetry, to which spans of requests and jobs are sent (OTLP over HTTP, protobuf), such
+    /// as http://collector:4318; default: none are sent
+    #[arg(long, env = "HOMOLOG_OTLP_ENDPOINT", hide_env_values = true, value_parser = otlp_endpoint, value_name = "URL")]
+    pub otlp_endpoint: Option<String>,
     /// Filter of the log, in the syntax of RUST_LOG
     #[arg(long, env = "HOMOLOG_LOG", default_value = "info,sqlx=warn", value_name = "FILTER")]
     pub log: String,
@@ -281,6 +285,11 @@ fn s3_url(text: &str) -> Result<String, String> {
         return Err("s3://bucket or s3://bucket/prefix is needed here".to_owned());
     }
     Ok(text.to_owned())
+}
+
+/// Checks the address of a collector.
+fn otlp_endpoint(text: &str) -> Result<String, String> {
+    crate::spans::traces_url(text).map(|_| text.to_owned())
 }
 
 /// Parses a number of days that fits into a duration.
@@ -460,6 +469,7 @@ impl HttpSettings {
             max_file_bytes: service.max_file_bytes,
             max_json_bytes: self.max_json_bytes,
             max_parameters_bytes: self.max_parameters_bytes,
+            max_batch: self.max_batch as usize,
             max_uploads: self.max_uploads,
             max_body_memory_bytes: self.max_body_memory_bytes,
             max_answer_memory_bytes: self.max_answer_memory_bytes,

@@ -7,7 +7,7 @@
 //!
 //! - The service: [`jobs`] (what a job is, and the ports), [`store`] (SQLite or PostgreSQL, and blobs), [`worker`] (runs
 //!   jobs), [`http`] (the API).
-//! - Wiring: [`app`], [`cli`], [`config`], [`telemetry`], [`tls`].
+//! - Wiring: [`app`], [`cli`], [`config`], [`telemetry`], [`spans`], [`tls`].
 
 pub mod jobs;
 
@@ -20,5 +20,6 @@ pub mod http;
 pub mod app;
 pub mod cli;
 pub mod config;
+pub mod spans;
 pub mod telemetry;
 pub mod tls;

@@ -5,6 +5,7 @@ use super::output::print;
 use crate::app::{self, App, AppError, Shutdown};
 use crate::config::{HttpSettings, ServiceSettings, WorkerProcessSettings};
 use crate::http::{openapi_json, problems_markdown};
+use crate::spans;
 use crate::telemetry;
 use crate::worker::quota::Quota;
 use std::time::Duration;
@@ -93,6 +94,9 @@ pub(super) fn in_runtime(
 ) -> Result<(), CliError> {
     let failed = |error: AppError| CliError::Failed(error.to_string());
     telemetry::start(settings.log_format, &settings.log).map_err(CliError::BadInput)?;
+    if let Some(endpoint) = &settings.otlp_endpoint {
+        spans::start(endpoint).map_err(CliError::BadInput)?;
+    }
     let runtime = tokio::runtime::Builder::new_multi_thread()
         .enable_all()
         .build()
@@ -100,6 +104,7 @@ pub(super) fn in_runtime(
     let done = runtime.block_on(work);
     // Input checks that are still running must not delay the exit.
     runtime.shutdown_background();
+    spans::finish();
     done.map_err(failed)
 }
 

@@ -2,10 +2,11 @@
 //! that no handler has answered.
 
 use super::audit::{Caller, Recording};
-use super::preferences::{trace_id, traceparent};
+use super::preferences::{TRACEPARENT, trace_id, traceparent};
 use super::problem::{PROBLEM_JSON, Problem};
 use super::problem_table::ProblemKind;
 use super::router::HttpState;
+use crate::spans::{Fact, Span};
 use axum::extract::{MatchedPath, Request, State};
 use axum::http::{HeaderMap, HeaderName, HeaderValue, Method, header};
 use axum::middleware::Next;
@@ -26,7 +27,7 @@ pub(crate) fn request_id() -> Option<String> {
 }
 
 /// The client's id for its request if it is harmless in a log, else a new one.
-fn accepted_id(headers: &HeaderMap) -> String {
+pub(super) fn accepted_id(headers: &HeaderMap) -> String {
     let offered = headers.get(REQUEST_ID).and_then(|v| v.to_str().ok()).filter(|id| {
         (1..=128).contains(&id.len()) && id.bytes().all(|b| b.is_ascii_alphanumeric() || b"-_.:".contains(&b))
     });
@@ -39,6 +40,9 @@ const AFTER_UPLOAD: Duration = Duration::from_secs(240);
 
 /// The route of a request that no route matches, in logs and metrics.
 const UNMATCHED: &str = "none";
+
+/// Requests of supervisors, which are no part of what clients do and get no spans.
+const PROBES: [&str; 3] = ["/healthz", "/readyz", "/metrics"];
 
 /// The method as it appears in logs and metrics: a standard one, or `other`. A client can make up any number of methods,
 /// and each label value is a time series for as long as the process lives.
@@ -61,6 +65,14 @@ pub(crate) async fn surround(State(state): State<HttpState>, mut request: Reques
         method,
         route,
     );
+    let mut sent = Span::default();
+    if !PROBES.contains(&route.as_str()) {
+        sent = Span::of_request(method, &route, traceparent(request.headers()).as_deref());
+    }
+    // Whatever is stored or passed on of this request belongs to its span.
+    if let Some(context) = sent.traceparent().and_then(|context| HeaderValue::from_str(&context).ok()) {
+        request.headers_mut().insert(TRACEPARENT, context);
+    }
     let caller = Caller::default();
     request.extensions_mut().insert(caller.clone());
     let recording = Recording::of(&state, &caller, &request, &route);
@@ -91,6 +103,10 @@ pub(crate) async fn surround(State(state): State<HttpState>, mut request: Reques
         response
     };
     let mut response = CURRENT.scope(id, answer.instrument(span)).await;
+    sent.set("http.response.status_code", Fact::Number(response.status().as_u16().into()));
+    if response.status().is_server_error() {
+        sent.fail();
+    }
     if let Some(value) = header {
         response.headers_mut().insert(REQUEST_ID, value);
     }

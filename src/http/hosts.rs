@@ -33,7 +33,7 @@ impl AllowedHosts {
     }
 
     /// Whether `Host` names an allowed host, and so does `Origin` if there is one.
-    fn allow(&self, uri: &Uri, headers: &HeaderMap) -> bool {
+    pub(super) fn allow(&self, uri: &Uri, headers: &HeaderMap) -> bool {
         let mut hosts = headers.get_all(header::HOST).iter().peekable();
         // No current client omits the host.
         let names_a_host = uri.authority().is_some() || hosts.peek().is_some();

@@ -8,7 +8,7 @@ use std::time::Duration;
 
 const PREFER: HeaderName = HeaderName::from_static("prefer");
 const IDEMPOTENCY_KEY: HeaderName = HeaderName::from_static("idempotency-key");
-const TRACEPARENT: HeaderName = HeaderName::from_static("traceparent");
+pub(super) const TRACEPARENT: HeaderName = HeaderName::from_static("traceparent");
 const MAX_KEY: usize = 128;
 
 /// How long the client prefers to wait (RFC 7240), at most `most_s` seconds. An unreadable preference is ignored.

@@ -40,6 +40,8 @@ pub struct HttpLimits {
     pub max_json_bytes: usize,
     /// Largest parameters of a match.
     pub max_parameters_bytes: usize,
+    /// Most jobs of a batch; of a longer list no more is kept.
+    pub max_batch: usize,
     /// Bodies read at the same time; one tenant has at most half of them.
     pub max_uploads: usize,
     /// Memory of all bodies that are being read and checked; one tenant has at most half of it, or one body.

@@ -29,6 +29,8 @@ const NO_ROOM: &str = "the parameters are too large";
 thread_local! {
     /// What is left for parameters in the body that this thread is reading. Bodies are read without a pause.
     static ROOM: Cell<usize> = const { Cell::new(0) };
+    /// Entries of a list that are kept; further ones are only counted, because one too many is enough to refuse the list.
+    static KEPT: Cell<usize> = const { Cell::new(0) };
 }
 
 fn take_room<E: Error>(n: usize) -> Result<(), E> {
@@ -37,17 +39,23 @@ fn take_room<E: Error>(n: usize) -> Result<(), E> {
     Ok(())
 }
 
-/// Reads a body of JSON; `max_parameters` bytes of it may be parameters.
+/// Reads a body of JSON; `max_parameters` bytes of it may be parameters. A list of more than `max_list` entries is read as one of
+/// one more.
 ///
 /// # Errors
 /// `malformed-json`; `too-large` for the parameters; `invalid-request` with the place of the first fault.
-pub(super) fn parse<'a, T: Deserialize<'a>>(body: &'a [u8], max_parameters: usize) -> Result<T, Problem> {
+pub(super) fn parse<'a, T: Deserialize<'a>>(
+    body: &'a [u8],
+    max_parameters: usize,
+    max_list: usize,
+) -> Result<T, Problem> {
     // serde would also read a struct from an array, by the order of its fields.
     if body.iter().find(|b| !b.is_ascii_whitespace()).is_some_and(|&b| b == b'[') {
         let fault = FieldError::new("", "wrong_form", "must be a JSON object");
         return Err(Problem::new(ProblemKind::InvalidRequest).errors(&[fault]));
     }
     ROOM.set(max_parameters);
+    KEPT.set(max_list.saturating_add(1));
     let mut reader = serde_json::Deserializer::from_slice(body);
     let read = serde_path_to_error::deserialize(&mut reader).map_err(|error| {
         let pointer = pointer(error.path());
@@ -262,12 +270,17 @@ pub(super) fn objects<'de, D: Deserializer<'de>, T: Deserialize<'de>>(deserializ
         }
 
         fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<Vec<T>, A::Error> {
-            let mut entries = Vec::new();
-            while let Some(Entry(entry)) = list.next_element()? {
-                if entries.len() == MAX_LIST {
-                    return Err(A::Error::invalid_length(MAX_LIST + 1, &self));
-                }
+            let (mut entries, kept) = (Vec::new(), KEPT.get());
+            while entries.len() < kept {
+                let Some(Entry(entry)) = list.next_element()? else { return Ok(entries) };
                 entries.push(entry);
+            }
+            let mut n = entries.len();
+            while let Some(IgnoredAny) = list.next_element()? {
+                n += 1;
+                if n > MAX_LIST {
+                    return Err(A::Error::invalid_length(n, &self));
+                }
             }
             Ok(entries)
         }
@@ -287,7 +300,24 @@ mod tests {
         struct Body {
             parameters: Parameters,
         }
-        parse::<Body>(text.as_bytes(), room).map(|body| body.parameters.0)
+        parse::<Body>(text.as_bytes(), room, 10).map(|body| body.parameters.0)
+    }
+
+    #[test]
+    fn of_a_list_no_more_is_kept_than_shows_that_it_is_too_long() {
+        #[derive(Deserialize)]
+        struct Entry {}
+        #[derive(Deserialize)]
+        struct Body {
+            #[serde(deserialize_with = "objects")]
+            list: Vec<Entry>,
+        }
+        let read = |n: usize| {
+            let text = json!({"list": vec![json!({}); n]}).to_string();
+            parse::<Body>(text.as_bytes(), 0, 3).map(|body| body.list.len()).ok()
+        };
+        assert_eq!([0, 3, 4, 5, 50_000].map(read), [Some(0), Some(3), Some(4), Some(4), Some(4)]);
+        assert_eq!(read(MAX_LIST + 1), None);
     }
 
     #[test]

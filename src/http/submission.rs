@@ -225,7 +225,7 @@ pub(super) async fn read_json<T: DeserializeOwned>(
             text.extend_from_slice(&part);
         }
     }
-    parse(&text, limits.max_parameters_bytes)
+    parse(&text, limits.max_parameters_bytes, limits.max_batch)
 }
 
 #[derive(Default)]

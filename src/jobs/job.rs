@@ -27,6 +27,11 @@ impl JobId {
         }
         uuid::Uuid::try_parse(text).ok().map(JobId)
     }
+
+    /// The id itself.
+    pub(crate) fn uuid(self) -> uuid::Uuid {
+        self.0
+    }
 }
 
 impl Default for JobId {
@@ -316,7 +321,9 @@ impl Cursor {
     pub fn from_token(token: &str) -> Option<Self> {
         let (time, id) = token.split_once('.')?;
         let created_at_ms = i64::from_str_radix(time, 16).ok()?;
-        Some(Cursor { created_at_ms, id: JobId::parse(id)? })
+        let cursor = Cursor { created_at_ms, id: JobId::parse(id)? };
+        // Other spellings of the same numbers, and times that no job has, were never issued.
+        (cursor.to_token() == token).then_some(cursor)
     }
 }
 

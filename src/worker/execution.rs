@@ -11,6 +11,7 @@ use crate::jobs::{
     ArtifactKey, ArtifactRef, Computation, ComputeError, ComputeInputs, Failure, Job, JobError, JobInput, Lease,
     LeasedJob, Outcome, TraceChunk,
 };
+use crate::spans::{Fact, Span};
 use std::future::Future;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
@@ -53,16 +54,33 @@ pub(crate) async fn execute(
     let trace = job.traceparent.as_deref();
     let (attempt, epoch) = (job.attempt, lease.epoch);
     tracing::info!(job_id = %lease.job_id, epoch, attempt, n_threads, traceparent = trace, "job started");
+    let mut span = Span::of_job(trace);
+    for (key, fact) in [
+        ("homolog.job_id", Fact::Id(lease.job_id.uuid())),
+        ("homolog.attempt", Fact::Number(attempt.into())),
+        ("homolog.lease_epoch", Fact::Number(epoch)),
+        ("homolog.threads", Fact::Number(n_threads as u64)),
+    ] {
+        span.set(key, fact);
+    }
+    if epoch == 1 {
+        drop(Span::part_since("wait in queue", trace, job.created_at.into()));
+    }
     let began = Instant::now();
     let control = Arc::new(Control::default());
     let _watch = parts.heartbeats.watch(&lease, Arc::clone(&control));
     let (end, unfinished) = match computation {
-        Ok(computation) => run(parts, &lease, &job, computation, &control, n_threads).await,
+        Ok(computation) => run(parts, &lease, &job, computation, &control, n_threads, &span).await,
         Err(failure) => (settle(parts, &lease, [None, None], Ending::Fail(failure)).await, None),
     };
     parts.signals.tell_moved(lease.job_id);
     let elapsed_ms = began.elapsed().as_millis();
     tracing::info!(job_id = %lease.job_id, epoch, elapsed_ms, end, "job ended");
+    span.set("homolog.end", Fact::Word(end));
+    if end != "succeeded" && end != "cancelled" {
+        span.fail();
+    }
+    drop(span);
     metrics::counter!("homolog_jobs_finished_total", "end" => end).increment(1);
     metrics::histogram!("homolog_job_seconds").record(began.elapsed().as_secs_f64());
     if let Some(mut computed) = unfinished
@@ -84,8 +102,13 @@ async fn run(
     computation: Arc<dyn Computation>,
     control: &Arc<Control>,
     n_threads: usize,
+    span: &Span,
 ) -> (&'static str, Option<oneshot::Receiver<Computed>>) {
-    let inputs = match read_inputs(parts, lease, job).await {
+    let context = span.traceparent();
+    let reading = Span::part("read inputs", context.as_deref());
+    let inputs = read_inputs(parts, lease, job).await;
+    drop(reading);
+    let inputs = match inputs {
         Ok(inputs) => inputs,
         Err(error) => {
             tracing::error!(job_id = %lease.job_id, error = %with_sources(&error), "the inputs could not be read");
@@ -98,7 +121,7 @@ async fn run(
             return (end, None);
         }
     };
-    let observer = Arc::new(JobObserver::new(Arc::clone(control)));
+    let observer = Arc::new(JobObserver::new(Arc::clone(control), context.clone()));
     let mut computed = match start_computation(computation, inputs, &observer, n_threads) {
         Ok(computed) => computed,
         Err(error) => {
@@ -112,6 +135,8 @@ async fn run(
     let (outcome, unsaved) = follow(parts, lease, control, &observer, allowed, &mut computed).await;
     let is_running = outcome.is_none();
     let ending = decide(outcome, control.cause());
+    observer.end_phase();
+    let _storing = Span::part("store result", context.as_deref());
     let end = settle(parts, lease, [unsaved, observer.take()], ending).await;
     (end, is_running.then_some(computed))
 }

@@ -2,6 +2,7 @@
 
 use super::control::Control;
 use crate::jobs::{NumberedPoint, Progress, TraceChunk};
+use crate::spans::Span;
 use homolog_primitives::observe::{Observer, Phase, TracePoint};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Instant;
@@ -11,6 +12,8 @@ use std::time::Instant;
 pub(crate) struct JobObserver {
     started: Instant,
     control: Arc<Control>,
+    /// The context of the run, whose parts the phases are.
+    context: Option<String>,
     observed: Mutex<Observed>,
 }
 
@@ -20,14 +23,21 @@ struct Observed {
     points: Vec<NumberedPoint>,
     progress: Progress,
     changed: bool,
+    phase_span: Span,
 }
 
 impl JobObserver {
     /// The observer of an attempt that starts now.
-    pub(crate) fn new(control: Arc<Control>) -> Self {
+    pub(crate) fn new(control: Arc<Control>, context: Option<String>) -> Self {
         let progress = Progress { fraction: 0.0, phase: None, iteration: None, message: None, energy_latest: None };
-        let observed = Observed { last_seq: 0, points: Vec::new(), progress, changed: true };
-        JobObserver { started: Instant::now(), control, observed: Mutex::new(observed) }
+        let phase_span = Span::default();
+        let observed = Observed { last_seq: 0, points: Vec::new(), progress, changed: true, phase_span };
+        JobObserver { started: Instant::now(), control, context, observed: Mutex::new(observed) }
+    }
+
+    /// Ends the span of the last phase.
+    pub(crate) fn end_phase(&self) {
+        self.lock().phase_span = Span::default();
     }
 
     /// What was observed since the last call; `None` if nothing was.
@@ -48,6 +58,9 @@ impl JobObserver {
 impl Observer for JobObserver {
     fn phase(&self, phase: Phase) {
         let mut observed = self.lock();
+        // The span of the phase before ends first.
+        observed.phase_span = Span::default();
+        observed.phase_span = Span::part(phase.name(), self.context.as_deref());
         observed.progress.phase = Some(phase);
         observed.progress.message = Some(sentence(phase).to_owned());
         observed.progress.iteration = None;
@@ -113,7 +126,7 @@ mod tests {
 
     #[test]
     fn points_are_numbered_consecutively_across_several_takes() {
-        let observer = JobObserver::new(Arc::default());
+        let observer = JobObserver::new(Arc::default(), None);
         let mut seen = Vec::new();
         for iteration in 1..=5 {
             observer.trace(&TracePoint::new(0, Phase::Inference, iteration));
@@ -128,7 +141,7 @@ mod tests {
 
     #[test]
     fn progress_never_decreases() {
-        let observer = JobObserver::new(Arc::default());
+        let observer = JobObserver::new(Arc::default(), None);
         for fraction in [0.2, 0.5, 0.3, f64::NAN, 7.0] {
             observer.progress(fraction);
         }

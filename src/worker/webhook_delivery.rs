@@ -11,6 +11,7 @@
 use super::pool::with_sources;
 use crate::jobs::address::{check_url, is_public};
 use crate::jobs::{Attempted, DueDelivery, JobError, Turn, TurnLimits, WebhookStore};
+use crate::spans::{Fact, Span};
 use futures_util::future::join_all;
 use reqwest::dns::{Addrs, Name, Resolve, Resolving};
 use reqwest::redirect::Policy;
@@ -152,12 +153,19 @@ impl WebhookDelivery {
     async fn deliver(&self, due: DueDelivery) -> Result<Attempted, JobError> {
         let attempted = if due.is_wanted {
             let began = Instant::now();
-            let attempted = self.attempt(&due).await?;
+            let mut span = Span::of_delivery(due.traceparent.as_deref());
+            span.set("homolog.attempt", Fact::Number(due.attempt.into()));
+            let attempted = self.attempt(&due, span.traceparent()).await?;
             let outcome = match &attempted {
                 Attempted::Delivered { .. } => "delivered",
                 Attempted::Retry { .. } => "failed",
                 Attempted::Failed { .. } => "given up",
             };
+            span.set("homolog.outcome", Fact::Word(outcome));
+            if outcome != "delivered" {
+                span.fail();
+            }
+            drop(span);
             metrics::counter!("homolog_webhook_attempts_total", "outcome" => outcome).increment(1);
             metrics::histogram!("homolog_webhook_attempt_seconds").record(began.elapsed().as_secs_f64());
             attempted
@@ -169,8 +177,9 @@ impl WebhookDelivery {
         Ok(attempted)
     }
 
-    async fn attempt(&self, due: &DueDelivery) -> Result<Attempted, JobError> {
-        let answer = self.send(due).await;
+    /// Attempts a delivery; `context` is that of its span.
+    async fn attempt(&self, due: &DueDelivery, context: Option<String>) -> Result<Attempted, JobError> {
+        let answer = self.send(due, context).await;
         Ok(match answer {
             Ok(status) if status.is_success() => Attempted::Delivered { status: status.as_u16() },
             // 410 means that the receiver is gone for good.
@@ -193,7 +202,7 @@ impl WebhookDelivery {
     }
 
     /// Sends a delivery, signed according to Standard Webhooks. The text of an error contains no address.
-    async fn send(&self, due: &DueDelivery) -> Result<StatusCode, String> {
+    async fn send(&self, due: &DueDelivery, context: Option<String>) -> Result<StatusCode, String> {
         // A literal address is not resolved, so it is checked here.
         let url = check_url(&due.url, self.settings.allow_private).map_err(str::to_owned)?;
         let now = jiff::Timestamp::now().as_second();
@@ -210,7 +219,7 @@ impl WebhookDelivery {
             .header("webhook-timestamp", now.to_string())
             .header("webhook-signature", signature)
             .body(due.payload.clone());
-        let request = match &due.traceparent {
+        let request = match context.as_ref().or(due.traceparent.as_ref()) {
             Some(traceparent) => request.header("traceparent", traceparent),
             None => request,
         };

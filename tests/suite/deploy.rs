@@ -394,6 +394,14 @@ fn containers_are_neither_root_nor_writable() {
         }
     }
     assert!(n_pods >= 3, "only {n_pods} pods were found");
+    // Both base images can be replaced by the same with their digests, and neither is whatever is newest.
+    let dockerfile = fs::read_to_string(root().join("Dockerfile")).unwrap();
+    let from: Vec<_> = dockerfile.lines().filter_map(|line| line.strip_prefix("FROM ")).collect();
+    assert_eq!(from, ["${BUILD_IMAGE} AS build", "${RUN_IMAGE}"]);
+    for argument in ["BUILD_IMAGE", "RUN_IMAGE"] {
+        let image = dockerfile.lines().find_map(|line| line.strip_prefix(&format!("ARG {argument}="))).unwrap();
+        assert!(image.split_once(':').is_some_and(|(_, tag)| !tag.is_empty() && tag != "latest"), "{image}");
+    }
     assert_eq!(instruction("USER").split(':').next(), Some("65532"));
 }
 

@@ -5,7 +5,6 @@ use super::jobs_support::{TestService, form};
 use serde_json::json;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
-use std::process::Command;
 
 /// Labels of a line in the text format of Prometheus, and the name of its metric.
 fn series(line: &str) -> (String, BTreeMap<String, String>) {
@@ -174,22 +173,4 @@ async fn every_metric_of_the_alert_rules_and_the_dashboard_exists() {
     }
     serde_json::from_str::<serde_json::Value>(&std::fs::read_to_string(deploy.join("grafana/homolog.json")).unwrap())
         .unwrap();
-}
-
-#[test]
-fn the_alert_rules_pass_their_tests() {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("deploy/prometheus");
-    let promtool = std::env::var_os("PROMTOOL").unwrap_or_else(|| "promtool".into());
-    for arguments in [["check", "rules", "homolog.rules.yaml"], ["test", "rules", "homolog.rules.test.yaml"]] {
-        let Ok(done) = Command::new(&promtool).args(arguments).current_dir(&folder).output() else {
-            println!("skipped: promtool, of the package prometheus, is not installed");
-            return;
-        };
-        assert!(
-            done.status.success(),
-            "{}{}",
-            String::from_utf8_lossy(&done.stdout),
-            String::from_utf8_lossy(&done.stderr)
-        );
-    }
 }

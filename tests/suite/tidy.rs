@@ -39,6 +39,7 @@ const NOT_IN_MEMBERS: &[&str] =
 const ARROWS: &[(&str, &[&str])] = &[
     ("jobs", &["homolog_contract", "homolog_mesh::topology", "homolog_primitives"]),
     ("tls", &[]),
+    ("spans", &["tls"]),
     ("store", &["homolog_primitives", "jobs", "tls"]),
     (
         "worker",
@@ -50,12 +51,13 @@ const ARROWS: &[(&str, &[&str])] = &[
             "homolog_primitives",
             "homolog_run",
             "jobs",
+            "spans",
             "tls",
         ],
     ),
-    ("config", &["homolog_run", "http", "jobs", "store::sql", "tls", "worker"]),
+    ("config", &["homolog_run", "http", "jobs", "spans", "store::sql", "tls", "worker"]),
     ("telemetry", &["config::LogFormat"]),
-    ("http", &["jobs", "tls"]),
+    ("http", &["jobs", "spans", "tls"]),
     ("app", &["config", "homolog_run", "http", "jobs", "store", "telemetry", "tls", "worker"]),
     (
         "cli",
@@ -70,6 +72,7 @@ const ARROWS: &[(&str, &[&str])] = &[
             "homolog_run",
             "http",
             "jobs",
+            "spans",
             "store::artifacts",
             "store::backup",
             "store::encryption",

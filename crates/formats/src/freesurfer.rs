@@ -70,6 +70,7 @@ fn triangles(bytes: &[u8], limits: &ReadLimits) -> Result<Polygons, FormatError>
     scanner.line();
     let counts = Element::I32.wholes(scanner.take(2, 4, "the counts of vertices and faces")?, ByteOrder::Big);
     let [n_vertices, n_faces] = [counts[0], counts[1]].map(|n| u64::try_from(n).unwrap_or(u64::MAX));
+    Polygons::check_faces(n_faces, limits)?;
     let mut polygons = Polygons::default();
     points(&mut polygons, &mut scanner, n_vertices, Element::F32, 1.0, limits)?;
     let corners = scanner.take(n_faces.saturating_mul(3), 4, "the list of faces")?;
@@ -99,6 +100,7 @@ fn quads(bytes: &[u8], element: Element, scale: f64, limits: &ReadLimits) -> Res
     let three = |b: &[u8]| i64::from(b[0]) << 16 | i64::from(b[1]) << 8 | i64::from(b[2]);
     let counts = scanner.take(2, 3, "the counts of vertices and faces")?;
     let [n_vertices, n_faces] = [three(counts), three(&counts[3..])];
+    Polygons::check_faces(n_faces as u64, limits)?;
     let mut polygons = Polygons::default();
     points(&mut polygons, &mut scanner, n_vertices as u64, element, scale, limits)?;
     for quad in scanner.take(n_faces as u64, 12, "the list of faces")?.chunks_exact(12) {
@@ -117,6 +119,7 @@ fn ascii(bytes: &[u8], limits: &ReadLimits) -> Result<Polygons, FormatError> {
     let n_vertices: u64 = scanner.number("the number of vertices")?;
     let n_faces: u64 = scanner.number("the number of faces")?;
     Polygons::check_count(n_vertices, limits)?;
+    Polygons::check_faces(n_faces, limits)?;
     let mut polygons = Polygons::default();
     for _ in 0..n_vertices {
         let mut p = Point3::origin();

@@ -25,9 +25,6 @@ use homolog_mesh::SurfaceMesh;
 use nalgebra::{Matrix4, Point3};
 use std::io::Write;
 
-/// Most triangles for each vertex that may be announced: a closed surface has about two.
-const MAX_FACES_PER_VERTEX: u64 = 8;
-
 /// Reads a mesh of triangles.
 ///
 /// # Errors
@@ -187,10 +184,7 @@ impl StoredArray {
         if self.is_points {
             Polygons::check_count(self.rows, limits)?;
         }
-        let most = MAX_FACES_PER_VERTEX.saturating_mul(limits.max_vertices as u64);
-        if self.rows > most {
-            return Err(FormatError::TooLarge { what: "triangles", found: self.rows, limit: most });
-        }
+        Polygons::check_faces(self.rows, limits)?;
         let n = self.rows as usize * 3;
         let bytes = n * self.element.size();
         let part = if self.is_points { "the pointset" } else { "the list of triangles" };

@@ -54,6 +54,7 @@ pub use nifti::{write_nifti, write_nifti_gz};
 pub use pairs::PairColumns;
 pub use ply::write_ply;
 pub use polygons::MeshFile;
+use polygons::Polygons;
 pub use stl::write_stl;
 pub use vertex_arrays::{VertexArray, VertexValues};
 pub use vtk::write_vtk;
@@ -171,6 +172,10 @@ fn read_file(
         if nifti::is_nifti(&head) { Plain::Borrowed(bytes) } else { gzip::inflate(bytes, limits.max_inflated_bytes)? };
     let format = if nifti::is_nifti(&head) { InputFormat::Nifti } else { detect::detect(&inflated, file_name)? };
     let bytes: &[u8] = &inflated;
+    use InputFormat::{DicomSeg, MetaImage, Mgh, Nifti, Nrrd};
+    if !matches!(format, Nifti | Mgh | Nrrd | MetaImage | DicomSeg) {
+        Polygons::check_bytes(bytes.len() as u64, limits)?;
+    }
     let mut read = match format {
         InputFormat::Nifti => {
             let space = if nifti::states_space(&head) { InputSpace::ScannerRas } else { InputSpace::Unknown };

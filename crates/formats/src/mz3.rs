@@ -45,6 +45,7 @@ pub fn read_mz3(bytes: &[u8], limits: &ReadLimits) -> Result<MeshFile, FormatErr
     let counts = Element::U32.wholes(scanner.take(3, 4, "the MZ3 header")?, ByteOrder::Little);
     let [n_faces, n_vertices, skip] = [counts[0] as u64, counts[1] as u64, counts[2] as u64];
     Polygons::check_count(n_vertices, limits)?;
+    Polygons::check_faces(n_faces, limits)?;
     scanner.take(skip, 1, "what the MZ3 header says is skipped")?;
     let corners = scanner.take(n_faces.saturating_mul(3), 4, "the list of faces")?;
     let points = Element::F32.reals(scanner.take(n_vertices * 3, 4, "the list of vertices")?, ByteOrder::Little);

@@ -76,6 +76,7 @@ pub fn read_obj(bytes: &[u8], limits: &ReadLimits) -> Result<MeshFile, FormatErr
                     faces.push(if index > 0 { index - 1 } else { n.saturating_add(index) });
                 }
                 ends.push(faces.len());
+                Polygons::check_faces(ends.len() as u64, limits)?;
             }
             _ => {}
         }

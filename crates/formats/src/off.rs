@@ -67,6 +67,7 @@ pub fn read_off(bytes: &[u8], limits: &ReadLimits) -> Result<MeshFile, FormatErr
     let counts = number::<u64>(counts.next()).zip(number::<u64>(counts.next()));
     let (n_vertices, n_faces) = counts.ok_or_else(|| scanner.expected_before("the counts of vertices and faces"))?;
     Polygons::check_count(n_vertices, limits)?;
+    Polygons::check_faces(n_faces, limits)?;
     let mut polygons = Polygons::default();
     for _ in 0..n_vertices {
         let line = significant(&mut scanner).ok_or_else(|| scanner.expected("a vertex"))?;

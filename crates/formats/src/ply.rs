@@ -80,6 +80,7 @@ fn check(header: &Header, file_bytes: usize, limits: &ReadLimits) -> Result<(), 
         return Err(needs("a PLY file whose faces have no list of vertex indices"));
     }
     Polygons::check_count(vertex.count as u64, limits)?;
+    Polygons::check_faces(face.count as u64, limits)?;
     for element in header.elements.values() {
         let least = match header.encoding {
             // A digit and a blank for each value, a line end at least for none.

@@ -5,6 +5,14 @@ use homolog_contract::input::InputSpace;
 use homolog_mesh::{FaceArity, MeshError, SurfaceMesh};
 use nalgebra::Point3;
 
+/// Faces that are accepted for each vertex; a closed surface of triangles has two.
+const FACES_PER_VERTEX: u64 = 8;
+/// Bytes of a file that are accepted for each vertex, and in any case.
+const BYTES_PER_VERTEX: u64 = 512;
+/// Numbers of a list, of coordinates or of corners, that are accepted for each vertex.
+const NUMBERS_PER_VERTEX: usize = 64;
+const BYTES_ALWAYS: u64 = 1 << 20;
+
 /// The mesh of a file.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MeshFile {
@@ -40,6 +48,30 @@ impl Polygons {
     pub(super) fn check_count(found: u64, limits: &ReadLimits) -> Result<(), FormatError> {
         let limit = limits.max_vertices as u64;
         if found > limit { Err(FormatError::TooLarge { what: "vertices", found, limit }) } else { Ok(()) }
+    }
+
+    /// Rejects more faces than so many vertices need, before they are read.
+    pub(super) fn check_faces(found: u64, limits: &ReadLimits) -> Result<(), FormatError> {
+        let limit = FACES_PER_VERTEX.saturating_mul(limits.max_vertices as u64);
+        if found > limit { Err(FormatError::TooLarge { what: "faces", found, limit }) } else { Ok(()) }
+    }
+
+    /// The longest list of numbers that a surface needs.
+    pub(super) fn most_numbers(limits: &ReadLimits) -> usize {
+        NUMBERS_PER_VERTEX.saturating_mul(limits.max_vertices).max(BYTES_ALWAYS as usize)
+    }
+
+    /// Rejects a longer list of numbers.
+    pub(super) fn check_numbers(found: u64, limits: &ReadLimits) -> Result<(), FormatError> {
+        let limit = Polygons::most_numbers(limits) as u64;
+        if found > limit { Err(FormatError::TooLarge { what: "numbers in a list", found, limit }) } else { Ok(()) }
+    }
+
+    /// Rejects a file that is larger than the largest surface: a small compressed one may inflate to any size, and what is
+    /// made of it takes several times as much.
+    pub(super) fn check_bytes(found: u64, limits: &ReadLimits) -> Result<(), FormatError> {
+        let limit = BYTES_PER_VERTEX.saturating_mul(limits.max_vertices as u64).max(BYTES_ALWAYS);
+        if found > limit { Err(FormatError::TooLarge { what: "bytes of a surface", found, limit }) } else { Ok(()) }
     }
 
     /// Adds a face; its vertices must have been added before.

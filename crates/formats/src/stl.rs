@@ -39,7 +39,7 @@ fn starts_with_solid(bytes: &[u8]) -> bool {
 /// Linear in the file's length.
 pub fn read_stl(bytes: &[u8], limits: &ReadLimits) -> Result<MeshFile, FormatError> {
     let ascii = !is_binary(bytes) && starts_with_solid(bytes);
-    let corners = if ascii { ascii_corners(bytes)? } else { binary_corners(bytes)? };
+    let corners = if ascii { ascii_corners(bytes, limits)? } else { binary_corners(bytes, limits)? };
     if let Some(vertex) = corners.iter().position(|p| !p.iter().all(|c| c.is_finite())) {
         return Err(homolog_mesh::MeshError::NonFinite { vertex }.into());
     }
@@ -55,13 +55,14 @@ pub fn read_stl(bytes: &[u8], limits: &ReadLimits) -> Result<MeshFile, FormatErr
     Ok(file)
 }
 
-fn binary_corners(bytes: &[u8]) -> Result<Vec<Point3<f64>>, FormatError> {
+fn binary_corners(bytes: &[u8], limits: &ReadLimits) -> Result<Vec<Point3<f64>>, FormatError> {
     let available = bytes.len() as u64;
     let n = n_facets(bytes).ok_or(FormatError::Truncated { part: "the STL header", needed: 84, available })?;
     let needed = HEADER_BYTES as u64 + n * FACET_BYTES as u64;
     if needed > available {
         return Err(FormatError::Truncated { part: "the list of STL facets", needed, available });
     }
+    Polygons::check_faces(n, limits)?;
     let facets = bytes[HEADER_BYTES..needed as usize].chunks_exact(FACET_BYTES);
     // A facet: normal, three corners, two bytes of attributes.
     let number = |b: &[u8]| f64::from(f32::from_le_bytes([b[0], b[1], b[2], b[3]]));
@@ -69,7 +70,7 @@ fn binary_corners(bytes: &[u8]) -> Result<Vec<Point3<f64>>, FormatError> {
     Ok(facets.flat_map(|f| [12, 24, 36].map(|at| corner(&f[at..at + 12]))).collect())
 }
 
-fn ascii_corners(bytes: &[u8]) -> Result<Vec<Point3<f64>>, FormatError> {
+fn ascii_corners(bytes: &[u8], limits: &ReadLimits) -> Result<Vec<Point3<f64>>, FormatError> {
     let mut scanner = Scanner::new(bytes);
     let mut corners = Vec::new();
     // The free text after "solid" may hold any word.
@@ -86,6 +87,7 @@ fn ascii_corners(bytes: &[u8]) -> Result<Vec<Point3<f64>>, FormatError> {
                 return Err(scanner.expected("a facet of exactly three vertices"));
             }
             in_loop = None;
+            Polygons::check_faces(corners.len() as u64 / 3, limits)?;
         } else if word.eq_ignore_ascii_case(b"endsolid") || word.eq_ignore_ascii_case(b"solid") {
             scanner.line();
         } else if in_loop.is_some() {

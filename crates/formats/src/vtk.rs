@@ -126,6 +126,7 @@ impl VtkReader<'_> {
     }
 
     fn whole(&mut self, n: u64, element: Element) -> Result<Vec<i64>, FormatError> {
+        Polygons::check_numbers(n, self.limits)?;
         self.check(n, element, "a list of cells")?;
         if !self.binary {
             return (0..n).map(|_| self.scanner.number("a vertex index")).collect();
@@ -141,6 +142,7 @@ impl VtkReader<'_> {
         if self.scanner.peek().is_some_and(|w| w.eq_ignore_ascii_case(b"OFFSETS")) {
             return self.cells_by_offset(kind, first, second);
         }
+        Polygons::check_faces(first, self.limits)?;
         let list = self.whole(second, Element::I32)?;
         let mut rest = list.as_slice();
         for _ in 0..first {
@@ -158,6 +160,7 @@ impl VtkReader<'_> {
     }
 
     fn cells_by_offset(&mut self, kind: Cells, n_offsets: u64, n_corners: u64) -> Result<(), FormatError> {
+        Polygons::check_faces(n_offsets.saturating_sub(1), self.limits)?;
         self.scanner.word();
         let element = self.element()?;
         let offsets = self.whole(n_offsets, element)?;

@@ -252,10 +252,14 @@ impl VtpFile<'_> {
     ) -> Result<Vec<f64>, FormatError> {
         let Some(array) = array else { return Ok(Vec::new()) };
         let damaged = || xml.damaged();
+        let most = Polygons::most_numbers(limits);
         if array.storage == Storage::Ascii {
             let words = array.text.split(u8::is_ascii_whitespace).filter(|w| !w.is_empty());
-            let numbers: Option<Vec<f64>> = words.map(|w| std::str::from_utf8(w).ok()?.parse().ok()).collect();
-            return numbers.ok_or_else(damaged);
+            let numbers: Option<Vec<f64>> =
+                words.take(most.saturating_add(1)).map(|w| std::str::from_utf8(w).ok()?.parse().ok()).collect();
+            let numbers = numbers.ok_or_else(damaged)?;
+            Polygons::check_numbers(numbers.len() as u64, limits)?;
+            return Ok(numbers);
         }
         let element = array.element.ok_or_else(damaged)?;
         let (data, is_text) = match (array.storage, self.appended) {
@@ -263,7 +267,8 @@ impl VtpFile<'_> {
             (Storage::Appended(_), None) => return Err(damaged()),
             _ => (array.text.as_slice(), true),
         };
-        let raw = self.header.block(data, is_text, limits.max_inflated_bytes).ok_or_else(damaged)?;
+        let most_bytes = most.saturating_mul(element.size()).min(limits.max_inflated_bytes);
+        let raw = self.header.block(data, is_text, most_bytes).ok_or_else(damaged)?;
         Ok(element.reals(&raw, self.header.order))
     }
 }

@@ -7,7 +7,7 @@
 mod fixtures;
 mod samples;
 
-use homolog_formats::{ReadLimits, nifti, read, stl};
+use homolog_formats::{FormatError, ReadLimits, nifti, read, stl};
 use homolog_mesh::volume::LabelVolume;
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
@@ -180,6 +180,50 @@ fn every_format_is_a_seed_of_fuzzing() {
         }
     }
     assert_eq!(seen.len(), homolog_formats::InputFormat::ALL.len());
+}
+
+/// A small compressed file may inflate to a surface of any number of faces; what is held stays below what is accepted.
+#[test]
+fn a_surface_of_many_more_faces_than_vertices_are_accepted_is_refused_before_it_takes_memory() {
+    const N: usize = 90_000;
+    let limits = ReadLimits { max_vertices: 10_000, ..ReadLimits::default() };
+    let stl = [vec![0; 80], (N as u32).to_le_bytes().to_vec(), vec![0; 50 * N]].concat();
+    let ascii_stl =
+        format!("solid x\n{}", "facet outer loop vertex 0 0 0 vertex 1 0 0 vertex 0 1 0 endloop endfacet\n".repeat(N));
+    let vertices = "0 0 0\n1 0 0\n0 1 0\n";
+    let obj = format!("v 0 0 0\nv 1 0 0\nv 0 1 0\n{}", "f 1 2 3\n".repeat(N));
+    let off = format!("OFF\n3 {N} 0\n{vertices}{}", "3 0 1 2\n".repeat(N));
+    let head = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n";
+    let faces = format!("element face {N}\nproperty list uchar int vertex_indices\nend_header\n");
+    let ply = format!("{head}{faces}{vertices}{}", "3 0 1 2\n".repeat(N));
+    let vtk = "# vtk DataFile Version 3.0\nx\nASCII\nDATASET POLYDATA\nPOINTS 3 float\n";
+    let vtk = format!("{vtk}{vertices}POLYGONS {N} {}\n{}", 4 * N, "3 0 1 2\n".repeat(N));
+    let words = "0 ".repeat(12 * N);
+    let vtp = format!(
+        "<VTKFile type=\"PolyData\"><PolyData><Piece NumberOfPoints=\"3\" NumberOfPolys=\"{N}\"><Points><DataArray \
+         type=\"Float32\" NumberOfComponents=\"3\" format=\"ascii\">0 0 0 1 0 0 0 1 0</DataArray></Points><Polys><DataArray \
+         type=\"Int32\" Name=\"connectivity\" format=\"ascii\">{words}</DataArray></Polys></Piece></PolyData></VTKFile>"
+    );
+    let whole = |text: String| text.into_bytes();
+    for (name, bytes) in [
+        ("a.stl", stl),
+        ("ascii.stl", whole(ascii_stl)),
+        ("a.obj", whole(obj)),
+        ("a.off", whole(off)),
+        ("a.ply", whole(ply)),
+        ("a.vtk", whole(vtk)),
+        ("a.vtp", whole(vtp)),
+    ] {
+        HELD.with(|held| held.set([0, 0]));
+        let refused = read(&bytes, Some(name), &limits).unwrap_err();
+        let most = HELD.with(Cell::get)[1];
+        assert!(matches!(refused, FormatError::TooLarge { .. }), "{name}: {refused}");
+        assert!(most < 32 << 20, "{name}: {most} bytes were held");
+    }
+    // A surface larger than any that is accepted is not even read.
+    let long = format!("{}v 0 0 0\n", "# x\n".repeat(2_000_000));
+    let refused = read(long.as_bytes(), Some("a.obj"), &limits).unwrap_err();
+    assert!(matches!(refused, FormatError::TooLarge { what: "bytes of a surface", .. }), "{refused}");
 }
 
 /// What coverage-guided fuzzing (`make fuzz`) has found.

@@ -94,7 +94,7 @@ struct Follower {
 const DONE: &str = "-done";
 
 /// The `seq` in the id of an event, and whether it is that of the last event.
-fn parse_id(text: &str) -> Option<(u64, bool)> {
+pub(in crate::http) fn parse_id(text: &str) -> Option<(u64, bool)> {
     let text = text.trim();
     let (seq, is_done) = text.strip_suffix(DONE).map_or((text, false), |seq| (seq, true));
     Some((seq.parse().ok()?, is_done))

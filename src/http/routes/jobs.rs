@@ -188,7 +188,7 @@ impl IntoParams for FilterParameters {
 }
 
 /// The filter in a query string.
-fn filter(query: &mut QueryString) -> JobFilter {
+pub(in crate::http) fn filter(query: &mut QueryString) -> JobFilter {
     let mut filter = JobFilter { method: query.text("method"), ..JobFilter::default() };
     for name in query.all("state").iter().flat_map(|list| list.split(',')) {
         match JobState::from_name(name.trim()) {

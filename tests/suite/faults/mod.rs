@@ -47,6 +47,23 @@ fn seconds(short: u64, long: u64) -> Duration {
 
 /// Defines a test of `async fn name(Backend)` on each backend: `name::sqlite` and `name::postgres`.
 macro_rules! on_both {
+    (needs $reason:literal: $($name:ident),+ $(,)?) => {$(
+        mod $name {
+            use crate::faults::site::Backend;
+
+            #[tokio::test]
+            #[ignore = $reason]
+            async fn sqlite() {
+                super::$name(Backend::Sqlite).await;
+            }
+
+            #[tokio::test]
+            #[ignore = $reason]
+            async fn postgres() {
+                super::$name(Backend::Postgres).await;
+            }
+        }
+    )+};
     ($($name:ident),+ $(,)?) => {$(
         mod $name {
             use crate::faults::site::Backend;

@@ -9,7 +9,9 @@ use super::witness::Database;
 use homolog::jobs::{ArtifactStore, JobStore};
 use homolog::store::artifacts::{FolderArtifacts, S3Artifacts};
 use homolog::store::sql::{DatabaseLocation, SqlStore};
+use std::io::{BufRead as _, BufReader};
 use std::path::{Path, PathBuf};
+use std::process::{Child, Stdio};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU32, Ordering};
 use std::time::Duration;
@@ -27,6 +29,27 @@ pub(crate) enum Backend {
     Sqlite,
     /// PostgreSQL and S3.
     Postgres,
+}
+
+/// A process of the program; killed when dropped.
+pub(crate) struct Program {
+    process: Child,
+    /// Its base URL.
+    pub base: String,
+}
+
+impl Program {
+    /// Whether it runs.
+    pub(crate) fn is_running(&mut self) -> bool {
+        self.process.try_wait().unwrap().is_none()
+    }
+}
+
+impl Drop for Program {
+    fn drop(&mut self) {
+        let _ = self.process.kill();
+        let _ = self.process.wait();
+    }
 }
 
 /// A database and a blob store, at first without nodes.
@@ -84,6 +107,17 @@ impl Site {
     /// A node that serves HTTP and, by default, runs jobs.
     pub(crate) fn serve(&self, arguments: &[&str]) -> Node {
         self.node("serve", arguments, &[]).unwrap_or_else(|NotStarted(log)| panic!("{log}"))
+    }
+
+    /// The program itself, with the real engine. Panics if it does not start.
+    pub(crate) fn program(&self, arguments: &[&str]) -> Program {
+        let mut command = crate::cli::homolog();
+        command.arg("serve").args(arguments).envs(self.environment());
+        let mut process = command.stdout(Stdio::piped()).stderr(Stdio::null()).spawn().unwrap();
+        let mut line = String::new();
+        BufReader::new(process.stdout.take().unwrap()).read_line(&mut line).unwrap();
+        let base = line.split_whitespace().find(|word| word.starts_with("http://")).expect("an address").to_owned();
+        Program { process, base }
     }
 
     /// A node that only runs jobs.

@@ -116,6 +116,21 @@ async fn readers_of_a_large_upload_take_little_memory_and_one_that_reads_nothing
     assert_eq!(whole.len(), SIZE, "who reads gets all of it");
 }
 
+/// `make memory` in a short form, on the build of the tests.
+#[test]
+fn the_service_stays_within_its_memory_under_all_attacks_at_once() {
+    let script = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("scripts/memory");
+    let mut command = std::process::Command::new(script);
+    command.arg(env!("CARGO_BIN_EXE_homolog")).args(["--only", "api", "--seconds", "8"]);
+    let Ok(done) = command.output() else {
+        println!("skipped: python3 is not installed");
+        return;
+    };
+    let record = String::from_utf8_lossy(&done.stdout).into_owned();
+    assert!(done.status.success(), "{record}{}", String::from_utf8_lossy(&done.stderr));
+    println!("{record}");
+}
+
 #[tokio::test]
 async fn ranges_and_lengths_of_an_upload_are_answered() {
     let service = crate::jobs_support::TestService::start(&["--workers", "0"]).await;

@@ -1,0 +1,4 @@
+//! Any bytes as a body of JSON: no panic, and no answer but a short refusal.
+#![no_main]
+
+libfuzzer_sys::fuzz_target!(|bytes: &[u8]| homolog::http::fuzzed::json(bytes));

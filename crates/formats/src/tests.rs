@@ -164,7 +164,7 @@ fn counts_larger_than_the_file_allocate_nothing() {
     assert!(matches!(labels_of(&gzip(&large)), Err(FormatError::Truncated { .. })));
     let faces = "ply\nformat binary_little_endian 1.0\nelement vertex 1\nproperty float x\nproperty float y\n\
                  property float z\nelement face 4000000000\nproperty list uint int vertex_indices\nend_header\n";
-    assert!(matches!(mesh_of(faces.as_bytes()), Err(FormatError::Truncated { .. })));
+    assert!(matches!(mesh_of(faces.as_bytes()), Err(FormatError::TooLarge { .. })));
     let empty = "ply\nformat ascii 1.0\nelement nothing 4000000000\nelement vertex 1\nproperty float x\n\
                  property float y\nproperty float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n";
     assert!(mesh_of(empty.as_bytes()).is_err());

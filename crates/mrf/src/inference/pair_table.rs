@@ -33,8 +33,8 @@ impl PairTable {
         let mut nearest = Vec::with_capacity(n);
         for y in 0..n {
             for (&x, &d) in labels.members(y).iter().zip(labels.distances(y)) {
-                let exponent = beta * (f64::from(d) / length_scale - 1.0);
-                pairs.push(Pair { label: x, factors: [exponent.exp() as f32, (-exponent).exp() as f32] });
+                let (falling, rising) = edge_factors(beta, length_scale, d);
+                pairs.push(Pair { label: x, factors: [rising, falling] });
             }
             offsets.push(pairs.len() as u32);
             let neighbors = if labels.rings() > 0 { labels.graph().neighbors(y) } else { &[] };
@@ -80,8 +80,29 @@ pub(super) fn truncated_pair_factor(edge: (f32, f32), pair: [f32; 2], epsilon: f
     if psi > epsilon { psi } else { epsilon }
 }
 
-/// The two factors of `ψ` that belong to a source edge of `length`: `exp(−β(ℓ/ℓ' − 1))` and its inverse.
+/// Largest exponent of a factor: neither it nor its inverse is 0 or infinite in 32 bits, whose product would be no number.
+const LARGEST_EXPONENT: f64 = 85.0;
+
+/// The two factors of `ψ` that belong to an edge of `length`: `exp(−β(ℓ/ℓ' − 1))` and its inverse, of which the larger is at most
+/// `exp(85)`.
 pub(super) fn edge_factors(beta: f64, length_scale: f64, length: f32) -> (f32, f32) {
     let exponent = beta * (f64::from(length) / length_scale - 1.0);
+    let exponent = exponent.clamp(-LARGEST_EXPONENT, LARGEST_EXPONENT);
     ((-exponent).exp() as f32, exponent.exp() as f32)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_pair_has_a_factor_of_at_most_1_at_any_weight() {
+        for beta in [0.0, 1.0, 1e3, 1e9] {
+            for (edge, pair) in [(0.5f32, 3.0f32), (3.0, 0.5), (3.0, 3.0), (1.0, 3.0), (0.0, 1e9)] {
+                let (falling, rising) = edge_factors(beta, 1.0, pair);
+                let factor = pair_factor(edge_factors(beta, 1.0, edge), [rising, falling]);
+                assert!((0.0..=1.0 + 1e-6).contains(&factor), "{factor} of {edge}, {pair} at {beta}");
+            }
+        }
+    }
 }

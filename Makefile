@@ -20,6 +20,7 @@
 #              volumes in dir/hippocampus
 # make accuracy  measure accuracy and compare it with other programs; DATA=dir: label volumes in dir/hippocampus;
 #              EVAL=dir: the folder of real_cases.py; CASES=10: pairs per set; OURS_ONLY=1: without the other programs
+# make energies  the energy of the truth against what each minimizer finds; DATA, EVAL, CASES as for make accuracy
 # make answers compare the answers of this build with tests/answers.tsv, to the bit, on 20 real pairs and all methods;
 #              DATA=dir: label volumes in dir/hippocampus
 # make fuzz    coverage-guided fuzzing of the readers, or of what clients send: PART=json, form, headers, query or token; FOR=600:
@@ -30,7 +31,7 @@
 SHELL := /usr/bin/env bash
 .SHELLFLAGS := -eu -o pipefail -c
 .DEFAULT_GOAL := help
-.PHONY: help demo test faults fuzz soak memory check sbom advisories contract build api picture experiment accuracy answers bench bench-service
+.PHONY: help demo test faults fuzz soak memory check sbom advisories contract build api picture experiment accuracy energies answers bench bench-service
 
 CARGO ?= cargo
 SOURCE ?=
@@ -115,6 +116,11 @@ experiment: build
 accuracy: build
 	benches/accuracy/run --binary target/release/homolog --data "$(DATA)" --eval "$(EVAL)" $(if $(CASES),--cases "$(CASES)") \
 	  $(if $(filter-out 0,$(OURS_ONLY)),--ours-only)
+
+energies:
+	$(CARGO) build --release --locked -p homolog -p homolog-laboratory --example energies --bins
+	benches/accuracy/run --binary target/release/homolog --data "$(DATA)" --eval "$(EVAL)" --ours-only \
+	  --energies target/release/examples/energies $(if $(CASES),--cases "$(CASES)")
 
 answers: build
 	scripts/answers target/release/homolog --data "$(DATA)" --against tests/answers.tsv

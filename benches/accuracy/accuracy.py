@@ -6,6 +6,7 @@ import os
 import sys
 
 import cases
+import energies
 import figures
 import plan
 import quick
@@ -34,6 +35,7 @@ def arguments():
     parser.add_argument("--refresh", action="append", default=[], help="compute this method's answers anew")
     parser.add_argument("--sets", help="quick mode: a line for each of these sets or groups of sets, and no report")
     parser.add_argument("--set", action="append", default=[], help="quick mode: KEY=VALUE, a parameter of the match")
+    parser.add_argument("--energies", metavar="PROGRAM", help="the energy of the truth against what minimizers find")
     parser.add_argument("--report-only", action="store_true", help="write the report of the answers that are there")
     return parser.parse_args()
 
@@ -75,6 +77,11 @@ def main():
     made = cases.Cases(given.data, given.eval, cache)
     homolog = Homolog(given.binary, given.limit)
     run = runner.Runner(made, homolog, given.work, given.limit, given.refresh)
+    if given.energies:
+        folder, out = os.path.join(given.work, "energies"), os.path.join(given.work, "energies.csv")
+        chosen = sets.expanded(given.sets or energies.SETS)
+        energies.run(given.energies, made, chosen, given.cases or 5, folder, out)
+        return 0
     if given.sets:
         return run_quickly(given, run, made)
     n = given.cases or (5 if given.ours_only else 10)

@@ -18,8 +18,6 @@ use faer::{Mat, Side};
 use homolog_mesh::SurfaceMesh;
 use nalgebra::{Matrix3, Point3, Vector3};
 use rayon::prelude::*;
-use std::cmp::Reverse;
-use std::collections::{BTreeMap, BinaryHeap};
 
 /// Steps of majorization; the stress changes by less than a percent after them.
 const STEPS: usize = 30;
@@ -38,16 +36,18 @@ pub struct CanonicalForm {
     pub stress: f64,
 }
 
-/// The form of `mesh` over its vertices `sites`. `None` with fewer than four sites or where a number is not finite.
+/// The form of `mesh` over its vertices `sites`, from the distances of each of them to all vertices, mm
+/// ([`distances_from`](crate::geodesic::distances_from)). `None` with fewer than four sites or where a number is not finite.
 ///
 /// # Cost
-/// `O(sites · n log n + sites³)`.
-pub fn canonical_form(mesh: &SurfaceMesh, sites: &[u32]) -> Option<CanonicalForm> {
+/// `O(sites³)`.
+pub fn canonical_form(mesh: &SurfaceMesh, sites: &[u32], rows: &[Vec<f64>]) -> Option<CanonicalForm> {
     let n = sites.len();
     if n < 4 {
         return None;
     }
-    let distances = site_distances(mesh, sites);
+    let to_sites = |row: &Vec<f64>| sites.iter().map(|&k| row[k as usize]).collect();
+    let distances: Vec<Vec<f64>> = rows.iter().map(to_sites).collect();
     let largest = distances.iter().flatten().copied().fold(0.0, f64::max);
     if !(largest.is_finite() && largest > 0.0) {
         return None;
@@ -63,95 +63,6 @@ pub fn canonical_form(mesh: &SurfaceMesh, sites: &[u32]) -> Option<CanonicalForm
         points.iter_mut().for_each(|p| p.x = -p.x);
     }
     Some(CanonicalForm { points, neighbors, stress })
-}
-
-/// Geodesic distances from each site to all sites, mm; through space between pieces that no path joins.
-fn site_distances(mesh: &SurfaceMesh, sites: &[u32]) -> Vec<Vec<f64>> {
-    let paths = Paths::new(mesh);
-    let v = mesh.vertices();
-    sites
-        .par_iter()
-        .map(|&from| {
-            let distance = paths.from(from as usize);
-            let to = |&k: &u32| {
-                let d = distance[k as usize];
-                if d.is_finite() { d } else { (v[k as usize] - v[from as usize]).norm() }
-            };
-            sites.iter().map(to).collect()
-        })
-        .collect()
-}
-
-/// Edges of a mesh and the straight lines across the two triangles of an edge, unfolded.
-struct Paths {
-    offsets: Vec<usize>,
-    steps: Vec<(u32, f64)>,
-}
-
-impl Paths {
-    fn new(mesh: &SurfaceMesh) -> Self {
-        let v = mesh.vertices();
-        let mut opposite: BTreeMap<[u32; 2], Vec<u32>> = BTreeMap::new();
-        for t in mesh.triangles() {
-            for k in 0..3 {
-                let (a, b, c) = (t[k], t[(k + 1) % 3], t[(k + 2) % 3]);
-                opposite.entry([a.min(b), a.max(b)]).or_default().push(c);
-            }
-        }
-        let mut steps: Vec<Vec<(u32, f64)>> = vec![Vec::new(); v.len()];
-        let mut join = |a: u32, b: u32, length: f64| {
-            steps[a as usize].push((b, length));
-            steps[b as usize].push((a, length));
-        };
-        for (&[a, b], ends) in &opposite {
-            let (p, q) = (v[a as usize], v[b as usize]);
-            let length = (q - p).norm();
-            join(a, b, length);
-            let (&[c, e], true) = (ends.as_slice(), length > 0.0) else { continue };
-            if c == e {
-                continue;
-            }
-            // Both corners in the plane of the unfolded triangles, `p` at the origin and `q` along the first axis.
-            let axis = (q - p) / length;
-            let unfolded = |k: u32| {
-                let d = v[k as usize] - p;
-                let along = d.dot(&axis);
-                (along, (d - axis * along).norm())
-            };
-            let ((x, y), (x2, y2)) = (unfolded(c), unfolded(e));
-            // The straight line must cross the edge itself.
-            let crossing = if y + y2 > 0.0 { x + (x2 - x) * y / (y + y2) } else { -1.0 };
-            if (0.0..=length).contains(&crossing) {
-                join(c, e, (x - x2).hypot(y + y2));
-            }
-        }
-        let mut offsets = vec![0];
-        for row in &steps {
-            offsets.push(offsets[offsets.len() - 1] + row.len());
-        }
-        Paths { offsets, steps: steps.concat() }
-    }
-
-    /// Distances of all vertices from `from`, mm; infinite where no path leads.
-    fn from(&self, from: usize) -> Vec<f64> {
-        let mut distance = vec![f64::INFINITY; self.offsets.len() - 1];
-        distance[from] = 0.0;
-        // Non-negative lengths compare like their bits.
-        let mut queue = BinaryHeap::from([Reverse((0u64, from as u32))]);
-        while let Some(Reverse((bits, i))) = queue.pop() {
-            let d = f64::from_bits(bits);
-            if d > distance[i as usize] {
-                continue;
-            }
-            for &(j, length) in &self.steps[self.offsets[i as usize]..self.offsets[i as usize + 1]] {
-                if d + length < distance[j as usize] {
-                    distance[j as usize] = d + length;
-                    queue.push(Reverse(((d + length).to_bits(), j)));
-                }
-            }
-        }
-        distance
-    }
 }
 
 /// Points from the three largest eigenvectors of the centered squared distances.
@@ -220,7 +131,7 @@ fn nearest(d: &Mat<f64>) -> Vec<Vec<u32>> {
 /// Positive where a map keeps the handedness of neighborhoods, negative where it mirrors them: the sum of the determinants of
 /// the covariances between the `neighbors` of each point and their `images`. A neighborhood that is flat on either side
 /// counts little.
-pub fn handedness(points: &[Point3<f64>], images: &[Point3<f64>], neighbors: &[Vec<u32>]) -> f64 {
+fn handedness(points: &[Point3<f64>], images: &[Point3<f64>], neighbors: &[Vec<u32>]) -> f64 {
     let of_neighborhood = |near: &Vec<u32>| {
         let mean = |p: &[Point3<f64>]| {
             near.iter().fold(Vector3::zeros(), |s, &k| s + p[k as usize].coords) / near.len() as f64
@@ -238,6 +149,7 @@ pub fn handedness(points: &[Point3<f64>], images: &[Point3<f64>], neighbors: &[V
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::geodesic::distances_from;
     use homolog_mesh::shapes::ellipsoid;
 
     /// A long and thin surface without symmetry.
@@ -261,7 +173,7 @@ mod tests {
 
     fn form(mesh: &SurfaceMesh) -> CanonicalForm {
         let sites: Vec<u32> = (0..mesh.n_vertices() as u32).step_by(4).collect();
-        canonical_form(mesh, &sites).unwrap()
+        canonical_form(mesh, &sites, &distances_from(mesh, &sites)).unwrap()
     }
 
     /// Root mean square difference between the distances within two sets of points, relative to their root mean square.
@@ -321,17 +233,9 @@ mod tests {
 
     #[test]
     fn few_sites_have_no_form() {
-        assert!(canonical_form(&straight(), &[0, 1, 2]).is_none());
-        assert!(canonical_form(&straight(), &[0, 0, 0, 0]).is_none());
-    }
-
-    #[test]
-    fn paths_across_an_edge_are_straight_in_the_plane() {
-        // A square of two triangles: the diagonal that is no edge.
-        let square = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]].map(|[x, y]| Point3::new(x, y, 0.0));
-        let mesh =
-            SurfaceMesh::new(square.to_vec(), homolog_mesh::FaceArity::Triangle, vec![0, 1, 2, 0, 2, 3]).unwrap();
-        let distance = Paths::new(&mesh).from(1);
-        assert!((distance[3] - 2f64.sqrt()).abs() < 1e-12, "{distance:?}");
+        for sites in [vec![0, 1, 2], vec![0; 4]] {
+            let mesh = straight();
+            assert!(canonical_form(&mesh, &sites, &distances_from(&mesh, &sites)).is_none());
+        }
     }
 }

@@ -13,7 +13,7 @@ use super::reliability::{UNRELIABLE_CONFIDENCE, reliability, without_counterpart
 use super::rounds::PROGRESS_AT_END;
 use super::scene::Scene;
 use super::vertex_map::VertexMap;
-use homolog_contract::parameters::DisplacementMode;
+use homolog_contract::parameters::{Bending, DisplacementMode};
 use homolog_contract::result::{PoseDocument, PoseOrigin, ReliabilityDocument};
 use homolog_mesh::ClosestPoint;
 use homolog_mrf::Labeling;
@@ -158,9 +158,10 @@ fn by_field(coarse: &Coarse<'_>, posed: &Posed<'_>, starts: &Starts) -> Result<O
         landmarks: &scene.parameters.landmarks,
         open: source.full.is_open || target.full.is_open,
         lengths: Lengths::of(&source.middle, &target.middle),
-        form_of: &|which| match which {
-            Which::Source => source.middle.form(),
-            Which::Target => target.middle.form(),
+        form_of: &|which| match (scene.parameters.displacement.bending, which) {
+            (Bending::None, _) => None,
+            (Bending::NearIsometry, Which::Source) => source.middle.form(),
+            (Bending::NearIsometry, Which::Target) => target.middle.form(),
         },
     };
     let poses: Vec<StartPose> =

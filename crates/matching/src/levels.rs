@@ -57,6 +57,11 @@ impl Levels {
         Levels { full, middle, energy, cells }
     }
 
+    /// The surface on whose vertices the energy is, mm.
+    pub fn energy_mesh(&self) -> &SurfaceMesh {
+        self.energy.mesh()
+    }
+
     /// Whether the energy is that of all vertices.
     pub(super) fn is_direct(&self) -> bool {
         Arc::ptr_eq(&self.full, &self.energy)

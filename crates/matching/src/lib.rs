@@ -66,6 +66,7 @@ mod surface_index;
 mod tests;
 mod vertex_map;
 
+pub use displacement::{NearIsometryModel, near_isometry_model};
 pub use homolog_contract::parameters::{self, MatchParameters, Method, preset};
 pub use homolog_contract::result;
 pub use homolog_mesh::{FaceArity, MeshError, SurfaceMesh, shapes};
@@ -177,6 +178,18 @@ pub fn energy_model(
     parameters: &MatchParameters,
 ) -> Result<MrfModel, MatchError> {
     prepare::build_model(&side::Side::new(source), &side::Side::new(target), parameters)
+}
+
+/// The energy on the coarse levels of two surfaces, as [`match_levels`] minimises it in its first round.
+///
+/// # Errors
+/// [`MatchError::ScaleSpace`].
+pub fn coarse_energy_model(
+    source: &Levels,
+    target: &Levels,
+    parameters: &MatchParameters,
+) -> Result<MrfModel, MatchError> {
+    prepare::build_model(&source.energy, &target.energy, parameters)
 }
 
 /// Matches `source` to `target` and registers them. Correspondences use the vertex indices of these two meshes.

@@ -17,6 +17,7 @@
 //! In homolog the variables are the vertices of a source surface and the labels those of a target surface. Nothing here
 //! knows a surface: a model is a graph, a table of unary potentials and label neighbourhoods. Minimisers are in
 //! [`inference`]: belief propagation, simulated annealing, Las Vegas, and a lower bound on the energy.
+//! Correspondences between surfaces that bend have an energy of their own, [`metric`].
 //!
 //! ```
 //! use homolog_mrf::inference::{BeliefPropagation, BpOptions, Product};
@@ -40,6 +41,7 @@
 //! ```
 
 pub mod inference;
+pub mod metric;
 mod potentials;
 
 pub use potentials::{Feature, FeaturePotentials, unary_potentials};

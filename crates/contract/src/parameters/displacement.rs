@@ -12,6 +12,28 @@ pub struct DisplacementParameters {
     /// state.
     #[cfg_attr(feature = "serde", serde(default = "without_prior"))]
     pub anatomy: Anatomy,
+    /// What is tried where no rigid start leads to surfaces that agree: bent, folded and articulated ones.
+    #[cfg_attr(feature = "serde", serde(default = "near_isometry"))]
+    pub bending: Bending,
+}
+
+/// Jobs that were stored before this parameter existed had no other choice.
+#[cfg(feature = "serde")]
+fn near_isometry() -> Bending {
+    Bending::NearIsometry
+}
+
+/// How a surface that no rigid motion brings close to the other is matched.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
+pub enum Bending {
+    /// Not at all: all starts are rigid.
+    None,
+    /// By the correspondence that keeps distances along the surfaces best: the labeling of lowest energy of a Markov random field
+    /// without a pose, by belief propagation from bending-invariant forms. Tried only where rigid starts disagree.
+    NearIsometry,
 }
 
 /// Jobs that were stored before this parameter existed used no prior.

@@ -16,7 +16,7 @@ mod registration;
 #[cfg(feature = "serde")]
 mod resolve;
 
-pub use displacement::{Anatomy, DisplacementMode, DisplacementParameters};
+pub use displacement::{Anatomy, Bending, DisplacementMode, DisplacementParameters};
 pub use energy::{CurvatureEstimator, EnergyParameters, FeatureKind, FeatureParameters, PairwiseDistance};
 pub use inference::{
     Algorithm, AnnealingParameters, ClampingMode, ClampingParameters, CoolingSchedule, InferenceParameters,

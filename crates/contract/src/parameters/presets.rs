@@ -2,10 +2,10 @@
 
 use super::energy::default_scales;
 use super::{
-    Algorithm, Anatomy, AnnealingParameters, ClampingMode, ClampingParameters, CoolingSchedule, CurvatureEstimator,
-    DisplacementMode, DisplacementParameters, EnergyParameters, FeatureKind, FeatureParameters, InferenceParameters,
-    InitialPose, InputParameters, MatchParameters, MessageSchedule, MinimalEstimator, OrientationSolver,
-    PairwiseDistance, Refinement, RegistrationParameters, SideParameters, SurfaceKind, Update,
+    Algorithm, Anatomy, AnnealingParameters, Bending, ClampingMode, ClampingParameters, CoolingSchedule,
+    CurvatureEstimator, DisplacementMode, DisplacementParameters, EnergyParameters, FeatureKind, FeatureParameters,
+    InferenceParameters, InitialPose, InputParameters, MatchParameters, MessageSchedule, MinimalEstimator,
+    OrientationSolver, PairwiseDistance, Refinement, RegistrationParameters, SideParameters, SurfaceKind, Update,
 };
 
 /// A named preset.
@@ -203,7 +203,11 @@ fn balanced() -> MatchParameters {
             resolve_ambiguity: false,
             refine: Refinement::PointToPoint,
         },
-        displacement: DisplacementParameters { mode: DisplacementMode::Smooth, anatomy: Anatomy::Any },
+        displacement: DisplacementParameters {
+            mode: DisplacementMode::Smooth,
+            anatomy: Anatomy::Any,
+            bending: Bending::NearIsometry,
+        },
         landmarks: Vec::new(),
         both_directions: false,
         seed: 0,

@@ -2,14 +2,17 @@
 //!
 //! [`label_neighborhoods`] fills `N_r` with one of three distances `d'` ([`LabelDistance`]), for which Euclidean ≤
 //! geodesic ≤ graph, with equality on every edge. The geodesic distance is exact on the polyhedron, found by unfolding
-//! faces (`straight.rs`) and joining straight pieces (`local.rs`).
+//! faces (`straight.rs`) and joining straight pieces (`local.rs`). [`distances_from`] measures from a few places to all vertices.
 
 mod dijkstra;
 mod local;
+mod paths;
 mod polyhedron;
 mod straight;
 #[cfg(test)]
 mod tests;
+
+pub use paths::distances_from;
 
 use dijkstra::{Dijkstra, WeightedGraph};
 use homolog_mesh::SurfaceMesh;

@@ -3,16 +3,17 @@
 //! The forms of both surfaces ([`homolog_geometry::canonical_form`]) are registered as any two surfaces are: a search over all
 //! orientations of either handedness, then a smooth field from each pose. Curvatures are those of the surfaces themselves.
 //! What a form leaves open is its handedness, and which of several limbs of equal length is which; each pose is kept as a
-//! start of its own, and the stages on the surfaces themselves compare them. A start whose correspondences turn the surface
-//! inside out is dropped.
+//! start of its own, and the energy of near isometries ([`super::isometry`]) says which is right.
 
 use super::stages::{NORMAL_WEIGHT, comparison_kernel, displaced, kernel, observed_means, precision_of_features};
 use super::surface::{N_FEATURES, SmoothSurface};
 use super::{DisplacementOptions, diagonal_mm, prior};
 use faer::Mat;
-use homolog_geometry::canonical_form::{canonical_form, handedness};
+use homolog_geometry::canonical_form::canonical_form;
+use homolog_geometry::geodesic::distances_from;
 use homolog_geometry::hierarchy::coarsen;
 use homolog_mesh::SurfaceMesh;
+use homolog_primitives::points::farthest_points;
 use homolog_registration::alignment::{OrientedPoints, annealed, assign, progress_to_end};
 use homolog_registration::deformation::{FieldBasis, fit_field};
 use homolog_registration::{PoseSearchOptions, RigidTransform, pose_search, surroundings};
@@ -22,6 +23,8 @@ use std::f64::consts::TAU;
 
 /// Sites of a form.
 const N_SITES: usize = 256;
+/// Places of a surface that are labels of the field between two surfaces ([`super::isometry`]).
+const N_LABELS: usize = 512;
 /// Vertices of the surface on which distances between them are measured.
 const N_MEASURED: usize = 1000;
 /// Radii, in roots of the area, of the balls whose contents describe the surroundings of a site.
@@ -43,30 +46,83 @@ pub(crate) struct Form {
     /// For each site those nearest along the surface, itself first.
     pub neighbors: Vec<Vec<u32>>,
     /// Area of the surface that each site stands for, mm².
-    areas: Vec<f64>,
+    pub areas: Vec<f64>,
     /// Surroundings of each site on the surface itself, four numbers each.
     surroundings: Vec<f64>,
+    /// Distances along the surface.
+    pub measured: Measured,
+}
+
+/// Distances along a surface, on a coarser level of it.
+#[derive(Clone, Debug)]
+pub(crate) struct Measured {
+    /// The coarser level, mm.
+    pub mesh: SurfaceMesh,
+    /// The vertex of the surface that each vertex of it is.
+    pub vertices: Vec<u32>,
+    /// The sites of the form.
+    pub sites: Places,
+    /// Even samples, twice as dense.
+    pub labels: Places,
+}
+
+/// Some vertices of the coarser level and their distances to all of its vertices.
+#[derive(Clone, Debug)]
+pub(crate) struct Places {
+    pub vertices: Vec<u32>,
+    /// A row for each of them, in roots of the area.
+    pub rows: Vec<Vec<f64>>,
+}
+
+impl Places {
+    /// Those of `vertices` whose distances in mm are `rows`.
+    fn new(vertices: Vec<u32>, mut rows: Vec<Vec<f64>>, root_mm: f64) -> Places {
+        rows.iter_mut().flatten().for_each(|d| *d /= root_mm);
+        Places { vertices, rows }
+    }
+
+    /// The distance between two of them, the same in both directions.
+    pub(super) fn distance(&self, i: usize, j: usize) -> f64 {
+        0.5 * (self.rows[i][self.vertices[j] as usize] + self.rows[j][self.vertices[i] as usize])
+    }
+
+    /// Those that are listed.
+    pub(super) fn picked(&self, which: &[u32]) -> Places {
+        Places {
+            vertices: which.iter().map(|&k| self.vertices[k as usize]).collect(),
+            rows: which.iter().map(|&k| self.rows[k as usize].clone()).collect(),
+        }
+    }
 }
 
 impl Form {
     /// The form of `mesh`; `None` where it has too few vertices or pieces that no form holds.
     pub(crate) fn new(mesh: &SurfaceMesh, normals: &[Vector3<f64>], vertex_areas: &[f64]) -> Option<Form> {
-        let measured = coarsen(mesh, N_MEASURED);
-        let (fine, to_mesh): (&SurfaceMesh, Vec<u32>) = match &measured {
+        let coarser = coarsen(mesh, N_MEASURED);
+        let (fine, to_mesh): (&SurfaceMesh, Vec<u32>) = match &coarser {
             Some(level) => (&level.mesh, level.sites.clone()),
             None => (mesh, (0..mesh.n_vertices() as u32).collect()),
         };
         let level = coarsen(fine, N_SITES)?;
-        let form = canonical_form(fine, &level.sites)?;
+        let rows = distances_from(fine, &level.sites);
+        let form = canonical_form(fine, &level.sites, &rows)?;
         let sites: Vec<u32> = level.sites.iter().map(|&k| to_mesh[k as usize]).collect();
         let mut areas = vec![0.0; sites.len()];
         for (i, area) in vertex_areas.iter().enumerate() {
-            let cell = measured.as_ref().map_or(i, |m| m.cells[i] as usize);
+            let cell = coarser.as_ref().map_or(i, |c| c.cells[i] as usize);
             areas[level.cells[cell] as usize] += area;
         }
         let points: Vec<Point3<f64>> = sites.iter().map(|&k| mesh.vertices()[k as usize]).collect();
         let site_normals: Vec<Vector3<f64>> = sites.iter().map(|&k| normals[k as usize]).collect();
         let root_mm = mesh.area().sqrt();
+        let labels: Vec<u32> = farthest_points(fine.vertices(), N_LABELS).into_iter().map(|k| k as u32).collect();
+        let label_rows = distances_from(fine, &labels);
+        let measured = Measured {
+            mesh: fine.clone(),
+            sites: Places::new(level.sites.clone(), rows, root_mm),
+            labels: Places::new(labels, label_rows, root_mm),
+            vertices: to_mesh,
+        };
         let around: Vec<_> = points.iter().zip(&areas).map(|(p, &area)| (p.coords, area)).collect();
         let radii_mm = RADII.map(|radius| radius * root_mm);
         let surroundings = points
@@ -75,7 +131,15 @@ impl Form {
             .flat_map(|(p, normal)| surroundings(&p.coords, normal, &around, radii_mm))
             .collect();
         let mesh = level.mesh.with_vertices(form.points).ok()?;
-        Some(Form { sites, normals: mesh.vertex_normals(), neighbors: form.neighbors, mesh, areas, surroundings })
+        Some(Form {
+            sites,
+            normals: mesh.vertex_normals(),
+            neighbors: form.neighbors,
+            mesh,
+            areas,
+            surroundings,
+            measured,
+        })
     }
 
     /// The sites on the surface itself, mm.
@@ -165,7 +229,7 @@ struct Between<'a> {
 }
 
 impl Between<'_> {
-    /// The correspondence after a field from `pose`. `None` where it mirrors neighborhoods.
+    /// The correspondence after a field from `pose`; `None` where no field can be fitted.
     fn matched(&self, pose: &RigidTransform) -> Option<FormMatch> {
         let form = self.source.form;
         let base: Vec<Point3<f64>> = form.mesh.vertices().iter().map(|p| pose.apply(p)).collect();
@@ -187,7 +251,7 @@ impl Between<'_> {
         let source = OrientedPoints { points: &moved, normals: &normals, ..self.source.oriented() };
         let misfit = assign(&source, &target, &comparison_kernel(last)).misfit;
         let (images, mass) = self.images(&source, last, &precision);
-        (handedness(&self.source.points, &images, &form.neighbors) > 0.0).then_some(FormMatch { images, mass, misfit })
+        Some(FormMatch { images, mass, misfit })
     }
 
     /// For each site of `source`, which is where the form was moved to, the mean of the target's points, weighted by how well

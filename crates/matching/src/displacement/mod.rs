@@ -39,6 +39,7 @@ mod fine;
 mod forms;
 mod functions;
 mod guides;
+mod isometry;
 mod local;
 mod rigid;
 mod stages;
@@ -54,6 +55,7 @@ pub(crate) use answer::Image;
 pub(crate) use coarse::{ComparedPose, StartPose};
 pub(crate) use forms::Form;
 pub(super) use guides::landmark_pose;
+pub use isometry::{NearIsometryModel, near_isometry_model};
 
 use super::MatchError;
 use super::lengths::Lengths;
@@ -355,6 +357,8 @@ fn deformed(
     }
     let refined = match unbent {
         Some(unbent) => {
+            // Rigid poses say nothing of the handedness of a surface that bends.
+            compared.retain(|rigid| !(rigid.mirrored && unbent.is_of_same_handedness));
             compared = unbent.compared.into_iter().chain(compared).collect();
             Some(unbent.refined)
         }

@@ -8,8 +8,9 @@
 
 use super::coarse::ComparedPose;
 use super::fine::Refined;
-use super::forms::{Form, FormMatch, form_matches};
+use super::forms::{Form, form_matches};
 use super::functions::Functions;
+use super::isometry::{Isometry, NearIsometry};
 use super::prior;
 use super::stages::{Base, Displacement, State, comparison_kernel};
 use super::unbending::Unbending;
@@ -22,9 +23,12 @@ use nalgebra::Point3;
 use rayon::prelude::*;
 use std::sync::Arc;
 
-/// Correspondences of the forms that go through the coarse stage, and those of them that go through all stages.
-const COMPARED: usize = 8;
+/// Correspondences that go through all stages: that of the lowest energy and those of the lowest misfit.
 const REFINED: usize = 3;
+/// Mean distance up to which two correspondences count as one, in roots of the area: less than the distance between sites.
+const SAME: f64 = 0.03;
+/// Energies that differ by less than this share of them do not tell two correspondences apart.
+const EQUAL_ENERGY: f64 = 0.03;
 /// Width and standard deviation of a second kernel, in diagonals: joints are narrower than the bends of one structure.
 const JOINT_WIDTH: f64 = 0.12;
 const JOINT_AMPLITUDE: f64 = 0.05;
@@ -35,12 +39,33 @@ const PASSES: usize = 6;
 const LEAST_GAIN: f64 = 0.005;
 const REBASED_SIGMA: f64 = 0.01;
 /// Standard deviation of a correspondence of the forms, in diagonals of the source.
-const FORM_SIGMA: f64 = 0.03;
+const FORM_SIGMA: f64 = 0.02;
 /// Width of the assignment by which the ends of two attempts are compared, in roots of the area: that of the sampling of a
 /// surface of about two thousand vertices.
 const COMPARISON_SCALE: f64 = 0.02;
 /// Vertices of the source that are compared.
 const COMPARISON_SAMPLES: usize = 1200;
+
+/// `starts` by their energy, the lowest first, without those that are the same correspondence as one before them.
+fn distinct(mut starts: Vec<NearIsometry>, root_mm: f64) -> Vec<NearIsometry> {
+    starts.sort_by(|a, b| a.energy.total_cmp(&b.energy));
+    let mut kept: Vec<NearIsometry> = Vec::new();
+    for start in starts {
+        let apart = |other: &NearIsometry| {
+            let sum: f64 = start.images.iter().zip(&other.images).map(|(p, q)| (p - q).norm()).sum();
+            sum / start.images.len() as f64
+        };
+        if kept.iter().all(|other| apart(other) > SAME * root_mm) {
+            kept.push(start);
+        }
+    }
+    kept
+}
+
+/// The largest energy that does not differ from `energy`.
+fn as_low_as(energy: f64) -> f64 {
+    energy * (1.0 + EQUAL_ENERGY)
+}
 
 /// The best answer from the forms.
 pub(super) struct Unbent {
@@ -49,6 +74,8 @@ pub(super) struct Unbent {
     pub compared: Vec<ComparedPose>,
     /// Misfit at the scale of the sampling.
     pub fine_misfit: f64,
+    /// Whether the energy is no higher than with the source mirrored; so it is for a body whose left and right are alike.
+    pub is_of_same_handedness: bool,
 }
 
 impl Displacement<'_> {
@@ -59,26 +86,31 @@ impl Displacement<'_> {
     pub(super) fn unbent(&self, source: &Form, target: &Form) -> Result<Option<Unbent>, MatchError> {
         checkpoint(self.observer)?;
         let matches = form_matches((&self.source, source), (&self.target, target), self.options);
+        checkpoint(self.observer)?;
+        let isometry = Isometry::new((&self.source, source), (&self.target, target));
+        let starts = distinct(matches.par_iter().map(|guess| isometry.from(guess)).collect(), self.lengths.root_mm);
+        checkpoint(self.observer)?;
+        let is_of_same_handedness =
+            starts.first().is_some_and(|lowest| lowest.energy <= as_low_as(isometry.lowest_mirrored(&matches)));
         let Some(on_form) = self.on_form(source) else { return Ok(None) };
         let n = self.options.n_samples[0];
         let (thinned, thinned_target) = (on_form.source.thinned(n), on_form.target.thinned(n));
         let values = on_form.guides.below(&on_form.functions.values(&thinned.points));
-        let mut found: Vec<(f64, State)> = matches
+        let found: Vec<(f64, f64, State)> = starts
             .into_par_iter()
-            .take(COMPARED)
-            .map(|of_forms| {
+            .map(|start| {
                 checkpoint(self.observer)?;
-                let Some(base) = on_form.bent(source, &of_forms) else { return Ok(None) };
-                Ok(on_form.coarse_from(&base, &thinned, &thinned_target, &values, self.options.steps[0]))
+                let Some(base) = on_form.bent(&start) else { return Ok(None) };
+                let coarse = on_form.coarse_from(&base, &thinned, &thinned_target, &values, self.options.steps[0]);
+                Ok(coarse.map(|(misfit, state)| (start.energy, misfit, state)))
             })
             .collect::<Result<Vec<_>, MatchError>>()?
             .into_iter()
             .flatten()
             .collect();
-        found.sort_by(|a, b| a.0.total_cmp(&b.0));
         let mut compared: Vec<ComparedPose> = found
             .iter()
-            .map(|(misfit, state)| ComparedPose {
+            .map(|(_, misfit, state)| ComparedPose {
                 pose: usize::MAX,
                 of_form: Some(state.base.pose),
                 mirrored: false,
@@ -86,7 +118,8 @@ impl Displacement<'_> {
             })
             .collect();
         let mut best: Option<(f64, usize, Refined)> = None;
-        for (k, (_, state)) in found.into_iter().take(REFINED).enumerate() {
+        let as_low = found.first().map_or(0.0, |lowest| as_low_as(lowest.0));
+        for (k, (_, _, state)) in found.into_iter().filter(|(energy, ..)| *energy <= as_low).take(REFINED).enumerate() {
             let Some(refined) = on_form.refined(state)? else { continue };
             let misfit = on_form.fine_misfit(refined.moved(&self.source.mesh).0, false);
             if best.as_ref().is_none_or(|b| misfit < b.0) {
@@ -112,7 +145,7 @@ impl Displacement<'_> {
             }
         }
         compared[..=chosen].rotate_right(1);
-        Ok(Some(Unbent { refined, compared, fine_misfit }))
+        Ok(Some(Unbent { refined, compared, fine_misfit, is_of_same_handedness }))
     }
 
     /// This displacement with functions that are smooth over the form of the source.
@@ -134,12 +167,11 @@ impl Displacement<'_> {
         })
     }
 
-    /// The source bent by the correspondences of the forms, over their rigid part.
-    fn bent(&self, form: &Form, of_forms: &FormMatch) -> Option<Base> {
-        let points = form.places(&self.source);
-        let pose = absolute_orientation(&points, &of_forms.images, Some(&of_forms.mass), false).ok()?;
+    /// The source bent by correspondences, over their rigid part.
+    fn bent(&self, start: &NearIsometry) -> Option<Base> {
+        let pose = absolute_orientation(&start.points, &start.images, None, false).ok()?;
         let precision = (FORM_SIGMA * self.diagonal_mm).powi(-2);
-        self.base_through(pose, &points, &of_forms.images, |i| precision * of_forms.mass[i].min(1.0))
+        self.base_through(pose, &start.points, &start.images, |_| precision)
     }
 
     /// The source where `refined` moves it, as a base.

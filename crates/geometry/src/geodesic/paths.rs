@@ -1,0 +1,118 @@
+//! Shortest paths from a few places to all vertices: along edges and across the two triangles of an edge.
+//!
+//! Longer than the geodesic distance by a few percent at most on even meshes, and much cheaper than the exact distances of
+//! `local.rs`, which are for neighborhoods. Source: Dijkstra 1959.
+
+use homolog_mesh::SurfaceMesh;
+use rayon::prelude::*;
+use std::cmp::Reverse;
+use std::collections::{BTreeMap, BinaryHeap};
+
+/// For each of `sites` the distances to all vertices of `mesh`, mm; through space between pieces that no path joins.
+///
+/// # Cost
+/// `O(sites · n log n)`, on all threads; any number of them gives the same bits.
+pub fn distances_from(mesh: &SurfaceMesh, sites: &[u32]) -> Vec<Vec<f64>> {
+    let paths = Paths::new(mesh);
+    let v = mesh.vertices();
+    sites
+        .par_iter()
+        .map(|&from| {
+            let mut row = paths.from(from as usize);
+            for (d, p) in row.iter_mut().zip(v) {
+                if !d.is_finite() {
+                    *d = (p - v[from as usize]).norm();
+                }
+            }
+            row
+        })
+        .collect()
+}
+
+/// Edges of a mesh and the straight lines across the two triangles of an edge, unfolded.
+struct Paths {
+    offsets: Vec<usize>,
+    steps: Vec<(u32, f64)>,
+}
+
+impl Paths {
+    fn new(mesh: &SurfaceMesh) -> Self {
+        let v = mesh.vertices();
+        let mut opposite: BTreeMap<[u32; 2], Vec<u32>> = BTreeMap::new();
+        for t in mesh.triangles() {
+            for k in 0..3 {
+                let (a, b, c) = (t[k], t[(k + 1) % 3], t[(k + 2) % 3]);
+                opposite.entry([a.min(b), a.max(b)]).or_default().push(c);
+            }
+        }
+        let mut steps: Vec<Vec<(u32, f64)>> = vec![Vec::new(); v.len()];
+        let mut join = |a: u32, b: u32, length: f64| {
+            steps[a as usize].push((b, length));
+            steps[b as usize].push((a, length));
+        };
+        for (&[a, b], ends) in &opposite {
+            let (p, q) = (v[a as usize], v[b as usize]);
+            let length = (q - p).norm();
+            join(a, b, length);
+            let (&[c, e], true) = (ends.as_slice(), length > 0.0) else { continue };
+            if c == e {
+                continue;
+            }
+            // Both corners in the plane of the unfolded triangles, `p` at the origin and `q` along the first axis.
+            let axis = (q - p) / length;
+            let unfolded = |k: u32| {
+                let d = v[k as usize] - p;
+                let along = d.dot(&axis);
+                (along, (d - axis * along).norm())
+            };
+            let ((x, y), (x2, y2)) = (unfolded(c), unfolded(e));
+            // The straight line must cross the edge itself.
+            let crossing = if y + y2 > 0.0 { x + (x2 - x) * y / (y + y2) } else { -1.0 };
+            if (0.0..=length).contains(&crossing) {
+                join(c, e, (x - x2).hypot(y + y2));
+            }
+        }
+        let mut offsets = vec![0];
+        for row in &steps {
+            offsets.push(offsets[offsets.len() - 1] + row.len());
+        }
+        Paths { offsets, steps: steps.concat() }
+    }
+
+    /// Distances of all vertices from `from`, mm; infinite where no path leads.
+    fn from(&self, from: usize) -> Vec<f64> {
+        let mut distance = vec![f64::INFINITY; self.offsets.len() - 1];
+        distance[from] = 0.0;
+        // Non-negative lengths compare like their bits.
+        let mut queue = BinaryHeap::from([Reverse((0u64, from as u32))]);
+        while let Some(Reverse((bits, i))) = queue.pop() {
+            let d = f64::from_bits(bits);
+            if d > distance[i as usize] {
+                continue;
+            }
+            for &(j, length) in &self.steps[self.offsets[i as usize]..self.offsets[i as usize + 1]] {
+                if d + length < distance[j as usize] {
+                    distance[j as usize] = d + length;
+                    queue.push(Reverse(((d + length).to_bits(), j)));
+                }
+            }
+        }
+        distance
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use homolog_mesh::FaceArity;
+    use nalgebra::Point3;
+
+    #[test]
+    fn paths_across_an_edge_are_straight_in_the_plane() {
+        // A square of two triangles: the diagonal that is no edge.
+        let square = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]].map(|[x, y]| Point3::new(x, y, 0.0));
+        let mesh = SurfaceMesh::new(square.to_vec(), FaceArity::Triangle, vec![0, 1, 2, 0, 2, 3]).unwrap();
+        let distance = Paths::new(&mesh).from(1);
+        assert!((distance[3] - 2f64.sqrt()).abs() < 1e-12, "{distance:?}");
+    }
+}

@@ -7,6 +7,7 @@ use super::output::{note, print, print_json};
 use super::parameters::ParameterArgs;
 use super::progress::{Progress, WithoutTerminal};
 use super::summary::summary;
+use crate::jobs::{GivenUids, Uid};
 use clap::Args;
 use homolog_contract::result::{Correspondences, WarpDirection};
 use homolog_formats::ReadLimits;
@@ -43,6 +44,15 @@ pub(super) struct MatchArgs {
     /// transform.dcm and warped.dcm, and trace.jsonl
     #[arg(long, value_name = "DIR")]
     pub(super) out: Option<PathBuf>,
+    /// UID of the DICOM study for transform.dcm and warped.dcm, if neither input is a DICOM object
+    #[arg(long, value_name = "UID", requires = "out")]
+    pub(super) study_uid: Option<Uid>,
+    /// UID of the frame of reference of the source, if it is no DICOM object
+    #[arg(long, value_name = "UID", requires = "out")]
+    pub(super) source_frame_uid: Option<Uid>,
+    /// UID of the frame of reference of the target, if it is no DICOM object
+    #[arg(long, value_name = "UID", requires = "out")]
+    pub(super) target_frame_uid: Option<Uid>,
     /// File for a page with the verdict, both surfaces to turn with the mouse, and all numbers; it contains no file names
     #[arg(long, value_name = "PAGE.html")]
     pub(super) html: Option<PathBuf>,
@@ -83,7 +93,7 @@ pub(super) fn run(args: &MatchArgs) -> Result<(), CliError> {
     env!("HOMOLOG_COMMIT").clone_into(&mut output.document.provenance.commit);
     if let Some(folder) = &folder {
         write_files(folder, &output, &trace)?;
-        write_transforms(folder, &output, &source, &target)?;
+        write_transforms(folder, &output, [&source, &target], &args.uids())?;
     }
     if let Some(page) = &args.html {
         write_page(page, &output, &trace)?;
@@ -125,15 +135,31 @@ fn write_files(folder: &OutputFolder, output: &RunOutput, trace: &[TimedPoint]) 
     Ok(())
 }
 
-/// The rigid transform for other programs; if an input is a DICOM object also as DICOM, and with it the bent surfaces.
-fn write_transforms(folder: &OutputFolder, output: &RunOutput, source: &[u8], target: &[u8]) -> Result<(), CliError> {
+impl MatchArgs {
+    fn uids(&self) -> GivenUids {
+        let (study, source_frame) = (self.study_uid.clone(), self.source_frame_uid.clone());
+        GivenUids { study, source_frame, target_frame: self.target_frame_uid.clone() }
+    }
+}
+
+/// The rigid transform for other programs; if an input is a DICOM object or a study is given also as DICOM, and with it the
+/// bent surfaces.
+fn write_transforms(
+    folder: &OutputFolder,
+    output: &RunOutput,
+    [source, target]: [&[u8]; 2],
+    uids: &GivenUids,
+) -> Result<(), CliError> {
     let matrix = &output.document.transform.matrix;
     if let Some(text) = write_itk_transform(matrix) {
         folder.write("transform.tfm", text.as_bytes())?;
     }
     folder.write("transform.lta", lta(matrix, [source, target]).as_bytes())?;
     let now = jiff::Timestamp::now().strftime("%Y%m%d%H%M%S").to_string();
-    let files = RegisteredFiles { source, target, max_inflated_bytes: ReadLimits::default().max_inflated_bytes };
+    let [study_uid, source_frame, target_frame] = uids.texts();
+    let max_inflated_bytes = ReadLimits::default().max_inflated_bytes;
+    let frame_uids = [source_frame, target_frame];
+    let files = RegisteredFiles { source, target, study_uid, frame_uids, max_inflated_bytes };
     let registration = write_spatial_registration(matrix, &files, &now)
         .map_err(|e| CliError::Failed(format!("cannot write the transform as DICOM: {e}")))?;
     if let Some(registration) = registration {
@@ -142,11 +168,11 @@ fn write_transforms(folder: &OutputFolder, output: &RunOutput, source: &[u8], ta
     let has_inverse = output.document.correspondences.as_ref().is_some_and(|pairs| pairs.inverse.is_some());
     let inverse = has_inverse.then_some((WarpDirection::Inverse, "warped-inverse.dcm"));
     for (direction, name) in [(WarpDirection::Forward, "warped.dcm")].into_iter().chain(inverse) {
-        let (own, other) = match direction {
-            WarpDirection::Forward => (target, source),
-            WarpDirection::Inverse => (source, target),
+        let (own, other, frame_uid) = match direction {
+            WarpDirection::Forward => (target, source, target_frame),
+            WarpDirection::Inverse => (source, target, source_frame),
         };
-        let files = SegmentedFiles { own, other, max_inflated_bytes: ReadLimits::default().max_inflated_bytes };
+        let files = SegmentedFiles { own, other, study_uid, frame_uid, max_inflated_bytes };
         let mesh =
             output.warped(direction).map_err(|e| CliError::Failed(format!("cannot bend the surface: {e}")))?.mesh;
         match write_segmentation(&mesh, segment_label(direction), &files, &now) {

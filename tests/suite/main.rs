@@ -7,6 +7,7 @@ mod backups;
 mod cli;
 mod contract;
 mod deploy;
+mod dicom;
 mod docs;
 mod encryption;
 mod faults;

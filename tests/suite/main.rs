@@ -5,6 +5,7 @@ mod api;
 mod audit;
 mod backups;
 mod cli;
+mod command_line;
 mod contract;
 mod deploy;
 mod dicom;

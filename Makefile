@@ -54,6 +54,7 @@ help:
 
 build:
 	@scripts/setup build
+	@[ -e target/release/homolog ] || echo "building homolog: the first build compiles several hundred libraries, which takes minutes" >&2
 	$(CARGO) build --release --locked
 
 demo: build

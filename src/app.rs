@@ -43,7 +43,7 @@ pub enum AppError {
     )]
     Insecure(SocketAddr),
     /// The address cannot be bound.
-    #[error("cannot listen on {address}: {error}")]
+    #[error("cannot listen on {address}: {error}{}", choose_another(error))]
     Listen {
         /// Which one.
         address: SocketAddr,
@@ -89,6 +89,16 @@ pub enum AppError {
     /// The operating system starts no thread.
     #[error("cannot start a thread: {0}")]
     Thread(std::io::Error),
+}
+
+/// What can be done about an address that another program uses.
+fn choose_another(error: &std::io::Error) -> &'static str {
+    match error.kind() {
+        std::io::ErrorKind::AddrInUse => {
+            "; another program listens there: stop it, or choose another port with --listen"
+        }
+        _ => "",
+    }
 }
 
 /// The two stages of a shutdown.
@@ -159,11 +169,19 @@ impl App {
         }
         // Only one process serves a SQLite database; many share a PostgreSQL server.
         let serve_lock = if serves && !is_shared {
-            Some(
-                ServeLock::acquire(&data_dir, TAKEOVER_TIMEOUT)
-                    .map_err(unusable)?
-                    .ok_or(AppError::Taken(data_dir.clone()))?,
-            )
+            Some(match ServeLock::acquire(&data_dir, Duration::ZERO).map_err(unusable)? {
+                Some(lock) => lock,
+                None => {
+                    // Said at once: as long as it waits, it does not answer.
+                    tracing::warn!(
+                        "another `homolog serve` uses the data directory; waiting {} s for it to end",
+                        TAKEOVER_TIMEOUT.as_secs()
+                    );
+                    ServeLock::acquire(&data_dir, TAKEOVER_TIMEOUT)
+                        .map_err(unusable)?
+                        .ok_or(AppError::Taken(data_dir.clone()))?
+                }
+            })
         } else {
             None
         };

@@ -11,7 +11,7 @@ use crate::worker::WorkerSettings;
 use crate::worker::machine;
 use crate::worker::webhook_delivery::WebhookDeliverySettings;
 use homolog_run::intake::{DEFAULT_FACES, DEFAULT_INFLATION, DEFAULT_MATCH_BYTES, DEFAULT_VOXELS, IntakeLimits};
-use std::net::SocketAddr;
+use std::net::{SocketAddr, ToSocketAddrs as _};
 use std::path::PathBuf;
 use std::time::Duration;
 
@@ -167,7 +167,7 @@ pub enum LogFormat {
 #[derive(Debug, Clone, clap::Args)]
 pub struct HttpSettings {
     /// Address to listen on
-    #[arg(long, env = "HOMOLOG_LISTEN", default_value = "127.0.0.1:8080", value_name = "ADDRESS:PORT")]
+    #[arg(long, env = "HOMOLOG_LISTEN", default_value = "127.0.0.1:8080", value_parser = address, value_name = "ADDRESS:PORT")]
     pub listen: SocketAddr,
     /// Serve with TLS: file with the certificate of the service and those between it and a trusted one, in PEM; read again when it
     /// changes, and at SIGHUP; default: without TLS, for a proxy in front
@@ -269,12 +269,29 @@ pub struct HttpSettings {
     #[arg(long, env = "HOMOLOG_MAX_CONNECTIONS", default_value_t = 4_096, value_parser = clap::value_parser!(u32).range(1..), value_name = "N")]
     pub max_connections: u32,
     /// Further address on which to serve /healthz, /readyz and /metrics, apart from the connections of clients; default: none
-    #[arg(long, env = "HOMOLOG_PROBE_LISTEN", value_name = "ADDRESS:PORT")]
+    #[arg(long, env = "HOMOLOG_PROBE_LISTEN", value_parser = address, value_name = "ADDRESS:PORT")]
     pub probe_listen: Option<SocketAddr>,
     /// Host name that requests may use, besides localhost and the address of --listen; any name if API keys are required and
     /// none is given; repeatable
     #[arg(long = "allowed-host", env = "HOMOLOG_ALLOWED_HOSTS", value_delimiter = ',', value_name = "NAME")]
     pub allowed_hosts: Vec<String>,
+}
+
+/// Parses an address with its port; a name is looked up.
+fn address(text: &str) -> Result<SocketAddr, String> {
+    if let Ok(address) = text.parse() {
+        return Ok(address);
+    }
+    let needed = "an address with a port is needed here, such as 127.0.0.1:8080, localhost:8080 or [::1]:8080";
+    let (host, port) = text.rsplit_once(':').ok_or(needed)?;
+    if host.is_empty() || host.contains(':') || port.parse::<u16>().is_err() {
+        return Err(needed.to_owned());
+    }
+    let found = text.to_socket_addrs().map_err(|error| format!("no address is found for {host}: {error}"))?;
+    let found: Vec<SocketAddr> = found.collect();
+    // Of a name with addresses of both versions, such as localhost, that which every client reaches.
+    let usual = found.iter().find(|address| address.is_ipv4()).or(found.first());
+    usual.copied().ok_or_else(|| format!("no address is found for {host}"))
 }
 
 /// Parses the address of a bucket.
@@ -323,7 +340,7 @@ pub struct WorkerProcessSettings {
     #[command(flatten)]
     pub end: WorkerEnd,
     /// Address on which to serve /healthz, /readyz and /metrics; default: none
-    #[arg(long, env = "HOMOLOG_PROBE_LISTEN", value_name = "ADDRESS:PORT")]
+    #[arg(long, env = "HOMOLOG_PROBE_LISTEN", value_parser = address, value_name = "ADDRESS:PORT")]
     pub probe_listen: Option<SocketAddr>,
 }
 
@@ -554,6 +571,24 @@ mod tests {
     fn settings(told: &[&str]) -> ServiceSettings {
         let words = ["homolog"].iter().chain(told);
         <Alone as clap::Parser>::try_parse_from(words).unwrap().service
+    }
+
+    #[test]
+    fn an_address_may_be_a_name_with_a_port() {
+        for (text, expected) in [
+            ("127.0.0.1:8080", "127.0.0.1:8080"),
+            ("localhost:8080", "127.0.0.1:8080"),
+            ("[::1]:80", "[::1]:80"),
+            ("0.0.0.0:0", "0.0.0.0:0"),
+        ] {
+            assert_eq!(address(text).unwrap().to_string(), expected, "{text}");
+        }
+        for text in ["", "8080", ":8080", "localhost", "localhost:", "localhost:http", "localhost:70000", "::1:80"] {
+            assert!(address(text).unwrap_err().contains("such as 127.0.0.1:8080"), "{text}");
+        }
+        assert!(
+            address("no-such-host.invalid:80").unwrap_err().contains("no address is found for no-such-host.invalid")
+        );
     }
 
     #[test]

@@ -73,9 +73,9 @@ impl ServerTls {
 
     /// Reads the files again whenever they change, and at SIGHUP; never returns.
     pub async fn follow(self: Arc<Self>) {
-        let mut last_fault = None;
+        let (mut last_fault, mut occasion) = (None, Occasion::new());
         loop {
-            wait().await;
+            occasion.next().await;
             let tls = Arc::clone(&self);
             let reloaded = tokio::task::spawn_blocking(move || tls.reload()).await;
             let fault = match reloaded {
@@ -96,23 +96,32 @@ impl ServerTls {
     }
 }
 
-#[cfg(unix)]
-async fn wait() {
-    use tokio::signal::unix::{SignalKind, signal};
-    match signal(SignalKind::hangup()) {
-        Ok(mut hangup) => {
-            tokio::select! {
-                _ = hangup.recv() => {}
-                () = tokio::time::sleep(BETWEEN_READS) => {}
-            }
-        }
-        Err(_) => tokio::time::sleep(BETWEEN_READS).await,
-    }
+/// What the reader of the files waits for: some time, or SIGHUP, also one that came while it was reading.
+struct Occasion {
+    #[cfg(unix)]
+    hangup: Option<tokio::signal::unix::Signal>,
 }
 
-#[cfg(not(unix))]
-async fn wait() {
-    tokio::time::sleep(BETWEEN_READS).await;
+impl Occasion {
+    fn new() -> Self {
+        Occasion {
+            #[cfg(unix)]
+            hangup: tokio::signal::unix::signal(tokio::signal::unix::SignalKind::hangup()).ok(),
+        }
+    }
+
+    async fn next(&mut self) {
+        let hung_up = async {
+            #[cfg(unix)]
+            if let Some(hangup) = &mut self.hangup
+                && hangup.recv().await.is_some()
+            {
+                return;
+            }
+            std::future::pending().await
+        };
+        let _ = tokio::time::timeout(BETWEEN_READS, hung_up).await;
+    }
 }
 
 fn content(files: &TlsFiles) -> Result<Vec<Vec<u8>>, String> {

@@ -27,7 +27,7 @@ pub(super) struct ConfigArgs {
 }
 
 /// Whether an argument is a setting of the service: those have variables in the environment.
-fn is_setting(argument: &Arg) -> bool {
+pub(super) fn is_setting(argument: &Arg) -> bool {
     let variable = argument.get_env().and_then(std::ffi::OsStr::to_str);
     argument.get_id() != CONFIG && variable.is_some_and(|name| name.starts_with("HOMOLOG_"))
 }

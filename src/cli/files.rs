@@ -85,6 +85,12 @@ pub(super) fn write_file(path: &Path, bytes: &[u8]) -> Result<(), CliError> {
     })
 }
 
+/// Fails if no file can be created in a folder, so that this is said before a computation and not after it.
+pub(super) fn check_writable(folder: &Path) -> Result<(), CliError> {
+    let tried = folder.join(format!(".homolog.{}.tmp", std::process::id()));
+    fs::File::create(&tried).and_then(|_| fs::remove_file(&tried)).map_err(|e| CliError::write(folder, e))
+}
+
 /// A folder for results, created if it does not exist.
 pub(super) struct OutputFolder {
     path: PathBuf,
@@ -92,7 +98,11 @@ pub(super) struct OutputFolder {
 
 impl OutputFolder {
     pub(super) fn create(path: &Path) -> Result<Self, CliError> {
+        if path.is_file() {
+            return Err(CliError::BadInput(format!("{} is a file; choose a folder with --out", path.display())));
+        }
         fs::create_dir_all(path).map_err(|e| CliError::write(path, e))?;
+        check_writable(path)?;
         Ok(OutputFolder { path: path.to_owned() })
     }
 

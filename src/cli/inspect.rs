@@ -3,7 +3,7 @@
 use super::error::CliError;
 use super::files::{file_name, read_input};
 use super::output::{print, print_json};
-use super::parameters::ParameterArgs;
+use super::parameters::InputArgs;
 use clap::Args;
 use homolog_run::intake::{IntakeLimits, inspect, prepare_surface};
 use serde_json::Value;
@@ -19,7 +19,7 @@ pub(super) struct InspectArgs {
     #[arg(long)]
     pub(super) json: bool,
     #[command(flatten)]
-    pub(super) parameters: ParameterArgs,
+    pub(super) parameters: InputArgs,
 }
 
 /// Runs the command.

@@ -1,13 +1,16 @@
-//! `homolog match SOURCE TARGET`: one match without the service.
+//! `homolog match SOURCE TARGET`: a match without the service.
 
 use super::error::CliError;
-use super::files::{OutputFolder, file_name, read_input, write_file};
+use super::files::{OutputFolder, check_writable, file_name, read_input, write_file};
 use super::interrupt::Interrupt;
+use super::match_many;
 use super::output::{note, print, print_json};
 use super::parameters::ParameterArgs;
 use super::progress::{Progress, WithoutTerminal};
 use super::summary::summary;
+use crate::jobs::{GivenUids, Uid};
 use clap::Args;
+use homolog_contract::parameters::MatchParameters;
 use homolog_contract::result::{Correspondences, WarpDirection};
 use homolog_formats::ReadLimits;
 use homolog_formats::gifti::write_gifti;
@@ -20,7 +23,8 @@ use homolog_formats::vtp::write_vtp_with;
 use homolog_primitives::observe::{Observer, Phase, TracePoint};
 use homolog_run::intake::IntakeLimits;
 use homolog_run::{
-    InputFile, ReportInputs, RunError, RunOutput, WarpedSurface, lta, run_match, segment_label, write_report,
+    InputFile, ReportInputs, RunError, RunOutput, SurfaceCache, WarpedSurface, lta, run_match_with, segment_label,
+    write_report,
 };
 use serde::Serialize;
 use std::fmt::Write;
@@ -28,25 +32,40 @@ use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 use std::time::Instant;
 
-/// Match two surfaces: compute the dense correspondence and the rigid transform
+/// Match surfaces: compute the dense correspondence and the rigid transform
+///
+/// With one target, the verdict and the numbers of the pair are printed. With several targets the source, such as a
+/// template, is matched to each of them, so that the rows of all answers are the vertices of the source; a table with a line
+/// for each target is printed.
 #[derive(Debug, Clone, Args)]
 pub(super) struct MatchArgs {
     /// Source: the surface that is moved; a surface (GIFTI, FreeSurfer, PLY, STL, VTK, VTP, OBJ, OFF, MZ3) or a label volume
     /// (NIfTI, MGZ, NRRD, MetaImage, DICOM SEG)
     pub(super) source: PathBuf,
-    /// Target: the surface that stays in place
-    pub(super) target: PathBuf,
+    /// Target: the surface that stays in place; or several, to each of which the source is matched
+    #[arg(required = true, value_name = "TARGET")]
+    pub(super) targets: Vec<PathBuf>,
     #[command(flatten)]
     pub(super) parameters: ParameterArgs,
     /// Folder for result.json, correspondences.csv, source.ply, target.ply, aligned.ply (moved rigidly), warped.ply, .vtp,
     /// .surf.gii and .csv (the source bent onto the target), transform.tfm, .lta and, for DICOM inputs,
-    /// transform.dcm and warped.dcm, and trace.jsonl
+    /// transform.dcm and warped.dcm, and trace.jsonl; with several targets, for a folder with these and a report.html for each,
+    /// and summary.csv
     #[arg(long, value_name = "DIR")]
     pub(super) out: Option<PathBuf>,
+    /// UID of the DICOM study for transform.dcm and warped.dcm, if neither input is a DICOM object
+    #[arg(long, value_name = "UID", requires = "out")]
+    pub(super) study_uid: Option<Uid>,
+    /// UID of the frame of reference of the source, if it is no DICOM object
+    #[arg(long, value_name = "UID", requires = "out")]
+    pub(super) source_frame_uid: Option<Uid>,
+    /// UID of the frame of reference of the target, if it is no DICOM object
+    #[arg(long, value_name = "UID", requires = "out")]
+    pub(super) target_frame_uid: Option<Uid>,
     /// File for a page with the verdict, both surfaces to turn with the mouse, and all numbers; it contains no file names
     #[arg(long, value_name = "PAGE.html")]
     pub(super) html: Option<PathBuf>,
-    /// Print the result document, and nothing else, as JSON
+    /// Print the result document, and nothing else, as JSON; with several targets a line for each: target, result or error
     #[arg(long)]
     pub(super) json: bool,
 }
@@ -56,34 +75,21 @@ pub(super) struct MatchArgs {
 /// # Errors
 /// [`CliError`].
 pub(super) fn run(args: &MatchArgs) -> Result<(), CliError> {
+    let [target] = args.targets.as_slice() else { return match_many::run(args) };
     let limits = IntakeLimits::default();
     let parameters = args.parameters.resolve()?;
     let source = read_input(&args.source, &limits)?;
-    let target = read_input(&args.target, &limits)?;
+    let target_bytes = read_input(target, &limits)?;
     // Before the computation, so that an unwritable folder is reported at once.
     let folder = args.out.as_deref().map(OutputFolder::create).transpose()?;
-    let observer = Watcher::new(Interrupt::listen());
-    let outcome = run_match(
-        InputFile { bytes: &source, name: file_name(&args.source) },
-        InputFile { bytes: &target, name: file_name(&args.target) },
-        &parameters,
-        &limits,
-        &observer,
-    );
-    let trace = observer.finish();
-    let mut output = outcome.map_err(|error| match error {
-        RunError::Input { side, error } => {
-            let path = if side.name() == "source" { &args.source } else { &args.target };
-            CliError::BadInput(format!("{} {}: {}", side.name(), path.display(), error.for_command_line()))
-        }
-        RunError::TooLarge { .. } => CliError::BadInput(error.to_string()),
-        error if error.is_cancelled() => CliError::Interrupted,
-        error => CliError::Failed(error.to_string()),
-    })?;
-    env!("HOMOLOG_COMMIT").clone_into(&mut output.document.provenance.commit);
+    if let Some(page) = &args.html {
+        let folder = page.parent().filter(|folder| !folder.as_os_str().is_empty());
+        check_writable(folder.unwrap_or(Path::new(".")))?;
+    }
+    let pair = Pair { source: (&args.source, &source), target: (target, &target_bytes) };
+    let (output, trace) = pair.matched(&SurfaceCache::none(), &parameters, &Interrupt::listen(), None)?;
     if let Some(folder) = &folder {
-        write_files(folder, &output, &trace)?;
-        write_transforms(folder, &output, &source, &target)?;
+        pair.write(folder, &output, &trace, &args.uids())?;
     }
     if let Some(page) = &args.html {
         write_page(page, &output, &trace)?;
@@ -96,6 +102,52 @@ pub(super) fn run(args: &MatchArgs) -> Result<(), CliError> {
         note(&format!("written to {}", folder.path().display()));
     }
     Ok(())
+}
+
+/// Two inputs, each with its bytes.
+pub(super) struct Pair<'a> {
+    pub(super) source: (&'a Path, &'a [u8]),
+    pub(super) target: (&'a Path, &'a [u8]),
+}
+
+impl Pair<'_> {
+    /// Computes the match; `title` is shown before the phase.
+    pub(super) fn matched(
+        &self,
+        surfaces: &SurfaceCache,
+        parameters: &MatchParameters,
+        interrupt: &Interrupt,
+        title: Option<&str>,
+    ) -> Result<(RunOutput, Vec<TimedPoint>), CliError> {
+        let observer = Watcher::new(interrupt.clone(), title);
+        let file = |(path, bytes)| InputFile { bytes, name: file_name(path) };
+        let limits = IntakeLimits::default();
+        let outcome = run_match_with(surfaces, file(self.source), file(self.target), parameters, &limits, &observer);
+        let trace = observer.finish();
+        let mut output = outcome.map_err(|error| match error {
+            RunError::Input { side, error } => {
+                let (path, _) = if side.name() == "source" { self.source } else { self.target };
+                CliError::BadInput(format!("{} {}: {}", side.name(), path.display(), error.for_command_line()))
+            }
+            RunError::TooLarge { .. } => CliError::BadInput(error.to_string()),
+            error if error.is_cancelled() => CliError::Interrupted,
+            error => CliError::Failed(error.to_string()),
+        })?;
+        env!("HOMOLOG_COMMIT").clone_into(&mut output.document.provenance.commit);
+        Ok((output, trace))
+    }
+
+    /// Writes all files of the match but the page.
+    pub(super) fn write(
+        &self,
+        folder: &OutputFolder,
+        output: &RunOutput,
+        trace: &[TimedPoint],
+        uids: &GivenUids,
+    ) -> Result<(), CliError> {
+        write_files(folder, output, trace)?;
+        write_transforms(folder, output, [self.source.1, self.target.1], uids)
+    }
 }
 
 fn write_files(folder: &OutputFolder, output: &RunOutput, trace: &[TimedPoint]) -> Result<(), CliError> {
@@ -125,15 +177,31 @@ fn write_files(folder: &OutputFolder, output: &RunOutput, trace: &[TimedPoint]) 
     Ok(())
 }
 
-/// The rigid transform for other programs; if an input is a DICOM object also as DICOM, and with it the bent surfaces.
-fn write_transforms(folder: &OutputFolder, output: &RunOutput, source: &[u8], target: &[u8]) -> Result<(), CliError> {
+impl MatchArgs {
+    pub(super) fn uids(&self) -> GivenUids {
+        let (study, source_frame) = (self.study_uid.clone(), self.source_frame_uid.clone());
+        GivenUids { study, source_frame, target_frame: self.target_frame_uid.clone() }
+    }
+}
+
+/// The rigid transform for other programs; if an input is a DICOM object or a study is given also as DICOM, and with it the
+/// bent surfaces.
+fn write_transforms(
+    folder: &OutputFolder,
+    output: &RunOutput,
+    [source, target]: [&[u8]; 2],
+    uids: &GivenUids,
+) -> Result<(), CliError> {
     let matrix = &output.document.transform.matrix;
     if let Some(text) = write_itk_transform(matrix) {
         folder.write("transform.tfm", text.as_bytes())?;
     }
     folder.write("transform.lta", lta(matrix, [source, target]).as_bytes())?;
     let now = jiff::Timestamp::now().strftime("%Y%m%d%H%M%S").to_string();
-    let files = RegisteredFiles { source, target, max_inflated_bytes: ReadLimits::default().max_inflated_bytes };
+    let [study_uid, source_frame, target_frame] = uids.texts();
+    let max_inflated_bytes = ReadLimits::default().max_inflated_bytes;
+    let frame_uids = [source_frame, target_frame];
+    let files = RegisteredFiles { source, target, study_uid, frame_uids, max_inflated_bytes };
     let registration = write_spatial_registration(matrix, &files, &now)
         .map_err(|e| CliError::Failed(format!("cannot write the transform as DICOM: {e}")))?;
     if let Some(registration) = registration {
@@ -142,11 +210,11 @@ fn write_transforms(folder: &OutputFolder, output: &RunOutput, source: &[u8], ta
     let has_inverse = output.document.correspondences.as_ref().is_some_and(|pairs| pairs.inverse.is_some());
     let inverse = has_inverse.then_some((WarpDirection::Inverse, "warped-inverse.dcm"));
     for (direction, name) in [(WarpDirection::Forward, "warped.dcm")].into_iter().chain(inverse) {
-        let (own, other) = match direction {
-            WarpDirection::Forward => (target, source),
-            WarpDirection::Inverse => (source, target),
+        let (own, other, frame_uid) = match direction {
+            WarpDirection::Forward => (target, source, target_frame),
+            WarpDirection::Inverse => (source, target, source_frame),
         };
-        let files = SegmentedFiles { own, other, max_inflated_bytes: ReadLimits::default().max_inflated_bytes };
+        let files = SegmentedFiles { own, other, study_uid, frame_uid, max_inflated_bytes };
         let mesh =
             output.warped(direction).map_err(|e| CliError::Failed(format!("cannot bend the surface: {e}")))?.mesh;
         match write_segmentation(&mesh, segment_label(direction), &files, &now) {
@@ -159,7 +227,7 @@ fn write_transforms(folder: &OutputFolder, output: &RunOutput, source: &[u8], ta
 }
 
 /// The report as an HTML page.
-fn write_page(path: &Path, output: &RunOutput, trace: &[TimedPoint]) -> Result<(), CliError> {
+pub(super) fn write_page(path: &Path, output: &RunOutput, trace: &[TimedPoint]) -> Result<(), CliError> {
     let trace: Vec<TracePoint> = trace.iter().map(|timed| timed.point.clone()).collect();
     let none = Correspondences::default();
     let page = write_report(&ReportInputs {
@@ -192,7 +260,7 @@ fn write_warped(
 
 /// A trace point with its number and time, in the form of the service.
 #[derive(Debug, Clone, Serialize)]
-struct TimedPoint {
+pub(super) struct TimedPoint {
     seq: u64,
     #[serde(flatten)]
     point: TracePoint,
@@ -208,8 +276,9 @@ struct Watcher {
 }
 
 impl Watcher {
-    fn new(interrupt: Interrupt) -> Self {
+    fn new(interrupt: Interrupt, title: Option<&str>) -> Self {
         let progress = Progress::new(WithoutTerminal::Silent);
+        progress.title(title.unwrap_or_default());
         Watcher { started: Instant::now(), progress, interrupt, trace: Mutex::default() }
     }
 

@@ -4,6 +4,7 @@
 mod admin;
 mod audit;
 mod backup;
+mod completions;
 mod config;
 mod demo;
 mod encryption;
@@ -13,6 +14,7 @@ mod files;
 mod health;
 mod inspect;
 mod interrupt;
+mod match_many;
 mod match_pair;
 mod output;
 mod parameter_table;
@@ -21,6 +23,8 @@ mod phantom;
 mod progress;
 mod serve;
 mod summary;
+mod used;
+mod words;
 
 use config::Refused;
 use error::CliError;
@@ -57,6 +61,7 @@ enum Command {
     Experiment(experiment::ExperimentArgs),
     Demo(demo::DemoArgs),
     Health(health::HealthArgs),
+    Completions(completions::CompletionsArgs),
     /// Print the OpenAPI document of the service
     Openapi,
     /// Print the table of problem types
@@ -74,7 +79,7 @@ fn version() -> &'static str {
 
 /// Runs the program with these arguments, of which the first is the name of the program.
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
-    let program = <Cli as clap::CommandFactory>::command();
+    let program = used::only_used(<Cli as clap::CommandFactory>::command());
     let arguments: Vec<OsString> = arguments.into_iter().collect();
     let parsed = config::parse(&program, &arguments).and_then(|(matches, file)| {
         let cli = <Cli as clap::FromArgMatches>::from_arg_matches(&matches).map_err(Refused::Usage)?;
@@ -84,7 +89,13 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Ok(parsed) => parsed,
         Err(Refused::Usage(error)) => {
             // Help and version exit with 0, usage errors with 2, whether or not the text could be printed.
-            let _ = error.print();
+            let text = error.to_string();
+            let said = words::plain(&text);
+            if said == text {
+                let _ = error.print();
+            } else {
+                output::note(said.trim_end());
+            }
             return ExitCode::from(u8::try_from(error.exit_code()).unwrap_or(2));
         }
         Err(Refused::File(reason)) => {
@@ -119,6 +130,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Command::Experiment(args) => experiment::run(&args),
         Command::Demo(args) => demo::run(&args),
         Command::Health(args) => health::run(&args),
+        Command::Completions(args) => completions::run(&args, &program),
     };
     match done {
         Ok(()) | Err(CliError::OutputClosed) => ExitCode::SUCCESS,

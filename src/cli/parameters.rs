@@ -1,30 +1,67 @@
-//! Parameters on the command line: a file, then `--set a.b=value`, then `--seed`, resolved like those of a request.
+//! Parameters on the command line: a file, then `--set a.b=value`, then options of their own such as `--seed`, resolved like
+//! those of a request.
 
 use super::error::CliError;
 use super::files::read_input;
+use super::words::describe;
 use clap::Args;
-use homolog_contract::parameters::{MatchParameters, Method, ParameterError, preset, resolve};
+use clap::builder::PossibleValuesParser;
+use homolog_contract::parameters::{MatchParameters, Method, preset, resolve};
 use homolog_run::intake::IntakeLimits;
 use serde_json::{Map, Value};
 use std::path::PathBuf;
 
-/// Options that set parameters.
+/// Options that set the parameters of inputs.
 #[derive(Debug, Clone, Default, Args)]
-pub(super) struct ParameterArgs {
+pub(super) struct InputArgs {
     /// JSON file with parameters, in the form of the HTTP API
     #[arg(long, value_name = "FILE.json")]
     pub(super) params: Option<PathBuf>,
-    /// Set one parameter, such as energy.alpha=1.5, features.0.weight=2 or method=thesis; may be repeated
+    /// Set one parameter, such as input.smoothing_mm=1 or features.0.weight=2; may be repeated
     #[arg(long = "set", value_name = "A.B=VALUE")]
     pub(super) set: Vec<String>,
+    /// Label that the structure has in a volume, by number or name; may be repeated; default: all
+    #[arg(long = "label", value_name = "NUMBER|NAME")]
+    pub(super) labels: Vec<String>,
+    /// Repair to allow, in place of those that are allowed by default; may be repeated; none: no repair
+    #[arg(long = "repair", value_delimiter = ',', value_name = "REPAIR", value_parser = PossibleValuesParser::new(REPAIRS))]
+    pub(super) repair: Vec<String>,
+}
+
+/// What `--repair` takes: the repairs of [`homolog_contract::parameters::Repair`] that can be asked for.
+const REPAIRS: [&str; 7] = ["weld", "orient", "split", "largest_component", "fill", "triangulate", NO_REPAIR];
+const NO_REPAIR: &str = "none";
+
+/// Options that set parameters.
+#[derive(Debug, Clone, Default, Args)]
+pub(super) struct ParameterArgs {
+    /// Method: a preset of all parameters
+    #[arg(long, value_name = "METHOD", value_parser = PossibleValuesParser::new(Method::ALL.map(Method::name)))]
+    pub(super) method: Option<String>,
+    #[command(flatten)]
+    pub(super) input: InputArgs,
+    /// Label that the structure has in the source alone; may be repeated
+    #[arg(long = "source-label", value_name = "NUMBER|NAME")]
+    pub(super) source_labels: Vec<String>,
+    /// Label that the structure has in the target alone; may be repeated
+    #[arg(long = "target-label", value_name = "NUMBER|NAME")]
+    pub(super) target_labels: Vec<String>,
     /// Seed of the random numbers
-    #[arg(long)]
+    #[arg(long, value_name = "N", allow_negative_numbers = true)]
     pub(super) seed: Option<u64>,
 }
 
-impl ParameterArgs {
-    /// The parameters in the form of the HTTP API.
-    pub(super) fn request(&self) -> Result<Value, CliError> {
+impl InputArgs {
+    /// All parameters, with defaults filled in.
+    ///
+    /// # Errors
+    /// As for [`ParameterArgs::resolve`].
+    pub(super) fn resolve(&self) -> Result<MatchParameters, CliError> {
+        resolve(&self.request(Vec::new())?).map_err(|faults| CliError::BadInput(describe(&faults)))
+    }
+
+    /// The parameters in the form of the HTTP API, with these further settings.
+    fn request(&self, more: Vec<Setting>) -> Result<Value, CliError> {
         let mut request = match &self.params {
             None => Value::Object(Map::new()),
             Some(path) => {
@@ -37,15 +74,42 @@ impl ParameterArgs {
             return Err(CliError::BadInput("the parameters must be a JSON object".to_owned()));
         }
         let mut settings = self.set.iter().map(|s| parse_setting(s)).collect::<Result<Vec<_>, _>>()?;
+        settings.extend(labels_setting("input.labels", &self.labels));
+        if !self.repair.is_empty() {
+            let repairs = self.repair.iter().filter(|name| *name != NO_REPAIR).map(|name| Value::from(name.as_str()));
+            settings.push((names("input.repair"), repairs.collect()));
+        }
+        settings.extend(more);
         // The method first: its preset has the lists that indices such as features.0 refer to.
         settings.sort_by_key(|(path, _)| path.first().is_some_and(|key| key != "method"));
         for (path, value) in settings {
             apply(&mut request, &path, value)?;
         }
-        if let (Some(seed), Some(object)) = (self.seed, request.as_object_mut()) {
-            object.insert("seed".to_owned(), seed.into());
-        }
         Ok(request)
+    }
+}
+
+/// The place of a parameter and its value.
+type Setting = (Vec<String>, Value);
+
+fn names(dotted: &str) -> Vec<String> {
+    dotted.split('.').map(str::to_owned).collect()
+}
+
+/// Labels by number, or else by name; nothing if none are given.
+fn labels_setting(place: &str, labels: &[String]) -> Option<Setting> {
+    let label = |text: &String| text.parse::<u32>().map_or_else(|_| Value::from(text.as_str()), Value::from);
+    (!labels.is_empty()).then(|| (names(place), labels.iter().map(label).collect()))
+}
+
+impl ParameterArgs {
+    /// The parameters in the form of the HTTP API.
+    pub(super) fn request(&self) -> Result<Value, CliError> {
+        let method = self.method.as_deref().map(|method| (names("method"), Value::from(method)));
+        let seed = self.seed.map(|seed| (names("seed"), Value::from(seed)));
+        let of_sides = [("input.source.labels", &self.source_labels), ("input.target.labels", &self.target_labels)];
+        let of_sides = of_sides.into_iter().filter_map(|(place, labels)| labels_setting(place, labels));
+        self.input.request(method.into_iter().chain(seed).chain(of_sides).collect())
     }
 
     /// All parameters, with defaults filled in.
@@ -57,17 +121,8 @@ impl ParameterArgs {
     }
 }
 
-/// One line for each fault, with its pointer.
-pub(super) fn describe(faults: &[ParameterError]) -> String {
-    let lines: Vec<_> = faults
-        .iter()
-        .map(|f| format!("{}: {} ({})", if f.pointer.is_empty() { "/" } else { &f.pointer }, f.detail, f.code))
-        .collect();
-    lines.join("\n")
-}
-
 /// Splits `a.b=value` into path and value; a value that is not JSON is a string.
-fn parse_setting(setting: &str) -> Result<(Vec<String>, Value), CliError> {
+fn parse_setting(setting: &str) -> Result<Setting, CliError> {
     let wrong = || CliError::BadInput(format!("--set {setting}: write a.b=value, such as energy.alpha=1.5"));
     let (path, value) = setting.split_once('=').ok_or_else(wrong)?;
     let path: Vec<String> = path.split('.').map(str::to_owned).collect();
@@ -119,8 +174,8 @@ mod tests {
     use serde_json::json;
 
     fn request(settings: &[&str]) -> Result<Value, String> {
-        let args = ParameterArgs { set: settings.iter().map(|s| (*s).to_owned()).collect(), ..Default::default() };
-        args.request().map_err(|e| e.to_string())
+        let input = InputArgs { set: settings.iter().map(|s| (*s).to_owned()).collect(), ..Default::default() };
+        ParameterArgs { input, ..Default::default() }.request().map_err(|e| e.to_string())
     }
 
     #[test]
@@ -150,10 +205,42 @@ mod tests {
     }
 
     #[test]
-    fn each_fault_has_a_line_with_its_pointer() {
-        let args = ParameterArgs { set: vec!["energy.alfa=1".into(), "sed=1".into()], ..Default::default() };
-        let message = args.resolve().unwrap_err().to_string();
+    fn each_fault_has_a_line_with_its_dotted_name() {
+        let input = InputArgs { set: vec!["energy.alfa=1".into(), "sed=1".into()], ..Default::default() };
+        let message = ParameterArgs { input, ..Default::default() }.resolve().unwrap_err().to_string();
         let lines: Vec<_> = message.lines().map(|l| l.split(':').next().unwrap()).collect();
-        assert_eq!(lines, ["/energy/alfa", "/sed"]);
+        assert_eq!(lines, ["energy.alfa", "sed"]);
+    }
+
+    #[test]
+    fn options_go_before_settings_and_say_the_same() {
+        let args = ParameterArgs {
+            method: Some("thesis".into()),
+            input: InputArgs {
+                set: vec!["method=balanced".into(), "features.0.scales.0=1".into(), "input.labels=9".into()],
+                labels: vec!["17".into(), "Left Hippocampus".into()],
+                repair: vec!["weld".into(), "fill".into()],
+                ..Default::default()
+            },
+            target_labels: vec!["53".into()],
+            seed: Some(7),
+            ..Default::default()
+        };
+        let stated = args.request().unwrap();
+        assert_eq!((&stated["method"], &stated["seed"]), (&json!("thesis"), &json!(7)));
+        let expected = json!({
+            "labels": [17, "Left Hippocampus"], "repair": ["weld", "fill"], "target": {"labels": [53]}
+        });
+        assert_eq!(stated["input"], expected);
+        assert_eq!(args.resolve().unwrap().features.len(), 1);
+        let none = InputArgs { repair: vec!["none".into()], ..Default::default() };
+        assert_eq!(none.resolve().unwrap().input.repair, Some(Vec::new()));
+    }
+
+    #[test]
+    fn every_repair_that_can_be_asked_for_has_a_name_here() {
+        for name in REPAIRS.into_iter().filter(|name| *name != NO_REPAIR) {
+            serde_json::from_value::<homolog_contract::parameters::Repair>(json!(name)).unwrap();
+        }
     }
 }

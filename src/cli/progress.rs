@@ -3,9 +3,14 @@
 use super::output::note;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::io::IsTerminal;
+use std::time::{Duration, Instant};
 
 /// Steps of the bar; more than any terminal can show.
 const STEPS: u64 = 1000;
+const TEMPLATE: &str = "{msg:14} {bar:40} {percent:>3} % {elapsed:>4}{prefix}";
+/// How much must be done, and how long it must have taken, before the rest is estimated.
+const LEAST_FRACTION: f64 = 0.1;
+const LEAST_TIME: Duration = Duration::from_secs(2);
 
 /// What to show if the standard error is not a terminal.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -20,6 +25,8 @@ pub(super) enum WithoutTerminal {
 pub(super) struct Progress {
     bar: ProgressBar,
     lines: bool,
+    begun: Instant,
+    title: std::sync::OnceLock<String>,
     phase: std::sync::Mutex<String>,
 }
 
@@ -29,18 +36,27 @@ impl Progress {
         let target = if terminal { ProgressDrawTarget::stderr() } else { ProgressDrawTarget::hidden() };
         let bar = ProgressBar::with_draw_target(Some(STEPS), target);
         // The template is a constant and tested, so the default style is never needed.
-        if let Ok(style) = ProgressStyle::with_template("{msg:14} {bar:40} {percent:>3} % {elapsed:>4}") {
+        if let Ok(style) = ProgressStyle::with_template(TEMPLATE) {
             bar.set_style(style);
         }
         let lines = !terminal && without_terminal == WithoutTerminal::Lines;
-        Progress { bar, lines, phase: std::sync::Mutex::default() }
+        let (begun, title) = (Instant::now(), std::sync::OnceLock::new());
+        Progress { bar, lines, begun, title, phase: std::sync::Mutex::default() }
+    }
+
+    /// What is shown before the phase from now on; only the first title counts.
+    pub(super) fn title(&self, title: &str) {
+        if !title.is_empty() {
+            let _ = self.title.set(format!("{title}: "));
+        }
     }
 
     pub(super) fn phase(&self, name: &str) {
         let mut phase = self.phase.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
         if *phase != name {
             name.clone_into(&mut phase);
-            self.bar.set_message(name.to_owned());
+            let title = self.title.get().map_or("", String::as_str);
+            self.bar.set_message(format!("{title}{name}"));
             if self.lines {
                 note(&format!("  {name}"));
             }
@@ -48,8 +64,21 @@ impl Progress {
     }
 
     pub(super) fn fraction(&self, fraction: f64) {
-        self.bar.set_position((fraction.clamp(0.0, 1.0) * STEPS as f64) as u64);
+        let fraction = fraction.clamp(0.0, 1.0);
+        if let Some(left) = left(self.begun.elapsed(), fraction) {
+            self.bar.set_prefix(format!(", about {left} left"));
+        }
+        self.bar.set_position((fraction * STEPS as f64) as u64);
     }
+}
+
+/// How long the rest takes if it goes on as before, in words; `None` if too little is done to say so.
+fn left(elapsed: Duration, fraction: f64) -> Option<String> {
+    if fraction < LEAST_FRACTION || elapsed < LEAST_TIME {
+        return None;
+    }
+    let seconds = (elapsed.as_secs_f64() * (1.0 - fraction) / fraction).ceil();
+    Some(if seconds < 120.0 { format!("{seconds} s") } else { format!("{} min", (seconds / 60.0).ceil()) })
 }
 
 impl Drop for Progress {
@@ -60,8 +89,18 @@ impl Drop for Progress {
 
 #[cfg(test)]
 mod tests {
+    use super::*;
+
     #[test]
     fn the_template_is_valid() {
-        assert!(indicatif::ProgressStyle::with_template("{msg:14} {bar:40} {percent:>3} % {elapsed:>4}").is_ok());
+        assert!(ProgressStyle::with_template(TEMPLATE).is_ok());
+    }
+
+    #[test]
+    fn the_rest_takes_as_long_for_its_share_as_what_is_done() {
+        let at = |seconds, fraction| left(Duration::from_secs(seconds), fraction);
+        assert_eq!(at(30, 0.25).as_deref(), Some("90 s"));
+        assert_eq!(at(60, 0.25).as_deref(), Some("3 min"));
+        assert_eq!((at(1, 0.5), at(60, 0.05)), (None, None));
     }
 }

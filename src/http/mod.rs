@@ -17,6 +17,7 @@ mod context;
 mod examples;
 #[cfg(any(test, fuzzing))]
 pub mod fuzzed;
+mod head;
 mod hosts;
 mod long_poll;
 mod openapi;

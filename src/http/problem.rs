@@ -168,7 +168,7 @@ impl From<JobError> for Problem {
             JobError::NoInverse => Problem::new(ProblemKind::RouteNotFound)
                 .detail("the job has no inverse correspondences; submit it with both_directions set to true"),
             JobError::NotDicom => Problem::new(ProblemKind::NotAcceptable)
-                .detail("neither input of the job is a DICOM object, so there is no patient and no study; ask for another format"),
+                .detail("neither input of the job is a DICOM object, so there is no study; name one with study_uid, or ask for another format"),
             JobError::NoSegmentation => Problem::new(ProblemKind::NotAcceptable).detail(
                 "the surface is open, or would take more than a billion voxels on the grid of the input, so it has no \
                  segmentation; ask for a surface, such as ply",

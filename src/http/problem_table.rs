@@ -79,6 +79,10 @@ problems! {
         "Use localhost or a loopback address, or send an API key to a service that requires one; the operator can allow other names with --allowed-host.";
     BadRequest = "bad-request", BAD_REQUEST, "The request is malformed",
         "Check path, headers and body against /openapi.json.";
+    TargetTooLong = "target-too-long", URI_TOO_LONG, "The path and query are too long",
+        "Send fewer query parameters; limit_bytes is the limit.";
+    HeadersTooLarge = "headers-too-large", REQUEST_HEADER_FIELDS_TOO_LARGE, "The headers are too large",
+        "Send fewer or shorter headers; limit_bytes is the limit of all together.";
     NotAcceptable = "not-acceptable", NOT_ACCEPTABLE, "The resource is not available in a format that Accept allows",
         "available lists the formats; request one of them with Accept or ?format=.";
     UnsupportedMediaType = "unsupported-media-type", UNSUPPORTED_MEDIA_TYPE, "The media type of the body is not supported",

@@ -8,7 +8,7 @@ use super::problem_table::ProblemKind;
 use super::query::QueryString;
 use super::router::HttpState;
 use super::shares::Origin;
-use crate::jobs::{JobId, PartFormat, Presented, ResultPart, Tenant};
+use crate::jobs::{GivenUids, JobId, PartFormat, Presented, ResultPart, Tenant, Uid};
 use axum::body::Body;
 use axum::http::{HeaderMap, HeaderValue, Method, header};
 use axum::response::{IntoResponse, Response};
@@ -65,14 +65,15 @@ pub(super) async fn answer(
     id: JobId,
     part: ResultPart,
     Asking { method, headers, origin }: Asking<'_>,
-    query: QueryString,
+    mut query: QueryString,
 ) -> Result<Response, Problem> {
+    let uids = if part.formats().contains(&PartFormat::Dicom) { given_uids(&mut query) } else { GivenUids::default() };
     let Some(format) = choose(part, headers, query)? else {
         // 404 comes first, so that the answer reveals nothing about jobs of other tenants.
         state.service.get(tenant, id).await?;
         return Ok(varying(not_acceptable(part).into_response()));
     };
-    let presentation = state.service.presentation(tenant, id, part, format).await?;
+    let presentation = state.service.presentation(tenant, id, part, format, uids).await?;
     let etag = format!("\"{}\"", presentation.validator());
     if is_fresh(headers, &etag) {
         return Ok(varying(not_modified(&etag)));
@@ -97,6 +98,15 @@ pub(super) async fn answer(
         }
     };
     Ok(varying(named(response, id, part, form.ending)))
+}
+
+/// The UIDs that a request gives for inputs that have none.
+fn given_uids(query: &mut QueryString) -> GivenUids {
+    let mut uid = |name: &str| {
+        let text = query.text(name)?;
+        text.parse::<Uid>().map_err(|fault| query.fault(name, "out_of_range", fault.to_string())).ok()
+    };
+    GivenUids { study: uid("study_uid"), source_frame: uid("source_frame_uid"), target_frame: uid("target_frame_uid") }
 }
 
 /// The format of the answer; `None` if `Accept` allows none of the available ones.

@@ -3,6 +3,7 @@
 use super::auth::AuthMode;
 use super::content::weaken_if_compressed;
 use super::context::{panic_problem, surround};
+use super::head::check_head;
 use super::hosts::{AllowedHosts, check_host};
 use super::openapi::document;
 use super::pace::LeastRate;
@@ -295,6 +296,7 @@ pub fn router(state: HttpState) -> Router {
         // document.
         .layer(DefaultBodyLimit::disable())
         .layer(axum::middleware::from_fn_with_state(state.clone(), check_host))
+        .layer(axum::middleware::from_fn(check_head))
         .layer(CatchPanicLayer::custom(panic_problem))
         .layer(CompressionLayer::new().quality(CompressionLevel::Fastest).compress_when(is_long_text))
         .layer(axum::middleware::map_response(weaken_if_compressed))

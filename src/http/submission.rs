@@ -29,6 +29,9 @@ const MAX_LABELS_TEXT: usize = 256 << 10;
 const MAX_TEXT_BYTES: usize = 4 << 10;
 /// Most faults that are listed in an answer; a form is read no further.
 const MAX_FAULTS: usize = 16;
+/// Most DICOM instances of an input.
+const MAX_INSTANCES: usize = 20_000;
+const REPEATED: &str = "must be sent once, unless every file is an instance of a DICOM series";
 const KNOWN: &str =
     "known fields are source, target, parameters, labels, external_ref, priority, deadline_at, max_run_s, use_cache";
 
@@ -37,7 +40,7 @@ const KNOWN: &str =
 #[allow(dead_code, reason = "describes a multipart form, which is read field by field")]
 pub(crate) struct SubmissionForm {
     /// The surface that is moved onto the target: a surface (GIFTI, FreeSurfer, PLY, STL, VTK, VTP, OBJ, OFF, MZ3) or a label
-    /// volume (NIfTI, MGZ, NRRD, MetaImage, DICOM SEG).
+    /// volume (NIfTI, MGZ, NRRD, MetaImage, DICOM SEG). The instances of a DICOM series may be sent as one zip or in several fields of this name.
     #[schema(format = Binary)]
     source: String,
     /// The surface that stays in place.
@@ -228,6 +231,25 @@ pub(super) async fn read_json<T: DeserializeOwned>(
     parse(&text, limits.max_parameters_bytes, limits.max_batch)
 }
 
+/// A file that does not go with those before it.
+struct Unjoined;
+
+/// An input with a further file of the same field: several DICOM instances are one series.
+fn with_another(before: Option<SubmittedInput>, file: SubmittedFile) -> Result<SubmittedInput, Unjoined> {
+    let is_dicom = |bytes: &Bytes| bytes.get(128..132) == Some(b"DICM");
+    let mut instances = match before {
+        None => return Ok(SubmittedInput::File(file)),
+        Some(SubmittedInput::File(first)) if is_dicom(&first.bytes) => vec![first.bytes],
+        Some(SubmittedInput::Series(instances)) if instances.len() < MAX_INSTANCES => instances,
+        Some(_) => return Err(Unjoined),
+    };
+    if !is_dicom(&file.bytes) {
+        return Err(Unjoined);
+    }
+    instances.push(file.bytes);
+    Ok(SubmittedInput::Series(instances))
+}
+
 #[derive(Default)]
 struct Fields {
     source: Option<SubmittedInput>,
@@ -265,19 +287,24 @@ impl Fields {
         let mut form = Multipart::from_request(request, &())
             .await
             .map_err(|e| Problem::new(ProblemKind::MalformedMultipart).detail(e.body_text()))?;
+        // Bytes that source and target may still have.
+        let mut left = [limits.max_file_bytes; 2];
         while let Some(field) = form.next_field().await.map_err(|e| refuse(&e))? {
             let name = field.name().unwrap_or("").to_owned();
             match name.as_str() {
                 "source" | "target" => {
                     let name_hint = field.file_name().and_then(name_hint);
                     let limit = limits.max_file_bytes;
-                    let bytes = read_field(field, limit).await.map_err(|e| match e {
+                    let left = &mut left[usize::from(name == "target")];
+                    let bytes = read_field(field, *left).await.map_err(|e| match e {
                         Some(error) => refuse(&error),
                         None => too_large(&name, limit).member("input", name.clone().into()),
                     })?;
+                    *left -= bytes.len();
                     let slot = if name == "source" { &mut self.source } else { &mut self.target };
-                    if slot.replace(SubmittedInput::File(SubmittedFile { bytes, name_hint })).is_some() {
-                        self.faults.push(FieldError::new(format!("/{name}"), "repeated", "must be sent once"));
+                    match with_another(slot.take(), SubmittedFile { bytes, name_hint }) {
+                        Ok(input) => *slot = Some(input),
+                        Err(Unjoined) => self.faults.push(FieldError::new(format!("/{name}"), "repeated", REPEATED)),
                     }
                 }
                 "parameters" | "labels" | "external_ref" | "priority" | "deadline_at" | "max_run_s" | "use_cache" => {

@@ -9,6 +9,7 @@ use super::documents::Verdict;
 use super::job::Failure;
 use super::ports::ArtifactKind;
 use super::presentation::{PartFormat, PresentError, ResultPart};
+use bytes::Bytes;
 use homolog_primitives::observe::Observer;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
@@ -33,9 +34,18 @@ pub trait Engine: Send + Sync {
     /// The failure with which the job ends, if this version does not accept the parameters.
     fn restore(&self, parameters: &Value) -> Result<Arc<dyn Computation>, Failure>;
 
+    /// The instances of a DICOM series as one file, equal for equal instances in any order.
+    ///
+    /// # Errors
+    /// If the engine takes one file only.
+    fn join_instances(&self, instances: Vec<Bytes>) -> Result<Bytes, InputRefusal> {
+        let detail = format!("one file is taken, not {}", instances.len());
+        Err(InputRefusal { code: "unknown-format".to_owned(), detail, topology: None })
+    }
+
     /// A part of a result in another format than the stored one, from its stored blobs in the order in which the part
-    /// lists them; for a report, the energy trace as JSON comes last, for DICOM, the time when the
-    /// job ended. Called on a blocking thread.
+    /// lists them; for a report, the energy trace as JSON comes last, for DICOM,
+    /// [`DicomDetails`](super::uid::DicomDetails). Called on a blocking thread.
     ///
     /// # Errors
     /// [`PresentError`].

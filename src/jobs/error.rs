@@ -49,8 +49,8 @@ pub enum JobError {
     /// The job did not compute the map from the target to the source.
     #[error("the inverse correspondences were not computed")]
     NoInverse,
-    /// There is no patient and no study for a DICOM object.
-    #[error("neither input is a DICOM object")]
+    /// There is no study for a DICOM object.
+    #[error("neither input is a DICOM object, and no study was given")]
     NotDicom,
     /// The bent surface is open or too large for a grid, so that it has no segmentation.
     #[error("the bent surface has no segmentation")]

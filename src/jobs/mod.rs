@@ -34,6 +34,7 @@ pub mod submission;
 pub mod ticket;
 pub mod trace;
 pub mod turns;
+pub mod uid;
 pub mod uploads;
 pub mod webhook;
 
@@ -66,6 +67,7 @@ pub use submission::{
 pub use ticket::{MAX_TICKETS, TICKET_LASTS, Ticket};
 pub use trace::{NumberedPoint, Progress, TraceChunk, TracePage};
 pub use turns::{TenantWeight, TenantWeights};
+pub use uid::{DicomDetails, GivenUids, Uid};
 pub use webhook::{
     Attempted, Delivery, DeliveryPage, DeliveryState, DueDelivery, Turn, TurnLimits, Webhook, WebhookPage, WebhookStore,
 };

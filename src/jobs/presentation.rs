@@ -8,6 +8,7 @@ use super::job::{JobId, Tenant};
 use super::ports::{ArtifactKind, ArtifactRef};
 use super::service::JobService;
 use super::trace::NumberedPoint;
+use super::uid::{DicomDetails, GivenUids};
 use bytes::Bytes;
 pub use homolog_contract::result::{WarpDirection, WarpSpace};
 use std::sync::Arc;
@@ -207,8 +208,8 @@ pub enum PresentError {
     /// The job did not compute the map from the target to the source.
     #[error("the inverse correspondences were not computed")]
     NoInverse,
-    /// Neither input is a DICOM object, so there is no patient and no study.
-    #[error("neither input is a DICOM object")]
+    /// Neither input is a DICOM object, and no study was given.
+    #[error("neither input is a DICOM object, and no study was given")]
     NotDicom,
     /// The bent surface is open or too large for a grid, so that it has no segmentation.
     #[error("the bent surface has no segmentation")]
@@ -230,6 +231,8 @@ pub struct Presentation {
     part: ResultPart,
     format: PartFormat,
     blobs: Vec<ArtifactRef>,
+    /// For DICOM: the identifiers that inputs do not state.
+    uids: GivenUids,
     /// The job that they are of.
     of: (Tenant, JobId),
 }
@@ -258,12 +261,18 @@ impl Presentation {
             ResultPart::Correspondences { direction } => format!("{form}-{}", direction.name()),
             _ => form,
         };
+        let form = if self.format == PartFormat::Dicom && self.uids != GivenUids::default() {
+            let uids = blake3::hash(format!("{:?}", self.uids.texts()).as_bytes()).to_hex();
+            format!("{form}-{}", &uids[..32])
+        } else {
+            form
+        };
         format!("{}-{form}", blobs.join("-"))
     }
 }
 
 impl JobService {
-    /// Finds a part of a succeeded job's result.
+    /// Finds a part of a succeeded job's result. `uids` are for DICOM objects alone.
     ///
     /// # Errors
     /// As for [`JobService::result_part`].
@@ -273,12 +282,13 @@ impl JobService {
         id: JobId,
         part: ResultPart,
         format: PartFormat,
+        uids: GivenUids,
     ) -> Result<Presentation, JobError> {
         let mut blobs = Vec::new();
         for &kind in part.made_from(format) {
             blobs.push(self.result_part(tenant, id, kind).await?);
         }
-        Ok(Presentation { part, format, blobs, of: (tenant.clone(), id) })
+        Ok(Presentation { part, format, blobs, uids, of: (tenant.clone(), id) })
     }
 
     /// Its content: the blob in which it is stored in this format, or what is converted on a blocking thread.
@@ -307,7 +317,10 @@ impl JobService {
             }
             (_, PartFormat::Dicom) => {
                 let finished_at = self.get(tenant, *id).await?.finished_at.unwrap_or_default();
-                blobs.push(finished_at.strftime("%Y%m%d%H%M%S").to_string().into_bytes().into());
+                let ended_at = finished_at.strftime("%Y%m%d%H%M%S").to_string();
+                let details = DicomDetails { ended_at, uids: wanted.uids.clone() };
+                let details = serde_json::to_vec(&details);
+                blobs.push(details.map_err(|error| JobError::corrupt("the details of an object", error))?.into());
             }
             _ => {}
         }

@@ -5,7 +5,7 @@ use super::batch::{Batch, BatchId, NewBatch};
 use super::engine::{InputRefusal, InputSummary, ParameterFault, Resolved};
 use super::error::JobError;
 use super::job::{Job, JobId, JobInput, NewJob, Tenant};
-use super::mesh::CheckOutcome;
+use super::mesh::{CheckOutcome, Mesh};
 use super::metadata::{ExternalRef, Labels, MetadataFault};
 use super::ports::ArtifactKey;
 use super::service::JobService;
@@ -66,6 +66,8 @@ pub struct Details {
 pub enum SubmittedInput {
     /// Sent with the submission.
     File(SubmittedFile),
+    /// Instances of one DICOM series, sent with the submission as several files.
+    Series(Vec<Bytes>),
     /// Uploaded before; the hash of its content.
     Mesh(String),
 }
@@ -394,32 +396,25 @@ impl JobService {
         submitted: SubmittedInput,
         resolved: &Resolved,
     ) -> Result<CheckedInput, SubmitError> {
-        match submitted {
-            SubmittedInput::File(file) => {
-                let key = ArtifactKey::of(tenant, &file.bytes);
-                let (n_bytes, name_hint) = (file.bytes.len() as u64, file.name_hint.clone());
-                let bytes = Some(file.bytes.clone());
-                let summary = match self.inspect(input, file, resolved).await? {
-                    CheckOutcome::Fit(summary) => summary,
-                    CheckOutcome::Unfit(refusal) => return Err(SubmitError::Input { input, refusal }),
-                };
-                Ok(CheckedInput { key, n_bytes, name_hint, summary, bytes })
+        let file = match submitted {
+            SubmittedInput::File(file) => file,
+            SubmittedInput::Series(instances) => {
+                let joined = self.engine.join_instances(instances);
+                let bytes = joined.map_err(|refusal| SubmitError::Input { input, refusal })?;
+                SubmittedFile { bytes, name_hint: None }
             }
             SubmittedInput::Mesh(hash) => {
                 let mesh = self.stores.meshes.get_mesh(tenant, &hash).await?;
-                let summary = match self.check_mesh(&mesh, input, resolved).await? {
-                    CheckOutcome::Fit(summary) => summary,
-                    CheckOutcome::Unfit(refusal) => return Err(SubmitError::Input { input, refusal }),
-                };
-                Ok(CheckedInput {
-                    key: mesh.key,
-                    n_bytes: mesh.n_bytes,
-                    name_hint: mesh.name_hint,
-                    summary,
-                    bytes: None,
-                })
+                let summary = fit(input, self.check_mesh(&mesh, input, resolved).await?)?;
+                let Mesh { key, n_bytes, name_hint, .. } = mesh;
+                return Ok(CheckedInput { key, n_bytes, name_hint, summary, bytes: None });
             }
-        }
+        };
+        let key = ArtifactKey::of(tenant, &file.bytes);
+        let (n_bytes, name_hint) = (file.bytes.len() as u64, file.name_hint.clone());
+        let bytes = Some(file.bytes.clone());
+        let summary = fit(input, self.inspect(input, file, resolved).await?)?;
+        Ok(CheckedInput { key, n_bytes, name_hint, summary, bytes })
     }
 
     fn new_job(
@@ -559,6 +554,14 @@ impl JobService {
     }
 }
 
+/// What an input is, unless it cannot be matched.
+fn fit(input: &'static str, outcome: CheckOutcome) -> Result<InputSummary, SubmitError> {
+    match outcome {
+        CheckOutcome::Fit(summary) => Ok(summary),
+        CheckOutcome::Unfit(refusal) => Err(SubmitError::Input { input, refusal }),
+    }
+}
+
 /// Hash of everything that a request states; `serde_json` writes the members of objects in a fixed order.
 fn hash_of(value: &Value) -> String {
     blake3::hash(value.to_string().as_bytes()).to_hex().to_string()
@@ -578,6 +581,12 @@ fn details_value(details: &Details) -> Value {
 fn fingerprint(submission: &Submission) -> String {
     let input = |input: &SubmittedInput| match input {
         SubmittedInput::File(file) => json!([blake3::hash(&file.bytes).to_hex().as_str(), file.name_hint]),
+        SubmittedInput::Series(instances) => {
+            let mut hashes: Vec<_> = instances.iter().map(|bytes| blake3::hash(bytes).to_hex().to_string()).collect();
+            // Files of a series are in no order.
+            hashes.sort_unstable();
+            json!({"series": hashes})
+        }
         SubmittedInput::Mesh(hash) => json!(hash),
     };
     let details = details_value(&submission.details);

@@ -4,7 +4,7 @@
 //! [`backup`] copies a database and a folder while they are used,
 //! [`processes`] records which processes of one machine are alive. [`seal`] encrypts secrets, [`encryption`] has the keys for
 //! blobs and secrets and their rotation, `private_files` keeps files from
-//! other users.
+//! other users, `space` remembers that a store was full.
 
 pub mod artifacts;
 pub mod backup;
@@ -12,4 +12,5 @@ pub mod encryption;
 pub(crate) mod private_files;
 pub(crate) mod processes;
 pub mod seal;
+mod space;
 pub mod sql;

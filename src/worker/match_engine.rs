@@ -8,8 +8,10 @@ use crate::jobs::{
     ArtifactKind, Computation, ComputeError, ComputeInputs, Demand, Engine, Failure, InputBytes, InputRefusal,
     InputSummary, ParameterFault, PartFormat, PresentError, ResultPart, SurfaceSize,
 };
+use bytes::Bytes;
 use homolog_contract::parameters::{MatchParameters, Method, preset, resolve};
 use homolog_formats::ply::write_ply;
+use homolog_formats::write_zip;
 use homolog_matching::MatchError;
 use homolog_primitives::observe::Observer;
 use homolog_run::intake::{IntakeError, IntakeLimits, prepare_surface};
@@ -50,6 +52,18 @@ impl MatchEngine {
 }
 
 impl Engine for MatchEngine {
+    fn join_instances(&self, mut instances: Vec<Bytes>) -> Result<Bytes, InputRefusal> {
+        // Files of a series are in no order; this one gives equal bytes.
+        instances.sort_by_cached_key(|bytes| *blake3::hash(bytes).as_bytes());
+        let files: Vec<(String, Bytes)> =
+            instances.into_iter().zip(1..).map(|(bytes, k)| (format!("{k:05}.dcm"), bytes)).collect();
+        write_zip(&files).map(Bytes::from).map_err(|_| InputRefusal {
+            code: "too-large".to_owned(),
+            detail: "the instances are too many or too large for one series; send those of one segmentation".to_owned(),
+            topology: None,
+        })
+    }
+
     fn methods(&self) -> Vec<MethodDescription> {
         let schema = parameters_schema();
         Method::ALL

@@ -1,7 +1,7 @@
 //! Conversion of stored parts of a result to other file formats. Vertex indices are copied as stored: they count the
 //! vertices of the uploads (see [`homolog_run`]), which the stored surfaces have.
 
-use crate::jobs::{PartFormat, PresentError, ResultPart};
+use crate::jobs::{DicomDetails, PartFormat, PresentError, ResultPart};
 use homolog_contract::result::{Correspondences, ResultDocument, TransformDocument, WarpDirection, WarpSpace};
 use homolog_formats::arrow::{write_arrow, write_arrow_table};
 use homolog_formats::gifti::write_gifti;
@@ -29,7 +29,7 @@ pub const NO_TARGET: i32 = -1;
 
 /// A part of a result in `format`, made from the stored blobs of the part: the correspondences (JSON), with the source
 /// surface (PLY) for surface formats; the result document (JSON); a surface (PLY); all of these for a bent surface; or these
-/// and the energy trace (JSON) for a report. With them, both uploads for LTA, and both uploads and the time of its end for DICOM.
+/// and the energy trace (JSON) for a report. With them, both uploads for LTA, and both uploads and [`DicomDetails`] for DICOM.
 ///
 /// # Errors
 /// [`PresentError`].
@@ -53,10 +53,12 @@ pub fn present(part: ResultPart, format: PartFormat, stored: &[&[u8]]) -> Result
             let matrix = stored_transform(result)?.matrix;
             (format == PartFormat::Lta).then(|| lta(&matrix, [source, target]).into_bytes())
         }
-        (ResultPart::Transform, [result, source, target, ended_at]) => {
+        (ResultPart::Transform, [result, source, target, details]) => {
             let max_inflated_bytes = ReadLimits::default().max_inflated_bytes;
-            let ended_at = String::from_utf8_lossy(ended_at);
-            let files = RegisteredFiles { source, target, max_inflated_bytes };
+            let DicomDetails { ended_at, uids } = dicom_details(details)?;
+            let [study_uid, source_frame, target_frame] = uids.texts();
+            let frame_uids = [source_frame, target_frame];
+            let files = RegisteredFiles { source, target, study_uid, frame_uids, max_inflated_bytes };
             let written = write_spatial_registration(&stored_transform(result)?.matrix, &files, &ended_at);
             Some(written.map_err(|error| unreadable("an input", error))?.ok_or(PresentError::NotDicom)?)
         }
@@ -86,14 +88,15 @@ pub fn present(part: ResultPart, format: PartFormat, stored: &[&[u8]]) -> Result
                 PartFormat::Arrow => Some(write_arrow_table(&arrays)),
                 PartFormat::Parquet => Some(write_parquet_table(&arrays)),
                 PartFormat::Dicom => match files {
-                    [source, target, ended_at] => {
-                        let (own, other) = match space {
-                            WarpSpace::Source => (source, target),
-                            WarpSpace::Target => (target, source),
+                    [source, target, details] => {
+                        let DicomDetails { ended_at, uids } = dicom_details(details)?;
+                        let [study_uid, source_frame, target_frame] = uids.texts();
+                        let (own, other, frame_uid) = match space {
+                            WarpSpace::Source => (source, target, source_frame),
+                            WarpSpace::Target => (target, source, target_frame),
                         };
                         let max_inflated_bytes = ReadLimits::default().max_inflated_bytes;
-                        let files = SegmentedFiles { own, other, max_inflated_bytes };
-                        let ended_at = String::from_utf8_lossy(ended_at);
+                        let files = SegmentedFiles { own, other, study_uid, frame_uid, max_inflated_bytes };
                         let written = write_segmentation(&mesh, segment_label(direction), &files, &ended_at);
                         Some(written.map_err(not_segmented)?)
                     }
@@ -159,6 +162,10 @@ fn corresponding_scene(
         ColoredSurface { name: names[0], mesh: &rigid, colors: &colors.source[0] },
         ColoredSurface { name: names[1], mesh: fixed, colors: &colors.target[0] },
     ]))
+}
+
+fn dicom_details(details: &[u8]) -> Result<DicomDetails, PresentError> {
+    serde_json::from_slice(details).map_err(|error| unreadable("the details of an object", error))
 }
 
 fn not_segmented(error: SegmentationError) -> PresentError {

@@ -407,6 +407,24 @@ fn containers_are_neither_root_nor_writable() {
 
 /// What a client can occupy must not decide whether a supervisor restarts the process.
 #[test]
+fn network_policies_let_every_pod_reach_a_labeled_collector_and_no_other_address() {
+    let documents = documents();
+    let policies: Vec<&Value> = documents.iter().map(|(_, d)| d).filter(|d| d["kind"] == "NetworkPolicy").collect();
+    let named = |name: &str| *policies.iter().find(|policy| policy["metadata"]["name"] == name).unwrap();
+    let collector = named("homolog-to-collector");
+    assert_eq!(collector["spec"]["podSelector"], named("homolog-default-deny")["spec"]["podSelector"]);
+    let rules = collector["spec"]["egress"].as_array().unwrap();
+    assert_eq!(rules.len(), 1);
+    // The default port of OTLP over HTTP, as in the documentation of the setting.
+    assert_eq!(rules[0]["ports"], serde_json::json!([{"protocol": "TCP", "port": 4318}]));
+    for peer in rules[0]["to"].as_array().unwrap() {
+        let selectors =
+            ["namespaceSelector", "podSelector"].map(|kind| &peer[kind]["matchLabels"]["homolog-collector"]);
+        assert!(selectors.iter().any(|label| **label == "true"), "{peer}");
+    }
+}
+
+#[test]
 fn services_answer_probes_apart_from_clients() {
     for (name, document) in documents() {
         for container in containers(&document) {

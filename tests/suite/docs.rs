@@ -126,8 +126,10 @@ fn each_fault_that_attacks_have_found_names_its_tests() {
     let model = fs::read_to_string(root().join("docs/threat-model.md")).unwrap();
     let found = model.split("## Faults that attacks have found").nth(1).unwrap().split("\n## ").next().unwrap();
     // That these tests exist is checked above, as for every other row.
-    let numbers: Vec<u32> =
+    let mut numbers: Vec<u32> =
         found.lines().filter_map(|line| line.strip_prefix("| ")?.split_once(". ")?.0.parse().ok()).collect();
+    // The last one is many small ones.
+    numbers.dedup();
     assert_eq!(numbers, (1..=14).collect::<Vec<u32>>());
 }
 

@@ -172,3 +172,41 @@ async fn what_is_no_http_is_answered_with_an_empty_body_as_documented() {
     assert_eq!(service.json("/healthz").await["status"], "alive");
     service.end().await;
 }
+
+#[tokio::test]
+async fn heads_that_are_too_long_are_problems_and_what_is_no_http_ends_its_connection_only() {
+    let service = TestService::start(&["--workers", "0"]).await;
+    let long = |n: usize| "x".repeat(n);
+    let refused =
+        problem(service.get(&format!("/v1/jobs?label={}", long(17 << 10))).await, 414, "target-too-long").await;
+    assert_eq!(refused["limit_bytes"], 16 << 10);
+    let with_headers = service.client.get(format!("{}/v1/jobs", service.base)).header("x-a", long(40 << 10));
+    let refused =
+        problem(with_headers.header("x-b", long(30 << 10)).send().await.unwrap(), 431, "headers-too-large").await;
+    assert_eq!(refused["limit_bytes"], 64 << 10);
+    assert_eq!(service.get(&format!("/healthz?{}", long(15 << 10))).await.status(), 200);
+
+    // What hyper answers by itself: a status without a body, then the connection is closed.
+    let headers: String = (0..101).map(|k| format!("x-{k}: 1\r\n")).collect();
+    for (request, status) in [
+        ("nonsense\r\n\r\n".to_owned(), 400),
+        ("GET /healthz HTTP/1.1\r\nhost localhost\r\n\r\n".to_owned(), 400),
+        ("GET /\u{1} HTTP/1.1\r\nhost: localhost\r\n\r\n".to_owned(), 400),
+        (format!("GET /{} HTTP/1.1\r\nhost: localhost\r\n\r\n", long(70_000)), 414),
+        (format!("GET /healthz HTTP/1.1\r\nhost: localhost\r\n{headers}\r\n"), 431),
+        (format!("GET /healthz HTTP/1.1\r\nhost: localhost\r\nx: {}\r\n\r\n", long(500_000)), 431),
+    ] {
+        let mut stream = connect(&service).await;
+        // The connection may be closed before all is sent.
+        let _ = stream.write_all(request.as_bytes()).await;
+        let answer = String::from_utf8(until_closed(&mut stream).await).unwrap();
+        assert!(answer.starts_with(&format!("HTTP/1.1 {status} ")), "{status}: {answer}");
+        let (head, body) = answer.split_once("\r\n\r\n").unwrap();
+        assert!(
+            body.is_empty() && head.contains("content-length: 0") && head.contains("connection: close"),
+            "{answer}"
+        );
+        assert_eq!(service.json("/healthz").await["status"], "alive");
+    }
+    service.end().await;
+}

@@ -8,7 +8,7 @@ use homolog::jobs::{
     JobFilter, JobId, JobInput, JobQueue, JobReader, JobState, JobWriter, Lease, LeaseStatus, NewJob, NumberedPoint,
     Outcome, PageRequest, Progress, Recovered, Tenant, TraceChunk, WaitingJob, WorkerId,
 };
-use homolog::store::sql::SqlStore;
+use homolog::store::sql::{SqlStore, StoreSettings};
 use homolog_primitives::observe::{Phase, TracePoint};
 use serde_json::json;
 use std::sync::Arc;
@@ -244,6 +244,29 @@ async fn a_job_that_keeps_crashing_becomes_dead_and_others_run(f: Fixture) {
     assert_eq!(f.claim(LONG).await.job_id, other.id);
 }
 
+async fn a_job_whose_workers_crash_waits_longer_each_time(f: Fixture) {
+    let pause = Duration::from_millis(300);
+    let settings = StoreSettings { crash_pause: pause, ..StoreSettings::default() };
+    let store = f.another().await.with(settings);
+    let (poison, other) = (f.add(9).await, f.add(0).await);
+    for crashes in 1..=2 {
+        let claimed = store.claim_next(&f.worker, SHORT, LONG).await.unwrap().unwrap();
+        assert_eq!(claimed.lease.job_id, poison.id);
+        tokio::time::sleep(SHORT * 2).await;
+        assert_eq!(store.recover_expired().await.unwrap().queued, 1);
+        // Meanwhile others run, whatever their priority.
+        if crashes == 1 {
+            assert_eq!(store.claim_next(&f.worker, LONG, LONG).await.unwrap().unwrap().lease.job_id, other.id);
+        }
+        let waiting = std::time::Instant::now();
+        while store.front_of_queue(1).await.unwrap().is_empty() {
+            tokio::time::sleep(Duration::from_millis(10)).await;
+        }
+        let expected = pause * 5u32.pow(crashes - 1);
+        assert!(waiting.elapsed() > expected / 2, "{:?}", waiting.elapsed());
+    }
+}
+
 async fn jobs_of_a_lost_process_are_requeued_at_once_and_others_keep_theirs(f: Fixture) {
     let (first, second) = (f.add(0).await, f.add(0).await);
     let gone = WorkerId::random();
@@ -466,6 +489,7 @@ on_every_store! {
     a_stale_worker_changes_nothing,
     a_heartbeat_renews_the_lease,
     a_job_that_keeps_crashing_becomes_dead_and_others_run,
+    a_job_whose_workers_crash_waits_longer_each_time,
     jobs_of_a_lost_process_are_requeued_at_once_and_others_keep_theirs,
     a_shutdown_does_not_count_as_an_attempt,
     readers_of_a_trace_see_every_point_once,

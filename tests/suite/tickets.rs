@@ -4,10 +4,11 @@ use super::encryption::command;
 use super::faults::client::{id_of, steps};
 use super::faults::on_both;
 use super::faults::site::{Backend, SOON, Site};
-use super::jobs_support::form;
+use super::jobs_support::{form, problem};
+use futures_util::StreamExt as _;
 use serde_json::{Value, json};
 
-on_both!(a_ticket_reads_one_resource_of_one_tenant_for_a_minute);
+on_both!(a_ticket_reads_one_resource_of_one_tenant_for_a_minute, a_tenant_has_a_thousand_tickets_at_a_time);
 
 async fn key(site: &Site, tenant: &str) -> String {
     let (code, said) = command(site, &["keys", "create", "--tenant", tenant]).await;
@@ -105,4 +106,32 @@ async fn a_ticket_reads_one_resource_of_one_tenant_for_a_minute(backend: Backend
     assert_eq!(get(&of(&job, "/result"), &last).await.0, 200);
     assert_eq!(command(&site, &["keys", "revoke", &owner]).await.0, Some(0));
     assert_eq!(get(&of(&job, "/result"), &last).await.0, 401, "its key is revoked");
+}
+
+async fn a_tenant_has_a_thousand_tickets_at_a_time(backend: Backend) {
+    let site = Site::open(backend);
+    let node = site.serve(&["--workers", "0", "--auth", "keys"]);
+    let http = site.client(&node).http;
+    let (owner, other) = (key(&site, "owner").await, key(&site, "other").await);
+    let path = json!({"path": "/v1/jobs/0198c0de-0000-7000-8000-000000000000"});
+    let ask = async |key: &str| {
+        http.post(format!("{}/v1/tickets", node.base)).bearer_auth(key).json(&path).send().await.unwrap()
+    };
+    let database = site.database().await;
+    let filled = "WITH RECURSIVE n(k) AS (SELECT 1 UNION ALL SELECT k + 1 FROM n WHERE k < 980) \
+                  INSERT INTO tickets (hash, tenant, key_id, path, expires_at) \
+                  SELECT 'filled-' || k, 'owner', NULL, '/v1/jobs/1', 9999999999999 FROM n";
+    database.execute(filled).await;
+    // Also of requests at the same time, no more are answered.
+    let answers = futures_util::stream::iter(0..40).map(|_| ask(&owner)).buffer_unordered(8);
+    let statuses: Vec<u16> = answers.map(|answer| answer.status().as_u16()).collect().await;
+    let counted = [201, 429].map(|status| statuses.iter().filter(|s| **s == status).count());
+    assert_eq!(counted, [20, 20]);
+    let refused = ask(&owner).await;
+    assert_eq!(refused.headers()["retry-after"], "60");
+    let refused = problem(refused, 429, "too-many-requests").await;
+    assert!(refused["detail"].as_str().unwrap().contains("1000 tickets"), "{refused}");
+    assert_eq!(ask(&other).await.status(), 201, "it is a limit of each tenant");
+    database.execute("UPDATE tickets SET expires_at = 0").await;
+    assert_eq!(ask(&owner).await.status(), 201, "tickets that have expired do not count");
 }

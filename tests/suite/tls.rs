@@ -111,6 +111,30 @@ async fn certificates_are_replaced_without_dropping_connections() {
     service.end().await;
 }
 
+#[tokio::test]
+async fn certificates_are_read_again_at_sighup() {
+    let (files, mut authority) = (Files::new(), Authority::new());
+    files.put(authority.sign("localhost"));
+    let service = files.start(&[]).await;
+    assert_eq!(authority.client(None).get(url(&service, "/healthz")).send().await.unwrap().status(), 200);
+    let mut waited = Duration::ZERO;
+    // Files are looked at every 2 s too, so that each of these would take so long after the one before.
+    for round in 0..4 {
+        authority = Authority::new();
+        files.put(authority.sign("localhost"));
+        let began = Instant::now();
+        let process = std::process::id().to_string();
+        assert!(std::process::Command::new("kill").args(["-HUP", &process]).status().unwrap().success());
+        while authority.client(None).get(url(&service, "/healthz")).send().await.is_err() {
+            assert!(began.elapsed() < Duration::from_secs(10), "the new certificate is not used");
+            tokio::time::sleep(Duration::from_millis(20)).await;
+        }
+        waited += if round == 0 { Duration::ZERO } else { began.elapsed() };
+    }
+    assert!(waited < Duration::from_secs(4), "{waited:?}");
+    service.end().await;
+}
+
 async fn service_job(client: &Client, service: &TestService) -> String {
     let form = super::jobs_support::form("a", "b", &serde_json::json!({}));
     let sent = client.post(url(service, "/v1/jobs")).multipart(form).send().await.unwrap();

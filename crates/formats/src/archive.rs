@@ -97,14 +97,14 @@ pub(super) fn dicom_or_plain<'a>(bytes: &'a [u8], limits: &ReadLimits) -> Result
 ///
 /// # Errors
 /// Those of the archive, such as more than 4 GiB.
-pub fn write_zip(files: &[(String, Vec<u8>)]) -> std::io::Result<Vec<u8>> {
+pub fn write_zip<B: AsRef<[u8]>>(files: &[(String, B)]) -> std::io::Result<Vec<u8>> {
     let options = SimpleFileOptions::default()
         .compression_method(CompressionMethod::Stored)
         .last_modified_time(DateTime::default());
     let mut archive = ZipWriter::new(Cursor::new(Vec::new()));
     for (name, bytes) in files {
         archive.start_file(name.as_str(), options)?;
-        archive.write_all(bytes)?;
+        archive.write_all(bytes.as_ref())?;
     }
     Ok(archive.finish()?.into_inner())
 }

@@ -27,20 +27,43 @@ const COPIED: [(u32, &[u8; 2], bool); 11] = [
     (0x0020_0010, b"SH", true),
 ];
 
-/// Puts an object into the study of `study`.
-pub(super) fn add_study(body: &mut Elements, study: &DataSet<'_>) {
+/// The study that an object is put into.
+pub(super) enum Study<'a> {
+    /// That of an input, with its patient.
+    Of(&'a DataSet<'a>),
+    /// One of which nothing is known but its UID.
+    Named(&'a str),
+}
+
+impl Study<'_> {
+    pub(super) fn uid(&self) -> String {
+        match self {
+            Study::Of(set) => set.text(STUDY),
+            Study::Named(uid) => (*uid).to_owned(),
+        }
+    }
+}
+
+/// Puts an object into a study.
+pub(super) fn add_study(body: &mut Elements, study: &Study<'_>) {
     for (tag, representation, required) in COPIED {
-        let value = study.bytes(tag);
+        let value = match study {
+            Study::Of(set) => set.bytes(tag),
+            Study::Named(uid) if tag == STUDY => uid.as_bytes(),
+            Study::Named(_) => &[],
+        };
         if required || !value.is_empty() {
             body.add(tag, representation, value);
         }
     }
 }
 
-/// The frame of reference of an input; of one that states none, such as a file of another format, a name made of its bytes.
-pub(super) fn frame_of_reference(set: Option<&DataSet<'_>>, bytes: &[u8]) -> String {
+/// The frame of reference of an input; of one that states none, such as a file of another format, the given one, or a name
+/// made of its bytes.
+pub(super) fn frame_of_reference(set: Option<&DataSet<'_>>, bytes: &[u8], given: Option<&str>) -> String {
     let stated = set.map(|set| set.text(FRAME_OF_REFERENCE)).filter(|uid| !uid.is_empty());
-    stated.unwrap_or_else(|| uid_of(&[b"frame of reference", bytes]))
+    let named = || given.map_or_else(|| uid_of(&[b"frame of reference", bytes]), str::to_owned);
+    stated.unwrap_or_else(named)
 }
 
 /// A UID made of a hash (PS3.5, section B.2): `2.25.` and a number of 128 bits, those of a UUID of version 8.

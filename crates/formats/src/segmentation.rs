@@ -4,7 +4,9 @@
 //! Source: DICOM PS3.3, sections A.51 (Segmentation) and C.8.20, C.7.6.16 (functional groups) and C.7.6.17 (dimensions).
 
 use super::dicom::{SOP_CLASS, SOP_INSTANCE, is_dicom, read_file};
-use super::dicom_file::{Elements, FRAME_OF_REFERENCE, SERIES, add_study, decimal, file, frame_of_reference, uid_of};
+use super::dicom_file::{
+    Elements, FRAME_OF_REFERENCE, SERIES, Study, add_study, decimal, file, frame_of_reference, uid_of,
+};
 use super::{DEFAULT_FRACTION, FileContent, FormatError, ReadLimits, archive, lps, read_with};
 use homolog_mesh::SurfaceMesh;
 use nalgebra::{Matrix4, Point3, Vector3, Vector4};
@@ -22,6 +24,10 @@ pub struct SegmentedFiles<'a> {
     pub own: &'a [u8],
     /// The other one: its patient and study are used where the first one is no DICOM object.
     pub other: &'a [u8],
+    /// UID of the study, used where neither input is a DICOM object.
+    pub study_uid: Option<&'a str>,
+    /// UID of the frame of reference of the first input, used where that states none.
+    pub frame_uid: Option<&'a str>,
     /// Largest size of an input after decompression, bytes.
     pub max_inflated_bytes: usize,
 }
@@ -29,8 +35,8 @@ pub struct SegmentedFiles<'a> {
 /// Why a surface is not written as a segmentation.
 #[derive(Debug, thiserror::Error)]
 pub enum SegmentationError {
-    /// Neither input is a DICOM object, so there is no patient and no study.
-    #[error("neither input is a DICOM object")]
+    /// Neither input is a DICOM object, and no study is given.
+    #[error("neither input is a DICOM object, and no study is given")]
     NotDicom,
     /// It encloses nothing.
     #[error("the surface is open, so that it encloses no voxels")]
@@ -67,22 +73,28 @@ pub fn write_segmentation(
         }
     }
     let [own, other] = &sets;
-    let study = own.as_ref().or(other.as_ref()).ok_or(SegmentationError::NotDicom)?;
+    let of_input = own.as_ref().or(other.as_ref()).map(Study::Of);
+    let study = of_input.or_else(|| files.study_uid.map(Study::Named)).ok_or(SegmentationError::NotDicom)?;
     if surface.boundary_vertices().is_some() {
         return Err(SegmentationError::Open);
     }
-    let frame = frame_of_reference(own.as_ref(), &plain[0]);
+    let frame = frame_of_reference(own.as_ref(), &plain[0], files.frame_uid);
     let grid = Grid::of(surface, files.own, &limits)?;
     let voxels = grid.voxels(surface)?;
 
     let places: Vec<u8> = surface.vertices().iter().flat_map(|p| [p.x, p.y, p.z]).flat_map(f64::to_le_bytes).collect();
     let uid = |what: &[u8]| {
         let hashes = [&plain[0], &plain[1]].map(|bytes| *blake3::hash(bytes).as_bytes());
-        uid_of(&[b"segmentation", what, &hashes[0], &hashes[1], &places, label.as_bytes()])
+        let mut parts: Vec<&[u8]> = vec![b"segmentation", what, &hashes[0], &hashes[1], &places, label.as_bytes()];
+        // Objects of different studies are different objects.
+        if let Study::Named(uid) = study {
+            parts.push(uid.as_bytes());
+        }
+        uid_of(&parts)
     };
     let instance = uid(b"instance");
     let mut body = Elements::default();
-    add_study(&mut body, study);
+    add_study(&mut body, &study);
     let (day, time) = created_at.split_at_checked(8).unwrap_or(("19700101", "000000"));
     let texts: [(u32, &[u8; 2], &str); 25] = [
         (0x0008_0008, b"CS", "DERIVED\\PRIMARY"),
@@ -332,7 +344,16 @@ mod tests {
     use homolog_mesh::{FaceArity, volume::LabelVolume};
 
     fn segmented(mesh: &SurfaceMesh, own: &[u8], other: &[u8]) -> Result<Vec<u8>, SegmentationError> {
-        let files = SegmentedFiles { own, other, max_inflated_bytes: 1 << 30 };
+        named(mesh, own, other, [None, None])
+    }
+
+    fn named(
+        mesh: &SurfaceMesh,
+        own: &[u8],
+        other: &[u8],
+        [study_uid, frame_uid]: [Option<&str>; 2],
+    ) -> Result<Vec<u8>, SegmentationError> {
+        let files = SegmentedFiles { own, other, study_uid, frame_uid, max_inflated_bytes: 1 << 30 };
         write_segmentation(mesh, "bent", &files, "20261122201500")
     }
 
@@ -401,6 +422,12 @@ mod tests {
         let of_other = read(&segmented(&ball, b"ply", &patient()).unwrap());
         assert_eq!((&of_other[..2], of_other[2].starts_with("2.25.")), (&of_own[..2], true));
         assert!(matches!(segmented(&ball, b"ply", b"stl"), Err(SegmentationError::NotDicom)));
+        let uids = [Some("1.9.1"), Some("1.9.2")];
+        let of_none = read(&named(&ball, b"ply", b"stl", uids).unwrap());
+        assert_eq!(of_none, ["", "1.9.1", "1.9.2", "SEG"]);
+        // What an input states itself goes first.
+        assert_eq!(read(&named(&ball, &patient(), b"ply", uids).unwrap()), of_own);
+        assert_eq!(read(&named(&ball, b"ply", &patient(), uids).unwrap()), ["Doe^Jane", "1.2.3", "1.9.2", "SEG"]);
         let open = SurfaceMesh::new(ball.vertices().to_vec(), FaceArity::Triangle, ball.indices()[3..].to_vec());
         assert!(matches!(segmented(&open.unwrap(), &patient(), b""), Err(SegmentationError::Open)));
     }

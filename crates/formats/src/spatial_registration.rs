@@ -5,12 +5,13 @@
 //!
 //! The registered coordinate system is the frame of reference of the target. Patient and study are those of the source, or of
 //! the target where the source is no DICOM object, so that a structure matched to a template of another format keeps its
-//! study. A file that is no DICOM object has a frame of reference named by its content: the same template has the same one.
+//! study; where neither is one, a study may be given. A file that is no DICOM object has the frame of reference that is given
+//! for it, or one named by its content: the same template has the same one.
 //! Equal inputs give an object with the same UID.
 
 use super::dicom::{DataSet, SOP_CLASS, SOP_INSTANCE, is_dicom, read_file};
 use super::dicom_file::{
-    Elements, FRAME_OF_REFERENCE, SERIES, STUDY, add_study, decimal, file, frame_of_reference, uid_of,
+    Elements, FRAME_OF_REFERENCE, SERIES, STUDY, Study, add_study, decimal, file, frame_of_reference, uid_of,
 };
 use super::{FormatError, ReadLimits, archive};
 use nalgebra::{Matrix4, Vector4};
@@ -24,12 +25,17 @@ pub struct RegisteredFiles<'a> {
     pub source: &'a [u8],
     /// The target.
     pub target: &'a [u8],
+    /// UID of the study, used where neither input is a DICOM object.
+    pub study_uid: Option<&'a str>,
+    /// UIDs of the frames of reference of source and target, used where the input states none.
+    pub frame_uids: [Option<&'a str>; 2],
     /// Largest size of an input after decompression, bytes.
     pub max_inflated_bytes: usize,
 }
 
 /// The object as a file of part 10. `created_at` is when the transform was computed: `YYYYMMDDHHMMSS`, UTC.
-/// `Ok(None)` if neither input is a DICOM object, so that there is no patient and no study.
+/// `Ok(None)` if neither input is a DICOM object and no study is given. The patient of a given study is unknown: the
+/// attributes are there and empty.
 ///
 /// # Errors
 /// [`FormatError`] if an input is a DICOM object that cannot be read.
@@ -45,17 +51,28 @@ pub fn write_spatial_registration(
     let [of_source, of_target] = &mut inflated;
     let source = data_set(&plain[0], of_source, limit)?;
     let target = data_set(&plain[1], of_target, limit)?;
-    let Some(study) = source.as_ref().or(target.as_ref()) else { return Ok(None) };
-    let frames = [frame_of_reference(source.as_ref(), &plain[0]), frame_of_reference(target.as_ref(), &plain[1])];
+    let of_input = source.as_ref().or(target.as_ref()).map(Study::Of);
+    let Some(study) = of_input.or_else(|| files.study_uid.map(Study::Named)) else { return Ok(None) };
+    let frames = [
+        frame_of_reference(source.as_ref(), &plain[0], files.frame_uids[0]),
+        frame_of_reference(target.as_ref(), &plain[1], files.frame_uids[1]),
+    ];
     let matrix = in_lps(target_from_source);
     let numbers: Vec<u8> = target_from_source.iter().flatten().flat_map(|v| v.to_le_bytes()).collect();
     let of_inputs = [blake3::hash(&plain[0]), blake3::hash(&plain[1])].map(|hash| *hash.as_bytes());
-    let uid = |what: &[u8]| uid_of(&[what, &of_inputs[0], &of_inputs[1], &numbers]);
+    let study_uid = study.uid();
+    let given = if matches!(study, Study::Named(_)) { study_uid.as_bytes() } else { &[] };
+    let uid = |what: &[u8]| {
+        let mut parts: Vec<&[u8]> = vec![what, &of_inputs[0], &of_inputs[1], &numbers];
+        // Objects of different studies are different objects.
+        parts.extend((!given.is_empty()).then_some(given));
+        uid_of(&parts)
+    };
     let (instance, series) = (uid(b"instance"), uid(b"series"));
     let (day, time) = created_at.split_at_checked(8).unwrap_or(("19700101", "000000"));
 
     let mut body = Elements::default();
-    add_study(&mut body, study);
+    add_study(&mut body, &study);
     body.text(SOP_CLASS, b"UI", CLASS);
     body.text(SOP_INSTANCE, b"UI", &instance);
     body.text(0x0008_0023, b"DA", day);
@@ -79,7 +96,7 @@ pub fn write_spatial_registration(
         0x0070_0308,
         &[registration(&frames[1], target.as_ref(), &identity), registration(&frames[0], source.as_ref(), &matrix)],
     );
-    references(&mut body, study, [source.as_ref(), target.as_ref()]);
+    references(&mut body, &study_uid, [source.as_ref(), target.as_ref()]);
     Ok(Some(file(CLASS, &instance, &body)))
 }
 
@@ -126,7 +143,7 @@ fn instance_of(set: &DataSet<'_>) -> Elements {
 }
 
 /// References to the inputs: those of the study, and those of others.
-fn references(body: &mut Elements, study: &DataSet<'_>, inputs: [Option<&DataSet<'_>>; 2]) {
+fn references(body: &mut Elements, study_uid: &str, inputs: [Option<&DataSet<'_>>; 2]) {
     let series = |set: &DataSet<'_>| {
         let mut series = Elements::default();
         series.items(0x0008_114a, &[instance_of(set)]);
@@ -141,7 +158,7 @@ fn references(body: &mut Elements, study: &DataSet<'_>, inputs: [Option<&DataSet
             continue;
         }
         seen.push(instance);
-        if set.text(STUDY) == study.text(STUDY) {
+        if set.text(STUDY) == study_uid {
             here.push(series(set));
         } else {
             let mut other = Elements::default();
@@ -178,7 +195,11 @@ mod tests {
     }
 
     fn written(source: &[u8], target: &[u8]) -> Option<Vec<u8>> {
-        let files = RegisteredFiles { source, target, max_inflated_bytes: 1 << 20 };
+        named(source, target, None, [None, None])
+    }
+
+    fn named(source: &[u8], target: &[u8], study_uid: Option<&str>, frame_uids: [Option<&str>; 2]) -> Option<Vec<u8>> {
+        let files = RegisteredFiles { source, target, study_uid, frame_uids, max_inflated_bytes: 1 << 20 };
         write_spatial_registration(&MOVED, &files, "20261122201500").unwrap()
     }
 
@@ -221,6 +242,26 @@ mod tests {
         assert_ne!(frame(b"ply one"), frame(b"ply two"));
         assert!(frame(b"ply one").starts_with("2.25.") && frame(b"ply one").len() <= 64);
         assert_eq!(written(b"ply one", b"ply two"), None, "no patient, no study");
+    }
+
+    #[test]
+    fn given_uids_name_the_study_and_frames_of_files_that_have_none() {
+        let texts = |bytes: Option<Vec<u8>>| {
+            let (bytes, mut inflated) = (bytes.unwrap(), Vec::new());
+            let set = read_file(&bytes, &mut inflated, 1 << 20).unwrap().0;
+            let frames = [0, 1].map(|k| set.items(0x0070_0308)[k].text(FRAME_OF_REFERENCE));
+            ([0x0010_0010, STUDY, SOP_INSTANCE].map(|tag| set.text(tag)), frames)
+        };
+        let given = |study| texts(named(b"ply one", b"ply two", Some(study), [Some("1.2.5"), Some("1.2.6")]));
+        let ([patient, study, instance], frames) = given("1.2.3");
+        assert_eq!((patient.as_str(), study.as_str(), frames), ("", "1.2.3", ["1.2.6".to_owned(), "1.2.5".to_owned()]));
+        assert_ne!(given("1.2.4").0[2], instance, "another study, another object");
+        // What an input states itself goes first.
+        let source = input("Doe^Jane", "1.2.3", "1.2.5", "1.2.7");
+        let ([patient, study, _], frames) =
+            texts(named(&source, b"ply", Some("1.9.1"), [Some("1.9.2"), Some("1.9.3")]));
+        assert_eq!((patient.as_str(), study.as_str()), ("Doe^Jane", "1.2.3"));
+        assert_eq!(frames, ["1.9.3", "1.2.5"]);
     }
 
     #[test]

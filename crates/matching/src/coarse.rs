@@ -2,6 +2,7 @@
 
 use super::levels::Levels;
 use super::prepare::build_model;
+use super::rounds::PROGRESS_BEFORE_ROUNDS;
 use super::scene::Scene;
 use super::{MatchError, bound};
 use homolog_contract::parameters::{Algorithm, MatchParameters};
@@ -53,7 +54,7 @@ pub(crate) fn coarse<'a>(
     );
     let model = model?;
     checkpoint(observer)?;
-    observer.progress(0.05);
+    observer.progress(PROGRESS_BEFORE_ROUNDS);
     let lower_bound = bound::lower_bound(&model, parameters.inference.lower_bound_iterations, observer)?;
     let scene = if source.is_direct() && target.is_direct() {
         full

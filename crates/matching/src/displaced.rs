@@ -10,16 +10,17 @@ use super::lengths::Lengths;
 use super::levels::Levels;
 use super::posed::{InferredPose, Posed};
 use super::reliability::{UNRELIABLE_CONFIDENCE, reliability, without_counterpart};
-use super::rounds::PROGRESS_AT_END;
+use super::rounds::{PROGRESS_AT_END, PROGRESS_BEFORE_DISPLACEMENT};
 use super::scene::Scene;
 use super::vertex_map::VertexMap;
 use homolog_contract::parameters::{Bending, DisplacementMode};
 use homolog_contract::result::{PoseDocument, PoseOrigin, ReliabilityDocument};
 use homolog_mesh::ClosestPoint;
 use homolog_mrf::Labeling;
-use homolog_primitives::observe::{Phase, TracePoint};
+use homolog_primitives::observe::{Observer, Phase, TracePoint};
 use homolog_registration::{RigidTransform, SAME_POSE_ANGLE, ScoredPose};
 use nalgebra::Point3;
+use std::sync::{Mutex, PoisonError};
 
 /// What the third stage hands over: every vertex of the source as it came, in canonical numbering.
 pub(crate) struct Displaced {
@@ -143,11 +144,56 @@ fn rigid(coarse: &Coarse<'_>, posed: &Posed<'_>, starts: &Starts) -> Result<Disp
     Ok(Displaced { transform, labeling, confidence, spread_mm, poses, images: Images::OnVertices })
 }
 
+/// Checks for cancellation in the displacement of a pair of two subjects: 115 and 147 in two pairs of hippocampi. Other pairs
+/// have fewer or more.
+const CHECKS_OF_DISPLACEMENT: f64 = 120.0;
+
+/// Says how much of a displacement is done, by the number of checks for cancellation: there is one for each step.
+struct Counting<'a> {
+    observer: &'a dyn Observer,
+    n_checks: Mutex<u32>,
+}
+
+/// The share of the time of a displacement that has passed after `share` of its checks. Something has been done before the first
+/// one, later steps have more points, and a displacement of more checks than expected comes to its end ever more slowly.
+fn time_share(share: f64) -> f64 {
+    const FIRST: f64 = 0.09;
+    const EXPONENT: f64 = 1.6;
+    const LAST: f64 = 0.9;
+    let early = |share: f64| FIRST + (1.0 - FIRST) * share.powf(EXPONENT);
+    if share <= LAST {
+        return early(share);
+    }
+    let (reached, slope) = (early(LAST), (1.0 - FIRST) * EXPONENT * LAST.powf(EXPONENT - 1.0));
+    1.0 - (1.0 - reached) * (-(share - LAST) * slope / (1.0 - reached)).exp()
+}
+
+impl Observer for Counting<'_> {
+    fn phase(&self, phase: Phase) {
+        self.observer.phase(phase);
+    }
+    fn progress(&self, fraction: f64) {
+        self.observer.progress(fraction);
+    }
+    fn trace(&self, point: &TracePoint) {
+        self.observer.trace(point);
+    }
+    fn is_cancelled(&self) -> bool {
+        // Held while it is said, so that what is said never decreases.
+        let mut n_checks = self.n_checks.lock().unwrap_or_else(PoisonError::into_inner);
+        *n_checks += 1;
+        let done = time_share(f64::from(*n_checks) / CHECKS_OF_DISPLACEMENT);
+        self.observer.progress(PROGRESS_BEFORE_DISPLACEMENT + (PROGRESS_AT_END - PROGRESS_BEFORE_DISPLACEMENT) * done);
+        self.observer.is_cancelled()
+    }
+}
+
 /// The images of a smooth displacement field, from the start that fits best after the deformation. `None` if no field
 /// can be fitted.
 fn by_field(coarse: &Coarse<'_>, posed: &Posed<'_>, starts: &Starts) -> Result<Option<Displaced>, MatchError> {
     let (scene, source, target) = (&coarse.full, coarse.source, coarse.target);
     let observer = scene.observer;
+    let counting = Counting { observer, n_checks: Mutex::default() };
     let surfaces = Surfaces {
         source: source.middle.mesh(),
         target: target.middle.mesh(),
@@ -168,7 +214,7 @@ fn by_field(coarse: &Coarse<'_>, posed: &Posed<'_>, starts: &Starts) -> Result<O
         starts.poses.iter().map(|(_, pose)| StartPose { pose: *pose, excess: starts.excess(pose) }).collect();
     let options = DisplacementOptions::default();
     let allow_reflection = scene.parameters.registration.allow_reflection;
-    let Some(found) = displace(&surfaces, &poses, allow_reflection, &options, observer)? else { return Ok(None) };
+    let Some(found) = displace(&surfaces, &poses, allow_reflection, &options, &counting)? else { return Ok(None) };
     let displaced = answered(scene, starts, &found, reliability(&found, &source.full, &target.full));
     observer.progress(PROGRESS_AT_END);
     if let Posed::Inference { problem, inferred } = posed {

@@ -25,12 +25,19 @@ fn later_iterations(first: u32) -> u32 {
 fn progress_after_rounds(parameters: &MatchParameters) -> f64 {
     match parameters.displacement.mode {
         DisplacementMode::None => PROGRESS_AT_END,
-        DisplacementMode::Smooth => 0.4,
+        DisplacementMode::Smooth => PROGRESS_BEFORE_DISPLACEMENT,
     }
 }
 
+/// The share of a match that is done when the rounds begin. This one and those below were measured on pairs of hippocampi with
+/// the default parameters.
+pub(crate) const PROGRESS_BEFORE_ROUNDS: f64 = 0.04;
+
+/// The share of a match that is done when its displacement field, if it has one, is begun.
+pub(crate) const PROGRESS_BEFORE_DISPLACEMENT: f64 = 0.1;
+
 /// The share of a match that is done when only the report remains.
-pub(crate) const PROGRESS_AT_END: f64 = 0.95;
+pub(crate) const PROGRESS_AT_END: f64 = 0.99;
 
 /// Counts rounds and iterations, and how much of the planned work they are.
 struct Schedule {
@@ -55,7 +62,8 @@ impl Schedule {
     /// Counts one more iteration; returns the share of the whole work that is done.
     fn progress(&mut self) -> f64 {
         self.iterations += 1;
-        0.05 + (self.until - 0.05) * (f64::from(self.iterations) / f64::from(self.planned)).min(1.0)
+        PROGRESS_BEFORE_ROUNDS
+            + (self.until - PROGRESS_BEFORE_ROUNDS) * (f64::from(self.iterations) / f64::from(self.planned)).min(1.0)
     }
 }
 

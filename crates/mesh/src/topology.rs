@@ -4,6 +4,7 @@
 //! can be acted on. Both work on triangles and quads. Edges are grouped by sorting half-edges, fans around a vertex by
 //! joining the face corners that share an edge: no pointers, no hashing, the same order of faults in every run.
 
+use super::tunnels::{Tunnel, narrowest_tunnel};
 use super::{Numbering, SurfaceMesh};
 
 /// Counts of the elements and faults of a mesh, with its genus, area and volume.
@@ -114,10 +115,15 @@ pub enum SurfaceFault {
         place_mm: [f64; 3],
     },
     /// Tunnels through the surface.
-    #[error("the surface has {genus} {} (genus {genus}); genus 0, as of a sphere, is needed, and the repair fill closes tunnels", tunnels(*genus))]
+    #[error(
+        "the surface has {genus} {} (genus {genus}){}; genus 0, as of a sphere, is needed, and the repair fill closes tunnels",
+        tunnels(*genus), narrowest(*genus, *tunnel)
+    )]
     Genus {
         /// The genus.
         genus: u32,
+        /// The narrowest tunnel, or the thinnest handle.
+        tunnel: Option<Tunnel>,
     },
     /// No area: all vertices on a line or at a point.
     #[error("the surface has no area ({area_mm2} mm²)")]
@@ -145,6 +151,12 @@ fn at(place: &[f64; 3]) -> String {
 
 fn tunnels(n: u32) -> &'static str {
     if n == 1 { "tunnel" } else { "tunnels" }
+}
+
+fn narrowest(genus: u32, tunnel: Option<Tunnel>) -> String {
+    let Some(Tunnel { place_mm, length_mm }) = tunnel else { return String::new() };
+    let which = if genus == 1 { "it is" } else { "the narrowest is" };
+    format!("; {which} near {}, where a loop of {length_mm:.2} mm runs around or through it", at(&place_mm))
 }
 
 impl SurfaceFault {
@@ -180,12 +192,12 @@ const FLAT_RTOL: f64 = 1e-9;
 ///
 /// Vertices that no face uses are not counted. Cost `O(faces log faces)`.
 pub fn topology_report(mesh: &SurfaceMesh) -> TopologyReport {
-    analyze(mesh).report
+    Examined::new(mesh).report
 }
 
 /// [`topology_report`] and, if `mesh` is not a closed surface of genus 0 with outward faces, the first fault.
 ///
-/// Cost `O(faces log faces)`.
+/// Cost `O(faces log faces)`, and up to seconds to find a tunnel.
 pub fn analyze(mesh: &SurfaceMesh) -> Analysis {
     analyze_with(mesh, Demand::Sphere)
 }
@@ -204,56 +216,65 @@ pub enum Demand {
 
 /// As [`analyze`]: the first fault of a surface that is not what `demand` says.
 ///
-/// Cost `O(faces log faces)`.
+/// Cost `O(faces log faces)`, and with [`Demand::Sphere`] up to seconds to find a tunnel.
 pub fn analyze_with(mesh: &SurfaceMesh, demand: Demand) -> Analysis {
-    let edges = EdgeUses::new(mesh);
-    let mut fans = DisjointSets::new(mesh.indices().len());
-    let mut faults = EdgeFaults::default();
-    for uses in edges.groups() {
-        for pair in uses.windows(2) {
-            fans.join(pair[0].corner_low, pair[1].corner_low);
-            fans.join(pair[0].corner_high, pair[1].corner_high);
-        }
-        faults.count(uses);
-    }
-    let n_fans = fan_counts(mesh, &mut fans);
-    let components = vertex_components(mesh);
-    let used = n_fans.iter().filter(|&&n| n > 0).count();
-    let torn: Vec<u32> = (0..n_fans.len() as u32).filter(|&v| n_fans[v as usize] > 1).collect();
-    let euler = used as i64 - faults.n_edges as i64 + mesh.n_faces() as i64;
-    let closed = faults.boundary.n == 0 && faults.many.n == 0;
-    let oriented = faults.twisted.n == 0;
-    let n_components = components.sizes.len() as u32;
-    let manifold = closed && oriented && torn.is_empty();
-    // Each component has χ = 2 − 2g.
-    let genus = manifold.then(|| (i64::from(n_components) - euler / 2).max(0) as u32);
-    let report = TopologyReport {
-        n_vertices: used as u32,
-        n_edges: faults.n_edges,
-        n_faces: mesh.n_faces() as u32,
-        n_components,
-        n_boundary_edges: faults.boundary.n,
-        n_nonmanifold_edges: faults.many.n,
-        n_nonmanifold_vertices: torn.len() as u32,
-        euler_characteristic: euler,
-        genus,
-        oriented,
-        area_mm2: mesh.area(),
-        volume_mm3: closed.then(|| mesh.signed_volume()),
-    };
-    let mut found = all_faults(mesh, &report, &faults, &torn, &n_fans, &components, demand).into_iter();
-    Analysis { fault: found.next(), others: found.collect(), report }
+    let examined = Examined::new(mesh);
+    let mut found = all_faults(mesh, &examined, demand).into_iter();
+    Analysis { fault: found.next(), others: found.collect(), report: examined.report }
 }
 
-fn all_faults(
-    mesh: &SurfaceMesh,
-    report: &TopologyReport,
-    faults: &EdgeFaults,
-    torn: &[u32],
-    n_fans: &[u32],
-    components: &Components,
-    demand: Demand,
-) -> Vec<SurfaceFault> {
+/// What is counted, and what faults are made of.
+struct Examined {
+    report: TopologyReport,
+    faults: EdgeFaults,
+    torn: Vec<u32>,
+    n_fans: Vec<u32>,
+    components: Components,
+}
+
+impl Examined {
+    fn new(mesh: &SurfaceMesh) -> Self {
+        let edges = EdgeUses::new(mesh);
+        let mut fans = DisjointSets::new(mesh.indices().len());
+        let mut faults = EdgeFaults::default();
+        for uses in edges.groups() {
+            for pair in uses.windows(2) {
+                fans.join(pair[0].corner_low, pair[1].corner_low);
+                fans.join(pair[0].corner_high, pair[1].corner_high);
+            }
+            faults.count(uses);
+        }
+        let n_fans = fan_counts(mesh, &mut fans);
+        let components = vertex_components(mesh);
+        let used = n_fans.iter().filter(|&&n| n > 0).count();
+        let torn: Vec<u32> = (0..n_fans.len() as u32).filter(|&v| n_fans[v as usize] > 1).collect();
+        let euler = used as i64 - faults.n_edges as i64 + mesh.n_faces() as i64;
+        let closed = faults.boundary.n == 0 && faults.many.n == 0;
+        let oriented = faults.twisted.n == 0;
+        let n_components = components.sizes.len() as u32;
+        let manifold = closed && oriented && torn.is_empty();
+        // Each component has χ = 2 − 2g.
+        let genus = manifold.then(|| (i64::from(n_components) - euler / 2).max(0) as u32);
+        let report = TopologyReport {
+            n_vertices: used as u32,
+            n_edges: faults.n_edges,
+            n_faces: mesh.n_faces() as u32,
+            n_components,
+            n_boundary_edges: faults.boundary.n,
+            n_nonmanifold_edges: faults.many.n,
+            n_nonmanifold_vertices: torn.len() as u32,
+            euler_characteristic: euler,
+            genus,
+            oriented,
+            area_mm2: mesh.area(),
+            volume_mm3: closed.then(|| mesh.signed_volume()),
+        };
+        Examined { report, faults, torn, n_fans, components }
+    }
+}
+
+fn all_faults(mesh: &SurfaceMesh, examined: &Examined, demand: Demand) -> Vec<SurfaceFault> {
+    let Examined { report, faults, torn, n_fans, components } = examined;
     let mut found = Vec::new();
     let v = mesh.vertices();
     let middle = |e: [u32; 2]| -> [f64; 3] { nalgebra::center(&v[e[0] as usize], &v[e[1] as usize]).into() };
@@ -283,7 +304,7 @@ fn all_faults(
         });
     }
     if let Some(genus) = report.genus.filter(|&g| g > 0 && demand == Demand::Sphere) {
-        found.push(SurfaceFault::Genus { genus });
+        found.push(SurfaceFault::Genus { genus, tunnel: narrowest_tunnel(mesh) });
     }
     let (low, high) = mesh.bounding_box();
     if report.area_mm2 <= FLAT_RTOL * (high - low).norm_squared() {

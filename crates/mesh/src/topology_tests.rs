@@ -51,7 +51,12 @@ fn a_tetrahedron_is_a_sphere() {
 fn a_torus_of_quads_has_genus_one() {
     let a = analyze(&torus(12, 7));
     assert_eq!(a.report.genus, Some(1));
-    assert_eq!(a.fault, Some(SurfaceFault::Genus { genus: 1 }));
+    let Some(SurfaceFault::Genus { genus: 1, tunnel: Some(tunnel) }) = a.fault else { panic!("{:?}", a.fault) };
+    let said = SurfaceFault::Genus { genus: 2, tunnel: Some(tunnel) }.to_string();
+    assert!(
+        said.contains("2 tunnels (genus 2); the narrowest is near (") && said.contains(" mm, where a loop of "),
+        "{said}"
+    );
 }
 
 #[test]

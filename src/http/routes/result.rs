@@ -143,8 +143,8 @@ pub(super) fn direction(query: &mut QueryString) -> WarpDirection {
 /// have RAS coordinates, as in NIfTI; LPS coordinates of DICOM, NRRD and of meshes that declare them are converted on reading.
 ///
 /// The Spatial Registration maps the frame of reference of the source to that of the target, in LPS as DICOM has it, and belongs
-/// to the patient and the study of the source, or of the target if the source is no DICOM object. An input that is none has a frame of reference
-/// named by its content. 406 if neither is one.
+/// to the patient and the study of the source, or of the target if the source is no DICOM object. An input that is none has the frame
+/// of reference that the request gives, or one named by its content. 406 if neither is one and no `study_uid` is given.
 ///
 /// The ITK file follows the convention of ITK, ANTs and 3D Slicer: LPS coordinates, and the map from points of the target
 /// (fixed) to points of the source (moving), which is the inverse of the matrix in JSON. Use it unchanged to resample the
@@ -155,6 +155,9 @@ pub(super) fn direction(query: &mut QueryString) -> WarpDirection {
     params(
         ("id" = String, Path, description = "The job"),
         ("format" = Option<String>, Query, description = "`json`, `text`, `tfm`, `lta` or `dicom`; takes precedence over `Accept`; JSON if neither is given"),
+        ("study_uid" = Option<String>, Query, description = "`dicom`: UID of the study, used where neither input is a DICOM object; its patient is left empty", max_length = 64),
+        ("source_frame_uid" = Option<String>, Query, description = "`dicom`: UID of the frame of reference of the source, used where it states none", max_length = 64),
+        ("target_frame_uid" = Option<String>, Query, description = "`dicom`: UID of the frame of reference of the target, used where it states none", max_length = 64),
         ("If-None-Match" = Option<String>, Header, description = "ETag of an earlier answer"),
     ),
     responses(

@@ -119,9 +119,9 @@ pub(crate) async fn aligned(
 /// `outlier` (0 none, 1 residual, 2 neighborhood, 3 both, 4 no counterpart). PLY, legacy VTK, VTP and GIFTI hold them with
 /// the surface; STL holds the surface alone, glTF (`glb`) the surface colored by
 /// residual; JSON, CSV, NumPy, Arrow and Parquet hold the values alone, a row for each vertex, with its new place `image_x_mm`,
-/// `image_y_mm`, `image_z_mm`. `dicom` is a DICOM segmentation (SEG), if an input is a DICOM object: the voxels that the bent
-/// surface encloses, on the grid and in the frame of reference of the input of `space`, in the study of that input, or of
-/// the other if that is no DICOM object.
+/// `image_y_mm`, `image_z_mm`. `dicom` is a DICOM segmentation (SEG), if an input is a DICOM object or `study_uid` is given: the
+/// voxels that the bent surface encloses, on the grid and in the frame of reference of the input of `space`, in the study of
+/// that input, or of the other if that is no DICOM object, or in the given one.
 #[utoipa::path(
     get, path = "/v1/jobs/{id}/warped", tag = "results", operation_id = "get_warped",
     params(
@@ -129,6 +129,9 @@ pub(crate) async fn aligned(
         ("format" = Option<String>, Query, description = "`ply`, `vtk`, `vtp`, `gifti`, `stl`, `glb`, `json`, `csv`, `npy`, `npz`, `arrow`, `parquet` or `dicom`; takes precedence over `Accept`; PLY if neither is given"),
         ("direction" = Option<String>, Query, description = "`forward` (default): the source is bent onto the target; `inverse`: the target onto the source, if the job had `both_directions`"),
         ("space" = Option<String>, Query, description = "Coordinates of the answer, `target` or `source`; by default those of the surface onto which the other is bent. In the other space the same shape is moved rigidly. `aligned` is another name for `target`: the space of `/aligned`"),
+        ("study_uid" = Option<String>, Query, description = "`dicom`: UID of the study, used where neither input is a DICOM object; its patient is left empty", max_length = 64),
+        ("source_frame_uid" = Option<String>, Query, description = "`dicom`: UID of the frame of reference of the source, used where it states none", max_length = 64),
+        ("target_frame_uid" = Option<String>, Query, description = "`dicom`: UID of the frame of reference of the target, used where it states none", max_length = 64),
         ("If-None-Match" = Option<String>, Header, description = "ETag of an earlier answer"),
     ),
     responses(

@@ -7,6 +7,7 @@
 use super::pieces::in_pieces;
 use super::sealed::StoredBlobs;
 use crate::jobs::{ArtifactKey, ArtifactStore, ArtifactWriter, BlobStream, JobError, Tenant};
+use crate::store::space::Space;
 use async_trait::async_trait;
 use bytes::{Bytes, BytesMut};
 use object_store::aws::{AmazonS3, AmazonS3Builder, AmazonS3ConfigKey};
@@ -35,6 +36,7 @@ const STALE: Duration = Duration::from_secs(24 * 3600);
 pub struct S3Artifacts {
     client: Arc<AmazonS3>,
     prefix: Path,
+    space: Arc<Space>,
 }
 
 impl S3Artifacts {
@@ -69,7 +71,7 @@ impl S3Artifacts {
             }
         }
         let client = builder.with_client_options(options).build().map_err(domain_error)?;
-        Ok(S3Artifacts { client: Arc::new(client), prefix: Path::from(prefix) })
+        Ok(S3Artifacts { client: Arc::new(client), prefix: Path::from(prefix), space: Arc::default() })
     }
 
     fn path(&self, key: &ArtifactKey) -> Path {
@@ -102,13 +104,15 @@ fn domain_error(error: object_store::Error) -> JobError {
 impl ArtifactStore for S3Artifacts {
     async fn ping(&self) -> Result<(), JobError> {
         match self.client.head(&Path::from(format!("{}/.homolog", self.prefix))).await {
-            Ok(_) | Err(object_store::Error::NotFound { .. }) => Ok(()),
+            // Reading says nothing about a bucket whose quota is used up.
+            Ok(_) | Err(object_store::Error::NotFound { .. }) => self.space.check(),
             Err(error) => Err(domain_error(error)),
         }
     }
 
     async fn put(&self, key: &ArtifactKey, bytes: Bytes) -> Result<(), JobError> {
-        self.client.put(&self.path(key), PutPayload::from_bytes(bytes)).await.map(|_| ()).map_err(domain_error)
+        let put = self.client.put(&self.path(key), PutPayload::from_bytes(bytes)).await;
+        self.space.noted(put.map(|_| ()).map_err(domain_error))
     }
 
     async fn begin(&self, _: &Tenant) -> Result<Box<dyn ArtifactWriter>, JobError> {
@@ -179,7 +183,7 @@ impl S3Writer {
                 self.upload.insert(begun)
             }
         };
-        upload.put_part(part).await.map_err(domain_error)
+        self.store.space.noted(upload.put_part(part).await.map_err(domain_error))
     }
 }
 
@@ -199,12 +203,12 @@ impl ArtifactWriter for S3Writer {
             self.send_part().await?;
         }
         if let Some(upload) = &mut self.upload {
-            upload.complete().await.map_err(domain_error)?;
+            self.store.space.noted(upload.complete().await.map_err(domain_error))?;
         }
         self.upload = None;
         let copied = self.store.client.copy(&self.incoming, &self.store.path(key)).await.map_err(domain_error);
         let _ = self.store.client.delete(&self.incoming).await; // if this fails, the sweep removes it
-        copied
+        self.store.space.noted(copied)
     }
 }
 
@@ -213,5 +217,63 @@ impl Drop for S3Writer {
         if let (Some(mut upload), Ok(runtime)) = (self.upload.take(), tokio::runtime::Handle::try_current()) {
             runtime.spawn(async move { upload.abort().await });
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use tokio::io::{AsyncReadExt as _, AsyncWriteExt as _};
+    use tokio::net::TcpListener;
+
+    /// A store whose quota is used up: it can be read, and every write is refused.
+    async fn full_store() -> S3Artifacts {
+        let listener = TcpListener::bind("127.0.0.1:0").await.unwrap();
+        let endpoint = format!("http://{}", listener.local_addr().unwrap());
+        tokio::spawn(async move {
+            while let Ok((mut stream, _)) = listener.accept().await {
+                tokio::spawn(async move {
+                    let (mut text, mut part) = (Vec::new(), [0; 4096]);
+                    while let Ok(n @ 1..) = stream.read(&mut part).await {
+                        text.extend_from_slice(&part[..n]);
+                        if text.windows(4).any(|w| w == b"\r\n\r\n") {
+                            break;
+                        }
+                    }
+                    let body = "<Error><Code>QuotaExceeded</Code><Message>full</Message></Error>";
+                    let answer = if text.starts_with(b"PUT") {
+                        format!(
+                            "HTTP/1.1 403 Forbidden\r\ncontent-length: {}\r\nconnection: close\r\n\r\n{body}",
+                            body.len()
+                        )
+                    } else {
+                        "HTTP/1.1 404 Not Found\r\ncontent-length: 0\r\nconnection: close\r\n\r\n".to_owned()
+                    };
+                    let _ = stream.write_all(answer.as_bytes()).await;
+                    // The rest of the request is read, so that the answer is not lost.
+                    while let Ok(1..) = stream.read(&mut part).await {}
+                });
+            }
+        });
+        let variables = [
+            ("AWS_ENDPOINT_URL", endpoint.as_str()),
+            ("AWS_ALLOW_HTTP", "true"),
+            ("AWS_ACCESS_KEY_ID", "key"),
+            ("AWS_SECRET_ACCESS_KEY", "secret"),
+            ("AWS_REGION", "us-east-1"),
+        ];
+        let variables = variables.map(|(name, value)| (name.to_owned(), value.to_owned()));
+        S3Artifacts::open_with("s3://bucket/prefix", variables).unwrap()
+    }
+
+    #[tokio::test]
+    async fn a_full_bucket_is_not_ready_after_it_has_refused_a_blob() {
+        let store = full_store().await;
+        store.ping().await.unwrap();
+        let blob = Bytes::from_static(b"mesh");
+        let tenant = Tenant::new("default").unwrap();
+        let put = store.put(&ArtifactKey::of(&tenant, &blob), blob).await;
+        assert!(matches!(put, Err(JobError::StorageFull)), "{put:?}");
+        assert!(matches!(store.ping().await, Err(JobError::StorageFull)));
     }
 }

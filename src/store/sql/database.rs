@@ -9,8 +9,10 @@
 //! state.
 
 use super::dialect::{Dialect, Sql};
+use super::driver_errors::{domain_error, is_end_of_session, lost, refuse_nul};
 use crate::jobs::JobError;
 use crate::store::private_files;
+use crate::store::space::Space;
 use sqlx::migrate::{Migration, MigrationType, Migrator};
 use sqlx::pool::PoolConnection;
 use sqlx::postgres::{PgConnectOptions, PgListener, PgPool, PgPoolOptions, PgRow};
@@ -20,6 +22,7 @@ use sqlx::sqlite::{
 use sqlx::{AssertSqlSafe, ColumnIndex, Postgres, Row as _, SqlSafeStr as _, Sqlite};
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
+use std::sync::Arc;
 use std::time::Duration;
 
 /// Migrations in order: version, description, text. Listed by hand because sqlx's macro, which reads the folder at compile
@@ -101,9 +104,9 @@ impl DatabaseLocation {
 #[derive(Debug, Clone)]
 pub(super) enum Database {
     /// One connection writes, [`READERS`] read.
-    Sqlite { writer: SqlitePool, readers: SqlitePool },
+    Sqlite { writer: SqlitePool, readers: SqlitePool, space: Arc<Space> },
     /// Every connection reads and writes.
-    Postgres { pool: PgPool, notify: bool },
+    Postgres { pool: PgPool, notify: bool, space: Arc<Space> },
 }
 
 impl Database {
@@ -125,7 +128,7 @@ impl Database {
                     .await
                     .map_err(domain_error)?;
                 migrator(POSTGRES_MIGRATIONS).run(&pool).await.map_err(|e| JobError::Unavailable(Box::new(e)))?;
-                Ok(Database::Postgres { pool, notify: *notify })
+                Ok(Database::Postgres { pool, notify: *notify, space: Arc::default() })
             }
         }
     }
@@ -155,7 +158,14 @@ impl Database {
         // A SQLite transaction that began with a read would fail at its first write if another process had written
         // since.
         let begin = if matches!(link, Link::Sqlite(_)) { "BEGIN IMMEDIATE" } else { "BEGIN" };
-        in_transaction(link, begin, work).await
+        self.space().noted(in_transaction(link, begin, work).await)
+    }
+
+    /// Whether the last writes found space.
+    pub(super) fn space(&self) -> &Space {
+        match self {
+            Database::Sqlite { space, .. } | Database::Postgres { space, .. } => space,
+        }
     }
 
     /// Runs `work` in a read-only transaction: all of its statements see the same snapshot.
@@ -184,7 +194,7 @@ impl Database {
     /// Closes all connections; SQLite then writes its write-ahead log back into the database file.
     pub(super) async fn close(&self) {
         match self {
-            Database::Sqlite { writer, readers } => {
+            Database::Sqlite { writer, readers, .. } => {
                 readers.close().await;
                 writer.close().await;
             }
@@ -210,7 +220,7 @@ impl Database {
     /// Notifies `wake` whenever another process announces a queued job. Never returns, even where announcements are
     /// disabled.
     pub(super) async fn follow_queued(&self, wake: &tokio::sync::Notify) {
-        let Database::Postgres { pool, notify: true } = self else { return std::future::pending().await };
+        let Database::Postgres { pool, notify: true, .. } = self else { return std::future::pending().await };
         loop {
             let listened: Result<(), sqlx::Error> = async {
                 let mut listener = PgListener::connect_with(pool).await?;
@@ -286,7 +296,7 @@ async fn open_sqlite(folder: &Path) -> Result<Database, JobError> {
         .connect_with(options.pragma("query_only", "ON"))
         .await
         .map_err(domain_error)?;
-    Ok(Database::Sqlite { writer, readers })
+    Ok(Database::Sqlite { writer, readers, space: Arc::default() })
 }
 
 /// The right to run migrations: an exclusive lock on a file, released when dropped.
@@ -565,13 +575,6 @@ impl Session {
     }
 }
 
-/// Whether the server closes this session, as it does when it shuts down.
-fn is_end_of_session(error: &sqlx::Error) -> bool {
-    // Class 57P: operator intervention; 25P03: idle in a transaction for too long; class 08: connection exceptions.
-    let code = error.as_database_error().and_then(|e| e.code());
-    code.is_some_and(|code| code.starts_with("57P") || code == "25P03" || code.starts_with("08"))
-}
-
 async fn in_time<T>(limit: Duration, answer: impl Future<Output = Result<T, sqlx::Error>>) -> Result<T, sqlx::Error> {
     match tokio::time::timeout(limit, answer).await {
         Ok(answer) => answer,
@@ -579,29 +582,6 @@ async fn in_time<T>(limit: Duration, answer: impl Future<Output = Result<T, sqlx
             Err(sqlx::Error::Io(std::io::Error::new(std::io::ErrorKind::TimedOut, "the database did not answer")))
         }
     }
-}
-
-/// PostgreSQL stores no NUL character, and SQLite's functions stop at one: on both, such a text is refused before it is
-/// sent. It is a fault of the request and not of the database.
-fn refuse_nul(arguments: &[Argument]) -> Result<(), JobError> {
-    let has_nul = |argument: &Argument| matches!(argument, Argument::Text(Some(text)) if text.contains('\0'));
-    if arguments.iter().any(has_nul) { Err(JobError::Unstorable) } else { Ok(()) }
-}
-
-pub(super) fn lost() -> sqlx::Error {
-    sqlx::Error::PoolClosed
-}
-
-/// The [`JobError`] for an error of a driver.
-pub(super) fn domain_error(error: sqlx::Error) -> JobError {
-    // SQLITE_FULL, with or without an extended code in the higher bits; PostgreSQL's disk_full.
-    const SQLITE_FULL: i64 = 13;
-    const DISK_FULL: &str = "53100";
-    let code = error.as_database_error().and_then(|e| e.code());
-    let is_full = code.is_some_and(|code| {
-        code == DISK_FULL || (code.len() < 5 && code.parse::<i64>().is_ok_and(|code| code & 0xff == SQLITE_FULL))
-    });
-    if is_full { JobError::StorageFull } else { JobError::Unavailable(Box::new(error)) }
 }
 
 #[cfg(test)]
@@ -654,6 +634,23 @@ mod tests {
         database.transaction(async |session| insert_batch(session, "kept").await).await.unwrap();
         assert!(has_batch(&database, "kept").await);
         assert!(!has_batch(&database, "undone").await);
+    }
+
+    #[tokio::test]
+    async fn a_database_without_space_says_so_for_a_while() {
+        let (_folder, database) = sqlite().await;
+        database.space().check().unwrap();
+        let filled = database
+            .transaction(async |session| {
+                session.fetch("PRAGMA max_page_count = 1".to_owned(), Vec::new()).await?;
+                for k in 0..1000 {
+                    insert_batch(session, &format!("{k:01000}")).await?;
+                }
+                Ok(())
+            })
+            .await;
+        assert!(matches!(filled, Err(JobError::StorageFull)), "{filled:?}");
+        assert!(matches!(database.space().check(), Err(JobError::StorageFull)));
     }
 
     #[tokio::test]

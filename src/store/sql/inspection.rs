@@ -1,6 +1,7 @@
 //! What is done with a whole database: its connections are counted, and a SQLite database is copied and checked.
 
-use super::database::{Database, READERS, domain_error, lost};
+use super::database::{Database, READERS};
+use super::driver_errors::{domain_error, lost};
 use crate::jobs::JobError;
 use std::path::Path;
 
@@ -11,7 +12,7 @@ impl Database {
             (size.saturating_sub(u32::try_from(idle).unwrap_or(u32::MAX)), size, most)
         };
         match self {
-            Database::Sqlite { writer, readers } => {
+            Database::Sqlite { writer, readers, .. } => {
                 let idle = writer.num_idle() + readers.num_idle();
                 counts(writer.size() + readers.size(), idle, READERS + 1)
             }

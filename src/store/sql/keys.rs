@@ -2,6 +2,7 @@
 
 use super::database::{Row, bind};
 use super::dialect::sql;
+use super::leasing::lock_turns;
 use super::{SqlStore, rows};
 use crate::jobs::{ApiKey, JobError, KeyPage, KeyStore, Scope, SecretKey, Tenant, Ticket};
 use async_trait::async_trait;
@@ -77,6 +78,8 @@ impl KeyStore for SqlStore {
         let arguments = bind![hash, tenant, key_id, path, lasts, at_most];
         self.database
             .transaction(async |session| {
+                // Requests at the same time would each count the tickets of before.
+                lock_turns(session, tenant.name()).await?;
                 session.execute(sql!("remove_old_tickets"), bind![]).await?;
                 Ok(session.execute(sql!("insert_ticket"), arguments).await? == 1)
             })

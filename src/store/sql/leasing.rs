@@ -46,7 +46,7 @@ async fn running_jobs(session: &mut Session, tenant: &str, at_most: u32) -> Resu
 }
 
 /// Locks the turns of a tenant, so that of all transactions that claim its jobs one at a time counts them.
-async fn lock_turns(session: &mut Session, tenant: &str) -> Result<(), JobError> {
+pub(super) async fn lock_turns(session: &mut Session, tenant: &str) -> Result<(), JobError> {
     session.execute(sql!("lock_turns"), bind![tenant]).await.map(|_| ())
 }
 

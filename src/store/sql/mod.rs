@@ -12,7 +12,7 @@
 //! ([`crate::jobs::JobWriter`]), [`leasing`] ([`crate::jobs::JobQueue`]), [`blobs`] ([`crate::jobs::BlobHolds`]),
 //! [`housekeeping`] ([`crate::jobs::Housekeeping`]), [`meshes`], [`keys`], [`audit`], [`webhooks`]. Beside them: [`batches`],
 //! [`changes`] (the feed), [`once`] (idempotency keys), [`retention`], [`inspection`] (copies and checks of a whole database), [`encryption`] (which key
-//! encrypts blobs), [`rows`] (from rows to records).
+//! encrypts blobs), [`rows`] (from rows to records), [`driver_errors`].
 
 mod audit;
 mod batches;
@@ -20,6 +20,7 @@ mod blobs;
 mod changes;
 mod database;
 mod dialect;
+mod driver_errors;
 mod encryption;
 mod housekeeping;
 mod inspection;
@@ -176,7 +177,8 @@ impl SqlStore {
 #[async_trait]
 impl JobStore for SqlStore {
     async fn ping(&self) -> Result<(), JobError> {
-        self.database.reader().await?.execute(sql!("ping"), bind![]).await.map(|_| ())
+        self.database.reader().await?.execute(sql!("ping"), bind![]).await?;
+        self.database.space().check()
     }
 }
 

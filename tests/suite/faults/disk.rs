@@ -157,7 +157,12 @@ async fn a15_the_disk_of_the_database_is_full() {
         let (status, body) = client.try_submit(&steps(1, 1)).await.unwrap();
         match status {
             202 => acknowledged.push(id_of(&body)),
-            503 | 507 => n_refused += 1,
+            507 => {
+                n_refused += 1;
+                let ready = client.get("/readyz").await.unwrap();
+                assert_eq!(ready.status(), 503, "it says so, as submissions are refused");
+            }
+            503 => n_refused += 1,
             other => panic!("{other}: {body}"),
         }
         assert!(began.elapsed() < Duration::from_secs(120), "the disk never gets full");

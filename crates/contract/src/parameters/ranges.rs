@@ -101,6 +101,18 @@ impl Bounds {
     }
 }
 
+impl Bounds {
+    /// What a value has to be that is no number.
+    pub(super) fn demand_of_number(&self) -> String {
+        let number = if self.multiple_of.is_some() { "must be a whole number" } else { "must be a number" };
+        match self.demand().strip_prefix("must be ") {
+            Some(rest) if rest.starts_with("from") => format!("{number} {rest}"),
+            Some(rest) if rest.starts_with("more than") => format!("{number} of {rest}"),
+            _ => self.demand(),
+        }
+    }
+}
+
 /// The allowed lengths of one list.
 #[derive(Clone, Copy)]
 pub struct Lengths {

@@ -1,6 +1,6 @@
 //! From a request to effective parameters, with a JSON pointer to every fault.
 
-use super::ranges::fault;
+use super::ranges::{BOUNDS, fault};
 use super::{MatchParameters, Method, ParameterError, preset};
 use serde_json::Value;
 
@@ -12,25 +12,34 @@ pub fn resolve(request: &Value) -> Result<MatchParameters, Vec<ParameterError>> 
     let method = match request.get("method") {
         None => Method::Balanced,
         Some(name) => serde_json::from_value(name.clone()).map_err(|_| {
-            let known: Vec<_> = Method::ALL.iter().map(|m| m.name()).collect();
-            vec![fault("/method", "out_of_range", format!("unknown method; known are {}", known.join(", ")))]
+            let known = Method::ALL.map(Method::name);
+            let meant = name.as_str().and_then(|name| nearest(name, known.iter().copied()));
+            let detail = format!("unknown method; {}known are {}", did_you_mean(meant), known.join(", "));
+            vec![fault("/method", "out_of_range", detail)]
         })?,
     };
     let mut merged = serde_json::to_value(preset(method)).unwrap_or(Value::Null);
     let mut faults = Vec::new();
-    overlay(&mut merged, request, &mut String::new(), &mut faults);
+    let names = names(&merged, String::new());
+    overlay(&mut merged, request, &mut String::new(), &names, &mut faults);
     if !faults.is_empty() {
         return Err(faults);
     }
     let parameters: MatchParameters = serde_path_to_error::deserialize(merged).map_err(|e| {
         let pointer = format!("/{}", e.path().to_string().replace(['.', '['], "/").replace(']', ""));
-        vec![fault(&pointer, "wrong_type", e.inner().to_string())]
+        vec![fault(&pointer, "wrong_type", needed(&pointer, &e.inner().to_string()))]
     })?;
     parameters.check().map(|()| parameters)
 }
 
 /// Overrides `base` with `request`: objects are merged key by key, other values are replaced. Unknown keys are faults.
-fn overlay(base: &mut Value, request: &Value, pointer: &mut String, faults: &mut Vec<ParameterError>) {
+fn overlay(
+    base: &mut Value,
+    request: &Value,
+    pointer: &mut String,
+    names: &[String],
+    faults: &mut Vec<ParameterError>,
+) {
     match (base, request) {
         (Value::Object(base), Value::Object(request)) => {
             for (key, value) in request {
@@ -38,15 +47,16 @@ fn overlay(base: &mut Value, request: &Value, pointer: &mut String, faults: &mut
                 pointer.push('/');
                 pointer.push_str(&key.replace('~', "~0").replace('/', "~1"));
                 match base.get_mut(key) {
-                    Some(slot) => overlay(slot, value, pointer, faults),
+                    Some(slot) => overlay(slot, value, pointer, names, faults),
                     None => {
                         let mut known: Vec<_> = base.keys().map(String::as_str).collect();
                         known.sort_unstable();
-                        faults.push(fault(
-                            pointer,
-                            "unknown_key",
-                            format!("unknown key; known here are {}", known.join(", ")),
-                        ));
+                        // A key that is known elsewhere is more likely meant than one that is spelled a little like it.
+                        let elsewhere = names.iter().find(|name| name.rsplit('.').next() == Some(key));
+                        let meant = elsewhere.map(String::as_str).or_else(|| nearest(key, known.iter().copied()));
+                        let known = known.join(", ");
+                        let detail = format!("unknown key; {}known here are {known}", did_you_mean(meant));
+                        faults.push(fault(pointer, "unknown_key", detail));
                     }
                 }
                 pointer.truncate(length);
@@ -56,6 +66,60 @@ fn overlay(base: &mut Value, request: &Value, pointer: &mut String, faults: &mut
             faults.push(fault(pointer, "wrong_type", "an object is needed here".to_owned()));
         }
         (slot, value) => *slot = value.clone(),
+    }
+}
+
+/// The dotted names of all keys within objects.
+fn names(value: &Value, before: String) -> Vec<String> {
+    let Value::Object(object) = value else { return Vec::new() };
+    let mut found = Vec::new();
+    for (key, value) in object {
+        let name = if before.is_empty() { key.clone() } else { format!("{before}.{key}") };
+        found.extend(names(value, name.clone()));
+        found.push(name);
+    }
+    found
+}
+
+fn did_you_mean(name: Option<&str>) -> String {
+    name.map_or_else(String::new, |name| format!("did you mean {name}? "))
+}
+
+/// The known name that is reached by the fewest edits, if these are few for its length.
+fn nearest<'a>(name: &str, known: impl Iterator<Item = &'a str>) -> Option<&'a str> {
+    let distances = known.map(|known| (strsim::damerau_levenshtein(name, known), known));
+    let (distance, nearest) = distances.min()?;
+    (distance <= nearest.len().max(name.len()) / 2).then_some(nearest)
+}
+
+/// What a value has to be, where another type was given.
+fn needed(pointer: &str, message: &str) -> String {
+    let indices = |name: &str| name.bytes().all(|b| b.is_ascii_digit());
+    let dotted = pointer.split('/').skip(1).fold(String::new(), |path, name| match (path.is_empty(), indices(name)) {
+        (_, true) => path + "[]",
+        (true, false) => name.to_owned(),
+        (false, false) => format!("{path}.{name}"),
+    });
+    if let Some(bounds) = BOUNDS.iter().find(|bounds| bounds.name == dotted) {
+        return bounds.demand_of_number();
+    }
+    if message.starts_with("unknown variant") {
+        let mut words = message.split('`').skip(1).step_by(2);
+        let given = words.next().unwrap_or_default();
+        let known: Vec<&str> = words.collect();
+        let meant = did_you_mean(nearest(given, known.iter().copied()));
+        return format!("unknown word; {meant}known here are {}", known.join(", "));
+    }
+    let expected =
+        message.rsplit_once("expected ").map(|(_, expected)| expected.split(" at line").next().unwrap_or(""));
+    match expected {
+        Some("u64" | "u32" | "usize") => "must be a whole number of at least 0".to_owned(),
+        Some("i64" | "i32") => "must be a whole number".to_owned(),
+        Some("f64" | "f32") => "must be a number".to_owned(),
+        Some("a boolean") => "must be true or false".to_owned(),
+        Some("a string" | "string or map" | "a borrowed string") => "must be a text".to_owned(),
+        Some("a sequence") => "must be a list".to_owned(),
+        _ => message.to_owned(),
     }
 }
 
@@ -89,6 +153,39 @@ mod tests {
         assert_eq!(at(json!({"features": [{"kind": "spin", "scales_mm": [1.0]}]})), "/features/0/kind");
         assert_eq!(at(json!({"method": "magic"})), "/method");
         assert_eq!(at(json!({"energy": 3})), "/energy");
+    }
+
+    #[test]
+    fn faults_say_what_was_meant_and_what_is_needed() {
+        let detail = |request: Value| resolve(&request).unwrap_err()[0].detail.clone();
+        assert!(detail(json!({"energy": {"alfa": 1}})).starts_with("unknown key; did you mean alpha? known here are "));
+        assert!(detail(json!({"alpha": 1})).starts_with("unknown key; did you mean energy.alpha? known here are "));
+        assert!(detail(json!({"zzzzzzzz": 1})).starts_with("unknown key; known here are "));
+        assert!(
+            detail(json!({"method": "thesys"})).starts_with("unknown method; did you mean thesis? known are balanced")
+        );
+        assert!(detail(json!({"method": 7})).starts_with("unknown method; known are "));
+        assert_eq!(detail(json!({"seed": -1})), "must be a whole number of at least 0");
+        assert_eq!(detail(json!({"seed": "one"})), "must be a whole number of at least 0");
+        assert_eq!(detail(json!({"both_directions": 1})), "must be true or false");
+        let number = detail(json!({"energy": {"alpha": "two"}}));
+        assert!(number.starts_with("must be a number from 0 to "), "{number}");
+        let whole = detail(json!({"input": {"max_vertices": 1.5}}));
+        assert_eq!(whole, "must be a whole number from 100 to 1000000, or null");
+        let word = detail(json!({"input": {"surface": "smoth"}}));
+        assert_eq!(word, "unknown word; did you mean smooth? known here are smooth, voxel");
+        for request in [
+            json!({"features": 3}),
+            json!({"features": [{"kind": "gaussian_curvature", "scales_mm": "x"}]}),
+            json!({"input": {"labels": [1.5]}}),
+            json!({"energy": {"alpha": []}}),
+            json!({"inference": {"max_iterations": "many"}}),
+        ] {
+            let said = detail(request);
+            for word in ["u64", "u32", "f64", "usize", "sequence", "invalid type", "`"] {
+                assert!(!said.contains(word), "{said}");
+            }
+        }
     }
 
     #[test]

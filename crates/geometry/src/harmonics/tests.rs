@@ -240,7 +240,7 @@ fn any_number_of_threads_gives_the_same_map() {
 fn surfaces_that_cannot_be_mapped_are_rejected_with_their_fault() {
     let fails = |mesh: &SurfaceMesh| parametrize(mesh, &ParametrizationOptions::default(), &Silent).unwrap_err();
     let ring = torus(9.0, 3.0, 24, 12, FaceArity::Quad);
-    assert_eq!(fails(&ring), HarmonicsError::Surface(SurfaceFault::Genus { genus: 1 }));
+    assert!(matches!(fails(&ring), HarmonicsError::Surface(SurfaceFault::Genus { genus: 1, tunnel: Some(_) })));
     let ball = ellipsoid(Vector3::new(5.0, 4.0, 3.0), 1);
     let open = ball.indices()[3..].to_vec();
     let open = SurfaceMesh::new(ball.vertices().to_vec(), FaceArity::Triangle, open).unwrap();

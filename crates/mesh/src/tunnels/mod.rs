@@ -1,9 +1,12 @@
-//! Closing the tunnels of a closed mesh: cutting along its shortest handle and capping both rims, until its genus is 0.
+//! Closing the tunnels of a mesh: cutting along its shortest handle and capping both rims, until its genus is 0.
 //!
 //! A loop that does not separate the surface runs either around a handle, and then cutting severs the handle, or through a
 //! tunnel, and then the caps are a membrane across it; the shortest is the smaller change. Both rims of a cut are capped with
 //! a fan around a new vertex at their mean, and are drawn apart a little, so that the caps do not coincide and are not
 //! joined again by welding.
+//!
+//! The boundaries of an open mesh are covered for the search by a fan each, which no loop may cross and which is taken away
+//! again. So its genus is that of the closed surface that it is a part of, and its boundaries stay where they are.
 //!
 //! # Source
 //! Loops: [`mod@shortest_loop`]. Closing tunnels by cutting shortest non-separating loops: Guskov and Wood, "Topological noise
@@ -15,8 +18,9 @@ mod shortest_loop;
 use super::topology::topology_report;
 use super::{FaceArity, MeshError, SurfaceMesh};
 use nalgebra::{Point3, Vector3};
-use shortest_loop::shortest_loop;
-use std::collections::HashMap;
+use shortest_loop::{Loop, shortest_loop};
+use std::collections::{BTreeMap, HashMap};
+use std::ops::Range;
 
 /// How far the rims of a cut are drawn apart: the share of the way from a vertex of the rim to the mean of its neighbors
 /// beside the rim. Enough for vertices to have places of their own, too little to turn a triangle over.
@@ -41,7 +45,69 @@ pub struct ClosedTunnels {
     pub largest_mm: f64,
 }
 
-/// Closes the tunnels of a closed, oriented manifold, shortest loop first. `None` if the mesh is no such surface, or has no
+/// A tunnel, or a handle.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Tunnel {
+    /// The middle of the shortest loop through or around it, mm.
+    pub place_mm: [f64; 3],
+    /// The length of that loop, mm.
+    pub length_mm: f64,
+}
+
+/// The number of tunnels of an oriented manifold, closed or open; `None` if the mesh is no such surface.
+pub fn count_tunnels(mesh: &SurfaceMesh) -> Option<u32> {
+    covered(mesh)?.1
+}
+
+/// The narrowest tunnel, or thinnest handle, of an oriented manifold, closed or open; `None` if the mesh is no such surface or
+/// has none. For large surfaces the search ends early, and then it may be another one.
+pub(crate) fn narrowest_tunnel(mesh: &SurfaceMesh) -> Option<Tunnel> {
+    let (surface, n_tunnels) = covered(mesh)?;
+    n_tunnels.filter(|&n| n > 0)?;
+    let mut effort = EFFORT_TO_NAME;
+    let found = shortest_loop(&surface.vertices, &surface.triangles, &surface.caps, &mut effort)?;
+    let sum: Vector3<f64> = found.vertices.iter().map(|&v| surface.vertices[v as usize].coords).sum();
+    Some(Tunnel { place_mm: (sum / found.vertices.len() as f64).into(), length_mm: found.length_mm })
+}
+
+/// The mesh with its boundaries covered, and the number of its tunnels, if it is an oriented manifold. `None` if its boundaries
+/// are no simple loops.
+fn covered(mesh: &SurfaceMesh) -> Option<(Cutting, Option<u32>)> {
+    let mut triangles = mesh.triangles();
+    let mut vertices = mesh.vertices().to_vec();
+    let first = vertices.len() as u32;
+    let mut uses: HashMap<[u32; 2], (u32, [u32; 2])> = HashMap::new();
+    for t in &triangles {
+        for k in 0..3 {
+            let (a, b) = (t[k], t[(k + 1) % 3]);
+            uses.entry([a.min(b), a.max(b)]).or_insert((0, [a, b])).0 += 1;
+        }
+    }
+    // Each vertex of a boundary, and the next along the faces; ordered, so that caps have the same numbers in every run.
+    let mut next: BTreeMap<u32, u32> = BTreeMap::new();
+    for &(_, [a, b]) in uses.values().filter(|(n, _)| *n == 1) {
+        if next.insert(a, b).is_some() {
+            return None;
+        }
+    }
+    while let Some((start, mut at)) = next.pop_first() {
+        let mut rim = vec![start];
+        while at != start {
+            rim.push(at);
+            at = next.remove(&at)?;
+        }
+        let cap = vertices.len() as u32;
+        let sum: Vector3<f64> = rim.iter().map(|&v| vertices[v as usize].coords).sum();
+        vertices.push(Point3::from(sum / rim.len() as f64));
+        triangles.extend((0..rim.len()).map(|k| [rim[(k + 1) % rim.len()], rim[k], cap]));
+    }
+    let caps = first..vertices.len() as u32;
+    let closed = SurfaceMesh::new(vertices.clone(), FaceArity::Triangle, triangles.concat()).ok()?;
+    let n_tunnels = topology_report(&closed).genus;
+    Some((Cutting { before: vertices.clone(), vertices, triangles, caps }, n_tunnels))
+}
+
+/// Closes the tunnels of an oriented manifold, closed or open, shortest loop first. `None` if the mesh is no such surface, or has no
 /// tunnel. If the loops take more than a bounded effort to find, tunnels are left ([`ClosedTunnels::n_closed`]).
 ///
 /// # Errors
@@ -50,10 +116,10 @@ pub struct ClosedTunnels {
 /// # Cost
 /// For each tunnel `O(n log n)`, and a search within half the length of the loop around `O(√n)` vertices.
 pub fn close_tunnels(mesh: &SurfaceMesh) -> Result<Option<ClosedTunnels>, MeshError> {
-    let Some(n_tunnels) = topology_report(mesh).genus.filter(|&genus| genus > 0) else { return Ok(None) };
+    let Some((mut surface, Some(n_tunnels))) = covered(mesh).filter(|(_, n)| n.is_some_and(|n| n > 0)) else {
+        return Ok(None);
+    };
     let mut effort = EFFORT_PER_VERTEX * mesh.n_vertices() as u64;
-    let (vertices, before) = (mesh.vertices().to_vec(), mesh.vertices().to_vec());
-    let mut surface = Cutting { vertices, before, triangles: mesh.triangles() };
     let mut closed = ClosedTunnels {
         mesh: mesh.clone(),
         n_tunnels,
@@ -64,13 +130,16 @@ pub fn close_tunnels(mesh: &SurfaceMesh) -> Result<Option<ClosedTunnels>, MeshEr
         largest_mm: 0.0,
     };
     while closed.n_closed < n_tunnels && effort > 0 {
-        let Some(found) = shortest_loop(&surface.vertices, &surface.triangles, &mut effort) else { break };
+        let found = shortest_loop(&surface.vertices, &surface.triangles, &surface.caps, &mut effort);
+        let crosses_cap = |found: &Loop| found.vertices.iter().any(|v| surface.caps.contains(v));
+        let Some(found) = found.filter(|found| !crosses_cap(found)) else { break };
         surface.cut(&found.vertices);
         closed.n_closed += 1;
         closed.n_copied += found.vertices.len();
         closed.n_added += 2;
         closed.longest_loop_mm = closed.longest_loop_mm.max(found.length_mm);
     }
+    surface.uncover();
     let moved = surface.before.iter().zip(&surface.vertices).map(|(before, after)| (after - before).norm());
     closed.largest_mm = moved.fold(0.0, f64::max);
     closed.mesh = SurfaceMesh::new(surface.vertices, FaceArity::Triangle, surface.triangles.concat())?;
@@ -79,15 +148,30 @@ pub fn close_tunnels(mesh: &SurfaceMesh) -> Result<Option<ClosedTunnels>, MeshEr
 
 /// How many vertices all searches together may reach, for each vertex of the mesh: about a minute for 200,000 vertices.
 const EFFORT_PER_VERTEX: u64 = 1000;
+/// How many vertices a search may reach that only names a tunnel: a second or two.
+const EFFORT_TO_NAME: u64 = 5_000_000;
 
 struct Cutting {
     vertices: Vec<Point3<f64>>,
     /// Where the vertices were at first: those of the mesh, copies where these were, and the middles of caps.
     before: Vec<Point3<f64>>,
     triangles: Vec<[u32; 3]>,
+    /// Vertices in the middles of the fans that cover boundaries.
+    caps: Range<u32>,
 }
 
 impl Cutting {
+    /// Takes away what covers the boundaries.
+    fn uncover(&mut self) {
+        let caps = std::mem::replace(&mut self.caps, 0..0);
+        let n = caps.end - caps.start;
+        self.triangles.retain(|t| !t.iter().any(|v| caps.contains(v)));
+        self.triangles.iter_mut().flatten().filter(|v| **v >= caps.end).for_each(|v| *v -= n);
+        let places = caps.start as usize..caps.end as usize;
+        self.vertices.drain(places.clone());
+        self.before.drain(places);
+    }
+
     /// Cuts along a simple loop of edges and caps both rims.
     fn cut(&mut self, around: &[u32]) {
         let n = around.len();
@@ -159,7 +243,8 @@ impl Cutting {
         for t in &self.triangles {
             for (k, v) in t.iter().enumerate() {
                 let Some(&at) = place.get(v) else { continue };
-                for other in [t[(k + 1) % 3], t[(k + 2) % 3]].iter().filter(|other| !place.contains_key(other)) {
+                let beside = |other: &&u32| !place.contains_key(*other) && !self.caps.contains(*other);
+                for other in [t[(k + 1) % 3], t[(k + 2) % 3]].iter().filter(beside) {
                     sums[at].0 += self.vertices[*other as usize].coords;
                     sums[at].1 += 1.0;
                 }

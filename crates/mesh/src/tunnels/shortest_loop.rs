@@ -19,6 +19,7 @@
 use nalgebra::Point3;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
+use std::ops::Range;
 
 /// A simple loop of edges.
 pub(super) struct Loop {
@@ -31,13 +32,19 @@ pub(super) struct Loop {
 const NONE: u32 = u32::MAX;
 
 /// The shortest loop that does not separate the surface, a closed oriented manifold of `triangles`; `None` if each one does.
+/// The vertices `caps` are the middles of fans that cover boundaries: no loop goes through them, unless `effort` is used up.
 ///
 /// `effort` is how many vertices may be reached; when it is used up, the shortest loop so far is returned.
 ///
 /// # Cost
 /// `O(n log n)`, and a bounded search around each of `O(genus · √n)` vertices.
-pub(super) fn shortest_loop(vertices: &[Point3<f64>], triangles: &[[u32; 3]], effort: &mut u64) -> Option<Loop> {
-    let net = Net::new(vertices, triangles);
+pub(super) fn shortest_loop(
+    vertices: &[Point3<f64>],
+    triangles: &[[u32; 3]],
+    caps: &Range<u32>,
+    effort: &mut u64,
+) -> Option<Loop> {
+    let net = Net::new(vertices, triangles, caps);
     let mut search = Search::new(vertices.len());
     let whole = Tree::spanning(&net, &mut search);
     *effort = effort.saturating_sub(vertices.len() as u64);
@@ -82,7 +89,7 @@ struct Net {
 }
 
 impl Net {
-    fn new(vertices: &[Point3<f64>], triangles: &[[u32; 3]]) -> Self {
+    fn new(vertices: &[Point3<f64>], triangles: &[[u32; 3]], caps: &Range<u32>) -> Self {
         let mut sides: Vec<([u32; 2], u32)> = Vec::with_capacity(3 * triangles.len());
         for (f, t) in (0u32..).zip(triangles) {
             for k in 0..3 {
@@ -93,9 +100,15 @@ impl Net {
         sides.sort_unstable();
         let length = |[a, b]: [u32; 2]| (vertices[a as usize] - vertices[b as usize]).norm();
         let pairs = sides.chunk_by(|a, b| a.0 == b.0).filter(|uses| uses.len() == 2);
-        let edges: Vec<Edge> = pairs
+        let mut edges: Vec<Edge> = pairs
             .map(|uses| Edge { ends: uses[0].0, faces: [uses[0].1, uses[1].1], length: length(uses[0].0) })
             .collect();
+        if !caps.is_empty() {
+            // Longer than any loop without them; and every class has one, because what is covered are disks.
+            let longer = 1.0 + edges.iter().map(|edge| edge.length).sum::<f64>();
+            let of_caps = edges.iter_mut().filter(|edge| edge.ends.iter().any(|v| caps.contains(v)));
+            of_caps.for_each(|edge| edge.length = longer);
+        }
         let mut starts = vec![0u32; vertices.len() + 1];
         edges.iter().flat_map(|e| e.ends).for_each(|v| starts[v as usize + 1] += 1);
         for v in 0..vertices.len() {
@@ -350,7 +363,7 @@ mod tests {
         let n = around.len();
         let cut: std::collections::HashSet<[u32; 2]> =
             (0..n).map(|k| (around[k], around[(k + 1) % n])).map(|(a, b)| [a.min(b), a.max(b)]).collect();
-        let net = Net::new(mesh.vertices(), &mesh.triangles());
+        let net = Net::new(mesh.vertices(), &mesh.triangles(), &(0..0));
         let mut of: Vec<usize> = (0..mesh.n_faces()).collect();
         fn root(of: &mut [usize], mut k: usize) -> usize {
             while of[k] != k {
@@ -370,7 +383,7 @@ mod tests {
     /// The length of the shortest loop that does not separate, the slow way: for each vertex a tree of shortest paths, and
     /// for each further edge the loop that it closes, cut in fact.
     fn slow(mesh: &SurfaceMesh) -> f64 {
-        let net = Net::new(mesh.vertices(), &mesh.triangles());
+        let net = Net::new(mesh.vertices(), &mesh.triangles(), &(0..0));
         let mut best = f64::INFINITY;
         for base in 0..mesh.n_vertices() as u32 {
             let mut search = Search::new(mesh.n_vertices());
@@ -400,7 +413,7 @@ mod tests {
     #[test]
     fn a_sphere_has_no_such_loop() {
         let ball = ellipsoid(Vector3::new(3.0, 2.0, 1.0), 3);
-        assert!(shortest_loop(ball.vertices(), &ball.triangles(), &mut u64::MAX.clone()).is_none());
+        assert!(shortest_loop(ball.vertices(), &ball.triangles(), &(0..0), &mut u64::MAX.clone()).is_none());
     }
 
     proptest! {
@@ -413,7 +426,7 @@ mod tests {
             let moved = ring.vertices().iter().enumerate();
             let moved = moved.map(|(k, p)| p + Vector3::from_fn(|r, _| noise[(3 * k + r) % noise.len()])).collect();
             let ring = ring.with_vertices(moved).unwrap();
-            let found = shortest_loop(ring.vertices(), &ring.triangles(), &mut u64::MAX.clone()).unwrap();
+            let found = shortest_loop(ring.vertices(), &ring.triangles(), &(0..0), &mut u64::MAX.clone()).unwrap();
             prop_assert!(leaves_in_one_piece(&ring, &found.vertices));
             let mut once = found.vertices.clone();
             once.sort_unstable();

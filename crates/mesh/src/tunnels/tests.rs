@@ -1,6 +1,7 @@
 //! Tunnels of rings, of several rings, and of plates with holes are closed; nothing else changes.
 
 use super::*;
+use crate::repair;
 use crate::shapes::{ellipsoid, torus};
 use proptest::prelude::*;
 
@@ -81,11 +82,82 @@ fn a_thin_ring_is_severed_and_a_narrow_hole_gets_a_membrane() {
 }
 
 #[test]
-fn surfaces_without_tunnels_and_open_ones_are_left_as_they_are() {
-    assert_eq!(close_tunnels(&ellipsoid(Vector3::new(3.0, 2.0, 1.0), 3)).unwrap(), None);
-    let ring = torus(5.0, 2.0, 12, 9, FaceArity::Triangle);
-    let open = SurfaceMesh::new(ring.vertices().to_vec(), FaceArity::Triangle, ring.indices()[3..].to_vec()).unwrap();
-    assert_eq!(close_tunnels(&open).unwrap(), None);
+fn surfaces_without_tunnels_are_left_as_they_are() {
+    let ball = ellipsoid(Vector3::new(3.0, 2.0, 1.0), 3);
+    assert_eq!(close_tunnels(&ball).unwrap(), None);
+    // A tube has two boundaries and no tunnel.
+    let tube: Vec<u32> = ball
+        .triangles()
+        .into_iter()
+        .filter(|t| t.iter().all(|&v| ball.vertices()[v as usize].x.abs() < 2.0))
+        .flatten()
+        .collect();
+    let tube =
+        repair::drop_unused(&SurfaceMesh::new(ball.vertices().to_vec(), FaceArity::Triangle, tube).unwrap()).mesh;
+    assert_eq!((count_tunnels(&tube), topology_report(&tube).euler_characteristic), (Some(0), 0));
+    assert_eq!(close_tunnels(&tube).unwrap(), None);
+    assert_eq!(narrowest_tunnel(&tube), None);
+}
+
+/// `mesh` without the triangles of which all corners are within `radius` of one of `places`.
+fn opened(mesh: &SurfaceMesh, places: &[Point3<f64>], radius: f64) -> SurfaceMesh {
+    let near = |v: &u32| places.iter().any(|p| (p - mesh.vertices()[*v as usize]).norm() < radius);
+    let kept = mesh.triangles().into_iter().filter(|t| !t.iter().all(near)).flatten().collect();
+    repair::drop_unused(&SurfaceMesh::new(mesh.vertices().to_vec(), FaceArity::Triangle, kept).unwrap()).mesh
+}
+
+/// Lengths of the boundaries, as numbers of edges, ascending.
+fn boundaries(mesh: &SurfaceMesh) -> Vec<usize> {
+    let mut next: HashMap<u32, u32> = HashMap::new();
+    let directed = |t: [u32; 3]| [[t[0], t[1]], [t[1], t[2]], [t[2], t[0]]];
+    let all: std::collections::HashSet<[u32; 2]> = mesh.triangles().into_iter().flat_map(directed).collect();
+    for [a, b] in all.iter().filter(|[a, b]| !all.contains(&[*b, *a])) {
+        assert_eq!(next.insert(*a, *b), None, "a simple boundary");
+    }
+    let mut lengths = Vec::new();
+    while let Some(&start) = next.keys().next() {
+        let (mut at, mut n) = (start, 0);
+        while let Some(to) = next.remove(&at) {
+            (at, n) = (to, n + 1);
+        }
+        lengths.push(n);
+    }
+    lengths.sort_unstable();
+    lengths
+}
+
+#[test]
+fn the_tunnels_of_open_surfaces_are_closed_and_their_boundaries_stay() {
+    // The hole of the first window lies on the tube where loops around it are shortest.
+    for (thick, windows) in [(2.0, 1), (4.0, 1), (2.0, 3), (4.0, 2)] {
+        let ring = torus(6.0, thick, 60, 30, FaceArity::Triangle);
+        let at = |k: usize| {
+            let angle = std::f64::consts::TAU * k as f64 / windows as f64;
+            Point3::new((6.0 - thick) * angle.cos(), (6.0 - thick) * angle.sin(), 0.0)
+        };
+        let open = opened(&ring, &(0..windows).map(at).collect::<Vec<_>>(), 1.2);
+        let rims = boundaries(&open);
+        assert_eq!(rims.len(), windows);
+        assert_eq!((count_tunnels(&open), topology_report(&open).genus), (Some(1), None));
+        let closed = close_tunnels(&open).unwrap().unwrap();
+        assert_eq!((closed.n_tunnels, closed.n_closed, count_tunnels(&closed.mesh)), (1, 1, Some(0)));
+        let report = topology_report(&closed.mesh);
+        assert_eq!((report.n_nonmanifold_vertices, report.oriented, report.n_components), (0, true, 1));
+        assert_eq!(boundaries(&closed.mesh), rims);
+        assert_eq!(closed.mesh.n_vertices(), open.n_vertices() + closed.n_copied + closed.n_added);
+        assert!(closed.mesh.vertices().iter().all(|p| p.coords.iter().all(|x| x.is_finite())));
+        assert_eq!(narrowest_tunnel(&open).unwrap().length_mm, closed.longest_loop_mm);
+    }
+}
+
+#[test]
+fn the_narrowest_tunnel_is_where_it_is() {
+    let far = Vector3::new(100.0, -20.0, 3.0);
+    let ring = torus(5.0, 4.0, 60, 40, FaceArity::Triangle);
+    let ring = ring.with_vertices(ring.vertices().iter().map(|p| p + far).collect()).unwrap();
+    let Tunnel { place_mm, length_mm } = narrowest_tunnel(&ring).unwrap();
+    assert!((Vector3::from(place_mm) - far).norm() < 0.1, "{place_mm:?}");
+    assert!((length_mm / std::f64::consts::TAU - 1.0).abs() < 0.05);
 }
 
 #[test]
@@ -119,6 +191,34 @@ proptest! {
             prop_assert_eq!(close_tunnels(&mesh).unwrap(), None);
         } else {
             closed(&mesh);
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 24, ..ProptestConfig::default() })]
+    #[test]
+    fn an_open_ring_gets_no_tunnel_wherever_it_is_open(
+        tube in 1.0f64..5.0, places in prop::collection::vec((0.0f64..6.3, 0.0f64..6.3), 1..4), radius in 0.9f64..2.0,
+    ) {
+        let ring = torus(6.0, tube, 40, 24, FaceArity::Triangle);
+        let at = |(around, across): &(f64, f64)| {
+            let out = 6.0 + tube * across.cos();
+            Point3::new(out * around.cos(), out * around.sin(), tube * across.sin())
+        };
+        let open = opened(&ring, &places.iter().map(at).collect::<Vec<_>>(), radius);
+        // Openings that meet may leave several pieces or vertices at which parts only touch.
+        let before = topology_report(&open);
+        prop_assume!(before.n_nonmanifold_vertices == 0 && before.n_components == 1 && before.n_boundary_edges > 0);
+        match count_tunnels(&open) {
+            Some(0) => prop_assert_eq!(close_tunnels(&open).unwrap(), None),
+            n => {
+                prop_assert_eq!(n, Some(1));
+                let closed = close_tunnels(&open).unwrap().unwrap().mesh;
+                let after = topology_report(&closed);
+                prop_assert_eq!((count_tunnels(&closed), after.n_nonmanifold_vertices, after.oriented), (Some(0), 0, true));
+                prop_assert_eq!(boundaries(&closed), boundaries(&open));
+            }
         }
     }
 }

@@ -8,7 +8,7 @@ use homolog_mesh::orientation::oriented;
 use homolog_mesh::repair::RepairedMesh;
 use homolog_mesh::simplify::{Simplified, simplify};
 use homolog_mesh::topology::{Demand, SurfaceFault, TopologyReport, analyze_with, topology_report};
-use homolog_mesh::tunnels::{ClosedTunnels, close_tunnels};
+use homolog_mesh::tunnels::{ClosedTunnels, close_tunnels, count_tunnels};
 use homolog_mesh::volume::smooth_surface::FieldRepair;
 use homolog_mesh::volume::{self, BettiNumbers, Contacts, FillChange, LabelVolume, VoxelMask};
 use homolog_mesh::{FaceArity, MeshError, Numbering, SurfaceMesh, repair};
@@ -251,10 +251,10 @@ fn from_mesh(file: &MeshFile, parameters: &InputParameters) -> Result<Candidate,
             repairs.push(RepairNote { repair: Repair::Fill, detail });
         }
         let closed = close_tunnels(&current.mesh).map_err(|e: MeshError| IntakeError::Unreadable(e.into()))?;
-        if closed.is_none() && topology_report(&current.mesh).genus.is_none() {
+        if closed.is_none() && count_tunnels(&current.mesh).is_none() {
             notes.push(
-                "tunnels were not looked for: the surface is open, or has edges of more than two faces or vertices where parts \
-                 only touch; allow the repairs weld, split and orient too, and close its boundary"
+                "tunnels were not looked for: the surface has edges of more than two faces, vertices where parts only touch, or \
+                 faces that disagree in orientation; allow the repairs weld, split and orient too"
                     .to_owned(),
             );
         }

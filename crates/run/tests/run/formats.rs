@@ -187,8 +187,16 @@ fn tunnels_and_cavities_of_a_mesh_are_closed_on_request_with_counts_and_displace
     assert!(details[1].starts_with("closed 2 of 2 tunnels, cut along loops of at most 18.7"), "{}", details[1]);
     assert!(details[1].contains("28 vertices copied and 4 added, none moved more than 0."), "{}", details[1]);
     let open = SurfaceMesh::new(ring.vertices().to_vec(), FaceArity::Quad, ring.indices()[4..].to_vec()).unwrap();
-    let left = prepare(&write_ply(&open), &with(json!("fill"))).unwrap();
-    assert!(left.report.notes[0].starts_with("tunnels were not looked for: the surface is open"), "{:?}", left.report);
+    let closed = prepare(&write_ply(&open), &with(json!("fill"))).unwrap();
+    let detail = &closed.report.repairs[0].detail;
+    assert!(detail.starts_with("closed 1 of 1 tunnel, cut along loops of at most 18.7"), "{detail}");
+    assert_eq!(homolog_mesh::topology::topology_report(&closed.mesh).n_boundary_edges, 4);
+    let mut twisted = ring.indices().to_vec();
+    twisted[..4].reverse();
+    let twisted = SurfaceMesh::new(ring.vertices().to_vec(), FaceArity::Quad, twisted).unwrap();
+    let left = inspect(&write_ply(&twisted), None, &with(json!("fill")), &IntakeLimits::default());
+    let left = left.unwrap();
+    assert!(left.notes[0].starts_with("tunnels were not looked for: the surface has edges"), "{:?}", left.notes);
     // What was added is numbered after the file; what was dropped is still there.
     let n = mesh.n_vertices();
     assert_eq!(filled.uploaded().n_vertices(), n + 32);

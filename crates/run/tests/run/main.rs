@@ -7,4 +7,5 @@ mod fixtures;
 mod formats;
 mod intake;
 mod pairs;
+mod progress;
 mod structures;

@@ -324,3 +324,31 @@ mod real_data {
         assert!(found.label_agreement >= 0.93, "mean label agreement {}", found.label_agreement);
     }
 }
+
+#[test]
+fn surfaces_of_any_size_and_place_are_matched_or_refused_without_a_panic() {
+    let ball = homolog_mesh::shapes::ellipsoid(Vector3::new(9.0, 6.0, 4.0), 2);
+    let file = |place: &dyn Fn(&Point3<f64>) -> Point3<f64>| {
+        write_ply(&ball.with_vertices(ball.vertices().iter().map(place).collect()).unwrap())
+    };
+    let matched = |source: &[u8], target: &[u8]| {
+        let input = |bytes| InputFile { bytes, name: None };
+        run_match(input(source), input(target), &parameters(), &IntakeLimits::default(), &Silent)
+    };
+    let usual = file(&|p| *p);
+    for scale in [1e-30, 1e-9, 1e9, 1e30] {
+        let scaled = file(&|p| p * scale);
+        let found = matched(&scaled, &scaled).unwrap().document;
+        assert!(found.surface_distance.mean_mm.is_finite(), "{scale}: {:?}", found.surface_distance);
+        // Their sizes are nothing alike: the answer may be an error.
+        let _ = matched(&scaled, &usual);
+        let _ = matched(&usual, &scaled);
+    }
+    for at in [1e12, 1e30, 1e300] {
+        // So far away that little or nothing of the shape is left.
+        let far = file(&|p| p + Vector3::repeat(at));
+        for pair in [[&far, &far], [&far, &usual], [&usual, &far]] {
+            let _ = matched(pair[0], pair[1]);
+        }
+    }
+}

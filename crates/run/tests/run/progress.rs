@@ -1,0 +1,60 @@
+//! The fraction that is said to be done is the share of the time that has passed, within a third.
+
+use crate::fixtures::hippocampi;
+use homolog_contract::parameters::{Method, preset};
+use homolog_primitives::observe::{Observer, Phase, TracePoint};
+use homolog_run::intake::IntakeLimits;
+use homolog_run::{InputFile, run_match};
+use std::sync::Mutex;
+
+/// Processor time of this process, s: other programs do not change it, and a match keeps all cores busy nearly all of the time.
+fn cpu_s() -> f64 {
+    let stat = std::fs::read_to_string("/proc/self/stat").unwrap();
+    let fields: Vec<&str> = stat.rsplit_once(')').unwrap().1.split_whitespace().collect();
+    // User and system, in hundredths.
+    fields[11..13].iter().map(|ticks| ticks.parse::<f64>().unwrap() / 100.0).sum()
+}
+
+/// Notes when each fraction was said.
+struct Recorder {
+    /// Processor time at the beginning, s.
+    begun: f64,
+    /// Processor time since the beginning, s, and fraction.
+    said: Mutex<Vec<(f64, f64)>>,
+}
+
+impl Observer for Recorder {
+    fn phase(&self, _: Phase) {}
+    fn progress(&self, fraction: f64) {
+        self.said.lock().unwrap().push((cpu_s() - self.begun, fraction));
+    }
+    fn trace(&self, _: &TracePoint) {}
+    fn is_cancelled(&self) -> bool {
+        false
+    }
+}
+
+/// The largest deviation of what is said from the share of the time, as a share of that; a third is promised.
+fn deviation(pair: &[Vec<u8>]) -> f64 {
+    let file = |k: usize| InputFile { bytes: &pair[k], name: None };
+    let recorder = Recorder { begun: cpu_s(), said: Mutex::default() };
+    run_match(file(0), file(1), &preset(Method::Balanced), &IntakeLimits::default(), &recorder).unwrap();
+    let total = cpu_s() - recorder.begun;
+    let said = recorder.said.into_inner().unwrap();
+    assert!(said.len() > 50, "{} points", said.len());
+    assert!(said.windows(2).all(|pair| pair[0].1 <= pair[1].1), "it never decreases");
+    // When, and which share of it was said: the estimate of the rest is as good.
+    let shares: Vec<_> = said.iter().map(|(at, done)| (at / total, *done)).filter(|(at, _)| *at > 0.15).collect();
+    shares.iter().step_by(10).for_each(|(at, done)| println!("{at:.3} {done:.3}"));
+    shares.iter().map(|(at, done)| (done / at - 1.0).abs()).fold(0.0, f64::max)
+}
+
+#[test]
+#[ignore = "needs real data (hippocampus)"]
+fn what_is_said_to_be_done_is_the_share_of_the_time_within_a_third() {
+    for pair in hippocampi(8).chunks(2) {
+        let found = deviation(pair);
+        println!("{found:.2}\n");
+        assert!(found < 1.0 / 3.0, "{found:.2}");
+    }
+}

@@ -4,7 +4,9 @@
 mod api;
 mod audit;
 mod backups;
+mod browsers;
 mod cli;
+mod clients;
 mod contract;
 mod deploy;
 mod docs;

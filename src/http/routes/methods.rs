@@ -3,8 +3,7 @@
 use crate::http::problem::{Problem, ProblemDocument};
 use crate::http::problem_table::ProblemKind;
 use crate::http::router::HttpState;
-use crate::http::wire::MethodListDocument;
-use crate::jobs::engine::MethodDescription;
+use crate::http::wire::{MethodDocument, MethodListDocument};
 use axum::Json;
 use axum::extract::{Path, State};
 
@@ -14,7 +13,7 @@ use axum::extract::{Path, State};
     responses((status = 200, description = "All methods, the default first", body = MethodListDocument))
 )]
 pub(crate) async fn list(State(state): State<HttpState>) -> Json<MethodListDocument> {
-    Json(MethodListDocument { methods: state.service.methods() })
+    Json(MethodListDocument { methods: state.service.methods().into_iter().map(MethodDocument::from).collect() })
 }
 
 /// Get a method
@@ -22,14 +21,14 @@ pub(crate) async fn list(State(state): State<HttpState>) -> Json<MethodListDocum
     get, path = "/v1/methods/{name}", tag = "methods", operation_id = "get_method",
     params(("name" = String, Path, description = "The method")),
     responses(
-        (status = 200, description = "The method", body = MethodDescription),
+        (status = 200, description = "The method", body = MethodDocument),
         (status = 404, description = "No such method", body = ProblemDocument, content_type = "application/problem+json"),
     )
 )]
 pub(crate) async fn get(
     State(state): State<HttpState>,
     Path(name): Path<String>,
-) -> Result<Json<MethodDescription>, Problem> {
+) -> Result<Json<MethodDocument>, Problem> {
     let found = state.service.methods().into_iter().find(|method| method.name == name);
-    found.map(Json).ok_or_else(|| Problem::new(ProblemKind::MethodNotFound))
+    found.map(|method| Json(method.into())).ok_or_else(|| Problem::new(ProblemKind::MethodNotFound))
 }

@@ -4,7 +4,7 @@ use super::examples;
 use super::problem::ProblemDocument;
 use super::router::api;
 use crate::jobs::documents::parameter_schemas;
-use utoipa::openapi::schema::{KnownFormat, ObjectBuilder, SchemaFormat, Type};
+use utoipa::openapi::schema::{KnownFormat, ObjectBuilder, Schema, SchemaFormat, Type};
 use utoipa::openapi::security::{Http, HttpAuthScheme, SecurityRequirement, SecurityScheme};
 use utoipa::openapi::{Content, RefOr};
 use utoipa::{Modify, OpenApi};
@@ -51,7 +51,12 @@ pub(super) fn document() -> utoipa::openapi::OpenApi {
 
 /// Gives the parameters every bound that the service enforces, and files a schema from which generators make a stream of bytes.
 fn complete_schemas(document: &mut utoipa::openapi::OpenApi) {
-    document.components.get_or_insert_default().schemas.extend(parameter_schemas());
+    let schemas = &mut document.components.get_or_insert_default().schemas;
+    schemas.extend(parameter_schemas());
+    // Without an example the page at /docs makes one up, of extremes.
+    if let Some(RefOr::T(Schema::Object(parameters))) = schemas.get_mut("PartialParameters") {
+        parameters.example = Some(serde_json::json!({}));
+    }
     let file = || {
         let format = SchemaFormat::KnownFormat(KnownFormat::Binary);
         ObjectBuilder::new().schema_type(Type::String).format(Some(format)).build()

@@ -33,6 +33,7 @@ const MAX_FAULTS: usize = 16;
 const KNOWN: &str =
     "known fields are source, target, parameters, labels, external_ref, priority, deadline_at, max_run_s, use_cache";
 
+// The examples are what the page at /docs fills in: without them it makes up a deadline that is now, and extremes of all parameters.
 /// A submission as a multipart form. A text field that is empty is the same as none, except `parameters`.
 #[derive(Debug, Clone, ToSchema)]
 #[allow(dead_code, reason = "describes a multipart form, which is read field by field")]
@@ -48,22 +49,22 @@ pub(crate) struct SubmissionForm {
     #[schema(value_type = PartialParameters, required = false)]
     parameters: Option<Value>,
     /// Labels of the client's choice: a JSON object of strings.
-    #[schema(value_type = BTreeMap<String, String>, required = false)]
+    #[schema(value_type = BTreeMap<String, String>, required = false, example = json!({}))]
     labels: Option<BTreeMap<String, String>>,
     /// The client's own id of the job.
-    #[schema(value_type = String, required = false, max_length = 200)]
+    #[schema(value_type = String, required = false, max_length = 200, example = "")]
     external_ref: Option<String>,
     /// Jobs with a higher priority run first; 0 if absent.
-    #[schema(value_type = i32, required = false, minimum = -100, maximum = 100)]
+    #[schema(value_type = i32, required = false, minimum = -100, maximum = 100, example = 0)]
     priority: Option<i32>,
     /// The job expires if it has not started by this RFC 3339 time.
-    #[schema(value_type = String, required = false, format = DateTime)]
+    #[schema(value_type = String, required = false, format = DateTime, example = "")]
     deadline_at: Option<String>,
     /// Longest run time, s, up to the limit of the service.
-    #[schema(value_type = u64, required = false, minimum = 1)]
+    #[schema(value_type = u64, required = false, minimum = 1, example = 3600)]
     max_run_s: Option<u64>,
     /// Whether the result of an equal job may be returned: `true` or `false`; `true` if absent.
-    #[schema(value_type = bool, required = false)]
+    #[schema(value_type = bool, required = false, example = true)]
     use_cache: Option<bool>,
 }
 

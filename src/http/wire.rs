@@ -2,7 +2,6 @@
 
 use super::problem::{ProblemDocument, failure_document};
 use crate::jobs::documents::{InputReport, MatchParameters, ResultDocument, SurfaceDistanceDocument, UnreliableReason};
-use crate::jobs::engine::MethodDescription;
 use crate::jobs::mesh::content_id;
 use crate::jobs::{
     Batch, Change, ChangePage, CheckOutcome, Failure, InputSummary, Job, JobInput, JobPage, JobState, Mesh,
@@ -18,7 +17,6 @@ use utoipa::ToSchema;
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, ToSchema)]
 pub(crate) struct JobDocument {
     /// Tells a job from the outcome of `validate_only`.
-    #[serde(default)]
     pub(crate) kind: JobKind,
     /// UUIDv7.
     pub(crate) id: String,
@@ -112,20 +110,18 @@ pub(crate) struct JobDocument {
 }
 
 /// What a job has for `kind`.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
 #[serde(rename_all = "snake_case")]
 pub(crate) enum JobKind {
     /// A job.
-    #[default]
     Job,
 }
 
 /// What the outcome of `validate_only` has for `kind`.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
 #[serde(rename_all = "snake_case")]
 pub(crate) enum ValidationKind {
     /// The outcome of the checks of a submission.
-    #[default]
     Validation,
 }
 
@@ -247,47 +243,6 @@ pub(crate) struct ResultLinks {
     pub(crate) report: String,
 }
 
-/// The available methods.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, ToSchema)]
-pub(crate) struct MethodListDocument {
-    /// The methods, the default one first.
-    pub(crate) methods: Vec<MethodDocument>,
-}
-
-/// A method, for clients to choose.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, ToSchema)]
-pub(crate) struct MethodDocument {
-    /// Name, as in the parameters.
-    pub(crate) name: String,
-    /// Version.
-    pub(crate) version: String,
-    /// One sentence for people.
-    pub(crate) description: String,
-    /// Effective parameters of a request that states nothing else.
-    #[schema(value_type = MatchParameters)]
-    pub(crate) defaults: Value,
-    /// Where the JSON Schema of its parameters is.
-    pub(crate) parameters_schema: SchemaReference,
-}
-
-/// A reference to a JSON Schema.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
-pub(crate) struct SchemaReference {
-    /// A schema of the OpenAPI document, which has every bound: `/openapi.json#/components/schemas/PartialParameters`.
-    #[serde(rename = "$ref")]
-    pub(crate) reference: String,
-}
-
-impl From<MethodDescription> for MethodDocument {
-    fn from(method: MethodDescription) -> Self {
-        let MethodDescription { name, version, description, defaults } = method;
-        // The presets are values of the same parameters.
-        let parameters_schema =
-            SchemaReference { reference: "/openapi.json#/components/schemas/PartialParameters".to_owned() };
-        MethodDocument { name, version, description, defaults, parameters_schema }
-    }
-}
-
 /// Readiness of the service.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
 pub(crate) struct ReadinessDocument {
@@ -323,7 +278,6 @@ pub(crate) struct ProblemTypeDocument {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, ToSchema)]
 pub(crate) struct ValidationDocument {
     /// Tells the outcome of `validate_only` from a job.
-    #[serde(default)]
     pub(crate) kind: ValidationKind,
     /// Always true: an invalid submission is answered with a problem.
     pub(crate) valid: bool,
@@ -340,7 +294,7 @@ pub(crate) struct ValidationDocument {
     pub(crate) target: ValidatedInputDocument,
 }
 
-/// An answer of 200 to a submission; `kind` says which.
+/// An answer of 200 to a submission: the job, if it finished within the wait, or the outcome of `validate_only`; `kind` says which.
 #[derive(Debug, Clone, ToSchema)]
 #[serde(untagged)]
 #[schema(discriminator(property_name = "kind", mapping(
@@ -349,9 +303,7 @@ pub(crate) struct ValidationDocument {
 )))]
 #[allow(dead_code, reason = "describes answers, each of which is made by itself")]
 pub(crate) enum SubmissionAnswer {
-    /// The job, if it finished within the wait.
     Finished(Box<JobDocument>),
-    /// With `validate_only`.
     Tried(Box<ValidationDocument>),
 }
 

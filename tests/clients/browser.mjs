@@ -2,37 +2,15 @@
 // Usage: node browser.mjs PORT BASE REFUSING [KEY]; PORT: where the page is served, BASE: a service that lists its origin,
 // REFUSING: one that does not, KEY: an API key where keys are required.
 import assert from "node:assert/strict";
+import { mkdtemp, writeFile } from "node:fs/promises";
 import { createServer } from "node:http";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
 import puppeteer from "puppeteer-core";
 
 const [port, base, refusing, key] = process.argv.slice(2);
-const server = createServer((_, answer) => {
-  answer.setHeader("content-type", "text/html");
-  answer.end("<!doctype html><title>viewer</title>");
-}).listen(Number(port), "127.0.0.1");
-const browser = await puppeteer.launch({
-  executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
-  args: ["--no-sandbox", "--disable-dev-shm-usage"],
-});
-try {
-  const page = await browser.newPage();
-  await page.goto(`http://localhost:${port}/`);
-  const found = await page.evaluate(
-    async (base, refusing, key) => {
-      const headers = key ? { authorization: `Bearer ${key}` } : {};
-      const call = (path, options = {}) => fetch(base + path, { ...options, headers: { ...headers, ...options.headers } });
-      const blocked = async (url) => fetch(url, { headers }).then(() => false, () => true);
-      const ticketed = async (path) => {
-        if (!key) return base + path;
-        const made = await call("/v1/tickets", {
-          method: "POST",
-          headers: { "content-type": "application/json" },
-          body: JSON.stringify({ path }),
-        });
-        return `${base}${path}?ticket=${(await made.json()).ticket}`;
-      };
-      // A closed tetrahedron is a surface.
-      const ply = `ply
+// A closed tetrahedron is a surface.
+const ply = `ply
 format ascii 1.0
 element vertex 4
 property float x
@@ -50,6 +28,31 @@ end_header
 3 0 3 2
 3 1 2 3
 `;
+const server = createServer((_, answer) => {
+  answer.setHeader("content-type", "text/html");
+  answer.end("<!doctype html><title>viewer</title>");
+}).listen(Number(port), "127.0.0.1");
+const browser = await puppeteer.launch({
+  executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
+  args: ["--no-sandbox", "--disable-dev-shm-usage"],
+});
+try {
+  const page = await browser.newPage();
+  await page.goto(`http://localhost:${port}/`);
+  const found = await page.evaluate(
+    async (base, refusing, key, ply) => {
+      const headers = key ? { authorization: `Bearer ${key}` } : {};
+      const call = (path, options = {}) => fetch(base + path, { ...options, headers: { ...headers, ...options.headers } });
+      const blocked = async (url) => fetch(url, { headers }).then(() => false, () => true);
+      const ticketed = async (path) => {
+        if (!key) return base + path;
+        const made = await call("/v1/tickets", {
+          method: "POST",
+          headers: { "content-type": "application/json" },
+          body: JSON.stringify({ path }),
+        });
+        return `${base}${path}?ticket=${(await made.json()).ticket}`;
+      };
       const states = [];
       const all = new EventSource(await ticketed("/v1/events"));
       const opened = new Promise((done) => all.addEventListener("open", done));
@@ -92,6 +95,7 @@ end_header
     base,
     refusing,
     key ?? "",
+    ply,
   );
   assert.equal(found.status, 202, found.problem);
   assert.deepEqual(found.states, ["queued", "running", "succeeded"]);
@@ -111,6 +115,10 @@ end_header
     await page.click("#operations-jobs-submit_job .try-out__btn");
     await page.select("#operations-jobs-submit_job .opblock-section-request-body select", "multipart/form-data");
     await page.waitForSelector("#operations-jobs-submit_job .parameters-col_description input[type=file]");
+    const [source, target] = await page.$$("#operations-jobs-submit_job .parameters-col_description input[type=file]");
+    const folder = await mkdtemp(join(tmpdir(), "homolog-"));
+    await writeFile(join(folder, "a.ply"), ply);
+    for (const field of [source, target]) await field.uploadFile(join(folder, "a.ply"));
     const filled = await page.evaluate(() => {
       const rows = document.querySelectorAll("#operations-jobs-submit_job .opblock-section-request-body tr[data-property-name]");
       return [...rows].map((row) => {
@@ -120,8 +128,12 @@ end_header
     });
     const values = Object.fromEntries(filled);
     assert.equal(values.deadline_at, "", JSON.stringify(values));
-    assert(["", "--"].includes(values.use_cache ?? ""), JSON.stringify(values));
-    assert.equal(values.max_run_s, "", JSON.stringify(values));
+    assert.equal(values.parameters, "{}", JSON.stringify(values));
+    // Sent as it was filled in, it becomes a job.
+    await page.click("#operations-jobs-submit_job .execute");
+    await page.waitForSelector("#operations-jobs-submit_job .live-responses-table .response-col_status");
+    const shown = await page.$eval("#operations-jobs-submit_job .live-responses-table", (table) => table.innerText);
+    assert(/\b202\b/.test(shown) && shown.includes('"queued"'), shown);
   }
   console.log("all of it");
 } finally {

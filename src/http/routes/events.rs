@@ -38,7 +38,7 @@ pub(super) const LAST_EVENT_ID: HeaderName = HeaderName::from_static("last-event
         ("Last-Event-ID" = Option<String>, Header, description = "`id` of the last event received"),
     ),
     responses(
-        (status = 200, description = "Events", content_type = "text/event-stream", body = String),
+        (status = 200, description = "Events", content_type = "text/event-stream", body = serde_json::Value),
         (status = 204, description = "`Last-Event-ID` is that of `done`: nothing follows"),
         (status = 400, description = "Invalid Last-Event-ID", body = ProblemDocument, content_type = "application/problem+json"),
         (status = 404, description = "No such job", body = ProblemDocument, content_type = "application/problem+json"),

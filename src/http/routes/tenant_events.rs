@@ -36,7 +36,7 @@ const PAGE: u32 = 500;
         ("Last-Event-ID" = Option<String>, Header, description = "`id` of the last event received; takes precedence over `since`"),
     ),
     responses(
-        (status = 200, description = "Events", content_type = "text/event-stream", body = String),
+        (status = 200, description = "Events", content_type = "text/event-stream", body = serde_json::Value),
         (status = 400, description = "Invalid Last-Event-ID or query", body = ProblemDocument, content_type = "application/problem+json"),
         (status = 429, description = "Too many streams are open", body = ProblemDocument, content_type = "application/problem+json"),
     )

@@ -5,6 +5,7 @@ from __future__ import annotations
 import asyncio
 import os
 import threading
+import uuid
 from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any, Literal
@@ -18,7 +19,7 @@ from ._client.models import (
 from ._client.types import UNSET
 from ._inputs import Surface, read
 from ._match import Match, Study
-from ._service import HomologError, Service, form, new_key
+from ._service import HomologError, Service, form
 
 WAIT_S = 20
 _default: Service | None = None
@@ -75,7 +76,7 @@ def study(template: Surface, subjects: Mapping[str, Surface] | Iterable[Surface]
     body = BatchSubmissionDocument(
         template=_upload(service, template, None), template_as=TemplateSide(template_as), parameters=_members(parameters),
         labels=_members(labels), subjects=[SubjectDocument(mesh_id=mesh, external_ref=name[:200]) for name, mesh in ids.items()])
-    batch = service.call(submit_batch, body=body, idempotency_key=new_key())
+    batch = service.call(submit_batch, body=body, idempotency_key=str(uuid.uuid4()))
     done = 0
     while True:
         over = sum(n for state, n in batch.counts.additional_properties.items() if state not in ("queued", "running"))
@@ -105,7 +106,7 @@ def _submit(service: Service, source: Surface, target: Surface, parameters: Mapp
             labels: Mapping[str, str] | None) -> JobDocument:
     files = {"source": read(source), "target": read(target)}
     body = form(SubmissionForm, files, parameters=_members(parameters), labels=_members(labels))
-    job = service.call(submit_job, body=body, idempotency_key=new_key())
+    job = service.call(submit_job, body=body, idempotency_key=str(uuid.uuid4()))
     assert isinstance(job, JobDocument)
     return job
 

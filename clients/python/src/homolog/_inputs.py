@@ -43,13 +43,11 @@ def read(surface: Surface) -> tuple[str, bytes]:
 def _image(image: Any) -> bytes:
     # The bytes of a single file: a pair of .hdr and .img has none.
     try:
-        data: bytes = image.to_bytes()
-        return data
+        return bytes(image.to_bytes())
     except NotImplementedError:
         import nibabel
 
-        single: bytes = nibabel.Nifti1Image.from_image(image).to_bytes()
-        return single
+        return bytes(nibabel.Nifti1Image.from_image(image).to_bytes())
 
 
 def ply(vertices: npt.ArrayLike, *faces: npt.ArrayLike) -> bytes:

@@ -65,8 +65,7 @@ class Match:
     @cached_property
     def result(self) -> dict[str, Any]:
         """The result document, without the correspondences."""
-        found: dict[str, Any] = self.service.call(get_result, id=self.id, correspondences=False).to_dict()
-        return found
+        return dict(self.service.call(get_result, id=self.id, correspondences=False).to_dict())
 
     @property
     def transform(self) -> Floats:
@@ -101,9 +100,7 @@ class Match:
 
     def file(self, name: str) -> bytes:
         """A part of the result in a format, such as ``warped.vtk`` or ``correspondences.parquet``."""
-        answer = self.service.call(download_file, id=self.id, name=name)
-        data: bytes = answer.payload.read()
-        return data
+        return bytes(self.service.call(download_file, id=self.id, name=name).payload.read())
 
     def save(self, folder: str | Path, *names: str) -> list[Path]:
         """Writes files into a folder, which is made if it is missing; by default what most people open next."""

@@ -11,7 +11,6 @@ import subprocess
 import sys
 import tempfile
 import time
-import uuid
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -164,8 +163,3 @@ def form(make: Callable[..., Any], files: dict[str, tuple[str, bytes]], **fields
     return _Anew(lambda: make(
         **{name: File(io.BytesIO(data), file_name, "application/octet-stream") for name, (file_name, data) in files.items()},
         **fields))
-
-
-def new_key() -> str:
-    """An idempotency key."""
-    return str(uuid.uuid4())

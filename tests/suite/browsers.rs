@@ -105,7 +105,7 @@ async fn events(mut stream: Response, done: impl Fn(&[(String, Value)]) -> bool)
     let mut found = Vec::new();
     while !done(&found) {
         let chunk = tokio::time::timeout(Duration::from_secs(20), stream.chunk()).await.expect("an event").unwrap();
-        text.push_str(&String::from_utf8(chunk.expect("the stream goes on").to_vec()).unwrap());
+        text.push_str(std::str::from_utf8(&chunk.expect("the stream goes on")).unwrap());
         found = text
             .split("\n\n")
             .filter_map(|event| {

@@ -15,6 +15,7 @@
 #              each operation
 # make build   target/release/homolog
 # make api     regenerate api/ and docs/parameters.md
+# make client  target/wheels: the Python package with this machine's program in it
 # make picture redraw docs/match.png
 # make experiment  measure every method and write a report that includes the newest accuracy table; DATA=dir: real label
 #              volumes in dir/hippocampus
@@ -31,7 +32,7 @@
 SHELL := /usr/bin/env bash
 .SHELLFLAGS := -eu -o pipefail -c
 .DEFAULT_GOAL := help
-.PHONY: help demo test faults fuzz soak memory check sbom advisories contract build api picture experiment accuracy energies answers bench bench-service
+.PHONY: help demo test faults fuzz soak memory check sbom advisories contract build api client picture experiment accuracy energies answers bench bench-service
 
 CARGO ?= cargo
 SOURCE ?=
@@ -105,6 +106,11 @@ api:
 	mv api/openapi.json.tmp api/openapi.json
 	mv api/problems.md.tmp api/problems.md
 	mv docs/parameters.md.tmp docs/parameters.md
+
+client: build
+	@scripts/setup client
+	mkdir -p target/wheels
+	scripts/wheel target/release/homolog target/wheels
 
 picture: build
 	[ -x target/picture-env/bin/python ] || python3 -m venv target/picture-env

@@ -1,7 +1,7 @@
 //! The wiring: which store, which engine, which workers, and how a process starts and exits.
 
 use crate::config::{HttpSettings, ServiceSettings};
-use crate::http::{AuthMode, HttpState, Served, Tokens, probe_router, router, serve};
+use crate::http::{AuthMode, CorsOrigins, HttpState, Served, Tokens, probe_router, router, serve};
 use crate::jobs::audit::Recorder;
 use crate::jobs::{ArtifactStore, Engine, JobError, JobService, JobStore, Processes, Stores, WorkerId};
 use crate::store::artifacts::{FolderArtifacts, S3Artifacts, SealedArtifacts, StoredBlobs};
@@ -320,6 +320,7 @@ impl App {
             // Checked before the address was bound; if the file is gone since, tokens are refused.
             .with_tokens(open_tokens(http).ok().flatten())
             .for_hosts(http.hosts())
+            .for_origins(CorsOrigins::new(&http.cors_origins))
     }
 
     async fn run_with(

@@ -3,7 +3,9 @@
 
 pub mod file;
 
-use crate::http::{AllowedHosts, AuthMode, ConnectionLimits, HttpLimits, KeySetSource, LeastRate, TokenSettings};
+use crate::http::{
+    AllowedHosts, AuthMode, ConnectionLimits, CorsOrigins, HttpLimits, KeySetSource, LeastRate, TokenSettings,
+};
 use crate::jobs::{MAX_DAYS, Retention, Retentions, SubmissionLimits, TenantDays, TenantWeight, TenantWeights, kept};
 use crate::store::sql::DatabaseLocation;
 use crate::tls::TlsFiles;
@@ -275,6 +277,9 @@ pub struct HttpSettings {
     /// none is given; repeatable
     #[arg(long = "allowed-host", env = "HOMOLOG_ALLOWED_HOSTS", value_delimiter = ',', value_name = "NAME")]
     pub allowed_hosts: Vec<String>,
+    /// Origin whose pages may use the service from a browser, such as https://viewer.example; none if absent; repeatable
+    #[arg(long = "cors-origin", env = "HOMOLOG_CORS_ORIGINS", value_delimiter = ',', value_parser = CorsOrigins::check, value_name = "ORIGIN")]
+    pub cors_origins: Vec<String>,
 }
 
 /// Parses an address with its port; a name is looked up.

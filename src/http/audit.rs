@@ -16,7 +16,7 @@ use utoipa::openapi::PathItem;
 use utoipa::openapi::path::Operation;
 
 /// Operations that change nothing and are recorded: they give out what was computed of a patient, or uploaded.
-pub(super) const RECORDED_READS: [&str; 8] = [
+pub(super) const RECORDED_READS: [&str; 9] = [
     "get_result",
     "get_correspondences",
     "get_transform",
@@ -24,6 +24,7 @@ pub(super) const RECORDED_READS: [&str; 8] = [
     "get_aligned",
     "get_warped",
     "get_report",
+    "download_file",
     "get_mesh_content",
 ];
 

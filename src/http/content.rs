@@ -10,6 +10,7 @@ use axum::body::{Body, HttpBody};
 use axum::http::{HeaderMap, HeaderValue, Method, StatusCode, header};
 use axum::response::{IntoResponse, Response};
 use bytes::Bytes;
+use futures_util::StreamExt as _;
 use http_body::{Frame, SizeHint};
 use std::convert::Infallible;
 use std::ops::Range;
@@ -119,7 +120,8 @@ pub(super) fn streamed(
     range: Option<&Range<u64>>,
     stream: Option<BlobStream>,
 ) -> Response {
-    let body = stream.map_or_else(Body::empty, Body::from_stream);
+    // Compression asks for more after the end.
+    let body = stream.map_or_else(Body::empty, |stream| Body::from_stream(stream.fuse()));
     let mut response = respond(headers, etag, content_type, body);
     let length = range.map_or(n_bytes, |range| range.end - range.start);
     let answered = response.headers_mut();

@@ -60,7 +60,6 @@ const ANSWERS: &[(&str, &str)] = &[
     ("get_result", file!("result.json")),
     ("get_correspondences", file!("correspondences.json")),
     ("get_transform", file!("transform.json")),
-    ("get_warped", file!("warped.json")),
     ("list_methods", file!("method_list.json")),
     ("get_method", file!("method.json")),
     ("healthz", file!("healthz.json")),
@@ -69,30 +68,14 @@ const ANSWERS: &[(&str, &str)] = &[
 /// Examples of text bodies, by media type.
 const TEXTS: &[(&str, &str)] = &[
     (
-        "text/csv",
-        "source,target,confidence,inlier,spread_mm,outlier,triangle_0,triangle_1,triangle_2,barycentric_0,\
-         barycentric_1,barycentric_2\r\n0,236,0.94,true,0.21,none,231,236,240,0.18,0.5,0.32\r\n",
-    ),
-    (
         "text/event-stream",
         "event: trace\nid: 7\ndata: {\"seq\":7,\"round\":0,\"phase\":\"inference\",\"iteration\":7,\"elapsed_ms\":410}\n\n",
     ),
     ("text/html", "<!doctype html>\n<html lang=\"en\">...</html>\n"),
-    ("text/plain", "1.0 0.0 0.0 12.5\n0.0 1.0 0.0 -3.25\n0.0 0.0 1.0 40.0\n0.0 0.0 0.0 1.0\n"),
-    (
-        "application/x-itk-transform",
-        "#Insight Transform File V1.0\n#Transform 0\nTransform: AffineTransform_double_3_3\n\
-         Parameters: 1.0 0.0 0.0 0.0 1.0 0.0 0.0 0.0 1.0 12.5 -3.25 -40.0\nFixedParameters: 0 0 0\n",
-    ),
-    (
-        "application/x-freesurfer-lta",
-        "type      = 1 # LINEAR_RAS_TO_RAS\nnxforms   = 1\nmean      = 0.0000 0.0000 0.0000\nsigma     = 1.0000\n1 4 4\n\
-         1 0 0 12.5\n0 1 0 -3.25\n0 0 1 40\n0 0 0 1\nsrc volume info\nvalid = 0  # volume info invalid\n...\n",
-    ),
 ];
-/// Example of a table of the deformation, which has other columns than correspondences.
-const WARPED_CSV: &str = "vertex,displacement_x_mm,displacement_y_mm,displacement_z_mm,displacement_normal_mm,residual_mm,\
-     area_ratio,confidence,spread_mm,outlier\r\n0,-0.354,1.036,-0.109,-0.136,1.1,0.846,1,0.3,0\r\n";
+/// Example of the events of all jobs.
+const CHANGES: &str = "event: change\nid: 12\ndata: {\"seq\":12,\"job_id\":\"019d8a1b-2c3d-7e4f-8a5b-000000000001\",\
+     \"state\":\"running\",\"at\":\"2026-11-22T08:00:00Z\"}\n\n";
 /// Errors that any operation can answer.
 const ALWAYS: [(StatusCode, &str); 6] = [
     (StatusCode::BAD_REQUEST, "The path or the query is malformed"),
@@ -155,7 +138,7 @@ fn complete_operation(operation: &mut Operation) {
                 PROBLEM => Some(problem(typical(&name, status))),
                 "application/json" if name == "problem_type" => Some(problem_type()),
                 "text/plain" if name == "metrics" => Some(json!("homolog_jobs{state=\"queued\"} 3\n")),
-                "text/csv" if name == "get_warped" => Some(json!(WARPED_CSV)),
+                "text/event-stream" if name == "follow_jobs" => Some(json!(CHANGES)),
                 "application/json" => named(ANSWERS),
                 text => TEXTS.iter().find(|(kind, _)| *kind == text).map(|(_, text)| json!(text)),
             };
@@ -207,7 +190,7 @@ fn typical(operation: &str, status: StatusCode) -> ProblemKind {
         (_, StatusCode::PAYLOAD_TOO_LARGE) => ProblemKind::TooLarge,
         (_, StatusCode::UNSUPPORTED_MEDIA_TYPE) => ProblemKind::UnknownFormat,
         (_, StatusCode::UNPROCESSABLE_ENTITY) => ProblemKind::InvalidParameters,
-        ("get_job" | "get_batch" | "list_changes" | "follow_job", StatusCode::TOO_MANY_REQUESTS) => {
+        ("get_job" | "get_batch" | "list_changes" | "follow_job" | "follow_jobs", StatusCode::TOO_MANY_REQUESTS) => {
             ProblemKind::TooManyStreams
         }
         ("submit_job" | "submit_batch" | "retry_job", StatusCode::TOO_MANY_REQUESTS) => ProblemKind::QueueFull,

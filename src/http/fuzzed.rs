@@ -7,6 +7,7 @@ use super::accept::preferred;
 use super::conditional::{etag_of, is_fresh};
 use super::content::{Wanted, wanted};
 use super::context::accepted_id;
+use super::cors::CorsOrigins;
 use super::hosts::AllowedHosts;
 use super::pace::LeastRate;
 use super::preferences::{idempotency_key, trace_id, traceparent, wanted_wait};
@@ -167,7 +168,11 @@ pub fn headers(bytes: &[u8]) {
     if let Some(text) = headers.get("last-event-id").and_then(|value| value.to_str().ok()) {
         let _ = events::parse_id(text);
     }
-    let _ = AllowedHosts::new(["imaging.example".to_owned()]).allow(&Uri::from_static("/v1/jobs"), &headers);
+    let _ = AllowedHosts::new(["imaging.example".to_owned()]).allow(
+        &Uri::from_static("/v1/jobs"),
+        &headers,
+        &CorsOrigins::default(),
+    );
 }
 
 /// A query string, as of a list of jobs: filters, and a cursor.

@@ -7,6 +7,7 @@
 //! This holds whatever the address: inside a container, the service listens on all of them. Probes of a supervisor name the
 //! service by any address and learn nothing but that it is alive, so their paths are not checked.
 
+use super::cors::CorsOrigins;
 use super::problem::Problem;
 use super::problem_table::ProblemKind;
 use super::router::HttpState;
@@ -32,8 +33,8 @@ impl AllowedHosts {
         AllowedHosts { names: names.into_iter().map(|name| canonical(&name)).collect() }
     }
 
-    /// Whether `Host` names an allowed host, and so does `Origin` if there is one.
-    pub(super) fn allow(&self, uri: &Uri, headers: &HeaderMap) -> bool {
+    /// Whether `Host` names an allowed host, and so does `Origin` if there is one, unless the operator lists it.
+    pub(super) fn allow(&self, uri: &Uri, headers: &HeaderMap, origins: &CorsOrigins) -> bool {
         let mut hosts = headers.get_all(header::HOST).iter().peekable();
         // No current client omits the host.
         let names_a_host = uri.authority().is_some() || hosts.peek().is_some();
@@ -41,10 +42,11 @@ impl AllowedHosts {
         names_a_host
             && uri.authority().is_none_or(|authority| self.has(authority))
             && hosts.all(|value| value.to_str().is_ok_and(authority))
-            && headers.get_all(header::ORIGIN).iter().all(|value| {
-                // `null`, the origin of sandboxed pages, has no host.
-                value.to_str().ok().and_then(|o| o.split_once("://")).is_some_and(|(_, host)| authority(host))
-            })
+            && (origins.allow(headers)
+                || headers.get_all(header::ORIGIN).iter().all(|value| {
+                    // `null`, the origin of sandboxed pages, has no host.
+                    value.to_str().ok().and_then(|o| o.split_once("://")).is_some_and(|(_, host)| authority(host))
+                }))
     }
 
     fn has(&self, authority: &Authority) -> bool {
@@ -64,7 +66,10 @@ fn canonical(name: &str) -> String {
 /// Refuses requests that name another host, before anything else is done.
 pub(crate) async fn check_host(State(state): State<HttpState>, request: Request, next: Next) -> Response {
     match &state.hosts {
-        Some(hosts) if !PROBES.contains(&request.uri().path()) && !hosts.allow(request.uri(), request.headers()) => {
+        Some(hosts)
+            if !PROBES.contains(&request.uri().path())
+                && !hosts.allow(request.uri(), request.headers(), &state.cors) =>
+        {
             Problem::new(ProblemKind::HostNotAllowed).into_response()
         }
         _ => next.run(request).await,
@@ -84,7 +89,11 @@ mod tests {
         if let Some(origin) = origin {
             headers.insert(header::ORIGIN, HeaderValue::from_static(origin));
         }
-        AllowedHosts::new(["Imaging.Example.".to_owned()]).allow(&uri.parse().unwrap(), &headers)
+        AllowedHosts::new(["Imaging.Example.".to_owned()]).allow(
+            &uri.parse().unwrap(),
+            &headers,
+            &CorsOrigins::default(),
+        )
     }
 
     #[test]

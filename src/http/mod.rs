@@ -1,8 +1,8 @@
 //! The HTTP API: routes, problems, wire types and the OpenAPI document.
 //!
 //! Reading order: [`mod@router`] (layers and routes), [`routes`] (one file for each resource), [`upload`] (bodies under
-//! limits; `shares` among clients, `pace` and `rate` of each), `strict_json`, [`wire`] (JSON forms), `accept` and `representation` (content negotiation), `content` (streams and ranges), `conditional` and `long_poll` (ETags
-//! and `?wait=`), [`problem`] (errors), [`context`] (request ids, spans, metrics), `audit` (what is recorded), `auth` (keys), `tokens` (of OpenID Connect) and `ticketed` (tickets), [`hosts`] (host validation), [`server`]
+//! limits; `shares` among clients, `pace` and `rate` of each), `strict_json`, [`wire`] (JSON forms), `accept` and `representation` (content negotiation), `content` (streams and ranges), `fields` (slim lists), `conditional` and `long_poll` (ETags
+//! and `?wait=`), [`problem`] (errors), [`context`] (request ids, spans, metrics), `audit` (what is recorded), `auth` (keys), `tokens` (of OpenID Connect) and `ticketed` (tickets), [`hosts`] (host validation) and `cors` (pages of other origins), [`server`]
 //! (connections); `fuzzed` is what fuzzing calls.
 //!
 //! Invariant: every error answer is `application/problem+json`; an answer of 5xx hides its cause and carries the
@@ -14,7 +14,9 @@ mod auth;
 mod conditional;
 mod content;
 mod context;
+mod cors;
 mod examples;
+mod fields;
 #[cfg(any(test, fuzzing))]
 pub mod fuzzed;
 mod head;
@@ -41,6 +43,7 @@ mod upload;
 mod wire;
 
 pub use auth::AuthMode;
+pub use cors::CorsOrigins;
 pub use hosts::AllowedHosts;
 pub use openapi::openapi_json;
 pub use pace::LeastRate;

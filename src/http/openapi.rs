@@ -3,7 +3,10 @@
 use super::examples;
 use super::problem::ProblemDocument;
 use super::router::api;
+use crate::jobs::documents::parameter_schemas;
+use utoipa::openapi::schema::{KnownFormat, ObjectBuilder, Schema, SchemaFormat, Type};
 use utoipa::openapi::security::{Http, HttpAuthScheme, SecurityRequirement, SecurityScheme};
+use utoipa::openapi::{Content, RefOr};
 use utoipa::{Modify, OpenApi};
 
 #[derive(OpenApi)]
@@ -46,12 +49,38 @@ pub(super) fn document() -> utoipa::openapi::OpenApi {
     Description::openapi()
 }
 
+/// Gives the parameters every bound that the service enforces, and files a schema from which generators make a stream of bytes.
+fn complete_schemas(document: &mut utoipa::openapi::OpenApi) {
+    let schemas = &mut document.components.get_or_insert_default().schemas;
+    schemas.extend(parameter_schemas());
+    // Without an example the page at /docs makes one up, of extremes.
+    if let Some(RefOr::T(Schema::Object(parameters))) = schemas.get_mut("PartialParameters") {
+        parameters.example = Some(serde_json::json!({}));
+    }
+    let file = || {
+        let format = SchemaFormat::KnownFormat(KnownFormat::Binary);
+        ObjectBuilder::new().schema_type(Type::String).format(Some(format)).build()
+    };
+    for operation in document.paths.paths.values_mut().filter_map(|item| item.get.as_mut()) {
+        for response in operation.responses.responses.values_mut() {
+            let RefOr::T(response) = response else { continue };
+            for (media_type, content) in &mut response.content {
+                let is_text = media_type.starts_with("text/") || media_type.ends_with("json");
+                if let (false, RefOr::T(Content { schema, .. })) = (is_text, content) {
+                    *schema = Some(file().into());
+                }
+            }
+        }
+    }
+}
+
 /// The document, pretty-printed, with a final newline.
 ///
 /// # Errors
 /// If it cannot be written as JSON.
 pub fn openapi_json() -> Result<String, serde_json::Error> {
     let (_, mut document) = api().split_for_parts();
+    complete_schemas(&mut document);
     examples::complete(&mut document);
     let mut text = serde_json::to_string_pretty(&document)?;
     text.push('\n');

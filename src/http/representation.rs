@@ -57,51 +57,88 @@ pub(super) struct Asking<'a> {
     pub(super) origin: Origin,
 }
 
-/// Answers a part of a job's result in the requested format: streamed if it is stored in it, else converted in memory, which
-/// is counted until the answer is sent.
+/// What is answered.
+struct Chosen {
+    part: ResultPart,
+    format: PartFormat,
+    uids: GivenUids,
+    content_type: &'static str,
+}
+
+/// Answers a part of a job's result in the requested format.
 pub(super) async fn answer(
     state: &HttpState,
     tenant: &Tenant,
     id: JobId,
     part: ResultPart,
-    Asking { method, headers, origin }: Asking<'_>,
+    asking: Asking<'_>,
     mut query: QueryString,
 ) -> Result<Response, Problem> {
-    let uids = if part.formats().contains(&PartFormat::Dicom) { given_uids(&mut query) } else { GivenUids::default() };
-    let Some(format) = choose(part, headers, query)? else {
+    let uids = given_uids(part, &mut query);
+    let Some(format) = choose(part, asking.headers, query)? else {
         // 404 comes first, so that the answer reveals nothing about jobs of other tenants.
         state.service.get(tenant, id).await?;
         return Ok(varying(not_acceptable(part).into_response()));
     };
+    let form = form(format);
+    let chosen = Chosen { part, format, uids, content_type: form.content_type };
+    let response = content(state, tenant, id, chosen, asking).await?;
+    Ok(varying(named(response, id, part, form.ending)))
+}
+
+/// Answers a part of a job's result in this format, as bytes to be saved.
+pub(super) async fn answer_file(
+    state: &HttpState,
+    tenant: &Tenant,
+    id: JobId,
+    (part, format, uids): (ResultPart, PartFormat, GivenUids),
+    asking: Asking<'_>,
+) -> Result<Response, Problem> {
+    let chosen = Chosen { part, format, uids, content_type: "application/octet-stream" };
+    let mut response = content(state, tenant, id, chosen, asking).await?;
+    response.headers_mut().insert(header::X_CONTENT_TYPE_OPTIONS, HeaderValue::from_static("nosniff"));
+    Ok(named(response, id, part, Some(form(format).ending.unwrap_or(format.name()))))
+}
+
+/// The content of a part in this format: streamed if it is stored in it, else converted in memory, which is counted until the
+/// answer is sent.
+async fn content(
+    state: &HttpState,
+    tenant: &Tenant,
+    id: JobId,
+    Chosen { part, format, uids, content_type }: Chosen,
+    Asking { method, headers, origin }: Asking<'_>,
+) -> Result<Response, Problem> {
     let presentation = state.service.presentation(tenant, id, part, format, uids).await?;
     let etag = format!("\"{}\"", presentation.validator());
     if is_fresh(headers, &etag) {
-        return Ok(varying(not_modified(&etag)));
+        return Ok(not_modified(&etag));
     }
-    let form = form(format);
-    let response = match state.service.present(&presentation).await? {
+    Ok(match state.service.present(&presentation).await? {
         Presented::Stored(blob) => match wanted(method, headers, &etag, blob.n_bytes) {
             Wanted::Nothing(response) => *response,
             Wanted::Content { range, with_body } => {
                 let stream = if with_body { Some(state.service.open(&blob, range.clone()).await?) } else { None };
-                streamed(headers, &etag, form.content_type, blob.n_bytes, range.as_ref(), stream)
+                streamed(headers, &etag, content_type, blob.n_bytes, range.as_ref(), stream)
             }
         },
         Presented::Converted(bytes) => {
             let memory = state.answer_memory(tenant, origin, bytes.len()).await?;
-            let mut response = respond(headers, &etag, form.content_type, Body::new(Counted::new(bytes, memory)));
+            let mut response = respond(headers, &etag, content_type, Body::new(Counted::new(bytes, memory)));
             if format == PartFormat::Html {
                 response.headers_mut().insert(header::CONTENT_SECURITY_POLICY, PAGE_POLICY);
                 response.headers_mut().insert(header::X_CONTENT_TYPE_OPTIONS, HeaderValue::from_static("nosniff"));
             }
             response
         }
-    };
-    Ok(varying(named(response, id, part, form.ending)))
+    })
 }
 
-/// The UIDs that a request gives for inputs that have none.
-fn given_uids(query: &mut QueryString) -> GivenUids {
+/// The UIDs that a request gives for inputs that have none, for a part that can be a DICOM object.
+pub(super) fn given_uids(part: ResultPart, query: &mut QueryString) -> GivenUids {
+    if !part.formats().contains(&PartFormat::Dicom) {
+        return GivenUids::default();
+    }
     let mut uid = |name: &str| {
         let text = query.text(name)?;
         text.parse::<Uid>().map_err(|fault| query.fault(name, "out_of_range", fault.to_string())).ok()

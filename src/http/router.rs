@@ -3,6 +3,7 @@
 use super::auth::AuthMode;
 use super::content::weaken_if_compressed;
 use super::context::{panic_problem, surround};
+use super::cors::{CorsOrigins, answer_options};
 use super::head::check_head;
 use super::hosts::{AllowedHosts, check_host};
 use super::openapi::document;
@@ -87,6 +88,8 @@ pub struct HttpState {
     pub metrics: Arc<dyn Fn() -> String + Send + Sync>,
     /// Which hosts a request may name; `None`: any.
     pub hosts: Option<Arc<AllowedHosts>>,
+    /// Origins whose pages may use the service.
+    pub cors: CorsOrigins,
     /// Verifies tokens, where an OpenID Connect provider is set.
     pub tokens: Option<Arc<Tokens>>,
     /// Cancelled when the process shuts down; long polls then answer at once.
@@ -125,7 +128,17 @@ impl HttpState {
     /// The state over these use cases.
     pub fn new(service: Arc<JobService>, limits: HttpLimits, auth: AuthMode, stop: CancellationToken) -> Self {
         let stocks = Arc::new(Stocks::new(&limits));
-        HttpState { service, limits, auth, metrics: Arc::new(String::new), hosts: None, tokens: None, stop, stocks }
+        HttpState {
+            service,
+            limits,
+            auth,
+            metrics: Arc::new(String::new),
+            hosts: None,
+            cors: CorsOrigins::default(),
+            tokens: None,
+            stop,
+            stocks,
+        }
     }
 
     /// Accepts tokens too.
@@ -139,6 +152,13 @@ impl HttpState {
     #[must_use]
     pub fn for_hosts(mut self, hosts: Option<AllowedHosts>) -> Self {
         self.hosts = hosts.map(Arc::new);
+        self
+    }
+
+    /// Allows pages of these origins to use the service.
+    #[must_use]
+    pub fn for_origins(mut self, cors: CorsOrigins) -> Self {
+        self.cors = cors;
         self
     }
 }
@@ -246,7 +266,9 @@ pub(super) fn api() -> OpenApiRouter<HttpState> {
         .routes(routes!(routes::surfaces::aligned))
         .routes(routes!(routes::surfaces::warped))
         .routes(routes!(routes::result::report))
+        .routes(routes!(routes::files::download))
         .routes(routes!(routes::changes::list))
+        .routes(routes!(routes::tenant_events::events))
         .routes(routes!(routes::batches::submit, routes::batches::list))
         .routes(routes!(routes::batches::get))
         .routes(routes!(routes::batches::jobs))
@@ -300,6 +322,8 @@ pub fn router(state: HttpState) -> Router {
         .layer(CatchPanicLayer::custom(panic_problem))
         .layer(CompressionLayer::new().quality(CompressionLevel::Fastest).compress_when(is_long_text))
         .layer(axum::middleware::map_response(weaken_if_compressed))
+        .layer(tower::util::option_layer(state.cors.layer()))
+        .layer(axum::middleware::from_fn_with_state(state.clone(), answer_options))
         .layer(axum::middleware::from_fn_with_state(state.clone(), surround))
         .with_state(state)
 }

@@ -5,6 +5,7 @@ use super::problem_table::ProblemKind;
 use super::router::HttpLimits;
 use super::strict_json::{Parameters, SentLabels, object, parse, parse_parameters};
 use super::upload::{Tap, name_hint, read_field};
+use crate::jobs::documents::PartialParameters;
 use crate::jobs::mesh::hash_of_id;
 use crate::jobs::metadata::{ExternalRef, Labels, MetadataFault};
 use crate::jobs::{Details, SubmissionLimits, SubmittedFile, SubmittedInput};
@@ -35,7 +36,8 @@ const REPEATED: &str = "must be sent once, unless every file is an instance of a
 const KNOWN: &str =
     "known fields are source, target, parameters, labels, external_ref, priority, deadline_at, max_run_s, use_cache";
 
-/// A submission as a multipart form.
+// The examples are what the page at /docs fills in: without them it makes up a deadline that is now, and extremes of all parameters.
+/// A submission as a multipart form. A text field that is empty is the same as none, except `parameters`.
 #[derive(Debug, Clone, ToSchema)]
 #[allow(dead_code, reason = "describes a multipart form, which is read field by field")]
 pub(crate) struct SubmissionForm {
@@ -47,24 +49,25 @@ pub(crate) struct SubmissionForm {
     #[schema(format = Binary)]
     target: String,
     /// Parameters that differ from the preset that `method` names; `{}` or absent for the defaults.
-    #[schema(value_type = Option<Object>)]
+    #[schema(value_type = PartialParameters, required = false)]
     parameters: Option<Value>,
     /// Labels of the client's choice: a JSON object of strings.
+    #[schema(value_type = BTreeMap<String, String>, required = false, example = json!({}))]
     labels: Option<BTreeMap<String, String>>,
     /// The client's own id of the job.
-    #[schema(max_length = 200)]
+    #[schema(value_type = String, required = false, max_length = 200, example = "")]
     external_ref: Option<String>,
-    /// Jobs with a higher priority run first.
-    #[schema(minimum = -100, maximum = 100, default = 0)]
+    /// Jobs with a higher priority run first; 0 if absent.
+    #[schema(value_type = i32, required = false, minimum = -100, maximum = 100, example = 0)]
     priority: Option<i32>,
     /// The job expires if it has not started by this RFC 3339 time.
-    #[schema(format = DateTime)]
+    #[schema(value_type = String, required = false, format = DateTime, example = "")]
     deadline_at: Option<String>,
     /// Longest run time, s, up to the limit of the service.
-    #[schema(minimum = 1)]
+    #[schema(value_type = u64, required = false, minimum = 1, example = 3600)]
     max_run_s: Option<u64>,
-    /// Whether the result of an equal job may be returned.
-    #[schema(default = true)]
+    /// Whether the result of an equal job may be returned: `true` or `false`; `true` if absent.
+    #[schema(value_type = bool, required = false, example = true)]
     use_cache: Option<bool>,
 }
 
@@ -80,7 +83,7 @@ pub(crate) struct SubmissionDocument {
     pub(crate) target: SubmittedInputDocument,
     /// Parameters that differ from the preset that `method` names.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[schema(value_type = Option<Object>)]
+    #[schema(value_type = PartialParameters, required = false)]
     pub(crate) parameters: Option<Parameters>,
     /// Labels of the client's choice: at most 64, keys of 1 to 256 bytes, values of at most 256.
     #[serde(default, skip_serializing_if = "SentLabels::is_empty")]
@@ -346,6 +349,10 @@ impl Fields {
             return self.fault(name, "repeated", "must be sent once");
         }
         let Ok(text) = std::str::from_utf8(bytes) else { return self.fault(name, "not_utf8", "must be UTF-8") };
+        // Forms of browsers send every field, also those that nobody filled in.
+        if name != "parameters" && text.trim().is_empty() {
+            return;
+        }
         match name {
             "parameters" => match parse_parameters(text, self.max_parameters_bytes) {
                 Ok(parameters) => self.take_parameters(parameters),
@@ -365,7 +372,8 @@ impl Fields {
                 Err(_) => self.fault(name, "out_of_range", "must be an RFC 3339 time, such as 2026-11-21T08:00:00Z"),
             },
             "max_run_s" => self.take_max_run(text.trim().parse().ok()),
-            _ => match text.trim() {
+            // Clients write the words as their languages do, such as True.
+            _ => match text.trim().to_ascii_lowercase().as_str() {
                 "true" => self.details.compute_anew = false,
                 "false" => self.details.compute_anew = true,
                 _ => self.fault(name, "out_of_range", "must be true or false"),

@@ -1,4 +1,4 @@
-//! What can be read with a ticket in the query: the events of a job, and downloads. Nothing else takes one.
+//! What can be read with a ticket in the query: the events of a job or of all jobs, and downloads. Nothing else takes one.
 
 use super::audit::RECORDED_READS;
 use super::problem::Problem;
@@ -12,12 +12,14 @@ use url::form_urlencoded;
 
 /// The parameter of the query.
 pub(super) const TICKET: &str = "ticket";
-/// The operation beside the downloads.
-const FOLLOW: &str = "follow_job";
+/// The operations beside the downloads.
+const FOLLOW: [&str; 2] = ["follow_job", "follow_jobs"];
+/// The events of all jobs.
+const EVENTS: &str = "/v1/events";
 
 /// Whether an operation takes tickets.
 pub(super) fn takes_tickets(operation: &str) -> bool {
-    operation == FOLLOW || RECORDED_READS.contains(&operation)
+    FOLLOW.contains(&operation) || RECORDED_READS.contains(&operation)
 }
 
 /// The routes that take tickets.
@@ -35,8 +37,11 @@ pub(super) fn is_ticketed(extensions: &Extensions) -> bool {
     extensions.get::<MatchedPath>().is_some_and(|path| ROUTES.iter().any(|route| route == path.as_str()))
 }
 
-/// Whether a ticket can be for this path: that of a job, of an upload, or of something below that takes tickets.
+/// Whether a ticket can be for this path: that of the events of all jobs, of a job, of an upload, or of something below that takes tickets.
 pub(super) fn is_path_for_tickets(path: &str) -> bool {
+    if path == EVENTS {
+        return true;
+    }
     let parts: Vec<&str> = path.split('/').collect();
     let ["", "v1", kind, id, rest @ ..] = parts.as_slice() else { return false };
     let is_id = match *kind {
@@ -49,7 +54,11 @@ pub(super) fn is_path_for_tickets(path: &str) -> bool {
     let below = |route: &&String| {
         let template: Vec<&str> = route.split('/').skip(4).collect();
         let fits = |(name, part): (&&str, &&str)| {
-            name == part || (name.starts_with('{') && !part.is_empty() && part.bytes().all(|b| b.is_ascii_lowercase()))
+            name == part
+                || (name.starts_with('{')
+                    && !part.is_empty()
+                    && part.bytes().all(|b| b.is_ascii_lowercase() || b"-.".contains(&b))
+                    && !part.contains(".."))
         };
         route.split('/').nth(2) == Some(kind) && template.len() == rest.len() && template.iter().zip(rest).all(fits)
     };
@@ -80,17 +89,42 @@ mod tests {
     fn tickets_are_for_events_and_downloads_only() {
         let (job, mesh) =
             ("/v1/jobs/019d8a1b-2c3d-7e4f-8a5b-000000000001", format!("/v1/meshes/blake3:{}", "0a".repeat(32)));
-        assert_eq!(ROUTES.len(), RECORDED_READS.len() + 1, "{ROUTES:?}");
-        for below in ["", "/events", "/result", "/correspondences", "/report", "/surfaces/source"] {
+        assert_eq!(ROUTES.len(), RECORDED_READS.len() + 2, "{ROUTES:?}");
+        for below in
+            ["", "/events", "/result", "/correspondences", "/report", "/surfaces/source", "/files/warped-inverse.ply"]
+        {
             assert!(is_path_for_tickets(&format!("{job}{below}")), "{below}");
         }
-        assert!(is_path_for_tickets(&mesh) && is_path_for_tickets(&format!("{mesh}/content")));
-        let of_others =
-            ["/v1/jobs", "/v1/jobs/", "/v1/keys/3f9a1c07be52", "/v1/jobs/x/events", "/v1", "", "/", "/metrics"];
+        assert!(
+            is_path_for_tickets("/v1/events")
+                && is_path_for_tickets(&mesh)
+                && is_path_for_tickets(&format!("{mesh}/content"))
+        );
+        let of_others = [
+            "/v1/jobs",
+            "/v1/events/",
+            "/v1/jobs/",
+            "/v1/keys/3f9a1c07be52",
+            "/v1/jobs/x/events",
+            "/v1",
+            "",
+            "/",
+            "/metrics",
+        ];
         for other in of_others {
             assert!(!is_path_for_tickets(other), "{other}");
         }
-        for below in ["/", "/cancel", "/events/", "/events?x=1", "/../1", "/result/x", "/surfaces/../result"] {
+        for below in [
+            "/",
+            "/cancel",
+            "/events/",
+            "/events?x=1",
+            "/../1",
+            "/result/x",
+            "/surfaces/../result",
+            "/files/..",
+            "/files/a/b",
+        ] {
             assert!(!is_path_for_tickets(&format!("{job}{below}")), "{below}");
         }
     }

@@ -2,7 +2,6 @@
 
 use super::problem::{ProblemDocument, failure_document};
 use crate::jobs::documents::{InputReport, MatchParameters, ResultDocument, SurfaceDistanceDocument, UnreliableReason};
-use crate::jobs::engine::MethodDescription;
 use crate::jobs::mesh::content_id;
 use crate::jobs::{
     Batch, Change, ChangePage, CheckOutcome, Failure, InputSummary, Job, JobInput, JobPage, JobState, Mesh,
@@ -17,6 +16,8 @@ use utoipa::ToSchema;
 /// A job. Members without a value are omitted, except `reliable`.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, ToSchema)]
 pub(crate) struct JobDocument {
+    /// Tells a job from the outcome of `validate_only`.
+    pub(crate) kind: JobKind,
     /// UUIDv7.
     pub(crate) id: String,
     /// State of the job.
@@ -93,6 +94,7 @@ pub(crate) struct JobDocument {
     pub(crate) cached: bool,
     /// Whether its answer can be relied on. `null` until it has succeeded, for methods that fit no displacement field, and
     /// for jobs that ended before verdicts were stored.
+    #[schema(required = true)]
     pub(crate) reliable: Option<bool>,
     /// Why its answer cannot be relied on; the result has more.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -105,6 +107,22 @@ pub(crate) struct JobDocument {
     pub(crate) error: Option<ProblemDocument>,
     /// Paths of related resources.
     pub(crate) links: JobLinks,
+}
+
+/// What a job has for `kind`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
+#[serde(rename_all = "snake_case")]
+pub(crate) enum JobKind {
+    /// A job.
+    Job,
+}
+
+/// What the outcome of `validate_only` has for `kind`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
+#[serde(rename_all = "snake_case")]
+pub(crate) enum ValidationKind {
+    /// The outcome of the checks of a submission.
+    Validation,
 }
 
 /// An input of a job.
@@ -139,6 +157,30 @@ pub(crate) struct JobLinks {
     /// Its dense correspondence, if it has succeeded.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) correspondences: Option<String>,
+    /// Its rigid transform, if it has succeeded.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(crate) transform: Option<String>,
+    /// Its matched source surface, if it has succeeded.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(crate) source_surface: Option<String>,
+    /// Its matched target surface, if it has succeeded.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(crate) target_surface: Option<String>,
+    /// The source moved rigidly onto the target, if it has succeeded.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(crate) aligned: Option<String>,
+    /// The source bent onto the target, if it has succeeded.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(crate) warped: Option<String>,
+    /// A page about its result, for browsers, if it has succeeded.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(crate) report: Option<String>,
+    /// The batch that it belongs to.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(crate) batch: Option<String>,
+    /// The job of which it is a retry.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(crate) retry_of: Option<String>,
     /// Cancels it, until it is finished.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) cancel: Option<String>,
@@ -201,13 +243,6 @@ pub(crate) struct ResultLinks {
     pub(crate) report: String,
 }
 
-/// The available methods.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, ToSchema)]
-pub(crate) struct MethodListDocument {
-    /// The methods, the default one first.
-    pub(crate) methods: Vec<MethodDescription>,
-}
-
 /// Readiness of the service.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
 pub(crate) struct ReadinessDocument {
@@ -242,6 +277,8 @@ pub(crate) struct ProblemTypeDocument {
 /// Outcome of the checks of a submission with `validate_only`.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, ToSchema)]
 pub(crate) struct ValidationDocument {
+    /// Tells the outcome of `validate_only` from a job.
+    pub(crate) kind: ValidationKind,
     /// Always true: an invalid submission is answered with a problem.
     pub(crate) valid: bool,
     /// Name of the method.
@@ -257,14 +294,16 @@ pub(crate) struct ValidationDocument {
     pub(crate) target: ValidatedInputDocument,
 }
 
-/// An answer of 200 to a submission.
+/// An answer of 200 to a submission: the job, if it finished within the wait, or the outcome of `validate_only`; `kind` says which.
 #[derive(Debug, Clone, ToSchema)]
 #[serde(untagged)]
+#[schema(discriminator(property_name = "kind", mapping(
+    ("job" = "#/components/schemas/JobDocument"),
+    ("validation" = "#/components/schemas/ValidationDocument"),
+)))]
 #[allow(dead_code, reason = "describes answers, each of which is made by itself")]
 pub(crate) enum SubmissionAnswer {
-    /// The job, if it finished within the wait.
     Finished(Box<JobDocument>),
-    /// With `validate_only`.
     Tried(Box<ValidationDocument>),
 }
 
@@ -420,11 +459,20 @@ impl From<&Job> for JobDocument {
     fn from(job: &Job) -> Self {
         let path = format!("/v1/jobs/{}", job.id);
         let succeeded = job.state == JobState::Succeeded && job.purged_at.is_none();
+        let part = |name: &str| succeeded.then(|| format!("{path}/{name}"));
         let links = JobLinks {
             trace: format!("{path}/trace"),
             events: format!("{path}/events"),
-            result: succeeded.then(|| format!("{path}/result")),
-            correspondences: succeeded.then(|| format!("{path}/correspondences")),
+            result: part("result"),
+            correspondences: part("correspondences"),
+            transform: part("transform"),
+            source_surface: part("surfaces/source"),
+            target_surface: part("surfaces/target"),
+            aligned: part("aligned"),
+            warped: part("warped"),
+            report: part("report"),
+            batch: job.batch_id.map(|id| format!("/v1/batches/{id}")),
+            retry_of: job.retry_of.map(|id| format!("/v1/jobs/{id}")),
             cancel: (!job.state.is_final()).then(|| format!("{path}/cancel")),
             retry: (job.state.is_final() && job.purged_at.is_none()).then(|| format!("{path}/retry")),
             job: path,
@@ -434,6 +482,7 @@ impl From<&Job> for JobDocument {
             progress.fraction = 1.0;
         }
         JobDocument {
+            kind: JobKind::Job,
             id: job.id.to_string(),
             state: job.state,
             method: job.method.clone(),
@@ -479,6 +528,7 @@ impl From<Box<Validated>> for ValidationDocument {
         };
         let Validated { resolved, source, target } = *validated;
         ValidationDocument {
+            kind: ValidationKind::Validation,
             valid: true,
             method: resolved.method,
             method_version: resolved.method_version,
@@ -544,17 +594,22 @@ impl MeshDocument {
     }
 }
 
-impl From<&ChangePage> for ChangesDocument {
-    fn from(page: &ChangePage) -> Self {
-        let change = |change: &Change| ChangeDocument {
+impl From<&Change> for ChangeDocument {
+    fn from(change: &Change) -> Self {
+        ChangeDocument {
             seq: change.seq,
             job_id: change.job_id.to_string(),
             batch_id: change.batch_id.map(|id| id.to_string()),
             state: change.state,
             at: change.at,
-        };
+        }
+    }
+}
+
+impl From<&ChangePage> for ChangesDocument {
+    fn from(page: &ChangePage) -> Self {
         ChangesDocument {
-            changes: page.changes.iter().map(change).collect(),
+            changes: page.changes.iter().map(ChangeDocument::from).collect(),
             next_since: page.next_since,
             more: page.more,
             next_page_token: page.more.then(|| page.next_since.to_string()),

@@ -87,7 +87,7 @@ pub trait Computation: Debug + Send + Sync {
 }
 
 /// A method, for clients to choose.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, utoipa::ToSchema)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct MethodDescription {
     /// Name, as in the parameters.
     pub name: String,
@@ -97,8 +97,6 @@ pub struct MethodDescription {
     pub description: String,
     /// Effective parameters of a request that states nothing else.
     pub defaults: Value,
-    /// JSON Schema of the parameters: ranges, units, what each does.
-    pub parameters_schema: Value,
 }
 
 /// The effective parameters of a request: every value, those of the preset included.

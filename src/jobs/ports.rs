@@ -177,6 +177,9 @@ pub trait JobReader: Send + Sync {
     /// State changes of a tenant's jobs after number `since`, in the order of their commits.
     async fn list_changes(&self, tenant: &Tenant, since: u64, limit: u32) -> Result<ChangePage, JobError>;
 
+    /// The number of a tenant's last state change; 0 if there is none.
+    async fn newest_change(&self, tenant: &Tenant) -> Result<u64, JobError>;
+
     /// At most `limit` points of a job's trace after `after_seq`.
     async fn get_trace(&self, tenant: &Tenant, id: JobId, after_seq: u64, limit: u32) -> Result<TracePage, JobError>;
 

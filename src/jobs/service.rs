@@ -289,6 +289,14 @@ impl JobService {
         self.stores.jobs.list_changes(tenant, since, limit).await
     }
 
+    /// The number of a tenant's last change; 0 if it has none.
+    ///
+    /// # Errors
+    /// [`JobError`].
+    pub async fn newest_change(&self, tenant: &Tenant) -> Result<u64, JobError> {
+        self.stores.jobs.newest_change(tenant).await
+    }
+
     /// A job.
     ///
     /// # Errors

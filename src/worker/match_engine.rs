@@ -16,9 +16,8 @@ use homolog_matching::MatchError;
 use homolog_primitives::observe::Observer;
 use homolog_run::intake::{IntakeError, IntakeLimits, prepare_surface};
 use homolog_run::{InputFile, RunError, RunOutput, SurfaceCache, check_size, run_match_with};
-use serde_json::{Value, json};
+use serde_json::Value;
 use std::sync::Arc;
-use utoipa::{PartialSchema, ToSchema};
 
 /// An [`Engine`] that matches surfaces.
 #[derive(Debug)]
@@ -65,7 +64,6 @@ impl Engine for MatchEngine {
     }
 
     fn methods(&self) -> Vec<MethodDescription> {
-        let schema = parameters_schema();
         Method::ALL
             .into_iter()
             .map(|method| MethodDescription {
@@ -73,7 +71,6 @@ impl Engine for MatchEngine {
                 version: env!("CARGO_PKG_VERSION").to_owned(),
                 description: method.description().to_owned(),
                 defaults: serde_json::to_value(preset(method)).unwrap_or(Value::Null),
-                parameters_schema: schema.clone(),
             })
             .collect()
     }
@@ -213,45 +210,10 @@ fn unwritable(error: &serde_json::Error) -> ParameterFault {
     ParameterFault { pointer: String::new(), code: "out_of_range".to_owned(), detail: error.to_string() }
 }
 
-/// JSON Schema of the parameters, without references to other documents. Every value is optional: the preset supplies it.
-fn parameters_schema() -> Value {
-    let mut named = Vec::new();
-    MatchParameters::schemas(&mut named);
-    let definitions: serde_json::Map<String, Value> = named
-        .into_iter()
-        .filter_map(|(name, schema)| serde_json::to_value(schema).ok().map(|value| (name, value)))
-        .collect();
-    let mut schema = serde_json::to_value(MatchParameters::schema()).unwrap_or(Value::Null);
-    if let Value::Object(root) = &mut schema {
-        root.insert("$schema".to_owned(), json!("https://json-schema.org/draft/2020-12/schema"));
-        root.insert("$defs".to_owned(), Value::Object(definitions));
-    }
-    make_self_contained(&mut schema);
-    schema
-}
-
-/// Redirects references to `$defs` and makes all keys optional, except in entries of lists.
-fn make_self_contained(schema: &mut Value) {
-    match schema {
-        Value::Object(map) => {
-            if let Some(Value::String(reference)) = map.get_mut("$ref") {
-                *reference = reference.replace("#/components/schemas/", "#/$defs/");
-            }
-            // The entries of `features` replace the preset's list as a whole, so each must be complete.
-            let is_entry = map.get("properties").is_some_and(|p| p.get("kind").is_some());
-            if !is_entry {
-                map.remove("required");
-            }
-            map.values_mut().for_each(make_self_contained);
-        }
-        Value::Array(items) => items.iter_mut().for_each(make_self_contained),
-        _ => {}
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use serde_json::json;
 
     #[test]
     fn stored_parameters_are_restored_as_they_were_resolved() {

@@ -27,7 +27,7 @@ fn every_reference_in_openapi_json_resolves() {
     collect(&document, &mut references);
     assert!(references.len() > 50);
     for reference in references {
-        let pointer = reference.strip_prefix('#').unwrap();
+        let pointer = reference.trim_start_matches("/openapi.json").strip_prefix('#').unwrap();
         assert!(document.pointer(pointer).is_some(), "{reference}");
     }
 }

@@ -1,6 +1,8 @@
 //! Every output of the service and of the command line, opened by the programs that its users have: NumPy, nibabel, VTK,
 //! meshio, trimesh, pyarrow, ITK. `scripts/setup test` makes their Python environment.
 
+use super::clients::{root, said};
+use super::faults::site::{Backend, Site};
 use super::representations::{PARTS, bytes, matched_with};
 use serde_json::json;
 use std::path::{Path, PathBuf};
@@ -48,6 +50,17 @@ async fn every_format_of_the_service_is_read_as_written() {
         let done = Command::new(python()).arg(script).arg(folder.path()).output().unwrap();
         assert!(!done.status.success());
     }
+}
+
+/// The module for 3D Slicer without its window: surfaces to the service, answers as objects of VTK.
+#[tokio::test]
+#[ignore = "needs the Python environment that scripts/setup test makes"]
+async fn the_module_for_slicer_matches_surfaces() {
+    let site = Site::open(Backend::Sqlite);
+    let program = site.program(&["--log", "error"]);
+    let mut run = Command::new(python());
+    run.args(["-W", "ignore"]).arg(root().join("clients/slicer/test_matching.py")).arg(&program.base);
+    assert!(said(run).await.contains("all of it"));
 }
 
 #[test]

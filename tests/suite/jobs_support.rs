@@ -62,7 +62,6 @@ impl Engine for ScriptedEngine {
             version: "1".to_owned(),
             description: "Does what its parameters say.".to_owned(),
             defaults: json!({}),
-            parameters_schema: json!({"type": "object"}),
         }]
     }
 

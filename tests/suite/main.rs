@@ -4,7 +4,9 @@
 mod api;
 mod audit;
 mod backups;
+mod browsers;
 mod cli;
+mod clients;
 mod command_line;
 mod contract;
 mod deploy;

@@ -1,7 +1,9 @@
 //! `/v1/batches`: many jobs submitted in one request.
 
+use super::jobs::job_list;
 use super::{batch_id, page};
 use crate::http::auth::{Reader, Submitter};
+use crate::http::fields::Fields;
 use crate::http::long_poll::{Resource, Snapshot, Version, answer, wait_of};
 use crate::http::preferences::{idempotency_key, marked, traceparent};
 use crate::http::problem::{FieldError, Problem, ProblemDocument};
@@ -13,6 +15,7 @@ use crate::http::strict_json::{Parameters, SentLabels, objects};
 use crate::http::submission::{SentDetails, check_details, media_type, read_json};
 use crate::http::upload::Tap;
 use crate::http::wire::{BatchDocument, BatchListDocument, BulkCancelDocument, JobListDocument};
+use crate::jobs::documents::PartialParameters;
 use crate::jobs::follow::Feed;
 use crate::jobs::mesh::hash_of_id;
 use crate::jobs::metadata::{ExternalRef, Labels};
@@ -36,10 +39,15 @@ const NAMED_FAULTS: usize = 16;
 #[derive(Debug, Clone, Deserialize, Serialize, ToSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct BatchSubmissionDocument {
-    /// The target of every job.
+    /// The target of every job, or its source with `template_as`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub(crate) template: Option<String>,
-    /// The sources, one job each.
+    /// What the template is in every job; `target` if absent. With `source` the rows of every answer are the vertices of the
+    /// template, so that answers can be compared vertex by vertex.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schema(value_type = TemplateSide, required = false)]
+    pub(crate) template_as: Option<TemplateSide>,
+    /// The other surface of every job, one job each.
     #[serde(default, skip_serializing_if = "Vec::is_empty", deserialize_with = "objects")]
     pub(crate) subjects: Vec<SubjectDocument>,
     /// Pairs of source and target, one job each.
@@ -47,7 +55,7 @@ pub(crate) struct BatchSubmissionDocument {
     pub(crate) pairs: Vec<PairDocument>,
     /// Parameters of all jobs.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[schema(value_type = Option<Object>)]
+    #[schema(value_type = PartialParameters, required = false)]
     pub(crate) parameters: Option<Parameters>,
     /// Labels of the batch and of every job.
     #[serde(default, skip_serializing_if = "SentLabels::is_empty")]
@@ -74,11 +82,22 @@ pub(crate) struct BatchSubmissionDocument {
     pub(crate) use_cache: Option<bool>,
 }
 
+/// What the template of a batch is in every job.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Deserialize, Serialize, ToSchema)]
+#[serde(rename_all = "snake_case")]
+pub(crate) enum TemplateSide {
+    /// Subjects are moved onto it.
+    #[default]
+    Target,
+    /// It is moved onto the subjects.
+    Source,
+}
+
 /// A subject of a batch.
 #[derive(Debug, Clone, Deserialize, Serialize, ToSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct SubjectDocument {
-    /// The source: the surface that is moved onto the template.
+    /// The surface that is moved onto the template, or onto which the template is moved (`template_as`).
     pub(crate) mesh_id: String,
     /// The client's own id of the job.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -110,7 +129,7 @@ pub(crate) struct PairDocument {
 
 /// Submit a batch
 ///
-/// One template against many subjects, or a list of pairs. Either all jobs are created or none. Faults name the pair by its
+/// One template against many subjects, as the target or the source of every job, or a list of pairs. Either all jobs are created or none. Faults name the pair by its
 /// index, counted from 0, as in `/pairs/3/source`.
 #[utoipa::path(
     post, path = "/v1/batches", tag = "batches", operation_id = "submit_batch",
@@ -163,6 +182,7 @@ async fn take(
     let document: BatchSubmissionDocument = reading.await.map_err(|_| Problem::new(ProblemKind::UploadTimeout))??;
     let BatchSubmissionDocument {
         template,
+        template_as,
         subjects,
         pairs,
         parameters,
@@ -179,16 +199,17 @@ async fn take(
     let pairs = match (template, subjects.is_empty(), pairs.is_empty()) {
         (Some(template), false, true) => subjects
             .into_iter()
-            .map(|SubjectDocument { mesh_id, external_ref, labels }| PairDocument {
-                source: mesh_id,
-                target: template.clone(),
-                external_ref,
-                labels,
+            .map(|SubjectDocument { mesh_id, external_ref, labels }| {
+                let (source, target) = match template_as.unwrap_or_default() {
+                    TemplateSide::Target => (mesh_id, template.clone()),
+                    TemplateSide::Source => (template.clone(), mesh_id),
+                };
+                PairDocument { source, target, external_ref, labels }
             })
             .collect(),
-        (None, true, false) => pairs,
+        (None, true, false) if template_as.is_none() => pairs,
         _ => {
-            let detail = "either template and subjects, or pairs is required";
+            let detail = "either template and subjects, or pairs is required; template_as belongs to the former";
             return Err(Problem::new(ProblemKind::InvalidRequest).errors(&[FieldError::new("", "missing", detail)]));
         }
     };
@@ -322,6 +343,8 @@ fn version(mut document: BatchDocument) -> Result<Version, Problem> {
 }
 
 /// List the jobs of a batch
+///
+/// `fields` selects members of each job, as in the list of jobs.
 #[utoipa::path(
     get, path = "/v1/batches/{id}/jobs", tag = "batches", operation_id = "list_batch_jobs",
     params(
@@ -340,13 +363,14 @@ pub(crate) async fn jobs(
     Reader(tenant): Reader,
     Path(id): Path<String>,
     mut query: QueryString,
-) -> Result<Json<JobListDocument>, Problem> {
+) -> Result<Json<serde_json::Value>, Problem> {
     let (size, after) = page(&mut query);
+    let fields = Fields::of_jobs(&mut query);
     query.finish()?;
     let id = state.service.batch(&tenant, batch_id(&id)?).await?.id;
     let filter = JobFilter { batch_id: Some(id), ..JobFilter::default() };
     let page = state.service.list(&tenant, &filter, &PageRequest { size, after, order: Order::OldestFirst }).await?;
-    Ok(Json(JobListDocument::from(&page)))
+    job_list(&page, &fields)
 }
 
 /// Cancel a batch

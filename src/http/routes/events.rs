@@ -22,8 +22,8 @@ use tokio::sync::watch;
 use tokio_util::sync::CancellationToken;
 
 /// Interval between comments on an idle stream: proxies close silent connections.
-const HEARTBEAT: Duration = Duration::from_secs(15);
-const LAST_EVENT_ID: HeaderName = HeaderName::from_static("last-event-id");
+pub(super) const HEARTBEAT: Duration = Duration::from_secs(15);
+pub(super) const LAST_EVENT_ID: HeaderName = HeaderName::from_static("last-event-id");
 
 /// Follow a job
 ///
@@ -38,7 +38,7 @@ const LAST_EVENT_ID: HeaderName = HeaderName::from_static("last-event-id");
         ("Last-Event-ID" = Option<String>, Header, description = "`id` of the last event received"),
     ),
     responses(
-        (status = 200, description = "Events", content_type = "text/event-stream", body = String),
+        (status = 200, description = "Events", content_type = "text/event-stream", body = serde_json::Value),
         (status = 204, description = "`Last-Event-ID` is that of `done`: nothing follows"),
         (status = 400, description = "Invalid Last-Event-ID", body = ProblemDocument, content_type = "application/problem+json"),
         (status = 404, description = "No such job", body = ProblemDocument, content_type = "application/problem+json"),
@@ -69,12 +69,17 @@ pub(crate) async fn events(
     let place = state.begin_stream(&tenant, origin)?;
     let feed = state.service.follow(&tenant, id).await?;
     let follower = Follower::new(feed, after_seq, state.stop.clone(), place);
-    let events = Sse::new(follower.into_stream()).keep_alive(KeepAlive::new().interval(HEARTBEAT).text("alive"));
+    let keep_alive = KeepAlive::new().interval(HEARTBEAT).text("alive");
+    Ok(as_stream(Sse::new(follower.into_stream()).keep_alive(keep_alive)))
+}
+
+/// The answer with a stream of events, which nothing on the way is to hold back or keep.
+pub(super) fn as_stream(events: impl IntoResponse) -> Response {
     let mut response = events.into_response();
     // Some proxies buffer responses; this header turns that off.
     response.headers_mut().insert("x-accel-buffering", HeaderValue::from_static("no"));
     response.headers_mut().insert(header::CACHE_CONTROL, HeaderValue::from_static("no-store"));
-    Ok(response)
+    response
 }
 
 /// A client of the stream: what was sent, and what is to be sent next.

@@ -2,6 +2,7 @@
 
 use super::{batch_id, job_id, page};
 use crate::http::auth::{Reader, Submitter};
+use crate::http::fields::Fields;
 use crate::http::long_poll::{MAX_WAIT_S, Resource, Snapshot, Version, answer, wait_of};
 use crate::http::preferences::{idempotency_key, marked, traceparent, wanted_wait};
 use crate::http::problem::{Problem, ProblemDocument};
@@ -14,13 +15,14 @@ use crate::http::upload::Tap;
 use crate::http::wire::{BulkCancelDocument, JobDocument, JobListDocument, SubmissionAnswer, ValidationDocument};
 use crate::jobs::follow::{Feed, Seen};
 use crate::jobs::{
-    Accepted, Job, JobFilter, JobId, JobService, JobState, Order, PageRequest, Submission, Tenant, Validated,
+    Accepted, Job, JobFilter, JobId, JobPage, JobService, JobState, Order, PageRequest, Submission, Tenant, Validated,
 };
 use async_trait::async_trait;
 use axum::Json;
 use axum::extract::{Path, Request, State};
 use axum::http::{HeaderMap, StatusCode, header};
 use axum::response::{IntoResponse, Response};
+use serde_json::Value;
 use std::sync::Arc;
 use std::time::Duration;
 use utoipa::openapi::Required;
@@ -243,7 +245,16 @@ fn label_of(text: &str) -> Option<(String, String)> {
     None
 }
 
+/// A page of a list of jobs.
+pub(super) fn job_list(page: &JobPage, fields: &Fields) -> Result<Json<Value>, Problem> {
+    let document = serde_json::to_value(JobListDocument::from(page)).map_err(|e| Problem::internal(&e))?;
+    Ok(Json(fields.of(document, "jobs")))
+}
+
 /// List jobs
+///
+/// `fields=id,state,progress`, which is not among the parameters below because the answer then lacks members that it otherwise
+/// has, gives the named members of each job only.
 #[utoipa::path(
     get, path = "/v1/jobs", tag = "jobs", operation_id = "list_jobs",
     params(
@@ -262,13 +273,14 @@ pub(crate) async fn list(
     State(state): State<HttpState>,
     Reader(tenant): Reader,
     mut query: QueryString,
-) -> Result<Json<JobListDocument>, Problem> {
+) -> Result<Json<Value>, Problem> {
     let filter = filter(&mut query);
     let order = query.word("order", &[("desc", Order::NewestFirst), ("asc", Order::OldestFirst)]).unwrap_or_default();
     let (size, after) = page(&mut query);
+    let fields = Fields::of_jobs(&mut query);
     query.finish()?;
     let page = state.service.list(&tenant, &filter, &PageRequest { size, after, order }).await?;
-    Ok(Json(JobListDocument::from(&page)))
+    job_list(&page, &fields)
 }
 
 /// Cancel several jobs

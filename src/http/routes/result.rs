@@ -88,6 +88,9 @@ pub(crate) async fn result(
 /// `triangle_0` to `triangle_2` and `barycentric_0` to `barycentric_2`. A vertex without a correspondence has `target` and corners −1,
 /// `confidence` 0 and `inlier` 0. Or as glTF (`glb`), for browsers: the source moved rigidly onto the target, and the target,
 /// corresponding points in one color.
+///
+/// Described here is the answer in JSON, the default. Generated clients get the other formats as bytes from `download_file`, as
+/// `correspondences.csv` and so on.
 #[utoipa::path(
     get, path = "/v1/jobs/{id}/correspondences", tag = "results", operation_id = "get_correspondences",
     params(
@@ -97,12 +100,7 @@ pub(crate) async fn result(
         ("If-None-Match" = Option<String>, Header, description = "ETag of an earlier answer"),
     ),
     responses(
-        (status = 200, description = "The correspondence", content(
-            (Correspondences = "application/json"), (String = "text/csv"), (Vec<u8> = "application/x-npy"),
-            (Vec<u8> = "application/x-npz"), (Vec<u8> = "application/vnd.apache.arrow.file"), (Vec<u8> = "model/ply"),
-            (Vec<u8> = "model/vtk"), (String = "application/vnd.vtk.vtp"), (String = "application/gifti+xml"),
-            (Vec<u8> = "model/gltf-binary"), (Vec<u8> = "application/vnd.apache.parquet"),
-        ), headers(
+        (status = 200, description = "The correspondence", body = Correspondences, headers(
             ("ETag" = String, description = "Of this representation"), ("Vary" = String, description = "`accept`"),
             ("Content-Disposition" = String, description = "Suggested file name; not with JSON"),
         )),
@@ -150,6 +148,9 @@ pub(super) fn direction(query: &mut QueryString) -> WarpDirection {
 /// (fixed) to points of the source (moving), which is the inverse of the matrix in JSON. Use it unchanged to resample the
 /// source image onto the grid of the target; in 3D Slicer apply it to the source. The FreeSurfer file is of type 1 (RAS to
 /// RAS), from source to target, with both volume geometries marked invalid because they are unknown.
+///
+/// Described here is the answer in JSON, the default. Generated clients get the other formats as bytes from `download_file`, as
+/// `transform.tfm` and so on.
 #[utoipa::path(
     get, path = "/v1/jobs/{id}/transform", tag = "results", operation_id = "get_transform",
     params(
@@ -161,10 +162,7 @@ pub(super) fn direction(query: &mut QueryString) -> WarpDirection {
         ("If-None-Match" = Option<String>, Header, description = "ETag of an earlier answer"),
     ),
     responses(
-        (status = 200, description = "The transform", content(
-            (TransformDocument = "application/json"), (String = "text/plain"), (String = "application/x-itk-transform"),
-            (String = "application/x-freesurfer-lta"), (Vec<u8> = "application/dicom"),
-        ), headers(
+        (status = 200, description = "The transform", body = TransformDocument, headers(
             ("ETag" = String, description = "Of this representation"), ("Vary" = String, description = "`accept`"),
             ("Content-Disposition" = String, description = "Suggested file name; not with JSON and text"),
         )),

@@ -122,11 +122,13 @@ pub(crate) async fn aligned(
 /// `image_y_mm`, `image_z_mm`. `dicom` is a DICOM segmentation (SEG), if an input is a DICOM object or `study_uid` is given: the
 /// voxels that the bent surface encloses, on the grid and in the frame of reference of the input of `space`, in the study of
 /// that input, or of the other if that is no DICOM object, or in the given one.
+///
+/// Described here are the answers with a surface. The tables are `warped.csv` and so on of `download_file`.
 #[utoipa::path(
     get, path = "/v1/jobs/{id}/warped", tag = "results", operation_id = "get_warped",
     params(
         ("id" = String, Path, description = "The job"),
-        ("format" = Option<String>, Query, description = "`ply`, `vtk`, `vtp`, `gifti`, `stl`, `glb`, `json`, `csv`, `npy`, `npz`, `arrow`, `parquet` or `dicom`; takes precedence over `Accept`; PLY if neither is given"),
+        ("format" = Option<String>, Query, description = "`ply`, `vtk`, `vtp`, `gifti`, `stl` or `glb`, or one of the tables and `dicom`; takes precedence over `Accept`; PLY if neither is given"),
         ("direction" = Option<String>, Query, description = "`forward` (default): the source is bent onto the target; `inverse`: the target onto the source, if the job had `both_directions`"),
         ("space" = Option<String>, Query, description = "Coordinates of the answer, `target` or `source`; by default those of the surface onto which the other is bent. In the other space the same shape is moved rigidly. `aligned` is another name for `target`: the space of `/aligned`"),
         ("study_uid" = Option<String>, Query, description = "`dicom`: UID of the study, used where neither input is a DICOM object; its patient is left empty", max_length = 64),
@@ -137,10 +139,7 @@ pub(crate) async fn aligned(
     responses(
         (status = 200, description = "The surface, mm", content(
             (Vec<u8> = "model/ply"), (Vec<u8> = "model/vtk"), (String = "application/vnd.vtk.vtp"),
-            (String = "application/gifti+xml"), (Vec<u8> = "model/stl"), (serde_json::Value = "application/json"),
-            (String = "text/csv"), (Vec<u8> = "application/x-npy"), (Vec<u8> = "application/vnd.apache.arrow.file"),
-            (Vec<u8> = "model/gltf-binary"), (Vec<u8> = "application/x-npz"),
-            (Vec<u8> = "application/vnd.apache.parquet"), (Vec<u8> = "application/dicom"),
+            (String = "application/gifti+xml"), (Vec<u8> = "model/stl"), (Vec<u8> = "model/gltf-binary"),
         ), headers(
             ("ETag" = String, description = "Of this representation"), ("Vary" = String, description = "`accept`"),
             ("Content-Disposition" = String, description = "Suggested file name; not with JSON"),

@@ -20,7 +20,7 @@ use utoipa::ToSchema;
 #[derive(Debug, Clone, Deserialize, Serialize, ToSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct NewTicketDocument {
-    /// Path of a job or an upload, or of its events or a download below it.
+    /// `/v1/events`, or the path of a job or an upload, or of its events or a download below it.
     #[schema(max_length = 200, example = "/v1/jobs/019d8a1b-2c3d-7e4f-8a5b-000000000001/events")]
     pub(crate) path: String,
 }
@@ -38,7 +38,7 @@ pub(crate) struct TicketDocument {
 
 /// Create a ticket
 ///
-/// For `EventSource` and links of a browser, which send no `Authorization` header: the events of a job and the downloads of a job
+/// For `EventSource` and links of a browser, which send no `Authorization` header: the events of all jobs (`/v1/events`) or of a job and the downloads of a job
 /// or an upload below `path` can then be read with `?ticket=` instead. A ticket is valid for 60 s and for reading only, and
 /// ends with the API key that asked for it.
 #[utoipa::path(
@@ -60,7 +60,7 @@ pub(crate) async fn create(
     let key_id = request.extensions().get::<Caller>().and_then(Caller::key_id).map(str::to_owned);
     let NewTicketDocument { path } = small_json(&state, &tenant, request, query).await?;
     if !is_path_for_tickets(&path) {
-        let detail = "must be the path of a job or an upload, or of its events or a download below it, without a query";
+        let detail = "must be /v1/events, or the path of a job or an upload, or of its events or a download below it, without a query";
         return Err(Problem::new(ProblemKind::InvalidRequest).errors(&[FieldError::new(
             "/path",
             "out_of_range",

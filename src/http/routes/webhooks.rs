@@ -69,6 +69,20 @@ pub(crate) struct WebhookDocument {
     /// When it was created.
     #[schema(value_type = String, format = DateTime)]
     pub(crate) created_at: Timestamp,
+    /// Paths of related resources.
+    pub(crate) links: WebhookLinks,
+}
+
+/// Paths of the resources of a webhook.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
+pub(crate) struct WebhookLinks {
+    /// The webhook.
+    #[serde(rename = "self")]
+    pub(crate) webhook: String,
+    /// Its log of deliveries.
+    pub(crate) deliveries: String,
+    /// Sends a test event.
+    pub(crate) test: String,
 }
 
 /// A page of the list of webhooks.
@@ -123,7 +137,13 @@ pub(crate) struct DeliveryListDocument {
 
 impl WebhookDocument {
     fn of(webhook: Webhook, with_secret: bool) -> Self {
+        let path = format!("/v1/webhooks/{}", webhook.id);
         WebhookDocument {
+            links: WebhookLinks {
+                deliveries: format!("{path}/deliveries"),
+                test: format!("{path}/test"),
+                webhook: path,
+            },
             id: webhook.id,
             url: webhook.url,
             states: webhook.states,

@@ -40,6 +40,13 @@ async fn number_changes_of_tenants(session: &mut Session) -> Result<(), JobError
     session.execute(sql!("advance_counters_of_tenants"), bind![first]).await.map(|_| ())
 }
 
+/// The number of the last change of a tenant's jobs.
+pub(super) async fn newest_change(database: &Database, tenant: &Tenant) -> Result<u64, JobError> {
+    let mut session = database.reader().await?;
+    let last: Option<i64> = session.value(sql!("newest_change"), bind![tenant]).await?;
+    Ok(last.unwrap_or_default().unsigned_abs())
+}
+
 /// At most `limit` changes of a tenant's jobs after number `since`.
 pub(super) async fn list_changes(
     database: &Database,

@@ -79,6 +79,11 @@ impl JobReader for SqlStore {
         changes::list_changes(&self.database, tenant, since, limit).await
     }
 
+    async fn newest_change(&self, tenant: &Tenant) -> Result<u64, JobError> {
+        changes::number_changes(&self.database).await?;
+        changes::newest_change(&self.database, tenant).await
+    }
+
     async fn get_trace(&self, tenant: &Tenant, id: JobId, after_seq: u64, limit: u32) -> Result<TracePage, JobError> {
         // State and points from one snapshot: otherwise `complete` could be reported before the last chunk is read.
         let (state, chunks) = self

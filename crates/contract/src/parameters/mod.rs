@@ -13,6 +13,8 @@ mod presets;
 #[cfg(feature = "serde")]
 mod ranges;
 mod registration;
+#[cfg(feature = "openapi")]
+mod request;
 #[cfg(feature = "serde")]
 mod resolve;
 
@@ -28,6 +30,8 @@ pub use presets::{Method, preset};
 #[cfg(feature = "serde")]
 pub use ranges::{BOUNDS, Bounds, LENGTHS, Lengths};
 pub use registration::{InitialPose, MinimalEstimator, OrientationSolver, Refinement, RegistrationParameters};
+#[cfg(feature = "openapi")]
+pub use request::{PartialParameters, parameter_schemas};
 #[cfg(feature = "serde")]
 pub use resolve::resolve;
 

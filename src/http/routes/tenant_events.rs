@@ -1,0 +1,126 @@
+//! `/v1/events`: the changes of all jobs of a tenant as they happen, in one stream.
+
+use super::events::{HEARTBEAT, LAST_EVENT_ID, as_stream};
+use crate::http::auth::Reader;
+use crate::http::problem::{FieldError, Problem, ProblemDocument};
+use crate::http::problem_table::ProblemKind;
+use crate::http::query::QueryString;
+use crate::http::router::HttpState;
+use crate::http::shares::{Origin, Taken};
+use crate::http::wire::ChangeDocument;
+use crate::jobs::{JobService, Tenant};
+use axum::extract::State;
+use axum::http::HeaderMap;
+use axum::response::Response;
+use axum::response::sse::{Event, KeepAlive, Sse};
+use futures_util::Stream;
+use serde_json::json;
+use std::collections::VecDeque;
+use std::convert::Infallible;
+use std::sync::Arc;
+use tokio_util::sync::CancellationToken;
+
+/// Changes that are read from the store at once.
+const PAGE: u32 = 500;
+
+/// Follow all jobs
+///
+/// Server-sent events: first `open`, with the number of the last change so far as `next_since`, then `change` for every change of
+/// a job's state, as in `/v1/changes`. The `id` of an event is the number of the change. A client that reconnects with
+/// `Last-Event-ID`, as an `EventSource` does by itself, gets every change since, without gaps or repeats; `since` does the same
+/// for the first connection. The stream ends when the service shuts down; reconnect then.
+#[utoipa::path(
+    get, path = "/v1/events", tag = "jobs", operation_id = "follow_jobs",
+    params(
+        ("since" = Option<u64>, Query, description = "Begin after the change with this number; with the next change if absent"),
+        ("Last-Event-ID" = Option<String>, Header, description = "`id` of the last event received; takes precedence over `since`"),
+    ),
+    responses(
+        (status = 200, description = "Events", content_type = "text/event-stream", body = serde_json::Value),
+        (status = 400, description = "Invalid Last-Event-ID or query", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 429, description = "Too many streams are open", body = ProblemDocument, content_type = "application/problem+json"),
+    )
+)]
+pub(crate) async fn events(
+    State(state): State<HttpState>,
+    Reader(tenant): Reader,
+    origin: Origin,
+    headers: HeaderMap,
+    mut query: QueryString,
+) -> Result<Response, Problem> {
+    let asked = query.number("since", 0..=i64::MAX.unsigned_abs());
+    query.finish()?;
+    let resumed = match headers.get(LAST_EVENT_ID) {
+        None => None,
+        Some(value) => {
+            let number = value.to_str().ok().and_then(|text| text.trim().parse::<u64>().ok());
+            let number = number.filter(|number| i64::try_from(*number).is_ok());
+            Some(number.ok_or_else(|| {
+                let detail = "must be the id of an event of this stream";
+                let fault = FieldError::new("/headers/last-event-id", "out_of_range", detail);
+                Problem::new(ProblemKind::BadRequest).detail(detail).errors(&[fault])
+            })?)
+        }
+    };
+    let place = state.begin_stream(&tenant, origin)?;
+    let since = match resumed.or(asked) {
+        Some(since) => since,
+        None => state.service.newest_change(&tenant).await?,
+    };
+    let opening = Event::default().event("open").id(since.to_string()).json_data(json!({"next_since": since}));
+    let follower = Follower {
+        service: Arc::clone(&state.service),
+        tenant,
+        since,
+        stop: state.stop.clone(),
+        waiting: opening.into_iter().collect(),
+        _place: place,
+    };
+    let keep_alive = KeepAlive::new().interval(HEARTBEAT).text("alive");
+    Ok(as_stream(Sse::new(follower.into_stream()).keep_alive(keep_alive)))
+}
+
+/// A client of the stream.
+struct Follower {
+    service: Arc<JobService>,
+    tenant: Tenant,
+    /// Number of the last change that was sent.
+    since: u64,
+    stop: CancellationToken,
+    waiting: VecDeque<Event>,
+    _place: [Option<Taken>; 2],
+}
+
+impl Follower {
+    fn into_stream(self) -> impl Stream<Item = Result<Event, Infallible>> {
+        futures_util::stream::unfold(self, |mut follower| async move {
+            let event = follower.next().await?;
+            Some((Ok(event), follower))
+        })
+    }
+
+    async fn next(&mut self) -> Option<Event> {
+        loop {
+            if let Some(event) = self.waiting.pop_front() {
+                return Some(event);
+            }
+            // An answer that has begun cannot become an error: a client that reconnects is told what is wrong.
+            let page = self.service.changes(&self.tenant, self.since, PAGE).await.ok()?;
+            if page.changes.is_empty() {
+                let feed = self.service.follow_changes(&self.tenant, self.since);
+                let mut seen = feed.seen();
+                tokio::select! {
+                    // An error says that the reader has ended; then the store is asked.
+                    _ = seen.wait_for(|has_changes| **has_changes) => {}
+                    () = self.stop.cancelled() => return None,
+                }
+                continue;
+            }
+            for change in &page.changes {
+                let event = Event::default().event("change").id(change.seq.to_string());
+                self.waiting.extend(event.json_data(ChangeDocument::from(change)));
+            }
+            self.since = page.next_since;
+        }
+    }
+}

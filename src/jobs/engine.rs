@@ -53,6 +53,13 @@ pub trait Computation: Debug + Send + Sync {
     /// Why it cannot.
     fn check_input(&self, input: &InputBytes<'_>) -> Result<InputSummary, InputRefusal>;
 
+    /// The surface of an input as binary PLY, mm; of one that is refused, the surface as it is in the file. May take seconds;
+    /// called on a blocking thread.
+    ///
+    /// # Errors
+    /// Why there is no surface.
+    fn show_input(&self, input: &InputBytes<'_>) -> Result<Vec<u8>, InputRefusal>;
+
     /// Checks whether two inputs, each of which has passed its own check, can be matched within the limits. Quick.
     ///
     /// # Errors
@@ -151,6 +158,9 @@ pub struct InputRefusal {
     pub detail: String,
     /// Topology of the refused surface.
     pub topology: Option<Value>,
+    /// Where the first fault is, mm, if it is at one place.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub place_mm: Option<[f64; 3]>,
 }
 
 /// The two files of a job.

@@ -12,7 +12,7 @@ use homolog_contract::parameters::{MatchParameters, Method, preset, resolve};
 use homolog_formats::ply::write_ply;
 use homolog_matching::MatchError;
 use homolog_primitives::observe::Observer;
-use homolog_run::intake::{IntakeError, IntakeLimits, prepare_surface};
+use homolog_run::intake::{IntakeError, IntakeLimits, prepare_surface, shown_surface};
 use homolog_run::{InputFile, RunError, RunOutput, SurfaceCache, check_size, run_match_with};
 use serde_json::{Value, json};
 use std::sync::Arc;
@@ -123,6 +123,14 @@ impl Computation for Match {
         })
     }
 
+    fn show_input(&self, input: &InputBytes<'_>) -> Result<Vec<u8>, InputRefusal> {
+        let name = input.name_hint.map(file_name);
+        let parameters = &self.parameters.input;
+        let parameters = if input.is_target { parameters.of_target() } else { parameters.of_source() };
+        let surface = shown_surface(input.bytes, name.as_deref(), &parameters, &self.shared.limits);
+        surface.map(|mesh| write_ply(&mesh)).map_err(|error| refusal(&error))
+    }
+
     fn check_pair(&self, source: &InputSummary, target: &InputSummary) -> Result<(), InputRefusal> {
         let source = (source.n_vertices as usize, source.n_faces as usize);
         let checked = check_size(source, target.n_vertices as usize, &self.parameters, &self.shared.limits);
@@ -130,6 +138,7 @@ impl Computation for Match {
             code: "too-large".to_owned(),
             detail: error.to_string(),
             topology: None,
+            place_mm: None,
         })
     }
 
@@ -177,6 +186,7 @@ fn refusal(error: &IntakeError) -> InputRefusal {
         code: error.code().to_owned(),
         detail: error.to_string(),
         topology: error.topology().and_then(|report| serde_json::to_value(report).ok()),
+        place_mm: error.place_mm(),
     }
 }
 
@@ -186,8 +196,8 @@ fn compute_error(error: RunError) -> ComputeError {
     }
     ComputeError::Failed(match error {
         RunError::Input { side, error } => {
-            let InputRefusal { code, detail, topology } = refusal(&error);
-            Failure { code, detail, input: Some(side.name().to_owned()), topology }
+            let InputRefusal { code, detail, topology, place_mm } = refusal(&error);
+            Failure { code, detail, input: Some(side.name().to_owned()), topology, place_mm }
         }
         RunError::TooLarge { .. } => Failure::new("too-large", error.to_string()),
         RunError::Match(MatchError::NoRegistration { .. }) => Failure::new("no-registration", error.to_string()),

@@ -6,6 +6,7 @@ mod audit;
 mod backups;
 mod cli;
 mod contract;
+mod dashboard;
 mod deploy;
 mod docs;
 mod encryption;

@@ -5,7 +5,7 @@ import { useCallback, useEffect, useMemo, useRef, useState } from "preact/hooks"
 import { type Job, type JobState, STATES, type TracePoint, describe, get, query as queryOf, send } from "./api";
 import { age, duration, isFinal, mm, shortId, verdictWord, words } from "./format";
 import { followChanges, pause } from "./live";
-import { Badge, Bar, Failure, State, useNow, useWork } from "./parts";
+import { Badge, Bar, Failure, State, Typed, useNow, useWork } from "./parts";
 import { go } from "./router";
 
 /** What a row shows: of 100,000 jobs no more is kept. */
@@ -154,10 +154,10 @@ export function Jobs({ query }: { query: URLSearchParams }) {
           </select>
         </label>
         <label>
-          Label <input value={filters.label} placeholder="name:value" onChange={(e) => filter("label", e.currentTarget.value)} />
+          Label <Typed value={filters.label} placeholder="name:value" take={(text) => filter("label", text)} />
         </label>
         <label>
-          Reference <input value={filters.external_ref} onChange={(e) => filter("external_ref", e.currentTarget.value)} />
+          Reference <Typed value={filters.external_ref} take={(text) => filter("external_ref", text)} />
         </label>
         <label>
           Order{" "}
@@ -300,14 +300,14 @@ function Table({ rows, hasMore, more, renew, failed }: TableProps) {
                 <td>{row.started_at ? duration((row.finished_at ? Date.parse(row.finished_at) : now) - Date.parse(row.started_at)) : ""}</td>
                 <td>
                   {row.state === "queued" ? (
-                    <input
+                    <Typed
                       class="priority"
                       type="number"
                       min={-100}
                       max={100}
-                      value={row.priority}
+                      value={String(row.priority)}
                       aria-label={`Priority of job ${shortId(row.id)}, −100 to 100, higher first`}
-                      onChange={(e) => void setPriority(row.id, Number(e.currentTarget.value))}
+                      take={(text) => void setPriority(row.id, Number(text))}
                     />
                   ) : (
                     row.priority

@@ -2,7 +2,7 @@
 
 import { BufferAttribute, BufferGeometry, Matrix4, Vector3 } from "three";
 import { PLYLoader } from "three/examples/jsm/loaders/PLYLoader.js";
-import { ApiError, call, get, type Job, type Result } from "./api";
+import { call, get, type Job, type Result } from "./api";
 import { ofCategory } from "./colors";
 
 export interface Pair {
@@ -57,25 +57,18 @@ export function readPly(bytes: ArrayBuffer, columns: string[] = []): { geometry:
 }
 
 const MATCH = ["target", "confidence", "inlier", "spread_mm", "outlier", "triangle_0", "triangle_1", "triangle_2", "barycentric_0", "barycentric_1", "barycentric_2"];
-const BENT = ["displacement_x_mm", "displacement_y_mm", "displacement_z_mm", "residual_mm"];
-
 export async function loadPair(job: Job, signal: AbortSignal): Promise<{ pair: Pair; result: Result }> {
   const base = `v1/jobs/${job.id}`;
   const bytes = async (path: string) => (await call(`${base}/${path}`, { signal })).arrayBuffer();
-  const bent = bytes("warped?format=ply").catch((error: unknown) => {
-    if (error instanceof ApiError) return null; // Methods without a displacement field bend nothing.
-    throw error;
-  });
-  const [result, matched, target, warped] = await Promise.all([
+  const [result, matched, target] = await Promise.all([
     get<Result>(`${base}/result?correspondences=false`, signal),
     bytes("correspondences?format=ply"),
     bytes("surfaces/target?format=ply"),
-    bent,
   ]);
-  return { pair: makePair(result, matched, target, warped), result };
+  return { pair: makePair(result, matched, target), result };
 }
 
-export function makePair(result: Result, matched: ArrayBuffer, targetBytes: ArrayBuffer, warped: ArrayBuffer | null): Pair {
+export function makePair(result: Result, matched: ArrayBuffer, targetBytes: ArrayBuffer): Pair {
   const { geometry: source, rows } = readPly(matched, MATCH);
   const { geometry: target } = readPly(targetBytes);
   const n = source.getAttribute("position").count;
@@ -90,7 +83,6 @@ export function makePair(result: Result, matched: ArrayBuffer, targetBytes: Arra
   const images = new Float32Array(3 * n);
   const nearest = new Int32Array(n);
   const outlier = row("outlier");
-  const bends = warped === null ? {} : readPly(warped, BENT).rows;
   const columns: Columns = {
     confidence: new Float32Array(n),
     residual: new Float32Array(n),
@@ -98,7 +90,7 @@ export function makePair(result: Result, matched: ArrayBuffer, targetBytes: Arra
     spread: new Float32Array(n),
     outlier: new Float32Array(n),
   };
-  const moved = new Vector3();
+  const [moved, normal, normals] = [new Vector3(), new Vector3(), source.getAttribute("normal")];
   for (let v = 0; v < n; v++) {
     const isLost = outlier[v] === 4;
     for (let axis = 0; axis < 3; axis++) {
@@ -108,12 +100,12 @@ export function makePair(result: Result, matched: ArrayBuffer, targetBytes: Arra
     }
     nearest[v] = isLost ? -1 : (row("target")[v] ?? -1);
     moved.fromBufferAttribute(from, v).applyMatrix4(targetFromSource);
-    const rigid = Math.hypot(moved.x - images[3 * v]!, moved.y - images[3 * v + 1]!, moved.z - images[3 * v + 2]!);
-    const bend = ["x", "y", "z"].map((axis) => bends[`displacement_${axis}_mm`]?.[v]);
+    normal.fromBufferAttribute(normals, v).transformDirection(targetFromSource);
+    moved.set(images[3 * v]! - moved.x, images[3 * v + 1]! - moved.y, images[3 * v + 2]! - moved.z);
     columns.confidence[v] = isLost ? NaN : (row("confidence")[v] ?? NaN);
     columns.spread[v] = isLost ? NaN : (row("spread_mm")[v] ?? NaN);
-    columns.residual[v] = isLost ? NaN : (bends.residual_mm?.[v] ?? rigid);
-    columns.displacement[v] = isLost ? NaN : bend[0] === undefined ? rigid : Math.hypot(bend[0], bend[1] ?? 0, bend[2] ?? 0);
+    columns.residual[v] = isLost ? NaN : moved.length();
+    columns.displacement[v] = isLost ? NaN : moved.dot(normal);
     columns.outlier[v] = ofCategory(outlier[v] ?? 0);
   }
 

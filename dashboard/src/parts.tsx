@@ -182,6 +182,22 @@ export function Plot(props: PlotProps) {
   return <div class="plot" ref={box} role="img" aria-label={props.title} data-points={props.x.length} />;
 }
 
+/** An input whose text is taken when it is left or Enter is pressed; until then nothing changes it but its user. */
+export function Typed({ value, take, ...more }: { value: string; take: (text: string) => void } & Record<string, unknown>) {
+  const [text, setText] = useState<string | null>(null);
+  return (
+    <input
+      {...more}
+      value={text ?? value}
+      onInput={(e) => setText(e.currentTarget.value)}
+      onChange={(e) => {
+        setText(null);
+        take(e.currentTarget.value);
+      }}
+    />
+  );
+}
+
 export function Check({ label, checked, onChange }: { label: string; checked: boolean; onChange: (event: TargetedEvent<HTMLInputElement>) => void }) {
   return (
     <label class="check">

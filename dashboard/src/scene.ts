@@ -75,6 +75,7 @@ const VERTEX = /* glsl */ `
 // The colors of the map are those on the screen; light scales them, so that hue and saturation stay what they are.
 const FRAGMENT = /* glsl */ `
   uniform sampler2D map;
+  uniform float low;
   uniform float top;
   uniform float opacity;
   uniform bool byPlace;
@@ -91,8 +92,9 @@ const FRAGMENT = /* glsl */ `
   }
   void main() {
     if (dot(vPosed, section.xyz) > section.w) discard;
-    float at = byPlace ? vPlace.x : vValue / top;
-    vec3 color = at < -0.001 || !(at == at) ? vec3(0.62, 0.64, 0.66) : texture2D(map, vec2(clamp(at, 0.002, 0.998), 0.5)).rgb;
+    float at = byPlace ? vPlace.x : (vValue - low) / (top - low);
+    bool isKnown = byPlace ? vPlace.x > -0.001 : vValue > -1e8;
+    vec3 color = !isKnown ? vec3(0.62, 0.64, 0.66) : texture2D(map, vec2(clamp(at, 0.002, 0.998), 0.5)).rgb;
     if (grid && vPlace.x > -0.5) {
       float around = atan(vPlace.z, vPlace.y) * 1.2732395;
       float cut = abs(vPlace.z) < 1e-6 ? 0.0 : 1.0;
@@ -245,6 +247,7 @@ export class PairScene {
     geometry.setAttribute("value", new BufferAttribute(new Float32Array(geometry.getAttribute("position").count), 1));
     const uniforms = {
       map: { value: this.maps.viridis },
+      low: { value: 0 },
       top: { value: 1 },
       opacity: { value: 1 },
       byPlace: { value: true },
@@ -325,6 +328,7 @@ export class PairScene {
       uniforms.map!.value = map;
       uniforms.byPlace!.value = look.coloring === "correspondence";
       uniforms.grid!.value = look.grid && look.coloring === "correspondence";
+      uniforms.low!.value = look.coloring === "displacement" ? -look.top : 0;
       uniforms.top!.value = look.coloring === "outlier" ? 1 : Math.max(1e-9, look.top);
       if (look.coloring !== "correspondence") {
         const values = side === "source" ? pair.columns[look.coloring] : pair.onTarget[look.coloring];

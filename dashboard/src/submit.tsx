@@ -205,7 +205,7 @@ function Drop({ side, given, refusal, take }: DropProps) {
       {said && (
         <p class="failure" role="alert">
           <b>With default parameters it is refused:</b> {said}
-          {fault && " The place is marked."}
+          {fault && ". The place is marked."}
         </p>
       )}
       {mesh && !said && (

@@ -16,8 +16,8 @@ const COLORINGS: { name: Coloring; label: string; help: string; unit: string }[]
     unit: "",
   },
   { name: "confidence", label: "Confidence", help: "Probability that the corresponding point is right to within one edge of the target.", unit: "" },
-  { name: "residual", label: "Residual", help: "Distance from the bent source to the target.", unit: "mm" },
-  { name: "displacement", label: "Displacement", help: "How far the bent source is from the source moved rigidly.", unit: "mm" },
+  { name: "residual", label: "Residual", help: "Distance of each vertex, moved rigidly, from its corresponding point: how far the rest of the match has to bend the source.", unit: "mm" },
+  { name: "displacement", label: "Displacement", help: "The part of it along the outward normal: the target lies inside of the source where it is negative (dark), outside where it is positive (light).", unit: "mm" },
   { name: "spread", label: "Spread", help: "Expected error of the corresponding point.", unit: "mm" },
   { name: "outlier", label: "Outliers", help: "Vertices that do not follow the transform or their neighbors, and why.", unit: "" },
 ];
@@ -54,7 +54,7 @@ export function Viewer({ job, pair }: { job: Job; pair: Pair }) {
     opacity: 0.6,
   });
   const tops = useMemo(() => {
-    const top = (name: "residual" | "displacement" | "spread") => quantile(pair.columns[name], 0.95) || 1;
+    const top = (name: "residual" | "displacement" | "spread") => quantile(pair.columns[name].map(Math.abs), 0.95) || 1;
     return { correspondence: 1, confidence: 1, outlier: 1, residual: top("residual"), displacement: top("displacement"), spread: top("spread") };
   }, [pair]);
   const change = (part: Partial<Look>) =>
@@ -210,7 +210,7 @@ export function Viewer({ job, pair }: { job: Job; pair: Pair }) {
         ) : (
           <Scale
             map={look.map}
-            low={look.coloring === "correspondence" ? "one end of the target" : `0 ${coloring.unit}`}
+            low={look.coloring === "correspondence" ? "one end of the target" : look.coloring === "displacement" ? `≤ −${number(look.top, 2)} mm` : `0 ${coloring.unit}`}
             high={look.coloring === "correspondence" ? "the other end" : `${look.coloring === "confidence" ? "" : "≥ "}${number(look.top, 2)} ${coloring.unit}`}
             label={`Scale of ${words(look.coloring)}`}
           />

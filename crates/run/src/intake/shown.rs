@@ -32,13 +32,14 @@ pub fn shown_surface(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use homolog_contract::parameters::{Method, preset};
 
     /// A tetrahedron, one of whose faces looks inwards.
     const TURNED: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
 
     #[test]
     fn a_refused_surface_is_shown_as_it_is_in_the_file_with_the_place_of_its_fault() {
-        let parameters = InputParameters { repair: Some(Vec::new()), ..InputParameters::default() };
+        let parameters = InputParameters { repair: Some(Vec::new()), ..preset(Method::Balanced).input };
         let limits = IntakeLimits::default();
         let bytes = TURNED.as_bytes();
         let refusal = prepare_surface(bytes, Some("a.obj"), &parameters, &limits).unwrap_err();

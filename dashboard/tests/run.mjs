@@ -33,7 +33,8 @@ async function submit(base, [source, target], parameters = {}, more = {}) {
 }
 
 const finished = (base, id, ms = 180_000) => h.until(`job ${id}`, async () => {
-  const job = await json(base, `jobs/${id}`);
+  // A busy machine may close a connection between two requests; the next one is asked again.
+  const job = await json(base, `jobs/${id}`).catch((error) => (error instanceof TypeError ? { state: "running" } : Promise.reject(error)));
   return ["queued", "running"].includes(job.state) ? null : job;
 }, ms);
 

@@ -275,7 +275,7 @@ pub(crate) fn failure_document(failure: &Failure) -> ProblemDocument {
         errors: None,
         input: failure.input.clone(),
         topology: failure.topology.clone(),
-        place_mm: failure.place_mm,
+        place_mm: failure.place_mm.as_deref().copied(),
         state: None,
     }
 }

@@ -540,7 +540,7 @@ impl MeshDocument {
             Some(CheckOutcome::Unfit(refusal)) => {
                 document.suitable = Some(false);
                 let InputRefusal { code, detail, topology, place_mm } = refusal;
-                let failure = Failure { code, detail, input: None, topology, place_mm };
+                let failure = Failure { code, detail, input: None, topology, place_mm: place_mm.map(Box::new) };
                 document.problem = Some(failure_document(&failure));
             }
         }

@@ -103,7 +103,7 @@ pub struct Failure {
     pub topology: Option<Value>,
     /// Where the first fault of that surface is, mm, if it is at one place.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub place_mm: Option<[f64; 3]>,
+    pub place_mm: Option<Box<[f64; 3]>>,
 }
 
 impl Failure {

@@ -197,7 +197,7 @@ fn compute_error(error: RunError) -> ComputeError {
     ComputeError::Failed(match error {
         RunError::Input { side, error } => {
             let InputRefusal { code, detail, topology, place_mm } = refusal(&error);
-            Failure { code, detail, input: Some(side.name().to_owned()), topology, place_mm }
+            Failure { code, detail, input: Some(side.name().to_owned()), topology, place_mm: place_mm.map(Box::new) }
         }
         RunError::TooLarge { .. } => Failure::new("too-large", error.to_string()),
         RunError::Match(MatchError::NoRegistration { .. }) => Failure::new("no-registration", error.to_string()),

@@ -21,6 +21,7 @@ COPY Cargo.toml Cargo.lock build.rs ./
 COPY crates crates
 COPY src src
 COPY api api
+COPY dashboard/dist dashboard/dist
 # The build has no git checkout: the commit is passed in, or is "unknown".
 ARG HOMOLOG_COMMIT=""
 RUN cargo build --release --locked --bin homolog && mkdir /data

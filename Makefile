@@ -16,6 +16,8 @@
 # make build   target/release/homolog
 # make api     regenerate api/ and docs/parameters.md
 # make client  target/wheels: the Python package with this machine's program in it
+# make dashboard build the page of the dashboard, dashboard/dist, with node; make screenshots: the pictures in docs/dashboard,
+#              by the tests in a browser; TEST=batch: only the test of that name
 # make picture redraw docs/match.png
 # make experiment  measure every method and write a report that includes the newest accuracy table; DATA=dir: real label
 #              volumes in dir/hippocampus
@@ -32,7 +34,7 @@
 SHELL := /usr/bin/env bash
 .SHELLFLAGS := -eu -o pipefail -c
 .DEFAULT_GOAL := help
-.PHONY: help demo test faults fuzz soak memory check sbom advisories contract build api client picture experiment accuracy energies answers bench bench-service
+.PHONY: help demo test faults fuzz soak memory check sbom advisories contract build api client picture experiment accuracy energies answers bench bench-service dashboard screenshots
 
 CARGO ?= cargo
 SOURCE ?=
@@ -111,6 +113,15 @@ client: build
 	@scripts/setup client
 	mkdir -p target/wheels
 	scripts/wheel target/release/homolog target/wheels
+
+dashboard:
+	cd dashboard && npm ci --no-audit --no-fund && npm run build
+
+screenshots:
+	@scripts/setup test
+	$(CARGO) build --locked
+	cd dashboard && DASHBOARD_BINARY="$(or $(CARGO_TARGET_DIR),$(CURDIR)/target)/debug/homolog" DASHBOARD_SCREENSHOTS="$(CURDIR)/docs/dashboard" \
+	  node tests/run.mjs $(TEST)
 
 picture: build
 	[ -x target/picture-env/bin/python ] || python3 -m venv target/picture-env

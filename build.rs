@@ -1,9 +1,9 @@
 //! Tells the program which commit it was built from: `HOMOLOG_COMMIT` of the environment if set (container builds),
-//! else that of the checkout, else `unknown`. Works without git.
+//! else that of the checkout, else `unknown`. Works without git. Lists the files of the dashboard, which are built into it.
 
-use std::env;
 use std::path::Path;
 use std::process::Command;
+use std::{env, fs, io};
 
 fn main() {
     println!("cargo:rerun-if-changed=build.rs");
@@ -13,6 +13,26 @@ fn main() {
     let stated = env::var("HOMOLOG_COMMIT").ok().map(|c| c.trim().to_owned()).filter(|c| !c.is_empty());
     let commit = stated.or_else(checkout).unwrap_or_else(|| "unknown".to_owned());
     println!("cargo:rustc-env=HOMOLOG_COMMIT={commit}");
+    if let Err(error) = list_page_files() {
+        println!("cargo:warning=the dashboard in dashboard/dist cannot be built in: {error}");
+    }
+}
+
+/// Writes the table of the files in dashboard/dist, with their content, as Rust.
+fn list_page_files() -> io::Result<()> {
+    let folder = Path::new(&env::var("CARGO_MANIFEST_DIR").unwrap_or_default()).join("dashboard/dist");
+    println!("cargo:rerun-if-changed={}", folder.display());
+    let mut names = Vec::new();
+    for entry in fs::read_dir(&folder)? {
+        names.push(entry?.file_name().to_string_lossy().into_owned());
+    }
+    names.sort();
+    let mut table = "static FILES: &[PageFile] = &[\n".to_owned();
+    for name in names {
+        let path = folder.join(&name);
+        table += &format!("PageFile {{ name: {name:?}, bytes: include_bytes!({path:?}) }},\n");
+    }
+    fs::write(Path::new(&env::var("OUT_DIR").unwrap_or_default()).join("page_files.rs"), table + "];\n")
 }
 
 /// Commit of the checkout that this package is the root of; one around it is none of ours.

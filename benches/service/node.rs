@@ -162,6 +162,10 @@ impl Computation for ToldComputation {
         Ok(InputSummary { n_vertices: 3, n_faces: 1, report: json!({}) })
     }
 
+    fn show_input(&self, _: &InputBytes<'_>) -> Result<Vec<u8>, InputRefusal> {
+        Ok(Vec::new())
+    }
+
     fn compute(&self, _: &ComputeInputs, observer: &dyn Observer) -> Result<Answer, ComputeError> {
         let number = |key: &str| self.parameters.get(key).and_then(Value::as_u64).unwrap_or(0);
         observer.phase(Phase::Inference);

@@ -10,7 +10,7 @@ use axum::body::{Body, HttpBody};
 use axum::http::{HeaderMap, HeaderValue, Method, StatusCode, header};
 use axum::response::{IntoResponse, Response};
 use bytes::Bytes;
-use futures_util::StreamExt as _;
+use futures_util::StreamExt;
 use http_body::{Frame, SizeHint};
 use std::convert::Infallible;
 use std::ops::Range;
@@ -120,7 +120,7 @@ pub(super) fn streamed(
     range: Option<&Range<u64>>,
     stream: Option<BlobStream>,
 ) -> Response {
-    // Compression asks for more after the end.
+    // Compression asks once more after the end, at which a stream that is not fused may panic.
     let body = stream.map_or_else(Body::empty, |stream| Body::from_stream(stream.fuse()));
     let mut response = respond(headers, etag, content_type, body);
     let length = range.map_or(n_bytes, |range| range.end - range.start);
@@ -152,6 +152,20 @@ pub(super) async fn weaken_if_compressed(mut response: Response) -> Response {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use http_body_util::BodyExt;
+
+    #[tokio::test]
+    async fn a_streamed_answer_may_be_read_beyond_its_end() {
+        let pieces =
+            futures_util::stream::unfold(0, |k| async move { (k < 2).then(|| (Ok(Bytes::from_static(b"ab")), k + 1)) });
+        let response = streamed(&HeaderMap::new(), "\"e\"", "application/json", 4, None, Some(Box::pin(pieces)));
+        let mut body = response.into_body();
+        for _ in 0..2 {
+            assert_eq!(body.frame().await.unwrap().unwrap().into_data().unwrap(), "ab");
+        }
+        assert!(body.frame().await.is_none());
+        assert!(body.frame().await.is_none());
+    }
 
     #[test]
     fn ranges_are_parsed() {

@@ -23,6 +23,7 @@ const REQUESTS: &[(&str, &str, &str)] = &[
     ("submit_job", "application/json", file!("submission_by_reference.json")),
     ("submit_batch", "application/json", file!("batch_submission.json")),
     ("create_webhook", "application/json", file!("webhook_submission.json")),
+    ("update_job", "application/json", file!("job_change.json")),
     ("update_webhook", "application/json", file!("webhook_change.json")),
     ("create_key", "application/json", file!("key_submission.json")),
     ("create_ticket", "application/json", file!("ticket_submission.json")),
@@ -34,6 +35,7 @@ const ANSWERS: &[(&str, &str)] = &[
     ("submit_job", file!("job_queued.json")),
     ("list_jobs", file!("job_list.json")),
     ("get_job", file!("job_running.json")),
+    ("update_job", file!("job_queued.json")),
     ("cancel_job", file!("job_cancelled.json")),
     ("cancel_jobs", file!("bulk_cancel.json")),
     ("retry_job", file!("job_retry.json")),
@@ -160,7 +162,9 @@ fn typical(operation: &str, status: StatusCode) -> ProblemKind {
     match (operation, status) {
         ("get_method", StatusCode::NOT_FOUND) => ProblemKind::MethodNotFound,
         ("problem_type", StatusCode::NOT_FOUND) => ProblemKind::ProblemNotFound,
-        ("get_mesh" | "get_mesh_content" | "delete_mesh", StatusCode::NOT_FOUND) => ProblemKind::MeshNotFound,
+        ("get_mesh" | "get_mesh_content" | "get_mesh_surface" | "delete_mesh", StatusCode::NOT_FOUND) => {
+            ProblemKind::MeshNotFound
+        }
         ("get_batch" | "list_batch_jobs" | "cancel_batch", StatusCode::NOT_FOUND) => ProblemKind::BatchNotFound,
         (
             "get_webhook" | "update_webhook" | "delete_webhook" | "list_deliveries" | "test_webhook",
@@ -184,7 +188,9 @@ fn typical(operation: &str, status: StatusCode) -> ProblemKind {
         ("submit_job", StatusCode::BAD_REQUEST) => ProblemKind::MalformedMultipart,
         (_, StatusCode::BAD_REQUEST) => ProblemKind::InvalidQuery,
         (_, StatusCode::FORBIDDEN) => ProblemKind::HostNotAllowed,
-        ("cancel_job", StatusCode::CONFLICT) => ProblemKind::JobFinished,
+        ("cancel_job" | "update_job", StatusCode::CONFLICT) => ProblemKind::JobFinished,
+        ("get_mesh_surface", StatusCode::UNPROCESSABLE_ENTITY) => ProblemKind::EmptyStructure,
+        ("update_job", StatusCode::UNPROCESSABLE_ENTITY) => ProblemKind::InvalidRequest,
         ("delete_job", StatusCode::CONFLICT) => ProblemKind::JobActive,
         (_, StatusCode::CONFLICT) => ProblemKind::ResultNotReady,
         (_, StatusCode::PAYLOAD_TOO_LARGE) => ProblemKind::TooLarge,

@@ -3,7 +3,7 @@
 //! Reading order: [`mod@router`] (layers and routes), [`routes`] (one file for each resource), [`upload`] (bodies under
 //! limits; `shares` among clients, `pace` and `rate` of each), `strict_json`, [`wire`] (JSON forms), `accept` and `representation` (content negotiation), `content` (streams and ranges), `fields` (slim lists), `conditional` and `long_poll` (ETags
 //! and `?wait=`), [`problem`] (errors), [`context`] (request ids, spans, metrics), `audit` (what is recorded), `auth` (keys), `tokens` (of OpenID Connect) and `ticketed` (tickets), [`hosts`] (host validation) and `cors` (pages of other origins), [`server`]
-//! (connections); `fuzzed` is what fuzzing calls.
+//! (connections), `page` (the dashboard); `fuzzed` is what fuzzing calls.
 //!
 //! Invariant: every error answer is `application/problem+json`; an answer of 5xx hides its cause and carries the
 //! request id. Nothing here knows a store or how a match is computed.
@@ -24,6 +24,7 @@ mod hosts;
 mod long_poll;
 mod openapi;
 mod pace;
+mod page;
 mod preferences;
 mod problem;
 mod problem_table;

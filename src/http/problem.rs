@@ -63,6 +63,9 @@ pub(crate) struct ProblemDocument {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schema(value_type = Option<crate::jobs::documents::TopologyReport>)]
     pub(crate) topology: Option<Value>,
+    /// Where the first fault of the rejected surface is, mm: x, y and z in its coordinates; absent if it is at no one place.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) place_mm: Option<[f64; 3]>,
     /// State of the job, if that is the problem.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) state: Option<crate::jobs::JobState>,
@@ -221,6 +224,10 @@ impl From<SubmitError> for Problem {
                 let kind = ProblemKind::from_slug(&refusal.code).unwrap_or(ProblemKind::InvalidInput);
                 let error = FieldError::new(format!("/{input}"), &refusal.code, &refusal.detail);
                 let problem = Problem::new(kind).detail(refusal.detail).errors(&[error]).member("input", input.into());
+                let problem = match refusal.place_mm {
+                    Some(place) => problem.member("place_mm", serde_json::json!(place)),
+                    None => problem,
+                };
                 match refusal.topology {
                     Some(topology) => problem.member("topology", topology),
                     None => problem,
@@ -268,6 +275,7 @@ pub(crate) fn failure_document(failure: &Failure) -> ProblemDocument {
         errors: None,
         input: failure.input.clone(),
         topology: failure.topology.clone(),
+        place_mm: failure.place_mm.as_deref().copied(),
         state: None,
     }
 }

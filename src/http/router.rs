@@ -8,6 +8,7 @@ use super::head::check_head;
 use super::hosts::{AllowedHosts, check_host};
 use super::openapi::document;
 use super::pace::LeastRate;
+use super::page;
 use super::problem::{Problem, begin_to_count};
 use super::problem_table::ProblemKind;
 use super::rate::RequestRate;
@@ -253,7 +254,7 @@ pub fn probe_router(state: HttpState) -> Router {
 pub(super) fn api() -> OpenApiRouter<HttpState> {
     OpenApiRouter::with_openapi(document())
         .routes(routes!(routes::jobs::submit, routes::jobs::list))
-        .routes(routes!(routes::jobs::get, routes::jobs::delete))
+        .routes(routes!(routes::jobs::get, routes::jobs::update, routes::jobs::delete))
         .routes(routes!(routes::jobs::cancel_many))
         .routes(routes!(routes::jobs::cancel))
         .routes(routes!(routes::jobs::retry))
@@ -276,6 +277,7 @@ pub(super) fn api() -> OpenApiRouter<HttpState> {
         .routes(routes!(routes::meshes::upload, routes::meshes::list))
         .routes(routes!(routes::meshes::get, routes::meshes::delete))
         .routes(routes!(routes::meshes::content))
+        .routes(routes!(routes::meshes::surface))
         .routes(routes!(routes::webhooks::create, routes::webhooks::list))
         .routes(routes!(routes::webhooks::get, routes::webhooks::update, routes::webhooks::delete))
         .routes(routes!(routes::webhooks::deliveries))
@@ -310,6 +312,9 @@ pub fn router(state: HttpState) -> Router {
     begin_to_count();
     let (router, _) = api().split_for_parts();
     router
+        .route("/", get(page::index))
+        .route("/assets/{name}", get(page::asset))
+        .route("/phantoms/{name}", get(page::phantom))
         .route("/docs", get(routes::docs::leave))
         .route("/docs/", get(routes::docs::page))
         .route("/docs/{*path}", get(routes::docs::asset))

@@ -2,6 +2,7 @@
 
 use super::problem::{ProblemDocument, failure_document};
 use crate::jobs::documents::{InputReport, MatchParameters, ResultDocument, SurfaceDistanceDocument, UnreliableReason};
+use crate::jobs::engine::InputRefusal;
 use crate::jobs::mesh::content_id;
 use crate::jobs::{
     Batch, Change, ChangePage, CheckOutcome, Failure, InputSummary, Job, JobInput, JobPage, JobState, Mesh,
@@ -90,6 +91,9 @@ pub(crate) struct JobDocument {
     pub(crate) batch_id: Option<String>,
     /// Whether it was cancelled, also while its worker has not stopped yet.
     pub(crate) cancel_requested: bool,
+    /// The process that runs it, only while it runs: a random name, another one after each start.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) worker: Option<String>,
     /// Whether it has the result of an earlier, equal job.
     pub(crate) cached: bool,
     /// Whether its answer can be relied on. `null` until it has succeeded, for methods that fit no displacement field, and
@@ -509,6 +513,7 @@ impl From<&Job> for JobDocument {
             retry_of: job.retry_of.map(|id| id.to_string()),
             batch_id: job.batch_id.map(|id| id.to_string()),
             cancel_requested: job.cancel_requested,
+            worker: job.worker.clone(),
             cached: job.cached,
             reliable: job.verdict.as_ref().and_then(|verdict| verdict.reliable),
             unreliable_reasons: job.verdict.as_ref().map(|verdict| verdict.reasons.clone()),
@@ -585,8 +590,8 @@ impl MeshDocument {
             }
             Some(CheckOutcome::Unfit(refusal)) => {
                 document.suitable = Some(false);
-                let failure =
-                    Failure { code: refusal.code, detail: refusal.detail, input: None, topology: refusal.topology };
+                let InputRefusal { code, detail, topology, place_mm } = refusal;
+                let failure = Failure { code, detail, input: None, topology, place_mm: place_mm.map(Box::new) };
                 document.problem = Some(failure_document(&failure));
             }
         }

@@ -40,7 +40,7 @@ pub trait Engine: Send + Sync {
     /// If the engine takes one file only.
     fn join_instances(&self, instances: Vec<Bytes>) -> Result<Bytes, InputRefusal> {
         let detail = format!("one file is taken, not {}", instances.len());
-        Err(InputRefusal { code: "unknown-format".to_owned(), detail, topology: None })
+        Err(InputRefusal { code: "unknown-format".to_owned(), detail, topology: None, place_mm: None })
     }
 
     /// A part of a result in another format than the stored one, from its stored blobs in the order in which the part
@@ -62,6 +62,13 @@ pub trait Computation: Debug + Send + Sync {
     /// # Errors
     /// Why it cannot.
     fn check_input(&self, input: &InputBytes<'_>) -> Result<InputSummary, InputRefusal>;
+
+    /// The surface of an input as binary PLY, mm; of one that is refused, the surface as it is in the file. May take seconds;
+    /// called on a blocking thread.
+    ///
+    /// # Errors
+    /// Why there is no surface.
+    fn show_input(&self, input: &InputBytes<'_>) -> Result<Vec<u8>, InputRefusal>;
 
     /// Checks whether two inputs, each of which has passed its own check, can be matched within the limits. Quick.
     ///
@@ -159,6 +166,9 @@ pub struct InputRefusal {
     pub detail: String,
     /// Topology of the refused surface.
     pub topology: Option<Value>,
+    /// Where the first fault is, mm, if it is at one place.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub place_mm: Option<[f64; 3]>,
 }
 
 /// The two files of a job.

@@ -101,12 +101,15 @@ pub struct Failure {
     /// Topology of the refused surface.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub topology: Option<Value>,
+    /// Where the first fault of that surface is, mm, if it is at one place.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub place_mm: Option<Box<[f64; 3]>>,
 }
 
 impl Failure {
     /// A failure that is not caused by a single input.
     pub fn new(code: &str, detail: impl Into<String>) -> Self {
-        Failure { code: code.to_owned(), detail: detail.into(), input: None, topology: None }
+        Failure { code: code.to_owned(), detail: detail.into(), input: None, topology: None, place_mm: None }
     }
 }
 
@@ -176,6 +179,8 @@ pub struct Job {
     pub traceparent: Option<String>,
     /// Incremented at every claim; fences everything that a worker writes.
     pub lease_epoch: u64,
+    /// The worker that runs it, only while it does.
+    pub worker: Option<String>,
     /// The database's clock when this was read.
     pub read_at: Timestamp,
 }
@@ -201,6 +206,7 @@ impl Job {
             verdict: None,
             purged_at: None,
             lease_epoch: 0,
+            worker: None,
             ..self.clone()
         }
     }

@@ -224,6 +224,9 @@ pub trait JobWriter: Send + Sync {
     /// ended otherwise.
     async fn cancel_job(&self, tenant: &Tenant, id: JobId) -> Result<Job, JobError>;
 
+    /// Sets the priority of a job that has not ended. [`JobError::AlreadyFinal`] for one that has.
+    async fn set_priority(&self, tenant: &Tenant, id: JobId, priority: i32) -> Result<Job, JobError>;
+
     /// Removes a finished job, its trace and its references to blobs. [`JobError::StillActive`] before it has finished.
     async fn delete_job(&self, tenant: &Tenant, id: JobId) -> Result<(), JobError>;
 }

@@ -321,6 +321,14 @@ impl JobService {
         self.stores.jobs.cancel_job(tenant, id).await
     }
 
+    /// Sets the priority of a job that has not ended.
+    ///
+    /// # Errors
+    /// [`JobError::AlreadyFinal`] if it has.
+    pub async fn set_priority(&self, tenant: &Tenant, id: JobId, priority: i32) -> Result<Job, JobError> {
+        self.stores.jobs.set_priority(tenant, id, priority).await
+    }
+
     /// Deletes a finished job with its trace, and its blobs unless other jobs refer to them.
     ///
     /// # Errors

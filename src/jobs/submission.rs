@@ -320,6 +320,7 @@ impl JobService {
                             code: "mesh-not-found".to_owned(),
                             detail: "no such mesh".to_owned(),
                             topology: None,
+                            place_mm: None,
                         }),
                         Err(error) => return Err(error),
                     };

@@ -157,6 +157,29 @@ impl JobService {
         Ok(found)
     }
 
+    /// The surface of an upload as binary PLY, mm: the one that a job with default parameters would match, or, of a mesh that
+    /// would be refused, the one in the file.
+    ///
+    /// # Errors
+    /// [`SubmitError::Input`] if there is no surface; [`SubmitError::Busy`], and those of the stores.
+    pub async fn mesh_surface(&self, mesh: &Mesh) -> Result<Vec<u8>, SubmitError> {
+        let resolved = self.engine.resolve(&Value::Object(serde_json::Map::new())).map_err(SubmitError::Parameters)?;
+        let bytes = self.mesh_content(mesh).await?;
+        let permit = tokio::time::timeout(self.limits.max_check_wait, Arc::clone(&self.checks).acquire_owned());
+        let Ok(Ok(permit)) = permit.await else { return Err(SubmitError::Busy) };
+        let name_hint = mesh.name_hint.clone();
+        let made = tokio::task::spawn_blocking(move || {
+            let _permit = permit; // released when the surface is made, even if its request has ended
+            let input = InputBytes { bytes: &bytes, name_hint: name_hint.as_deref(), is_target: false };
+            resolved.computation.show_input(&input)
+        });
+        match made.await {
+            Ok(Ok(surface)) => Ok(surface),
+            Ok(Err(refusal)) => Err(SubmitError::Input { input: "mesh", refusal }),
+            Err(_) => Err(SubmitError::CheckFailed { input: "mesh" }),
+        }
+    }
+
     /// Checks a file on a blocking thread.
     pub(super) async fn inspect(
         &self,

@@ -14,7 +14,7 @@ use homolog_formats::ply::write_ply;
 use homolog_formats::write_zip;
 use homolog_matching::MatchError;
 use homolog_primitives::observe::Observer;
-use homolog_run::intake::{IntakeError, IntakeLimits, prepare_surface};
+use homolog_run::intake::{IntakeError, IntakeLimits, prepare_surface, shown_surface};
 use homolog_run::{InputFile, RunError, RunOutput, SurfaceCache, check_size, run_match_with};
 use serde_json::Value;
 use std::sync::Arc;
@@ -60,6 +60,7 @@ impl Engine for MatchEngine {
             code: "too-large".to_owned(),
             detail: "the instances are too many or too large for one series; send those of one segmentation".to_owned(),
             topology: None,
+            place_mm: None,
         })
     }
 
@@ -134,6 +135,14 @@ impl Computation for Match {
         })
     }
 
+    fn show_input(&self, input: &InputBytes<'_>) -> Result<Vec<u8>, InputRefusal> {
+        let name = input.name_hint.map(file_name);
+        let parameters = &self.parameters.input;
+        let parameters = if input.is_target { parameters.of_target() } else { parameters.of_source() };
+        let surface = shown_surface(input.bytes, name.as_deref(), &parameters, &self.shared.limits);
+        surface.map(|mesh| write_ply(&mesh)).map_err(|error| refusal(&error))
+    }
+
     fn check_pair(&self, source: &InputSummary, target: &InputSummary) -> Result<(), InputRefusal> {
         let source = (source.n_vertices as usize, source.n_faces as usize);
         let checked = check_size(source, target.n_vertices as usize, &self.parameters, &self.shared.limits);
@@ -141,6 +150,7 @@ impl Computation for Match {
             code: "too-large".to_owned(),
             detail: error.to_string(),
             topology: None,
+            place_mm: None,
         })
     }
 
@@ -188,6 +198,7 @@ fn refusal(error: &IntakeError) -> InputRefusal {
         code: error.code().to_owned(),
         detail: error.to_string(),
         topology: error.topology().and_then(|report| serde_json::to_value(report).ok()),
+        place_mm: error.place_mm(),
     }
 }
 
@@ -197,8 +208,8 @@ fn compute_error(error: RunError) -> ComputeError {
     }
     ComputeError::Failed(match error {
         RunError::Input { side, error } => {
-            let InputRefusal { code, detail, topology } = refusal(&error);
-            Failure { code, detail, input: Some(side.name().to_owned()), topology }
+            let InputRefusal { code, detail, topology, place_mm } = refusal(&error);
+            Failure { code, detail, input: Some(side.name().to_owned()), topology, place_mm: place_mm.map(Box::new) }
         }
         RunError::TooLarge { .. } => Failure::new("too-large", error.to_string()),
         RunError::Match(MatchError::NoRegistration { .. }) => Failure::new("no-registration", error.to_string()),

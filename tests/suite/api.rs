@@ -304,7 +304,7 @@ async fn faults_in_a_submission_name_their_field() {
 #[tokio::test]
 async fn every_invalid_request_is_answered_with_a_problem() {
     let service = TestService::start(&[]).await;
-    for path in ["/", "/nope", "/v1", "/v1/jobs/", "/v1/nope", "/v1/jobs/x/y/z"] {
+    for path in ["/assets/nope.js", "/nope", "/v1", "/v1/jobs/", "/v1/nope", "/v1/jobs/x/y/z"] {
         problem(service.get(path).await, 404, "route-not-found").await;
     }
     for id in ["x", "00000000-0000-0000-0000-000000000000", "%F0%9F%92%A9", "'; drop table jobs; --"] {

@@ -114,9 +114,14 @@ impl Computation for Obedience {
                 code: "unsuitable-surface".to_owned(),
                 detail: "two pieces".to_owned(),
                 topology,
+                place_mm: Some([1.0, 2.0, 3.0]),
             });
         }
         Ok(InputSummary { n_vertices: 3, n_faces: 1, report: json!({"hint": input.name_hint}) })
+    }
+
+    fn show_input(&self, input: &InputBytes<'_>) -> Result<Vec<u8>, InputRefusal> {
+        Ok([b"surface of ", input.bytes].concat())
     }
 
     fn demand(&self, _: SurfaceSize, _: SurfaceSize) -> Demand {

@@ -9,6 +9,7 @@ mod cli;
 mod clients;
 mod command_line;
 mod contract;
+mod dashboard;
 mod deploy;
 mod dicom;
 mod docs;

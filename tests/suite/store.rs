@@ -320,6 +320,22 @@ async fn progress_never_decreases_within_an_attempt(f: Fixture) {
     }
 }
 
+async fn a_changed_priority_changes_the_order_of_the_queue(f: Fixture) {
+    let [first, second] = [f.add(0).await, f.add(0).await];
+    let changed = f.store.set_priority(&f.tenant, second.id, 5).await.unwrap();
+    assert_eq!((changed.id, changed.priority), (second.id, 5));
+    let other = Tenant::new("other").unwrap();
+    assert!(matches!(f.store.set_priority(&other, second.id, 9).await, Err(JobError::NotFound)));
+    let lease = f.claim(LONG).await;
+    assert_eq!(lease.job_id, second.id);
+    let running = f.store.get_job(&f.tenant, second.id).await.unwrap();
+    assert_eq!(running.worker.as_deref(), Some(f.worker.name()));
+    f.store.finish_job(&lease, &result('c'), None).await.unwrap();
+    assert!(matches!(f.store.set_priority(&f.tenant, second.id, 1).await, Err(JobError::AlreadyFinal { .. })));
+    assert_eq!(f.store.get_job(&f.tenant, second.id).await.unwrap().worker, None);
+    assert_eq!(f.claim(LONG).await.job_id, first.id);
+}
+
 async fn cancellation_leads_to_exactly_one_final_state_from_every_state(f: Fixture) {
     let queued = f.add(9).await;
     assert_eq!(f.store.cancel_job(&f.tenant, queued.id).await.unwrap().state, JobState::Cancelled);
@@ -494,6 +510,7 @@ on_every_store! {
     a_shutdown_does_not_count_as_an_attempt,
     readers_of_a_trace_see_every_point_once,
     progress_never_decreases_within_an_attempt,
+    a_changed_priority_changes_the_order_of_the_queue,
     cancellation_leads_to_exactly_one_final_state_from_every_state,
     the_queue_has_a_limit,
     other_tenants_see_nothing,

@@ -160,6 +160,21 @@ fn narrowest(genus: u32, tunnel: Option<Tunnel>) -> String {
 }
 
 impl SurfaceFault {
+    /// Where it is first found, mm; `None` for a fault of the whole surface.
+    pub fn place_mm(&self) -> Option<[f64; 3]> {
+        match self {
+            SurfaceFault::NonManifoldEdge { place_mm, .. }
+            | SurfaceFault::Boundary { place_mm, .. }
+            | SurfaceFault::NonManifoldVertex { place_mm, .. }
+            | SurfaceFault::Misoriented { place_mm, .. }
+            | SurfaceFault::Pieces { place_mm, .. } => Some(*place_mm),
+            SurfaceFault::Genus { .. }
+            | SurfaceFault::NoArea { .. }
+            | SurfaceFault::NoVolume { .. }
+            | SurfaceFault::InsideOut { .. } => None,
+        }
+    }
+
     /// The same fault, of a mesh with this `numbering`, in terms of the vertices of the original mesh.
     pub fn renumbered(mut self, numbering: &Numbering) -> Self {
         let name = |v: &mut u32| *v = numbering.original(*v);

@@ -79,8 +79,13 @@ pub(super) fn run(args: &DemoArgs) -> Result<(), CliError> {
     note(&format!("the service listens on {url}"));
     let client = ServiceClient::new(&url, REQUEST_TIMEOUT);
     let shown = match_over_http(&client, &mut service, [&source, &target], recipe, &folder, &interrupt);
-    if shown.is_ok() && args.keep {
-        print(&format!("\nthe service runs on {url} (data in {}); Ctrl-C stops it", data_dir.display()))?;
+    if let Ok(job) = &shown
+        && args.keep
+    {
+        print(&format!(
+            "\nthe service runs (data in {}); Ctrl-C stops it\nthe match in 3D: {url}/#/jobs/{job}",
+            data_dir.display()
+        ))?;
         while !interrupt.is_set() {
             service.check_running()?;
             std::thread::sleep(POLL_EVERY);
@@ -91,9 +96,10 @@ pub(super) fn run(args: &DemoArgs) -> Result<(), CliError> {
     if !args.keep {
         let _ = std::fs::remove_dir_all(&data_dir);
     }
-    shown
+    shown.map(drop)
 }
 
+/// Submits the pair and shows and saves its result; returns the id of the job.
 fn match_over_http(
     client: &ServiceClient,
     service: &mut ServiceProcess,
@@ -101,7 +107,7 @@ fn match_over_http(
     recipe: Option<&PairRecipe>,
     folder: &OutputFolder,
     interrupt: &Interrupt,
-) -> Result<(), CliError> {
+) -> Result<String, CliError> {
     let limits = IntakeLimits::default();
     let source_bytes = read_input(source, &limits)?;
     let target_bytes = read_input(target, &limits)?;
@@ -126,7 +132,7 @@ fn match_over_http(
         folder.write(name, &content)?;
         print(&format!("  {name:<22}{programs}"))?;
     }
-    Ok(())
+    Ok(job)
 }
 
 /// What the demo downloads: name of the file, link of the result, format, and which programs open it.

@@ -1,11 +1,11 @@
 //! `/v1/jobs`: submit, list, get, cancel, retry, delete.
 
-use super::{batch_id, job_id, page};
+use super::{batch_id, job_id, page, small_json};
 use crate::http::auth::{Reader, Submitter};
 use crate::http::fields::Fields;
 use crate::http::long_poll::{MAX_WAIT_S, Resource, Snapshot, Version, answer, wait_of};
 use crate::http::preferences::{idempotency_key, marked, traceparent, wanted_wait};
-use crate::http::problem::{Problem, ProblemDocument};
+use crate::http::problem::{FieldError, Problem, ProblemDocument};
 use crate::http::problem_table::ProblemKind;
 use crate::http::query::QueryString;
 use crate::http::router::{HttpState, IN_MEMORY};
@@ -22,12 +22,13 @@ use axum::Json;
 use axum::extract::{Path, Request, State};
 use axum::http::{HeaderMap, StatusCode, header};
 use axum::response::{IntoResponse, Response};
+use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use std::sync::Arc;
 use std::time::Duration;
 use utoipa::openapi::Required;
 use utoipa::openapi::path::{Parameter, ParameterBuilder, ParameterIn};
-use utoipa::{IntoParams, PartialSchema};
+use utoipa::{IntoParams, PartialSchema, ToSchema};
 
 /// Submit a job
 ///
@@ -390,6 +391,47 @@ fn version(mut document: JobDocument) -> Result<Version, Problem> {
     document.energy_latest = None;
     document.queue_position = None;
     Version::of(&document, &progress)
+}
+
+/// Changes to a job.
+#[derive(Debug, Clone, Deserialize, Serialize, ToSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct JobChangeDocument {
+    /// Jobs with a higher priority run first.
+    #[schema(minimum = -100, maximum = 100)]
+    pub(crate) priority: i32,
+}
+
+/// Change the priority of a job
+///
+/// Takes effect while the job is queued; one that runs already goes on.
+#[utoipa::path(
+    patch, path = "/v1/jobs/{id}", tag = "jobs", operation_id = "update_job",
+    params(("id" = String, Path, description = "The job")),
+    request_body = JobChangeDocument,
+    responses(
+        (status = 200, description = "Changed", body = JobDocument),
+        (status = 400, description = "The body is malformed", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 404, description = "No such job", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 409, description = "The job is finished", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 415, description = "Not JSON", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 422, description = "Invalid fields", body = ProblemDocument, content_type = "application/problem+json"),
+    )
+)]
+pub(crate) async fn update(
+    State(state): State<HttpState>,
+    Submitter(tenant): Submitter,
+    Path(id): Path<String>,
+    query: QueryString,
+    request: Request,
+) -> Result<Json<JobDocument>, Problem> {
+    let JobChangeDocument { priority } = small_json(&state, &tenant, request, query).await?;
+    if !(-100..=100).contains(&priority) {
+        let fault = FieldError::new("/priority", "out_of_range", "must be an integer from -100 to 100");
+        return Err(Problem::new(ProblemKind::InvalidRequest).errors(&[fault]));
+    }
+    let job = state.service.set_priority(&tenant, job_id(&id)?, priority).await?;
+    Ok(Json(JobDocument::from(&job)))
 }
 
 /// Cancel a job

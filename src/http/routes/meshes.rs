@@ -3,7 +3,7 @@
 use super::{DEFAULT_PAGE, MAX_PAGE};
 use crate::http::auth::{Reader, Submitter};
 use crate::http::conditional::{is_fresh, not_modified, respond};
-use crate::http::content::{Wanted, streamed, wanted};
+use crate::http::content::{Counted, Wanted, streamed, wanted};
 use crate::http::problem::{Problem, ProblemDocument};
 use crate::http::problem_table::ProblemKind;
 use crate::http::query::QueryString;
@@ -16,6 +16,7 @@ use crate::jobs::mesh::{content_id, hash_of_id};
 use crate::jobs::uploads::Upload;
 use crate::jobs::{Mesh, Tenant};
 use axum::Json;
+use axum::body::Body;
 use axum::extract::multipart::MultipartError;
 use axum::extract::{FromRequest, Multipart, Path, Request, State};
 use axum::http::{HeaderMap, Method, StatusCode, header};
@@ -284,6 +285,43 @@ pub(crate) async fn content(
     };
     let stream = if with_body { Some(state.service.open_mesh(&mesh, range.clone()).await?) } else { None };
     Ok(streamed(&headers, &etag, "application/octet-stream", mesh.n_bytes, range.as_ref(), stream))
+}
+
+/// Get the surface of an upload
+///
+/// What there is to look at before a job is submitted: the surface that would be matched with default parameters, made from
+/// the labels of a volume or repaired as far as is harmless. Of a mesh that cannot be matched, the surface as it is in the
+/// file, on which `problem.place_mm` of the upload names the place of the first fault.
+#[utoipa::path(
+    get, path = "/v1/meshes/{id}/surface", tag = "meshes", operation_id = "get_mesh_surface",
+    params(
+        ("id" = String, Path, description = "`blake3:` and 64 hexadecimal digits"),
+        ("If-None-Match" = Option<String>, Header, description = "ETag of an earlier answer"),
+    ),
+    responses(
+        (status = 200, description = "The surface as binary PLY, mm", content_type = "model/ply", body = Vec<u8>, headers(("ETag" = String, description = "Pass it as `If-None-Match`"))),
+        (status = 304, description = "Not modified since the version that `If-None-Match` names"),
+        (status = 404, description = "No such mesh", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 422, description = "There is no surface: the file cannot be read, or no structure is labeled", body = ProblemDocument, content_type = "application/problem+json"),
+    )
+)]
+pub(crate) async fn surface(
+    State(state): State<HttpState>,
+    Reader(tenant): Reader,
+    Path(id): Path<String>,
+    origin: Origin,
+    headers: HeaderMap,
+    query: QueryString,
+) -> Result<Response, Problem> {
+    query.finish()?;
+    let mesh = state.service.mesh(&tenant, hash(&id)?).await?;
+    let etag = format!("\"{}-{}-surface\"", &mesh.key.hash()[..32], env!("CARGO_PKG_VERSION"));
+    if is_fresh(&headers, &etag) {
+        return Ok(not_modified(&etag));
+    }
+    let bytes = state.service.mesh_surface(&mesh).await?;
+    let memory = state.answer_memory(&tenant, origin, bytes.len()).await?;
+    Ok(respond(&headers, &etag, "model/ply", Body::new(Counted::new(bytes.into(), memory))))
 }
 
 /// Delete an upload

@@ -23,10 +23,12 @@ pub(super) fn job(row: &Row) -> Result<Job, JobError> {
     };
     let error: Option<String> = row.get("error")?;
     let verdict: Option<String> = row.get("verdict")?;
+    let state = state(&row.get::<String>("state")?)?;
+    let worker: Option<String> = row.get("worker_id")?;
     Ok(Job {
         id: job_id(&row.get::<String>("id")?)?,
         tenant: tenant(&row.get::<String>("tenant")?)?,
-        state: state(&row.get::<String>("state")?)?,
+        state,
         method: row.get("method")?,
         method_version: row.get("method_version")?,
         parameters: json("a job's parameters", &row.get::<String>("parameters")?)?,
@@ -55,6 +57,7 @@ pub(super) fn job(row: &Row) -> Result<Job, JobError> {
         purged_at: maybe_time(row, "purged_at")?,
         traceparent: row.get("traceparent")?,
         lease_epoch: row.get::<i64>("lease_epoch")?.unsigned_abs(),
+        worker: worker.filter(|_| state == JobState::Running),
         read_at: time(row.get("read_at")?)?,
     })
 }

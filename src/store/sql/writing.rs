@@ -159,6 +159,19 @@ impl JobWriter for SqlStore {
             .await
     }
 
+    async fn set_priority(&self, tenant: &Tenant, id: JobId, priority: i32) -> Result<Job, JobError> {
+        self.database
+            .transaction(async |session| {
+                let state = lock_job(session, tenant, id).await?;
+                if state.is_final() {
+                    return Err(JobError::AlreadyFinal { state });
+                }
+                session.execute(sql!("set_priority"), bind![id, i64::from(priority)]).await?;
+                get_job(session, tenant, id).await
+            })
+            .await
+    }
+
     async fn delete_job(&self, tenant: &Tenant, id: JobId) -> Result<(), JobError> {
         self.database
             .transaction(async |session| {

@@ -188,6 +188,15 @@ impl IntakeError {
         }
     }
 
+    /// Where the first fault of the refused surface is, mm, if it is at one place.
+    pub fn place_mm(&self) -> Option<[f64; 3]> {
+        match self {
+            IntakeError::DegenerateFaces { place_mm, .. } => Some(*place_mm),
+            IntakeError::UnsuitableSurface { fault, .. } => fault.place_mm(),
+            _ => None,
+        }
+    }
+
     /// The topology of the refused surface, if there was a surface.
     pub fn topology(&self) -> Option<&TopologyReport> {
         match self {

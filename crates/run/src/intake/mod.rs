@@ -1,17 +1,20 @@
 //! From the bytes of an uploaded file to a surface that can be matched, or a refusal that says what is wrong and where.
 //!
 //! [`prepare_surface`] reads the file, makes a surface, repairs it as far as the parameters allow and checks the result;
-//! [`inspect`] does the same and reports what it found instead of refusing. Neither repeats the file's name or text from
+//! [`inspect`] does the same and reports what it found instead of refusing, and
+//! [`shown_surface`] is what a person looks at, also of a refused file. Neither repeats the file's name or text from
 //! the file: both may name a patient.
 
 mod candidate;
 mod error;
 mod inspection;
+mod shown;
 mod split;
 
 pub use error::{Advice, IntakeError};
 pub use homolog_contract::input::{InputFormat, InputKind, InputReport, Inspection};
 pub use inspection::inspect;
+pub use shown::shown_surface;
 
 use crate::whole::Dropped;
 use candidate::Candidate;

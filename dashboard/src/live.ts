@@ -1,0 +1,142 @@
+// What keeps the page up to date: the events of one job, and the changes of all jobs.
+
+import { EventSourceParserStream } from "eventsource-parser/stream";
+import { ApiError, call, get, type Job, type JobState, type TracePoint } from "./api";
+
+export interface Follower {
+  job(job: Job): void;
+  trace(points: TracePoint[]): void;
+  progress(progress: NonNullable<Job["progress"]>): void;
+  /** Whether events arrive. */
+  connected(is: boolean): void;
+  failed(error: unknown): void;
+}
+
+export const pause = (ms: number, signal: AbortSignal): Promise<void> =>
+  new Promise((resolve) => {
+    const timer = setTimeout(resolve, ms);
+    signal.addEventListener("abort", () => (clearTimeout(timer), resolve()), { once: true });
+  });
+
+/** Longest silence of a stream: the service sends a comment every 15 s. */
+const SILENCE_MS = 40_000;
+
+/**
+ * Follows a job by its events until it ends. An `EventSource` could send no key, so the stream is read here; after a loss of
+ * the connection it goes on behind the last event that arrived, so that no point of the trace is lost or repeated.
+ */
+export async function follow(id: string, to: Follower, signal: AbortSignal): Promise<void> {
+  let last: string | undefined;
+  let seen = 0;
+  let wait = 500;
+  while (!signal.aborted) {
+    const attempt = new AbortController();
+    const stop = () => attempt.abort();
+    signal.addEventListener("abort", stop, { once: true });
+    let silence = 0;
+    try {
+      const headers: HeadersInit = { accept: "text/event-stream" };
+      if (last !== undefined) headers["last-event-id"] = last;
+      const response = await call(`v1/jobs/${id}/events`, { headers, signal: attempt.signal, cache: "no-store" });
+      if (response.status === 204 || response.body === null) return;
+      to.connected(true);
+      wait = 500;
+      const watch = () => {
+        clearTimeout(silence);
+        silence = window.setTimeout(stop, SILENCE_MS);
+      };
+      const heard = new TransformStream<Uint8Array, Uint8Array>({
+        transform(chunk, controller) {
+          watch();
+          controller.enqueue(chunk);
+        },
+      });
+      const decoder = new TextDecoderStream() as unknown as ReadableWritablePair<string, Uint8Array>;
+      const events = response.body.pipeThrough(heard).pipeThrough(decoder).pipeThrough(new EventSourceParserStream());
+      const reader = events.getReader();
+      for (;;) {
+        const { done, value } = await reader.read();
+        if (done) break;
+        if (value.id !== undefined) last = value.id;
+        const data = JSON.parse(value.data);
+        if (value.event === "trace") {
+          const point = data as TracePoint;
+          if (point.seq > seen) {
+            seen = point.seq;
+            to.trace([point]);
+          }
+        } else if (value.event === "progress") {
+          to.progress(data.progress ?? data);
+        } else {
+          to.job(data as Job);
+          if (value.event === "done") return;
+        }
+      }
+    } catch (error) {
+      if (signal.aborted) return;
+      if (error instanceof ApiError && error.problem.status < 500 && error.problem.status !== 429) {
+        to.failed(error);
+        return;
+      }
+    } finally {
+      clearTimeout(silence);
+      signal.removeEventListener("abort", stop);
+    }
+    to.connected(false);
+    await pause(wait, signal);
+    wait = Math.min(wait * 2, 8_000);
+  }
+}
+
+export interface Change {
+  seq: number;
+  job_id: string;
+  batch_id?: string;
+  state: JobState;
+}
+
+interface Changes {
+  changes: Change[];
+  next_since: number;
+}
+
+/** Tells of every change of a job's state, by long polls. */
+export async function followChanges(
+  told: (changes: Change[]) => void,
+  connected: (is: boolean) => void,
+  signal: AbortSignal,
+): Promise<void> {
+  let since: number | undefined;
+  let wait = 500;
+  while (!signal.aborted) {
+    try {
+      if (since === undefined) since = await latestChange(signal);
+      const page: Changes = await get<Changes>(`v1/changes?since=${since}&wait=20`, signal);
+      connected(true);
+      wait = 500;
+      since = page.next_since;
+      if (page.changes.length > 0) told(page.changes);
+    } catch (error) {
+      if (signal.aborted) return;
+      connected(false);
+      if (error instanceof ApiError && error.problem.status === 401) return;
+      // Changes that were missed are not counted up: the lists are read anew.
+      await pause(wait, signal);
+      wait = Math.min(wait * 2, 8_000);
+    }
+  }
+}
+
+/** The number of the last change: found by halving, since the feed is read from its beginning only. */
+async function latestChange(signal: AbortSignal): Promise<number> {
+  const isAfter = async (since: number): Promise<boolean> =>
+    (await get<Changes>(`v1/changes?since=${since}&limit=1`, signal)).changes.length > 0;
+  let [low, high] = [0, 1];
+  while (await isAfter(high)) [low, high] = [high, high * 4];
+  while (high - low > 1) {
+    const middle = Math.floor((low + high) / 2);
+    if (await isAfter(middle)) low = middle;
+    else high = middle;
+  }
+  return high;
+}

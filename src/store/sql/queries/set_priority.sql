@@ -1,0 +1,2 @@
+-- set_priority
+UPDATE jobs SET priority = $2 WHERE id = $1

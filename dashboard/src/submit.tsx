@@ -22,6 +22,7 @@ const LONGEST_PREVIEW_BYTES = 128 << 20;
 export function Submit() {
   const [given, setGiven] = useState<Record<Side, Given | null>>({ source: null, target: null });
   const [methods, setMethods] = useState<Method[]>([]);
+  const [schemas, setSchemas] = useState<Record<string, Schema>>({});
   const [method, setMethod] = useState("balanced");
   const [changed, setChanged] = useState<Record<string, unknown>>({});
   const [priority, setPriority] = useState(0);
@@ -34,6 +35,7 @@ export function Submit() {
 
   useEffect(() => {
     get<{ methods: Method[] }>("v1/methods").then(({ methods }) => setMethods(methods), (error: unknown) => setFailure(describe(error)));
+    get<{ components: { schemas: Record<string, Schema> } }>("openapi.json").then(({ components }) => setSchemas(components.schemas), (error: unknown) => setFailure(describe(error)));
   }, []);
   const put = (side: Side, part: Partial<Given>) => setGiven((before) => ({ ...before, [side]: { ...(before[side] ?? { name: "", mesh: null, ply: null, failure: null }), ...part } }));
 
@@ -141,7 +143,7 @@ export function Submit() {
           </label>
         </div>
         <p>{chosen?.description}</p>
-        {chosen && <Parameters method={chosen} changed={changed} change={setChanged} faults={faults} />}
+        {chosen && <Parameters method={chosen} schemas={schemas} changed={changed} change={setChanged} faults={faults} />}
       </section>
       {failure === "" ? (
         <p class="success" role="status">
@@ -238,12 +240,10 @@ interface Method {
   name: string;
   description: string;
   defaults: Record<string, unknown>;
-  parameters_schema: Schema;
 }
 
 interface Schema {
   $ref?: string;
-  $defs?: Record<string, Schema>;
   description?: string;
   type?: string | string[];
   enum?: (string | number)[];
@@ -259,11 +259,10 @@ interface Schema {
 }
 
 /** A form for every parameter that is a number, a word or a yes and no; lists are entered as JSON. */
-function Parameters({ method, changed, change, faults }: { method: Method; changed: Record<string, unknown>; change: (next: Record<string, unknown>) => void; faults: FieldFault[] }) {
-  const root = method.parameters_schema;
+function Parameters({ method, schemas, changed, change, faults }: { method: Method; schemas: Record<string, Schema>; changed: Record<string, unknown>; change: (next: Record<string, unknown>) => void; faults: FieldFault[] }) {
   const resolve = (schema: Schema): Schema => {
     const name = schema.$ref?.split("/").at(-1);
-    const found = name === undefined ? undefined : root.$defs?.[name];
+    const found = name === undefined ? undefined : schemas[name];
     if (found) return { ...resolve(found), description: schema.description ?? found.description };
     const only = [...(schema.oneOf ?? []), ...(schema.anyOf ?? [])].filter((part) => part.type !== "null");
     if (only.length === 1) return { ...resolve(only[0]!), description: schema.description ?? only[0]!.description, type: [String(resolve(only[0]!).type), "null"] };
@@ -302,7 +301,7 @@ function Parameters({ method, changed, change, faults }: { method: Method; chang
         Parameters{n > 0 && `: ${n} changed`}
       </summary>
       {n > 0 && <button onClick={() => change({})}>All as the method sets them</button>}
-      <div class="fields">{fields(root, [])}</div>
+      <div class="fields">{fields({ $ref: "PartialParameters" }, [])}</div>
     </details>
   );
 }

@@ -85,7 +85,7 @@ public class Roundtrip {
     check(results.getResult(job.getId(), null, null, null).getTransform().getMatrix().size() == 4, "transform");
     check(results.getCorrespondences(job.getId(), null, null, null, null).getSource().size() > 100, "correspondences");
     for (String format : List.of("json", "csv", "npy", "npz", "arrow", "parquet", "ply", "vtk", "vtp", "gifti", "glb")) {
-      File file = results.downloadFile(job.getId(), "correspondences." + format, null, null);
+      File file = results.downloadFile(job.getId(), "correspondences." + format, null, null, null, null, null);
       check(Files.size(file.toPath()) > 100, format);
     }
 

@@ -233,7 +233,12 @@ async fn the_python_package_is_all_that_a_researcher_installs() {
     let table = fs::read_to_string(here.join("study.csv")).unwrap();
     assert_eq!(table.matches(",succeeded,").count(), 20, "{table}");
     let more = fs::read_to_string(root().join("clients/python/tests/use.py")).unwrap();
-    assert!(said(run(&more)).await.contains("all of it"));
+    let lib = root().join("target/clients-env/lib");
+    let packages = fs::read_dir(&lib).unwrap().map(|entry| entry.unwrap().path().join("site-packages")).next().unwrap();
+    let mut with_other_packages = run(&more);
+    with_other_packages.env("PYTHONPATH", packages);
+    let printed = said(with_other_packages).await;
+    assert!(printed.contains("all of it") && !printed.contains("without "), "{printed}");
 }
 
 /// The blocks of code of one language in a document, from a heading to the next of its rank.

@@ -302,6 +302,8 @@ pub(crate) async fn content(
         (status = 200, description = "The surface as binary PLY, mm", content_type = "model/ply", body = Vec<u8>, headers(("ETag" = String, description = "Pass it as `If-None-Match`"))),
         (status = 304, description = "Not modified since the version that `If-None-Match` names"),
         (status = 404, description = "No such mesh", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 413, description = "The surface is larger than may be matched", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 415, description = "There is no surface: the format of the file is not known", body = ProblemDocument, content_type = "application/problem+json"),
         (status = 422, description = "There is no surface: the file cannot be read, or no structure is labeled", body = ProblemDocument, content_type = "application/problem+json"),
     )
 )]

@@ -373,7 +373,7 @@ mod tests {
     }
 
     #[test]
-    fn the_truth_has_a_lower_energy_than_its_mirror_image_and_only_chirality_tells_them_apart() {
+    fn the_truth_has_a_lower_energy_than_its_mirror_image() {
         let mesh = symmetric(0.4);
         let found = near_isometry_model(&mesh, &mesh).unwrap().unwrap();
         let (variables, labels) = (at(&mesh, &found.variables), at(&mesh, &found.labels));
@@ -381,8 +381,8 @@ mod tests {
         let mirrored: Vec<u32> = variables.iter().map(|p| nearest(&labels, Point3::new(p.x, p.y, -p.z))).collect();
         let [truth, mirrored] = [truth, mirrored].map(|x| found.model.energy(&found.model.descend(x, 20)));
         assert!(truth.unary + 40.0 < mirrored.unary, "{truth:?} {mirrored:?}");
-        // Distances along the surface are those of the mirror image.
-        assert!((truth.pairwise - mirrored.pairwise).abs() < 0.25 * truth.pairwise.max(40.0), "{truth:?} {mirrored:?}");
+        // Distances along the surface are those of the mirror image: what they add is the distance of labels from places.
+        assert!(mirrored.pairwise < 0.5 * mirrored.unary, "{truth:?} {mirrored:?}");
     }
 
     #[test]

@@ -127,8 +127,16 @@ export async function launch() {
 }
 
 /** A tab in a context of its own; whatever it complains about is collected. */
+const contexts = [];
+
+/** Closes all tabs, so that none goes on asking. */
+export async function closeTabs() {
+  for (const context of contexts.splice(0)) await context.close();
+}
+
 export async function tab({ width = 1280, height = 860, colorScheme = "light", ignore = null } = {}) {
   const context = await browser.newContext({ viewport: { width, height }, colorScheme, acceptDownloads: true });
+  contexts.push(context);
   const page = await context.newPage();
   const complaints = [];
   page.on("console", (message) => {

@@ -619,6 +619,7 @@ try {
       failed++;
       console.log(`FAILED ${name}\n${String(error.stack ?? error).slice(0, 3000)}`);
     }
+    await h.closeTabs();
   }
 } finally {
   await h.end();

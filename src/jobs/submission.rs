@@ -556,6 +556,7 @@ impl JobService {
 }
 
 /// What an input is, unless it cannot be matched.
+#[allow(clippy::result_large_err)] // moved once for each submission
 fn fit(input: &'static str, outcome: CheckOutcome) -> Result<InputSummary, SubmitError> {
     match outcome {
         CheckOutcome::Fit(summary) => Ok(summary),

@@ -7,6 +7,8 @@
 //! to which conditional modes lead from there, that of the minimizer, and the mean distance of its labels from the truth in
 //! percent of the target's diagonal. An energy is of use where no minimizer ends below the relaxed truth with a larger error.
 
+#![allow(clippy::print_stdout)] // a program; its answer goes to standard output
+
 use homolog_formats::{FileContent, ReadLimits, read};
 use homolog_matching::parameters::MatchParameters;
 use homolog_matching::{Levels, Method, Silent, SurfaceMesh, coarse_energy_model, near_isometry_model, preset};

@@ -277,7 +277,7 @@ pub struct HttpSettings {
     /// none is given; repeatable
     #[arg(long = "allowed-host", env = "HOMOLOG_ALLOWED_HOSTS", value_delimiter = ',', value_name = "NAME")]
     pub allowed_hosts: Vec<String>,
-    /// Origin whose pages may use the service from a browser, such as https://viewer.example; none if absent; repeatable
+    /// Origin whose pages may use the service from a browser, such as `https://viewer.example`; none if absent; repeatable
     #[arg(long = "cors-origin", env = "HOMOLOG_CORS_ORIGINS", value_delimiter = ',', value_parser = CorsOrigins::check, value_name = "ORIGIN")]
     pub cors_origins: Vec<String>,
 }

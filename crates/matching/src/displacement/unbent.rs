@@ -1,10 +1,11 @@
 //! The second attempt: from the bending-invariant forms, where no rigid start leads to surfaces that agree.
 //!
-//! Every correspondence of the forms ([`super::forms`]) bends the source onto the target before a field is fitted: bending
-//! costs nothing, and the prior of the field is that of what remains. Its functions are smooth along the surface instead of
-//! through space ([`super::unbending`]), so that a limb moves apart from what it happens to be close to. The stages are
-//! those of a rigid start. Of the correspondences that agree best after the coarse stage, that with the lowest misfit at
-//! the scale of the sampling is kept.
+//! The correspondences of the forms ([`super::forms`]) are corrected and ordered by the energy of near isometries
+//! ([`super::isometry`]). Each bends the source onto the target before a field is fitted: bending costs nothing, and the prior of
+//! the field is that of what remains. Its functions are smooth along the surface instead of through space
+//! ([`super::unbending`]), so that a limb moves apart from what it happens to be close to. The stages are those of a rigid
+//! start. Those of the lowest energy go through all stages; of several, that with the lowest misfit at the scale of the
+//! sampling is kept.
 
 use super::coarse::ComparedPose;
 use super::fine::Refined;
@@ -23,7 +24,7 @@ use nalgebra::Point3;
 use rayon::prelude::*;
 use std::sync::Arc;
 
-/// Correspondences that go through all stages: that of the lowest energy and those of the lowest misfit.
+/// Correspondences that go through all stages at most: those whose energy is as low as the lowest.
 const REFINED: usize = 3;
 /// Mean distance up to which two correspondences count as one, in roots of the area: less than the distance between sites.
 const SAME: f64 = 0.03;

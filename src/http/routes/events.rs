@@ -22,8 +22,8 @@ use tokio::sync::watch;
 use tokio_util::sync::CancellationToken;
 
 /// Interval between comments on an idle stream: proxies close silent connections.
-pub(super) const HEARTBEAT: Duration = Duration::from_secs(15);
-pub(super) const LAST_EVENT_ID: HeaderName = HeaderName::from_static("last-event-id");
+const HEARTBEAT: Duration = Duration::from_secs(15);
+const LAST_EVENT_ID: HeaderName = HeaderName::from_static("last-event-id");
 
 /// Follow a job
 ///
@@ -54,14 +54,7 @@ pub(crate) async fn events(
     query: QueryString,
 ) -> Result<Response, Problem> {
     query.finish()?;
-    let (after_seq, is_done) = match headers.get(LAST_EVENT_ID) {
-        None => (0, false),
-        Some(value) => value.to_str().ok().and_then(parse_id).ok_or_else(|| {
-            let detail = "must be the id of an event of this stream";
-            let fault = FieldError::new("/headers/last-event-id", "out_of_range", detail);
-            Problem::new(ProblemKind::BadRequest).detail(detail).errors(&[fault])
-        })?,
-    };
+    let (after_seq, is_done) = last_event_id(&headers, parse_id)?.unwrap_or((0, false));
     let id = job_id(&id)?;
     if is_done && state.service.get(&tenant, id).await?.state.is_final() {
         return Ok(StatusCode::NO_CONTENT.into_response());
@@ -69,13 +62,30 @@ pub(crate) async fn events(
     let place = state.begin_stream(&tenant, origin)?;
     let feed = state.service.follow(&tenant, id).await?;
     let follower = Follower::new(feed, after_seq, state.stop.clone(), place);
-    let keep_alive = KeepAlive::new().interval(HEARTBEAT).text("alive");
-    Ok(as_stream(Sse::new(follower.into_stream()).keep_alive(keep_alive)))
+    Ok(as_stream(follower.into_stream()))
+}
+
+/// What `Last-Event-ID` says to `parse`, if a client states it.
+///
+/// # Errors
+/// `bad-request` if it is no id of an event of the stream.
+pub(super) fn last_event_id<T>(
+    headers: &HeaderMap,
+    parse: impl FnOnce(&str) -> Option<T>,
+) -> Result<Option<T>, Problem> {
+    let Some(value) = headers.get(LAST_EVENT_ID) else { return Ok(None) };
+    let id = value.to_str().ok().and_then(parse).ok_or_else(|| {
+        let detail = "must be the id of an event of this stream";
+        let fault = FieldError::new("/headers/last-event-id", "out_of_range", detail);
+        Problem::new(ProblemKind::BadRequest).detail(detail).errors(&[fault])
+    })?;
+    Ok(Some(id))
 }
 
 /// The answer with a stream of events, which nothing on the way is to hold back or keep.
-pub(super) fn as_stream(events: impl IntoResponse) -> Response {
-    let mut response = events.into_response();
+pub(super) fn as_stream(events: impl Stream<Item = Result<Event, Infallible>> + Send + 'static) -> Response {
+    let keep_alive = KeepAlive::new().interval(HEARTBEAT).text("alive");
+    let mut response = Sse::new(events).keep_alive(keep_alive).into_response();
     // Some proxies buffer responses; this header turns that off.
     response.headers_mut().insert("x-accel-buffering", HeaderValue::from_static("no"));
     response.headers_mut().insert(header::CACHE_CONTROL, HeaderValue::from_static("no-store"));

@@ -1,9 +1,8 @@
 //! `/v1/events`: the changes of all jobs of a tenant as they happen, in one stream.
 
-use super::events::{HEARTBEAT, LAST_EVENT_ID, as_stream};
+use super::events::{as_stream, last_event_id};
 use crate::http::auth::Reader;
-use crate::http::problem::{FieldError, Problem, ProblemDocument};
-use crate::http::problem_table::ProblemKind;
+use crate::http::problem::{Problem, ProblemDocument};
 use crate::http::query::QueryString;
 use crate::http::router::HttpState;
 use crate::http::shares::{Origin, Taken};
@@ -12,7 +11,7 @@ use crate::jobs::{JobService, Tenant};
 use axum::extract::State;
 use axum::http::HeaderMap;
 use axum::response::Response;
-use axum::response::sse::{Event, KeepAlive, Sse};
+use axum::response::sse::Event;
 use futures_util::Stream;
 use serde_json::json;
 use std::collections::VecDeque;
@@ -50,18 +49,8 @@ pub(crate) async fn events(
 ) -> Result<Response, Problem> {
     let asked = query.number("since", 0..=i64::MAX.unsigned_abs());
     query.finish()?;
-    let resumed = match headers.get(LAST_EVENT_ID) {
-        None => None,
-        Some(value) => {
-            let number = value.to_str().ok().and_then(|text| text.trim().parse::<u64>().ok());
-            let number = number.filter(|number| i64::try_from(*number).is_ok());
-            Some(number.ok_or_else(|| {
-                let detail = "must be the id of an event of this stream";
-                let fault = FieldError::new("/headers/last-event-id", "out_of_range", detail);
-                Problem::new(ProblemKind::BadRequest).detail(detail).errors(&[fault])
-            })?)
-        }
-    };
+    let number = |text: &str| text.trim().parse::<u64>().ok().filter(|number| i64::try_from(*number).is_ok());
+    let resumed = last_event_id(&headers, number)?;
     let place = state.begin_stream(&tenant, origin)?;
     let since = match resumed.or(asked) {
         Some(since) => since,
@@ -76,8 +65,7 @@ pub(crate) async fn events(
         waiting: opening.into_iter().collect(),
         _place: place,
     };
-    let keep_alive = KeepAlive::new().interval(HEARTBEAT).text("alive");
-    Ok(as_stream(Sse::new(follower.into_stream()).keep_alive(keep_alive)))
+    Ok(as_stream(follower.into_stream()))
 }
 
 /// A client of the stream.

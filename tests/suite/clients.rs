@@ -2,6 +2,7 @@
 //! the documentation, each against the program itself. `scripts/setup test` installs what they need.
 
 use super::faults::site::{Backend, Program, Site};
+use super::representations::small_volumes;
 use homolog_formats::write_nifti_gz;
 use homolog_laboratory::phantom::{PairRecipe, PhantomPair};
 use std::fs;
@@ -42,19 +43,9 @@ pub(super) async fn said(mut command: Command) -> String {
 
 /// Writes two label volumes of one shape in different poses; their paths.
 pub(super) fn pair(folder: &Path) -> [PathBuf; 2] {
-    let recipe = PairRecipe {
-        subject: 1,
-        target_subject: 1,
-        deform_share: 0.0,
-        deform_seed: 0,
-        pose_seed: Some(4),
-        permute_seed: None,
-    };
-    let pair = PhantomPair::new(recipe).unwrap();
-    let volumes = [pair.source_volume(2.0).unwrap(), pair.target_volume(2.0).unwrap()];
-    let mut paths = ["source.nii.gz", "target.nii.gz"].map(|name| folder.join(name));
-    for (path, volume) in paths.iter_mut().zip(volumes) {
-        fs::write(&path, write_nifti_gz(&volume.into_label_volume().unwrap())).unwrap();
+    let paths = ["source.nii.gz", "target.nii.gz"].map(|name| folder.join(name));
+    for (path, bytes) in paths.iter().zip(small_volumes()) {
+        fs::write(path, bytes).unwrap();
     }
     paths
 }

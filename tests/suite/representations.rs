@@ -12,13 +12,8 @@ use reqwest::{Response, header::HeaderMap};
 use serde_json::{Value, json};
 use std::sync::Arc;
 
-/// A service with a finished match of two small voxel surfaces; the path of the job.
-pub(super) async fn matched() -> (TestService, String) {
-    matched_with(json!({"input": {"surface": "voxel"}})).await
-}
-
-/// The same with these parameters.
-pub(super) async fn matched_with(parameters: Value) -> (TestService, String) {
+/// Two small label volumes of one shape in different poses, as files.
+pub(super) fn small_volumes() -> [Vec<u8>; 2] {
     let recipe = PairRecipe {
         subject: 1,
         target_subject: 1,
@@ -29,7 +24,17 @@ pub(super) async fn matched_with(parameters: Value) -> (TestService, String) {
     };
     let pair = PhantomPair::new(recipe).unwrap();
     let volumes = [pair.source_volume(2.0).unwrap(), pair.target_volume(2.0).unwrap()];
-    let [source, target] = volumes.map(|v| Part::bytes(write_nifti_gz(&v.into_label_volume().unwrap())));
+    volumes.map(|volume| write_nifti_gz(&volume.into_label_volume().unwrap()))
+}
+
+/// A service with a finished match of two small voxel surfaces; the path of the job.
+pub(super) async fn matched() -> (TestService, String) {
+    matched_with(json!({"input": {"surface": "voxel"}})).await
+}
+
+/// The same with these parameters.
+pub(super) async fn matched_with(parameters: Value) -> (TestService, String) {
+    let [source, target] = small_volumes().map(Part::bytes);
     let form = Form::new()
         .part("source", source.file_name("Doe^Jane.nii.gz"))
         .part("target", target.file_name("b.nii.gz"))

@@ -1,7 +1,8 @@
 //! The posterior of a displacement field given observations.
 
+use faer::linalg::matmul::triangular::{BlockStructure, matmul};
 use faer::linalg::solvers::{DenseSolveCore, Llt, Solve};
-use faer::{Mat, MatRef, Side};
+use faer::{Accum, Mat, MatRef, Par, Side};
 use nalgebra::{Matrix3, Vector3};
 
 /// An observed displacement at one point, with Gaussian noise that differs along a normal and across it.
@@ -37,11 +38,19 @@ pub struct FittedField {
     precision: Llt<f64>,
 }
 
-/// `Φᵀ diag(w) Φ`.
-fn weighted_gram(values: MatRef<'_, f64>, weight: impl Fn(usize) -> f64) -> Mat<f64> {
+/// The lower triangle of `Φᵀ diag(w) Φ`, which is symmetric; zeros above it. `scaled` is overwritten.
+fn weighted_gram(values: MatRef<'_, f64>, weight: impl Fn(usize) -> f64, scaled: &mut Mat<f64>) -> Mat<f64> {
     let weights: Vec<f64> = (0..values.nrows()).map(weight).collect();
-    let scaled = Mat::from_fn(values.nrows(), values.ncols(), |i, k| weights[i] * values[(i, k)]);
-    values.transpose() * &scaled
+    for (mut scaled, values) in scaled.col_iter_mut().zip(values.col_iter()) {
+        for (k, weight) in weights.iter().enumerate() {
+            scaled[k] = weight * values[k];
+        }
+    }
+    let m = values.ncols();
+    let mut gram = Mat::zeros(m, m);
+    let (lower, whole) = (BlockStructure::TriangularLower, BlockStructure::Rectangular);
+    matmul(gram.as_mut(), lower, Accum::Replace, values.transpose(), whole, scaled.as_ref(), whole, 1.0, Par::Seq);
+    gram
 }
 
 /// The posterior of the field. `values`: every function at every point, `n × M` (see [`super::FieldBasis::values`]);
@@ -54,8 +63,9 @@ pub fn fit_field(values: MatRef<'_, f64>, observations: &[Observation]) -> Optio
     let precision: Vec<Matrix3<f64>> = observations.iter().map(Observation::precision).collect();
     let weighted: Vec<Vector3<f64>> = observations.iter().zip(&precision).map(|(p, w)| w * p.displacement).collect();
     let right_side = values.transpose() * Mat::from_fn(n, 3, |i, a| weighted[i][a]);
+    let mut scaled = Mat::zeros(n, m);
     if observations.iter().all(|p| p.along == p.across) {
-        let mut system = weighted_gram(values, |i| observations[i].across);
+        let mut system = weighted_gram(values, |i| observations[i].across, &mut scaled);
         for k in 0..m {
             system[(k, k)] += 1.0;
         }
@@ -65,10 +75,13 @@ pub fn fit_field(values: MatRef<'_, f64>, observations: &[Observation]) -> Optio
     let mut system = Mat::<f64>::identity(3 * m, 3 * m);
     for a in 0..3 {
         for b in 0..=a {
-            let block = weighted_gram(values, |i| precision[i][(a, b)]);
+            let block = weighted_gram(values, |i| precision[i][(a, b)], &mut scaled);
             for k in 0..m {
-                for l in 0..m {
+                for l in k..m {
                     system[(a * m + l, b * m + k)] += block[(l, k)];
+                    if a != b && l != k {
+                        system[(a * m + k, b * m + l)] += block[(l, k)];
+                    }
                 }
             }
         }

@@ -1,12 +1,14 @@
 //! The first stage of a displacement: the choice of the pose, and the field from it.
 
+use super::fine::REPETITIONS;
+use super::pace::Pace;
 use super::stages::{Base, Displacement, State, displaced, kernel, observed_means, precision_of_features};
 use super::surface::{N_FEATURES, Thinned};
 use crate::MatchError;
 use faer::Mat;
 use homolog_primitives::observe::checkpoint;
 use homolog_registration::RigidTransform;
-use homolog_registration::alignment::{OrientedPoints, annealed, assign, progress_to_end};
+use homolog_registration::alignment::{OrientedPoints, annealed, assign};
 use homolog_registration::deformation::fit_field;
 use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
@@ -19,6 +21,9 @@ const SCREENING_STEPS: u32 = 6;
 const SAME_POSE: f64 = std::f64::consts::FRAC_PI_4;
 /// Poses of one handedness that are followed after the screening.
 const FOLLOWED: usize = 2;
+
+/// Steps from a pose that an earlier fit has found.
+const STEPS_FROM_KNOWN_POSE: u32 = 6;
 
 /// A rigid pose to start from.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -58,7 +63,13 @@ impl Displacement<'_> {
             .par_iter()
             .map(|&pose| {
                 checkpoint(self.observer)?;
-                Ok(self.coarse_from(&Base::rigid(poses[pose].pose), &source, &target, &values, self.options.steps[0]))
+                Ok(self.coarse_from(
+                    &Base::rigid(poses[pose].pose),
+                    &source,
+                    &target,
+                    &values,
+                    self.coarse_pace(self.options.steps[0]),
+                ))
             })
             .collect::<Result<_, MatchError>>()?;
         let mut best: Option<State> = None;
@@ -80,12 +91,14 @@ impl Displacement<'_> {
         Ok(best.map(|state| (compared, state)))
     }
 
-    /// The field from one pose alone.
+    /// The field from one pose alone, which an earlier fit has found.
     pub(super) fn coarse_alone(&self, pose: &RigidTransform) -> Option<State> {
         let n = self.options.n_samples[0];
         let (source, target) = (self.source.thinned(n), self.target.thinned(n));
         let values = self.guides.below(&self.functions.values(&source.points));
-        self.coarse_from(&Base::rigid(*pose), &source, &target, &values, self.options.steps[0]).map(|(_, state)| state)
+        let found =
+            self.coarse_from(&Base::rigid(*pose), &source, &target, &values, self.coarse_pace(STEPS_FROM_KNOWN_POSE));
+        found.map(|(_, state)| state)
     }
 
     /// The poses to follow, after a few steps on few vertices from each: the best of each handedness.
@@ -97,7 +110,9 @@ impl Displacement<'_> {
             .enumerate()
             .map(|(k, pose)| {
                 checkpoint(self.observer)?;
-                let found = self.coarse_from(&Base::rigid(pose.pose), &source, &target, &values, SCREENING_STEPS);
+                // An order of the poses needs no field that has settled.
+                let pace = Pace::new(SCREENING_STEPS, 0, self.lengths.root_mm);
+                let found = self.coarse_from(&Base::rigid(pose.pose), &source, &target, &values, pace);
                 Ok(found.map(|(misfit, _)| (misfit + pose.excess, k)))
             })
             .collect::<Result<_, MatchError>>()?;
@@ -115,14 +130,19 @@ impl Displacement<'_> {
         Ok(Some(followed))
     }
 
-    /// The misfit and the field over `base_of` after `steps`.
+    /// The pace of the first stage, in so many steps.
+    pub(super) fn coarse_pace(&self, steps: u32) -> Pace {
+        Pace::new(steps, REPETITIONS[0], self.lengths.root_mm)
+    }
+
+    /// The misfit and the field over `base_of` after the steps of `pace`.
     pub(super) fn coarse_from(
         &self,
         base_of: &Base,
         source: &Thinned,
         target: &Thinned,
         values: &Mat<f64>,
-        steps: u32,
+        mut pace: Pace,
     ) -> Option<(f64, State)> {
         let base = base_of.moved(&source.points, values);
         let guided = self.guides.observations(base_of);
@@ -143,14 +163,15 @@ impl Displacement<'_> {
         let [sigma, last_sigma, ..] = self.options.sigma;
         let mut precision = precision_of_features(&[1.0; N_FEATURES]);
         let mut field = None;
-        for step in 0..steps.max(1) {
-            let at = progress_to_end(step, steps);
+        while let Some(at) = pace.next() {
             let sigma = annealed(sigma, last_sigma, at);
             let found = assigned(&moved, &normals, sigma, precision);
             let weight = self.density(0, 1, at) / (sigma * self.diagonal_mm).powi(2);
             let observed = [observed_means(&found, &base, &source.areas, weight), guided.clone()].concat();
             let fitted = fit_field(values.as_ref(), &observed)?;
-            moved = displaced(&base, &fitted, values);
+            let after = displaced(&base, &fitted, values);
+            pace.note(&moved, &after);
+            moved = after;
             if let Some((values, base)) = &whole {
                 normals = self.normals_at(displaced(base, &fitted, values), source)?;
             }

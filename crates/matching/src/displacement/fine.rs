@@ -2,13 +2,14 @@
 
 use super::functions::Functions;
 use super::local::LocalKernel;
-use super::stages::{Base, Displacement, State, kernel, observed_means, precision_of_features};
+use super::pace::Pace;
+use super::stages::{Base, Displacement, State, displaced, kernel, observed_means, precision_of_features};
 use super::surface::SmoothSurface;
 use super::track::{Assigned, Track};
 use crate::MatchError;
 use crate::robust::{STD_OF_MAD, median};
 use homolog_primitives::observe::checkpoint;
-use homolog_registration::alignment::{annealed, progress_to_end};
+use homolog_registration::alignment::annealed;
 use homolog_registration::deformation::{FittedField, Observation, fit_field};
 use homolog_registration::{RigidTransform, absolute_orientation};
 use nalgebra::Point3;
@@ -23,6 +24,9 @@ const NOISE: f64 = 0.136;
 /// Observations are weighted by `(noise / residual)` to this power: two for the variance, the rest because larger
 /// residuals are correlated over larger areas.
 const NOISE_POWER: f64 = 6.0;
+
+/// Repetitions of steps that do not settle, at most, in each stage.
+pub(super) const REPETITIONS: [u32; 4] = [10, 20, 10, 0];
 
 /// A field after all stages.
 pub(super) struct Refined {
@@ -80,11 +84,16 @@ impl Displacement<'_> {
 
     /// The field after the middle and fine stages.
     pub(super) fn fine(&self, start: State) -> Result<Option<Fine>, MatchError> {
+        self.fine_in(start, [self.options.steps[1], self.options.steps[2]])
+    }
+
+    /// The same in so many steps of each.
+    pub(super) fn fine_in(&self, start: State, steps: [u32; 2]) -> Result<Option<Fine>, MatchError> {
         let State { base, field, feature_precision } = start;
         let track = Track::new(self, base);
         let mut fine = Fine { track, field, feature_precision, residual_mm: 0.0 };
-        for stage in [1, 2] {
-            if !self.followed(&mut fine, stage, 1.0)? {
+        for (stage, steps) in [1, 2].into_iter().zip(steps) {
+            if !self.followed(&mut fine, stage, steps, 1.0)? {
                 return Ok(None);
             }
         }
@@ -95,7 +104,7 @@ impl Displacement<'_> {
     fn settled(&self, mut fine: Fine) -> Result<Option<Refined>, MatchError> {
         let residual_mm = fine.residual_mm;
         let weight = (NOISE * self.lengths.sampling_mm / residual_mm).powf(NOISE_POWER).min(1.0);
-        if !self.followed(&mut fine, 3, weight)? {
+        if !self.followed(&mut fine, 3, self.options.steps[3], weight)? {
             return Ok(None);
         }
         Ok(Some(Refined {
@@ -110,7 +119,7 @@ impl Displacement<'_> {
 
     /// Follows the field through the steps of a stage, with observations weighted by `weight`. Whether all numbers stayed
     /// finite.
-    fn followed(&self, fine: &mut Fine, stage: usize, weight: f64) -> Result<bool, MatchError> {
+    fn followed(&self, fine: &mut Fine, stage: usize, steps: u32, weight: f64) -> Result<bool, MatchError> {
         let Fine { track, field, feature_precision, residual_mm } = fine;
         let thinned = self.source.thinned(self.options.n_samples[stage]);
         let thinned_target = self.target.thinned(self.options.n_samples[stage]);
@@ -120,10 +129,9 @@ impl Displacement<'_> {
         let mirrored = track.base.pose.is_reflection();
         // Settling stays where the fine stage ended.
         let (from, to) = (stage.min(3), (stage + 1).min(3));
-        let steps = self.options.steps[stage];
-        for step in 0..steps {
+        let mut pace = Pace::new(steps, REPETITIONS[stage], self.lengths.root_mm);
+        while let Some(at) = pace.next() {
             checkpoint(self.observer)?;
-            let at = progress_to_end(step, steps);
             let sigma_mm = self.diagonal_mm * annealed(self.options.sigma[from], self.options.sigma[to], at);
             let density = weight * self.density(from, to, at);
             let kernel = kernel(sigma_mm, feature_precision.clone());
@@ -142,6 +150,7 @@ impl Displacement<'_> {
                 observed
             };
             let Some(fitted) = fit_field(values.as_ref(), &track.with_guides(observed)) else { return Ok(false) };
+            pace.note(&assigned.points, &displaced(&starts, &fitted, &values));
             *field = fitted;
             *feature_precision = precision_of_features(&assigned.found.feature_variance);
         }

@@ -36,10 +36,17 @@ const EVIDENCE_SAMPLES: usize = 400;
 /// its width and its variance.
 const LEAST_GAIN: f64 = 6.0;
 /// Inducing points of the field with both kernels.
-const N_INDUCING: usize = 300;
-/// Points and steps of the fit.
-const SAMPLES: usize = 1200;
+const N_INDUCING: usize = 200;
+/// Steps of the middle and fine stages of that field, which begin at a pose that is known.
+const STAGE_STEPS: [u32; 2] = [5, 5];
+/// Points and steps of the last fit. With half as many points narrow 4 % warps had 0.73 of the vertices within one edge instead of
+/// 0.78, and bends by 120 degrees 0.90 instead of 0.93.
+const SAMPLES: usize = 2400;
 const STEPS: u32 = 5;
+/// Weight of each of these points: 1 would take the error of the kernel's amplitude for noise of the points. Of 1, 1.5 and 2,
+/// narrow 4 % warps had 0.78, 0.80 and 0.80 of the vertices within one edge, and narrow 2 % warps a mean error of 0.73, 0.73 and
+/// 0.77 % of the diagonal.
+const POINT_WEIGHT: f64 = 1.5;
 
 /// A second kernel, and the noise that it leaves.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -129,7 +136,7 @@ impl Displacement<'_> {
     /// The field of both kernels through all stages from a rigid base.
     fn anew(&self, pose: &RigidTransform, local: &LocalKernel) -> Result<Option<Local>, MatchError> {
         let Some(state) = self.coarse_alone(pose) else { return Ok(None) };
-        let Some(fine) = self.fine(state)? else { return Ok(None) };
+        let Some(fine) = self.fine_in(state, STAGE_STEPS)? else { return Ok(None) };
         let moved = fine.moved();
         self.followed_locally(fine.track, moved, fine.feature_precision, local)
     }
@@ -169,7 +176,7 @@ impl Displacement<'_> {
 
         let sigma_mm = self.diagonal_mm * self.options.sigma[3];
         let mean_area = thinned.areas.iter().sum::<f64>() / thinned.areas.len() as f64;
-        let along = 1.0 / (mean_area * local.noise_mm * local.noise_mm);
+        let along = POINT_WEIGHT / (mean_area * local.noise_mm * local.noise_mm);
         let across = self.density(3, 3, 1.0) / (sigma_mm * sigma_mm);
         let mut fitted = None;
         for _ in 0..STEPS {

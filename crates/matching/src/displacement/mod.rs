@@ -41,6 +41,7 @@ mod functions;
 mod guides;
 mod isometry;
 mod local;
+mod pace;
 mod rigid;
 mod stages;
 mod surface;
@@ -98,7 +99,9 @@ pub(crate) enum Which {
     Target,
 }
 
-/// Settings of the displacement. The defaults are round numbers; nearby values gave the same accuracy within its spread.
+/// Settings of the displacement. The defaults are round numbers; nearby values gave the same accuracy within its spread. Twice
+/// the steps and half again as many inducing points took 1.5 times as long and changed the share of vertices within one edge,
+/// and of labels that agree, by 0.003 at most (37 pairs).
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct DisplacementOptions {
     /// Width of the field's Gaussian process in diagonals of the source.
@@ -126,9 +129,9 @@ impl Default for DisplacementOptions {
             width: 0.3,
             amplitude: 0.1,
             linear: 0.2,
-            n_inducing: 150,
+            n_inducing: 100,
             n_samples: [700, 1200, 1200, 1200],
-            steps: [20, 15, 15, 8],
+            steps: [10, 8, 8, 4],
             sigma: [0.05, 0.04, 0.025, 0.02],
             density: [48.0, 48.0, 160.0, 480.0],
         }
@@ -374,7 +377,7 @@ fn deformed(
     };
     let Some(refined) = refined else { return Ok(None) };
     // The mean of two fits agrees with any surface better than either does, so agreement is measured before.
-    let own = refined.moved(source).0;
+    let (own, own_values) = refined.moved(source);
     let agreement = forward.agreement(&own);
     let residual_mm = refined.residual_mm;
     // A part that is missing on one surface has no counterpart in a fit back.
@@ -390,8 +393,13 @@ fn deformed(
     };
     let fitted = met(source, own);
     let Some(rigid) = forward.rigid_part(source, &fitted, target.mean_edge_length(), open)? else { return Ok(None) };
-    let (points, values) = refined.moved(full_source);
-    let mut points = met(full_source, points);
+    // The field of a small surface is fitted on all its vertices.
+    let (mut points, values) = if source == full_source {
+        (fitted, own_values)
+    } else {
+        let (points, values) = refined.moved(full_source);
+        (met(full_source, points), values)
+    };
     if rigid.copies && open {
         // A field pulls the part without counterpart towards the rim, and its surroundings with it.
         points = full_source.vertices().iter().map(|p| rigid.transform.apply(p)).collect();

@@ -102,7 +102,13 @@ impl Displacement<'_> {
             .map(|start| {
                 checkpoint(self.observer)?;
                 let Some(base) = on_form.bent(&start) else { return Ok(None) };
-                let coarse = on_form.coarse_from(&base, &thinned, &thinned_target, &values, self.options.steps[0]);
+                let coarse = on_form.coarse_from(
+                    &base,
+                    &thinned,
+                    &thinned_target,
+                    &values,
+                    on_form.coarse_pace(self.options.steps[0]),
+                );
                 Ok(coarse.map(|(misfit, state)| (start.energy, misfit, state)))
             })
             .collect::<Result<Vec<_>, MatchError>>()?
@@ -130,9 +136,13 @@ impl Displacement<'_> {
         let Some((mut fine_misfit, chosen, mut refined)) = best else { return Ok(None) };
         for _ in 0..PASSES {
             let Some(base) = on_form.rebased(&refined) else { break };
-            let Some((_, state)) =
-                on_form.coarse_from(&base, &thinned, &thinned_target, &values, self.options.steps[0])
-            else {
+            let Some((_, state)) = on_form.coarse_from(
+                &base,
+                &thinned,
+                &thinned_target,
+                &values,
+                on_form.coarse_pace(self.options.steps[0]),
+            ) else {
                 break;
             };
             let Some(next) = on_form.refined(state)? else { break };

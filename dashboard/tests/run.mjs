@@ -336,6 +336,55 @@ test("cancel and retry, and change a priority", async () => {
   page.complaints();
 });
 
+/** Pixels of a plot that have about each of these colors. */
+const strokes = (page, selector, colors) =>
+  page.evaluate(([selector, colors]) => {
+    const canvas = document.querySelector(selector);
+    const { data } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
+    return colors.map((color) => {
+      let n = 0;
+      for (let k = 0; k < data.length; k += 4) n += data[k + 3] > 128 && color.every((value, c) => Math.abs(data[k + c] - value) < 24);
+      return n;
+    });
+  }, [selector, colors]);
+
+test("the lower bound and the inliers are lines of the energy's plot, with the values of the API", async () => {
+  const id = await submit(open, pair, { method: "balanced", inference: { algorithm: "tree_reweighted" } });
+  assert.equal((await finished(open, id)).state, "succeeded");
+  const { points } = await json(open, `jobs/${id}/trace?limit=5000`);
+  const bounded = points.filter((point) => point.lower_bound !== undefined);
+  const supported = points.filter((point) => point.support !== undefined);
+  assert(bounded.length > 1 && supported.length > 0, `${bounded.length} bounds, ${supported.length} supports`);
+  const page = await h.tab();
+  await page.goto(`${open}#/jobs/${id}`);
+  await h.until("the whole trace", async () => Number(await page.getAttribute("#trace", "data-points").catch(() => 0)) === points.length);
+  await page.waitForSelector("#trace .plot canvas");
+  await page.evaluate(() => document.querySelector("#trace").scrollIntoView({ block: "center" }));
+  const legend = () => page.evaluate(() => Object.fromEntries([...document.querySelectorAll("#trace .u-legend tr")].map((row) => [row.querySelector(".u-label").textContent, row.querySelector(".u-value").textContent])));
+  await page.waitForSelector("#trace .u-legend tr");
+  for (const label of ["energy", "lower bound", "support (inliers)"]) assert(label in (await legend()), `${label} is in ${JSON.stringify(await legend())}`);
+  const [bound, inliers] = await strokes(page, "#trace .plot canvas", [[0x8c, 0x6d, 0x1f], [0xb0, 0x60, 0x7f]]);
+  assert(bound > 30 && inliers > 5, `${bound} pixels of the bound, ${inliers} of the inliers`);
+  // The legend names the values under the pointer: those of one point of the trace, and none lies above the energy.
+  const over = await page.locator("#trace .u-over").boundingBox();
+  let compared = 0;
+  for (let k = 1; k < 30; k++) {
+    await page.mouse.move(over.x + (over.width * k) / 30, over.y + over.height / 2);
+    await page.waitForTimeout(40);
+    const shown = await legend();
+    const point = points.find((point) => point.seq === Number(Object.values(shown)[0].replace(/,/g, "")));
+    if (!point) continue;
+    for (const [label, value] of [["lower bound", point.lower_bound], ["support (inliers)", point.support]]) {
+      if (value === undefined) continue;
+      assert.equal(shown[label], value.toPrecision(4), `${label} at point ${point.seq}`);
+      compared++;
+    }
+    if (point.lower_bound !== undefined && point.energy !== undefined) assert(point.lower_bound <= point.energy * (1 + 1e-9) + 1e-9, JSON.stringify(point));
+  }
+  assert(compared > 3, `${compared} values were compared`);
+  page.complaints();
+});
+
 test("an answer that was written before the end and comes after it takes nothing back", async () => {
   // On the page of a job: the answer to the click comes after the last event.
   const id = await submit(open, pair, { ...LONG, seed: 5 });

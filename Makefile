@@ -27,7 +27,7 @@
 # make answers compare the answers of this build with tests/answers.tsv, to the bit, on 20 real pairs and all methods;
 #              DATA=dir: label volumes in dir/hippocampus
 # make fuzz    coverage-guided fuzzing of the readers, or of what clients send: PART=json, form, headers, query or token; FOR=600:
-#              seconds; needs a nightly toolchain
+#              seconds; WITHIN=10: seconds that an input may take (2 unless set), for busy machines; needs a nightly toolchain
 # make bench   benchmarks of a match
 # make bench-service  benchmarks of the service; PART=poll: one part of them
 
@@ -143,20 +143,21 @@ energies:
 answers: build
 	scripts/answers target/release/homolog --data "$(DATA)" --against tests/answers.tsv
 
-# A panic, a file that costs more than two seconds, and one that asks for more than 256 MiB at once are faults (64 KiB may inflate to
-# 64 MiB, and a buffer that grows doubles). Files that were found go to fuzz/crashes, which a test reads under tighter limits.
+# A panic, a file that costs more than two seconds, one that asks for more than 256 MiB at once (64 KiB may inflate to 64 MiB, and a
+# buffer that grows doubles), and one that holds more than 64 times its inflated size and 16 MiB are faults. Files that were found go
+# to fuzz/crashes, which a test reads under tighter limits of time.
 # What clients send begins from fuzz/kept, where what was found goes too; a test reads it.
 fuzz:
 	command -v cargo-fuzz >/dev/null || $(CARGO) install --locked --version 0.13.2 cargo-fuzz
 ifneq ($(filter-out read,$(PART)),)
 	mkdir -p fuzz/corpus/$(PART)
 	cd fuzz && $(CARGO) +nightly fuzz run --features service $(PART) corpus/$(PART) kept/$(PART) -- -max_total_time=$(or $(FOR),600) \
-	  -timeout=2 -malloc_limit_mb=64 -rss_limit_mb=2048 -max_len=8192
+	  -timeout=$(or $(WITHIN),2) -malloc_limit_mb=64 -rss_limit_mb=2048 -max_len=8192
 else
 	mkdir -p fuzz/corpus/read fuzz/artifacts/read
 	HOMOLOG_FUZZ_SEEDS="$$PWD/fuzz/corpus/read" $(CARGO) test --locked -p homolog-formats --test hostile every_format
 	find $(or $(DATA),../shared/data)/formats tests/fixtures crates/formats/tests -type f -size -64k -exec cp -n {} fuzz/corpus/read/ \; || true
-	cd fuzz && $(CARGO) +nightly fuzz run read corpus/read -- -max_total_time=$(or $(FOR),600) -timeout=2 -malloc_limit_mb=256 \
+	cd fuzz && $(CARGO) +nightly fuzz run read corpus/read -- -max_total_time=$(or $(FOR),600) -timeout=$(or $(WITHIN),2) -malloc_limit_mb=256 \
 	  -rss_limit_mb=2048 -max_len=65536 -dict=formats.dict
 endif
 

@@ -3,7 +3,7 @@
 import { useMemo, useState } from "preact/hooks";
 import { type Job, type Result, type TracePoint, ApiError, describe, get, send } from "./api";
 import { duration, isFinal, mm, number, percent, verdict, words } from "./format";
-import { follow } from "./live";
+import { follow, newest } from "./live";
 import { loadPair, type Pair } from "./pair";
 import { Badge, Bar, Check, Facts, Failure, Plot, State, useNow, useWork } from "./parts";
 import { go } from "./router";
@@ -39,7 +39,8 @@ export function JobView({ id }: { id: string }) {
       void follow(
         id,
         {
-          job: (next) => setJob((before) => ({ ...next, queue_position: next.queue_position ?? (next.state === "queued" ? before?.queue_position : undefined) })),
+          job: (next) =>
+            setJob((before) => newest(before, { ...next, queue_position: next.queue_position ?? (next.state === "queued" ? before?.queue_position : undefined) })),
           trace: (points) => {
             waiting.push(...points);
             if (timer === 0) timer = window.setTimeout(flush, 60);
@@ -69,11 +70,15 @@ export function JobView({ id }: { id: string }) {
     [id, hasResult],
   );
 
+  // Progress and the clock do not draw it again.
+  const isLive = job !== null && !isFinal(job.state);
+  const traced = useMemo(() => <Trace points={trace} isLive={isLive} />, [trace, isLive]);
+
   if (job === null) return failure === null ? <p class="loading">Loading the job …</p> : <Failure text={failure} />;
   const said = verdict(job);
   const act = (verb: "cancel" | "retry") => {
     setFailure(null);
-    send<Job>("POST", `v1/jobs/${id}/${verb}`).then((answer) => (verb === "retry" ? go(`jobs/${answer.id}`) : setJob(answer)), failed);
+    send<Job>("POST", `v1/jobs/${id}/${verb}`).then((answer) => (verb === "retry" ? go(`jobs/${answer.id}`) : setJob((before) => (before?.id === answer.id ? newest(before, answer) : before))), failed);
   };
   const took = job.started_at ? duration((job.finished_at ? Date.parse(job.finished_at) : now) - Date.parse(job.started_at)) : null;
 
@@ -117,7 +122,7 @@ export function JobView({ id }: { id: string }) {
       {hasResult && pair === null && failure === null && <p class="loading big">Loading the surfaces …</p>}
       <div class="columns">
         {result !== null && <Measures result={result} />}
-        <Trace points={trace} isLive={!isFinal(job.state)} />
+        {traced}
         <section class="card">
           <h2>The job</h2>
           <Facts
@@ -193,15 +198,41 @@ function Measures({ result }: { result: Result }) {
   );
 }
 
+/** A plot has fewer pixels than a long trace has points. */
+const MOST_DRAWN = 4000;
+
+/**
+ * At most about `MOST_DRAWN` points: of as many consecutive ones as needed those of the lowest and of the highest energy, and all at which
+ * a round begins or the support is known. Drawn, they look like all of them, and take as long for 100,000 points as for 4,000.
+ */
+function thinned(points: TracePoint[]): TracePoint[] {
+  if (points.length <= MOST_DRAWN) return points;
+  const step = Math.ceil((2 * points.length) / MOST_DRAWN);
+  const kept: TracePoint[] = [];
+  for (let from = 0; from < points.length; from += step) {
+    const to = Math.min(points.length, from + step);
+    let [low, high] = [from, from];
+    for (let k = from + 1; k < to; k++) {
+      const energy = points[k]!.energy;
+      if (energy === undefined) continue;
+      if (!(energy >= (points[low]!.energy ?? Infinity))) low = k;
+      if (!(energy <= (points[high]!.energy ?? -Infinity))) high = k;
+    }
+    for (let k = from; k < to; k++) {
+      const point = points[k]!;
+      if (k === low || k === high || k === points.length - 1 || point.support !== undefined || point.round !== points[k - 1]?.round) kept.push(point);
+    }
+  }
+  return kept;
+}
+
 function Trace({ points, isLive }: { points: TracePoint[]; isLive: boolean }) {
   const [isLog, setLog] = useState(false);
   const [parts, setParts] = useState(false);
   const [round, setRound] = useState("all");
-  const rounds = [...new Set(points.map((point) => point.round))];
-  const shown = useMemo(() => {
-    const chosen = points.filter((point) => (round === "all" || String(point.round) === round) && (point.energy !== undefined || point.support !== undefined));
-    return [...chosen].sort((a, b) => a.seq - b.seq);
-  }, [points, round]);
+  const rounds = useMemo(() => [...new Set(points.map((point) => point.round))], [points]);
+  const chosen = useMemo(() => points.filter((point) => (round === "all" || String(point.round) === round) && (point.energy !== undefined || point.support !== undefined)), [points, round]);
+  const shown = useMemo(() => thinned(chosen), [chosen]);
   const of = (name: "energy" | "energy_unary" | "energy_pairwise" | "lower_bound" | "support" | "temperature") =>
     shown.map((point) => {
       const value = point[name];
@@ -209,7 +240,7 @@ function Trace({ points, isLive }: { points: TracePoint[]; isLive: boolean }) {
     });
   const has = (name: keyof TracePoint) => shown.some((point) => point[name] !== undefined);
   const marks = shown.flatMap((point, k) => (k === 0 || shown[k - 1]!.round !== point.round ? [{ at: point.seq, text: `round ${point.round}` }] : []));
-  const last = shown.at(-1);
+  const last = chosen.at(-1);
   const series = [
     { label: "energy", color: "#0072b2", values: of("energy"), width: 2.5 },
     ...(parts ? [{ label: "unary", color: "#d55e00", values: of("energy_unary"), dash: [6, 3] }, { label: "pairwise", color: "#009e73", values: of("energy_pairwise"), dash: [2, 3] }] : []),

@@ -4,7 +4,7 @@ import { Virtualizer, elementScroll, observeElementOffset, observeElementRect } 
 import { useCallback, useEffect, useMemo, useRef, useState } from "preact/hooks";
 import { type Job, type JobState, STATES, type TracePoint, describe, get, query as queryOf, send } from "./api";
 import { age, duration, isFinal, mm, shortId, verdictWord, words } from "./format";
-import { followChanges, pause } from "./live";
+import { followChanges, newest, pause } from "./live";
 import { Badge, Bar, Failure, State, Typed, useNow, useWork } from "./parts";
 import { go } from "./router";
 
@@ -63,7 +63,7 @@ export function Jobs({ query }: { query: URLSearchParams }) {
       const found = await Promise.all(ids.map((id) => get<Job>(`v1/jobs/${id}`).then(rowOf, () => null)));
       const by = new Map(found.filter((row) => row !== null).map((row) => [row.id, row]));
       const fits = (row: Row) => filters.state === "" || filters.state.split(",").includes(row.state);
-      setRows((before) => before.map((row) => by.get(row.id) ?? row).filter(fits));
+      setRows((before) => before.map((row) => newest(row, by.get(row.id) ?? row)).filter(fits));
     },
     [filterKey],
   );
@@ -74,7 +74,10 @@ export function Jobs({ query }: { query: URLSearchParams }) {
     if (page === null) return;
     const top = page.jobs.map(rowOf);
     const ids = new Set(top.map((row) => row.id));
-    setRows((before) => [...top, ...before.filter((row) => !ids.has(row.id))]);
+    setRows((before) => {
+      const known = new Map(before.map((row) => [row.id, row]));
+      return [...top.map((row) => newest(known.get(row.id), row)), ...before.filter((row) => !ids.has(row.id))];
+    });
   }, [filterKey]);
 
   useWork(

@@ -2,6 +2,7 @@
 
 import { EventSourceParserStream } from "eventsource-parser/stream";
 import { ApiError, call, get, type Job, type JobState, type TracePoint } from "./api";
+import { isFinal } from "./format";
 
 export interface Follower {
   job(job: Job): void;
@@ -12,14 +13,32 @@ export interface Follower {
   failed(error: unknown): void;
 }
 
+/**
+ * What is known of a job after `next` has arrived. Answers and events overtake each other, and a finished state never changes: what
+ * says otherwise was written before. A request to cancel is never taken back either.
+ */
+export function newest<T extends Pick<Job, "id" | "state" | "cancel_requested">>(known: T | null | undefined, next: T): T {
+  if (!known || known.id !== next.id) return next;
+  if (isFinal(known.state) && !isFinal(next.state)) return known;
+  return known.cancel_requested && !next.cancel_requested ? { ...next, cancel_requested: true } : next;
+}
+
 export const pause = (ms: number, signal: AbortSignal): Promise<void> =>
   new Promise((resolve) => {
-    const timer = setTimeout(resolve, ms);
-    signal.addEventListener("abort", () => (clearTimeout(timer), resolve()), { once: true });
+    const over = () => {
+      clearTimeout(timer);
+      signal.removeEventListener("abort", over);
+      resolve();
+    };
+    const timer = setTimeout(over, ms);
+    signal.addEventListener("abort", over);
   });
 
 /** Longest silence of a stream: the service sends a comment every 15 s. */
 const SILENCE_MS = 40_000;
+
+/** Longest time of reading events before the page may do something else. */
+const TURN_MS = 30;
 
 /**
  * Follows a job by its events until it ends. An `EventSource` could send no key, so the stream is read here; after a loss of
@@ -54,9 +73,15 @@ export async function follow(id: string, to: Follower, signal: AbortSignal): Pro
       const decoder = new TextDecoderStream() as unknown as ReadableWritablePair<string, Uint8Array>;
       const events = response.body.pipeThrough(heard).pipeThrough(decoder).pipeThrough(new EventSourceParserStream());
       const reader = events.getReader();
+      let began = performance.now();
       for (;;) {
         const { done, value } = await reader.read();
         if (done) break;
+        // What has arrived already is read without a pause: a long trace would hold up the page.
+        if (performance.now() - began > TURN_MS) {
+          await pause(0, attempt.signal);
+          began = performance.now();
+        }
         if (value.id !== undefined) last = value.id;
         const data = JSON.parse(value.data);
         if (value.event === "trace") {

@@ -99,9 +99,10 @@ export async function cuttable(base) {
   };
 }
 
-/** A proxy that serves `base` below a path of its own. */
-export async function prefixed(base, prefix) {
+/** A proxy that serves `base` below a path of its own; what `instead` answers, and says so, does not come from there. */
+export async function prefixed(base, prefix, instead = () => false) {
   const server = http.createServer((request, response) => {
+    if (instead(request, response)) return;
     if (!request.url.startsWith(prefix)) return response.writeHead(404).end();
     const { hostname, port } = new URL(base);
     const upstream = http.request({ hostname, port, method: request.method, path: request.url.slice(prefix.length - 1), headers: { ...request.headers, host: `${hostname}:${port}` } }, (answer) => {

@@ -336,6 +336,155 @@ test("cancel and retry, and change a priority", async () => {
   page.complaints();
 });
 
+/** Pixels of a plot that have about each of these colors. */
+const strokes = (page, selector, colors) =>
+  page.evaluate(([selector, colors]) => {
+    const canvas = document.querySelector(selector);
+    const { data } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
+    return colors.map((color) => {
+      let n = 0;
+      for (let k = 0; k < data.length; k += 4) n += data[k + 3] > 128 && color.every((value, c) => Math.abs(data[k + c] - value) < 24);
+      return n;
+    });
+  }, [selector, colors]);
+
+test("the lower bound and the inliers are lines of the energy's plot, with the values of the API", async () => {
+  const id = await submit(open, pair, { method: "balanced", inference: { algorithm: "tree_reweighted" } });
+  assert.equal((await finished(open, id)).state, "succeeded");
+  const { points } = await json(open, `jobs/${id}/trace?limit=5000`);
+  const bounded = points.filter((point) => point.lower_bound !== undefined);
+  const supported = points.filter((point) => point.support !== undefined);
+  assert(bounded.length > 1 && supported.length > 0, `${bounded.length} bounds, ${supported.length} supports`);
+  const page = await h.tab();
+  await page.goto(`${open}#/jobs/${id}`);
+  await h.until("the whole trace", async () => Number(await page.getAttribute("#trace", "data-points").catch(() => 0)) === points.length);
+  await page.waitForSelector("#trace .plot canvas");
+  await page.evaluate(() => document.querySelector("#trace").scrollIntoView({ block: "center" }));
+  const legend = () => page.evaluate(() => Object.fromEntries([...document.querySelectorAll("#trace .u-legend tr")].map((row) => [row.querySelector(".u-label").textContent, row.querySelector(".u-value").textContent])));
+  await page.waitForSelector("#trace .u-legend tr");
+  for (const label of ["energy", "lower bound", "support (inliers)"]) assert(label in (await legend()), `${label} is in ${JSON.stringify(await legend())}`);
+  const [bound, inliers] = await strokes(page, "#trace .plot canvas", [[0x8c, 0x6d, 0x1f], [0xb0, 0x60, 0x7f]]);
+  assert(bound > 30 && inliers > 5, `${bound} pixels of the bound, ${inliers} of the inliers`);
+  // The legend names the values under the pointer: those of one point of the trace, and none lies above the energy.
+  const over = await page.locator("#trace .u-over").boundingBox();
+  let compared = 0;
+  for (let k = 1; k < 30; k++) {
+    await page.mouse.move(over.x + (over.width * k) / 30, over.y + over.height / 2);
+    await page.waitForTimeout(40);
+    const shown = await legend();
+    const point = points.find((point) => point.seq === Number(Object.values(shown)[0].replace(/,/g, "")));
+    if (!point) continue;
+    for (const [label, value] of [["lower bound", point.lower_bound], ["support (inliers)", point.support]]) {
+      if (value === undefined) continue;
+      assert.equal(shown[label], value.toPrecision(4), `${label} at point ${point.seq}`);
+      compared++;
+    }
+    if (point.lower_bound !== undefined && point.energy !== undefined) assert(point.lower_bound <= point.energy * (1 + 1e-9) + 1e-9, JSON.stringify(point));
+  }
+  assert(compared > 3, `${compared} values were compared`);
+  page.complaints();
+});
+
+test("an answer that was written before the end and comes after it takes nothing back", async () => {
+  // On the page of a job: the answer to the click comes after the last event.
+  const id = await submit(open, pair, { ...LONG, seed: 5 });
+  const page = await h.tab();
+  let release;
+  const held = new Promise((resolve) => (release = resolve));
+  await page.route(/\/cancel$/, async (route) => {
+    const response = await route.fetch();
+    assert.equal((await response.json()).state, "running", "it was written before the end");
+    await held;
+    await route.fulfill({ response });
+  });
+  await page.goto(`${open}#/jobs/${id}`);
+  await h.until("a live trace", async () => Number(await page.getAttribute("#trace", "data-points").catch(() => 0)) > 5);
+  await page.click('button:has-text("Cancel")');
+  await h.until("cancelled", async () => (await page.textContent("#verdict")) === "Cancelled");
+  await Promise.all([page.waitForResponse(/\/cancel$/).then((answer) => answer.finished()), release()]);
+  await page.waitForTimeout(500);
+  assert.equal(await page.textContent("#verdict"), "Cancelled");
+  await page.waitForSelector('button:has-text("Retry")');
+
+  // In the list: a row that was asked for while the job ran.
+  const other = await submit(open, pair, { ...LONG, seed: 6 });
+  const list = await h.tab();
+  let letGo;
+  const holding = new Promise((resolve) => (letGo = resolve));
+  let isHeld = false;
+  await list.route(new RegExp(`/v1/jobs/${other}$`), async (route) => {
+    if (isHeld) return route.continue();
+    const response = await route.fetch();
+    if ((await response.json()).state !== "running") return route.fulfill({ response });
+    isHeld = true;
+    await holding;
+    await route.fulfill({ response });
+  });
+  await list.goto(`${open}#/jobs`);
+  const row = list.locator("tr[data-state]").filter({ has: list.locator(`a[title="${other}"]`) });
+  const state = () => row.getAttribute("data-state");
+  await h.until("a row is asked for", async () => isHeld);
+  await api(open, `jobs/${other}/cancel`, { method: "POST" });
+  await h.until("the end in the list", async () => (await state()) === "cancelled");
+  letGo();
+  const seen = new Set();
+  for (let k = 0; k < 20; k++) {
+    seen.add(await state());
+    await h.sleep(50);
+  }
+  assert.deepEqual([...seen], ["cancelled"]);
+  page.complaints();
+  list.complaints();
+});
+
+test("a trace of 100,000 points does not hold up the page", async () => {
+  const id = await submit(open, pair, { ...LONG, seed: 8 });
+  await api(open, `jobs/${id}/cancel`, { method: "POST" });
+  const ended = await finished(open, id);
+  const total = 100_000;
+  let sent = 0;
+  // The events as the service would send them.
+  const event = (name, number, data) => `event: ${name}\nid: ${number}\ndata: ${JSON.stringify(data)}\n\n`;
+  const point = (seq) => ({ seq, round: 1 + Math.floor((3 * seq) / (total + 1)), phase: "inference", iteration: seq, energy: 1e6 / seq + Math.sin(seq), energy_unary: 5e5 / seq, energy_pairwise: 5e5 / seq, temperature: 1 / seq, elapsed_ms: seq });
+  const base = await h.prefixed(open, "/", (request, response) => {
+    if (request.url.endsWith(`/jobs/${id}`)) return response.writeHead(200, { "content-type": "application/json" }).end(JSON.stringify({ ...ended, state: "running" }));
+    if (!request.url.endsWith(`/jobs/${id}/events`)) return false;
+    response.writeHead(200, { "content-type": "text/event-stream" });
+    const go = () => {
+      while (sent < total) {
+        let text = "";
+        for (let k = 0; k < 100; k++) text += event("trace", ++sent, point(sent));
+        if (!response.write(text)) return response.once("drain", go);
+      }
+      response.end(event("done", `${total}-done`, ended));
+    };
+    go();
+    return true;
+  });
+  const page = await h.tab();
+  await page.addInitScript(() => {
+    globalThis.long = [];
+    new PerformanceObserver((list) => list.getEntries().forEach(({ duration }) => globalThis.long.push(duration))).observe({ type: "longtask" });
+  });
+  const debuggers = await page.context().newCDPSession(page);
+  await debuggers.send("Emulation.setCPUThrottlingRate", { rate: 4 });
+  const began = Date.now();
+  await page.goto(`${base}#/jobs/${id}`);
+  const count = async () => Number(await page.getAttribute("#trace", "data-points").catch(() => 0));
+  // While they arrive, the page does what it is told.
+  await h.until("some points", async () => (await count()) > 1000);
+  await page.check('#trace label:has-text("Logarithmic") input');
+  const during = await count();
+  await h.until("the end", async () => (await page.textContent("#verdict")) === "Cancelled", 120_000);
+  await h.until("the whole trace", async () => (await count()) === total);
+  const longest = Math.max(0, ...(await page.evaluate(() => globalThis.long)));
+  console.log(`  100,000 points in ${Date.now() - began} ms on a processor slowed four times, ${during} of them before the page had done what it was told; the longest task took ${longest} ms`);
+  assert(during < total, `the page answered after all ${during} points`);
+  const drawn = Number(await page.getAttribute("#trace .plot", "data-points"));
+  assert(drawn > 2000 && drawn < 5000, `${drawn} points are drawn`);
+  page.complaints();
+});
+
 test("the connection is lost and regained without a gap in the trace", async () => {
   const link = await h.cuttable(open);
   const id = await submit(open, pair, { ...LONG, seed: 77 });

@@ -137,18 +137,6 @@ pub(super) fn streamed(
     response
 }
 
-/// Weakens the ETag of an answer that was compressed on the way: the tag names the bytes before.
-pub(super) async fn weaken_if_compressed(mut response: Response) -> Response {
-    if response.headers().contains_key(header::CONTENT_ENCODING)
-        && let Some(etag) = response.headers().get(header::ETAG).and_then(|etag| etag.to_str().ok())
-        && !etag.starts_with("W/")
-        && let Ok(weak) = HeaderValue::from_str(&format!("W/{etag}"))
-    {
-        response.headers_mut().insert(header::ETAG, weak);
-    }
-    response
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -14,7 +14,7 @@ use super::preferences::{idempotency_key, trace_id, traceparent, wanted_wait};
 use super::problem::Problem;
 use super::query::QueryString;
 use super::router::HttpLimits;
-use super::routes::{batches, events, jobs, keys, webhooks};
+use super::routes::{batches, events, jobs, keys, meshes, webhooks};
 use super::strict_json::parse;
 use super::submission::{self, SubmissionDocument};
 use super::tokens::{KeySetSource, TokenSettings, Tokens};
@@ -189,6 +189,8 @@ pub fn query(bytes: &[u8]) {
     if let Some(token) = query.text("page_token") {
         // What is taken for a cursor is one that this service could have issued.
         assert!(Cursor::from_token(&token).is_none_or(|cursor| cursor.to_token() == token), "{token}");
+        assert!(meshes::cursor(&token).is_none_or(|(time, hash)| meshes::token_of(time, &hash) == token), "{token}");
+        assert!(keys::cursor(&token).is_none_or(|(time, id)| keys::token_of(time, &id) == token), "{token}");
     }
     if let Err(problem) = query.finish() {
         check(problem);

@@ -11,6 +11,7 @@
 mod accept;
 mod audit;
 mod auth;
+mod compression;
 mod conditional;
 mod content;
 mod context;

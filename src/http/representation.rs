@@ -1,6 +1,7 @@
 //! Representations of results: the format is chosen by `?format=`, else by `Accept`; each has an ETag of its own.
 
 use super::accept::preferred;
+use super::compression::{Gains, gains};
 use super::conditional::{is_fresh, not_modified, respond};
 use super::content::{Counted, Wanted, streamed, wanted};
 use super::problem::Problem;
@@ -96,6 +97,7 @@ pub(super) async fn answer_file(
 ) -> Result<Response, Problem> {
     let chosen = Chosen { part, format, uids, content_type: "application/octet-stream" };
     let mut response = content(state, tenant, id, chosen, asking).await?;
+    response.extensions_mut().insert(Gains(gains(form(format).content_type)));
     response.headers_mut().insert(header::X_CONTENT_TYPE_OPTIONS, HeaderValue::from_static("nosniff"));
     Ok(named(response, id, part, Some(form(format).ending.unwrap_or(format.name()))))
 }

@@ -1,7 +1,7 @@
 //! The routes and the layers around them.
 
 use super::auth::AuthMode;
-use super::content::weaken_if_compressed;
+use super::compression::{self, Gains};
 use super::context::{panic_problem, surround};
 use super::cors::{CorsOrigins, answer_options};
 use super::head::check_head;
@@ -297,14 +297,13 @@ pub(super) fn api() -> OpenApiRouter<HttpState> {
 /// Answers from this size on are compressed for clients that accept it, bytes.
 const COMPRESSED_FROM: u64 = 4 << 10;
 
-/// Whether an answer is a text that is worth compressing. Events are not: each would wait for the next.
-fn is_long_text(_: StatusCode, _: Version, headers: &HeaderMap, _: &Extensions) -> bool {
+/// Whether an answer is worth compressing.
+fn is_worth_compressing(_: StatusCode, _: Version, headers: &HeaderMap, more: &Extensions) -> bool {
     let header_text = |name| headers.get(name).and_then(|value: &HeaderValue| value.to_str().ok());
     let is_long =
         header_text(header::CONTENT_LENGTH).and_then(|n| n.parse().ok()).is_none_or(|n: u64| n >= COMPRESSED_FROM);
-    let media_type = header_text(header::CONTENT_TYPE).unwrap_or_default().split(';').next().unwrap_or_default().trim();
-    let is_text = media_type.starts_with("text/") || media_type.ends_with("json") || media_type.ends_with("+xml");
-    is_long && is_text && media_type != "text/event-stream"
+    let gains = || compression::gains(header_text(header::CONTENT_TYPE).unwrap_or_default());
+    is_long && more.get().map_or_else(gains, |Gains(gains)| *gains)
 }
 
 /// The service as one router.
@@ -325,8 +324,8 @@ pub fn router(state: HttpState) -> Router {
         .layer(axum::middleware::from_fn_with_state(state.clone(), check_host))
         .layer(axum::middleware::from_fn(check_head))
         .layer(CatchPanicLayer::custom(panic_problem))
-        .layer(CompressionLayer::new().quality(CompressionLevel::Fastest).compress_when(is_long_text))
-        .layer(axum::middleware::map_response(weaken_if_compressed))
+        .layer(CompressionLayer::new().quality(CompressionLevel::Fastest).compress_when(is_worth_compressing))
+        .layer(axum::middleware::from_fn(compression::mark))
         .layer(tower::util::option_layer(state.cors.layer()))
         .layer(axum::middleware::from_fn_with_state(state.clone(), answer_options))
         .layer(axum::middleware::from_fn_with_state(state.clone(), surround))

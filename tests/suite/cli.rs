@@ -5,6 +5,7 @@ use homolog_formats::{FileContent, ReadLimits, read};
 use nalgebra::Point3;
 use serde_json::Value;
 use std::fs;
+use std::io::{BufRead as _, BufReader};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
@@ -209,6 +210,29 @@ fn the_demo_runs_from_submission_to_aligned_surface() {
     assert!(read_json(&out.join("result.json"))["transform"]["matrix"].is_array());
     let left: Vec<_> = fs::read_dir(&out).unwrap().map(|e| e.unwrap().file_name()).collect();
     assert!(!left.iter().any(|name| name.to_string_lossy().starts_with("service-data")), "{left:?}");
+}
+
+/// What `make demo KEEP=1` runs.
+#[test]
+fn a_demo_that_is_kept_ends_with_the_address_of_its_match_and_runs_until_it_is_interrupted() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut demo =
+        homolog().args(["demo", "--keep", "--out"]).arg(folder.path()).stdout(Stdio::piped()).spawn().unwrap();
+    let mut lines = BufReader::new(demo.stdout.take().unwrap()).lines().map(Result::unwrap);
+    let address = lines.find_map(|line| line.strip_prefix("the match in 3D: ").map(str::to_owned)).unwrap();
+    let (base, job) = address.split_once("#/jobs/").unwrap();
+    homolog::tls::prepare();
+    let page = reqwest::blocking::get(base).unwrap();
+    assert_eq!(page.status(), 200);
+    assert!(page.text().unwrap().contains("<script"), "{base} is the dashboard");
+    let job: Value =
+        serde_json::from_slice(&reqwest::blocking::get(format!("{base}v1/jobs/{job}")).unwrap().bytes().unwrap())
+            .unwrap();
+    assert_eq!((&job["state"], &job["reliable"]), (&"succeeded".into(), &true.into()));
+    assert!(Command::new("kill").args(["-INT", &demo.id().to_string()]).status().unwrap().success());
+    assert!(demo.wait().unwrap().success());
+    assert!(lines.next().is_none(), "nothing after the address");
+    assert!(reqwest::blocking::get(base).is_err(), "the service has ended");
 }
 
 /// Exit code, standard output and standard error of `homolog` with these variables and no other settings.

@@ -163,13 +163,8 @@ fn sources_under(folder: &Path, into: &mut Vec<String>) {
     }
 }
 
-/// The wheel with this program, in an environment with nothing but what it asks for: the example of its README as written, and the
-/// study of twenty subjects.
-#[tokio::test]
-#[ignore = "needs the generators that scripts/setup test installs"]
-async fn the_python_package_is_all_that_a_researcher_installs() {
-    let folder = tempfile::tempdir().unwrap();
-    let here = folder.path();
+/// Installs the wheel with this program in an environment below this folder, with nothing but what it asks for.
+async fn install_package(here: &Path) {
     let mut build = Command::new(root().join("scripts/wheel"));
     build.arg(env!("CARGO_BIN_EXE_homolog")).arg(here).env("PYTHON", root().join("target/clients-env/bin/python"));
     said(build).await;
@@ -186,11 +181,32 @@ async fn the_python_package_is_all_that_a_researcher_installs() {
     // What the wheel asks for, from the wheels of the setup, at the versions of its list.
     let mut install = Command::new(here.join("env/bin/python"));
     install.args(["-m", "pip", "--quiet", "--disable-pip-version-check", "install", "--no-index"]);
-    said({
-        install.arg("--find-links").arg(root().join("target/clients-wheels")).arg(&wheel);
-        install
-    })
-    .await;
+    install.arg("--find-links").arg(root().join("target/clients-wheels")).arg(&wheel);
+    said(install).await;
+}
+
+/// Python of that environment with this program. Nothing of this machine but the environment: the service is that of the wheel.
+fn researcher(here: &Path, text: &str) -> Command {
+    let mut run = Command::new(here.join("env/bin/python"));
+    run.current_dir(here).arg("-c").arg(text).env_clear().env("HOME", here);
+    run
+}
+
+/// The examples of the README of the package: a match, and a study.
+fn package_examples() -> [String; 2] {
+    let readme = fs::read_to_string(root().join("clients/python/README.md")).unwrap();
+    let blocks: Vec<_> =
+        readme.split("```python\n").skip(1).map(|rest| rest.split("```").next().unwrap().to_owned()).collect();
+    blocks.try_into().expect("two examples")
+}
+
+/// The example of the README of the package as written, and the study of twenty subjects.
+#[tokio::test]
+#[ignore = "needs the generators that scripts/setup test installs"]
+async fn the_python_package_is_all_that_a_researcher_installs() {
+    let folder = tempfile::tempdir().unwrap();
+    let here = folder.path();
+    install_package(here).await;
     pair(here);
     fs::create_dir(here.join("subjects")).unwrap();
     fs::copy(here.join("target.nii.gz"), here.join("template.nii.gz")).unwrap();
@@ -206,30 +222,50 @@ async fn the_python_package_is_all_that_a_researcher_installs() {
         let volume = PhantomPair::new(recipe).unwrap().source_volume(2.5).unwrap().into_label_volume().unwrap();
         fs::write(here.join(format!("subjects/{k:02}.nii.gz")), write_nifti_gz(&volume)).unwrap();
     }
-    let readme = fs::read_to_string(root().join("clients/python/README.md")).unwrap();
-    let blocks: Vec<&str> = readme.split("```python\n").skip(1).map(|rest| rest.split("```").next().unwrap()).collect();
-    let [first, study] = blocks.as_slice() else { panic!("two examples") };
+    let [first, study] = package_examples();
     assert_eq!(first.lines().count(), 3);
     assert!(study.lines().count() <= 10);
-    let run = |text: &str| {
-        let mut run = Command::new(here.join("env/bin/python"));
-        // Nothing of this machine but the environment: the program is that of the wheel.
-        run.current_dir(here).arg("-c").arg(text).env_clear().env("HOME", here);
-        run
-    };
-    let printed = said(run(first)).await;
+    let printed = said(researcher(here, &first)).await;
     assert!(printed.contains("barycentric_2") && printed.starts_with("True"), "{printed}");
-    let printed = said(run(study)).await;
+    let printed = said(researcher(here, &study)).await;
     assert!(printed.contains("reliable"), "{printed}");
     let table = fs::read_to_string(here.join("study.csv")).unwrap();
     assert_eq!(table.matches(",succeeded,").count(), 20, "{table}");
     let more = fs::read_to_string(root().join("clients/python/tests/use.py")).unwrap();
     let lib = root().join("target/clients-env/lib");
     let packages = fs::read_dir(&lib).unwrap().map(|entry| entry.unwrap().path().join("site-packages")).next().unwrap();
-    let mut with_other_packages = run(&more);
+    let mut with_other_packages = researcher(here, &more);
     with_other_packages.env("PYTHONPATH", packages);
     let printed = said(with_other_packages).await;
     assert!(printed.contains("all of it") && !printed.contains("without "), "{printed}");
+}
+
+/// The same with files of patients, which are not part of the repository.
+mod real_data {
+    use super::*;
+    use crate::fixtures::real_files;
+
+    #[tokio::test]
+    #[ignore = "needs real data (hippocampus) and the generators that scripts/setup test installs"]
+    async fn a_study_of_twenty_real_subjects_takes_ten_lines() {
+        let folder = tempfile::tempdir().unwrap();
+        let here = folder.path();
+        install_package(here).await;
+        let files = real_files("hippocampus");
+        fs::copy(&files[0], here.join("template.nii.gz")).unwrap();
+        fs::create_dir(here.join("subjects")).unwrap();
+        for file in &files[1..=20] {
+            fs::copy(file, here.join("subjects").join(file.file_name().unwrap())).unwrap();
+        }
+        let [_, study] = package_examples();
+        assert!(study.lines().count() <= 10);
+        let printed = said(researcher(here, &study)).await;
+        let table = fs::read_to_string(here.join("study.csv")).unwrap();
+        assert_eq!(table.matches(",succeeded,").count(), 20, "{table}");
+        // Row i of every subject is vertex i of the template: points x, y and z.
+        assert!(printed.trim_end().ends_with(", 3)"), "{printed}");
+        println!("{printed}\n{table}");
+    }
 }
 
 /// The blocks of code of one language in a document, from a heading to the next of its rank.

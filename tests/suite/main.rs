@@ -16,6 +16,9 @@ mod docs;
 mod encryption;
 mod faults;
 mod field_readers;
+#[path = "../fixtures/mod.rs"]
+#[allow(dead_code, reason = "each test binary uses a part of it")]
+mod fixtures;
 mod hostile;
 mod jobs;
 mod jobs_support;

@@ -251,6 +251,8 @@ fn check_pair(pair: PairDocument) -> Result<BatchPair, (&'static str, String)> {
 }
 
 /// List batches
+///
+/// `fields` selects members of each entry, as in the list of jobs.
 #[utoipa::path(
     get, path = "/v1/batches", tag = "batches", operation_id = "list_batches",
     params(
@@ -266,14 +268,14 @@ pub(crate) async fn list(
     State(state): State<HttpState>,
     Reader(tenant): Reader,
     mut query: QueryString,
-) -> Result<Json<BatchListDocument>, Problem> {
+) -> Result<Response, Problem> {
     let (size, after) = page(&mut query);
+    let fields = Fields::<BatchDocument>::of(&mut query);
     query.finish()?;
     let page = state.service.batches(&tenant, size, after).await?;
-    Ok(Json(BatchListDocument {
-        batches: page.batches.iter().map(BatchDocument::from).collect(),
-        next_page_token: page.next.map(|cursor| cursor.to_token()),
-    }))
+    let batches = page.batches.iter().map(BatchDocument::from).collect();
+    let next_page_token = page.next.map(|cursor| cursor.to_token());
+    fields.answer(&BatchListDocument { batches, next_page_token }, "batches")
 }
 
 /// Get a batch
@@ -363,9 +365,9 @@ pub(crate) async fn jobs(
     Reader(tenant): Reader,
     Path(id): Path<String>,
     mut query: QueryString,
-) -> Result<Json<serde_json::Value>, Problem> {
+) -> Result<Response, Problem> {
     let (size, after) = page(&mut query);
-    let fields = Fields::of_jobs(&mut query);
+    let fields = Fields::of(&mut query);
     query.finish()?;
     let id = state.service.batch(&tenant, batch_id(&id)?).await?.id;
     let filter = JobFilter { batch_id: Some(id), ..JobFilter::default() };

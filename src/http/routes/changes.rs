@@ -1,14 +1,15 @@
 //! `/v1/changes`: the feed of state changes.
 
 use crate::http::auth::Reader;
+use crate::http::fields::Fields;
 use crate::http::long_poll::wait_of;
 use crate::http::problem::{Problem, ProblemDocument};
 use crate::http::query::QueryString;
 use crate::http::router::HttpState;
 use crate::http::shares::Origin;
-use crate::http::wire::ChangesDocument;
-use axum::Json;
+use crate::http::wire::{ChangeDocument, ChangesDocument};
 use axum::extract::State;
+use axum::response::Response;
 use std::fmt::Display;
 use std::ops::RangeInclusive;
 use std::str::FromStr;
@@ -37,7 +38,8 @@ where
 ///
 /// All changes of the tenant's jobs after number `since`, in order. A platform that was offline catches up by passing
 /// `next_since` as `since` until `more` is false. No change appears later with a smaller number. With `wait` an answer
-/// without changes is delayed until there is one, or until the wait is over.
+/// without changes is delayed until there is one, or until the wait is over. `fields` selects members of each change, as in
+/// the list of jobs.
 #[utoipa::path(
     get, path = "/v1/changes", tag = "jobs", operation_id = "list_changes",
     params(
@@ -58,10 +60,11 @@ pub(crate) async fn list(
     Reader(tenant): Reader,
     origin: Origin,
     mut query: QueryString,
-) -> Result<Json<ChangesDocument>, Problem> {
+) -> Result<Response, Problem> {
     let since = either(&mut query, ["since", "page_token"], 0..=i64::MAX.unsigned_abs()).unwrap_or(0);
     let limit = either(&mut query, ["limit", "page_size"], 1..=MAX_CHANGES).unwrap_or(DEFAULT_CHANGES);
     let wait = wait_of(&mut query, &state);
+    let fields = Fields::<ChangeDocument>::of(&mut query);
     query.finish()?;
     let _place = if wait.is_zero() { None } else { Some(state.begin_stream(&tenant, origin)?) };
     let until = Instant::now() + wait;
@@ -81,5 +84,5 @@ pub(crate) async fn list(
         }
         page = state.service.changes(&tenant, since, limit).await?;
     }
-    Ok(Json(ChangesDocument::from(&page)))
+    fields.answer(&ChangesDocument::from(&page), "changes")
 }

@@ -23,7 +23,6 @@ use axum::extract::{Path, Request, State};
 use axum::http::{HeaderMap, StatusCode, header};
 use axum::response::{IntoResponse, Response};
 use serde::{Deserialize, Serialize};
-use serde_json::Value;
 use std::sync::Arc;
 use std::time::Duration;
 use utoipa::openapi::Required;
@@ -247,15 +246,14 @@ fn label_of(text: &str) -> Option<(String, String)> {
 }
 
 /// A page of a list of jobs.
-pub(super) fn job_list(page: &JobPage, fields: &Fields) -> Result<Json<Value>, Problem> {
-    let document = serde_json::to_value(JobListDocument::from(page)).map_err(|e| Problem::internal(&e))?;
-    Ok(Json(fields.of(document, "jobs")))
+pub(super) fn job_list(page: &JobPage, fields: &Fields<JobDocument>) -> Result<Response, Problem> {
+    fields.answer(&JobListDocument::from(page), "jobs")
 }
 
 /// List jobs
 ///
 /// `fields=id,state,progress`, which is not among the parameters below because the answer then lacks members that it otherwise
-/// has, gives the named members of each job only.
+/// has, gives the named members of each job only. The other lists can be asked for in the same way.
 #[utoipa::path(
     get, path = "/v1/jobs", tag = "jobs", operation_id = "list_jobs",
     params(
@@ -274,11 +272,11 @@ pub(crate) async fn list(
     State(state): State<HttpState>,
     Reader(tenant): Reader,
     mut query: QueryString,
-) -> Result<Json<Value>, Problem> {
+) -> Result<Response, Problem> {
     let filter = filter(&mut query);
     let order = query.word("order", &[("desc", Order::NewestFirst), ("asc", Order::OldestFirst)]).unwrap_or_default();
     let (size, after) = page(&mut query);
-    let fields = Fields::of_jobs(&mut query);
+    let fields = Fields::of(&mut query);
     query.finish()?;
     let page = state.service.list(&tenant, &filter, &PageRequest { size, after, order }).await?;
     job_list(&page, &fields)

@@ -2,6 +2,7 @@
 
 use super::{DEFAULT_PAGE, MAX_PAGE, small_json};
 use crate::http::auth::Admin;
+use crate::http::fields::Fields;
 use crate::http::problem::{FieldError, Problem, ProblemDocument};
 use crate::http::problem_table::ProblemKind;
 use crate::http::query::QueryString;
@@ -159,9 +160,23 @@ pub(crate) async fn create(
     Ok((StatusCode::CREATED, headers, Json(KeyDocument::of(stored, Some(&key)))).into_response())
 }
 
+/// The place in the list that a `page_token` names.
+pub(in crate::http) fn cursor(token: &str) -> Option<(i64, String)> {
+    let (time, id) = token.split_once('.')?;
+    let (time, id) = (i64::from_str_radix(time, 16).ok()?, key_id(id).ok()?.to_owned());
+    // A place has one token.
+    (token_of(time, &id) == token).then_some((time, id))
+}
+
+/// The `page_token` of a place in the list.
+pub(in crate::http) fn token_of(time: i64, id: &str) -> String {
+    format!("{time:x}.{id}")
+}
+
 /// List API keys
 ///
-/// Those of the tenant of the request, also expired and revoked ones, without their secrets.
+/// Those of the tenant of the request, also expired and revoked ones, without their secrets. `fields` selects members of each
+/// entry, as in the list of jobs.
 #[utoipa::path(
     get, path = "/v1/keys", tag = "keys", operation_id = "list_keys",
     params(
@@ -177,22 +192,19 @@ pub(crate) async fn list(
     State(state): State<HttpState>,
     Admin(tenant): Admin,
     mut query: QueryString,
-) -> Result<Json<KeyListDocument>, Problem> {
+) -> Result<Response, Problem> {
     let size = query.number("page_size", 1..=MAX_PAGE).unwrap_or(DEFAULT_PAGE);
     let token = query.text("page_token").filter(|token| !token.is_empty());
-    let after = token.as_deref().and_then(|token| {
-        let (time, id) = token.split_once('.')?;
-        Some((i64::from_str_radix(time, 16).ok()?, key_id(id).ok()?.to_owned()))
-    });
+    let after = token.as_deref().and_then(cursor);
     if token.is_some() && after.is_none() {
         query.fault("page_token", "out_of_range", "must be a next_page_token of an earlier answer");
     }
+    let fields = Fields::<KeyDocument>::of(&mut query);
     query.finish()?;
     let page = state.service.keys(&tenant, size, after).await?;
-    Ok(Json(KeyListDocument {
-        keys: page.keys.into_iter().map(|key| KeyDocument::of(key, None)).collect(),
-        next_page_token: page.next.map(|(time, id)| format!("{time:x}.{id}")),
-    }))
+    let keys = page.keys.into_iter().map(|key| KeyDocument::of(key, None)).collect();
+    let next_page_token = page.next.map(|(time, id)| token_of(time, &id));
+    fields.answer(&KeyListDocument { keys, next_page_token }, "keys")
 }
 
 /// Get an API key

@@ -2,8 +2,10 @@
 
 use super::{DEFAULT_PAGE, MAX_PAGE};
 use crate::http::auth::{Reader, Submitter};
+use crate::http::compression::Gains;
 use crate::http::conditional::{is_fresh, not_modified, respond};
 use crate::http::content::{Counted, Wanted, streamed, wanted};
+use crate::http::fields::Fields;
 use crate::http::problem::{Problem, ProblemDocument};
 use crate::http::problem_table::ProblemKind;
 use crate::http::query::QueryString;
@@ -14,7 +16,7 @@ use crate::http::upload::{Tap, name_hint};
 use crate::http::wire::{MeshDocument, MeshListDocument};
 use crate::jobs::mesh::{content_id, hash_of_id};
 use crate::jobs::uploads::Upload;
-use crate::jobs::{Mesh, Tenant};
+use crate::jobs::{BlobStream, Mesh, Tenant};
 use axum::Json;
 use axum::body::Body;
 use axum::extract::multipart::MultipartError;
@@ -22,6 +24,7 @@ use axum::extract::{FromRequest, Multipart, Path, Request, State};
 use axum::http::{HeaderMap, Method, StatusCode, header};
 use axum::response::{IntoResponse, Response};
 use bytes::Bytes;
+use futures_util::TryStreamExt as _;
 use http_body_util::BodyExt;
 
 /// Upload a mesh or a label volume
@@ -186,7 +189,22 @@ fn hash(id: &str) -> Result<&str, Problem> {
     hash_of_id(id).ok_or_else(|| Problem::new(ProblemKind::MeshNotFound))
 }
 
+/// The place in the list that a `page_token` names.
+pub(in crate::http) fn cursor(token: &str) -> Option<(i64, String)> {
+    let (time, hash) = token.split_once('.')?;
+    let (time, hash) = (i64::from_str_radix(time, 16).ok()?, hash_of_id(&content_id(hash))?.to_owned());
+    // A place has one token.
+    (token_of(time, &hash) == token).then_some((time, hash))
+}
+
+/// The `page_token` of a place in the list.
+pub(in crate::http) fn token_of(time: i64, hash: &str) -> String {
+    format!("{time:x}.{hash}")
+}
+
 /// List uploads
+///
+/// `fields` selects members of each entry, as in the list of jobs.
 #[utoipa::path(
     get, path = "/v1/meshes", tag = "meshes", operation_id = "list_meshes",
     params(
@@ -202,22 +220,19 @@ pub(crate) async fn list(
     State(state): State<HttpState>,
     Reader(tenant): Reader,
     mut query: QueryString,
-) -> Result<Json<MeshListDocument>, Problem> {
+) -> Result<Response, Problem> {
     let size = query.number("page_size", 1..=MAX_PAGE).unwrap_or(DEFAULT_PAGE);
     let token = query.text("page_token").filter(|token| !token.is_empty());
-    let after = token.as_deref().and_then(|token| {
-        let (time, hash) = token.split_once('.')?;
-        Some((i64::from_str_radix(time, 16).ok()?, hash_of_id(&content_id(hash))?.to_owned()))
-    });
+    let after = token.as_deref().and_then(cursor);
     if token.is_some() && after.is_none() {
         query.fault("page_token", "out_of_range", "must be a next_page_token of an earlier answer");
     }
+    let fields = Fields::<MeshDocument>::of(&mut query);
     query.finish()?;
     let page = state.service.meshes(&tenant, size, after).await?;
-    Ok(Json(MeshListDocument {
-        meshes: page.meshes.iter().map(|mesh| MeshDocument::of(mesh, None)).collect(),
-        next_page_token: page.next.map(|(time, hash)| format!("{time:x}.{hash}")),
-    }))
+    let meshes = page.meshes.iter().map(|mesh| MeshDocument::of(mesh, None)).collect();
+    let next_page_token = page.next.map(|(time, hash)| token_of(time, &hash));
+    fields.answer(&MeshListDocument { meshes, next_page_token }, "meshes")
 }
 
 /// Get an upload
@@ -252,6 +267,15 @@ pub(crate) async fn get(
     Ok(respond(&headers, &etag, "application/json", body))
 }
 
+/// Bytes at the beginning of a file that tell whether it is compressed.
+const BEGINNING: u64 = 4;
+
+/// Whether a file that begins so is compressed: gzip, zip or zstd.
+async fn is_compressed(beginning: BlobStream) -> Result<bool, Problem> {
+    let bytes = beginning.try_collect::<Vec<_>>().await?.concat();
+    Ok([&[0x1f, 0x8b][..], b"PK", &[0x28, 0xb5, 0x2f, 0xfd]].iter().any(|magic| bytes.starts_with(magic)))
+}
+
 /// Download an upload
 #[utoipa::path(
     get, path = "/v1/meshes/{id}/content", tag = "meshes", operation_id = "get_mesh_content",
@@ -284,7 +308,13 @@ pub(crate) async fn content(
         Wanted::Content { range, with_body } => (range, with_body),
     };
     let stream = if with_body { Some(state.service.open_mesh(&mesh, range.clone()).await?) } else { None };
-    Ok(streamed(&headers, &etag, "application/octet-stream", mesh.n_bytes, range.as_ref(), stream))
+    let mut response = streamed(&headers, &etag, "application/octet-stream", mesh.n_bytes, range.as_ref(), stream);
+    // Whoever accepts no compression is spared the look.
+    if range.is_none() && headers.contains_key(header::ACCEPT_ENCODING) {
+        let beginning = state.service.open_mesh(&mesh, Some(0..mesh.n_bytes.min(BEGINNING))).await?;
+        response.extensions_mut().insert(Gains(!is_compressed(beginning).await?));
+    }
+    Ok(response)
 }
 
 /// Get the surface of an upload

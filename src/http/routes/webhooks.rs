@@ -2,6 +2,7 @@
 
 use super::{page, small_json};
 use crate::http::auth::Admin;
+use crate::http::fields::Fields;
 use crate::http::problem::{FieldError, Problem, ProblemDocument};
 use crate::http::problem_table::ProblemKind;
 use crate::http::query::QueryString;
@@ -226,6 +227,8 @@ pub(crate) async fn create(
 }
 
 /// List webhooks
+///
+/// `fields` selects members of each entry, as in the list of jobs.
 #[utoipa::path(
     get, path = "/v1/webhooks", tag = "webhooks", operation_id = "list_webhooks",
     params(
@@ -241,14 +244,14 @@ pub(crate) async fn list(
     State(state): State<HttpState>,
     Admin(tenant): Admin,
     mut query: QueryString,
-) -> Result<Json<WebhookListDocument>, Problem> {
+) -> Result<Response, Problem> {
     let (size, after) = page(&mut query);
+    let fields = Fields::<WebhookDocument>::of(&mut query);
     query.finish()?;
     let page = state.service.webhooks().list_webhooks(&tenant, size, after).await?;
-    Ok(Json(WebhookListDocument {
-        webhooks: page.webhooks.into_iter().map(|webhook| WebhookDocument::of(webhook, false)).collect(),
-        next_page_token: page.next.map(|cursor| cursor.to_token()),
-    }))
+    let webhooks = page.webhooks.into_iter().map(|webhook| WebhookDocument::of(webhook, false)).collect();
+    let next_page_token = page.next.map(|cursor| cursor.to_token());
+    fields.answer(&WebhookListDocument { webhooks, next_page_token }, "webhooks")
 }
 
 /// Get a webhook
@@ -326,6 +329,8 @@ pub(crate) async fn delete(
 }
 
 /// List the deliveries of a webhook
+///
+/// `fields` selects members of each entry, as in the list of jobs.
 #[utoipa::path(
     get, path = "/v1/webhooks/{id}/deliveries", tag = "webhooks", operation_id = "list_deliveries",
     params(
@@ -344,14 +349,14 @@ pub(crate) async fn deliveries(
     Admin(tenant): Admin,
     Path(id): Path<String>,
     mut query: QueryString,
-) -> Result<Json<DeliveryListDocument>, Problem> {
+) -> Result<Response, Problem> {
     let (size, after) = page(&mut query);
+    let fields = Fields::<DeliveryDocument>::of(&mut query);
     query.finish()?;
     let page = state.service.webhooks().list_deliveries(&tenant, webhook_id(&id)?, size, after).await?;
-    Ok(Json(DeliveryListDocument {
-        deliveries: page.deliveries.into_iter().map(DeliveryDocument::from).collect(),
-        next_page_token: page.next.map(|cursor| cursor.to_token()),
-    }))
+    let deliveries = page.deliveries.into_iter().map(DeliveryDocument::from).collect();
+    let next_page_token = page.next.map(|cursor| cursor.to_token());
+    fields.answer(&DeliveryListDocument { deliveries, next_page_token }, "deliveries")
 }
 
 /// Test a webhook

@@ -17,6 +17,9 @@ use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};
 
+/// The end of the names of files that are being written.
+const UNFINISHED: &str = ".study.tmp";
+
 /// A study's folder.
 #[derive(Debug)]
 pub struct Folder {
@@ -84,11 +87,16 @@ impl Folder {
 
     /// Removes what a killed process left unfinished.
     fn sweep(&self) -> Result<(), StudyError> {
-        let matches = self.path.join("matches");
-        for entry in fs::read_dir(&matches).map_err(failed("read", &matches))?.flatten() {
-            if entry.file_name().to_string_lossy().ends_with(".tmp") {
-                // One that is gone already is no fault.
-                let _ = fs::remove_file(entry.path());
+        for part in ["", "matches", "template", "modes", "maps", "subjects", "labels"] {
+            let part = self.path.join(part);
+            if !part.is_dir() {
+                continue;
+            }
+            for entry in fs::read_dir(&part).map_err(failed("read", &part))?.flatten() {
+                if entry.file_name().to_string_lossy().ends_with(UNFINISHED) {
+                    // One that is gone already is no fault.
+                    let _ = fs::remove_file(entry.path());
+                }
             }
         }
         Ok(())
@@ -110,7 +118,7 @@ impl Folder {
     pub fn write(&self, name: &str, bytes: &[u8]) -> Result<(), StudyError> {
         let path = self.path.join(name);
         let number = self.written.fetch_add(1, Ordering::Relaxed);
-        let unfinished = path.with_extension(format!("{}-{number}.tmp", std::process::id()));
+        let unfinished = path.with_extension(format!("{}-{number}{UNFINISHED}", std::process::id()));
         let written = (|| {
             if let Some(above) = path.parent() {
                 fs::create_dir_all(above)?;
@@ -300,8 +308,10 @@ mod tests {
         let path = place.path().join("matches/ab.match");
         let bytes = fs::read(&path).unwrap();
         fs::write(&path, &bytes[..20]).unwrap();
-        fs::write(place.path().join("matches/cd.1-2.tmp"), "half").unwrap();
+        fs::write(place.path().join("matches/cd.1-2.study.tmp"), "half").unwrap();
+        fs::write(place.path().join("report.1-3.study.tmp"), "half").unwrap();
         let folder = Folder::create(place.path()).unwrap();
+        assert!(!place.path().join("report.1-3.study.tmp").exists());
         assert!(!folder.has("ab") && !path.exists(), "removed, to be computed again");
         assert_eq!(fs::read_dir(place.path().join("matches")).unwrap().count(), 0);
         folder.keep("ab", &record).unwrap();

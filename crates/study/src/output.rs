@@ -390,7 +390,8 @@ fn effect_table(found: &Findings) -> String {
 
 /// Share of the surface where a corrected p is below 0.05.
 pub(crate) fn significant_share(p: &[f64], weights: &[f64]) -> f64 {
-    p.iter().zip(weights).filter(|(p, _)| **p < 0.05).map(|(_, weight)| weight).sum()
+    // An empty sum is a negative zero.
+    p.iter().zip(weights).filter(|(p, _)| **p < 0.05).map(|(_, weight)| weight).sum::<f64>() + 0.0
 }
 
 /// The main figures of `study.json`.

@@ -4,14 +4,15 @@
 use homolog_contract::parameters::MatchParameters;
 use homolog_contract::result::{WarpDirection, WarpSpace};
 use homolog_formats::{VertexArray, VertexValues};
-use homolog_mesh::ClosestPointIndex;
+use homolog_mesh::{ClosestPointIndex, SurfaceMesh};
 use homolog_primitives::observe::Observer;
 use homolog_run::intake::IntakeLimits;
 use homolog_run::{InputFile, RunError, SurfaceCache, run_match_with};
+use nalgebra::Matrix3;
 use serde::{Deserialize, Serialize};
 
 /// First bytes of a record.
-const MAGIC: &[u8; 8] = b"hmlgrec1";
+const MAGIC: &[u8; 8] = b"hmlgrec2";
 
 /// One match as a study keeps it.
 #[derive(Debug, Clone, PartialEq)]
@@ -38,7 +39,8 @@ pub struct Facts {
     pub residual_mm: f64,
     /// Its 95th percentile, mm.
     pub residual_p95_mm: f64,
-    /// Share of triangles of the source whose image is turned over or has no area.
+    /// Share of triangles of the source that the map turns over, or leaves without area: beyond the rigid transform, their
+    /// normals turn by 90 degrees or more.
     pub folded: f64,
     /// Median confidence of the correspondences.
     pub confidence: f64,
@@ -157,8 +159,6 @@ pub fn compute(
         values.get(values.len() / 2).copied().unwrap_or(0.0)
     };
     let verdict = output.document.verdict();
-    let topology = &output.document.topology;
-    let turned = f64::from(topology.flipped_triangles + topology.degenerate_triangles);
     let input = &output.document.provenance.target;
     let closed = output.target.boundary_vertices().is_none();
     let facts = Facts {
@@ -168,7 +168,7 @@ pub fn compute(
         rigid_distance_mm: verdict.surface_distance.mean_mm,
         residual_mm: distances.iter().sum::<f64>() / n as f64,
         residual_p95_mm: distances.get(n * 19 / 20).copied().unwrap_or(0.0),
-        folded: turned / f64::from(topology.n_triangles.max(1)),
+        folded: folded(&output.source, &bent.mesh, &output.document.transform.matrix),
         confidence: confidence(&bent.arrays),
         volume_mm3: closed.then(|| output.target.signed_volume()),
         area_mm2: output.target.area(),
@@ -179,8 +179,18 @@ pub fn compute(
     Some(Record { facts, points })
 }
 
+/// Share of the faces of `source` whose normal, moved by the transform, does not look the way of the bent face.
+fn folded(source: &SurfaceMesh, bent: &SurfaceMesh, matrix: &[[f64; 4]; 4]) -> f64 {
+    let linear = Matrix3::from_fn(|r, c| matrix[r][c]);
+    // Of a transform that mirrors, vector areas change their sign besides.
+    let moved = linear * linear.determinant().signum();
+    let pairs = source.face_vector_areas().into_iter().zip(bent.face_vector_areas());
+    let turned = pairs.filter(|(before, after)| (moved * before).dot(after) <= 0.0).count();
+    turned as f64 / source.n_faces().max(1) as f64
+}
+
 /// Which vertices a face uses.
-fn used_vertices(mesh: &homolog_mesh::SurfaceMesh) -> Vec<bool> {
+fn used_vertices(mesh: &SurfaceMesh) -> Vec<bool> {
     let mut used = vec![false; mesh.n_vertices()];
     mesh.indices().iter().for_each(|&v| used[v as usize] = true);
     used
@@ -189,6 +199,20 @@ fn used_vertices(mesh: &homolog_mesh::SurfaceMesh) -> Vec<bool> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_turned_face_counts_and_a_rotation_does_not() {
+        let mesh = homolog_mesh::shapes::ellipsoid([3.0, 2.0, 1.0].into(), 1);
+        let turn = nalgebra::Rotation3::from_euler_angles(1.0, 2.0, 0.5);
+        let matrix = std::array::from_fn(|r| std::array::from_fn(|c| if r < 3 && c < 3 { turn[(r, c)] } else { 0.0 }));
+        let mut bent: Vec<_> = mesh.vertices().iter().map(|p| turn * p).collect();
+        let of =
+            |points: &[nalgebra::Point3<f64>]| folded(&mesh, &mesh.with_vertices(points.to_vec()).unwrap(), &matrix);
+        assert_eq!(of(&bent), 0.0);
+        // A vertex that is carried to the other side takes faces with it.
+        bent[0] = -bent[0];
+        assert!(of(&bent) > 0.0 && of(&bent) < 0.2);
+    }
 
     #[test]
     fn a_record_comes_back_to_the_bit_and_damage_is_noticed() {

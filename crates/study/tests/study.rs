@@ -163,8 +163,9 @@ fn a_study_finds_the_effect_and_is_the_same_whatever_happens_to_it() {
     let effect = map.effect()[top.unwrap()];
     assert!((-0.85..-0.4).contains(&effect), "{effect} at the dent of 0.8 mm");
     assert!(map.p_corrected()[top.unwrap()] < 0.05);
-    let wrong = (0..mean.len()).filter(|&v| mean[v].z < -1.0 && map.p_corrected()[v] < 0.05).count();
-    assert!(wrong < mean.len() / 20, "{wrong} vertices below");
+    // Alignment moves the whole shape a little towards the dent, and no more.
+    let below = (0..mean.len()).filter(|&v| mean[v].z < -1.0).map(|v| map.effect()[v].abs()).fold(0.0, f64::max);
+    assert!(below < 0.35, "{below} below");
     assert_eq!(found.members.len(), 10);
     assert!(found.consistency.as_ref().unwrap().template_and_back.mean_mm < 1.0);
 
@@ -243,17 +244,25 @@ fn a_subject_without_a_surface_is_listed_first_and_a_scored_one_enters_no_model(
     let place = tempfile::tempdir().unwrap();
     table(place.path(), 6);
     std::fs::write(place.path().join("broken.ply"), "ply, but no more").unwrap();
-    let mut text = "id,file,role\n".to_owned();
-    (0..6).for_each(|k| text.push_str(&format!("s{k},s{k}.ply,{}\n", if k == 5 { "score" } else { "" })));
-    text.push_str("broken,broken.ply,\n");
+    let mut text = "id,file,role,subject,years\n".to_owned();
+    (0..6).for_each(|k| {
+        text.push_str(&format!("s{k},s{k}.ply,{},p{},{}\n", if k == 5 { "score" } else { "" }, k / 2, k % 3))
+    });
+    text.push_str("broken,broken.ply,,x,0\n");
     let cohort = Cohort::from_csv(text.as_bytes(), place.path()).unwrap();
-    let settings = Settings { analysis: Analysis::default(), cycle_subjects: 0, ..settings() };
+    let measures = vec![Measure::LogArea];
+    let analysis = Analysis { effect: Some("years".to_owned()), measures, ..Analysis::default() };
+    let settings = Settings { analysis, cycle_subjects: 0, ..settings() };
     let out = place.path().join("out");
     let (_, found) = again(cohort, settings, &out, 2, &[], &Quiet).unwrap();
     assert_eq!(found.members, [0, 1, 2, 3, 4]);
     assert_eq!(found.subjects[5].place, Place::Scored);
     assert!(found.subjects[5].unusual_p.is_some_and(|p| p > 0.0) && !found.subjects[5].scores.is_empty());
     assert_eq!(found.subjects[6].flags, [Flag::NoMatch]);
+    // Two visits each of p0 and p1: a mixed model.
+    let statistics = found.statistics.as_ref().unwrap();
+    assert!(statistics.longitudinal && statistics.maps[0].mixed.is_some() && statistics.whole.is_empty());
+    assert!(std::fs::metadata(out.join("maps/log_area.years.shape.gii")).is_ok());
     let listed = std::fs::read_to_string(out.join("quality.csv")).unwrap();
     assert!(listed.lines().nth(1).unwrap().starts_with("broken,failed,no match"), "{listed}");
 }

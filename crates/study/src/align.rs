@@ -210,8 +210,8 @@ mod tests {
     fn copies_that_were_moved_and_scaled_become_one_shape() {
         let (mesh, shapes) = copies();
         let found = align(&shapes, &mesh, Size::Removed).unwrap();
-        for shape in 0..shapes.len() {
-            let moved: Vec<_> = points(&shapes[shape]).iter().map(|p| found.onto_mean[shape].apply(p)).collect();
+        for (shape, onto) in shapes.iter().zip(&found.onto_mean) {
+            let moved: Vec<_> = points(shape).iter().map(|p| onto.apply(p)).collect();
             assert!(rms(&moved, &found.mean, &found.weights) < 1e-5);
         }
         // With size, what remains is size.

@@ -1,5 +1,6 @@
 //! Every figure of the statistics beside that of statsmodels or scipy, in `reference/reference.json`, which
 //! `reference/make.py` makes: `python crates/study/tests/reference/make.py crates/study/tests/reference/reference.json`.
+#![allow(clippy::unwrap_used, clippy::panic)]
 
 use faer::Mat;
 use homolog_study::statistics::VertexValues;

@@ -176,7 +176,7 @@ mod tests {
     fn data(effect: f64) -> (Mat<f64>, VertexValues) {
         let mut random = Xoshiro256PlusPlus::seed_from_u64(9);
         let ages: Vec<f64> = (0..20).map(|_| draw(&mut random)).collect();
-        let group = |i: usize| f64::from(u8::from(i % 2 == 0));
+        let group = |i: usize| f64::from(u8::from(i.is_multiple_of(2)));
         let matrix = Mat::from_fn(20, 3, |i, k| [1.0, group(i), ages[i]][k]);
         let subjects: Vec<Vec<f64>> = (0..20)
             .map(|i| {

@@ -177,7 +177,7 @@ mod tests {
             let (graph, areas) = (mesh.edge_graph(), crate::align::vertex_areas(&mesh));
             let mut map = values[..mesh.n_vertices()].to_vec();
             // Equal values and zeros occur in real maps.
-            for v in 0..flat { map[v] = (map[v]).round(); }
+            map.iter_mut().take(flat).for_each(|x| *x = x.round());
             let mut enhancer = Enhancer::new(&graph, &areas);
             let fast = enhancer.enhance(&map);
             let again = enhancer.enhance(&map);

@@ -22,6 +22,7 @@ mod parameters;
 mod phantom;
 mod progress;
 mod serve;
+mod study;
 mod summary;
 mod used;
 mod words;
@@ -56,6 +57,7 @@ enum Command {
     Backup(backup::BackupArgs),
     Restore(backup::RestoreArgs),
     Match(match_pair::MatchArgs),
+    Study(study::StudyArgs),
     Inspect(inspect::InspectArgs),
     Phantom(phantom::PhantomArgs),
     Experiment(experiment::ExperimentArgs),
@@ -125,6 +127,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Command::Problems => serve::print_problems(),
         Command::Parameters => parameter_table::print_parameters(),
         Command::Match(args) => match_pair::run(&args),
+        Command::Study(args) => study::run(&args),
         Command::Inspect(args) => inspect::run(&args),
         Command::Phantom(args) => phantom::run(&args),
         Command::Experiment(args) => experiment::run(&args),

@@ -84,3 +84,24 @@ fn every_file_of_the_command_line_is_read_as_written() {
     assert!(done.status.success(), "{}", String::from_utf8_lossy(&done.stderr));
     assert_accepted(&out);
 }
+
+#[test]
+#[ignore = "needs the Python environment that scripts/setup test makes"]
+fn every_file_of_a_study_is_read_as_written() {
+    let place = tempfile::tempdir().unwrap();
+    let table = super::studies::cohort(place.path(), 6);
+    let out = place.path().join("out");
+    let done = super::studies::study(&table, &out);
+    assert!(done.status.success(), "{}", String::from_utf8_lossy(&done.stderr));
+    let check = || {
+        let script = root().join("tests/readers/check_study.py");
+        Command::new(python()).arg(script).arg(&out).output().unwrap()
+    };
+    let done = check();
+    assert!(done.status.success(), "{}", String::from_utf8_lossy(&done.stderr));
+    // The script notices a wrong number.
+    let table = out.join("subjects.csv");
+    let text = std::fs::read_to_string(&table).unwrap().replacen(",0.", ",0.5", 1);
+    std::fs::write(&table, text).unwrap();
+    assert!(!check().status.success());
+}

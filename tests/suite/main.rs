@@ -40,6 +40,7 @@ mod service;
 mod spans;
 mod store;
 mod store_records;
+mod studies;
 mod supply;
 mod tickets;
 mod tidy;

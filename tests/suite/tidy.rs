@@ -20,6 +20,7 @@ const MEMBERS: &[(&str, &[&str])] = &[
     ("matching", &["primitives", "mesh", "geometry", "mrf", "registration", "contract"]),
     ("formats", &["mesh", "contract"]),
     ("run", &["primitives", "mesh", "contract", "formats", "matching"]),
+    ("study", &["primitives", "mesh", "registration", "contract", "formats", "run"]),
     ("laboratory", &["primitives", "mesh", "geometry", "registration", "contract", "matching", "formats", "run"]),
 ];
 
@@ -70,6 +71,7 @@ const ARROWS: &[(&str, &[&str])] = &[
             "homolog_mesh",
             "homolog_primitives",
             "homolog_run",
+            "homolog_study",
             "http",
             "jobs",
             "spans",

@@ -275,15 +275,35 @@ pub fn write_gifti(mesh: &SurfaceMesh, arrays: &[VertexArray]) -> Vec<u8> {
     let faces = DataArray { intent: "TRIANGLE", kind: "INT32", dims: [triangles.len(), 3], name: None };
     faces.write(&mut text, "", triangles.iter().flatten().flat_map(|v| v.to_le_bytes()).collect());
     for VertexArray { name, values } in arrays {
-        let (kind, bytes) = match values {
-            VertexValues::Int(v) => ("INT32", v.iter().flat_map(|x| x.to_le_bytes()).collect()),
-            VertexValues::Real(v) => ("FLOAT32", v.iter().flat_map(|&x| (x as f32).to_le_bytes()).collect()),
-            VertexValues::Byte(v) => ("UINT8", v.clone()),
-        };
+        let (kind, bytes) = encoded(values);
         DataArray { intent: "NONE", kind, dims: [values.len(), 1], name: Some(name) }.write(&mut text, "", bytes);
     }
     text.push_str("</GIFTI>\n");
     text.into_bytes()
+}
+
+/// Arrays alone, as a `.shape.gii` that belongs to a surface of another file.
+pub fn write_gifti_shape(arrays: &[VertexArray]) -> Vec<u8> {
+    let mut text = format!(
+        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n\
+         <!DOCTYPE GIFTI SYSTEM \"http://www.nitrc.org/frs/download.php/115/gifti.dtd\">\n\
+         <GIFTI Version=\"1.0\" NumberOfDataArrays=\"{}\">\n<MetaData/>\n<LabelTable/>\n",
+        arrays.len()
+    );
+    for VertexArray { name, values } in arrays {
+        let (kind, bytes) = encoded(values);
+        DataArray { intent: "SHAPE", kind, dims: [values.len(), 1], name: Some(name) }.write(&mut text, "", bytes);
+    }
+    text.push_str("</GIFTI>\n");
+    text.into_bytes()
+}
+
+fn encoded(values: &VertexValues) -> (&'static str, Vec<u8>) {
+    match values {
+        VertexValues::Int(v) => ("INT32", v.iter().flat_map(|x| x.to_le_bytes()).collect()),
+        VertexValues::Real(v) => ("FLOAT32", v.iter().flat_map(|&x| (x as f32).to_le_bytes()).collect()),
+        VertexValues::Byte(v) => ("UINT8", v.clone()),
+    }
 }
 
 struct DataArray {

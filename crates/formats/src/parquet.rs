@@ -15,6 +15,16 @@ enum Values {
     Uint8(Vec<u8>),
     Double(Vec<f64>),
     Bool(Vec<bool>),
+    Text(Vec<String>),
+}
+
+/// A column of a table of anything but vertices.
+#[derive(Debug, Clone, PartialEq)]
+pub enum TableColumn {
+    /// Numbers; NaN where there is none.
+    Real(Vec<f64>),
+    /// Text.
+    Text(Vec<String>),
 }
 
 impl Values {
@@ -26,6 +36,7 @@ impl Values {
             Values::Uint8(_) => (1, Some(11)),
             Values::Uint32(_) => (1, Some(13)),
             Values::Double(_) => (5, None),
+            Values::Text(_) => (6, Some(0)),
         }
     }
 
@@ -36,6 +47,9 @@ impl Values {
             Values::Int32(v) => v.iter().flat_map(|x| x.to_le_bytes()).collect(),
             Values::Uint8(v) => v.iter().flat_map(|&x| u32::from(x).to_le_bytes()).collect(),
             Values::Double(v) => v.iter().flat_map(|x| x.to_le_bytes()).collect(),
+            Values::Text(v) => {
+                v.iter().flat_map(|text| (text.len() as u32).to_le_bytes().into_iter().chain(text.bytes())).collect()
+            }
             // Eight truth values a byte, the first in the lowest bit.
             Values::Bool(v) => v
                 .chunks(8)
@@ -82,6 +96,23 @@ pub fn write_parquet_table(arrays: &[VertexArray]) -> Vec<u8> {
         })
         .collect();
     file(&columns, n)
+}
+
+/// Columns of equal length with any names as a table (float64, UTF-8), none nullable.
+pub fn write_parquet_columns(columns: &[(String, TableColumn)]) -> Vec<u8> {
+    let length = |column: &TableColumn| match column {
+        TableColumn::Real(values) => values.len(),
+        TableColumn::Text(values) => values.len(),
+    };
+    let n = columns.iter().map(|(_, column)| length(column)).min().unwrap_or(0);
+    let values = columns.iter().map(|(name, column)| {
+        let values = match column {
+            TableColumn::Real(values) => Values::Double(values[..n].to_vec()),
+            TableColumn::Text(values) => Values::Text(values[..n].to_vec()),
+        };
+        (name.as_str(), values)
+    });
+    file(&values.collect::<Vec<_>>(), n)
 }
 
 fn file(columns: &[(&str, Values)], n_rows: usize) -> Vec<u8> {

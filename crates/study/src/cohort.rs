@@ -1,0 +1,280 @@
+//! Who is in a study: a table of files with covariates, or the files of a folder.
+//!
+//! The table is CSV with a header. `file` is required; `id`, `subject` (who it is, where one subject has several visits) and
+//! `role` are optional; every other column is a covariate: a number if all its values are, else a factor. Empty cells, `NA`
+//! and `NaN` are missing values.
+
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+
+/// What a subject is for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Role {
+    /// Part of the shape model and of the statistics.
+    Model,
+    /// Only compared with the model: its scores and how unusual its shape is.
+    Score,
+}
+
+/// One surface or label volume of a study.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Subject {
+    /// Its name in all outputs: letters, digits, `_`, `-` and `.`; unique.
+    pub id: String,
+    /// Its file, as the table names it.
+    pub file: PathBuf,
+    /// Who it is: rows with the same subject are visits of one person. The id where the table does not say.
+    pub subject: String,
+    /// What it is for.
+    pub role: Role,
+}
+
+/// A covariate, a value for each subject.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Covariate {
+    /// Its name in the header.
+    pub name: String,
+    /// Its values.
+    pub values: Values,
+}
+
+/// The values of a covariate; `None` where missing.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Values {
+    /// Numbers.
+    Numbers(Vec<Option<f64>>),
+    /// Levels of a factor, by their place in `levels`, which are in alphabetical order.
+    Factor {
+        /// The levels.
+        levels: Vec<String>,
+        /// The level of each subject.
+        of: Vec<Option<usize>>,
+    },
+}
+
+/// The subjects of a study and their covariates.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Cohort {
+    /// In the order of the table.
+    pub subjects: Vec<Subject>,
+    /// In the order of the header.
+    pub covariates: Vec<Covariate>,
+}
+
+/// What is wrong with a table. Rows are lines of the file; the header is line 1.
+#[derive(Debug, thiserror::Error)]
+pub enum CohortError {
+    /// It is not CSV.
+    #[error("the table is not CSV: {0}; write a header and rows with as many cells, separated by commas, in UTF-8")]
+    NotCsv(csv::Error),
+    /// A column that every table has is missing.
+    #[error("the table has no column {0}; its header names the columns, such as id,file,group,age")]
+    NoColumn(&'static str),
+    /// Two columns have one name, or a column has none.
+    #[error("column {column} of the table has {fault}; give each column a name of its own")]
+    ColumnName {
+        /// Its number, from 1.
+        column: usize,
+        /// What is wrong.
+        fault: &'static str,
+    },
+    /// A cell is wrong.
+    #[error("line {line} of the table, column {column}: {fault}")]
+    Cell {
+        /// The line of the file.
+        line: u64,
+        /// The column.
+        column: String,
+        /// What is wrong, and what to do.
+        fault: String,
+    },
+    /// Too few subjects.
+    #[error("a study needs at least 3 subjects; there are {0}")]
+    TooFew(usize),
+}
+
+/// Endings of files that lie beside data and are none.
+const NOT_DATA: [&str; 9] = ["csv", "tsv", "txt", "md", "json", "html", "log", "pdf", "xlsx"];
+
+impl Cohort {
+    /// The subjects of a table; relative files are taken from `folder`.
+    ///
+    /// # Errors
+    /// [`CohortError`], the first fault in the order of lines.
+    pub fn from_csv(text: &[u8], folder: &Path) -> Result<Self, CohortError> {
+        let text = text.strip_prefix(b"\xef\xbb\xbf").unwrap_or(text);
+        let mut reader = csv::ReaderBuilder::new().trim(csv::Trim::All).from_reader(text);
+        let header = reader.headers().map_err(CohortError::NotCsv)?.clone();
+        let mut seen = BTreeSet::new();
+        for (k, name) in header.iter().enumerate() {
+            let fault = if name.is_empty() {
+                "no name"
+            } else if !seen.insert(name) {
+                "the name of an earlier one"
+            } else {
+                continue;
+            };
+            return Err(CohortError::ColumnName { column: k + 1, fault });
+        }
+        let place = |name: &str| header.iter().position(|column| column == name);
+        let file_at = place("file").ok_or(CohortError::NoColumn("file"))?;
+        let [id_at, subject_at, role_at] = ["id", "subject", "role"].map(place);
+        let own = [Some(file_at), id_at, subject_at, role_at];
+        let (mut subjects, mut cells): (Vec<Subject>, Vec<Vec<String>>) = (Vec::new(), vec![Vec::new(); header.len()]);
+        let mut ids = BTreeSet::new();
+        for row in reader.records() {
+            let row = row.map_err(CohortError::NotCsv)?;
+            let line = row.position().map_or(0, csv::Position::line);
+            let cell = |at: Option<usize>| at.and_then(|k| row.get(k)).filter(|text| !text.is_empty());
+            let wrong = |column: &str, fault: String| CohortError::Cell { line, column: column.to_owned(), fault };
+            let file =
+                cell(Some(file_at)).ok_or_else(|| wrong("file", "is empty; name the subject's file".to_owned()))?;
+            let id = cell(id_at).map_or_else(|| stem(Path::new(file)), str::to_owned);
+            let column = if id_at.is_some() { "id" } else { "file" };
+            if id.is_empty() || !id.chars().all(is_plain) || id.starts_with('.') {
+                let fault = "the id names files, so it has only letters, digits, _, - and ., and does not begin with .";
+                return Err(wrong(column, fault.to_owned()));
+            }
+            if !ids.insert(id.to_lowercase()) {
+                let fault =
+                    "an earlier line has the same id (in upper or lower case); add a column id with different ones";
+                return Err(wrong(column, fault.to_owned()));
+            }
+            let role = match cell(role_at) {
+                None | Some("model") => Role::Model,
+                Some("score") => Role::Score,
+                Some(_) => return Err(wrong("role", "is neither model, score nor empty".to_owned())),
+            };
+            let subject = cell(subject_at).map_or_else(|| id.clone(), str::to_owned);
+            subjects.push(Subject { id, file: folder.join(file), subject, role });
+            for (column, text) in cells.iter_mut().zip(row.iter()) {
+                column.push(text.to_owned());
+            }
+        }
+        let covariates = (0..header.len()).filter(|k| !own.contains(&Some(*k)));
+        let covariates = covariates.map(|k| covariate(header.get(k).unwrap_or_default(), &cells[k])).collect();
+        Cohort { subjects, covariates }.checked()
+    }
+
+    /// A subject for each of these files, in the order of their names, without covariates. Tables, texts and hidden files
+    /// are left out.
+    ///
+    /// # Errors
+    /// [`CohortError::TooFew`]; [`CohortError::Cell`] if two files have one stem.
+    pub fn from_files(mut files: Vec<PathBuf>) -> Result<Self, CohortError> {
+        files.sort();
+        files.retain(|file| {
+            let name = file.file_name().unwrap_or_default().to_string_lossy();
+            let ending = name.rsplit_once('.').map(|(_, ending)| ending.to_lowercase()).unwrap_or_default();
+            !name.starts_with('.') && !NOT_DATA.contains(&ending.as_str())
+        });
+        let whole = |file: &PathBuf| file.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        let stems: BTreeSet<_> = files.iter().map(|file| stem(file)).collect();
+        let unique = stems.len() == files.len();
+        let subjects = files.into_iter().map(|file| {
+            let id: String = if unique { stem(&file) } else { whole(&file) };
+            let id: String = id.chars().map(|c| if is_plain(c) { c } else { '_' }).collect();
+            Subject { subject: id.clone(), id, file, role: Role::Model }
+        });
+        Cohort { subjects: subjects.collect(), covariates: Vec::new() }.checked()
+    }
+
+    fn checked(self) -> Result<Self, CohortError> {
+        let n = self.subjects.iter().filter(|subject| subject.role == Role::Model).count();
+        if n < 3 { Err(CohortError::TooFew(n)) } else { Ok(self) }
+    }
+
+    /// The covariate of a name.
+    pub fn covariate(&self, name: &str) -> Option<&Covariate> {
+        self.covariates.iter().find(|covariate| covariate.name == name)
+    }
+
+    /// Whether a subject has several visits.
+    pub fn is_longitudinal(&self) -> bool {
+        let people: BTreeSet<_> = self.subjects.iter().map(|subject| &subject.subject).collect();
+        people.len() < self.subjects.len()
+    }
+}
+
+fn is_plain(c: char) -> bool {
+    c.is_ascii_alphanumeric() || matches!(c, '_' | '-' | '.')
+}
+
+/// The name of a file up to its first dot.
+fn stem(file: &Path) -> String {
+    let name = file.file_name().unwrap_or_default().to_string_lossy();
+    name.split('.').find(|part| !part.is_empty()).unwrap_or_default().to_owned()
+}
+
+fn covariate(name: &str, cells: &[String]) -> Covariate {
+    let present = |text: &String| !(text.is_empty() || text == "NA" || text.eq_ignore_ascii_case("nan"));
+    let number = |text: &String| text.parse::<f64>().ok().filter(|value| value.is_finite());
+    let name = name.to_owned();
+    if cells.iter().filter(|text| present(text)).all(|text| number(text).is_some()) {
+        return Covariate { name, values: Values::Numbers(cells.iter().map(number).collect()) };
+    }
+    let levels: BTreeSet<&String> = cells.iter().filter(|text| present(text)).collect();
+    let levels: Vec<String> = levels.into_iter().cloned().collect();
+    let of = cells.iter().map(|text| levels.iter().position(|level| level == text)).collect();
+    Covariate { name, values: Values::Factor { levels, of } }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn table(text: &str) -> Result<Cohort, String> {
+        Cohort::from_csv(text.as_bytes(), Path::new("data")).map_err(|error| error.to_string())
+    }
+
+    #[test]
+    fn columns_are_numbers_or_factors() {
+        let cohort = table(
+            "\u{feff}id,file,group,age,note\r\na,x/a.ply,patient,61.5,\r\nb,b.ply,control,NA,7\r\n\"c\",c.ply,patient,70,x\r\n",
+        )
+        .unwrap();
+        assert_eq!(cohort.subjects[0].file, Path::new("data/x/a.ply"));
+        assert_eq!(cohort.subjects[2].subject, "c");
+        assert_eq!(cohort.covariate("age").unwrap().values, Values::Numbers(vec![Some(61.5), None, Some(70.0)]));
+        let factor = Values::Factor {
+            levels: vec!["control".to_owned(), "patient".to_owned()],
+            of: vec![Some(1), Some(0), Some(1)],
+        };
+        assert_eq!(cohort.covariate("group").unwrap().values, factor);
+        assert!(
+            matches!(&cohort.covariate("note").unwrap().values, Values::Factor { levels, .. } if levels.len() == 2)
+        );
+        assert!(!cohort.is_longitudinal());
+    }
+
+    #[test]
+    fn faults_name_line_and_column_and_what_to_do() {
+        let rows = "a,a.ply\nb,b.ply\nc,c.ply\n";
+        for (text, parts) in [
+            ("id,group\na,1\n".to_owned(), vec!["no column file"]),
+            (format!("id,id\n{rows}"), vec!["column 2", "name of its own"]),
+            (format!("id,file\n{rows}A,d.ply\n"), vec!["line 5", "column id", "same id"]),
+            (format!("id,file\n{rows}d,\n"), vec!["line 5", "column file", "is empty"]),
+            (format!("id,file\n{rows}a/b,d.ply\n"), vec!["line 5", "column id", "letters"]),
+            ("file,role\na.ply,model\nb.ply,modle\n".to_owned(), vec!["line 3", "column role", "score"]),
+            ("id,file\na,a.ply\nb,b.ply\n".to_owned(), vec!["at least 3", "2"]),
+            ("id,file\na,a.ply,1\n".to_owned(), vec!["not CSV", "as many cells"]),
+        ] {
+            let said = table(&text).unwrap_err();
+            assert!(parts.iter().all(|part| said.contains(part)), "{said}");
+        }
+    }
+
+    #[test]
+    fn a_folder_has_a_subject_for_each_file_of_data() {
+        let files = ["b.nii.gz", "a.ply", ".hidden", "notes.txt", "c d.vtk"].map(PathBuf::from).to_vec();
+        let ids: Vec<_> = Cohort::from_files(files).unwrap().subjects.into_iter().map(|s| s.id).collect();
+        assert_eq!(ids, ["a", "b", "c_d"]);
+        let files = ["lh.pial", "lh.white", "rh.pial"].map(PathBuf::from).to_vec();
+        let ids: Vec<_> = Cohort::from_files(files).unwrap().subjects.into_iter().map(|s| s.id).collect();
+        assert_eq!(ids, ["lh.pial", "lh.white", "rh.pial"]);
+    }
+}

@@ -1,0 +1,156 @@
+//! Consistency of maps over the group: a point that goes around a cycle of subjects should come back.
+//!
+//! Four cycles are measured, over all vertices of the subject where they begin: to the template and back by two matches that
+//! know nothing of each other; to another subject and back by such a pair of matches; around a ring of subjects by pair maps
+//! alone; and around the same ring through the template, where every map is the template's to one subject after the inverse of
+//! its map to another. The last is consistent by construction, up to where a bent template does not reach; it is reported
+//! to show what that costs. How far pair maps are from those through the template is reported too.
+
+use crate::error::StudyError;
+use crate::plan::{Matched, Records, Study};
+use crate::record::Record;
+use homolog_mesh::{ClosestPointIndex, SurfaceMesh};
+use homolog_run::intake::{IntakeLimits, prepare_surface};
+use nalgebra::Point3;
+use rayon::prelude::*;
+use serde::Serialize;
+
+/// Distances over all vertices of the ring's subjects, mm.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Distances {
+    /// Mean.
+    pub mean_mm: f64,
+    /// Median.
+    pub median_mm: f64,
+    /// 95th percentile.
+    pub p95_mm: f64,
+}
+
+/// How consistent maps are.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Consistency {
+    /// Subjects of the ring.
+    pub ring: Vec<String>,
+    /// To the template and back, by two independent matches.
+    pub template_and_back: Distances,
+    /// To the next subject and back, by two independent matches.
+    pub pair_and_back: Distances,
+    /// Around the whole ring, by pair maps alone.
+    pub ring_by_pairs: Distances,
+    /// Around the whole ring, through the template.
+    pub ring_through_template: Distances,
+    /// From a pair map to the map through the template.
+    pub pair_to_template: Distances,
+}
+
+/// A continuous map from one surface to another.
+struct SurfaceMap {
+    from: ClosestPointIndex,
+    images: Vec<Point3<f64>>,
+}
+
+impl SurfaceMap {
+    fn new(from: &SurfaceMesh, images: Vec<Point3<f64>>) -> Self {
+        SurfaceMap { from: ClosestPointIndex::new(from), images }
+    }
+
+    fn apply(&self, points: &[Point3<f64>]) -> Vec<Point3<f64>> {
+        points.iter().map(|p| Point3::from(self.from.closest(p).blend(|k| self.images[k].coords))).collect()
+    }
+}
+
+fn distances(mut all: Vec<f64>) -> Distances {
+    all.sort_by(f64::total_cmp);
+    let n = all.len().max(1);
+    let at = |share: usize| all.get(n * share / 100).copied().unwrap_or(0.0);
+    Distances { mean_mm: all.iter().sum::<f64>() / n as f64, median_mm: at(50), p95_mm: at(95) }
+}
+
+/// Measures the cycles of a study; `None` if none were asked for, or a match of the ring failed.
+///
+/// # Errors
+/// Those of reading records and files.
+pub fn consistency(study: &Study, matched: &Matched, records: &dyn Records) -> Result<Option<Consistency>, StudyError> {
+    let cycles = &matched.cycles;
+    if cycles.ring.len() < 3 {
+        return Ok(None);
+    }
+    let mesh = &matched.making.template.mesh;
+    let mut surfaces = Vec::new();
+    for &k in &cycles.ring {
+        let file = &study.cohort.subjects[k].file;
+        let bytes = std::fs::read(file).map_err(crate::folder::failed("read", file))?;
+        let name = file.file_name().and_then(|name| name.to_str());
+        let parameters = &study.settings.parameters.input.of_target();
+        match prepare_surface(&bytes, name, parameters, &IntakeLimits::default()) {
+            // The numbering of the upload, which records count; vertices without faces go around no cycle.
+            Ok(prepared) => surfaces.push(prepared.uploaded().clone()),
+            Err(_) => return Ok(None),
+        }
+    }
+    let record = |key: &String, vertices: usize| -> Result<Option<Vec<Point3<f64>>>, StudyError> {
+        let found: Option<Record> = records.get(key)?;
+        Ok(found
+            .filter(|r| r.facts.error.is_none() && r.points.len() == vertices)
+            .map(|r| crate::align::points(&r.points)))
+    };
+    let n = cycles.ring.len();
+    let (mut out, mut back, mut to, mut inverse) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+    for (k, surface) in surfaces.iter().enumerate() {
+        let next = &surfaces[(k + 1) % n];
+        let onto = record(&matched.keys[cycles.ring[k]], mesh.n_vertices())?;
+        let found = (
+            record(&cycles.forward[k], surface.n_vertices())?,
+            record(&cycles.backward[k], next.n_vertices())?,
+            record(&cycles.to_template[k], surface.n_vertices())?,
+            onto,
+        );
+        let (Some(forward), Some(backward), Some(to_template), Some(onto)) = found else { return Ok(None) };
+        out.push(SurfaceMap::new(surface, forward));
+        back.push(SurfaceMap::new(next, backward));
+        to.push((SurfaceMap::new(surface, to_template), SurfaceMap::new(mesh, onto.clone())));
+        // From a subject to the template, as the inverse of the template's map to it.
+        inverse.push(SurfaceMap::new(&mesh.with_vertices(onto)?, mesh.vertices().to_vec()));
+    }
+    let apart = |a: &[Point3<f64>], b: &[Point3<f64>]| a.iter().zip(b).map(|(p, q)| (p - q).norm()).collect::<Vec<_>>();
+    let each: Vec<[Vec<f64>; 5]> = (0..n)
+        .into_par_iter()
+        .map(|k| {
+            let begin: Vec<Point3<f64>> = used(&surfaces[k]);
+            let next = (k + 1) % n;
+            let template = to[k].1.apply(&to[k].0.apply(&begin));
+            let pair_image = out[k].apply(&begin);
+            let pair = back[k].apply(&pair_image);
+            let (mut by_pairs, mut through) = (begin.clone(), begin.clone());
+            for step in 0..n {
+                let at = (k + step) % n;
+                by_pairs = out[at].apply(&by_pairs);
+                through = to[(at + 1) % n].1.apply(&inverse[at].apply(&through));
+            }
+            let direct = to[next].1.apply(&inverse[k].apply(&begin));
+            [
+                apart(&begin, &template),
+                apart(&begin, &pair),
+                apart(&begin, &by_pairs),
+                apart(&begin, &through),
+                apart(&pair_image, &direct),
+            ]
+        })
+        .collect();
+    let all = |which: usize| distances(each.iter().flat_map(|cycles| cycles[which].iter().copied()).collect());
+    Ok(Some(Consistency {
+        ring: cycles.ring.iter().map(|&k| study.cohort.subjects[k].id.clone()).collect(),
+        template_and_back: all(0),
+        pair_and_back: all(1),
+        ring_by_pairs: all(2),
+        ring_through_template: all(3),
+        pair_to_template: all(4),
+    }))
+}
+
+/// The vertices that faces use.
+fn used(mesh: &SurfaceMesh) -> Vec<Point3<f64>> {
+    let mut is_used = vec![false; mesh.n_vertices()];
+    mesh.indices().iter().for_each(|&v| is_used[v as usize] = true);
+    mesh.vertices().iter().zip(is_used).filter(|(_, used)| *used).map(|(p, _)| *p).collect()
+}

@@ -1,0 +1,507 @@
+//! From matches and decisions to everything that a study finds.
+
+use crate::align::{Alignment, align, centroid_size, onto, points};
+use crate::cohort::Role;
+use crate::consistency::{Consistency, consistency};
+use crate::error::StudyError;
+use crate::folder::{Decision, Folder, Verdict};
+use crate::labels::{carried, dice, label_at, voted};
+use crate::matching::Watcher;
+use crate::measures::measured;
+use crate::model::ShapeModel;
+use crate::plan::{Matched, Records, Study};
+use crate::quality::{Flag, flags};
+use crate::record::{Facts, Record};
+use crate::settings::{Measure, Size, TemplateChoice};
+use crate::statistics::VertexValues;
+use crate::statistics::design::{Contrast, Design};
+use crate::statistics::effect::{Effect, effect, subjects_needed};
+use crate::statistics::linear::{ContrastMap, LinearModel};
+use crate::statistics::mixed::{MixedMap, MixedModel};
+use crate::statistics::multiple::false_discovery;
+use crate::statistics::permutation::{PermutationMap, test};
+use crate::statistics::tfce::Enhancer;
+use homolog_contract::parameters::LabelChoice;
+use homolog_formats::{FileContent, ReadLimits};
+use homolog_mesh::SurfaceMesh;
+use homolog_mesh::volume::LabelVolume;
+use nalgebra::Point3;
+use rayon::prelude::*;
+use serde::Serialize;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Everything that a study finds.
+#[derive(Debug, Clone)]
+pub struct Findings {
+    /// The template, and the matches.
+    pub matched: Matched,
+    /// One for each subject, in the order of the cohort.
+    pub subjects: Vec<SubjectFindings>,
+    /// Subjects of the model, by their places.
+    pub members: Vec<usize>,
+    /// The frame of the model.
+    pub alignment: Alignment,
+    /// The mean of the members, on the template's mesh.
+    pub mean: SurfaceMesh,
+    /// The shape model.
+    pub model: ShapeModel,
+    /// The statistics, if an effect or a contrast was asked for.
+    pub statistics: Option<Statistics>,
+    /// How consistent maps are.
+    pub consistency: Option<Consistency>,
+    /// Labels of the template, and how well they carry over.
+    pub labels: Option<LabelFindings>,
+}
+
+/// What became of a subject.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Place {
+    /// Part of the model.
+    Model,
+    /// Compared with the model.
+    Scored,
+    /// Left out by a decision.
+    Dropped,
+    /// Left out because its match is not reliable, and no decision keeps it.
+    Unreliable,
+    /// There is no match.
+    Failed,
+}
+
+/// What is found about one subject.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SubjectFindings {
+    /// What became of it.
+    pub place: Place,
+    /// Of its surface and its match.
+    pub facts: Facts,
+    /// What was decided.
+    pub decision: Option<Decision>,
+    /// Centroid size of its shape, mm.
+    pub size_mm: f64,
+    /// Scores, mm.
+    pub scores: Vec<f64>,
+    /// Squared Mahalanobis distance, from the model of the others.
+    pub distance: Option<f64>,
+    /// Share of subjects at least as unusual.
+    pub unusual_p: Option<f64>,
+    /// What is to be looked at.
+    pub flags: Vec<Flag>,
+    /// How urgent it is to be looked at; the largest first.
+    pub urgency: f64,
+    /// Area of each label on the surface, mm², and its volume, mm³, where it was a volume.
+    pub labels: BTreeMap<u32, (f64, Option<f64>)>,
+}
+
+/// Labels of the template.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LabelFindings {
+    /// The labels.
+    pub labels: Vec<u32>,
+    /// The label of each vertex of the template.
+    pub of_vertex: Vec<Option<u32>>,
+    /// Whether they are the given template's own; otherwise the majority of the subjects.
+    pub of_template: bool,
+    /// For each subject with labels of its own and each label, Dice of the labels that were carried to it, voted by subjects of
+    /// the other half (or the template's own).
+    pub dice: Vec<(usize, Vec<Option<f64>>)>,
+}
+
+/// The statistics of a study.
+#[derive(Debug, Clone)]
+pub struct Statistics {
+    /// The design.
+    pub design: Design,
+    /// Whether subjects have several visits: a mixed model, without permutations.
+    pub longitudinal: bool,
+    /// Degrees of freedom of the residuals.
+    pub degrees: f64,
+    /// Maps, by measure and contrast.
+    pub maps: Vec<StatisticMap>,
+    /// Measures that are not meaningful here.
+    pub left_out: Vec<Measure>,
+    /// Effects in variables of whole subjects, by variable and contrast.
+    pub whole: Vec<WholeEffect>,
+    /// Subjects that would be needed to find standardized effects at 80 % power, by contrast.
+    pub planning: Vec<Planning>,
+}
+
+/// A map of a contrast.
+#[derive(Debug, Clone)]
+pub struct StatisticMap {
+    /// What was measured.
+    pub measure: Measure,
+    /// The contrast's place in the design.
+    pub contrast: usize,
+    /// The linear model, and its permutations; `None` for visits.
+    pub linear: Option<(ContrastMap, PermutationMap)>,
+    /// The mixed model of visits.
+    pub mixed: Option<MixedMap>,
+    /// Least false discovery rate of each vertex.
+    pub q: Vec<f64>,
+}
+
+impl StatisticMap {
+    /// The effect at each vertex.
+    pub fn effect(&self) -> &[f64] {
+        match (&self.linear, &self.mixed) {
+            (Some((linear, _)), _) => &linear.effect,
+            (None, Some(mixed)) => &mixed.effect,
+            (None, None) => &[],
+        }
+    }
+
+    /// The p-value that the report shows: of enhanced clusters over all vertices, or for visits the false discovery rate.
+    pub fn p_corrected(&self) -> &[f64] {
+        self.linear.as_ref().map_or(&self.q, |(_, permuted)| &permuted.p_tfce)
+    }
+}
+
+/// An effect in a variable of whole subjects.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct WholeEffect {
+    /// The variable.
+    pub variable: String,
+    /// The contrast.
+    pub contrast: String,
+    /// The effect.
+    pub effect: Effect,
+}
+
+/// Subjects that a further study needs.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Planning {
+    /// The contrast.
+    pub contrast: String,
+    /// The standardized effect.
+    pub d: f64,
+    /// Subjects, in the proportions of this study; `None`: more than 100,000.
+    pub subjects: Option<usize>,
+}
+
+/// Everything that a study finds from its matches.
+///
+/// # Errors
+/// [`StudyError`].
+pub fn find(
+    study: &Study,
+    matched: &Matched,
+    folder: &Folder,
+    decisions: &[Decision],
+    watcher: &dyn Watcher,
+) -> Result<Findings, StudyError> {
+    watcher.progress("shape model", 0, 1);
+    let (cohort, template) = (&study.cohort, &matched.making.template.mesh);
+    let mut subjects = Vec::new();
+    for (k, subject) in cohort.subjects.iter().enumerate() {
+        let Record { mut facts, points: shape } = folder.get(&matched.keys[k])?.unwrap_or(Record {
+            facts: Facts { error: Some("the match is missing".to_owned()), ..Facts::default() },
+            points: Vec::new(),
+        });
+        if facts.error.is_none() && shape.len() != template.n_vertices() {
+            facts.error = Some("the match has other vertices than the template".to_owned());
+        }
+        let decision = decisions.iter().find(|decision| decision.id == subject.id).cloned();
+        let verdict = decision.as_ref().map(|decision| decision.decision);
+        let place = match (&facts.error, verdict, facts.reliable, subject.role) {
+            (Some(_), ..) => Place::Failed,
+            (None, Some(Verdict::Dropped), ..) => Place::Dropped,
+            (None, None, Some(false), _) => Place::Unreliable,
+            (None, _, _, Role::Model) => Place::Model,
+            (None, _, _, Role::Score) => Place::Scored,
+        };
+        subjects.push(SubjectFindings {
+            place,
+            facts,
+            decision,
+            size_mm: 0.0,
+            scores: Vec::new(),
+            distance: None,
+            unusual_p: None,
+            flags: Vec::new(),
+            urgency: 0.0,
+            labels: BTreeMap::new(),
+        });
+    }
+    let members: Vec<usize> = (0..subjects.len()).filter(|&k| subjects[k].place == Place::Model).collect();
+    if members.len() < 3 {
+        let reason = subjects.iter().find_map(|subject| subject.facts.error.clone()).unwrap_or_default();
+        let (matched, all) = (members.len(), subjects.len());
+        return Err(StudyError::TooFewMatches { matched, all, purpose: "for a shape model", reason });
+    }
+    let keys = |of: &[usize]| of.iter().map(|&k| (matched.keys[k].clone(), cohort.subjects[k].id.clone())).collect();
+    let shapes = folder.shapes(keys(&members), template.n_vertices());
+    let alignment = align(&shapes, template, study.settings.size)?;
+    let model = ShapeModel::new(&shapes, &alignment, study.settings.analysis.seed)?;
+    let mean = template.with_vertices(alignment.mean.clone())?;
+    for (row, &k) in members.iter().enumerate() {
+        subjects[k].scores.clone_from(&model.scores[row][..model.modes.len()].to_vec());
+        subjects[k].distance = Some(model.left_out[row]);
+        subjects[k].unusual_p = Some(model.unusual_of(row));
+    }
+    let others: Vec<usize> =
+        (0..subjects.len()).filter(|&k| !matches!(subjects[k].place, Place::Model | Place::Failed)).collect();
+    for &k in &others {
+        let moved = moved(study, matched, folder, &alignment, k)?;
+        let (scores, distance) = model.score(&alignment, &moved);
+        (subjects[k].scores, subjects[k].distance) = (scores, Some(distance));
+        subjects[k].unusual_p = Some(model.unusual(distance));
+    }
+    let sizes: Vec<(usize, f64)> = (0..subjects.len())
+        .into_par_iter()
+        .filter(|&k| subjects[k].place != Place::Failed)
+        .map(|k| {
+            let record = folder.get(&matched.keys[k])?;
+            let shape = record.map(|record| points(&record.points)).unwrap_or_default();
+            Ok((k, centroid_size(&shape, &alignment.weights)))
+        })
+        .collect::<Result<_, StudyError>>()?;
+    sizes.into_iter().for_each(|(k, size)| subjects[k].size_mm = size);
+    watcher.progress("labels", 0, 1);
+    let labels = labels(study, matched, folder, &mut subjects)?;
+    flags(&mut subjects);
+    watcher.progress("statistics", 0, 1);
+    let statistics = statistics(study, matched, folder, &alignment, &mean, &subjects, &members, watcher)?;
+    let consistency = consistency(study, matched, folder)?;
+    let matched = matched.clone();
+    Ok(Findings { matched, subjects, members, alignment, mean, model, statistics, consistency, labels })
+}
+
+/// A subject's shape, moved onto the mean.
+pub(crate) fn moved(
+    study: &Study,
+    matched: &Matched,
+    folder: &Folder,
+    alignment: &Alignment,
+    k: usize,
+) -> Result<Vec<Point3<f64>>, StudyError> {
+    let record = folder.get(&matched.keys[k])?;
+    let own = record.map(|record| points(&record.points)).unwrap_or_default();
+    let sized = study.settings.size == Size::Removed;
+    let id = || study.cohort.subjects[k].id.clone();
+    let transform = onto(&own, &alignment.mean, &alignment.weights, sized)
+        .map_err(|error| StudyError::Alignment { id: id(), error })?;
+    Ok(own.iter().map(|p| transform.apply(p)).collect())
+}
+
+/// A subject's label volume and those labels of it that belong to the structure, ascending; `None` for a surface.
+pub(crate) fn volume_of(study: &Study, k: usize) -> Result<Option<(LabelVolume, Vec<u32>)>, StudyError> {
+    let file = &study.cohort.subjects[k].file;
+    let bytes = std::fs::read(file).map_err(crate::folder::failed("read", file))?;
+    Ok(volume(
+        &bytes,
+        file.file_name().and_then(|name| name.to_str()),
+        &study.settings.parameters.input.of_target().labels,
+    ))
+}
+
+fn volume(bytes: &[u8], name: Option<&str>, chosen: &Option<Vec<LabelChoice>>) -> Option<(LabelVolume, Vec<u32>)> {
+    let read = homolog_formats::read(bytes, name, &ReadLimits::default()).ok()?;
+    let FileContent::Labels(volume) = read.content else { return None };
+    let is_chosen = |label: u32| match chosen {
+        None => true,
+        Some(chosen) => chosen.iter().any(|choice| match choice {
+            LabelChoice::Number(number) => *number == label,
+            LabelChoice::Name(name) => read.label_names.get(&label).is_some_and(|of| of.eq_ignore_ascii_case(name)),
+        }),
+    };
+    let labels = volume.label_counts().into_keys().filter(|&label| is_chosen(label)).collect();
+    Some((volume, labels))
+}
+
+/// Labels of the template and their transfer to all subjects.
+fn labels(
+    study: &Study,
+    matched: &Matched,
+    folder: &Folder,
+    subjects: &mut [SubjectFindings],
+) -> Result<Option<LabelFindings>, StudyError> {
+    let mesh = &matched.making.template.mesh;
+    let input = |path: &std::path::Path| std::fs::read(path).map_err(crate::folder::failed("read", path));
+    let usable: Vec<usize> = (0..subjects.len()).filter(|&k| subjects[k].place != Place::Failed).collect();
+    let shape = |k: usize| -> Result<Vec<Point3<f64>>, StudyError> {
+        Ok(folder.get(&matched.keys[k])?.map(|record| points(&record.points)).unwrap_or_default())
+    };
+    type Voted = (usize, Vec<u32>, Vec<Option<u32>>);
+    let votes: Vec<Option<Voted>> = usable
+        .par_iter()
+        .map(|&k| {
+            let Some((volume, labels)) = volume_of(study, k)?.filter(|(_, labels)| labels.len() > 1) else {
+                return Ok(None);
+            };
+            let vote = shape(k)?.iter().map(|p| label_at(&volume, &labels, p)).collect();
+            Ok(Some((k, labels, vote)))
+        })
+        .collect::<Result<_, StudyError>>()?;
+    let votes: Vec<Voted> = votes.into_iter().flatten().collect();
+    let own = match &study.settings.template {
+        TemplateChoice::Given { file } => {
+            let name = file.file_name().and_then(|name| name.to_str());
+            let found = volume(&input(file)?, name, &study.settings.parameters.input.of_source().labels);
+            found.filter(|(_, labels)| labels.len() > 1).map(|(volume, labels)| {
+                let of = mesh.vertices().iter().map(|p| label_at(&volume, &labels, p)).collect::<Vec<_>>();
+                (labels, of)
+            })
+        }
+        TemplateChoice::Made(_) => None,
+    };
+    let of_template = own.is_some();
+    let n = mesh.n_vertices();
+    let (labels, of_vertex) = match own {
+        Some(own) => own,
+        None if votes.is_empty() => return Ok(None),
+        None => {
+            let labels: BTreeSet<u32> = votes.iter().flat_map(|(_, labels, _)| labels.iter().copied()).collect();
+            let members = votes.iter().filter(|(k, ..)| subjects[*k].place == Place::Model);
+            (labels.into_iter().collect(), voted(members.map(|(_, _, vote)| vote.as_slice()), n))
+        }
+    };
+    // Every other subject votes for those between, so that no subject's labels are carried back to it.
+    let half = |which: usize| {
+        let some = votes.iter().enumerate().filter(|(row, _)| row % 2 == which);
+        voted(some.map(|(_, (_, _, vote))| vote.as_slice()), n)
+    };
+    let halves = [half(0), half(1)];
+    type Carried = (usize, BTreeMap<u32, (f64, Option<f64>)>, Option<Vec<Option<f64>>>);
+    let rows: BTreeMap<usize, usize> = votes.iter().enumerate().map(|(row, (k, ..))| (*k, row)).collect();
+    let found: Vec<Carried> = usable
+        .par_iter()
+        .map(|&k| {
+            let bent = mesh.with_vertices(shape(k)?)?;
+            let areas = crate::align::vertex_areas(&bent);
+            let area = |label: u32| {
+                areas.iter().zip(&of_vertex).filter(|(_, of)| **of == Some(label)).map(|(area, _)| area).sum::<f64>()
+            };
+            let mut each: BTreeMap<u32, (f64, Option<f64>)> =
+                labels.iter().map(|&label| (label, (area(label), None))).collect();
+            let mut overlap = None;
+            if let Some((volume, structure)) = volume_of(study, k)? {
+                let voxel = volume.affine().fixed_view::<3, 3>(0, 0).determinant().abs();
+                for label in carried(&volume, &structure, &bent, &of_vertex) {
+                    if let Some((_, mm3)) = each.get_mut(&label) {
+                        *mm3 = Some(mm3.unwrap_or(0.0) + voxel);
+                    }
+                }
+                if let Some(row) = rows.get(&k).filter(|_| of_template || votes.len() > 1) {
+                    let by = if of_template { &of_vertex } else { &halves[(row + 1) % 2] };
+                    let back = carried(&volume, &structure, &bent, by);
+                    overlap = Some(dice(&back, volume.labels(), &labels));
+                }
+            }
+            Ok((k, each, overlap))
+        })
+        .collect::<Result<_, StudyError>>()?;
+    let mut overlaps = Vec::new();
+    for (k, each, overlap) in found {
+        subjects[k].labels = each;
+        overlaps.extend(overlap.map(|dice| (k, dice)));
+    }
+    Ok(Some(LabelFindings { labels, of_vertex, of_template, dice: overlaps }))
+}
+
+#[allow(clippy::too_many_arguments)]
+fn statistics(
+    study: &Study,
+    matched: &Matched,
+    folder: &Folder,
+    alignment: &Alignment,
+    mean: &SurfaceMesh,
+    subjects: &[SubjectFindings],
+    members: &[usize],
+    watcher: &dyn Watcher,
+) -> Result<Option<Statistics>, StudyError> {
+    let analysis = &study.settings.analysis;
+    if analysis.effect.is_none() && analysis.contrasts.is_empty() {
+        return Ok(None);
+    }
+    let design = Design::new(&study.cohort, members, analysis).map_err(StudyError::Settings)?;
+    let people: Vec<&String> = design.rows.iter().map(|&k| &study.cohort.subjects[k].subject).collect();
+    let known: BTreeSet<&String> = people.iter().copied().collect();
+    let longitudinal = known.len() < people.len();
+    let person: Vec<usize> =
+        people.iter().map(|id| known.iter().position(|other| other == id).unwrap_or_default()).collect();
+    let linear = LinearModel::new(&design.matrix);
+    let mixed = MixedModel::new(&design.matrix, &person);
+    let (graph, areas) = (mean.edge_graph(), crate::align::vertex_areas(mean));
+    let enhancer = Enhancer::new(&graph, &areas);
+    let (mut maps, mut left_out) = (Vec::new(), Vec::new());
+    for (done, &measure) in analysis.measures.iter().enumerate() {
+        let of_subjects: Vec<Option<Vec<f64>>> = design
+            .rows
+            .par_iter()
+            .map(|&k| {
+                let own = mean.with_vertices(moved(study, matched, folder, alignment, k)?)?;
+                Ok(measured(measure, mean, &own))
+            })
+            .collect::<Result<_, StudyError>>()?;
+        let Some(of_subjects) = of_subjects.into_iter().collect::<Option<Vec<_>>>() else {
+            left_out.push(measure);
+            continue;
+        };
+        let values = VertexValues::from_subjects(&of_subjects);
+        drop(of_subjects);
+        for (place, contrast) in design.contrasts.iter().enumerate() {
+            if watcher.is_interrupted() {
+                return Err(StudyError::Interrupted);
+            }
+            watcher.progress(
+                "statistics",
+                done * design.contrasts.len() + place,
+                analysis.measures.len() * design.contrasts.len(),
+            );
+            maps.push(if longitudinal {
+                let mixed = mixed.contrast(&values, &contrast.weights);
+                let q = false_discovery(&mixed.p);
+                StatisticMap { measure, contrast: place, linear: None, mixed: Some(mixed), q }
+            } else {
+                let map = linear.contrast(&values, &contrast.weights);
+                let permuted =
+                    test(&linear, &values, &contrast.weights, &enhancer, analysis.permutations, analysis.seed);
+                let q = false_discovery(&map.robust_p);
+                StatisticMap { measure, contrast: place, linear: Some((map, permuted)), mixed: None, q }
+            });
+        }
+    }
+    let whole = if longitudinal { Vec::new() } else { whole_effects(&linear, &design, subjects) };
+    let planning = if longitudinal { Vec::new() } else { planning(&linear, &design) };
+    let degrees = linear.degrees();
+    Ok(Some(Statistics { design, longitudinal, degrees, maps, left_out, whole, planning }))
+}
+
+/// Effects in volume, area, size and labels.
+fn whole_effects(linear: &LinearModel, design: &Design, subjects: &[SubjectFindings]) -> Vec<WholeEffect> {
+    let rows = || design.rows.iter().map(|&k| &subjects[k]);
+    let mut variables: Vec<(String, Vec<f64>)> = Vec::new();
+    let mut add = |name: String, values: Option<Vec<f64>>| variables.extend(values.map(|values| (name, values)));
+    add("volume, mm³".to_owned(), rows().map(|s| s.facts.volume_mm3).collect());
+    add("area, mm²".to_owned(), Some(rows().map(|s| s.facts.area_mm2).collect()));
+    add("centroid size, mm".to_owned(), Some(rows().map(|s| s.size_mm).collect()));
+    let labels: BTreeSet<u32> = rows().flat_map(|subject| subject.labels.keys().copied()).collect();
+    for label in labels {
+        add(format!("volume of label {label}, mm³"), rows().map(|s| s.labels.get(&label).and_then(|l| l.1)).collect());
+        add(format!("area of label {label}, mm²"), rows().map(|s| s.labels.get(&label).map(|l| l.0)).collect());
+    }
+    let mut effects = Vec::new();
+    for (variable, values) in variables {
+        let values = VertexValues::from_subjects(&values.iter().map(|&value| vec![value]).collect::<Vec<_>>());
+        for Contrast { name, weights, .. } in &design.contrasts {
+            let length = crate::statistics::linear::norm(&linear.observation_weights(weights));
+            let effect = effect(&linear.contrast(&values, weights), linear.degrees(), length);
+            effects.push(WholeEffect { variable: variable.clone(), contrast: name.clone(), effect });
+        }
+    }
+    effects
+}
+
+fn planning(linear: &LinearModel, design: &Design) -> Vec<Planning> {
+    let mut planning = Vec::new();
+    for contrast in design.contrasts.iter().filter(|contrast| contrast.of_levels) {
+        let length = crate::statistics::linear::norm(&linear.observation_weights(&contrast.weights));
+        for d in [0.2, 0.5, 0.8] {
+            let subjects = subjects_needed(d, design.rows.len(), design.columns.len(), length, 0.05, 0.8);
+            planning.push(Planning { contrast: contrast.name.clone(), d, subjects });
+        }
+    }
+    planning
+}

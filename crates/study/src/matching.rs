@@ -1,0 +1,292 @@
+//! A study from its files to all its matches, on the threads of this process.
+
+use crate::cohort::Cohort;
+use crate::error::StudyError;
+use crate::folder::{Folder, Kept, failed};
+use crate::plan::{Matched, Purpose, Step, Study, Task, Template, hash, spread, surface};
+use crate::record::{Record, compute};
+use crate::settings::{Settings, TemplateChoice};
+use homolog_primitives::observe::Observer;
+use homolog_run::{InputFile, SurfaceCache};
+use rayon::prelude::*;
+use std::path::Path;
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+/// Memory for prepared surfaces, bytes: the template is prepared once.
+const PREPARED_BYTES: u64 = 256 << 20;
+
+/// Told how a study goes on, from one thread at a time, and may interrupt it.
+pub trait Watcher: Sync {
+    /// What is being done, and how much of it is.
+    fn progress(&self, what: &str, done: usize, of: usize) {
+        let _ = (what, done, of);
+    }
+    /// Whether to stop. What is finished is kept.
+    fn is_interrupted(&self) -> bool {
+        false
+    }
+}
+
+/// Passes an interruption on to a match.
+struct Interruption<'a>(&'a dyn Watcher);
+
+impl Observer for Interruption<'_> {
+    fn is_cancelled(&self) -> bool {
+        self.0.is_interrupted()
+    }
+}
+
+fn read(path: &Path) -> Result<Vec<u8>, StudyError> {
+    std::fs::read(path).map_err(failed("read", path))
+}
+
+fn name(path: &Path) -> Option<&str> {
+    path.file_name().and_then(|name| name.to_str())
+}
+
+impl Study {
+    /// A study over files: hashes every subject, and takes the given template, or the surface from which one is made, or
+    /// the template that the folder keeps.
+    ///
+    /// `hashes`: what an earlier `study.json` says of the files; empty: nothing.
+    ///
+    /// # Errors
+    /// [`StudyError`].
+    pub fn open(
+        cohort: Cohort,
+        mut settings: Settings,
+        hashes: &[String],
+        folder: &Folder,
+    ) -> Result<Self, StudyError> {
+        let found: Vec<String> = cohort
+            .subjects
+            .par_iter()
+            .map(|subject| read(&subject.file).map(|bytes| hash(&bytes)))
+            .collect::<Result<_, _>>()?;
+        for (subject, (found, stated)) in cohort.subjects.iter().zip(found.iter().zip(hashes)) {
+            if found != stated {
+                return Err(StudyError::Changed { path: subject.file.clone() });
+            }
+        }
+        let asked = asked(&settings);
+        let kept = folder.kept(&asked)?;
+        let by_id = |id: &String| {
+            let place = cohort.subjects.iter().position(|subject| subject.id == *id);
+            place
+                .ok_or_else(|| StudyError::Settings(format!("the study has no subject {id}; its ids are in the table")))
+        };
+        let places = |ids: &[String]| ids.iter().map(by_id).collect::<Result<Vec<usize>, _>>();
+        let known = |ids: &[String]| ids.iter().all(|id| cohort.subjects.iter().any(|subject| subject.id == *id));
+        let recorded = kept.as_ref().map(|(kept, _)| kept);
+        let ring = match (recorded.filter(|kept| known(&kept.ring)), settings.cycle_ring.as_slice()) {
+            (Some(kept), _) => places(&kept.ring)?,
+            (None, []) if settings.cycle_subjects < 3 => Vec::new(),
+            (None, []) => spread(&cohort, settings.cycle_subjects),
+            (None, ids) => places(ids)?,
+        };
+        let ids = |places: &[usize]| places.iter().map(|&k| cohort.subjects[k].id.clone()).collect::<Vec<_>>();
+        settings.cycle_ring = ids(&ring);
+        let parameters = settings.parameters.clone();
+        let (first, making, makers) = match &mut settings.template {
+            TemplateChoice::Given { file } => {
+                let refused = |why| StudyError::Start { what: file.display().to_string(), why };
+                let first = surface(&read(file)?, name(file), &parameters).map_err(refused)?;
+                (first, None, Vec::new())
+            }
+            TemplateChoice::Made(how) => {
+                if let Some((kept, template)) = kept {
+                    how.from.clone_from(&kept.from);
+                    let making = crate::plan::Making { template: template.clone(), rounds: kept.rounds };
+                    (template, Some(making), Vec::new())
+                } else {
+                    let makers = if how.from.is_empty() { spread(&cohort, how.subjects) } else { places(&how.from)? };
+                    how.from = ids(&makers);
+                    let start = how.start.as_ref().map(by_id).transpose()?;
+                    (start_surface(&cohort, &parameters, start, &makers)?, None, makers)
+                }
+            }
+        };
+        Ok(Study { cohort, settings, hashes: found, first, kept: making, makers, ring })
+    }
+
+    /// Computes every match that is missing, on `threads` threads, and keeps each when it is finished. Returns when all are
+    /// there.
+    ///
+    /// # Errors
+    /// [`StudyError`]; [`StudyError::Interrupted`] if the watcher asked to stop.
+    pub fn match_all(&mut self, folder: &Folder, threads: usize, watcher: &dyn Watcher) -> Result<Matched, StudyError> {
+        let surfaces = SurfaceCache::new(PREPARED_BYTES);
+        loop {
+            match self.next(folder)? {
+                Step::Matched(matched) => {
+                    if self.kept.is_none() {
+                        self.keep_making(folder, &matched.making)?;
+                    }
+                    return Ok(*matched);
+                }
+                Step::Match { purpose, template, tasks, finished } => {
+                    if purpose == Purpose::Subjects && self.kept.is_none() {
+                        // From here on a subject that is added costs one match.
+                        let making = self
+                            .making(folder)?
+                            .unwrap_or(crate::plan::Making { template: (*template).clone(), rounds: Vec::new() });
+                        self.keep_making(folder, &making)?;
+                    }
+                    let what = match purpose {
+                        Purpose::Template(round) => format!("template, round {round}"),
+                        Purpose::Subjects => "matching".to_owned(),
+                    };
+                    let all = finished + tasks.len();
+                    let at = Mutex::new(finished);
+                    let done = || {
+                        let mut at = at.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
+                        *at += 1;
+                        watcher.progress(&what, *at, all);
+                    };
+                    watcher.progress(&what, finished, all);
+                    each(&tasks, threads, &|task| {
+                        let record = self.compute(task, &template, &surfaces, watcher)?;
+                        folder.keep(&task.key, &record)?;
+                        done();
+                        Ok(())
+                    })?;
+                }
+            }
+        }
+    }
+
+    fn keep_making(&mut self, folder: &Folder, making: &crate::plan::Making) -> Result<(), StudyError> {
+        let kept = Kept {
+            asked: asked(&self.settings),
+            hash: making.template.hash.clone(),
+            from: match &self.settings.template {
+                TemplateChoice::Made(how) => how.from.clone(),
+                TemplateChoice::Given { .. } => Vec::new(),
+            },
+            ring: self.settings.cycle_ring.clone(),
+            rounds: making.rounds.clone(),
+        };
+        folder.keep_template(&kept, making)?;
+        self.kept = Some(making.clone());
+        Ok(())
+    }
+
+    /// Computes one match.
+    ///
+    /// # Errors
+    /// [`StudyError::File`], [`StudyError::Changed`] and [`StudyError::Interrupted`].
+    pub fn compute(
+        &self,
+        task: &Task,
+        template: &Template,
+        surfaces: &SurfaceCache,
+        watcher: &dyn Watcher,
+    ) -> Result<Record, StudyError> {
+        let bytes = |side: Option<usize>| match side {
+            None => Ok(None),
+            Some(k) => {
+                let path = &self.cohort.subjects[k].file;
+                let bytes = read(path)?;
+                if hash(&bytes) == self.hashes[k] {
+                    Ok(Some(bytes))
+                } else {
+                    Err(StudyError::Changed { path: path.clone() })
+                }
+            }
+        };
+        let (source, target) = (bytes(task.source)?, bytes(task.target)?);
+        let (source, target) = (source.as_deref(), target.as_deref());
+        let input = |side: Option<usize>, bytes| match (side, bytes) {
+            (Some(k), Some(bytes)) => InputFile { bytes, name: name(&self.cohort.subjects[k].file) },
+            _ => InputFile { bytes: &template.ply, name: None },
+        };
+        let (source, target) = (input(task.source, source), input(task.target, target));
+        compute(surfaces, source, target, &self.settings.parameters, &Interruption(watcher))
+            .ok_or(StudyError::Interrupted)
+    }
+}
+
+/// What a kept template depends on besides the files of its subjects.
+fn asked(settings: &Settings) -> String {
+    let mut template = settings.template.clone();
+    if let TemplateChoice::Made(how) = &mut template {
+        how.from.clear();
+    }
+    let text = serde_json::to_string(&(template, settings.cycle_subjects, &settings.parameters)).unwrap_or_default();
+    hash(text.as_bytes())
+}
+
+/// The surface from which a template is made: that of the subject asked for, or the one of median volume (of open surfaces,
+/// median area) among those that it is made from.
+fn start_surface(
+    cohort: &Cohort,
+    parameters: &homolog_contract::parameters::MatchParameters,
+    start: Option<usize>,
+    makers: &[usize],
+) -> Result<Template, StudyError> {
+    let of = |k: usize| {
+        let file = &cohort.subjects[k].file;
+        Ok(surface(&read(file)?, name(file), parameters))
+    };
+    if let Some(k) = start {
+        let refused = |why| StudyError::Start { what: format!("subject {}", cohort.subjects[k].id), why };
+        return of(k)?.map_err(refused);
+    }
+    let found: Vec<Result<Template, String>> = makers.par_iter().map(|&k| of(k)).collect::<Result<_, StudyError>>()?;
+    let (mut sized, mut reason) = (Vec::new(), String::new());
+    for (k, found) in found.into_iter().enumerate() {
+        match found {
+            Ok(template) => {
+                let closed = template.mesh.boundary_vertices().is_none();
+                let size = if closed { template.mesh.signed_volume() } else { template.mesh.area() };
+                sized.push((size, k, template));
+            }
+            Err(why) => reason = why,
+        }
+    }
+    sized.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+    let middle = sized.len() / 2;
+    let found = sized.into_iter().nth(middle).map(|(_, _, template)| template);
+    found.ok_or(StudyError::Start { what: "any subject".to_owned(), why: reason })
+}
+
+/// Does every task, each on one thread of its own pool. Matches must not share a pool: a thread that waits for a part of one
+/// match would take up another, and hold what the first needs.
+fn each(
+    tasks: &[Task],
+    threads: usize,
+    work: &(dyn Fn(&Task) -> Result<(), StudyError> + Sync),
+) -> Result<(), StudyError> {
+    let (next, fault) = (AtomicUsize::new(0), Mutex::new(None));
+    let has_failed = || fault.lock().unwrap_or_else(std::sync::PoisonError::into_inner).is_some();
+    std::thread::scope(|scope| {
+        for _ in 0..threads.clamp(1, tasks.len().max(1)) {
+            scope.spawn(|| {
+                let pool = match rayon::ThreadPoolBuilder::new().num_threads(1).build() {
+                    Ok(pool) => pool,
+                    Err(error) => {
+                        let error = StudyError::Settings(format!("a thread for matches cannot be started: {error}"));
+                        fault.lock().unwrap_or_else(std::sync::PoisonError::into_inner).get_or_insert(error);
+                        return;
+                    }
+                };
+                pool.install(|| {
+                    while let Some(task) = tasks.get(next.fetch_add(1, Ordering::Relaxed)) {
+                        if has_failed() {
+                            return;
+                        }
+                        if let Err(error) = work(task) {
+                            fault.lock().unwrap_or_else(std::sync::PoisonError::into_inner).get_or_insert(error);
+                            return;
+                        }
+                    }
+                });
+            });
+        }
+    });
+    match fault.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner) {
+        Some(error) => Err(error),
+        None => Ok(()),
+    }
+}

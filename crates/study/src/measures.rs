@@ -1,0 +1,97 @@
+//! What is measured at each vertex of a subject, in the frame of the mean.
+
+use crate::align::vertex_areas;
+use crate::settings::Measure;
+use homolog_mesh::{ClosestPointIndex, SurfaceMesh};
+
+/// Steps of a ball that shrinks; it rarely needs more than eight.
+const MAX_STEPS: usize = 40;
+/// A ball that shrinks by less than this share of its radius touches.
+const TOUCHES: f64 = 0.01;
+
+/// One measure at each vertex of a subject: `subject` has the vertices of `mean` and was moved onto it. `None` if it is not
+/// meaningful: thickness of a surface that is not closed.
+pub fn measured(measure: Measure, mean: &SurfaceMesh, subject: &SurfaceMesh) -> Option<Vec<f64>> {
+    match measure {
+        Measure::NormalDisplacement => {
+            let normals = mean.vertex_normals();
+            let pairs = mean.vertices().iter().zip(subject.vertices());
+            Some(pairs.zip(normals).map(|((mean, own), normal)| (own - mean).dot(&normal)).collect())
+        }
+        Measure::LogArea => {
+            let (own, mean) = (vertex_areas(subject), vertex_areas(mean));
+            // A vertex that a map folded away has no area; a thousandth bounds what it weighs.
+            Some(own.iter().zip(&mean).map(|(own, mean)| (own / mean).max(1e-3).ln()).collect())
+        }
+        Measure::Thickness => subject.boundary_vertices().is_none().then(|| thickness(subject)),
+    }
+}
+
+/// The radius of the largest ball inside a closed surface that touches it at each vertex, mm: the distance to the medial axis
+/// along the normal.
+///
+/// A ball that touches at the vertex and is too large is cut by the surface nearest to its center; the ball through that point
+/// is smaller, and so on, to a hundredth. It begins with half the diagonal. Bumps beside the vertex do not count: the two points
+/// where the ball touches are at least 60 degrees apart as seen from its center.
+///
+/// Source: Ma, Bae, Choi, *3D medial axis point approximation using nearest neighbors and the normal field*, Visual Computer
+/// 28, 2012.
+pub fn thickness(mesh: &SurfaceMesh) -> Vec<f64> {
+    let index = ClosestPointIndex::new(mesh);
+    let (low, high) = mesh.bounding_box();
+    let largest = (high - low).norm() / 2.0;
+    let of = |v: usize, normal: &nalgebra::Vector3<f64>| {
+        let p = mesh.vertices()[v];
+        let mut radius = largest;
+        for _ in 0..MAX_STEPS {
+            let center = p - radius * normal;
+            let nearest = index.closest(&center);
+            if (nearest.point - center).norm() >= radius * (1.0 - TOUCHES) {
+                break;
+            }
+            // Vertices lie on the surface that was sampled; between them flat triangles cut off what curves.
+            let corners = nearest.triangle.iter().filter(|&&corner| corner as usize != v);
+            let through = corners.filter_map(|&corner| {
+                let to = mesh.vertices()[corner as usize] - p;
+                let depth = -2.0 * normal.dot(&to);
+                // A point seen from the center at less than 60 degrees from the vertex is a bump beside it, or an error of
+                // its normal, and not the other side.
+                (depth > 0.0 && to.norm() * depth >= to.norm_squared()).then(|| to.norm_squared() / depth)
+            });
+            let smaller = through.fold(f64::INFINITY, f64::min);
+            if smaller >= radius * (1.0 - TOUCHES) {
+                break;
+            }
+            radius = smaller;
+        }
+        radius
+    };
+    mesh.vertex_normals().iter().enumerate().map(|(v, normal)| of(v, normal)).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use homolog_mesh::FaceArity;
+    use homolog_mesh::shapes::{ellipsoid, torus};
+    use nalgebra::Vector3;
+
+    #[test]
+    fn a_grown_sphere_is_displaced_by_the_difference_of_radii() {
+        let mean = ellipsoid(Vector3::repeat(5.0), 4);
+        let grown = mean.with_vertices(mean.vertices().iter().map(|p| p * 1.2).collect()).unwrap();
+        let of = |measure| measured(measure, &mean, &grown).unwrap();
+        assert!(of(Measure::NormalDisplacement).iter().all(|d| (d - 1.0).abs() < 0.01));
+        assert!(of(Measure::LogArea).iter().all(|a| (a - 2.0 * 1.2f64.ln()).abs() < 1e-9));
+        assert!(of(Measure::Thickness).iter().all(|r| (r - 6.0).abs() < 0.1));
+    }
+
+    #[test]
+    fn the_ball_in_a_torus_is_its_tube_and_an_open_surface_has_no_thickness() {
+        let mesh = torus(10.0, 3.0, 60, 30, FaceArity::Triangle);
+        assert!(thickness(&mesh).iter().all(|r| (r - 3.0).abs() < 0.15));
+        let open =
+            SurfaceMesh::new(mesh.vertices().to_vec(), FaceArity::Triangle, mesh.indices()[3..].to_vec()).unwrap();
+        assert_eq!(measured(Measure::Thickness, &mesh, &open), None);
+    }
+}

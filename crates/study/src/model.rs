@@ -1,0 +1,316 @@
+//! The shape model of a group: principal components of aligned shapes, and how good a model they are.
+//!
+//! With `n` subjects and many more coordinates, the components follow from the `n × n` matrix of inner products (Gram matrix)
+//! of the centered shapes: its eigenvectors, times the shapes, are the modes. The matrix is summed over blocks of vertices,
+//! so that no more than a block of all subjects is in memory; modes are summed over subjects. Leaving a subject out only
+//! removes a row and a column, so that everything that is validated by leaving out needs the matrix alone. Singular values
+//! below about 1e-8 of the largest are lost, which is below the precision of any surface.
+//!
+//! Sources: Cootes et al., *Active shape models*, 1995; Turk, Pentland 1991 (the small matrix); Davies 2002, Styner et al.
+//! 2003 (compactness, generalization, specificity); Tipping, Bishop 1999 (the distance outside the modes).
+
+use crate::align::{Alignment, Shapes, points};
+use crate::error::StudyError;
+use faer::linalg::matmul::matmul;
+use faer::{Accum, Mat, MatRef, Par, Side};
+use nalgebra::{Point3, Vector3};
+use rand_core::Rng;
+use rand_xoshiro::Xoshiro256PlusPlus;
+use rand_xoshiro::rand_core::SeedableRng;
+use rayon::prelude::*;
+use statrs::distribution::{ContinuousCDF, Normal};
+
+/// Vertices of a block: 10,000 subjects take 123 MB.
+const BLOCK: usize = 512;
+/// Rows of the Gram matrix that one task computes.
+const ROWS: usize = 64;
+/// Up to this many subjects each is left out alone; of more, a twentieth at a time.
+const LEAVE_ONE_OUT: usize = 200;
+const FOLDS: usize = 20;
+/// Random shapes for specificity.
+const RANDOM_SHAPES: usize = 1000;
+/// Share of the variance that the modes which are kept explain.
+const KEPT_VARIANCE: f64 = 0.98;
+const MAX_MODES: usize = 60;
+/// Share of the variance of the modes whose scores are weighed one by one in a distance.
+const DISTANCE_VARIANCE: f64 = 0.9;
+
+/// Principal components of a group of aligned shapes, in the metric of [`crate::align`].
+#[derive(Debug, Clone, PartialEq)]
+pub struct ShapeModel {
+    /// Variance of each component, mm², descending; all `n − 1`.
+    pub variances: Vec<f64>,
+    /// The first modes: a displacement of each vertex, orthonormal in the metric, no unit.
+    pub modes: Vec<Vec<Vector3<f64>>>,
+    /// Score of each subject on each component, mm, by subject.
+    pub scores: Vec<Vec<f64>>,
+    /// How good a model it is.
+    pub quality: ModelQuality,
+    /// For each subject, how unusual its shape is to a model of the others: squared Mahalanobis distance.
+    pub left_out: Vec<f64>,
+    /// Components that the distance weighs one by one.
+    pub distance_modes: usize,
+}
+
+/// How good a model is with 1, 2, … modes.
+#[derive(Debug, Clone, PartialEq, serde::Serialize)]
+pub struct ModelQuality {
+    /// Share of the variance that the modes explain.
+    pub compactness: Vec<f64>,
+    /// Distance of a subject from the nearest shape of a model of the others, RMS, mm, mean over subjects.
+    pub generalization_mm: Vec<f64>,
+    /// Distance of a random shape of the model from the nearest subject, RMS, mm, mean of 1,000.
+    pub specificity_mm: Vec<f64>,
+}
+
+/// Inner products of the shapes about the mean, mm².
+///
+/// # Errors
+/// Those of reading.
+///
+/// # Cost
+/// `O(n² V)`, and one read of every vertex.
+pub fn gram(shapes: &dyn Shapes, alignment: &Alignment) -> Result<Mat<f64>, StudyError> {
+    let (n, v) = (shapes.len(), shapes.n_vertices());
+    let mut gram = Mat::<f64>::zeros(n, n);
+    for first in (0..v).step_by(BLOCK) {
+        let vertices = first..v.min(first + BLOCK);
+        let columns = 3 * vertices.len();
+        let rows: Vec<Vec<f64>> = (0..n)
+            .into_par_iter()
+            .map(|shape| {
+                let read = points(&shapes.read(shape, vertices.clone())?);
+                let place = &alignment.onto_mean[shape];
+                let at = |k: usize| {
+                    let vertex = first + k;
+                    (place.apply(&read[k]) - alignment.mean[vertex]) * alignment.weights[vertex].sqrt()
+                };
+                Ok((0..read.len()).flat_map(|k| <[f64; 3]>::from(at(k))).collect())
+            })
+            .collect::<Result<_, StudyError>>()?;
+        // A shape is a column, so that products run over contiguous numbers.
+        let block = Mat::from_fn(columns, n, |k, shape| rows[shape][k]);
+        drop(rows);
+        let parts: Vec<Mat<f64>> = (0..n)
+            .step_by(ROWS)
+            .collect::<Vec<_>>()
+            .into_par_iter()
+            .map(|row| {
+                let some = block.subcols(row, ROWS.min(n - row));
+                let mut part = Mat::zeros(some.ncols(), n);
+                matmul(part.as_mut(), Accum::Replace, some.transpose(), block.as_ref(), 1.0, Par::Seq);
+                part
+            })
+            .collect();
+        for (k, part) in parts.iter().enumerate() {
+            let mut rows = gram.subrows_mut(ROWS * k, part.nrows());
+            rows += part;
+        }
+    }
+    Ok(gram)
+}
+
+/// Eigenvalues, descending, and eigenvectors of the centered matrix over some subjects.
+fn components(gram: MatRef<'_, f64>, of: &[usize]) -> Result<(Vec<f64>, Mat<f64>), StudyError> {
+    let n = of.len();
+    let mean: Vec<f64> = of.iter().map(|&i| of.iter().map(|&j| gram[(i, j)]).sum::<f64>() / n as f64).collect();
+    let whole = mean.iter().sum::<f64>() / n as f64;
+    let centered = Mat::from_fn(n, n, |i, j| gram[(of[i], of[j])] - mean[i] - mean[j] + whole);
+    let found = centered.self_adjoint_eigen(Side::Lower).map_err(|_| StudyError::Decomposition("its Gram matrix"))?;
+    let (values, vectors) = (found.S().column_vector(), found.U());
+    // Ascending in the decomposition; the last is that of the mean, which is 0.
+    let values = (1..n).map(|k| values[n - k].max(0.0)).collect();
+    let vectors = Mat::from_fn(n, n - 1, |i, k| vectors[(i, n - 1 - k)]);
+    Ok((values, vectors))
+}
+
+/// Scores of subjects that are not part of a model, and their squared distance from its mean.
+struct LeftOut {
+    variances: Vec<f64>,
+    /// Of each left-out subject: its place, its scores, its squared distance from the mean.
+    subjects: Vec<(usize, Vec<f64>, f64)>,
+}
+
+fn leave_out(gram: MatRef<'_, f64>, left: &[usize]) -> Result<LeftOut, StudyError> {
+    let n = gram.nrows();
+    let others: Vec<usize> = (0..n).filter(|k| !left.contains(k)).collect();
+    let m = others.len();
+    let (values, vectors) = components(gram, &others)?;
+    let mean_of = |i: usize| others.iter().map(|&j| gram[(i, j)]).sum::<f64>() / m as f64;
+    let means: Vec<f64> = others.iter().map(|&j| mean_of(j)).collect();
+    let whole = means.iter().sum::<f64>() / m as f64;
+    let largest = values.first().copied().unwrap_or(0.0);
+    let subjects = left.iter().map(|&i| {
+        let mean = mean_of(i);
+        let products: Vec<f64> = (0..m).map(|j| gram[(others[j], i)] - means[j] - mean + whole).collect();
+        let scores = (0..values.len()).map(|k| {
+            let along: f64 = (0..m).map(|j| vectors[(j, k)] * products[j]).sum();
+            // A component without variance has no direction.
+            if values[k] > 1e-14 * largest { along / values[k].sqrt() } else { 0.0 }
+        });
+        (i, scores.collect(), (gram[(i, i)] - 2.0 * mean + whole).max(0.0))
+    });
+    let subjects = subjects.collect();
+    Ok(LeftOut { variances: values.iter().map(|value| value / (m - 1) as f64).collect(), subjects })
+}
+
+/// Number of components that explain a share of the variance.
+fn explaining(variances: &[f64], share: f64) -> usize {
+    let whole: f64 = variances.iter().sum();
+    let mut sum = 0.0;
+    let enough = variances.iter().position(|variance| {
+        sum += variance;
+        sum >= share * whole
+    });
+    enough.map_or(variances.len(), |k| k + 1)
+}
+
+/// Squared Mahalanobis distance: scores over their variances, and what the first `modes` do not explain over the mean
+/// variance of the rest.
+fn distance(scores: &[f64], squared_norm: f64, variances: &[f64], modes: usize) -> f64 {
+    let modes = modes.min(variances.len());
+    let inside: f64 = (0..modes).filter(|&k| variances[k] > 0.0).map(|k| scores[k] * scores[k] / variances[k]).sum();
+    let explained: f64 = scores[..modes].iter().map(|score| score * score).sum();
+    let rest: Vec<f64> = variances[modes..].iter().copied().filter(|&variance| variance > 0.0).collect();
+    let mean = rest.iter().sum::<f64>() / rest.len().max(1) as f64;
+    let outside = if mean > 0.0 { (squared_norm - explained).max(0.0) / mean } else { 0.0 };
+    inside + outside
+}
+
+impl ShapeModel {
+    /// The model of aligned shapes. `seed`: of the random shapes of specificity.
+    ///
+    /// # Errors
+    /// Those of reading; [`StudyError::Decomposition`].
+    ///
+    /// # Cost
+    /// That of [`gram`], `n` (at most 200; or 20) eigenvalue decompositions of an `n × n` matrix, and one read of all shapes for
+    /// the modes.
+    pub fn new(shapes: &dyn Shapes, alignment: &Alignment, seed: u64) -> Result<Self, StudyError> {
+        let (n, gram) = (shapes.len(), gram(shapes, alignment)?);
+        let (values, mut vectors) = components(gram.as_ref(), &(0..n).collect::<Vec<_>>())?;
+        // A mode and its opposite are the same; the subject that is furthest along it is on its positive side.
+        for k in 0..vectors.ncols() {
+            let furthest =
+                (0..n).fold(0, |best, i| if vectors[(i, k)].abs() > vectors[(best, k)].abs() { i } else { best });
+            if vectors[(furthest, k)] < 0.0 {
+                (0..n).for_each(|i| vectors[(i, k)] = -vectors[(i, k)]);
+            }
+        }
+        let variances: Vec<f64> = values.iter().map(|value| value / (n - 1) as f64).collect();
+        let scores: Vec<Vec<f64>> = (0..n)
+            .map(|i| values.iter().enumerate().map(|(k, value)| vectors[(i, k)] * value.sqrt()).collect())
+            .collect();
+        let kept = explaining(&variances, KEPT_VARIANCE).min(MAX_MODES);
+        let distance_modes = explaining(&variances, DISTANCE_VARIANCE).clamp(1, (n / 4).max(1));
+        let folds: Vec<Vec<usize>> = if n <= LEAVE_ONE_OUT {
+            (0..n).map(|i| vec![i]).collect()
+        } else {
+            (0..FOLDS).map(|fold| (fold..n).step_by(FOLDS).collect()).collect()
+        };
+        let folds: Vec<LeftOut> =
+            folds.into_par_iter().map(|left| leave_out(gram.as_ref(), &left)).collect::<Result<_, _>>()?;
+        let (mut left_out, mut generalization_mm) = (vec![0.0; n], vec![0.0; kept]);
+        for fold in &folds {
+            for (i, scores, squared_norm) in &fold.subjects {
+                left_out[*i] = distance(scores, *squared_norm, &fold.variances, distance_modes);
+                let mut rest = *squared_norm;
+                for (k, sum) in generalization_mm.iter_mut().enumerate() {
+                    rest -= scores.get(k).map_or(0.0, |score| score * score);
+                    *sum += rest.max(0.0).sqrt() / n as f64;
+                }
+            }
+        }
+        let whole: f64 = variances.iter().sum();
+        let compactness = (1..=kept).map(|k| variances[..k].iter().sum::<f64>() / whole).collect();
+        let specificity_mm = specificity(&scores, &variances, kept, seed);
+        let modes = modes(shapes, alignment, &vectors, &values, kept)?;
+        let quality = ModelQuality { compactness, generalization_mm, specificity_mm };
+        Ok(ShapeModel { variances, modes, scores, quality, left_out, distance_modes })
+    }
+
+    /// The mean moved along a mode by a number of its standard deviations.
+    pub fn along(&self, mean: &[Point3<f64>], mode: usize, deviations: f64) -> Vec<Point3<f64>> {
+        let length = deviations * self.variances[mode].sqrt();
+        mean.iter().zip(&self.modes[mode]).map(|(p, d)| p + length * d).collect()
+    }
+
+    /// Scores of a shape that was moved onto the mean and is not part of the model, and its squared Mahalanobis distance.
+    pub fn score(&self, alignment: &Alignment, moved: &[Point3<f64>]) -> (Vec<f64>, f64) {
+        let difference = |v: usize| moved[v] - alignment.mean[v];
+        let each = |mode: &Vec<Vector3<f64>>| -> f64 {
+            (0..moved.len()).map(|v| alignment.weights[v] * mode[v].dot(&difference(v))).sum()
+        };
+        let scores: Vec<f64> = self.modes.iter().map(each).collect();
+        let squared: f64 = (0..moved.len()).map(|v| alignment.weights[v] * difference(v).norm_squared()).sum();
+        let distance = distance(&scores, squared, &self.variances, self.distance_modes.min(self.modes.len()));
+        (scores, distance)
+    }
+
+    /// Share of the subjects of the model whose shape is at least as unusual to a model of the others, the new one among
+    /// them: a p-value that needs no distribution.
+    pub fn unusual(&self, distance: f64) -> f64 {
+        let more = self.left_out.iter().filter(|&&other| other >= distance).count();
+        (more + 1) as f64 / (self.left_out.len() + 1) as f64
+    }
+
+    /// The same for a subject of the model, of which it is one.
+    pub fn unusual_of(&self, subject: usize) -> f64 {
+        let own = self.left_out[subject];
+        self.left_out.iter().filter(|&&other| other >= own).count() as f64 / self.left_out.len() as f64
+    }
+}
+
+/// The modes, summed over subjects in their order.
+fn modes(
+    shapes: &dyn Shapes,
+    alignment: &Alignment,
+    vectors: &Mat<f64>,
+    values: &[f64],
+    kept: usize,
+) -> Result<Vec<Vec<Vector3<f64>>>, StudyError> {
+    let v = shapes.n_vertices();
+    let mut modes = vec![vec![Vector3::zeros(); v]; kept];
+    for shape in 0..shapes.len() {
+        let read = points(&shapes.read(shape, 0..v)?);
+        let place = &alignment.onto_mean[shape];
+        let difference: Vec<Vector3<f64>> =
+            read.iter().zip(&alignment.mean).map(|(p, mean)| place.apply(p) - mean).collect();
+        modes.par_iter_mut().enumerate().for_each(|(k, mode)| {
+            let weight = if values[k] > 0.0 { vectors[(shape, k)] / values[k].sqrt() } else { 0.0 };
+            mode.iter_mut().zip(&difference).for_each(|(mode, d)| *mode += weight * d);
+        });
+    }
+    Ok(modes)
+}
+
+/// Distance of random shapes from the nearest subject for 1, 2, … modes, RMS, mm. Distances need the scores alone.
+fn specificity(scores: &[Vec<f64>], variances: &[f64], kept: usize, seed: u64) -> Vec<f64> {
+    let normal = Normal::standard();
+    let each: Vec<Vec<f64>> = (0..RANDOM_SHAPES as u64)
+        .into_par_iter()
+        .map(|k| {
+            let mut random = Xoshiro256PlusPlus::seed_from_u64(seed ^ (k + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15));
+            let shape: Vec<f64> = (0..kept)
+                .map(|k| {
+                    let uniform = ((random.next_u64() >> 11) as f64 + 0.5) / (1u64 << 53) as f64;
+                    variances[k].sqrt() * normal.inverse_cdf(uniform)
+                })
+                .collect();
+            let mut distances: Vec<f64> =
+                scores.iter().map(|scores| scores.iter().map(|score| score * score).sum()).collect();
+            (0..kept)
+                .map(|k| {
+                    for (distance, scores) in distances.iter_mut().zip(scores) {
+                        *distance += (shape[k] - scores[k]).powi(2) - scores[k] * scores[k];
+                    }
+                    distances.iter().copied().fold(f64::INFINITY, f64::min).max(0.0).sqrt()
+                })
+                .collect()
+        })
+        .collect();
+    (0..kept).map(|k| each.iter().map(|shape| shape[k]).sum::<f64>() / RANDOM_SHAPES as f64).collect()
+}
+
+#[cfg(test)]
+mod tests;

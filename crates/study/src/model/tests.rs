@@ -1,0 +1,151 @@
+//! The model against slow, obvious ones: a thin SVD of all coordinates, models made anew without each subject.
+
+use super::*;
+use crate::align::{align, rms};
+use crate::settings::Size;
+use homolog_mesh::SurfaceMesh;
+use homolog_mesh::shapes::ellipsoid;
+
+/// Ellipsoids that differ in two ways and a little noise.
+fn group(n: usize) -> (SurfaceMesh, Vec<Vec<[f32; 3]>>) {
+    let mesh = ellipsoid(Vector3::new(9.0, 5.0, 3.0), 3);
+    let mut random = Xoshiro256PlusPlus::seed_from_u64(5);
+    let mut draw = move || (random.next_u64() >> 11) as f64 / (1u64 << 53) as f64 - 0.5;
+    let shapes = (0..n).map(|_| {
+        let (long, bend) = (draw(), draw());
+        let shape = mesh.vertices().iter().map(|p| {
+            let moved = Point3::new(p.x * (1.0 + 0.3 * long), p.y + 0.05 * bend * p.x * p.x, p.z);
+            (moved.coords + Vector3::new(draw(), draw(), draw()) * 0.1).map(|x| x as f32).into()
+        });
+        shape.collect()
+    });
+    let shapes = shapes.collect();
+    (mesh, shapes)
+}
+
+fn rows(shapes: &[Vec<[f32; 3]>], alignment: &Alignment) -> Mat<f64> {
+    let v = alignment.mean.len();
+    Mat::from_fn(shapes.len(), 3 * v, |i, k| {
+        let p = alignment.onto_mean[i].apply(&points(&shapes[i])[k / 3]);
+        (p - alignment.mean[k / 3])[k % 3] * alignment.weights[k / 3].sqrt()
+    })
+}
+
+#[test]
+fn components_are_those_of_a_thin_svd_of_all_coordinates() {
+    let (mesh, shapes) = group(12);
+    let alignment = align(&shapes, &mesh, Size::Kept).unwrap();
+    let model = ShapeModel::new(&shapes, &alignment, 1).unwrap();
+    let svd = rows(&shapes, &alignment).thin_svd().unwrap();
+    let singular = svd.S().column_vector();
+    for k in 0..11 {
+        let variance = singular[k] * singular[k] / 11.0;
+        assert!((model.variances[k] - variance).abs() < 1e-9 * model.variances[0], "component {k}");
+    }
+    for (k, mode) in model.modes.iter().enumerate() {
+        let other: f64 =
+            (0..3 * mode.len()).map(|c| mode[c / 3][c % 3] * alignment.weights[c / 3].sqrt() * svd.V()[(c, k)]).sum();
+        assert!((other.abs() - 1.0).abs() < 1e-6, "mode {k}: {other}");
+    }
+    // Two ways to differ explain nearly everything.
+    assert!(model.quality.compactness[1] > 0.9, "{:?}", model.quality.compactness);
+    // A subject is the mean and its modes.
+    let kept = model.modes.len();
+    let rebuilt: Vec<_> = (0..alignment.mean.len())
+        .map(|v| (0..kept).fold(alignment.mean[v], |p, k| p + model.scores[3][k] * model.modes[k][v]))
+        .collect();
+    let own: Vec<_> = points(&shapes[3]).iter().map(|p| alignment.onto_mean[3].apply(p)).collect();
+    let rest: f64 = model.scores[3][kept..].iter().map(|score| score * score).sum();
+    assert!((rms(&rebuilt, &own, &alignment.weights) - rest.sqrt()).abs() < 1e-6);
+    let (scores, _) = model.score(&alignment, &own);
+    assert!(scores.iter().zip(&model.scores[3]).all(|(a, b)| (a - b).abs() < 1e-6));
+}
+
+#[test]
+fn leaving_out_is_a_model_of_the_others() {
+    let (mesh, shapes) = group(9);
+    let alignment = align(&shapes, &mesh, Size::Kept).unwrap();
+    let model = ShapeModel::new(&shapes, &alignment, 1).unwrap();
+    let data = rows(&shapes, &alignment);
+    let mut errors = vec![0.0; model.modes.len()];
+    for left in 0..9 {
+        let others: Vec<usize> = (0..9).filter(|&i| i != left).collect();
+        let mean: Vec<f64> =
+            (0..data.ncols()).map(|c| others.iter().map(|&i| data[(i, c)]).sum::<f64>() / 8.0).collect();
+        let centered = Mat::from_fn(8, data.ncols(), |i, c| data[(others[i], c)] - mean[c]);
+        let svd = centered.thin_svd().unwrap();
+        let mut rest: Vec<f64> = (0..data.ncols()).map(|c| data[(left, c)] - mean[c]).collect();
+        let mut distance = 0.0;
+        for k in 0..7 {
+            let score: f64 = (0..rest.len()).map(|c| rest[c] * svd.V()[(c, k)]).sum();
+            let singular = svd.S().column_vector()[k];
+            if k < model.distance_modes {
+                distance += score * score / (singular * singular / 7.0);
+            }
+            rest.iter_mut().enumerate().for_each(|(c, x)| *x -= score * svd.V()[(c, k)]);
+            if k < errors.len() {
+                errors[k] += rest.iter().map(|x| x * x).sum::<f64>().sqrt() / 9.0;
+            }
+            if k + 1 == model.distance_modes {
+                let mean = (k + 1..7).map(|j| svd.S().column_vector()[j].powi(2) / 7.0).sum::<f64>() / (6 - k) as f64;
+                distance += rest.iter().map(|x| x * x).sum::<f64>() / mean;
+            }
+        }
+        assert!((model.left_out[left] / distance - 1.0).abs() < 1e-6, "{} {distance}", model.left_out[left]);
+    }
+    for (ours, slow) in model.quality.generalization_mm.iter().zip(&errors) {
+        assert!((ours - slow).abs() < 1e-7, "{ours} {slow}");
+    }
+}
+
+#[test]
+fn an_unusual_shape_is_noticed_and_specificity_is_a_distance_of_shapes() {
+    let (mesh, shapes) = group(40);
+    let alignment = align(&shapes, &mesh, Size::Kept).unwrap();
+    let model = ShapeModel::new(&shapes, &alignment, 1).unwrap();
+    let bulge: Vec<_> =
+        alignment.mean.iter().map(|p| if p.x > 6.0 { p + Vector3::new(0.0, 0.0, 1.5) } else { *p }).collect();
+    let (_, distance) = model.score(&alignment, &bulge);
+    assert!((model.unusual(distance) - 1.0 / 41.0).abs() < 1e-12);
+    let (_, none) = model.score(&alignment, &alignment.mean);
+    assert!(model.unusual(none) > 0.99);
+    // With one mode: the mean moved along it, compared with all subjects.
+    let nearest = |length: f64| {
+        let shape: Vec<_> = alignment.mean.iter().zip(&model.modes[0]).map(|(p, mode)| p + length * mode).collect();
+        (0..40)
+            .map(|i| {
+                let own: Vec<_> = points(&shapes[i]).iter().map(|p| alignment.onto_mean[i].apply(p)).collect();
+                rms(&shape, &own, &alignment.weights)
+            })
+            .fold(f64::INFINITY, f64::min)
+    };
+    // The mean over a normal distribution of the length, by equal steps.
+    let deviation = model.variances[0].sqrt();
+    let (mut sum, mut weights) = (0.0, 0.0);
+    for k in -40..=40 {
+        let z = 0.1 * f64::from(k);
+        let weight = (-z * z / 2.0).exp();
+        sum += weight * nearest(z * deviation);
+        weights += weight;
+    }
+    let expected = sum / weights;
+    assert!(
+        (model.quality.specificity_mm[0] / expected - 1.0).abs() < 0.05,
+        "{} {expected}",
+        model.quality.specificity_mm[0]
+    );
+}
+
+#[test]
+fn blocks_and_threads_do_not_matter() {
+    let (mesh, shapes) = group(10);
+    assert!(mesh.n_vertices() > BLOCK, "several blocks");
+    let with = |threads| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        pool.install(|| {
+            let alignment = align(&shapes, &mesh, Size::Removed).unwrap();
+            ShapeModel::new(&shapes, &alignment, 3).unwrap()
+        })
+    };
+    assert_eq!(with(1), with(4));
+}

@@ -1,0 +1,297 @@
+//! What is to be matched next: the steps of a study, as a pure function of the matches that are finished.
+//!
+//! [`Study::next`] replays the study from the start each time: which template, which round, which matches of it are there.
+//! So there is no state that could be lost: a study that was killed goes on from the records of its matches, and a caller may
+//! compute them in any order, on any machine, through any queue. Records are named by what they depend on
+//! ([`Task::key`]), so that nothing is computed twice.
+
+use crate::align::{align, rms};
+use crate::cohort::{Cohort, Role};
+use crate::error::StudyError;
+use crate::record::Record;
+use crate::settings::{MadeTemplate, Settings, Size, TemplateChoice};
+use homolog_contract::parameters::MatchParameters;
+use homolog_formats::ply::write_ply;
+use homolog_mesh::{SurfaceMesh, repair};
+use homolog_run::intake::{IntakeLimits, prepare_surface};
+use serde::{Deserialize, Serialize};
+
+/// A surface to which subjects are matched.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Template {
+    /// The surface, triangles, mm.
+    pub mesh: SurfaceMesh,
+    /// The same as a PLY file, the source of every match.
+    pub ply: Vec<u8>,
+    /// Hash of that file.
+    pub hash: String,
+}
+
+impl Template {
+    /// A template of a surface: its triangles, without vertices that no face uses.
+    pub fn new(mesh: &SurfaceMesh) -> Self {
+        let mesh = repair::drop_unused(&repair::triangulated(mesh)).mesh;
+        let ply = write_ply(&mesh);
+        Template { mesh, hash: hash(&ply), ply }
+    }
+}
+
+/// A template that was made, with how it came about; kept in the study's folder, so that a subject that is added later costs
+/// one match.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Making {
+    /// The template.
+    pub template: Template,
+    /// The rounds that made it.
+    pub rounds: Vec<Round>,
+}
+
+/// A round of matching and averaging.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Round {
+    /// Subjects whose shapes were averaged.
+    pub subjects: usize,
+    /// How far the mean lies from the template that it replaces, RMS over the surface, mm.
+    pub moved_mm: f64,
+    /// That, as a share of the mean edge length.
+    pub moved_share: f64,
+    /// Volume of the mean, mm³.
+    pub volume_mm3: f64,
+}
+
+/// A match that a study needs.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Task {
+    /// Names the record: a hash of both files, the parameters and the version of the program, 64 hexadecimal digits.
+    pub key: String,
+    /// The subject whose surface moves; `None`: the template of the step.
+    pub source: Option<usize>,
+    /// The subject, or `None`: the template, that stays.
+    pub target: Option<usize>,
+}
+
+/// What a study does next.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Step {
+    /// These matches are missing; nothing else can go on before they are there.
+    Match {
+        /// What they are for.
+        purpose: Purpose,
+        /// The template of the tasks.
+        template: Box<Template>,
+        /// The matches, in the order of the cohort.
+        tasks: Vec<Task>,
+        /// Matches of this purpose that are there already.
+        finished: usize,
+    },
+    /// All matches are there.
+    Matched(Box<Matched>),
+}
+
+/// What matches are for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Purpose {
+    /// A round of the template, from 1.
+    Template(usize),
+    /// Every subject with the template, and what measures consistency.
+    Subjects,
+}
+
+/// A study all of whose matches are there.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Matched {
+    /// The template, and how it was made.
+    pub making: Making,
+    /// Key of the match of the template to each subject.
+    pub keys: Vec<String>,
+    /// Keys of the matches that measure consistency.
+    pub cycles: Cycles,
+}
+
+/// The matches that measure consistency.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Cycles {
+    /// Subjects, by their places in the cohort: a ring, each is followed by the next.
+    pub ring: Vec<usize>,
+    /// Key of the match of each of them to the template.
+    pub to_template: Vec<String>,
+    /// Key of the match of each to the next.
+    pub forward: Vec<String>,
+    /// Key of the match of the next to each.
+    pub backward: Vec<String>,
+}
+
+/// Where records are kept.
+pub trait Records: Sync {
+    /// The record of a key, if it is there.
+    ///
+    /// # Errors
+    /// [`StudyError`] if it is there and cannot be read.
+    fn get(&self, key: &str) -> Result<Option<Record>, StudyError>;
+    /// Whether a record is there.
+    fn has(&self, key: &str) -> bool;
+}
+
+/// A study: who, what is asked, and from which surface the template begins.
+#[derive(Debug, Clone)]
+pub struct Study {
+    /// Who.
+    pub cohort: Cohort,
+    /// What is asked.
+    pub settings: Settings,
+    /// Hash of each subject's file.
+    pub hashes: Vec<String>,
+    /// The given template, or the surface from which one is made.
+    pub first: Template,
+    /// The template that was made earlier and is kept.
+    pub kept: Option<Making>,
+    /// The subjects from which a template is made, by their places in the cohort.
+    pub makers: Vec<usize>,
+    /// The subjects among which consistency is measured; fewer than 3: it is not measured.
+    pub ring: Vec<usize>,
+}
+
+/// Hash of a file's content.
+pub fn hash(bytes: &[u8]) -> String {
+    blake3::hash(bytes).to_hex().to_string()
+}
+
+/// The subjects from which a template is made, by their places: at most `most`, spread evenly; 0: all.
+pub fn spread(cohort: &Cohort, most: usize) -> Vec<usize> {
+    let model: Vec<usize> = (0..cohort.subjects.len()).filter(|&k| cohort.subjects[k].role == Role::Model).collect();
+    if most == 0 || model.len() <= most {
+        return model;
+    }
+    (0..most).map(|k| model[(2 * k + 1) * model.len() / (2 * most)]).collect()
+}
+
+/// The surface of a file, as a template.
+///
+/// # Errors
+/// Why it is refused, for people.
+pub fn surface(bytes: &[u8], name: Option<&str>, parameters: &MatchParameters) -> Result<Template, String> {
+    let limits = IntakeLimits::default();
+    let prepared = prepare_surface(bytes, name, &parameters.input.of_target(), &limits);
+    prepared.map(|prepared| Template::new(&prepared.mesh)).map_err(|error| error.for_command_line())
+}
+
+impl Study {
+    fn key(&self, source: &str, target: &str) -> String {
+        let mut hasher = blake3::Hasher::new();
+        let parameters = serde_json::to_string(&self.settings.parameters).unwrap_or_default();
+        for part in [env!("CARGO_PKG_VERSION"), source, target, &parameters] {
+            hasher.update(part.as_bytes()).update(&[0]);
+        }
+        hasher.finalize().to_hex().to_string()
+    }
+
+    fn task(&self, template: &Template, source: Option<usize>, target: Option<usize>) -> Task {
+        let hash = |side: Option<usize>| side.map_or(template.hash.as_str(), |k| self.hashes[k].as_str());
+        Task { key: self.key(hash(source), hash(target)), source, target }
+    }
+
+    /// What is to be done next, from the records that are there.
+    ///
+    /// # Errors
+    /// [`StudyError::TooFewMatches`] if a template cannot be made; those of reading records.
+    pub fn next(&self, records: &dyn Records) -> Result<Step, StudyError> {
+        let making = match (&self.settings.template, &self.kept) {
+            (TemplateChoice::Given { .. }, _) => Making { template: self.first.clone(), rounds: Vec::new() },
+            (TemplateChoice::Made(_), Some(kept)) => kept.clone(),
+            (TemplateChoice::Made(how), None) => match self.make(how, records)? {
+                Ok(making) => making,
+                Err(step) => return Ok(step),
+            },
+        };
+        let template = &making.template;
+        let mut tasks: Vec<Task> =
+            (0..self.cohort.subjects.len()).map(|k| self.task(template, None, Some(k))).collect();
+        let keys = tasks.iter().map(|task| task.key.clone()).collect();
+        let cycles = self.cycles(template, &mut tasks);
+        let n = tasks.len();
+        tasks.retain(|task| !records.has(&task.key));
+        if tasks.is_empty() {
+            return Ok(Step::Matched(Box::new(Matched { making, keys, cycles })));
+        }
+        let (finished, template) = (n - tasks.len(), Box::new(making.template));
+        Ok(Step::Match { purpose: Purpose::Subjects, template, tasks, finished })
+    }
+
+    /// The template that is made from the records that are there; `None` if matches are missing for it, or it is given.
+    pub(crate) fn making(&self, records: &dyn Records) -> Result<Option<Making>, StudyError> {
+        match &self.settings.template {
+            TemplateChoice::Given { .. } => Ok(None),
+            TemplateChoice::Made(how) => Ok(self.make(how, records)?.ok()),
+        }
+    }
+
+    /// The template, or the matches that are missing for it.
+    fn make(&self, how: &MadeTemplate, records: &dyn Records) -> Result<Result<Making, Step>, StudyError> {
+        let (mut template, mut rounds) = (self.first.clone(), Vec::new());
+        while rounds.len() < how.max_rounds.max(1) {
+            let all: Vec<Task> = self.makers.iter().map(|&k| self.task(&template, None, Some(k))).collect();
+            let tasks: Vec<Task> = all.iter().filter(|task| !records.has(&task.key)).cloned().collect();
+            if !tasks.is_empty() {
+                let finished = all.len() - tasks.len();
+                let purpose = Purpose::Template(rounds.len() + 1);
+                return Ok(Err(Step::Match { purpose, template: Box::new(template), tasks, finished }));
+            }
+            let (next, round) = averaged(&template, &all, records)?;
+            let is_last = round.moved_share < how.tolerance;
+            rounds.push(round);
+            template = next;
+            if is_last {
+                break;
+            }
+        }
+        Ok(Ok(Making { template, rounds }))
+    }
+
+    /// A ring of subjects, spread over the cohort, with the matches around it.
+    fn cycles(&self, template: &Template, tasks: &mut Vec<Task>) -> Cycles {
+        if self.ring.len() < 3 {
+            return Cycles::default();
+        }
+        let ring = self.ring.clone();
+        let next = |k: usize| ring[(k + 1) % ring.len()];
+        let mut add = |source: Option<usize>, target: Option<usize>| {
+            let task = self.task(template, source, target);
+            if !tasks.contains(&task) {
+                tasks.push(task.clone());
+            }
+            task.key
+        };
+        let to_template = ring.iter().map(|&a| add(Some(a), None)).collect();
+        let forward = (0..ring.len()).map(|k| add(Some(ring[k]), Some(next(k)))).collect();
+        let backward = (0..ring.len()).map(|k| add(Some(next(k)), Some(ring[k]))).collect();
+        Cycles { ring, to_template, forward, backward }
+    }
+}
+
+/// The mean of the shapes of a round on the mesh of its template, in the place of the template. Shapes whose match failed or
+/// is unreliable do not count.
+fn averaged(template: &Template, tasks: &[Task], records: &dyn Records) -> Result<(Template, Round), StudyError> {
+    let (mut shapes, mut reason): (Vec<Vec<[f32; 3]>>, Option<String>) = (Vec::new(), None);
+    for task in tasks {
+        let Some(Record { facts, points }) = records.get(&task.key)? else { continue };
+        if facts.error.is_none() && facts.reliable != Some(false) && points.len() == template.mesh.n_vertices() {
+            shapes.push(points);
+        } else if reason.is_none() {
+            reason = Some(facts.error.unwrap_or_else(|| "the match is not reliable".to_owned()));
+        }
+    }
+    if shapes.len() < 3 {
+        let (matched, all, reason) = (shapes.len(), tasks.len(), reason.unwrap_or_default());
+        return Err(StudyError::TooFewMatches { matched, all, purpose: "to make a template", reason });
+    }
+    let alignment = align(&shapes, &template.mesh, Size::Kept)?;
+    let before = template.mesh.vertices();
+    let back = crate::align::onto(&alignment.mean, before, &alignment.weights, false)
+        .map_err(|error| StudyError::Alignment { id: "mean".to_owned(), error })?;
+    let moved: Vec<_> = alignment.mean.iter().map(|p| back.apply(p)).collect();
+    let moved_mm = rms(&moved, before, &alignment.weights);
+    let mesh = template.mesh.with_vertices(moved)?;
+    let moved_share = moved_mm / template.mesh.mean_edge_length();
+    let round = Round { subjects: shapes.len(), moved_mm, moved_share, volume_mm3: mesh.signed_volume() };
+    Ok((Template::new(&mesh), round))
+}

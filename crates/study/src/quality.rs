@@ -1,0 +1,113 @@
+//! Quality control: which subjects are to be looked at, the most urgent first.
+
+use crate::findings::{Place, SubjectFindings};
+use serde::Serialize;
+
+/// A reason to look at a subject.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Flag {
+    /// It has no match.
+    NoMatch,
+    /// Its match is not reliable.
+    UnreliableMatch,
+    /// The bent template lies further from its surface than from those of the others.
+    UnusualResidual,
+    /// The map to it turns over more triangles than those to the others.
+    UnusualFolds,
+    /// Its shape is unusual to a model of the others.
+    UnusualShape,
+    /// Its size is unusual.
+    UnusualSize,
+}
+
+impl Flag {
+    /// For people.
+    pub fn title(self) -> &'static str {
+        match self {
+            Flag::NoMatch => "no match",
+            Flag::UnreliableMatch => "match not reliable",
+            Flag::UnusualResidual => "unusual residual",
+            Flag::UnusualFolds => "unusual folds",
+            Flag::UnusualShape => "unusual shape",
+            Flag::UnusualSize => "unusual size",
+        }
+    }
+}
+
+/// Robust deviations from the median beyond which a value is unusual.
+const UNUSUAL: f64 = 3.5;
+/// Share of turned triangles below which no map is flagged.
+const FEW_FOLDS: f64 = 0.005;
+
+/// Deviations of values from their median, in units of their robust standard deviation (1.4826 times the median absolute
+/// deviation); 0 where all are equal.
+///
+/// Source: Iglewicz, Hoaglin, *How to detect and handle outliers*, 1993, whose bound is 3.5.
+pub fn deviations(values: &[f64]) -> Vec<f64> {
+    let median = |mut of: Vec<f64>| {
+        of.sort_by(f64::total_cmp);
+        let n = of.len();
+        if n == 0 { 0.0 } else { f64::midpoint(of[(n - 1) / 2], of[n / 2]) }
+    };
+    let middle = median(values.to_vec());
+    let spread = 1.4826 * median(values.iter().map(|x| (x - middle).abs()).collect());
+    // Rounding is no spread.
+    let least = 1e-9 * middle.abs();
+    values.iter().map(|x| if spread > least { (x - middle) / spread } else { 0.0 }).collect()
+}
+
+/// Flags every subject, and says how urgent it is.
+pub(crate) fn flags(subjects: &mut [SubjectFindings]) {
+    let matched: Vec<usize> = (0..subjects.len()).filter(|&k| subjects[k].place != Place::Failed).collect();
+    let of = |value: &dyn Fn(&SubjectFindings) -> f64| {
+        deviations(&matched.iter().map(|&k| value(&subjects[k])).collect::<Vec<_>>())
+    };
+    let residual = of(&|s| s.facts.residual_mm.max(1e-12).ln());
+    let folds = of(&|s| s.facts.folded);
+    // Squared distances are skewed; their logarithms are nearly normal.
+    let shape = of(&|s| s.distance.unwrap_or(1.0).max(1e-12).ln());
+    let size = of(&|s| s.size_mm.max(1e-12).ln());
+    for (row, &k) in matched.iter().enumerate() {
+        let subject = &mut subjects[k];
+        let mut urgency: f64 = residual[row].max(shape[row]).max(size[row].abs());
+        let mut raise = |flag: Flag, is_raised: bool| {
+            if is_raised {
+                subject.flags.push(flag);
+            }
+        };
+        let unreliable = subject.facts.reliable == Some(false);
+        raise(Flag::UnreliableMatch, unreliable);
+        raise(Flag::UnusualResidual, residual[row] > UNUSUAL);
+        raise(Flag::UnusualFolds, folds[row] > UNUSUAL && subject.facts.folded > FEW_FOLDS);
+        raise(Flag::UnusualShape, shape[row] > UNUSUAL);
+        raise(Flag::UnusualSize, size[row].abs() > UNUSUAL);
+        if unreliable {
+            urgency += 1000.0;
+        }
+        subject.urgency = urgency;
+    }
+    for subject in subjects.iter_mut().filter(|subject| subject.place == Place::Failed) {
+        (subject.flags, subject.urgency) = (vec![Flag::NoMatch], 1e6);
+    }
+}
+
+/// The places of subjects, the most urgent first; of equals the first of the cohort.
+pub fn most_urgent_first(subjects: &[SubjectFindings]) -> Vec<usize> {
+    let mut order: Vec<usize> = (0..subjects.len()).collect();
+    order.sort_by(|&a, &b| subjects[b].urgency.total_cmp(&subjects[a].urgency).then(a.cmp(&b)));
+    order
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn one_far_value_does_not_hide_itself() {
+        let found = deviations(&[1.0, 1.1, 0.9, 1.05, 0.95, 9.0]);
+        assert!(found[5] > 50.0 && found[..5].iter().all(|d| d.abs() < 2.0), "{found:?}");
+        assert_eq!(deviations(&[2.0; 5]), [0.0; 5]);
+        assert_eq!(deviations(&[]), Vec::<f64>::new());
+    }
+}

@@ -1,0 +1,230 @@
+//! What a study keeps of one match: where the vertices of the one surface lie on the other, and what tells whether to trust
+//! it. A record is a small binary file: the match itself, with its energies and timings, is not kept.
+
+use homolog_contract::parameters::MatchParameters;
+use homolog_contract::result::{WarpDirection, WarpSpace};
+use homolog_formats::{VertexArray, VertexValues};
+use homolog_mesh::{ClosestPointIndex, SurfaceMesh};
+use homolog_primitives::observe::Observer;
+use homolog_run::intake::IntakeLimits;
+use homolog_run::{InputFile, RunError, SurfaceCache, run_match_with};
+use nalgebra::Matrix3;
+use serde::{Deserialize, Serialize};
+
+/// First bytes of a record.
+const MAGIC: &[u8; 8] = b"hmlgrec2";
+
+/// One match as a study keeps it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Record {
+    /// Of the surfaces and the match.
+    pub facts: Facts,
+    /// For each vertex of the source the corresponding point on the target, in the target's coordinates, mm; empty if the
+    /// match failed.
+    pub points: Vec<[f32; 3]>,
+}
+
+/// Scalars of one match.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+pub struct Facts {
+    /// Why there is no match; without file names.
+    pub error: Option<String>,
+    /// Whether no reason was found to doubt the match; `None` for methods that do not judge.
+    pub reliable: Option<bool>,
+    /// The reasons to doubt it.
+    pub reasons: Vec<String>,
+    /// Mean distance between the surfaces after rigid registration, mm.
+    pub rigid_distance_mm: f64,
+    /// Mean distance from the vertices of the target to the bent source, mm.
+    pub residual_mm: f64,
+    /// Its 95th percentile, mm.
+    pub residual_p95_mm: f64,
+    /// Share of triangles of the source that the map turns over, or leaves without area: beyond the rigid transform, their
+    /// normals turn by 90 degrees or more.
+    pub folded: f64,
+    /// Median confidence of the correspondences.
+    pub confidence: f64,
+    /// Volume enclosed by the target as it was read, mm³; `None` if it is not closed.
+    pub volume_mm3: Option<f64>,
+    /// Area of the target as it was read, mm².
+    pub area_mm2: f64,
+    /// Vertices of the target as it was read.
+    pub n_vertices: u32,
+    /// Repairs of the target, a sentence each.
+    pub repairs: Vec<String>,
+}
+
+/// Why bytes are no record.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+#[error("it is not a record of a match, or is damaged; delete it, and it is computed again")]
+pub struct NoRecord;
+
+impl Record {
+    /// The bytes of the record; equal records have equal bytes.
+    pub fn to_bytes(&self) -> Vec<u8> {
+        let facts = serde_json::to_vec(&self.facts).unwrap_or_default();
+        let mut bytes = MAGIC.to_vec();
+        bytes.extend((facts.len() as u32).to_le_bytes());
+        bytes.extend((self.points.len() as u32).to_le_bytes());
+        bytes.extend(self.points.iter().flatten().flat_map(|x| x.to_le_bytes()));
+        bytes.extend(facts);
+        let sum = blake3::hash(&bytes);
+        bytes.extend(&sum.as_bytes()[..8]);
+        bytes
+    }
+
+    /// Reads the bytes of a record.
+    ///
+    /// # Errors
+    /// [`NoRecord`] if a byte is missing or different.
+    pub fn from_bytes(bytes: &[u8]) -> Result<Self, NoRecord> {
+        let body = bytes.len().checked_sub(8).ok_or(NoRecord)?;
+        let (bytes, sum) = bytes.split_at(body);
+        if sum != &blake3::hash(bytes).as_bytes()[..8] {
+            return Err(NoRecord);
+        }
+        let rest = bytes.strip_prefix(MAGIC).ok_or(NoRecord)?;
+        let number = |at: usize| {
+            let four = rest.get(at..at + 4).and_then(|four| <[u8; 4]>::try_from(four).ok());
+            four.map(u32::from_le_bytes).ok_or(NoRecord)
+        };
+        let (n_facts, n_points) = (number(0)? as usize, number(4)? as usize);
+        let rest = &rest[8..];
+        if rest.len() != n_facts + 12 * n_points {
+            return Err(NoRecord);
+        }
+        let (points, facts) = rest.split_at(12 * n_points);
+        let facts = serde_json::from_slice(facts).map_err(|_| NoRecord)?;
+        Ok(Record { facts, points: read_points(points) })
+    }
+
+    /// Where the points begin in the bytes of a record.
+    pub(crate) const POINTS_AT: u64 = 16;
+}
+
+/// Points from their bytes, 12 each.
+pub(crate) fn read_points(bytes: &[u8]) -> Vec<[f32; 3]> {
+    let (numbers, _) = bytes.as_chunks::<4>();
+    let (points, _) = numbers.as_chunks::<3>();
+    points.iter().map(|point| point.map(f32::from_le_bytes)).collect()
+}
+
+/// Matches two files and keeps what a study needs. A refused input or a match without a registration is a record too, which
+/// says why: the study goes on without it.
+///
+/// # Errors
+/// `None` if the observer cancelled the match.
+pub fn compute(
+    surfaces: &SurfaceCache,
+    source: InputFile<'_>,
+    target: InputFile<'_>,
+    parameters: &MatchParameters,
+    observer: &dyn Observer,
+) -> Option<Record> {
+    let failed =
+        |error: String| Some(Record { facts: Facts { error: Some(error), ..Facts::default() }, points: Vec::new() });
+    let limits = IntakeLimits::default();
+    let output = match run_match_with(surfaces, source, target, parameters, &limits, observer) {
+        Ok(output) => output,
+        Err(error) if error.is_cancelled() => return None,
+        Err(RunError::Input { error, .. }) => return failed(error.for_command_line()),
+        Err(error) => return failed(error.to_string()),
+    };
+    let bent = match homolog_run::warp(
+        [&output.source, &output.target],
+        output.document.correspondences.as_ref().unwrap_or(&Default::default()),
+        &output.document.transform.matrix,
+        WarpDirection::Forward,
+        WarpSpace::Target,
+    ) {
+        Ok(bent) => bent,
+        Err(error) => return failed(error.to_string()),
+    };
+    let index = ClosestPointIndex::new(&bent.mesh);
+    let used = used_vertices(&output.target);
+    let mut distances: Vec<f64> = output
+        .target
+        .vertices()
+        .iter()
+        .zip(&used)
+        .filter(|(_, used)| **used)
+        .map(|(p, _)| (index.closest(p).point - p).norm())
+        .collect();
+    distances.sort_by(f64::total_cmp);
+    let n = distances.len().max(1);
+    let confidence = |arrays: &[VertexArray]| {
+        let found = arrays.iter().find(|array| array.name == "confidence").map(|array| &array.values);
+        let mut values = if let Some(VertexValues::Real(values)) = found { values.clone() } else { Vec::new() };
+        values.sort_by(f64::total_cmp);
+        values.get(values.len() / 2).copied().unwrap_or(0.0)
+    };
+    let verdict = output.document.verdict();
+    let input = &output.document.provenance.target;
+    let closed = output.target.boundary_vertices().is_none();
+    let facts = Facts {
+        error: None,
+        reliable: verdict.reliable,
+        reasons: verdict.reasons.iter().map(|reason| reason.name().to_owned()).collect(),
+        rigid_distance_mm: verdict.surface_distance.mean_mm,
+        residual_mm: distances.iter().sum::<f64>() / n as f64,
+        residual_p95_mm: distances.get(n * 19 / 20).copied().unwrap_or(0.0),
+        folded: folded(&output.source, &bent.mesh, &output.document.transform.matrix),
+        confidence: confidence(&bent.arrays),
+        volume_mm3: closed.then(|| output.target.signed_volume()),
+        area_mm2: output.target.area(),
+        n_vertices: used.iter().filter(|used| **used).count() as u32,
+        repairs: input.report.repairs.iter().map(|repair| repair.detail.clone()).collect(),
+    };
+    let points = bent.mesh.vertices().iter().map(|p| [p.x as f32, p.y as f32, p.z as f32]).collect();
+    Some(Record { facts, points })
+}
+
+/// Share of the faces of `source` whose normal, moved by the transform, does not look the way of the bent face.
+fn folded(source: &SurfaceMesh, bent: &SurfaceMesh, matrix: &[[f64; 4]; 4]) -> f64 {
+    let linear = Matrix3::from_fn(|r, c| matrix[r][c]);
+    // Of a transform that mirrors, vector areas change their sign besides.
+    let moved = linear * linear.determinant().signum();
+    let pairs = source.face_vector_areas().into_iter().zip(bent.face_vector_areas());
+    let turned = pairs.filter(|(before, after)| (moved * before).dot(after) <= 0.0).count();
+    turned as f64 / source.n_faces().max(1) as f64
+}
+
+/// Which vertices a face uses.
+fn used_vertices(mesh: &SurfaceMesh) -> Vec<bool> {
+    let mut used = vec![false; mesh.n_vertices()];
+    mesh.indices().iter().for_each(|&v| used[v as usize] = true);
+    used
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_turned_face_counts_and_a_rotation_does_not() {
+        let mesh = homolog_mesh::shapes::ellipsoid([3.0, 2.0, 1.0].into(), 1);
+        let turn = nalgebra::Rotation3::from_euler_angles(1.0, 2.0, 0.5);
+        let matrix = std::array::from_fn(|r| std::array::from_fn(|c| if r < 3 && c < 3 { turn[(r, c)] } else { 0.0 }));
+        let mut bent: Vec<_> = mesh.vertices().iter().map(|p| turn * p).collect();
+        let of =
+            |points: &[nalgebra::Point3<f64>]| folded(&mesh, &mesh.with_vertices(points.to_vec()).unwrap(), &matrix);
+        assert_eq!(of(&bent), 0.0);
+        // A vertex that is carried to the other side takes faces with it.
+        bent[0] = -bent[0];
+        assert!(of(&bent) > 0.0 && of(&bent) < 0.2);
+    }
+
+    #[test]
+    fn a_record_comes_back_to_the_bit_and_damage_is_noticed() {
+        let facts = Facts { reasons: vec!["a".to_owned()], residual_mm: 0.1 + 0.2, ..Facts::default() };
+        let record = Record { facts, points: vec![[1.0, -2.5, 3.0e-7], [0.1, 0.2, 0.3]] };
+        let bytes = record.to_bytes();
+        assert_eq!(Record::from_bytes(&bytes), Ok(record));
+        for k in 0..bytes.len() {
+            let mut wrong = bytes.clone();
+            wrong[k] ^= 1;
+            assert_eq!(Record::from_bytes(&wrong), Err(NoRecord), "byte {k}");
+            assert_eq!(Record::from_bytes(&bytes[..k]), Err(NoRecord));
+        }
+    }
+}

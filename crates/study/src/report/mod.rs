@@ -1,0 +1,461 @@
+//! One page for a study: quality control first, maps and modes to turn with the mouse, effects, the model, and how it was done.
+//!
+//! The page is one HTML file that loads nothing, like that of a match (`homolog_run::write_report`); its policy allows its own
+//! script and style, named by their hashes, and nothing else.
+
+mod methods;
+mod plots;
+
+use crate::error::StudyError;
+use crate::findings::{Findings, Place, moved};
+use crate::folder::Folder;
+use crate::measures::measured;
+use crate::output::{MODE_DEVIATIONS, place_name, significant_share, triangles};
+use crate::plan::Study;
+use crate::quality::most_urgent_first;
+use crate::settings::Measure;
+use base64::Engine as _;
+use base64::engine::general_purpose::STANDARD as BASE64;
+use nalgebra::{Matrix3, Point3, Vector3};
+use serde_json::{Value, json};
+use sha2::{Digest, Sha256};
+use std::fmt::Write;
+
+const STYLE: &str = include_str!("page.css");
+const SCRIPT: &str = include_str!("page.js");
+/// Most pictures of quality control, and most vertices of all of them together.
+const MAX_PICTURES: usize = 12;
+const MAX_PICTURE_VERTICES: usize = 120_000;
+/// Modes on the page.
+const SHOWN_MODES: usize = 5;
+/// Rows of the table of quality control.
+const SHOWN_SUBJECTS: usize = 200;
+
+/// Text escaped for HTML content and attributes.
+fn escaped(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
+}
+
+fn hash(text: &str) -> String {
+    format!("sha256-{}", BASE64.encode(Sha256::digest(text)))
+}
+
+/// The page as HTML.
+///
+/// # Errors
+/// Those of reading records.
+pub(crate) fn page(study: &Study, found: &Findings, folder: &Folder, commit: &str) -> Result<String, StudyError> {
+    let view = View::new(study, found, folder)?;
+    let policy = format!(
+        "default-src 'none'; script-src '{}'; style-src '{}'; base-uri 'none'; form-action 'none'",
+        hash(SCRIPT),
+        hash(STYLE)
+    );
+    let mut page = format!(
+        "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
+         <meta http-equiv=\"Content-Security-Policy\" content=\"{policy}\">\n\
+         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
+         <meta name=\"referrer\" content=\"no-referrer\">\n<title>homolog: a study of {} subjects</title>\n\
+         <style>{STYLE}</style>\n</head>\n<body>\n<main>\n<h1>Study of {} subjects</h1>\n",
+        found.subjects.len(),
+        found.subjects.len()
+    );
+    page.push_str(&summary(found));
+    page.push_str(&quality(study, found, &view.pictures));
+    page.push_str(&view.section);
+    page.push_str(&effects(found));
+    page.push_str(&model(found));
+    page.push_str(&template(found));
+    page.push_str(&consistency(found));
+    page.push_str(&labels(found));
+    page.push_str(&methods::text(study, found, commit));
+    let _ = write!(
+        page,
+        "</main>\n<script type=\"application/json\" id=\"data\">{}</script>\n<script>{SCRIPT}</script>\n</body>\n</html>\n",
+        view.data
+    );
+    Ok(page)
+}
+
+fn summary(found: &Findings) -> String {
+    let count = |place: Place| found.subjects.iter().filter(|subject| subject.place == place).count();
+    let mut parts = vec![format!("{} in the shape model", count(Place::Model))];
+    for (place, words) in [
+        (Place::Scored, "compared with it"),
+        (Place::Unreliable, "left out because their match is not reliable"),
+        (Place::Dropped, "left out by decision"),
+        (Place::Failed, "without a match"),
+    ] {
+        if count(place) > 0 {
+            parts.push(format!("{} {words}", count(place)));
+        }
+    }
+    let flagged = found.subjects.iter().filter(|subject| !subject.flags.is_empty()).count();
+    format!("<p class=\"summary\">{}. {flagged} to look at.</p>\n", parts.join(", "))
+}
+
+/// A table with a header; cells that are numbers are set as such.
+fn table(header: &[&str], rows: &[Vec<String>], class: &str) -> String {
+    let head: String = header.iter().map(|name| format!("<th scope=\"col\">{name}</th>")).collect();
+    let cell = |text: &String| {
+        let is_number = text.trim_start_matches('−').starts_with(|c: char| c.is_ascii_digit());
+        format!("<td{}>{text}</td>", if is_number { " class=\"number\"" } else { "" })
+    };
+    let rows: String =
+        rows.iter().map(|row| format!("<tr>{}</tr>", row.iter().map(cell).collect::<String>())).collect();
+    format!("<div class=\"scroll {class}\"><table><thead><tr>{head}</tr></thead><tbody>{rows}</tbody></table></div>\n")
+}
+
+/// A number with a true minus sign.
+fn signed(value: f64, digits: usize) -> String {
+    format!("{value:.digits$}").replace('-', "−")
+}
+
+fn p_value(p: f64) -> String {
+    if p < 0.001 { "&lt; 0.001".to_owned() } else { format!("{p:.3}") }
+}
+
+/// The table of quality control, the most urgent first.
+fn quality(study: &Study, found: &Findings, pictures: &[(usize, usize)]) -> String {
+    let mut rows = String::new();
+    let order = most_urgent_first(&found.subjects);
+    for &k in order.iter().take(SHOWN_SUBJECTS) {
+        let subject = &found.subjects[k];
+        let class = match (subject.place, subject.flags.is_empty()) {
+            (Place::Failed | Place::Unreliable, _) => "bad",
+            (_, false) => "open",
+            _ => "good",
+        };
+        let picture = pictures.iter().find(|(of, _)| *of == k).map_or(String::new(), |(_, shape)| {
+            format!("<canvas data-shape=\"{shape}\" role=\"img\" aria-label=\"the shape of this subject\"></canvas>")
+        });
+        let mut why: Vec<String> = subject.flags.iter().map(|flag| flag.title().to_owned()).collect();
+        why.extend(subject.facts.reasons.iter().map(|reason| escaped(&reason.replace('_', " "))));
+        why.extend(subject.facts.error.iter().map(|error| escaped(error)));
+        if let Some(decision) = &subject.decision {
+            why.push(format!("decided: {}", escaped(&decision.reason)));
+        }
+        let number =
+            |value: Option<f64>, digits: usize| value.map_or(String::new(), |value| format!("{value:.digits$}"));
+        let is_matched = subject.place != Place::Failed;
+        let _ = write!(
+            rows,
+            "<tr class=\"{class}\"><td>{}</td><td>{picture}</td><td>{}</td><td>{}</td><td class=\"number\">{}</td>\
+             <td class=\"number\">{}</td><td class=\"number\">{}</td></tr>",
+            escaped(&study.cohort.subjects[k].id),
+            place_name(subject.place),
+            why.join("<br>"),
+            number(is_matched.then_some(subject.facts.residual_mm), 3),
+            number(is_matched.then_some(100.0 * subject.facts.folded), 2),
+            number(subject.unusual_p, 3),
+        );
+    }
+    let more = order.len().saturating_sub(SHOWN_SUBJECTS);
+    let more = if more > 0 { format!("<p class=\"hint\">{more} more in quality.csv.</p>") } else { String::new() };
+    format!(
+        "<h2>Quality control</h2>\n<p class=\"hint\">The most urgent first. Residual: mean distance from the subject's surface to the \
+         template bent onto it. Turned: triangles of the template that the map turns over. Unusual: share of subjects \
+         whose shape is at least as unusual to a model of the others. To leave a subject out, or to keep one whose match is \
+         not reliable, write its id, dropped or kept, and why into decisions.csv, and run the study again.</p>\n\
+         <div class=\"scroll\"><table><thead><tr><th scope=\"col\">subject</th><th scope=\"col\">shape</th>\
+         <th scope=\"col\">place</th><th scope=\"col\">look at</th><th scope=\"col\">residual, mm</th>\
+         <th scope=\"col\">turned, %</th><th scope=\"col\">unusual, p</th></tr></thead><tbody>{rows}</tbody></table></div>\n{more}"
+    )
+}
+
+/// The view of maps, modes and subjects.
+struct View {
+    section: String,
+    data: String,
+    /// Subjects with a picture, and their places among the shapes.
+    pictures: Vec<(usize, usize)>,
+}
+
+fn base64(numbers: impl Iterator<Item = f64>) -> String {
+    BASE64.encode(numbers.flat_map(|x| (x as f32).to_le_bytes()).collect::<Vec<u8>>())
+}
+
+/// Values from −127 to 127, and the value that is 127: the 99th percentile of their sizes.
+fn scaled(values: &[f64]) -> (String, f64) {
+    let mut sizes: Vec<f64> = values.iter().map(|x| x.abs()).collect();
+    sizes.sort_by(f64::total_cmp);
+    let largest = sizes.get(sizes.len() * 99 / 100).copied().unwrap_or(0.0).max(f64::MIN_POSITIVE);
+    let bytes = values.iter().map(|x| ((x / largest).clamp(-1.0, 1.0) * 127.0).round() as i8 as u8);
+    (BASE64.encode(bytes.collect::<Vec<u8>>()), largest)
+}
+
+impl View {
+    fn new(study: &Study, found: &Findings, folder: &Folder) -> Result<View, StudyError> {
+        let mean = &found.mean;
+        let (center, radius, turn) = frame(mean.vertices());
+        let flat = |points: &[Point3<f64>]| base64(points.iter().flat_map(|p| <[f64; 3]>::from(p - center)));
+        let mut maps: Vec<Value> = Vec::new();
+        let mut map_options = String::new();
+        for map in found.statistics.iter().flat_map(|statistics| &statistics.maps) {
+            let contrast = found.statistics.as_ref().map(|s| &s.design.contrasts[map.contrast]);
+            let (values, largest) = scaled(map.effect());
+            let significant: Vec<u8> = map.p_corrected().iter().map(|&p| u8::from(p < 0.05)).collect();
+            let title = format!("{}: {}", contrast.map_or("", |c| &c.meaning), map.measure.title());
+            let _ = write!(map_options, "<option value=\"{}\">{}</option>", maps.len(), escaped(&title));
+            maps.push(json!({
+                "title": title, "largest": largest, "values": values, "significant": BASE64.encode(significant),
+            }));
+        }
+        if maps.is_empty() {
+            // Without an effect, how much the group varies along the normal.
+            let normals = mean.vertex_normals();
+            let spread: Vec<f64> = (0..mean.n_vertices())
+                .map(|v| {
+                    let along = found.model.modes.iter().zip(&found.model.variances);
+                    along.map(|(mode, variance)| variance * mode[v].dot(&normals[v]).powi(2)).sum::<f64>().sqrt()
+                })
+                .collect();
+            let (values, largest) = scaled(&spread);
+            let title = "standard deviation along the normal, mm";
+            let _ = write!(map_options, "<option value=\"0\">{title}</option>");
+            let all = BASE64.encode(vec![1u8; mean.n_vertices()]);
+            maps.push(json!({"title": title, "largest": largest, "values": values, "significant": all}));
+        }
+        let (mut shapes, mut shape_options) = (Vec::new(), String::new());
+        for mode in 0..found.model.modes.len().min(SHOWN_MODES) {
+            let length = MODE_DEVIATIONS * found.model.variances[mode].sqrt();
+            let normals = mean.vertex_normals();
+            let vectors = &found.model.modes[mode];
+            let along: Vec<f64> = vectors.iter().zip(&normals).map(|(d, n)| length * d.dot(n)).collect();
+            let share = 100.0 * found.model.variances[mode] / found.model.variances.iter().sum::<f64>();
+            let title = format!("mode {}, {share:.1} % of the variance", mode + 1);
+            let _ = write!(shape_options, "<option value=\"{}\">{title}</option>", shapes.len());
+            let moves = base64(vectors.iter().flat_map(|d| <[f64; 3]>::from(*d * length)));
+            shapes.push(json!({"title": title, "values": scaled(&along).0, "move": moves}));
+        }
+        let mut pictures = Vec::new();
+        let most = (MAX_PICTURE_VERTICES / mean.n_vertices().max(1)).clamp(1, MAX_PICTURES);
+        for k in most_urgent_first(&found.subjects) {
+            if pictures.len() == most {
+                break;
+            }
+            if found.subjects[k].place == Place::Failed {
+                continue;
+            }
+            let own = moved(study, &found.matched, folder, &found.alignment, k)?;
+            let surface = mean.with_vertices(own.clone())?;
+            let along = measured(Measure::NormalDisplacement, mean, &surface).unwrap_or_default();
+            let title = format!("subject {}", study.cohort.subjects[k].id);
+            let _ = write!(shape_options, "<option value=\"{}\">{}</option>", shapes.len(), escaped(&title));
+            pictures.push((k, shapes.len()));
+            shapes.push(json!({"title": title, "values": scaled(&along).0, "points": flat(&own)}));
+        }
+        let data = json!({
+            "radius": radius, "turn": turn, "points": flat(mean.vertices()), "triangles": BASE64.encode(triangles(mean)),
+            "maps": maps, "shapes": shapes,
+        });
+        let section = format!(
+            "<h2>Maps and modes</h2>\n<div class=\"stage\"><canvas id=\"view\" tabindex=\"0\" role=\"img\" aria-label=\"The mean \
+             surface with a map, and a mode or a subject\"></canvas><span class=\"name left\">mean</span>\
+             <span class=\"name right\" id=\"right\"></span></div>\n<div class=\"controls\"><div>\
+             <select id=\"map\" aria-label=\"Map\">{map_options}</select>\
+             <label><input type=\"checkbox\" id=\"only\"> only corrected p &lt; 0.05</label></div><div>\
+             <select id=\"shape\" aria-label=\"Mode or subject\">{shape_options}</select>\
+             <label>−2 sd <input type=\"range\" id=\"along\" min=\"-50\" max=\"50\" value=\"50\"> +2 sd</label></div></div>\n\
+             <p class=\"hint\"><span id=\"legend\"></span></p>\n\
+             <p class=\"hint\">Drag or use the arrow keys to turn, scroll to zoom. Red is outwards, blue inwards, of modes and \
+             subjects along the normal of the mean.</p>\n"
+        );
+        Ok(View { section, data: data.to_string(), pictures })
+    }
+}
+
+/// Center, radius and first rotation of the view: the longest axis from left to right, the shortest towards the viewer.
+fn frame(points: &[Point3<f64>]) -> (Point3<f64>, f64, Vec<f64>) {
+    let n = points.len().max(1) as f64;
+    let center = Point3::from(points.iter().map(|p| p.coords).sum::<Vector3<f64>>() / n);
+    let scatter: Matrix3<f64> = points.iter().map(|p| (p - center) * (p - center).transpose()).sum();
+    let axes = scatter.symmetric_eigen();
+    let mut order = [0, 1, 2];
+    order.sort_by(|&a, &b| axes.eigenvalues[b].total_cmp(&axes.eigenvalues[a]));
+    let [x, y] = [order[0], order[1]].map(|k| axes.eigenvectors.column(k).into_owned());
+    let rows = [x, y, x.cross(&y)];
+    let reach = points.iter().map(|p| (p - center).norm()).fold(0.0, f64::max);
+    (center, reach.max(f64::MIN_POSITIVE), rows.iter().flat_map(|row| row.iter().copied()).collect())
+}
+
+fn effects(found: &Findings) -> String {
+    let Some(statistics) = &found.statistics else {
+        return "<h2>Effects</h2>\n<p>No effect was asked for (<code>--effect</code>).</p>\n".to_owned();
+    };
+    let mut html = "<h2>Effects at vertices</h2>\n".to_owned();
+    let weights = &found.alignment.weights;
+    let rows: Vec<Vec<String>> = statistics
+        .maps
+        .iter()
+        .map(|map| {
+            let p = map.p_corrected();
+            let best = (0..p.len()).fold(0, |best, v| {
+                let key = |v: usize| (p[v], -map.effect()[v].abs());
+                if key(v) < key(best) { v } else { best }
+            });
+            vec![
+                escaped(&statistics.design.contrasts[map.contrast].meaning),
+                map.measure.title().to_owned(),
+                p.get(best).map_or(String::new(), |p| p_value(*p)),
+                format!("{:.1} %", 100.0 * significant_share(p, weights)),
+                map.effect().get(best).map_or(String::new(), |effect| signed(*effect, 3)),
+                map.linear.as_ref().map_or(String::new(), |(linear, _)| signed(linear.g[best], 2)),
+                format!("{:.1} %", 100.0 * significant_share(&map.q, weights)),
+            ]
+        })
+        .collect();
+    let corrected = if statistics.longitudinal { "smallest q (FDR)" } else { "smallest p (TFCE, FWE)" };
+    let header = [
+        "contrast",
+        "measure",
+        corrected,
+        "of the surface below 0.05",
+        "effect there",
+        "g there",
+        "q (FDR) below 0.05",
+    ];
+    html.push_str(&table(&header, &rows, "free"));
+    for measure in &statistics.left_out {
+        let _ = write!(html, "<p class=\"hint\">{} is not meaningful here: a surface is open.</p>", measure.name());
+    }
+    if !statistics.design.incomplete.is_empty() {
+        let n = statistics.design.incomplete.len();
+        let _ =
+            write!(html, "<p class=\"hint\">{n} subjects with a missing covariate are not part of the statistics.</p>");
+    }
+    if !statistics.whole.is_empty() {
+        html.push_str("<h2>Effects in whole subjects</h2>\n");
+        html.push_str(&plots::forest(&statistics.whole));
+        let rows: Vec<Vec<String>> = statistics
+            .whole
+            .iter()
+            .map(|whole| {
+                let effect = &whole.effect;
+                let range =
+                    |ends: [f64; 2], digits| format!("{} to {}", signed(ends[0], digits), signed(ends[1], digits));
+                vec![
+                    escaped(&whole.variable),
+                    escaped(&whole.contrast),
+                    signed(effect.value, 2),
+                    range(effect.interval, 2),
+                    p_value(effect.p),
+                    signed(effect.g, 2),
+                    range(effect.g_interval, 2),
+                ]
+            })
+            .collect();
+        html.push_str(&table(
+            &["variable", "contrast", "effect", "95 % interval", "p", "g", "95 % interval"],
+            &rows,
+            "free",
+        ));
+    }
+    if !statistics.planning.is_empty() {
+        let rows: Vec<Vec<String>> = statistics
+            .planning
+            .iter()
+            .map(|plan| {
+                let n = plan.subjects.map_or("more than 100,000".to_owned(), |n| n.to_string());
+                vec![escaped(&plan.contrast), format!("{:.1}", plan.d), n]
+            })
+            .collect();
+        html.push_str("<h2>Planning</h2>\n<p class=\"hint\">Subjects, in the proportions of this study, with which one test at 0.05 \
+             finds a true difference of d standard deviations in 80 % of studies.</p>\n");
+        html.push_str(&table(&["contrast", "d", "subjects"], &rows, "free"));
+    }
+    html
+}
+
+fn model(found: &Findings) -> String {
+    let quality = &found.model.quality;
+    let rows: Vec<Vec<String>> = (0..found.model.modes.len().min(12))
+        .map(|k| {
+            vec![
+                (k + 1).to_string(),
+                format!("{:.1} %", 100.0 * quality.compactness[k]),
+                format!("{:.3}", quality.generalization_mm[k]),
+                format!("{:.3}", quality.specificity_mm[k]),
+            ]
+        })
+        .collect();
+    format!(
+        "<h2>Shape model</h2>\n<p class=\"hint\">Compactness: variance that the first modes explain. Generalization: distance of a \
+         subject from the nearest shape of a model of the others. Specificity: distance of a random shape of the model from the \
+         nearest subject. Distances are root mean squares over the surface.</p>\n{}{}",
+        plots::model(quality),
+        table(&["modes", "compactness", "generalization, mm", "specificity, mm"], &rows, "free")
+    )
+}
+
+fn template(found: &Findings) -> String {
+    let rounds = &found.matched.making.rounds;
+    let mesh = &found.matched.making.template.mesh;
+    let mut html = format!(
+        "<h2>Template</h2>\n<p>{} vertices, mean edge {:.2} mm, {}.</p>\n",
+        mesh.n_vertices(),
+        mesh.mean_edge_length(),
+        if rounds.is_empty() { "given" } else { "made from the group" }
+    );
+    if !rounds.is_empty() {
+        let rows: Vec<Vec<String>> = rounds
+            .iter()
+            .enumerate()
+            .map(|(k, round)| {
+                vec![
+                    (k + 1).to_string(),
+                    round.subjects.to_string(),
+                    format!("{:.3}", round.moved_mm),
+                    format!("{:.3}", round.moved_share),
+                    format!("{:.0}", round.volume_mm3),
+                ]
+            })
+            .collect();
+        let header = ["round", "subjects", "mean moved, mm", "in mean edges", "volume, mm³"];
+        html.push_str(&table(&header, &rows, "free"));
+    }
+    html
+}
+
+fn consistency(found: &Findings) -> String {
+    let Some(found) = &found.consistency else { return String::new() };
+    let row = |name: &str, d: &crate::consistency::Distances| {
+        vec![name.to_owned(), format!("{:.2}", d.mean_mm), format!("{:.2}", d.median_mm), format!("{:.2}", d.p95_mm)]
+    };
+    let n = found.ring.len();
+    let rows = [
+        row("subject → template → subject, two independent matches", &found.template_and_back),
+        row("subject → subject → back, two independent matches", &found.pair_and_back),
+        row(&format!("around a ring of {n} subjects, pair maps alone"), &found.ring_by_pairs),
+        row(&format!("around the ring of {n}, through the template"), &found.ring_through_template),
+        row("from pair maps to maps through the template", &found.pair_to_template),
+    ];
+    let header = ["cycle error", "mean, mm", "median, mm", "95th percentile, mm"];
+    format!("<h2>Consistency over the group</h2>\n{}", table(&header, &rows, "free"))
+}
+
+fn labels(found: &Findings) -> String {
+    let Some(labels) = &found.labels else { return String::new() };
+    let rows: Vec<Vec<String>> = labels
+        .labels
+        .iter()
+        .enumerate()
+        .map(|(at, label)| {
+            let mut dice: Vec<f64> = labels.dice.iter().filter_map(|(_, dice)| dice[at]).collect();
+            dice.sort_by(f64::total_cmp);
+            let mean = dice.iter().sum::<f64>() / dice.len().max(1) as f64;
+            let least = dice.first().map_or(String::new(), |d| format!("{d:.3}"));
+            vec![label.to_string(), dice.len().to_string(), format!("{mean:.3}"), least]
+        })
+        .collect();
+    let whose = if labels.of_template {
+        "The labels are those of the given template."
+    } else {
+        "The label of each vertex is that of most subjects. Dice: subjects of one half get labels that those of the other half \
+         voted for."
+    };
+    format!(
+        "<h2>Labels</h2>\n<p class=\"hint\">{whose}</p>\n{}",
+        table(&["label", "subjects with labels", "mean Dice", "least Dice"], &rows, "free")
+    )
+}

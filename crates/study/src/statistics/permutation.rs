@@ -1,0 +1,232 @@
+//! Permutation tests of a contrast over all vertices.
+//!
+//! Residuals of the model without the contrast are permuted among subjects and the whole model is fitted to them (Freedman,
+//! Lane 1983), so that covariates keep their place. Each permutation gives a map of t; the largest |t| and the largest
+//! enhanced |t| of all vertices are kept, whose distribution controls the error over the whole surface. The first
+//! permutation is the data as they are, so that no p is below `1 / permutations`.
+//!
+//! The model without the contrast is that part of the design which is orthogonal to the contrast's weights `a`
+//! ([`LinearModel::observation_weights`]), so that no column has to be chosen for it.
+//!
+//! Sources: Winkler et al., *Permutation inference for the general linear model*, NeuroImage 92, 2014; Holmes et al. 1996
+//! (the distribution of the maximum).
+
+use super::VertexValues;
+use super::linear::{LinearModel, dot, norm};
+use super::tfce::Enhancer;
+use rand_core::Rng;
+use rand_xoshiro::Xoshiro256PlusPlus;
+use rand_xoshiro::rand_core::SeedableRng;
+use rayon::prelude::*;
+
+/// What the permutations say about a contrast, at each vertex.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PermutationMap {
+    /// t of the data.
+    pub t: Vec<f64>,
+    /// Enhanced t of the data.
+    pub tfce: Vec<f64>,
+    /// Two-sided p of t, for each vertex by itself.
+    pub p: Vec<f64>,
+    /// Two-sided p of t, corrected for all vertices.
+    pub p_fwe: Vec<f64>,
+    /// Two-sided p of the enhanced t, corrected for all vertices.
+    pub p_tfce: Vec<f64>,
+    /// Permutations, the data among them.
+    pub permutations: usize,
+}
+
+/// The order of subjects in a permutation: a function of seed and number alone.
+fn order(n: usize, seed: u64, number: u64) -> Vec<usize> {
+    let mut order: Vec<usize> = (0..n).collect();
+    if number > 0 {
+        let mut random = Xoshiro256PlusPlus::seed_from_u64(seed ^ number.wrapping_mul(0x9e37_79b9_7f4a_7c15));
+        for k in (1..n).rev() {
+            // The bias of the remainder is below n / 2^64.
+            order.swap(k, (random.next_u64() % (k as u64 + 1)) as usize);
+        }
+    }
+    order
+}
+
+/// Prepared maps of t for any order of subjects.
+struct Test<'a> {
+    model: &'a LinearModel,
+    unit: Vec<f64>,
+    /// Residuals of the model without the contrast, by vertex.
+    reduced: Vec<f64>,
+    squares: Vec<f64>,
+    n: usize,
+}
+
+impl<'a> Test<'a> {
+    fn new(model: &'a LinearModel, values: &VertexValues, contrast: &[f64]) -> Self {
+        let a = model.observation_weights(contrast);
+        let length = norm(&a);
+        let unit: Vec<f64> = a.iter().map(|x| x / length).collect();
+        let reduced = values.vertices().flat_map(|y| {
+            let mut rest = model.residuals(y);
+            let along = dot(&unit, y);
+            rest.iter_mut().zip(&unit).for_each(|(x, a)| *x += along * a);
+            rest
+        });
+        let (reduced, n): (Vec<f64>, usize) = (reduced.collect(), values.n_subjects());
+        let squares = reduced.chunks_exact(n.max(1)).map(|e| dot(e, e)).collect();
+        Test { model, unit, reduced, squares, n }
+    }
+
+    /// t at every vertex when subject `k` has the residual of subject `order[k]`.
+    fn t(&self, order: &[usize]) -> Vec<f64> {
+        // Permuting the few columns of the design backwards gives the same products as permuting all residuals.
+        let moved = |column: &[f64]| {
+            let mut moved = vec![0.0; self.n];
+            order.iter().zip(column).for_each(|(&from, &x)| moved[from] = x);
+            moved
+        };
+        let (unit, basis) = (moved(&self.unit), self.model.basis().iter().map(|q| moved(q)).collect::<Vec<_>>());
+        let degrees = self.model.degrees();
+        let each = self.reduced.chunks_exact(self.n.max(1)).zip(&self.squares).map(|(e, squares)| {
+            let explained: f64 = basis.iter().map(|q| dot(q, e).powi(2)).sum();
+            let rest = (squares - explained).max(0.0);
+            // Nothing is left of a constant vertex but rounding.
+            if rest <= 1e-20 * squares || *squares == 0.0 { 0.0 } else { dot(&unit, e) / (rest / degrees).sqrt() }
+        });
+        each.collect()
+    }
+}
+
+/// Tests a contrast by `permutations` orders of subjects, the data among them. `enhancer` is of the mesh of the vertices.
+///
+/// The answer depends on the seed, not on threads. `O(permutations · V · (n p + log V))`.
+pub fn test(
+    model: &LinearModel,
+    values: &VertexValues,
+    contrast: &[f64],
+    enhancer: &Enhancer<'_>,
+    permutations: usize,
+    seed: u64,
+) -> PermutationMap {
+    let test = Test::new(model, values, contrast);
+    let permutations = permutations.max(1);
+    let t = test.t(&order(test.n, seed, 0));
+    let tfce = enhancer.clone().enhance(&t);
+    let largest = |map: &[f64]| map.iter().fold(0.0f64, |top, x| top.max(x.abs()));
+    let numbers: Vec<u64> = (1..permutations as u64).collect();
+    // Chunks bound the counters; sums of whole numbers do not depend on their order.
+    let parts: Vec<(Vec<u32>, Vec<[f64; 2]>)> = numbers
+        .par_chunks(64)
+        .map(|numbers| {
+            let (mut enhancer, mut counts) = (enhancer.clone(), vec![0u32; t.len()]);
+            let tops = numbers.iter().map(|&number| {
+                let other = test.t(&order(test.n, seed, number));
+                counts.iter_mut().zip(&other).zip(&t).for_each(|((count, other), own)| {
+                    *count += u32::from(reaches(other.abs(), own.abs()));
+                });
+                [largest(&other), largest(&enhancer.enhance(&other))]
+            });
+            let tops = tops.collect();
+            (counts, tops)
+        })
+        .collect();
+    let share = |count: u32| f64::from(count + 1) / permutations as f64;
+    let counts = (0..t.len()).map(|v| parts.iter().map(|(counts, _)| counts[v]).sum());
+    let p = counts.map(share).collect();
+    let corrected = |own: &[f64], which: usize| {
+        let mut tops: Vec<f64> = parts.iter().flat_map(|(_, tops)| tops.iter().map(|top| top[which])).collect();
+        tops.push(largest(own));
+        tops.sort_by(f64::total_cmp);
+        let each = own.iter().map(|x| {
+            let below = tops.partition_point(|&top| !reaches(top, x.abs()));
+            (tops.len() - below) as f64 / permutations as f64
+        });
+        each.collect()
+    };
+    let (p_fwe, p_tfce) = (corrected(&t, 0), corrected(&tfce, 1));
+    PermutationMap { t, tfce, p, p_fwe, p_tfce, permutations }
+}
+
+/// The maps of t for given orders of subjects: subject `k` has the residual of subject `order[k]`.
+pub fn t_of_orders(
+    model: &LinearModel,
+    values: &VertexValues,
+    contrast: &[f64],
+    orders: &[Vec<usize>],
+) -> Vec<Vec<f64>> {
+    let test = Test::new(model, values, contrast);
+    orders.iter().map(|order| test.t(order)).collect()
+}
+
+/// Whether a permuted statistic is as large as that of the data, up to rounding: orders that only exchange equal subjects
+/// must count.
+fn reaches(other: f64, own: f64) -> bool {
+    other >= own * (1.0 - 1e-9)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use faer::Mat;
+    use homolog_mesh::shapes::ellipsoid;
+
+    /// A number from -1/2 to 1/2.
+    fn draw(random: &mut Xoshiro256PlusPlus) -> f64 {
+        (random.next_u64() >> 11) as f64 / (1u64 << 53) as f64 - 0.5
+    }
+
+    fn data(effect: f64) -> (Mat<f64>, VertexValues) {
+        let mut random = Xoshiro256PlusPlus::seed_from_u64(9);
+        let ages: Vec<f64> = (0..20).map(|_| draw(&mut random)).collect();
+        let group = |i: usize| f64::from(u8::from(i.is_multiple_of(2)));
+        let matrix = Mat::from_fn(20, 3, |i, k| [1.0, group(i), ages[i]][k]);
+        let subjects: Vec<Vec<f64>> = (0..20)
+            .map(|i| {
+                (0..42)
+                    .map(|v| draw(&mut random) + 2.0 * ages[i] + effect * group(i) * f64::from(u8::from(v < 12)))
+                    .collect()
+            })
+            .collect();
+        (matrix, VertexValues::from_subjects(&subjects))
+    }
+
+    #[test]
+    fn t_of_an_order_is_that_of_fitting_the_model_to_permuted_residuals() {
+        let (matrix, values) = data(0.3);
+        let model = LinearModel::new(&matrix);
+        let contrast = [0.0, 1.0, 0.0];
+        let test = Test::new(&model, &values, &contrast);
+        // By hand: residuals of the mean and the age alone.
+        let reduced = LinearModel::new(&Mat::from_fn(20, 2, |i, k| matrix[(i, 2 * k)]));
+        for number in [0, 1, 2] {
+            let order = order(20, 4, number);
+            let subjects: Vec<Vec<f64>> = {
+                let residuals: Vec<Vec<f64>> = values.vertices().map(|y| reduced.residuals(y)).collect();
+                (0..20).map(|i| residuals.iter().map(|e| e[order[i]]).collect()).collect()
+            };
+            let expected = model.contrast(&VertexValues::from_subjects(&subjects), &contrast).t;
+            for (a, b) in test.t(&order).iter().zip(&expected) {
+                assert!((a - b).abs() < 1e-9, "{a} {b}");
+            }
+        }
+        // The data themselves.
+        let own = model.contrast(&values, &contrast).t;
+        assert!(test.t(&order(20, 4, 0)).iter().zip(&own).all(|(a, b)| (a - b).abs() < 1e-9));
+    }
+
+    #[test]
+    fn a_true_effect_is_found_where_it_is_on_any_number_of_threads() {
+        let mesh = ellipsoid([3.0, 2.0, 1.0].into(), 1);
+        let (graph, areas) = (mesh.edge_graph(), crate::align::vertex_areas(&mesh));
+        let (matrix, values) = data(1.5);
+        let run = |threads| {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+            let model = LinearModel::new(&matrix);
+            pool.install(|| test(&model, &values, &[0.0, 1.0, 0.0], &Enhancer::new(&graph, &areas), 300, 1))
+        };
+        let found = run(1);
+        assert_eq!(found, run(3));
+        assert!(found.p_fwe[..12].iter().all(|&p| p <= 2.0 / 300.0), "{:?}", &found.p_fwe[..12]);
+        assert!(found.p_fwe[12..].iter().all(|&p| p > 0.05));
+        assert!(found.p_tfce.iter().zip(&found.p).all(|(corrected, _)| *corrected >= 1.0 / 300.0));
+        assert!(found.p_fwe.iter().zip(&found.p).all(|(corrected, single)| corrected >= single));
+    }
+}

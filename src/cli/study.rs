@@ -1,0 +1,281 @@
+//! `homolog study TABLE|FOLDER|study.json`: from a group of subjects to a shape model, maps of statistics and a report.
+
+use super::error::CliError;
+use super::files::{OutputFolder, file_name};
+use super::interrupt::Interrupt;
+use super::output::{note, print};
+use super::parameters::ParameterArgs;
+use super::progress::{Progress, WithoutTerminal};
+use clap::Args;
+use clap::builder::PossibleValuesParser;
+use homolog_study::StudyError;
+use homolog_study::cohort::Cohort;
+use homolog_study::findings::{Findings, find};
+use homolog_study::folder::{Decision, Folder, read_decisions};
+use homolog_study::matching::Watcher;
+use homolog_study::output::{read_document, write};
+use homolog_study::plan::Study;
+use homolog_study::settings::{Analysis, MadeTemplate, Measure, Settings, Size, TemplateChoice};
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// Study a group of subjects: template, shape model, statistics at every vertex, quality control, report
+///
+/// A template is matched to every subject, or made from them; the matches are kept in the folder, so that the same command goes
+/// on where it was stopped, and a subject that is added later costs one match.
+#[derive(Debug, Clone, Args)]
+pub(super) struct StudyArgs {
+    /// A table of subjects (CSV with the columns file and, if you like, id, subject, role and covariates), a folder of their
+    /// files, or the study.json of a study to compute again
+    #[arg(value_name = "TABLE.csv|FOLDER|study.json")]
+    cohort: PathBuf,
+    /// Folder for everything that is found: study.json, report.html, tables, the mean, modes, maps, and the template bent onto
+    /// every subject
+    #[arg(long, value_name = "DIR")]
+    out: PathBuf,
+    /// Template: a surface or a label volume; without it one is made from the group
+    #[arg(long, value_name = "FILE")]
+    template: Option<PathBuf>,
+    /// Subject whose surface the template is made from; default: the one of median volume
+    #[arg(long, value_name = "ID", conflicts_with = "template")]
+    start: Option<String>,
+    /// Most subjects that the template is made from, spread over the table; 0: all
+    #[arg(long, value_name = "N", default_value_t = MadeTemplate::default().subjects, conflicts_with = "template")]
+    template_subjects: usize,
+    /// Most rounds of matching and averaging
+    #[arg(long, value_name = "N", default_value_t = MadeTemplate::default().max_rounds, conflicts_with = "template")]
+    template_rounds: usize,
+    /// Covariate whose effect is tested: the difference between its levels, or its slope
+    #[arg(long, value_name = "COVARIATE")]
+    effect: Option<String>,
+    /// Covariates to adjust for
+    #[arg(long, value_name = "COVARIATE", value_delimiter = ',')]
+    adjust: Vec<String>,
+    /// Level with which the others of a covariate are compared; may be repeated; default: the first in alphabetical order
+    #[arg(long, value_name = "COVARIATE=LEVEL")]
+    reference: Vec<String>,
+    /// A further contrast: its name and a sum of columns of the design, such as "ends=group:severe - group:mild"; may be repeated
+    #[arg(long, value_name = "NAME=SUM")]
+    contrast: Vec<String>,
+    /// What is tested at every vertex; may be repeated; default: all
+    #[arg(long, value_name = "MEASURE", value_delimiter = ',', value_parser = PossibleValuesParser::new(Measure::ALL.map(Measure::name)))]
+    measure: Vec<String>,
+    /// Permutations of each test
+    #[arg(long, value_name = "N", default_value_t = Analysis::default().permutations, value_parser = clap::builder::RangedU64ValueParser::<usize>::new().range(1..=1_000_000))]
+    permutations: usize,
+    /// Take size out of shape: subjects are scaled to one size
+    #[arg(long)]
+    without_size: bool,
+    /// Subjects among which the consistency of maps is measured, at three matches each; 0: it is not measured
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    cycles: usize,
+    /// Table of decisions: id, decision (kept or dropped), reason; default: decisions.csv in the folder
+    #[arg(long, value_name = "FILE.csv")]
+    decisions: Option<PathBuf>,
+    /// Threads; default: all cores. The answer does not depend on it
+    #[arg(long, value_name = "N")]
+    threads: Option<std::num::NonZeroUsize>,
+    #[command(flatten)]
+    parameters: ParameterArgs,
+}
+
+/// Runs the command.
+///
+/// # Errors
+/// [`CliError`].
+pub(super) fn run(args: &StudyArgs) -> Result<(), CliError> {
+    let asked = asked(args)?;
+    let out = OutputFolder::create(&args.out)?;
+    let threads = args.threads.or_else(|| std::thread::available_parallelism().ok()).map_or(1, usize::from);
+    let pool = rayon::ThreadPoolBuilder::new()
+        .num_threads(threads)
+        .build()
+        .map_err(|error| CliError::Failed(format!("cannot start {threads} threads: {error}")))?;
+    let watcher = Display { progress: Progress::new(WithoutTerminal::Lines), interrupt: Interrupt::listen() };
+    let done = pool.install(|| -> Result<Findings, StudyError> {
+        let folder = Folder::create(out.path())?;
+        let decisions = decisions(args, &asked, &folder)?;
+        let mut study = Study::open(asked.cohort, asked.settings, &asked.hashes, &folder)?;
+        let matched = study.match_all(&folder, threads, &watcher)?;
+        let found = find(&study, &matched, &folder, &decisions, &watcher)?;
+        write(&study, &found, &decisions, &folder, env!("HOMOLOG_COMMIT"), &watcher)?;
+        Ok(found)
+    });
+    drop(watcher);
+    let found = done.map_err(said)?;
+    print(&summary(&found))?;
+    note(&format!("written to {}, begin with report.html", out.path().display()));
+    Ok(())
+}
+
+/// A study as it is asked for.
+struct Asked {
+    cohort: Cohort,
+    settings: Settings,
+    hashes: Vec<String>,
+    /// Decisions of a study that is computed again.
+    decisions: Option<Vec<Decision>>,
+}
+
+fn said(error: StudyError) -> CliError {
+    match error {
+        StudyError::Interrupted => CliError::Interrupted,
+        StudyError::File { what: "write", path, source } => CliError::Write { path, source },
+        StudyError::Cohort(_)
+        | StudyError::Settings(_)
+        | StudyError::Start { .. }
+        | StudyError::TooFewMatches { .. }
+        | StudyError::File { .. }
+        | StudyError::Changed { .. } => CliError::BadInput(error.to_string()),
+        error => CliError::Failed(error.to_string()),
+    }
+}
+
+fn asked(args: &StudyArgs) -> Result<Asked, CliError> {
+    let unreadable =
+        |error: std::io::Error| CliError::BadInput(format!("cannot read {}: {error}", args.cohort.display()));
+    // Absolute, so that study.json is good from any folder.
+    let path = std::path::absolute(&args.cohort).map_err(unreadable)?;
+    if path.extension().is_some_and(|ending| ending == "json") {
+        let document = read_document(&fs::read(&path).map_err(unreadable)?)
+            .map_err(|why| CliError::BadInput(format!("{}: {why}", args.cohort.display())))?;
+        if document.version != env!("CARGO_PKG_VERSION") || document.commit != env!("HOMOLOG_COMMIT") {
+            note(&format!(
+                "note: {} was computed with homolog {}, commit {}; this is another build, so that figures may differ",
+                args.cohort.display(),
+                document.version,
+                document.commit
+            ));
+        }
+        let decisions = Some(document.decisions);
+        return Ok(Asked { cohort: document.cohort, settings: document.settings, hashes: document.hashes, decisions });
+    }
+    let cohort = if path.is_dir() {
+        let entries = fs::read_dir(&path).map_err(unreadable)?;
+        let files = entries.collect::<Result<Vec<_>, _>>().map_err(unreadable)?.into_iter().map(|entry| entry.path());
+        Cohort::from_files(files.filter(|path| path.is_file()).collect())
+    } else {
+        Cohort::from_csv(&fs::read(&path).map_err(unreadable)?, path.parent().unwrap_or(Path::new("")))
+    };
+    let named = |error| CliError::BadInput(format!("{}: {error}", args.cohort.display()));
+    let cohort = cohort.map_err(named)?;
+    for subject in &cohort.subjects {
+        // Before the first match, which may be long before this file's.
+        fs::metadata(&subject.file)
+            .map_err(|error| CliError::BadInput(format!("cannot read {}: {error}", subject.file.display())))?;
+    }
+    let template = match &args.template {
+        Some(file) => {
+            let file = std::path::absolute(file).map_err(|error| {
+                CliError::BadInput(format!("cannot read {}: {error}", file_name(file).unwrap_or_default()))
+            })?;
+            TemplateChoice::Given { file }
+        }
+        None => TemplateChoice::Made(MadeTemplate {
+            start: args.start.clone(),
+            subjects: args.template_subjects,
+            max_rounds: args.template_rounds,
+            ..MadeTemplate::default()
+        }),
+    };
+    let pair = |text: &String, option: &str| match text.split_once('=') {
+        Some((name, value)) if !name.is_empty() && !value.is_empty() => Ok((name.to_owned(), value.to_owned())),
+        _ => Err(CliError::BadInput(format!("{option} {text}: write NAME=VALUE"))),
+    };
+    let pairs = |all: &[String], option: &str| all.iter().map(|text| pair(text, option)).collect::<Result<Vec<_>, _>>();
+    let parameters = args.parameters.resolve()?;
+    let measures = Measure::ALL.into_iter();
+    let analysis = Analysis {
+        effect: args.effect.clone(),
+        adjust: args.adjust.clone(),
+        reference: pairs(&args.reference, "--reference")?,
+        contrasts: pairs(&args.contrast, "--contrast")?,
+        measures: measures
+            .filter(|m| args.measure.is_empty() || args.measure.iter().any(|name| name == m.name()))
+            .collect(),
+        permutations: args.permutations,
+        seed: parameters.seed,
+    };
+    let settings = Settings {
+        template,
+        size: if args.without_size { Size::Removed } else { Size::Kept },
+        analysis,
+        cycle_subjects: args.cycles,
+        cycle_ring: Vec::new(),
+        parameters,
+    };
+    // A wrong covariate is said now, and not after the matches.
+    let all: Vec<usize> = (0..cohort.subjects.len()).collect();
+    if settings.analysis.effect.is_some() || !settings.analysis.contrasts.is_empty() {
+        homolog_study::statistics::design::Design::new(&cohort, &all, &settings.analysis)
+            .map_err(CliError::BadInput)?;
+    }
+    Ok(Asked { cohort, settings, hashes: Vec::new(), decisions: None })
+}
+
+/// The decisions: those of the option, or of the folder, or of the study that is computed again.
+fn decisions(args: &StudyArgs, asked: &Asked, folder: &Folder) -> Result<Vec<Decision>, StudyError> {
+    let text = match &args.decisions {
+        Some(path) => {
+            Some(fs::read(path).map_err(|source| StudyError::File { what: "read", path: path.clone(), source })?)
+        }
+        None => folder.read("decisions.csv")?,
+    };
+    let Some(text) = text else { return Ok(asked.decisions.clone().unwrap_or_default()) };
+    let ids: BTreeSet<&str> = asked.cohort.subjects.iter().map(|subject| subject.id.as_str()).collect();
+    let read = read_decisions(&text, &ids).map_err(StudyError::Settings)?;
+    // A folder whose table of decisions is still empty does not undo those of the study that is computed again.
+    Ok(if read.is_empty() { asked.decisions.clone().unwrap_or_default() } else { read })
+}
+
+/// What was found, in a few lines.
+fn summary(found: &Findings) -> String {
+    let flagged = found.subjects.iter().filter(|subject| !subject.flags.is_empty()).count();
+    let mut lines = vec![format!(
+        "{} subjects, {} in the shape model, {flagged} to look at",
+        found.subjects.len(),
+        found.members.len()
+    )];
+    let rounds = &found.matched.making.rounds;
+    if let Some(last) = rounds.last() {
+        lines.push(format!(
+            "template made in {} rounds from {} subjects; the last moved it by {:.3} of its mean edge",
+            rounds.len(),
+            last.subjects,
+            last.moved_share
+        ));
+    }
+    let quality = &found.model.quality;
+    if let Some(k) = quality.compactness.iter().position(|share| *share >= 0.9) {
+        lines.push(format!(
+            "{} modes explain 90 % of the variance; generalization {:.3} mm, specificity {:.3} mm",
+            k + 1,
+            quality.generalization_mm[k],
+            quality.specificity_mm[k]
+        ));
+    }
+    for map in found.statistics.iter().flat_map(|statistics| &statistics.maps) {
+        let p = map.p_corrected().iter().copied().fold(1.0, f64::min);
+        let contrast = found.statistics.as_ref().map_or("", |s| s.design.contrasts[map.contrast].name.as_str());
+        let word = if map.mixed.is_some() { "q (FDR)" } else { "p (corrected)" };
+        lines.push(format!("{contrast}, {}: smallest {word} {p:.4}", map.measure.name()));
+    }
+    lines.join("\n")
+}
+
+/// Progress on the standard error.
+struct Display {
+    progress: Progress,
+    interrupt: Interrupt,
+}
+
+impl Watcher for Display {
+    fn progress(&self, what: &str, done: usize, of: usize) {
+        self.progress.phase(what);
+        self.progress.fraction(done as f64 / of.max(1) as f64);
+    }
+    fn is_interrupted(&self) -> bool {
+        self.interrupt.is_set()
+    }
+}

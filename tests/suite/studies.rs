@@ -1,0 +1,139 @@
+//! `homolog study`: killed and continued, computed again from its document, and what is said to wrong tables.
+
+use super::cli::{homolog, read_json};
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Output, Stdio};
+use std::time::{Duration, Instant};
+
+/// Small surfaces of different phantoms, and their table.
+pub(super) fn cohort(folder: &Path, n: usize) -> PathBuf {
+    let mut text = "id,file,group\n".to_owned();
+    for k in 0..n {
+        let made = homolog()
+            .args(["phantom", "--kind", "surface", "--edge", "3", "--rotate-seed", "4"])
+            .args(["--subject", &(k + 1).to_string(), "--out"])
+            .arg(folder.join(format!("p{k}")))
+            .output()
+            .unwrap();
+        assert!(made.status.success(), "{}", String::from_utf8_lossy(&made.stderr));
+        text.push_str(&format!("s{k},p{k}/source.ply,{}\n", ["a", "b"][k % 2]));
+    }
+    let table = folder.join("table.csv");
+    fs::write(&table, text).unwrap();
+    table
+}
+
+const OPTIONS: [&str; 10] = [
+    "--effect",
+    "group",
+    "--permutations",
+    "50",
+    "--template-subjects",
+    "3",
+    "--template-rounds",
+    "2",
+    "--threads",
+    "2",
+];
+
+pub(super) fn study(table: &Path, out: &Path) -> Output {
+    homolog().arg("study").arg(table).args(OPTIONS).arg("--out").arg(out).output().unwrap()
+}
+
+fn contents(folder: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
+    let (mut files, mut folders) = (BTreeMap::new(), vec![folder.to_owned()]);
+    while let Some(at) = folders.pop() {
+        for entry in fs::read_dir(at).unwrap() {
+            let path = entry.unwrap().path();
+            if path.is_dir() {
+                folders.push(path);
+            } else {
+                files.insert(path.strip_prefix(folder).unwrap().to_owned(), fs::read(path).unwrap());
+            }
+        }
+    }
+    files
+}
+
+fn n_records(out: &Path) -> usize {
+    let entries = fs::read_dir(out.join("matches")).into_iter().flatten().flatten();
+    entries.filter(|entry| entry.path().extension().is_some_and(|ending| ending == "match")).count()
+}
+
+#[test]
+fn a_study_that_is_killed_goes_on_and_ends_with_the_same_bytes() {
+    let place = tempfile::tempdir().unwrap();
+    let table = cohort(place.path(), 6);
+    let [whole, killed, again] = ["whole", "killed", "again"].map(|name| place.path().join(name));
+    let done = study(&table, &whole);
+    assert!(done.status.success(), "{}", String::from_utf8_lossy(&done.stderr));
+
+    let mut kills = 0;
+    while kills < 10 {
+        let before = n_records(&killed);
+        let mut run = homolog();
+        run.arg("study").arg(&table).args(OPTIONS).arg("--out").arg(&killed);
+        let mut process = run.stdout(Stdio::null()).stderr(Stdio::null()).spawn().unwrap();
+        // Once one more match is there, or while what follows the matches is being written.
+        let begun = Instant::now();
+        let ended = loop {
+            if let Some(status) = process.try_wait().unwrap() {
+                break Some(status);
+            }
+            if n_records(&killed) > before || begun.elapsed() > Duration::from_secs(60) {
+                break None;
+            }
+            std::thread::sleep(Duration::from_millis(2));
+        };
+        if let Some(status) = ended {
+            assert!(status.success());
+            break;
+        }
+        process.kill().unwrap();
+        process.wait().unwrap();
+        kills += 1;
+        assert!(n_records(&killed) >= before, "a finished match was lost");
+    }
+    assert!(kills >= 5, "{kills} times");
+    let done = study(&table, &killed);
+    assert!(done.status.success(), "{}", String::from_utf8_lossy(&done.stderr));
+    let (a, b) = (contents(&whole), contents(&killed));
+    assert_eq!(a.keys().collect::<Vec<_>>(), b.keys().collect::<Vec<_>>());
+    for (name, bytes) in &a {
+        assert!(*bytes == b[name], "{} differs", name.display());
+    }
+
+    // From its document, in another folder.
+    let done = homolog().arg("study").arg(whole.join("study.json")).arg("--out").arg(&again).output().unwrap();
+    assert!(done.status.success(), "{}", String::from_utf8_lossy(&done.stderr));
+    assert!(contents(&again) == a);
+    assert_eq!(read_json(&again.join("study.json"))["found"]["subjects"]["model"], 6);
+}
+
+#[test]
+fn a_wrong_table_or_covariate_is_said_before_the_first_match() {
+    let place = tempfile::tempdir().unwrap();
+    let said = |text: &str, options: &[&str]| {
+        let table = place.path().join("table.csv");
+        fs::write(&table, text).unwrap();
+        let out = place.path().join("out");
+        let done = homolog().arg("study").arg(&table).args(options).arg("--out").arg(&out).output().unwrap();
+        assert_eq!(done.status.code(), Some(2));
+        assert_eq!(n_records(&out), 0);
+        String::from_utf8(done.stderr).unwrap()
+    };
+    for name in ["a.ply", "b.ply", "c.ply", "d.ply", "e.ply"] {
+        fs::write(place.path().join(name), "ply").unwrap();
+    }
+    let rows = "a,a.ply,x\nb,b.ply,y\nc,c.ply,x\nd,d.ply,y\ne,e.ply,x\n";
+    let text = said(&format!("id,file,group\n{rows}a,a.ply,x\n"), &[]);
+    assert!(text.contains("line 7") && text.contains("same id"), "{text}");
+    let text = said(&format!("id,file,group\n{rows}"), &["--effect", "grup"]);
+    assert!(text.contains("no covariate grup") && text.contains("group"), "{text}");
+    let text = said(&format!("id,file,group\n{rows}"), &["--effect", "group", "--reference", "group=z"]);
+    assert!(text.contains("no level z") && text.contains("x, y"), "{text}");
+    let text = said("id,file\na,a.ply\nb,missing.ply\nc,c.ply\n", &[]);
+    assert!(text.contains("missing.ply"), "{text}");
+}

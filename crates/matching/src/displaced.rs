@@ -144,9 +144,9 @@ fn rigid(coarse: &Coarse<'_>, posed: &Posed<'_>, starts: &Starts) -> Result<Disp
     Ok(Displaced { transform, labeling, confidence, spread_mm, poses, images: Images::OnVertices })
 }
 
-/// Checks for cancellation in the displacement of a pair of two subjects: 115 and 147 in two pairs of hippocampi. Other pairs
+/// Checks for cancellation in the displacement of a pair of two subjects: about 70 or 90 in four pairs of hippocampi. Other pairs
 /// have fewer or more.
-const CHECKS_OF_DISPLACEMENT: f64 = 120.0;
+const CHECKS_OF_DISPLACEMENT: f64 = 95.0;
 
 /// Says how much of a displacement is done, by the number of checks for cancellation: there is one for each step.
 struct Counting<'a> {
@@ -157,8 +157,8 @@ struct Counting<'a> {
 /// The share of the time of a displacement that has passed after `share` of its checks. Something has been done before the first
 /// one, later steps have more points, and a displacement of more checks than expected comes to its end ever more slowly.
 fn time_share(share: f64) -> f64 {
-    const FIRST: f64 = 0.09;
-    const EXPONENT: f64 = 1.6;
+    const FIRST: f64 = 0.16;
+    const EXPONENT: f64 = 1.2;
     const LAST: f64 = 0.9;
     let early = |share: f64| FIRST + (1.0 - FIRST) * share.powf(EXPONENT);
     if share <= LAST {

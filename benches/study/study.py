@@ -260,7 +260,7 @@ if "killed" in parts:
     while kills < 10:
         process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         try:
-            process.wait(rng.uniform(3, 14))
+            process.wait(rng.uniform(1, 5))
             break
         except subprocess.TimeoutExpired:
             process.send_signal(signal.SIGKILL)

@@ -259,12 +259,7 @@ fn space_name(text: &[u8]) -> &'static str {
 /// The coordinate system is declared as unknown: coordinates are those of the input, unchanged, in millimetres.
 pub fn write_gifti(mesh: &SurfaceMesh, arrays: &[VertexArray]) -> Vec<u8> {
     let arrays: Vec<_> = fitting(mesh, arrays).collect();
-    let mut text = format!(
-        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n\
-         <!DOCTYPE GIFTI SYSTEM \"http://www.nitrc.org/frs/download.php/115/gifti.dtd\">\n\
-         <GIFTI Version=\"1.0\" NumberOfDataArrays=\"{}\">\n<MetaData/>\n<LabelTable/>\n",
-        2 + arrays.len()
-    );
+    let mut text = header(2 + arrays.len());
     let coordinates = mesh.vertices().iter().flat_map(|p| p.iter()).flat_map(|&c| (c as f32).to_le_bytes());
     let space = "<CoordinateSystemTransformMatrix>\n<DataSpace><![CDATA[NIFTI_XFORM_UNKNOWN]]></DataSpace>\n\
                  <TransformedSpace><![CDATA[NIFTI_XFORM_UNKNOWN]]></TransformedSpace>\n\
@@ -284,12 +279,7 @@ pub fn write_gifti(mesh: &SurfaceMesh, arrays: &[VertexArray]) -> Vec<u8> {
 
 /// Arrays alone, as a `.shape.gii` that belongs to a surface of another file.
 pub fn write_gifti_shape(arrays: &[VertexArray]) -> Vec<u8> {
-    let mut text = format!(
-        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n\
-         <!DOCTYPE GIFTI SYSTEM \"http://www.nitrc.org/frs/download.php/115/gifti.dtd\">\n\
-         <GIFTI Version=\"1.0\" NumberOfDataArrays=\"{}\">\n<MetaData/>\n<LabelTable/>\n",
-        arrays.len()
-    );
+    let mut text = header(arrays.len());
     for VertexArray { name, values } in arrays {
         let (kind, bytes) = encoded(values);
         DataArray { intent: "SHAPE", kind, dims: [values.len(), 1], name: Some(name) }.write(&mut text, "", bytes);
@@ -298,6 +288,16 @@ pub fn write_gifti_shape(arrays: &[VertexArray]) -> Vec<u8> {
     text.into_bytes()
 }
 
+/// What precedes the arrays of a file.
+fn header(n_arrays: usize) -> String {
+    format!(
+        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n\
+         <!DOCTYPE GIFTI SYSTEM \"http://www.nitrc.org/frs/download.php/115/gifti.dtd\">\n\
+         <GIFTI Version=\"1.0\" NumberOfDataArrays=\"{n_arrays}\">\n<MetaData/>\n<LabelTable/>\n"
+    )
+}
+
+/// The GIFTI type of values, and their bytes.
 fn encoded(values: &VertexValues) -> (&'static str, Vec<u8>) {
     match values {
         VertexValues::Int(v) => ("INT32", v.iter().flat_map(|x| x.to_le_bytes()).collect()),

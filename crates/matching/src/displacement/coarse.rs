@@ -1,6 +1,5 @@
 //! The first stage of a displacement: the choice of the pose, and the field from it.
 
-use super::fine::REPETITIONS;
 use super::pace::Pace;
 use super::stages::{Base, Displacement, State, displaced, kernel, observed_means, precision_of_features};
 use super::surface::{N_FEATURES, Thinned};
@@ -68,7 +67,7 @@ impl Displacement<'_> {
                     &source,
                     &target,
                     &values,
-                    self.coarse_pace(self.options.steps[0]),
+                    self.pace(0, self.options.steps[0]),
                 ))
             })
             .collect::<Result<_, MatchError>>()?;
@@ -97,7 +96,7 @@ impl Displacement<'_> {
         let (source, target) = (self.source.thinned(n), self.target.thinned(n));
         let values = self.guides.below(&self.functions.values(&source.points));
         let found =
-            self.coarse_from(&Base::rigid(*pose), &source, &target, &values, self.coarse_pace(STEPS_FROM_KNOWN_POSE));
+            self.coarse_from(&Base::rigid(*pose), &source, &target, &values, self.pace(0, STEPS_FROM_KNOWN_POSE));
         found.map(|(_, state)| state)
     }
 
@@ -128,11 +127,6 @@ impl Displacement<'_> {
             }
         }
         Ok(Some(followed))
-    }
-
-    /// The pace of the first stage, in so many steps.
-    pub(super) fn coarse_pace(&self, steps: u32) -> Pace {
-        Pace::new(steps, REPETITIONS[0], self.lengths.root_mm)
     }
 
     /// The misfit and the field over `base_of` after the steps of `pace`.

@@ -2,7 +2,6 @@
 
 use super::functions::Functions;
 use super::local::LocalKernel;
-use super::pace::Pace;
 use super::stages::{Base, Displacement, State, displaced, kernel, observed_means, precision_of_features};
 use super::surface::SmoothSurface;
 use super::track::{Assigned, Track};
@@ -24,9 +23,6 @@ const NOISE: f64 = 0.136;
 /// Observations are weighted by `(noise / residual)` to this power: two for the variance, the rest because larger
 /// residuals are correlated over larger areas.
 const NOISE_POWER: f64 = 6.0;
-
-/// Repetitions of steps that do not settle, at most, in each stage.
-pub(super) const REPETITIONS: [u32; 4] = [10, 20, 10, 0];
 
 /// A field after all stages.
 pub(super) struct Refined {
@@ -129,7 +125,7 @@ impl Displacement<'_> {
         let mirrored = track.base.pose.is_reflection();
         // Settling stays where the fine stage ended.
         let (from, to) = (stage.min(3), (stage + 1).min(3));
-        let mut pace = Pace::new(steps, REPETITIONS[stage], self.lengths.root_mm);
+        let mut pace = self.pace(stage, steps);
         while let Some(at) = pace.next() {
             checkpoint(self.observer)?;
             let sigma_mm = self.diagonal_mm * annealed(self.options.sigma[from], self.options.sigma[to], at);

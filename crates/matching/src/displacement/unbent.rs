@@ -107,7 +107,7 @@ impl Displacement<'_> {
                     &thinned,
                     &thinned_target,
                     &values,
-                    on_form.coarse_pace(self.options.steps[0]),
+                    on_form.pace(0, self.options.steps[0]),
                 );
                 Ok(coarse.map(|(misfit, state)| (start.energy, misfit, state)))
             })
@@ -136,13 +136,9 @@ impl Displacement<'_> {
         let Some((mut fine_misfit, chosen, mut refined)) = best else { return Ok(None) };
         for _ in 0..PASSES {
             let Some(base) = on_form.rebased(&refined) else { break };
-            let Some((_, state)) = on_form.coarse_from(
-                &base,
-                &thinned,
-                &thinned_target,
-                &values,
-                on_form.coarse_pace(self.options.steps[0]),
-            ) else {
+            let Some((_, state)) =
+                on_form.coarse_from(&base, &thinned, &thinned_target, &values, on_form.pace(0, self.options.steps[0]))
+            else {
                 break;
             };
             let Some(next) = on_form.refined(state)? else { break };

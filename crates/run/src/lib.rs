@@ -12,6 +12,7 @@ mod colors;
 pub mod intake;
 #[cfg(test)]
 mod numbering_tests;
+pub mod page;
 mod report;
 mod surfaces;
 #[cfg(test)]

@@ -15,10 +15,10 @@ use homolog_primitives::observe::TracePoint;
 use nalgebra::{Matrix3, Point3, Vector3};
 use plot::energy_plot;
 use serde_json::json;
-use sha2::{Digest, Sha256};
 use std::fmt::Write;
 
 use crate::colors::{Colors, ramp_svg};
+use crate::page::{Page, escaped};
 use crate::warped::{WarpError, warp};
 
 const STYLE: &str = include_str!("page.css");
@@ -48,41 +48,16 @@ pub struct ReportInputs<'a> {
 /// Linear in the size of both surfaces; about 100 bytes a vertex.
 pub fn write_report(inputs: &ReportInputs<'_>) -> Result<String, WarpError> {
     let view = View::new(inputs)?;
-    let mut page = String::with_capacity(view.data.len() + 60_000);
-    let policy = format!(
-        "default-src 'none'; script-src '{}'; style-src '{}'; base-uri 'none'; form-action 'none'",
-        hash(SCRIPT),
-        hash(STYLE)
-    );
-    let _ = write!(
-        page,
-        "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
-         <meta http-equiv=\"Content-Security-Policy\" content=\"{policy}\">\n\
-         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
-         <meta name=\"referrer\" content=\"no-referrer\">\n<title>homolog: a match of two surfaces</title>\n\
-         <style>{STYLE}</style>\n</head>\n<body>\n<main>\n<h1>Match of two surfaces</h1>\n"
-    );
-    page.push_str(&verdict(inputs));
-    page.push_str(&view.section);
-    page.push_str(&numbers(inputs));
-    page.push_str(&energy(inputs));
-    page.push_str(&provenance(inputs.document));
-    let _ = write!(
-        page,
-        "</main>\n<script type=\"application/json\" id=\"data\">{}</script>\n<script>{SCRIPT}</script>\n</body>\n</html>\n",
-        view.data
-    );
-    Ok(page)
-}
-
-/// A source of a content security policy: the hash of an inline element.
-fn hash(text: &str) -> String {
-    format!("sha256-{}", BASE64.encode(Sha256::digest(text)))
-}
-
-/// Text escaped for HTML content and attributes.
-fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
+    let body = [verdict(inputs), view.section, numbers(inputs), energy(inputs), provenance(inputs.document)].concat();
+    let page = Page {
+        title: "homolog: a match of two surfaces",
+        heading: "Match of two surfaces",
+        style: STYLE,
+        script: SCRIPT,
+        body: &body,
+        data: &view.data,
+    };
+    Ok(page.html())
 }
 
 /// The verdict, why, and what to check.
@@ -314,6 +289,7 @@ fn input(input: &InputProvenance) -> String {
 mod tests {
     use super::*;
     use crate::intake::IntakeLimits;
+    use crate::page::hash;
     use crate::{InputFile, run_match};
     use homolog_contract::parameters::resolve;
     use homolog_formats::ply::write_ply;

@@ -16,9 +16,9 @@ use crate::quality::most_urgent_first;
 use crate::settings::Measure;
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD as BASE64;
+use homolog_run::page::{Page, escaped};
 use nalgebra::{Matrix3, Point3, Vector3};
 use serde_json::{Value, json};
-use sha2::{Digest, Sha256};
 use std::fmt::Write;
 
 const STYLE: &str = include_str!("page.css");
@@ -31,50 +31,34 @@ const SHOWN_MODES: usize = 5;
 /// Rows of the table of quality control.
 const SHOWN_SUBJECTS: usize = 200;
 
-/// Text escaped for HTML content and attributes.
-fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
-}
-
-fn hash(text: &str) -> String {
-    format!("sha256-{}", BASE64.encode(Sha256::digest(text)))
-}
-
 /// The page as HTML.
 ///
 /// # Errors
 /// Those of reading records.
 pub(crate) fn page(study: &Study, found: &Findings, folder: &Folder, commit: &str) -> Result<String, StudyError> {
     let view = View::new(study, found, folder)?;
-    let policy = format!(
-        "default-src 'none'; script-src '{}'; style-src '{}'; base-uri 'none'; form-action 'none'",
-        hash(SCRIPT),
-        hash(STYLE)
-    );
-    let mut page = format!(
-        "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
-         <meta http-equiv=\"Content-Security-Policy\" content=\"{policy}\">\n\
-         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
-         <meta name=\"referrer\" content=\"no-referrer\">\n<title>homolog: a study of {} subjects</title>\n\
-         <style>{STYLE}</style>\n</head>\n<body>\n<main>\n<h1>Study of {} subjects</h1>\n",
-        found.subjects.len(),
-        found.subjects.len()
-    );
-    page.push_str(&summary(found));
-    page.push_str(&quality(study, found, &view.pictures));
-    page.push_str(&view.section);
-    page.push_str(&effects(found));
-    page.push_str(&model(found));
-    page.push_str(&template(found));
-    page.push_str(&consistency(found));
-    page.push_str(&labels(found));
-    page.push_str(&methods::text(study, found, commit));
-    let _ = write!(
-        page,
-        "</main>\n<script type=\"application/json\" id=\"data\">{}</script>\n<script>{SCRIPT}</script>\n</body>\n</html>\n",
-        view.data
-    );
-    Ok(page)
+    let body = [
+        summary(found),
+        quality(study, found, &view.pictures),
+        view.section,
+        effects(found),
+        model(found),
+        template(found),
+        consistency(found),
+        labels(found),
+        methods::text(study, found, commit),
+    ]
+    .concat();
+    let n = found.subjects.len();
+    let page = Page {
+        title: &format!("homolog: a study of {n} subjects"),
+        heading: &format!("Study of {n} subjects"),
+        style: STYLE,
+        script: SCRIPT,
+        body: &body,
+        data: &view.data,
+    };
+    Ok(page.html())
 }
 
 fn summary(found: &Findings) -> String {

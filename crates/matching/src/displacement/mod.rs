@@ -75,8 +75,8 @@ use homolog_registration::deformation::{GaussianKernel, SmoothPrior};
 use homolog_registration::{RigidTransform, weighted_moments};
 use nalgebra::Point3;
 use rayon::prelude::*;
-use std::sync::Arc;
 use stages::{Displacement, displaced};
+use std::sync::Arc;
 use surface::{SmoothSurface, prepare};
 
 /// Residual along the normals, in sampling distances, from which surfaces count as those of two subjects and are fitted in
@@ -333,9 +333,7 @@ fn deformed(
         turned = forward.turned(surfaces, &pose)?.filter(Turned::is_of_two_subjects);
     }
     // Whether another start is needed shows before a field is narrow enough to hide that it does not lead to the truth.
-    if !fits_worse_than_its_mirror_image
-        && let Some(turned) = turned.take_if(|turned| !turned.is_doubtful())
-    {
+    if !fits_worse_than_its_mirror_image && let Some(turned) = turned.take_if(|turned| !turned.is_doubtful()) {
         let found = turned.finished(surfaces)?;
         return Ok(found.map(|found| Deformed { compared, ..found }));
     }

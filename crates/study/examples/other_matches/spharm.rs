@@ -13,10 +13,10 @@ use nalgebra::{DMatrix, Matrix3, Point3, Vector3};
 use std::f64::consts::PI;
 
 /// Degree of the expansion, that of hippocampi in the literature (Styner et al. 2004).
-pub const DEGREE: usize = 12;
+pub(crate) const DEGREE: usize = 12;
 
 /// A surface in spherical harmonics.
-pub struct Expansion {
+pub(crate) struct Expansion {
     /// Direction of each vertex on the sphere.
     directions: Vec<Vector3<f64>>,
     /// Of each vertex, their sum 1.
@@ -29,7 +29,7 @@ pub struct Expansion {
 
 impl Expansion {
     /// The expansion of a closed surface of genus 0 by weighted least squares over its vertices.
-    pub fn new(mesh: &SurfaceMesh) -> Result<Self, String> {
+    pub(crate) fn new(mesh: &SurfaceMesh) -> Result<Self, String> {
         let map = parametrize(mesh, &ParametrizationOptions::default(), &Silent).map_err(|error| error.to_string())?;
         let ellipsoid = first_order_ellipsoid(mesh, &map).map_err(|error| error.to_string())?;
         let weights = area_weights(mesh);
@@ -49,7 +49,7 @@ impl Expansion {
 
     /// Where the vertices of this surface, `own`, lie on another. Of the four ways to align the axes the one counts that leaves the
     /// points nearest to where they were but for a translation: surfaces lie in their scanner's axes, and no head is upside down.
-    pub fn images(&self, own: &[Point3<f64>], other: &Expansion) -> Vec<Point3<f64>> {
+    pub(crate) fn images(&self, own: &[Point3<f64>], other: &Expansion) -> Vec<Point3<f64>> {
         let ways = [[1.0, 1.0, 1.0], [1.0, -1.0, -1.0], [-1.0, 1.0, -1.0], [-1.0, -1.0, 1.0]];
         let image = |way: [f64; 3]| {
             let turn = other.axes * Matrix3::from_diagonal(&Vector3::from(way)) * self.axes.transpose();

@@ -166,9 +166,11 @@ pub fn next_template(template: &SurfaceMesh, mean: Vec<Point3<f64>>) -> Result<N
             .enumerate()
             .collect::<Vec<_>>()
             .into_par_iter()
-            .map(|(k, (m, x))| {
-                if is_border(k) { (*m, surface.normals[k]) } else { surface.closest(&(m + share * (x - m))) }
-            })
+            .map(
+                |(k, (m, x))| {
+                    if is_border(k) { (*m, surface.normals[k]) } else { surface.closest(&(m + share * (x - m))) }
+                },
+            )
             .collect();
         let (points, normals): (Vec<_>, Vec<_>) = placed.into_iter().unzip();
         let mesh = mean.with_vertices(points)?;

@@ -2,7 +2,8 @@
 //! triangles as good as those it began with.
 //!
 //! Bounds were set before the first run, in mean edges: half of the tolerance of a study would be lost in the grids of such coarse
-//! surfaces, so that two starts may differ by twice the tolerance, and from the known mean by five times.
+//! surfaces, so that two starts may differ by twice the tolerance, and from the known mean by five times. After it, the bodies were made
+//! to differ more: one of the starts had been within a tenth of an edge of the mean.
 #![allow(clippy::unwrap_used)]
 
 use homolog_contract::parameters::{Method, preset};
@@ -38,9 +39,9 @@ fn body(c: [f64; 4], turn: f64) -> SurfaceMesh {
         let (y, z) = (taper * (p.y * twist.cos() - p.z * twist.sin()), taper * (p.y * twist.sin() + p.z * twist.cos()));
         let bump = (-((p.x - 5.0).powi(2) + p.y.powi(2)) / 15.0).exp() * n.z.max(0.0);
         Point3::new(
-            p.x * (1.0 + 0.06 * c[0]),
-            y * (1.0 + 0.08 * c[1]) + 0.012 * (1.0 + 0.4 * c[2]) * p.x * p.x,
-            z + 0.8 * c[3] * bump,
+            p.x * (1.0 + 0.1 * c[0]),
+            y * (1.0 + 0.08 * c[1]) + 0.012 * (1.0 + 1.2 * c[2]) * p.x * p.x,
+            z + 1.2 * c[3] * bump,
         )
     });
     ball.with_vertices(points.collect()).unwrap()
@@ -103,7 +104,8 @@ fn rounds_come_to_rest_at_the_mean_of_the_group() {
         let edge = template.mean_edge_length();
         let error = surface_distance(template, &mean).unwrap().rms_mm;
         let of_start = surface_distance(&group()[start], &mean).unwrap().rms_mm;
-        assert!(error < FROM_MEAN * edge && error < of_start / 3.0, "from {start}: {error} mm, start {of_start} mm, edge {edge} mm");
+        let near = error < FROM_MEAN * edge && error < of_start / 3.0;
+        assert!(near, "from {start}: {error} mm, start {of_start} mm, edge {edge} mm, {:?}", making.rounds);
 
         let (before, after) = (triangle_quality(&group()[start]), triangle_quality(template));
         assert!((0..2).all(|k| after[k] > before[k] - QUALITY_LOST[k]), "from {start}: {before:?} to {after:?}");

@@ -24,7 +24,7 @@ from scipy.spatial import cKDTree  # noqa: E402
 
 RING = 8
 PATCHES_MM = (7.0, 12.0)
-DEPTHS_MM = (0.3, 0.6, 1.0)
+DEPTHS_MM = (0.3, 1.0)
 MEASURES = ("normal_displacement", "thickness")
 MOST_POINTS = 1500
 """Coherent point drift works on a sample of so many vertices, as the square of their number is what it costs."""

@@ -67,7 +67,7 @@ fn made(folder: &Path, start: usize) -> Making {
     let how = MadeTemplate {
         start: Some(format!("s{start}")),
         subjects: 0,
-        max_rounds: 6,
+        max_rounds: 5,
         tolerance: 0.0,
         ..MadeTemplate::default()
     };

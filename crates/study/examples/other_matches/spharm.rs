@@ -33,7 +33,7 @@ impl Expansion {
         let map = parametrize(mesh, &ParametrizationOptions::default(), &Silent).map_err(|error| error.to_string())?;
         let ellipsoid = first_order_ellipsoid(mesh, &map).map_err(|error| error.to_string())?;
         let weights = area_weights(mesh);
-        let rows: Vec<Vec<f64>> = map.directions.iter().map(|n| harmonics(n)).collect();
+        let rows: Vec<Vec<f64>> = map.directions.iter().map(harmonics).collect();
         let basis = DMatrix::from_fn(rows.len(), rows[0].len(), |v, k| rows[v][k] * weights[v].sqrt());
         let values = DMatrix::from_fn(rows.len(), 3, |v, axis| mesh.vertices()[v][axis] * weights[v].sqrt());
         let factor = basis.tr_mul(&basis).cholesky().ok_or("too few vertices for the degree")?;

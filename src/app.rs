@@ -3,7 +3,9 @@
 use crate::config::{HttpSettings, ServiceSettings};
 use crate::http::{AuthMode, CorsOrigins, HttpState, Served, Tokens, probe_router, router, serve};
 use crate::jobs::audit::Recorder;
-use crate::jobs::{ArtifactStore, Engine, JobError, JobService, JobStore, Processes, Stores, WorkerId};
+use crate::jobs::{
+    ArtifactStore, Engine, JobError, JobService, JobStore, Processes, Signals, Stores, StudyProgression, WorkerId,
+};
 use crate::store::artifacts::{FolderArtifacts, S3Artifacts, SealedArtifacts, StoredBlobs};
 use crate::store::encryption::Keyring;
 use crate::store::private_files;
@@ -215,22 +217,32 @@ impl App {
             Heartbeats::start(Arc::new(heartbeat_store.clone()), worker_settings.heartbeat, worker_settings.lease);
         let heartbeats = Arc::new(heartbeats.map_err(AppError::Thread)?);
         let job_store: Arc<dyn JobStore> = Arc::new(store.clone());
+        let signals = Arc::<Signals>::default();
+        let studies = StudyProgression {
+            jobs: Arc::clone(&job_store),
+            studies: Arc::new(store.clone()),
+            artifacts: Arc::clone(&artifacts),
+            signals: Arc::clone(&signals),
+            retention: settings.retention(),
+        };
         let housekeeper = Housekeeper {
             store: Arc::clone(&job_store),
             audit: Arc::new(store.clone()),
             artifacts: Arc::clone(&artifacts),
             processes,
             retention: settings.retention(),
+            studies: studies.clone(),
         };
         housekeeper.recover().await.map_err(database)?;
         let parts = PoolParts {
             store: job_store,
             artifacts,
+            studies,
             engine,
             heartbeats,
             worker,
             settings: worker_settings,
-            signals: Arc::default(),
+            signals,
             quota: Arc::default(),
             stop: shutdown.stop.clone(),
             give_back: shutdown.give_back.clone(),
@@ -305,6 +317,7 @@ impl App {
             meshes: own.clone(),
             keys: own.clone(),
             webhooks: own.clone(),
+            studies: own.clone(),
             audit: own,
             artifacts: Arc::clone(&self.parts.artifacts),
         };

@@ -198,9 +198,9 @@ pub(super) fn purge(args: &PurgeArgs) -> Result<(), CliError> {
             record(store, "purge", None, None).await?;
         }
         let verb = if dry_run { "would be removed" } else { "removed" };
-        let Purged { results, jobs, meshes, changes, deliveries, idempotency_keys } = total;
+        let Purged { results, jobs, studies, meshes, changes, deliveries, idempotency_keys } = total;
         Ok(format!(
-            "{verb}: results of {results} jobs, {jobs} jobs, {meshes} meshes, {changes} changes, {deliveries} deliveries, \
+            "{verb}: results of {results} jobs, {jobs} jobs, {studies} studies, {meshes} meshes, {changes} changes, {deliveries} deliveries, \
              {idempotency_keys} idempotency keys{}",
             if dry_run { String::new() } else { format!(", {blobs} files") }
         ))

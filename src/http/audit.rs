@@ -16,7 +16,7 @@ use utoipa::openapi::PathItem;
 use utoipa::openapi::path::Operation;
 
 /// Operations that change nothing and are recorded: they give out what was computed of a patient, or uploaded.
-pub(super) const RECORDED_READS: [&str; 10] = [
+pub(super) const RECORDED_READS: [&str; 13] = [
     "get_result",
     "get_correspondences",
     "get_transform",
@@ -27,6 +27,9 @@ pub(super) const RECORDED_READS: [&str; 10] = [
     "download_file",
     "get_mesh_content",
     "get_mesh_surface",
+    "get_study_result",
+    "get_study_report",
+    "get_study_archive",
 ];
 
 /// The operations that are recorded, by method and route, with the names that they have in the OpenAPI document.

@@ -79,7 +79,9 @@ pub(crate) async fn surround(State(state): State<HttpState>, mut request: Reques
     let began = Instant::now();
     let limit = match (method, route.as_str()) {
         // The handler limits the upload itself, with a better answer; this covers what follows the upload.
-        ("POST", "/v1/jobs" | "/v1/meshes" | "/v1/batches") => state.limits.upload_timeout + AFTER_UPLOAD,
+        ("POST", "/v1/jobs" | "/v1/meshes" | "/v1/batches" | "/v1/studies" | "/v1/studies/{id}/subjects") => {
+            state.limits.upload_timeout + AFTER_UPLOAD
+        }
         _ => state.limits.request_timeout,
     };
     let answer = async {

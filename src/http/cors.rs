@@ -80,7 +80,7 @@ impl CorsOrigins {
         let layer = || {
             CorsLayer::new()
                 .allow_origin(AllowOrigin::list(self.0.iter().cloned()))
-                .allow_methods([Method::GET, Method::HEAD, Method::POST, Method::PATCH, Method::DELETE])
+                .allow_methods([Method::GET, Method::HEAD, Method::POST, Method::PUT, Method::PATCH, Method::DELETE])
                 .allow_headers(sent)
                 .expose_headers(read)
                 .max_age(PREFLIGHT_LASTS)

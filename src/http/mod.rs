@@ -1,7 +1,7 @@
 //! The HTTP API: routes, problems, wire types and the OpenAPI document.
 //!
 //! Reading order: [`mod@router`] (layers and routes), [`routes`] (one file for each resource), [`upload`] (bodies under
-//! limits; `shares` among clients, `pace` and `rate` of each), `strict_json`, [`wire`] (JSON forms), `accept` and `representation` (content negotiation), `content` (streams and ranges), `fields` (slim lists), `conditional` and `long_poll` (ETags
+//! limits; `shares` among clients, `pace` and `rate` of each), `strict_json`, [`wire`] and `study_wire` (JSON forms), `accept` and `representation` (content negotiation), `content` (streams and ranges), `fields` (slim lists), `conditional` and `long_poll` (ETags
 //! and `?wait=`), [`problem`] (errors), [`context`] (request ids, spans, metrics), `audit` (what is recorded), `auth` (keys), `tokens` (of OpenID Connect) and `ticketed` (tickets), [`hosts`] (host validation) and `cors` (pages of other origins), [`server`]
 //! (connections), `page` (the dashboard); `fuzzed` is what fuzzing calls.
 //!
@@ -37,6 +37,7 @@ mod routes;
 mod server;
 mod shares;
 mod strict_json;
+mod study_wire;
 mod submission;
 mod ticketed;
 mod token_signatures;

@@ -20,6 +20,7 @@ use utoipa::{Modify, OpenApi};
     tags(
         (name = "jobs", description = "Submit, follow, cancel and delete jobs"),
         (name = "batches", description = "Many jobs in one request"),
+        (name = "studies", description = "What a group of subjects shows"),
         (name = "meshes", description = "Uploads that jobs refer to by id"),
         (name = "webhooks", description = "Notifications of state changes"),
         (name = "keys", description = "API keys of a tenant"),

@@ -2,7 +2,7 @@
 
 use super::context::request_id;
 use super::problem_table::ProblemKind;
-use crate::jobs::{Failure, JobError, SubmitError};
+use crate::jobs::{Failure, JobError, StudyState, SubmitError};
 use axum::http::{HeaderValue, StatusCode, header};
 use axum::response::{IntoResponse, Response};
 use serde::{Deserialize, Serialize};
@@ -161,6 +161,11 @@ impl IntoResponse for Problem {
     }
 }
 
+fn of_study(kind: ProblemKind, state: StudyState) -> Problem {
+    // Not the member `state`, which is that of a job.
+    Problem::new(kind).detail(format!("the study is {}", state.name())).member("study_state", state.name().into())
+}
+
 impl From<JobError> for Problem {
     fn from(error: JobError) -> Self {
         let with_state = |kind, state: crate::jobs::JobState| {
@@ -180,6 +185,12 @@ impl From<JobError> for Problem {
             JobError::BatchNotFound => Problem::new(ProblemKind::BatchNotFound),
             JobError::WebhookNotFound => Problem::new(ProblemKind::WebhookNotFound),
             JobError::KeyNotFound => Problem::new(ProblemKind::KeyNotFound),
+            JobError::StudyNotFound => Problem::new(ProblemKind::StudyNotFound),
+            JobError::SubjectNotFound => Problem::new(ProblemKind::SubjectNotFound),
+            JobError::StudyActive { state } => of_study(ProblemKind::StudyActive, state),
+            JobError::StudyFinal { state } => of_study(ProblemKind::StudyFinished, state),
+            JobError::StudyNotReady { state } => of_study(ProblemKind::StudyNotReady, state).retry_after(1),
+            JobError::StudyBusy => Problem::new(ProblemKind::Busy).retry_after(1),
             JobError::MeshInUse => Problem::new(ProblemKind::MeshInUse),
             JobError::Gone => Problem::new(ProblemKind::Expired),
             JobError::BeingRemoved => Problem::new(ProblemKind::Unavailable).retry_after(2),
@@ -245,6 +256,11 @@ impl From<SubmitError> for Problem {
                     })
                     .collect();
                 Problem::new(ProblemKind::UnsuitableBatch).errors(&errors)
+            }
+            SubmitError::Study(faults) => {
+                let errors: Vec<_> =
+                    faults.into_iter().map(|fault| FieldError::new(fault.pointer, &fault.code, fault.detail)).collect();
+                Problem::new(ProblemKind::InvalidRequest).errors(&errors)
             }
             SubmitError::Metadata { number, fault } => {
                 let pair = number.map_or_else(String::new, |number| format!("/pairs/{number}"));

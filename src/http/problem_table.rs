@@ -45,6 +45,10 @@ macro_rules! problems {
 problems! {
     RouteNotFound = "route-not-found", NOT_FOUND, "No such resource",
         "Check the path against /openapi.json.";
+    StudyNotFound = "study-not-found", NOT_FOUND, "No such study",
+        "The id is wrong, or the study was deleted or belongs to someone else.";
+    SubjectNotFound = "subject-not-found", NOT_FOUND, "The study has no such subject",
+        "GET /v1/studies/{id} lists the ids of its subjects.";
     JobNotFound = "job-not-found", NOT_FOUND, "No such job",
         "Check the id. Deleted jobs cannot be restored.";
     MeshNotFound = "mesh-not-found", NOT_FOUND, "No such mesh",
@@ -134,6 +138,12 @@ problems! {
         "Revoke a key that is no longer needed.";
     UnsuitableBatch = "unsuitable-batch", UNPROCESSABLE_ENTITY, "Some jobs of the batch cannot be created",
         "Each entry of errors points to a pair and says why. No job was created.";
+    StudyNotReady = "study-not-ready", CONFLICT, "The study is not finished",
+        "Wait until it is finished; study_state is its state, and the study's error says why it failed.";
+    StudyActive = "study-active", CONFLICT, "The study, or a match of it, is not finished",
+        "Cancel the study first, or wait until it is finished; matches that run are cancelled within a second.";
+    StudyFinished = "study-finished", CONFLICT, "The study is already finished",
+        "A finished study cannot be cancelled.";
     ResultNotReady = "result-not-ready", CONFLICT, "The job is not finished",
         "Wait until the job is finished, for example with GET /v1/jobs/{id}?wait=20; state is the current state.";
     NoResult = "no-result", CONFLICT, "The job finished without a result",
@@ -150,6 +160,8 @@ problems! {
         "Submit smaller surfaces or fewer iterations, increase max_run_s, or ask the operator for a higher limit.";
     CrashLimitReached = "crash-limit-reached", UNPROCESSABLE_ENTITY, "The workers of the job crashed too often",
         "Tell the operator. The job is not run again.";
+    StudyFailed = "study-failed", UNPROCESSABLE_ENTITY, "The study cannot be computed",
+        "detail says why. Add subjects, or drop one with a decision, and the study goes on.";
     StorageFull = "storage-full", INSUFFICIENT_STORAGE, "The service is out of storage space",
         "Tell the operator. The request was not accepted.";
     Unavailable = "unavailable", SERVICE_UNAVAILABLE, "A dependency of the service does not respond",

@@ -253,6 +253,20 @@ fn with_another(before: Option<SubmittedInput>, file: SubmittedFile) -> Result<S
     Ok(SubmittedInput::Series(instances))
 }
 
+/// An input of a study: as that of a job.
+///
+/// # Errors
+/// Its faults, with their places below `name`.
+pub(super) fn study_input(
+    name: &str,
+    input: SubmittedInputDocument,
+    limits: &HttpLimits,
+) -> Result<SubmittedInput, Vec<FieldError>> {
+    let mut fields = Fields::default();
+    let taken = fields.take_input(name, input, limits.max_file_bytes);
+    taken.ok_or(fields.faults)
+}
+
 #[derive(Default)]
 struct Fields {
     source: Option<SubmittedInput>,

@@ -37,7 +37,7 @@ pub(super) fn is_ticketed(extensions: &Extensions) -> bool {
     extensions.get::<MatchedPath>().is_some_and(|path| ROUTES.iter().any(|route| route == path.as_str()))
 }
 
-/// Whether a ticket can be for this path: that of the events of all jobs, of a job, of an upload, or of something below that takes tickets.
+/// Whether a ticket can be for this path: that of the events of all jobs, of a job, of a study, of an upload, or of something below that takes tickets.
 pub(super) fn is_path_for_tickets(path: &str) -> bool {
     if path == EVENTS {
         return true;
@@ -45,7 +45,7 @@ pub(super) fn is_path_for_tickets(path: &str) -> bool {
     let parts: Vec<&str> = path.split('/').collect();
     let ["", "v1", kind, id, rest @ ..] = parts.as_slice() else { return false };
     let is_id = match *kind {
-        "jobs" => JobId::parse(id).is_some(),
+        "jobs" | "studies" => JobId::parse(id).is_some(),
         "meshes" => id.strip_prefix("blake3:").is_some_and(|hash| {
             hash.len() == 64 && hash.bytes().all(|b| b.is_ascii_digit() || (b'a'..=b'f').contains(&b))
         }),

@@ -89,6 +89,9 @@ pub(crate) struct JobDocument {
     /// The batch that it belongs to.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) batch_id: Option<String>,
+    /// The study that it is part of.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(crate) study_id: Option<String>,
     /// Whether it was cancelled, also while its worker has not stopped yet.
     pub(crate) cancel_requested: bool,
     /// The process that runs it, only while it runs: a random name, another one after each start.
@@ -182,6 +185,9 @@ pub(crate) struct JobLinks {
     /// The batch that it belongs to.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub(crate) batch: Option<String>,
+    /// The study that it is part of.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(crate) study: Option<String>,
     /// The job of which it is a retry.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub(crate) retry_of: Option<String>,
@@ -476,6 +482,7 @@ impl From<&Job> for JobDocument {
             warped: part("warped"),
             report: part("report"),
             batch: job.batch_id.map(|id| format!("/v1/batches/{id}")),
+            study: job.study_id.map(|id| format!("/v1/studies/{id}")),
             retry_of: job.retry_of.map(|id| format!("/v1/jobs/{id}")),
             cancel: (!job.state.is_final()).then(|| format!("{path}/cancel")),
             retry: (job.state.is_final() && job.purged_at.is_none()).then(|| format!("{path}/retry")),
@@ -512,6 +519,7 @@ impl From<&Job> for JobDocument {
             max_run_s: job.max_run_ms.map(|ms| ms / 1000),
             retry_of: job.retry_of.map(|id| id.to_string()),
             batch_id: job.batch_id.map(|id| id.to_string()),
+            study_id: job.study_id.map(|id| id.to_string()),
             cancel_requested: job.cancel_requested,
             worker: job.worker.clone(),
             cached: job.cached,

@@ -2,6 +2,7 @@
 
 use super::batch::BatchId;
 use super::job::{JobId, Tenant};
+use super::study::StudyId;
 use std::time::Duration;
 
 /// The conditions under which a submission is stored.
@@ -52,6 +53,8 @@ pub enum Made {
     Job(JobId),
     /// A batch.
     Batch(BatchId),
+    /// A study.
+    Study(StudyId),
 }
 
 impl Made {
@@ -60,6 +63,7 @@ impl Made {
         match self {
             Made::Job(id) => format!("job:{id}"),
             Made::Batch(id) => format!("batch:{id}"),
+            Made::Study(id) => format!("study:{id}"),
         }
     }
 
@@ -68,6 +72,7 @@ impl Made {
         match text.split_once(':')? {
             ("job", id) => JobId::parse(id).map(Made::Job),
             ("batch", id) => BatchId::parse(id).map(Made::Batch),
+            ("study", id) => StudyId::parse(id).map(Made::Study),
             _ => None,
         }
     }

@@ -9,6 +9,7 @@ use super::documents::Verdict;
 use super::job::Failure;
 use super::ports::ArtifactKind;
 use super::presentation::{PartFormat, PresentError, ResultPart};
+use super::study::{StudyDefinition, StudyFault, StudyMaterial};
 use bytes::Bytes;
 use homolog_primitives::observe::Observer;
 use serde::{Deserialize, Serialize};
@@ -41,6 +42,16 @@ pub trait Engine: Send + Sync {
     fn join_instances(&self, instances: Vec<Bytes>) -> Result<Bytes, InputRefusal> {
         let detail = format!("one file is taken, not {}", instances.len());
         Err(InputRefusal { code: "unknown-format".to_owned(), detail, topology: None, place_mm: None })
+    }
+
+    /// Checks who is in a study and what is asked, but not the files. Quick.
+    ///
+    /// # Errors
+    /// Every fault that can be seen before the first match.
+    fn check_study(&self, study: &StudyDefinition) -> Result<(), Vec<StudyFault>> {
+        let _ = study;
+        let detail = "this engine computes no studies".to_owned();
+        Err(vec![StudyFault { pointer: String::new(), code: "out_of_range".to_owned(), detail }])
     }
 
     /// A part of a result in another format than the stored one, from its stored blobs in the order in which the part
@@ -182,6 +193,20 @@ pub struct ComputeInputs {
     pub target: Vec<u8>,
     /// Extensions of its file name.
     pub target_hint: Option<String>,
+    /// What it is computed for.
+    pub purpose: Purpose,
+}
+
+/// What a job is computed for.
+#[derive(Debug, Clone, Default)]
+pub enum Purpose {
+    /// Its result.
+    #[default]
+    Result,
+    /// Its result, and the record that a study keeps of it.
+    Record,
+    /// A step of a study, from this.
+    Step(Arc<StudyMaterial>),
 }
 
 /// A result, as it is stored.

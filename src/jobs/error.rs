@@ -1,6 +1,7 @@
 //! Errors of the use cases and of the stores.
 
 use super::state::JobState;
+use super::study::StudyState;
 
 /// Errors of jobs and of the stores behind them.
 #[derive(Debug, thiserror::Error)]
@@ -61,6 +62,33 @@ pub enum JobError {
     /// No such batch of this tenant.
     #[error("no such batch")]
     BatchNotFound,
+    /// No such study of this tenant.
+    #[error("no such study")]
+    StudyNotFound,
+    /// The study has no subject of this id.
+    #[error("no such subject")]
+    SubjectNotFound,
+    /// The study, or a job of it, has to be finished first.
+    #[error("the study is {}", state.name())]
+    StudyActive {
+        /// Its state.
+        state: StudyState,
+    },
+    /// The study has ended, and was not cancelled.
+    #[error("the study is {} already", state.name())]
+    StudyFinal {
+        /// Its state.
+        state: StudyState,
+    },
+    /// The study has no result.
+    #[error("the study is {}", state.name())]
+    StudyNotReady {
+        /// Its state.
+        state: StudyState,
+    },
+    /// The study was changed by others again and again.
+    #[error("the study is being changed")]
+    StudyBusy,
     /// No such webhook of this tenant.
     #[error("no such webhook")]
     WebhookNotFound,

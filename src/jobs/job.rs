@@ -4,6 +4,7 @@ use super::batch::BatchId;
 use super::documents::Verdict;
 use super::metadata::{ExternalRef, Labels};
 use super::state::JobState;
+use super::study::{STEP_METHOD, StudyId};
 use super::trace::Progress;
 use jiff::Timestamp;
 use serde::{Deserialize, Serialize};
@@ -171,6 +172,8 @@ pub struct Job {
     pub retry_of: Option<JobId>,
     /// The batch that it belongs to.
     pub batch_id: Option<BatchId>,
+    /// The study that it is part of.
+    pub study_id: Option<StudyId>,
     /// Whether it shares the result of an equal job.
     pub cached: bool,
     /// When its result was removed.
@@ -186,6 +189,11 @@ pub struct Job {
 }
 
 impl Job {
+    /// Whether it plans or models a study, and is hidden from clients.
+    pub fn is_step(&self) -> bool {
+        self.method == STEP_METHOD && self.study_id.is_some()
+    }
+
     /// The job as it was when it was accepted, as in the response to its submission.
     #[must_use]
     pub fn as_accepted(&self) -> Job {
@@ -255,6 +263,10 @@ pub struct NewJob {
     pub retry_of: Option<JobId>,
     /// The batch that it belongs to.
     pub batch_id: Option<BatchId>,
+    /// The study that it is part of.
+    pub study_id: Option<StudyId>,
+    /// The key of the record that it makes for its study.
+    pub study_task: Option<String>,
     /// Jobs with equal keys have equal results; `None` if the result must not be shared.
     pub cache_key: Option<String>,
     /// Whether it may share the result of an equal job.
@@ -274,6 +286,8 @@ pub struct JobFilter {
     pub external_ref: Option<String>,
     /// This batch.
     pub batch_id: Option<BatchId>,
+    /// This study.
+    pub study_id: Option<StudyId>,
     /// All of these labels.
     pub labels: BTreeMap<String, String>,
     /// Created at this time or later.

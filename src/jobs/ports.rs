@@ -36,6 +36,20 @@ pub enum ArtifactKind {
     TargetSurface,
     /// The source surface moved onto the target.
     Aligned,
+    /// What a study keeps of a match.
+    StudyRecord,
+    /// The matches that a step of a study found missing, JSON.
+    StudyPlan,
+    /// The template of a study.
+    StudyTemplate,
+    /// How that template was made, JSON; from then on it is kept.
+    StudyKept,
+    /// A study and its figures, JSON.
+    StudyDocument,
+    /// A page about a study.
+    StudyReport,
+    /// Everything that was found in a study, a zip archive.
+    StudyArchive,
 }
 
 impl ArtifactKind {
@@ -49,6 +63,13 @@ impl ArtifactKind {
             ArtifactKind::SourceSurface => "source_surface",
             ArtifactKind::TargetSurface => "target_surface",
             ArtifactKind::Aligned => "aligned",
+            ArtifactKind::StudyRecord => "study_record",
+            ArtifactKind::StudyPlan => "study_plan",
+            ArtifactKind::StudyTemplate => "study_template",
+            ArtifactKind::StudyKept => "study_kept",
+            ArtifactKind::StudyDocument => "study_document",
+            ArtifactKind::StudyReport => "study_report",
+            ArtifactKind::StudyArchive => "study_archive",
         }
     }
 }

@@ -99,6 +99,8 @@ pub struct Purged {
     pub results: u64,
     /// Jobs that were removed entirely.
     pub jobs: u64,
+    /// Studies that were removed, with their jobs.
+    pub studies: u64,
     /// Uploads that no job refers to.
     pub meshes: u64,
     /// Entries of the feed of changes.
@@ -119,6 +121,7 @@ impl Purged {
     pub fn add(&mut self, other: &Purged) {
         self.results += other.results;
         self.jobs += other.jobs;
+        self.studies += other.studies;
         self.meshes += other.meshes;
         self.changes += other.changes;
         self.deliveries += other.deliveries;

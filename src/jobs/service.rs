@@ -16,6 +16,8 @@ use super::retention::Retentions;
 use super::signals::Signals;
 use super::state::JobState;
 use super::stored::StoredBytes;
+use super::study::StudyStore;
+use super::study_progress::StudyProgression;
 use super::trace::TracePage;
 use super::webhook::WebhookStore;
 use bytes::Bytes;
@@ -64,6 +66,8 @@ pub struct Stores {
     pub keys: Arc<dyn KeyStore>,
     /// Webhooks.
     pub webhooks: Arc<dyn WebhookStore>,
+    /// Studies.
+    pub studies: Arc<dyn StudyStore>,
     /// The audit log.
     pub audit: Arc<dyn AuditStore>,
     /// Blobs.
@@ -117,6 +121,17 @@ impl JobService {
     /// Appends to the audit log.
     pub fn recorder(&self) -> &Arc<Recorder> {
         &self.recorder
+    }
+
+    /// What goes on with studies.
+    pub(super) fn progression(&self) -> StudyProgression {
+        StudyProgression {
+            jobs: Arc::clone(&self.stores.jobs),
+            studies: Arc::clone(&self.stores.studies),
+            artifacts: Arc::clone(&self.stores.artifacts),
+            signals: Arc::clone(&self.signals),
+            retention: self.limits.retention.clone(),
+        }
     }
 
     /// Limits on submissions.

@@ -9,6 +9,7 @@ use super::mesh::{CheckOutcome, Mesh};
 use super::metadata::{ExternalRef, Labels, MetadataFault};
 use super::ports::ArtifactKey;
 use super::service::JobService;
+use super::study::StudyFault;
 use bytes::Bytes;
 use jiff::Timestamp;
 use serde_json::{Value, json};
@@ -149,6 +150,9 @@ pub enum SubmitError {
     /// Some jobs of a batch cannot be matched: index of the job, input, and why.
     #[error("{} jobs of the batch are not right", .0.len())]
     Batch(Vec<(usize, &'static str, InputRefusal)>),
+    /// Who is in a study, or what is asked, is wrong, or inputs of it cannot be matched.
+    #[error("{} faults of the study", .0.len())]
+    Study(Vec<StudyFault>),
     /// Labels or references beyond their limits: of one job of a batch, by its index, or of the job.
     #[error("{fault}")]
     Metadata {
@@ -184,17 +188,18 @@ pub enum SubmitError {
 }
 
 /// An input that has passed its check.
-struct CheckedInput {
-    key: ArtifactKey,
-    n_bytes: u64,
+pub(super) struct CheckedInput {
+    pub(super) key: ArtifactKey,
+    pub(super) n_bytes: u64,
     name_hint: Option<String>,
     summary: InputSummary,
     /// Content to be stored; `None` for what was uploaded before.
-    bytes: Option<Bytes>,
+    pub(super) bytes: Option<Bytes>,
 }
 
 impl CheckedInput {
-    fn record(&self) -> JobInput {
+    /// What is stored of it.
+    pub(super) fn record(&self) -> JobInput {
         JobInput {
             hash: self.key.hash().to_owned(),
             n_bytes: self.n_bytes,
@@ -276,6 +281,8 @@ impl JobService {
             max_run_ms: first.max_run_ms,
             retry_of: Some(id),
             batch_id: None,
+            study_id: None,
+            study_task: None,
             cache_key: None,
             use_cache: false,
             traceparent,
@@ -390,7 +397,7 @@ impl JobService {
         Ok((resolved, source, target))
     }
 
-    async fn check(
+    pub(super) async fn check(
         &self,
         tenant: &Tenant,
         input: &'static str,
@@ -443,6 +450,8 @@ impl JobService {
             max_run_ms: details.max_run_ms,
             retry_of: None,
             batch_id: None,
+            study_id: None,
+            study_task: None,
             use_cache: !details.compute_anew,
             traceparent: details.traceparent.clone(),
         }
@@ -481,7 +490,7 @@ impl JobService {
     }
 
     /// Wakes workers if the submission was stored; releases its hold if it was not.
-    async fn after_storing<T>(&self, holder: &str, stored: Result<T, JobError>) -> Result<T, SubmitError> {
+    pub(super) async fn after_storing<T>(&self, holder: &str, stored: Result<T, JobError>) -> Result<T, SubmitError> {
         match stored {
             Ok(stored) => {
                 self.signals.queued.notify_one();
@@ -498,7 +507,7 @@ impl JobService {
         }
     }
 
-    fn admission(&self, tenant: &Tenant, holder: &str, once: Option<Once>) -> Admission {
+    pub(super) fn admission(&self, tenant: &Tenant, holder: &str, once: Option<Once>) -> Admission {
         Admission {
             max_queued: self.limits.max_queued,
             holder: holder.to_owned(),
@@ -507,7 +516,7 @@ impl JobService {
         }
     }
 
-    fn once(&self, tenant: &Tenant, name: &str, fingerprint: String) -> Once {
+    pub(super) fn once(&self, tenant: &Tenant, name: &str, fingerprint: String) -> Once {
         Once {
             tenant: tenant.clone(),
             name: name.to_owned(),
@@ -518,7 +527,7 @@ impl JobService {
     }
 
     /// What an earlier request with the key created; `None` if this request is the first.
-    async fn begin_once(&self, once: Option<&Once>) -> Result<Option<Made>, SubmitError> {
+    pub(super) async fn begin_once(&self, once: Option<&Once>) -> Result<Option<Made>, SubmitError> {
         let Some(once) = once else { return Ok(None) };
         match self.stores.jobs.begin_once(once, BUSY).await? {
             OnceStatus::Begun => Ok(None),
@@ -529,7 +538,7 @@ impl JobService {
     }
 
     /// Carries out a request and keeps its key reserved meanwhile.
-    async fn keeping<T>(&self, once: Option<&Once>, work: impl Future<Output = T>) -> T {
+    pub(super) async fn keeping<T>(&self, once: Option<&Once>, work: impl Future<Output = T>) -> T {
         let Some(once) = once else { return work.await };
         let extending = async {
             loop {
@@ -546,7 +555,11 @@ impl JobService {
     }
 
     /// Frees the key of a request that failed, so that the request can be corrected and sent again.
-    async fn end_once<T>(&self, once: Option<&Once>, done: Result<T, SubmitError>) -> Result<T, SubmitError> {
+    pub(super) async fn end_once<T>(
+        &self,
+        once: Option<&Once>,
+        done: Result<T, SubmitError>,
+    ) -> Result<T, SubmitError> {
         if let (Err(_), Some(once)) = (&done, once) {
             // If the job was stored and only the answer of the store was lost, the key is not freed.
             let _ = self.stores.jobs.give_up_once(once).await;
@@ -565,11 +578,11 @@ fn fit(input: &'static str, outcome: CheckOutcome) -> Result<InputSummary, Submi
 }
 
 /// Hash of everything that a request states; `serde_json` writes the members of objects in a fixed order.
-fn hash_of(value: &Value) -> String {
+pub(super) fn hash_of(value: &Value) -> String {
     blake3::hash(value.to_string().as_bytes()).to_hex().to_string()
 }
 
-fn details_value(details: &Details) -> Value {
+pub(super) fn details_value(details: &Details) -> Value {
     json!([
         details.priority,
         details.labels,
@@ -580,8 +593,8 @@ fn details_value(details: &Details) -> Value {
     ])
 }
 
-fn fingerprint(submission: &Submission) -> String {
-    let input = |input: &SubmittedInput| match input {
+pub(super) fn input_value(input: &SubmittedInput) -> Value {
+    match input {
         SubmittedInput::File(file) => json!([blake3::hash(&file.bytes).to_hex().as_str(), file.name_hint]),
         SubmittedInput::Series(instances) => {
             let mut hashes: Vec<_> = instances.iter().map(|bytes| blake3::hash(bytes).to_hex().to_string()).collect();
@@ -590,9 +603,13 @@ fn fingerprint(submission: &Submission) -> String {
             json!({"series": hashes})
         }
         SubmittedInput::Mesh(hash) => json!(hash),
-    };
+    }
+}
+
+fn fingerprint(submission: &Submission) -> String {
     let details = details_value(&submission.details);
-    hash_of(&json!([input(&submission.source), input(&submission.target), submission.parameters, details]))
+    let [source, target] = [&submission.source, &submission.target].map(input_value);
+    hash_of(&json!([source, target, submission.parameters, details]))
 }
 
 fn fingerprint_of_batch(submission: &BatchSubmission) -> String {

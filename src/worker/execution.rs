@@ -6,10 +6,11 @@ use super::control::{Control, StopCause};
 use super::observer::JobObserver;
 use super::pool::{PoolParts, with_sources};
 use super::priority::lower_priority;
+use super::study_material;
 use crate::jobs::engine::{Answer, Product};
 use crate::jobs::{
     ArtifactKey, ArtifactRef, Computation, ComputeError, ComputeInputs, Failure, Job, JobError, JobInput, Lease,
-    LeasedJob, Outcome, TraceChunk,
+    LeasedJob, Outcome, Purpose, TraceChunk,
 };
 use crate::spans::{Fact, Span};
 use std::future::Future;
@@ -74,6 +75,11 @@ pub(crate) async fn execute(
         Err(failure) => (settle(parts, &lease, [None, None], Ending::Fail(failure)).await, None),
     };
     parts.signals.tell_moved(lease.job_id);
+    if let Some(study) = job.study_id
+        && let Err(error) = parts.studies.advance(&lease.tenant, study).await
+    {
+        tracing::warn!(study_id = %study, error = %with_sources(&error), "a study goes on later");
+    }
     let elapsed_ms = began.elapsed().as_millis();
     tracing::info!(job_id = %lease.job_id, epoch, elapsed_ms, end, "job ended");
     span.set("homolog.end", Fact::Word(end));
@@ -106,7 +112,11 @@ async fn run(
 ) -> (&'static str, Option<oneshot::Receiver<Computed>>) {
     let context = span.traceparent();
     let reading = Span::part("read inputs", context.as_deref());
-    let inputs = read_inputs(parts, lease, job).await;
+    let inputs = if job.is_step() {
+        study_material::read_step(parts, lease, job).await
+    } else {
+        read_inputs(parts, lease, job).await
+    };
     drop(reading);
     let inputs = match inputs {
         Ok(inputs) => inputs,
@@ -147,6 +157,7 @@ async fn read_inputs(parts: &PoolParts, lease: &Lease, job: &Job) -> Result<Comp
         source_hint: job.source.name_hint.clone(),
         target: read_input(parts, lease, &job.target).await?,
         target_hint: job.target.name_hint.clone(),
+        purpose: if job.study_id.is_some() { Purpose::Record } else { Purpose::Result },
     })
 }
 
@@ -319,7 +330,7 @@ async fn publish(parts: &PoolParts, lease: &Lease, products: Vec<Product>) -> Re
 }
 
 /// Repeats `work` while the store does not answer, for up to [`STORE_TIMEOUT`].
-async fn retrying<T, F: Future<Output = Result<T, JobError>>>(work: impl Fn() -> F) -> Result<T, JobError> {
+pub(super) async fn retrying<T, F: Future<Output = Result<T, JobError>>>(work: impl Fn() -> F) -> Result<T, JobError> {
     let began = Instant::now();
     let mut wait = Duration::from_millis(50);
     loop {

@@ -1,7 +1,7 @@
-//! Periodic work of every process: jobs of lost workers return to the queue, and unreferenced blobs are removed.
+//! Periodic work of every process: jobs of lost workers return to the queue, studies go on, and unreferenced blobs are removed.
 
 use super::pool::with_sources;
-use crate::jobs::{ArtifactStore, AuditEvent, AuditStore, JobError, JobStore, Processes, Retentions};
+use crate::jobs::{ArtifactStore, AuditEvent, AuditStore, JobError, JobStore, Processes, Retentions, StudyProgression};
 use std::sync::Arc;
 use std::time::Duration;
 use tokio_util::sync::CancellationToken;
@@ -30,6 +30,8 @@ pub(crate) struct Housekeeper {
     pub(crate) processes: Option<Arc<dyn Processes>>,
     /// How long jobs and results are kept.
     pub(crate) retention: Retentions,
+    /// What goes on with studies.
+    pub(crate) studies: StudyProgression,
 }
 
 /// What the audit log says of a purge: nobody asked for it but the settings.
@@ -100,12 +102,16 @@ impl Housekeeper {
         if overdue.expired + overdue.stuck > 0 {
             tracing::warn!(?overdue, "jobs whose time was over are ended");
         }
+        if let Err(error) = self.studies.advance_studies().await {
+            // One study that cannot go on keeps nothing else from being done.
+            tracing::warn!(error = %with_sources(&error), "a study goes on later");
+        }
         if round.is_multiple_of(ROUNDS_BETWEEN_PURGES) {
             let purged = self.store.purge(&self.retention, PURGED_AT_ONCE, false).await?;
             if !purged.is_nothing() {
                 tracing::info!(?purged, "what outlived its retention is removed");
             }
-            if purged.results + purged.jobs + purged.meshes > 0 {
+            if purged.results + purged.jobs + purged.studies + purged.meshes > 0 {
                 self.audit.append_audit(&[purge_event()]).await?;
             }
         }

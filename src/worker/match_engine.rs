@@ -1,12 +1,14 @@
 //! The engine of this service: it checks surfaces and matches pairs of them.
 //!
-//! The only module that connects jobs with [`homolog_run`], [`homolog_run::intake`] and [`homolog_matching`].
+//! The only module that connects jobs with [`homolog_run`], [`homolog_run::intake`] and [`homolog_matching`]; `study_engine` does so with `homolog_study`.
 
+use super::study_engine::{self, StudyStep};
 use super::{prediction, presentation};
 use crate::jobs::engine::{Answer, MethodDescription, Product, Resolved};
+use crate::jobs::study::{STEP_METHOD, StudyDefinition, StudyFault};
 use crate::jobs::{
     ArtifactKind, Computation, ComputeError, ComputeInputs, Demand, Engine, Failure, InputBytes, InputRefusal,
-    InputSummary, ParameterFault, PartFormat, PresentError, ResultPart, SurfaceSize,
+    InputSummary, ParameterFault, PartFormat, PresentError, Purpose, ResultPart, SurfaceSize,
 };
 use bytes::Bytes;
 use homolog_contract::parameters::{MatchParameters, Method, preset, resolve};
@@ -16,6 +18,7 @@ use homolog_matching::MatchError;
 use homolog_primitives::observe::Observer;
 use homolog_run::intake::{IntakeError, IntakeLimits, prepare_surface, shown_surface};
 use homolog_run::{InputFile, RunError, RunOutput, SurfaceCache, check_size, run_match_with};
+use homolog_study::record::Record;
 use serde_json::Value;
 use std::sync::Arc;
 
@@ -98,12 +101,19 @@ impl Engine for MatchEngine {
     }
 
     fn restore(&self, parameters: &Value) -> Result<Arc<dyn Computation>, Failure> {
+        if parameters.get("method").and_then(Value::as_str) == Some(STEP_METHOD) {
+            return Ok(Arc::new(StudyStep));
+        }
         // Effective parameters resolve to themselves, unless another version stored them.
         let parameters = resolve(&without_learned_prior(parameters)).map_err(|faults| {
             let first = faults.first().map(|f| format!("{}: {}", f.pointer, f.detail)).unwrap_or_default();
             Failure::new("invalid-parameters", format!("this version does not take the stored parameters: {first}"))
         })?;
         Ok(self.computation(parameters))
+    }
+
+    fn check_study(&self, study: &StudyDefinition) -> Result<(), Vec<StudyFault>> {
+        study_engine::check(study)
     }
 
     fn present(&self, part: ResultPart, format: PartFormat, stored: &[&[u8]]) -> Result<Vec<u8>, PresentError> {
@@ -165,7 +175,11 @@ impl Computation for Match {
         let target = InputFile { bytes: &inputs.target, name: target_name.as_deref() };
         let Shared { limits, surfaces } = self.shared.as_ref();
         let output = run_match_with(surfaces, source, target, &self.parameters, limits, observer);
-        answer(output.map_err(compute_error)?).map_err(ComputeError::Failed)
+        let output = output.map_err(compute_error)?;
+        let record = matches!(inputs.purpose, Purpose::Record).then(|| Record::of(&output).to_bytes());
+        let mut answer = answer(output).map_err(ComputeError::Failed)?;
+        answer.products.extend(record.map(|bytes| Product { kind: ArtifactKind::StudyRecord, bytes }));
+        Ok(answer)
     }
 }
 
@@ -189,7 +203,7 @@ fn answer(output: RunOutput) -> Result<Answer, Failure> {
 }
 
 /// A file name that reveals nothing but the format.
-fn file_name(hint: &str) -> String {
+pub(super) fn file_name(hint: &str) -> String {
     format!("input{hint}")
 }
 

@@ -5,7 +5,8 @@
 //! cores and memory, and the demand of a match), [`pool`] (claims what can start), [`execution`] (one job from its claim to
 //! its end), [`heartbeat`] (on a thread of its own, so that no computation can starve it), [`observer`] (trace and
 //! progress), [`control`] (how a computation is told to stop), [`priority`] (computing threads run at a lower priority),
-//! [`quota`] (when a process exits by itself), [`presentation`] (results in other file formats), [`housekeeper`] (jobs of
+//! [`quota`] (when a process exits by itself), [`presentation`] (results in other file formats), [`study_engine`] and
+//! [`study_material`] (the steps of a study), [`housekeeper`] (jobs of
 //! lost workers, unreferenced blobs), [`webhook_delivery`].
 
 pub(crate) mod capacity;
@@ -24,6 +25,8 @@ pub mod quota;
 pub(crate) mod schedule;
 #[cfg(test)]
 mod schedule_tests;
+pub(crate) mod study_engine;
+pub(crate) mod study_material;
 pub mod webhook_delivery;
 
 pub use pool::WorkerSettings;

@@ -8,7 +8,7 @@ use super::schedule::{Candidate, Room, startable};
 use super::{machine, priority};
 use crate::jobs::{
     ArtifactStore, Computation, Demand, Engine, Failure, JobError, JobId, JobStore, LeasedJob, Retentions, Signals,
-    WaitingJob, WorkerId,
+    StudyProgression, WaitingJob, WorkerId,
 };
 use std::collections::HashMap;
 use std::sync::Arc;
@@ -80,6 +80,8 @@ pub(crate) struct PoolParts {
     pub(crate) store: Arc<dyn JobStore>,
     /// Blobs.
     pub(crate) artifacts: Arc<dyn ArtifactStore>,
+    /// Studies, and what goes on with them.
+    pub(crate) studies: StudyProgression,
     /// The computation.
     pub(crate) engine: Arc<dyn Engine>,
     /// Extends the leases, over database connections of its own.

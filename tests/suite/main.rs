@@ -41,6 +41,7 @@ mod spans;
 mod store;
 mod store_records;
 mod studies;
+mod study_service;
 mod supply;
 mod tickets;
 mod tidy;

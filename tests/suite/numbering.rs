@@ -208,7 +208,7 @@ fn engine() -> MatchEngine {
 
 fn matched(source: Vec<u8>, target: Vec<u8>, request: &Value) -> Stored {
     let computation = engine().resolve(request).unwrap().computation;
-    let inputs = ComputeInputs { source, source_hint: None, target, target_hint: None };
+    let inputs = ComputeInputs { source, source_hint: None, target, target_hint: None, purpose: Default::default() };
     let products = computation.compute(&inputs, &Silent).unwrap().products;
     let of = |kind| products.iter().find(|p: &&Product| p.kind == kind).unwrap().bytes.clone();
     let document = serde_json::from_slice(&of(ArtifactKind::Result)).unwrap();

@@ -92,6 +92,8 @@ pub(crate) fn new_job(priority: i32) -> NewJob {
         max_run_ms: None,
         retry_of: None,
         batch_id: None,
+        study_id: None,
+        study_task: None,
         cache_key: None,
         use_cache: true,
         traceparent: None,

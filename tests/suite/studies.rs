@@ -25,7 +25,7 @@ pub(super) fn cohort(folder: &Path, n: usize) -> PathBuf {
     table
 }
 
-const OPTIONS: [&str; 10] = [
+pub(super) const OPTIONS: [&str; 10] = [
     "--effect",
     "group",
     "--permutations",
@@ -42,7 +42,7 @@ pub(super) fn study(table: &Path, out: &Path) -> Output {
     homolog().arg("study").arg(table).args(OPTIONS).arg("--out").arg(out).output().unwrap()
 }
 
-fn contents(folder: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
+pub(super) fn contents(folder: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
     let (mut files, mut folders) = (BTreeMap::new(), vec![folder.to_owned()]);
     while let Some(at) = folders.pop() {
         for entry in fs::read_dir(at).unwrap() {

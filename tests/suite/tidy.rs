@@ -51,6 +51,7 @@ const ARROWS: &[(&str, &[&str])] = &[
             "homolog_mesh",
             "homolog_primitives",
             "homolog_run",
+            "homolog_study",
             "jobs",
             "spans",
             "tls",

@@ -159,6 +159,19 @@ impl Cohort {
         Cohort { subjects, covariates }.checked()
     }
 
+    /// The subjects of a table of cells, the header first, as [`Cohort::from_csv`] reads them; files are as they are named.
+    ///
+    /// # Errors
+    /// As for [`Cohort::from_csv`]; row `k` is line `k + 1` if no cell has a line break.
+    pub fn from_rows(rows: impl Iterator<Item = Vec<String>>) -> Result<Self, CohortError> {
+        let mut table = csv::Writer::from_writer(Vec::new());
+        for row in rows {
+            table.write_record(&row).map_err(CohortError::NotCsv)?;
+        }
+        // Nothing is buffered by a vector that could fail.
+        Cohort::from_csv(&table.into_inner().unwrap_or_default(), Path::new(""))
+    }
+
     /// A subject for each of these files, in the order of their names, without covariates. Tables, texts and hidden files
     /// are left out.
     ///

@@ -7,6 +7,7 @@
 //! to show what that costs. How far pair maps are from those through the template is reported too.
 
 use crate::error::StudyError;
+use crate::folder::Folder;
 use crate::plan::{Matched, Records, Study};
 use crate::record::Record;
 use homolog_mesh::{ClosestPointIndex, SurfaceMesh};
@@ -70,7 +71,7 @@ fn distances(mut all: Vec<f64>) -> Distances {
 ///
 /// # Errors
 /// Those of reading records and files.
-pub fn consistency(study: &Study, matched: &Matched, records: &dyn Records) -> Result<Option<Consistency>, StudyError> {
+pub fn consistency(study: &Study, matched: &Matched, folder: &Folder) -> Result<Option<Consistency>, StudyError> {
     let cycles = &matched.cycles;
     if cycles.ring.len() < 3 {
         return Ok(None);
@@ -79,7 +80,7 @@ pub fn consistency(study: &Study, matched: &Matched, records: &dyn Records) -> R
     let mut surfaces = Vec::new();
     for &k in &cycles.ring {
         let file = &study.cohort.subjects[k].file;
-        let bytes = std::fs::read(file).map_err(crate::folder::failed("read", file))?;
+        let bytes = folder.input(file)?;
         let name = file.file_name().and_then(|name| name.to_str());
         let parameters = &study.settings.parameters.input.of_target();
         match prepare_surface(&bytes, name, parameters, &IntakeLimits::default()) {
@@ -89,7 +90,7 @@ pub fn consistency(study: &Study, matched: &Matched, records: &dyn Records) -> R
         }
     }
     let record = |key: &String, vertices: usize| -> Result<Option<Vec<Point3<f64>>>, StudyError> {
-        let found: Option<Record> = records.get(key)?;
+        let found: Option<Record> = folder.get(key)?;
         Ok(found
             .filter(|r| r.facts.error.is_none() && r.points.len() == vertices)
             .map(|r| crate::align::points(&r.points)))

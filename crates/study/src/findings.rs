@@ -286,9 +286,13 @@ pub(crate) fn moved(
 }
 
 /// A subject's label volume and those labels of it that belong to the structure, ascending; `None` for a surface.
-pub(crate) fn volume_of(study: &Study, k: usize) -> Result<Option<(LabelVolume, Vec<u32>)>, StudyError> {
+pub(crate) fn volume_of(
+    study: &Study,
+    folder: &Folder,
+    k: usize,
+) -> Result<Option<(LabelVolume, Vec<u32>)>, StudyError> {
     let file = &study.cohort.subjects[k].file;
-    let bytes = std::fs::read(file).map_err(crate::folder::failed("read", file))?;
+    let bytes = folder.input(file)?;
     Ok(volume(
         &bytes,
         file.file_name().and_then(|name| name.to_str()),
@@ -318,7 +322,6 @@ fn labels(
     subjects: &mut [SubjectFindings],
 ) -> Result<Option<LabelFindings>, StudyError> {
     let mesh = &matched.making.template.mesh;
-    let input = |path: &std::path::Path| std::fs::read(path).map_err(crate::folder::failed("read", path));
     let usable: Vec<usize> = (0..subjects.len()).filter(|&k| subjects[k].place != Place::Failed).collect();
     let shape = |k: usize| -> Result<Vec<Point3<f64>>, StudyError> {
         Ok(folder.get(&matched.keys[k])?.map(|record| points(&record.points)).unwrap_or_default())
@@ -327,7 +330,7 @@ fn labels(
     let votes: Vec<Option<Voted>> = usable
         .par_iter()
         .map(|&k| {
-            let Some((volume, labels)) = volume_of(study, k)?.filter(|(_, labels)| labels.len() > 1) else {
+            let Some((volume, labels)) = volume_of(study, folder, k)?.filter(|(_, labels)| labels.len() > 1) else {
                 return Ok(None);
             };
             let vote = shape(k)?.iter().map(|p| label_at(&volume, &labels, p)).collect();
@@ -338,7 +341,7 @@ fn labels(
     let own = match &study.settings.template {
         TemplateChoice::Given { file } => {
             let name = file.file_name().and_then(|name| name.to_str());
-            let found = volume(&input(file)?, name, &study.settings.parameters.input.of_source().labels);
+            let found = volume(&folder.input(file)?, name, &study.settings.parameters.input.of_source().labels);
             found.filter(|(_, labels)| labels.len() > 1).map(|(volume, labels)| {
                 let of = mesh.vertices().iter().map(|p| label_at(&volume, &labels, p)).collect::<Vec<_>>();
                 (labels, of)
@@ -376,7 +379,7 @@ fn labels(
             let mut each: BTreeMap<u32, (f64, Option<f64>)> =
                 labels.iter().map(|&label| (label, (area(label), None))).collect();
             let mut overlap = None;
-            if let Some((volume, structure)) = volume_of(study, k)? {
+            if let Some((volume, structure)) = volume_of(study, folder, k)? {
                 let voxel = volume.affine().fixed_view::<3, 3>(0, 0).determinant().abs();
                 for label in carried(&volume, &structure, &bent, &of_vertex) {
                     if let Some((_, mm3)) = each.get_mut(&label) {

@@ -1,32 +1,32 @@
 //! The folder of a study: records of matches, the template that is kept, decisions, and files that are written as a whole.
 //!
-//! Everything is written beside its place and renamed, so that a process that is killed leaves whole files or none.
+//! It is on disk or in memory ([`crate::place`]).
 
 use crate::align::Shapes;
 use crate::error::StudyError;
+use crate::place::{Inputs, Place};
 use crate::plan::{Making, Records, Round, Template, hash};
 use crate::record::{Record, read_points};
 use homolog_formats::ReadLimits;
 use homolog_formats::ply::read_ply;
 use serde::{Deserialize, Serialize};
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
-use std::io::{self, Read, Seek, SeekFrom, Write};
+use std::io;
 use std::ops::Range;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::Mutex;
-use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::atomic::AtomicU64;
 
-/// The end of the names of files that are being written.
-const UNFINISHED: &str = ".study.tmp";
+/// The parts of a folder; the first is the folder itself.
+const PARTS: [&str; 7] = ["", "matches", "template", "modes", "maps", "subjects", "labels"];
 
 /// A study's folder.
 #[derive(Debug)]
 pub struct Folder {
-    path: PathBuf,
+    place: Place,
     /// Keys of records that were read whole and are sound.
     sound: Mutex<BTreeSet<String>>,
-    written: AtomicU64,
 }
 
 /// The template that is kept, beside its surface.
@@ -80,35 +80,38 @@ impl Folder {
             let part = path.join(part);
             fs::create_dir_all(&part).map_err(failed("write", &part))?;
         }
-        let folder = Folder { path: path.to_owned(), sound: Mutex::default(), written: AtomicU64::new(0) };
-        folder.sweep()?;
-        Ok(folder)
+        let place = Place::Disk(path.to_owned(), AtomicU64::new(0));
+        place.sweep(&PARTS).map_err(|(part, error)| failed("read", &part)(error))?;
+        Ok(Folder { place, sound: Mutex::default() })
     }
 
-    /// Removes what a killed process left unfinished.
-    fn sweep(&self) -> Result<(), StudyError> {
-        for part in ["", "matches", "template", "modes", "maps", "subjects", "labels"] {
-            let part = self.path.join(part);
-            if !part.is_dir() {
-                continue;
-            }
-            for entry in fs::read_dir(&part).map_err(failed("read", &part))?.flatten() {
-                if entry.file_name().to_string_lossy().ends_with(UNFINISHED) {
-                    // One that is gone already is no fault.
-                    let _ = fs::remove_file(entry.path());
-                }
-            }
+    /// A folder in memory that has these files already, by name, over subjects whose files are elsewhere.
+    pub fn in_memory(files: BTreeMap<String, Vec<u8>>, inputs: Box<dyn Inputs>) -> Self {
+        Folder { place: Place::Memory(Mutex::new(files), inputs), sound: Mutex::default() }
+    }
+
+    /// The files of a folder in memory, by name; of one on disk nothing.
+    pub fn into_files(self) -> BTreeMap<String, Vec<u8>> {
+        match self.place {
+            Place::Disk(..) => BTreeMap::new(),
+            Place::Memory(files, _) => files.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner),
         }
-        Ok(())
     }
 
-    /// Where it is.
-    pub fn path(&self) -> &Path {
-        &self.path
+    /// The content of a subject's file.
+    ///
+    /// # Errors
+    /// [`StudyError::File`].
+    pub fn input(&self, file: &Path) -> Result<Vec<u8>, StudyError> {
+        self.place.input(file).map_err(failed("read", file))
     }
 
-    fn record_path(&self, key: &str) -> PathBuf {
-        self.path.join("matches").join(format!("{key}.match"))
+    /// The hash of a subject's file.
+    ///
+    /// # Errors
+    /// [`StudyError::File`].
+    pub(crate) fn input_hash(&self, file: &Path) -> Result<String, StudyError> {
+        self.place.input_hash(file).map_err(failed("read", file))
     }
 
     /// Writes a file of the folder as a whole, and the folders above it.
@@ -116,23 +119,7 @@ impl Folder {
     /// # Errors
     /// [`StudyError::File`].
     pub fn write(&self, name: &str, bytes: &[u8]) -> Result<(), StudyError> {
-        let path = self.path.join(name);
-        let number = self.written.fetch_add(1, Ordering::Relaxed);
-        let unfinished = path.with_extension(format!("{}-{number}{UNFINISHED}", std::process::id()));
-        let written = (|| {
-            if let Some(above) = path.parent() {
-                fs::create_dir_all(above)?;
-            }
-            let mut file = fs::File::create(&unfinished)?;
-            file.write_all(bytes)?;
-            file.sync_data()?;
-            fs::rename(&unfinished, &path)
-        })();
-        written.map_err(|error| {
-            // The write has failed already; a leftover is swept later.
-            let _ = fs::remove_file(&unfinished);
-            failed("write", &path)(error)
-        })
+        self.place.write(name, bytes).map_err(|error| failed("write", &self.place.path(name))(error))
     }
 
     /// A file of the folder; `None` if there is none.
@@ -140,12 +127,7 @@ impl Folder {
     /// # Errors
     /// [`StudyError::File`].
     pub fn read(&self, name: &str) -> Result<Option<Vec<u8>>, StudyError> {
-        let path = self.path.join(name);
-        match fs::read(&path) {
-            Ok(bytes) => Ok(Some(bytes)),
-            Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(None),
-            Err(error) => Err(failed("read", &path)(error)),
-        }
+        self.place.read(name).map_err(|error| failed("read", &self.place.path(name))(error))
     }
 
     /// Keeps a record.
@@ -153,7 +135,7 @@ impl Folder {
     /// # Errors
     /// [`StudyError::File`].
     pub fn keep(&self, key: &str, record: &Record) -> Result<(), StudyError> {
-        self.write(&format!("matches/{key}.match"), &record.to_bytes())
+        self.write(&record_name(key), &record.to_bytes())
     }
 
     /// The template that is kept, if it was made for what is asked.
@@ -162,7 +144,7 @@ impl Folder {
     /// [`StudyError::Damaged`]; [`StudyError::File`].
     pub fn kept(&self, asked: &str) -> Result<Option<(Kept, Template)>, StudyError> {
         let Some(text) = self.read("template/kept.json")? else { return Ok(None) };
-        let path = self.path.join("template");
+        let path = self.place.path("template");
         let damaged = |why: &str| StudyError::Damaged {
             path: path.clone(),
             why: format!("{why}; delete this folder, and the template is made again"),
@@ -195,13 +177,13 @@ impl Folder {
 
     /// Removes the files of a folder of outputs that are not among these names.
     pub(crate) fn keep_only(&self, part: &str, names: &BTreeSet<String>) {
-        for entry in fs::read_dir(self.path.join(part)).into_iter().flatten().flatten() {
-            if !names.contains(&*entry.file_name().to_string_lossy()) {
-                // An old output that cannot be removed does no harm.
-                let _ = fs::remove_file(entry.path());
-            }
-        }
+        self.place.keep_only(part, names);
     }
+}
+
+/// The file of a record.
+pub fn record_name(key: &str) -> String {
+    format!("matches/{key}.match")
 }
 
 /// JSON for people, with a line end.
@@ -213,11 +195,13 @@ pub(crate) fn json(value: &impl Serialize) -> Vec<u8> {
 
 impl Records for Folder {
     fn get(&self, key: &str) -> Result<Option<Record>, StudyError> {
-        let path = self.record_path(key);
-        let Some(bytes) = self.read(&format!("matches/{key}.match"))? else { return Ok(None) };
+        let Some(bytes) = self.read(&record_name(key))? else { return Ok(None) };
         match Record::from_bytes(&bytes) {
             Ok(record) => Ok(Some(record)),
-            Err(error) => Err(StudyError::Damaged { path, why: error.to_string() }),
+            Err(error) => {
+                let path = self.place.path(&record_name(key));
+                Err(StudyError::Damaged { path, why: error.to_string() })
+            }
         }
     }
 
@@ -232,8 +216,7 @@ impl Records for Folder {
             Ok(Some(_)) => sound.insert(key.to_owned()),
             Ok(None) => false,
             Err(_) => {
-                // What cannot be removed is replaced.
-                let _ = fs::remove_file(self.record_path(key));
+                self.place.remove(&record_name(key));
                 false
             }
         }
@@ -256,14 +239,12 @@ impl Shapes for RecordedShapes<'_> {
         self.n_vertices
     }
     fn read(&self, shape: usize, vertices: Range<usize>) -> Result<Vec<[f32; 3]>, StudyError> {
-        let path = self.folder.record_path(&self.keys[shape].0);
-        let mut bytes = vec![0; 12 * vertices.len()];
-        let read = (|| {
-            let mut file = fs::File::open(&path)?;
-            file.seek(SeekFrom::Start(Record::POINTS_AT + 12 * vertices.start as u64))?;
-            file.read_exact(&mut bytes)
-        })();
-        read.map_err(failed("read", &path))?;
+        let name = record_name(&self.keys[shape].0);
+        let at = |vertex: usize| Record::POINTS_AT + 12 * vertex as u64;
+        let place = &self.folder.place;
+        let bytes = place
+            .read_part(&name, at(vertices.start)..at(vertices.end))
+            .map_err(|error| failed("read", &place.path(&name))(error))?;
         Ok(read_points(&bytes))
     }
     fn name(&self, shape: usize) -> String {
@@ -293,6 +274,19 @@ pub fn read_decisions(text: &[u8], ids: &BTreeSet<&str>) -> Result<Vec<Decision>
     Ok(decisions)
 }
 
+/// The table of decisions as CSV, which [`read_decisions`] reads.
+pub fn decisions_table(decisions: &[Decision]) -> String {
+    let mut text = "id,decision,reason\n".to_owned();
+    for Decision { id, decision, reason } in decisions {
+        let word = match decision {
+            Verdict::Kept => "kept",
+            Verdict::Dropped => "dropped",
+        };
+        text.push_str(&format!("{id},{word},{}\n", crate::output::quoted(reason)));
+    }
+    text
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -320,12 +314,46 @@ mod tests {
         assert_eq!(shapes.read(0, 2..4).unwrap(), record.points[2..4]);
     }
 
+    #[derive(Debug)]
+    struct Nothing;
+
+    impl Inputs for Nothing {
+        fn read(&self, _: &Path) -> io::Result<Vec<u8>> {
+            Err(io::ErrorKind::NotFound.into())
+        }
+        fn hash(&self, _: &Path) -> io::Result<String> {
+            Err(io::ErrorKind::NotFound.into())
+        }
+    }
+
+    #[test]
+    fn a_folder_in_memory_does_what_one_on_disk_does() {
+        let record = Record { facts: Facts::default(), points: vec![[1.0, 2.0, 3.0], [4.0, 5.0, 6.0]] };
+        let damaged = BTreeMap::from([(record_name("cd"), b"half".to_vec())]);
+        let folder = Folder::in_memory(damaged, Box::new(Nothing));
+        assert!(!folder.has("cd") && folder.read(&record_name("cd")).unwrap().is_none(), "removed");
+        folder.keep("ab", &record).unwrap();
+        assert!(folder.has("ab"));
+        assert_eq!(folder.get("ab").unwrap(), Some(record.clone()));
+        let shapes = folder.shapes(vec![("ab".to_owned(), "s".to_owned())], 2);
+        assert_eq!(shapes.read(0, 1..2).unwrap(), record.points[1..]);
+        assert!(shapes.read(0, 1..9000).is_err(), "beyond its points");
+        for name in ["maps/a.vtk", "maps/b.vtk", "mapsb.vtk"] {
+            folder.write(name, b"x").unwrap();
+        }
+        folder.keep_only("maps", &BTreeSet::from(["b.vtk".to_owned()]));
+        assert!(matches!(folder.input(Path::new("s.ply")), Err(StudyError::File { what: "read", .. })));
+        let names: Vec<String> = folder.into_files().into_keys().collect();
+        assert_eq!(names, ["maps/b.vtk", "mapsb.vtk", "matches/ab.match"]);
+    }
+
     #[test]
     fn decisions_are_about_subjects_of_the_study() {
         let ids = BTreeSet::from(["a", "b"]);
         let read = |text: &str| read_decisions(text.as_bytes(), &ids);
         let found = read("id,decision,reason\na,dropped,\"motion, see scan\"\n").unwrap();
         assert_eq!((found[0].decision, found[0].reason.as_str()), (Verdict::Dropped, "motion, see scan"));
+        assert_eq!(read(&decisions_table(&found)).unwrap(), found);
         assert!(read("id,decision,reason\nx,dropped,\n").unwrap_err().contains("no subject"));
         assert!(read("id,decision,reason\na,drop,\n").unwrap_err().contains("kept or dropped"));
         assert!(read("id,decision,reason\na,kept,\na,dropped,\n").unwrap_err().contains("twice"));

@@ -3,7 +3,7 @@
 //! A study reads a [`cohort`], matches a template to every subject ([`plan`] says what to match next, [`record`] is what is
 //! kept of a match, [`average`] what makes a template of a round of them), brings all shapes into one frame ([`align`]), and computes from them a shape [`model`], [`measures`] at
 //! every vertex, [`statistics`] of these, a list for [`quality`] control, volumes and [`labels`], and a folder with a report
-//! ([`output`]). This crate knows no service and no clock, and prints nothing; [`folder`] alone touches files.
+//! ([`output`]). This crate knows no service and no clock, and prints nothing; [`place`] alone touches files.
 
 pub mod align;
 pub mod average;
@@ -17,6 +17,7 @@ pub mod matching;
 pub mod measures;
 pub mod model;
 pub mod output;
+pub mod place;
 pub mod plan;
 pub mod quality;
 pub mod record;

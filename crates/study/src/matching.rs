@@ -2,8 +2,8 @@
 
 use crate::cohort::Cohort;
 use crate::error::StudyError;
-use crate::folder::{Folder, Kept, failed};
-use crate::plan::{Matched, Purpose, Step, Study, Task, Template, hash, spread, surface};
+use crate::folder::{Folder, Kept};
+use crate::plan::{Making, Matched, Purpose, Step, Study, Task, Template, hash, spread, surface};
 use crate::record::{Record, compute};
 use crate::settings::{Settings, TemplateChoice};
 use homolog_primitives::observe::Observer;
@@ -37,10 +37,6 @@ impl Observer for Interruption<'_> {
     }
 }
 
-fn read(path: &Path) -> Result<Vec<u8>, StudyError> {
-    std::fs::read(path).map_err(failed("read", path))
-}
-
 fn name(path: &Path) -> Option<&str> {
     path.file_name().and_then(|name| name.to_str())
 }
@@ -59,11 +55,8 @@ impl Study {
         hashes: &[String],
         folder: &Folder,
     ) -> Result<Self, StudyError> {
-        let found: Vec<String> = cohort
-            .subjects
-            .par_iter()
-            .map(|subject| read(&subject.file).map(|bytes| hash(&bytes)))
-            .collect::<Result<_, _>>()?;
+        let found: Vec<String> =
+            cohort.subjects.par_iter().map(|subject| folder.input_hash(&subject.file)).collect::<Result<_, _>>()?;
         for (subject, (found, stated)) in cohort.subjects.iter().zip(found.iter().zip(hashes)) {
             if found != stated {
                 return Err(StudyError::Changed { path: subject.file.clone() });
@@ -91,19 +84,19 @@ impl Study {
         let (first, making, makers) = match &mut settings.template {
             TemplateChoice::Given { file } => {
                 let refused = |why| StudyError::Start { what: file.display().to_string(), why };
-                let first = surface(&read(file)?, name(file), &parameters).map_err(refused)?;
+                let first = surface(&folder.input(file)?, name(file), &parameters).map_err(refused)?;
                 (first, None, Vec::new())
             }
             TemplateChoice::Made(how) => {
                 if let Some((kept, template)) = kept {
                     how.from.clone_from(&kept.from);
-                    let making = crate::plan::Making { template: template.clone(), rounds: kept.rounds };
+                    let making = Making { template: template.clone(), rounds: kept.rounds };
                     (template, Some(making), Vec::new())
                 } else {
                     let makers = if how.from.is_empty() { spread(&cohort, how.subjects) } else { places(&how.from)? };
                     how.from = ids(&makers);
                     let start = how.start.as_ref().map(by_id).transpose()?;
-                    (start_surface(&cohort, &parameters, start, &makers)?, None, makers)
+                    (start_surface(&cohort, &parameters, start, &makers, folder)?, None, makers)
                 }
             }
         };
@@ -118,21 +111,9 @@ impl Study {
     pub fn match_all(&mut self, folder: &Folder, threads: usize, watcher: &dyn Watcher) -> Result<Matched, StudyError> {
         let surfaces = SurfaceCache::new(PREPARED_BYTES);
         loop {
-            match self.next(folder)? {
-                Step::Matched(matched) => {
-                    if self.kept.is_none() {
-                        self.keep_making(folder, &matched.making)?;
-                    }
-                    return Ok(*matched);
-                }
+            match self.advance(folder)? {
+                Step::Matched(matched) => return Ok(*matched),
                 Step::Match { purpose, template, tasks, finished } => {
-                    if purpose == Purpose::Subjects && self.kept.is_none() {
-                        // From here on a subject that is added costs one match.
-                        let making = self
-                            .making(folder)?
-                            .unwrap_or(crate::plan::Making { template: (*template).clone(), rounds: Vec::new() });
-                        self.keep_making(folder, &making)?;
-                    }
                     let what = match purpose {
                         Purpose::Template(round) => format!("template, round {round}"),
                         Purpose::Subjects => "matching".to_owned(),
@@ -146,7 +127,7 @@ impl Study {
                     };
                     watcher.progress(&what, finished, all);
                     each(&tasks, threads, &|task| {
-                        let record = self.compute(task, &template, &surfaces, watcher)?;
+                        let record = self.compute(task, &template, &surfaces, folder, watcher)?;
                         folder.keep(&task.key, &record)?;
                         done();
                         Ok(())
@@ -156,7 +137,29 @@ impl Study {
         }
     }
 
-    fn keep_making(&mut self, folder: &Folder, making: &crate::plan::Making) -> Result<(), StudyError> {
+    /// What is to be done next, from the records that are there. Once a template is made it is kept, so that a subject that is
+    /// added later costs one match.
+    ///
+    /// # Errors
+    /// Those of [`Study::next`], and [`StudyError::File`].
+    pub fn advance(&mut self, folder: &Folder) -> Result<Step, StudyError> {
+        let step = self.next(folder)?;
+        if self.kept.is_some() {
+            return Ok(step);
+        }
+        let making = match &step {
+            Step::Matched(matched) => matched.making.clone(),
+            Step::Match { purpose: Purpose::Template(_), .. } => return Ok(step),
+            Step::Match { purpose: Purpose::Subjects, template, .. } => {
+                let given = || Making { template: (**template).clone(), rounds: Vec::new() };
+                self.making(folder)?.unwrap_or_else(given)
+            }
+        };
+        self.keep_making(folder, &making)?;
+        Ok(step)
+    }
+
+    fn keep_making(&mut self, folder: &Folder, making: &Making) -> Result<(), StudyError> {
         let kept = Kept {
             asked: asked(&self.settings),
             hash: making.template.hash.clone(),
@@ -181,13 +184,14 @@ impl Study {
         task: &Task,
         template: &Template,
         surfaces: &SurfaceCache,
+        folder: &Folder,
         watcher: &dyn Watcher,
     ) -> Result<Record, StudyError> {
         let bytes = |side: Option<usize>| match side {
             None => Ok(None),
             Some(k) => {
                 let path = &self.cohort.subjects[k].file;
-                let bytes = read(path)?;
+                let bytes = folder.input(path)?;
                 if hash(&bytes) == self.hashes[k] {
                     Ok(Some(bytes))
                 } else {
@@ -224,10 +228,11 @@ fn start_surface(
     parameters: &homolog_contract::parameters::MatchParameters,
     start: Option<usize>,
     makers: &[usize],
+    folder: &Folder,
 ) -> Result<Template, StudyError> {
     let of = |k: usize| {
         let file = &cohort.subjects[k].file;
-        Ok(surface(&read(file)?, name(file), parameters))
+        Ok(surface(&folder.input(file)?, name(file), parameters))
     };
     if let Some(k) = start {
         let refused = |why| StudyError::Start { what: format!("subject {}", cohort.subjects[k].id), why };

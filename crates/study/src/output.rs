@@ -3,7 +3,7 @@
 use crate::cohort::{Cohort, Values};
 use crate::error::StudyError;
 use crate::findings::{Findings, Place, moved, volume_of};
-use crate::folder::{Decision, Folder, json};
+use crate::folder::{Decision, Folder, decisions_table, json};
 use crate::labels::carried;
 use crate::matching::Watcher;
 use crate::plan::{Round, Study};
@@ -114,7 +114,7 @@ pub fn write(
     folder.write("subjects.parquet", &write_parquet_columns(&columns))?;
     folder.write("effects.csv", effect_table(found).as_bytes())?;
     if folder.read("decisions.csv")?.is_none() {
-        folder.write("decisions.csv", b"id,decision,reason\n")?;
+        folder.write("decisions.csv", decisions_table(&[]).as_bytes())?;
     }
     folder.write("report.html", page(study, found, folder, commit)?.as_bytes())?;
     let document = StudyDocument {
@@ -186,7 +186,7 @@ fn surfaces(
             folder.write(&names[0], &write_gifti(&bent, &arrays))?;
             folder.write(&names[1], &write_vtk_with(&bent, &arrays))?;
             if let Some(labels) = &found.labels
-                && let Some((volume, structure)) = volume_of(study, k)?
+                && let Some((volume, structure)) = volume_of(study, folder, k)?
             {
                 let values = carried(&volume, &structure, &bent, &labels.of_vertex);
                 if let Ok(volume) = LabelVolume::new(volume.dims(), values, *volume.affine()) {
@@ -299,7 +299,8 @@ pub(crate) fn place_name(place: Place) -> &'static str {
     }
 }
 
-fn quoted(text: &str) -> String {
+/// A cell of CSV.
+pub(crate) fn quoted(text: &str) -> String {
     if text.contains([',', '"', '\n', '\r']) { format!("\"{}\"", text.replace('"', "\"\"")) } else { text.to_owned() }
 }
 

@@ -7,7 +7,7 @@ use homolog_formats::{VertexArray, VertexValues};
 use homolog_mesh::{ClosestPointIndex, SurfaceMesh};
 use homolog_primitives::observe::Observer;
 use homolog_run::intake::IntakeLimits;
-use homolog_run::{InputFile, RunError, SurfaceCache, run_match_with};
+use homolog_run::{InputFile, RunError, RunOutput, SurfaceCache, run_match_with};
 use nalgebra::Matrix3;
 use serde::{Deserialize, Serialize};
 
@@ -100,6 +100,62 @@ impl Record {
 
     /// Where the points begin in the bytes of a record.
     pub(crate) const POINTS_AT: u64 = 16;
+
+    /// The record of a match without an answer.
+    pub fn failed(error: String) -> Self {
+        Record { facts: Facts { error: Some(error), ..Facts::default() }, points: Vec::new() }
+    }
+
+    /// The record of a match.
+    pub fn of(output: &RunOutput) -> Self {
+        let bent = match homolog_run::warp(
+            [&output.source, &output.target],
+            output.document.correspondences.as_ref().unwrap_or(&Default::default()),
+            &output.document.transform.matrix,
+            WarpDirection::Forward,
+            WarpSpace::Target,
+        ) {
+            Ok(bent) => bent,
+            Err(error) => return Record::failed(error.to_string()),
+        };
+        let index = ClosestPointIndex::new(&bent.mesh);
+        let used = used_vertices(&output.target);
+        let mut distances: Vec<f64> = output
+            .target
+            .vertices()
+            .iter()
+            .zip(&used)
+            .filter(|(_, used)| **used)
+            .map(|(p, _)| (index.closest(p).point - p).norm())
+            .collect();
+        distances.sort_by(f64::total_cmp);
+        let n = distances.len().max(1);
+        let confidence = |arrays: &[VertexArray]| {
+            let found = arrays.iter().find(|array| array.name == "confidence").map(|array| &array.values);
+            let mut values = if let Some(VertexValues::Real(values)) = found { values.clone() } else { Vec::new() };
+            values.sort_by(f64::total_cmp);
+            values.get(values.len() / 2).copied().unwrap_or(0.0)
+        };
+        let verdict = output.document.verdict();
+        let input = &output.document.provenance.target;
+        let closed = output.target.boundary_vertices().is_none();
+        let facts = Facts {
+            error: None,
+            reliable: verdict.reliable,
+            reasons: verdict.reasons.iter().map(|reason| reason.name().to_owned()).collect(),
+            rigid_distance_mm: verdict.surface_distance.mean_mm,
+            residual_mm: distances.iter().sum::<f64>() / n as f64,
+            residual_p95_mm: distances.get(n * 19 / 20).copied().unwrap_or(0.0),
+            folded: folded(&output.source, &bent.mesh, &output.document.transform.matrix),
+            confidence: confidence(&bent.arrays),
+            volume_mm3: closed.then(|| output.target.signed_volume()),
+            area_mm2: output.target.area(),
+            n_vertices: used.iter().filter(|used| **used).count() as u32,
+            repairs: input.report.repairs.iter().map(|repair| repair.detail.clone()).collect(),
+        };
+        let points = bent.mesh.vertices().iter().map(|p| [p.x as f32, p.y as f32, p.z as f32]).collect();
+        Record { facts, points }
+    }
 }
 
 /// Points from their bytes, 12 each.
@@ -121,62 +177,13 @@ pub fn compute(
     parameters: &MatchParameters,
     observer: &dyn Observer,
 ) -> Option<Record> {
-    let failed =
-        |error: String| Some(Record { facts: Facts { error: Some(error), ..Facts::default() }, points: Vec::new() });
     let limits = IntakeLimits::default();
-    let output = match run_match_with(surfaces, source, target, parameters, &limits, observer) {
-        Ok(output) => output,
+    Some(match run_match_with(surfaces, source, target, parameters, &limits, observer) {
+        Ok(output) => Record::of(&output),
         Err(error) if error.is_cancelled() => return None,
-        Err(RunError::Input { error, .. }) => return failed(error.for_command_line()),
-        Err(error) => return failed(error.to_string()),
-    };
-    let bent = match homolog_run::warp(
-        [&output.source, &output.target],
-        output.document.correspondences.as_ref().unwrap_or(&Default::default()),
-        &output.document.transform.matrix,
-        WarpDirection::Forward,
-        WarpSpace::Target,
-    ) {
-        Ok(bent) => bent,
-        Err(error) => return failed(error.to_string()),
-    };
-    let index = ClosestPointIndex::new(&bent.mesh);
-    let used = used_vertices(&output.target);
-    let mut distances: Vec<f64> = output
-        .target
-        .vertices()
-        .iter()
-        .zip(&used)
-        .filter(|(_, used)| **used)
-        .map(|(p, _)| (index.closest(p).point - p).norm())
-        .collect();
-    distances.sort_by(f64::total_cmp);
-    let n = distances.len().max(1);
-    let confidence = |arrays: &[VertexArray]| {
-        let found = arrays.iter().find(|array| array.name == "confidence").map(|array| &array.values);
-        let mut values = if let Some(VertexValues::Real(values)) = found { values.clone() } else { Vec::new() };
-        values.sort_by(f64::total_cmp);
-        values.get(values.len() / 2).copied().unwrap_or(0.0)
-    };
-    let verdict = output.document.verdict();
-    let input = &output.document.provenance.target;
-    let closed = output.target.boundary_vertices().is_none();
-    let facts = Facts {
-        error: None,
-        reliable: verdict.reliable,
-        reasons: verdict.reasons.iter().map(|reason| reason.name().to_owned()).collect(),
-        rigid_distance_mm: verdict.surface_distance.mean_mm,
-        residual_mm: distances.iter().sum::<f64>() / n as f64,
-        residual_p95_mm: distances.get(n * 19 / 20).copied().unwrap_or(0.0),
-        folded: folded(&output.source, &bent.mesh, &output.document.transform.matrix),
-        confidence: confidence(&bent.arrays),
-        volume_mm3: closed.then(|| output.target.signed_volume()),
-        area_mm2: output.target.area(),
-        n_vertices: used.iter().filter(|used| **used).count() as u32,
-        repairs: input.report.repairs.iter().map(|repair| repair.detail.clone()).collect(),
-    };
-    let points = bent.mesh.vertices().iter().map(|p| [p.x as f32, p.y as f32, p.z as f32]).collect();
-    Some(Record { facts, points })
+        Err(RunError::Input { error, .. }) => Record::failed(error.for_command_line()),
+        Err(error) => Record::failed(error.to_string()),
+    })
 }
 
 /// Share of the faces of `source` whose normal, moved by the transform, does not look the way of the bent face.

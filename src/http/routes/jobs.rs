@@ -1,6 +1,6 @@
 //! `/v1/jobs`: submit, list, get, cancel, retry, delete.
 
-use super::{batch_id, job_id, page, small_json};
+use super::{batch_id, job_id, page, small_json, study_id};
 use crate::http::auth::{Reader, Submitter};
 use crate::http::fields::Fields;
 use crate::http::long_poll::{MAX_WAIT_S, Resource, Snapshot, Version, answer, wait_of};
@@ -169,6 +169,7 @@ impl IntoParams for FilterParameters {
             ("method", "Only jobs of this method"),
             ("external_ref", "Only jobs with this external reference"),
             ("batch", "Only jobs of this batch"),
+            ("study", "Only matches of this study"),
             (
                 "label",
                 "Only jobs with this label, as `name:value`; may be repeated, at most 4 labels. A colon in the name is written `\\:`, a backslash `\\\\`",
@@ -207,6 +208,12 @@ pub(in crate::http) fn filter(query: &mut QueryString) -> JobFilter {
         match batch_id(&batch) {
             Ok(id) => filter.batch_id = Some(id),
             Err(_) => query.fault("batch", "out_of_range", "must be the id of a batch"),
+        }
+    }
+    if let Some(study) = query.text("study") {
+        match study_id(&study) {
+            Ok(id) => filter.study_id = Some(id),
+            Err(_) => query.fault("study", "out_of_range", "must be the id of a study"),
         }
     }
     for label in query.all("label") {

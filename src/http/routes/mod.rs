@@ -10,6 +10,7 @@ pub(crate) mod keys;
 pub(crate) mod meshes;
 pub(crate) mod methods;
 pub(crate) mod result;
+pub(crate) mod studies;
 pub(crate) mod surfaces;
 pub(crate) mod system;
 pub(crate) mod tenant_events;
@@ -25,7 +26,7 @@ use super::shares::Origin;
 use super::submission::{media_type, read_json};
 use super::upload::Tap;
 use crate::jobs::job::Cursor;
-use crate::jobs::{BatchId, JobId, Tenant};
+use crate::jobs::{BatchId, JobId, StudyId, Tenant};
 use axum::extract::Request;
 use serde::de::DeserializeOwned;
 
@@ -44,6 +45,11 @@ fn job_id(text: &str) -> Result<JobId, Problem> {
 /// The batch that a path names.
 fn batch_id(text: &str) -> Result<BatchId, Problem> {
     BatchId::parse(text).ok_or_else(|| Problem::new(ProblemKind::BatchNotFound))
+}
+
+/// The study that a path names.
+fn study_id(text: &str) -> Result<StudyId, Problem> {
+    StudyId::parse(text).ok_or_else(|| Problem::new(ProblemKind::StudyNotFound))
 }
 
 /// Size and start of a page, from `page_size` and `page_token`.

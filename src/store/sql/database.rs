@@ -36,6 +36,7 @@ const SQLITE_MIGRATIONS: &[(i64, &str, &str)] = &[
     (6, "encryption", include_str!("migrations/sqlite/0006_encryption.sql")),
     (7, "audit_anchor", include_str!("migrations/sqlite/0007_audit_anchor.sql")),
     (8, "tickets", include_str!("migrations/sqlite/0008_tickets.sql")),
+    (9, "studies", include_str!("migrations/sqlite/0009_studies.sql")),
 ];
 /// Migrations of PostgreSQL, in the same form.
 const POSTGRES_MIGRATIONS: &[(i64, &str, &str)] = &[
@@ -46,6 +47,7 @@ const POSTGRES_MIGRATIONS: &[(i64, &str, &str)] = &[
     (5, "encryption", include_str!("migrations/postgres/0005_encryption.sql")),
     (6, "audit_anchor", include_str!("migrations/postgres/0006_audit_anchor.sql")),
     (7, "tickets", include_str!("migrations/postgres/0007_tickets.sql")),
+    (8, "studies", include_str!("migrations/postgres/0008_studies.sql")),
 ];
 
 /// Time limit for SQLite: for the write lock that another process holds, and for a free connection.
@@ -390,6 +392,8 @@ arguments_from! {
     Option<crate::jobs::JobId> => |v| Argument::Text(v.map(|id| id.to_string()));
     crate::jobs::BatchId => |v| Argument::Text(Some(v.to_string()));
     Option<crate::jobs::BatchId> => |v| Argument::Text(v.map(|id| id.to_string()));
+    crate::jobs::StudyId => |v| Argument::Text(Some(v.to_string()));
+    Option<crate::jobs::StudyId> => |v| Argument::Text(v.map(|id| id.to_string()));
     crate::jobs::JobState => |v| Argument::Text(Some(v.name().to_owned()));
     &crate::jobs::Tenant => |v| Argument::Text(Some(v.name().to_owned()));
     Option<jiff::Timestamp> => |v| Argument::Integer(v.map(jiff::Timestamp::as_millisecond));

@@ -10,7 +10,7 @@
 //!
 //! Each port of [`crate::jobs`] is implemented in one file: [`reading`] ([`crate::jobs::JobReader`]), [`writing`]
 //! ([`crate::jobs::JobWriter`]), [`leasing`] ([`crate::jobs::JobQueue`]), [`blobs`] ([`crate::jobs::BlobHolds`]),
-//! [`housekeeping`] ([`crate::jobs::Housekeeping`]), [`meshes`], [`keys`], [`audit`], [`webhooks`]. Beside them: [`batches`],
+//! [`housekeeping`] ([`crate::jobs::Housekeeping`]), [`meshes`], [`studies`], [`keys`], [`audit`], [`webhooks`]. Beside them: [`batches`],
 //! [`changes`] (the feed), [`once`] (idempotency keys), [`retention`], [`inspection`] (copies and checks of a whole database), [`encryption`] (which key
 //! encrypts blobs), [`rows`] (from rows to records), [`driver_errors`].
 
@@ -31,6 +31,7 @@ mod once;
 mod reading;
 mod retention;
 mod rows;
+mod studies;
 mod webhooks;
 mod writing;
 

@@ -164,6 +164,7 @@ async fn list_state(
     let by_label = !filter.labels.is_empty()
         && filter.external_ref.is_none()
         && filter.batch_id.is_none()
+        && filter.study_id.is_none()
         && matches!(state, None | Some(JobState::Succeeded));
     const LABELS: [[&str; 2]; JobFilter::MAX_LABELS] =
         [["label_a", "value_a"], ["label_b", "value_b"], ["label_c", "value_c"], ["label_d", "value_d"]];
@@ -185,6 +186,7 @@ async fn list_state(
     want("method", filter.method.as_ref().map(Argument::from));
     want("reference", filter.external_ref.as_ref().map(Argument::from));
     want("batch", filter.batch_id.map(Argument::from));
+    want("study", filter.study_id.map(Argument::from));
     want("created_from", filter.created_from.map(|t| t.as_millisecond().into()));
     want("created_before", filter.created_before.map(|t| t.as_millisecond().into()));
     for (i, ([label, value], (name, text))) in LABELS.into_iter().zip(&filter.labels).enumerate() {

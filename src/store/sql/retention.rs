@@ -5,8 +5,8 @@
 
 use super::database::{Row, Session, bind};
 use super::dialect::sql;
-use super::{SqlStore, blobs, rows, writing};
-use crate::jobs::{Concerned, JobError, JobId, MeshStore, Purged, Retention, Retentions};
+use super::{SqlStore, blobs, rows, studies, writing};
+use crate::jobs::{Concerned, JobError, JobId, MeshStore, Purged, Retention, Retentions, StudyStore};
 use std::time::Duration;
 
 fn number(row: Option<Row>) -> Result<u64, JobError> {
@@ -20,8 +20,11 @@ pub(super) async fn count_purge(store: &SqlStore, retention: &Retentions) -> Res
     for (Concerned { tenant, excepted }, keep) in retention.all() {
         let count = bind![keep.results, &tenant, &excepted];
         purged.results += number(session.row(sql!("count_results_to_purge"), count).await?)?;
+        let count = bind![keep.results, &tenant, &excepted];
+        purged.results += number(session.row(sql!("count_study_results_to_purge"), count).await?)?;
         let Some(keep) = keep.jobs else { continue };
         for (total, query) in [
+            (&mut purged.studies, sql!("count_studies_to_purge")),
             (&mut purged.jobs, sql!("count_jobs_to_purge")),
             (&mut purged.meshes, sql!("count_meshes_to_purge")),
             (&mut purged.changes, sql!("count_old_changes")),
@@ -67,7 +70,25 @@ async fn purge_concerned(
         purged.results +=
             u64::from(database.transaction(async |session| purge_result(session, id, retention.results).await).await?);
     }
+    let found = bind![limit, retention.results, tenant, excepted];
+    for row in database.reader().await?.rows(sql!("study_results_to_purge"), found).await? {
+        let id = rows::study_id(&row.get::<String>("id")?)?;
+        let done = database
+            .transaction(async |session| studies::purge_study_result(session, id, retention.results).await)
+            .await?;
+        purged.results += u64::from(done);
+    }
     let Some(keep) = retention.jobs else { return Ok(purged) };
+    let found = bind![keep, limit, tenant, excepted];
+    for row in database.reader().await?.rows(sql!("studies_to_purge"), found).await? {
+        let tenant = rows::tenant(&row.get::<String>("tenant")?)?;
+        match store.delete_study(&tenant, rows::study_id(&row.get::<String>("id")?)?).await {
+            Ok(()) => purged.studies += 1,
+            // It goes on since, or another process has removed it.
+            Err(JobError::StudyActive { .. } | JobError::StudyNotFound) => {}
+            Err(error) => return Err(error),
+        }
+    }
     let found = bind![keep, limit, tenant, excepted];
     for row in database.reader().await?.rows(sql!("jobs_to_purge"), found).await? {
         let id = rows::job_id(&row.get::<String>("id")?)?;

@@ -3,7 +3,7 @@
 use super::database::Row;
 use crate::jobs::documents::Verdict;
 use crate::jobs::job::Cursor;
-use crate::jobs::{BatchId, Failure, Job, JobError, JobId, JobInput, JobState, Progress, Tenant, WaitingJob};
+use crate::jobs::{BatchId, Failure, Job, JobError, JobId, JobInput, JobState, Progress, StudyId, Tenant, WaitingJob};
 use homolog_primitives::observe::Phase;
 use jiff::Timestamp;
 use serde::de::DeserializeOwned;
@@ -53,6 +53,7 @@ pub(super) fn job(row: &Row) -> Result<Job, JobError> {
         max_run_ms: row.get::<Option<i64>>("max_run_ms")?.map(i64::unsigned_abs),
         retry_of: row.get::<Option<String>>("retry_of")?.as_deref().map(job_id).transpose()?,
         batch_id: row.get::<Option<String>>("batch_id")?.as_deref().map(batch_id).transpose()?,
+        study_id: row.get::<Option<String>>("study_id")?.as_deref().map(study_id).transpose()?,
         cached: row.get("cached")?,
         purged_at: maybe_time(row, "purged_at")?,
         traceparent: row.get("traceparent")?,
@@ -96,6 +97,11 @@ pub(super) fn job_id(text: &str) -> Result<JobId, JobError> {
 /// Parses the id of a batch.
 pub(super) fn batch_id(text: &str) -> Result<BatchId, JobError> {
     BatchId::parse(text).ok_or(JobError::Corrupt { what: "a batch's id", source: None })
+}
+
+/// Parses the id of a study.
+pub(super) fn study_id(text: &str) -> Result<StudyId, JobError> {
+    StudyId::parse(text).ok_or(JobError::Corrupt { what: "a study's id", source: None })
 }
 
 /// Parses the name of a tenant.

@@ -32,7 +32,11 @@ pub(super) async fn insert_artifact(session: &mut Session, id: JobId, artifact: 
 }
 
 /// Inserts a job as queued, or as succeeded if it may share the result of an equal job and there is one.
-async fn insert_job(session: &mut Session, job: &NewJob, keep_result: Option<Duration>) -> Result<(), JobError> {
+pub(super) async fn insert_job(
+    session: &mut Session,
+    job: &NewJob,
+    keep_result: Option<Duration>,
+) -> Result<(), JobError> {
     let arguments = bind![
         job.id,
         &job.tenant,
@@ -51,6 +55,8 @@ async fn insert_job(session: &mut Session, job: &NewJob, keep_result: Option<Dur
         job.batch_id,
         &job.cache_key,
         &job.traceparent,
+        job.study_id,
+        &job.study_task,
     ];
     session.execute(sql!("insert_job"), arguments).await?;
     for (name, value) in job.labels.iter() {
@@ -204,7 +210,7 @@ async fn lock_job(session: &mut Session, tenant: &Tenant, id: JobId) -> Result<J
 
 /// Concurrent submissions may together exceed the limit by their own number, but no more: on PostgreSQL they do not see
 /// each other's jobs, and serializing them would cost far more than an exact limit is worth.
-async fn refuse_when_full(
+pub(super) async fn refuse_when_full(
     session: &mut Session,
     tenant: &Tenant,
     n_new: u32,

@@ -85,6 +85,9 @@ async fn a19_resources_of_another_tenant_are_not_found(backend: Backend) {
                         if path.starts_with("/v1/jobs") { json!({"priority": 1}) } else { json!({"states": ["dead"]}) };
                     request = request.json(&change);
                 }
+                if method == "put" {
+                    request = request.json(&json!({"decision": "kept"}));
+                }
                 let mut response = request.send().await.unwrap();
                 let status = response.status().as_u16();
                 let text = if path == "/v1/events" && method == "get" {

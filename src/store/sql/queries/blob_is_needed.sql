@@ -2,4 +2,5 @@
 SELECT
     EXISTS (SELECT 1 FROM job_artifacts WHERE tenant = $1 AND path = $2)
     OR EXISTS (SELECT 1 FROM meshes WHERE tenant = $1 AND path = $2)
+    OR EXISTS (SELECT 1 FROM study_blobs WHERE tenant = $1 AND path = $2)
     OR EXISTS (SELECT 1 FROM blob_holds WHERE tenant = $1 AND path = $2)

@@ -14,6 +14,15 @@ FROM (
     FROM (
         SELECT tenant, path, n_bytes FROM meshes WHERE (tenant, path) > ($1, $2) ORDER BY tenant, path LIMIT $3
     ) AS of_uploads
-) AS of_both
+    UNION
+    SELECT tenant, path, n_bytes
+    FROM (
+        SELECT DISTINCT tenant, path, n_bytes
+        FROM study_blobs
+        WHERE (tenant, path) > ($1, $2)
+        ORDER BY tenant, path
+        LIMIT $3
+    ) AS of_studies
+) AS of_all
 ORDER BY tenant, path
 LIMIT $3

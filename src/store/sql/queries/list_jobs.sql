@@ -6,12 +6,14 @@ FROM job_labels AS first_label CROSS JOIN job_records -- when by_label
 FROM job_records -- when by_job
 WHERE
     job_records.tenant = :tenant
+    AND method <> 'study'
     AND first_label.tenant = :tenant AND first_label.name = :label_a AND first_label.value = :value_a -- when by_label
     AND job_records.id = first_label.job_id -- when by_label
     AND state = :state -- when state
     AND method = :method -- when method
     AND external_ref = :reference -- when reference
     AND batch_id = :batch -- when batch
+    AND study_id = :study -- when study
     AND EXISTS (SELECT 1 FROM job_labels WHERE job_id = job_records.id AND name = :label_a AND value = :value_a) -- when label_a
     AND EXISTS (SELECT 1 FROM job_labels WHERE job_id = job_records.id AND name = :label_b AND value = :value_b) -- when label_b
     AND EXISTS (SELECT 1 FROM job_labels WHERE job_id = job_records.id AND name = :label_c AND value = :value_c) -- when label_c

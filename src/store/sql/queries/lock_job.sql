@@ -1,2 +1,2 @@
 -- lock_job
-SELECT state, purged_at FROM jobs WHERE id = $1 AND tenant = $2 {for_update}
+SELECT state, purged_at FROM jobs WHERE id = $1 AND tenant = $2 AND method <> 'study' {for_update}

@@ -5,4 +5,6 @@ FROM (
     SELECT path, n_bytes FROM meshes WHERE tenant = $1
     UNION
     SELECT path, n_bytes FROM job_artifacts WHERE tenant = $1
+    UNION
+    SELECT path, n_bytes FROM study_blobs WHERE tenant = $1
 ) AS stored

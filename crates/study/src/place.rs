@@ -1,0 +1,177 @@
+//! Where the files of a study are: in a folder on disk, or in memory, for a caller that keeps them elsewhere.
+//!
+//! On disk everything is written beside its place and renamed, so that a process that is killed leaves whole files or none.
+
+use crate::plan::hash;
+use std::collections::{BTreeMap, BTreeSet};
+use std::fmt::Debug;
+use std::fs;
+use std::io::{self, Read, Seek, SeekFrom, Write};
+use std::ops::Range;
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::{Mutex, MutexGuard, PoisonError};
+
+/// The end of the names of files that are being written.
+const UNFINISHED: &str = ".study.tmp";
+
+/// The files of subjects of a study that is not on disk.
+pub trait Inputs: Debug + Send + Sync {
+    /// The content of a subject's file.
+    ///
+    /// # Errors
+    /// Those of where it is kept.
+    fn read(&self, file: &Path) -> io::Result<Vec<u8>>;
+
+    /// The hash of that content, without reading it.
+    ///
+    /// # Errors
+    /// [`io::ErrorKind::NotFound`] if there is no such file.
+    fn hash(&self, file: &Path) -> io::Result<String>;
+}
+
+/// Where files are.
+#[derive(Debug)]
+pub(crate) enum Place {
+    /// In a folder; the number of files written makes the names of unfinished ones.
+    Disk(PathBuf, AtomicU64),
+    /// In memory, by name.
+    Memory(Mutex<BTreeMap<String, Vec<u8>>>, Box<dyn Inputs>),
+}
+
+fn locked<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+impl Place {
+    /// The path of a file, for people.
+    pub(crate) fn path(&self, name: &str) -> PathBuf {
+        match self {
+            Place::Disk(folder, _) => folder.join(name),
+            Place::Memory(..) => PathBuf::from(name),
+        }
+    }
+
+    /// Writes a file as a whole, and the folders above it.
+    pub(crate) fn write(&self, name: &str, bytes: &[u8]) -> io::Result<()> {
+        let (folder, written) = match self {
+            Place::Disk(folder, written) => (folder, written),
+            Place::Memory(files, _) => {
+                locked(files).insert(name.to_owned(), bytes.to_vec());
+                return Ok(());
+            }
+        };
+        let path = folder.join(name);
+        let number = written.fetch_add(1, Ordering::Relaxed);
+        let unfinished = path.with_extension(format!("{}-{number}{UNFINISHED}", std::process::id()));
+        let done = (|| {
+            if let Some(above) = path.parent() {
+                fs::create_dir_all(above)?;
+            }
+            let mut file = fs::File::create(&unfinished)?;
+            file.write_all(bytes)?;
+            file.sync_data()?;
+            fs::rename(&unfinished, &path)
+        })();
+        if done.is_err() {
+            // The write has failed already; a leftover is swept later.
+            let _ = fs::remove_file(&unfinished);
+        }
+        done
+    }
+
+    /// A file; `None` if there is none.
+    pub(crate) fn read(&self, name: &str) -> io::Result<Option<Vec<u8>>> {
+        match self {
+            Place::Disk(folder, _) => match fs::read(folder.join(name)) {
+                Ok(bytes) => Ok(Some(bytes)),
+                Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(None),
+                Err(error) => Err(error),
+            },
+            Place::Memory(files, _) => Ok(locked(files).get(name).cloned()),
+        }
+    }
+
+    /// A part of a file.
+    pub(crate) fn read_part(&self, name: &str, part: Range<u64>) -> io::Result<Vec<u8>> {
+        match self {
+            Place::Disk(folder, _) => {
+                let mut bytes = vec![0; (part.end - part.start) as usize];
+                let mut file = fs::File::open(folder.join(name))?;
+                file.seek(SeekFrom::Start(part.start))?;
+                file.read_exact(&mut bytes)?;
+                Ok(bytes)
+            }
+            Place::Memory(files, _) => {
+                let files = locked(files);
+                let file = files.get(name).ok_or(io::ErrorKind::NotFound)?;
+                let found = file.get(part.start as usize..part.end as usize);
+                Ok(found.ok_or(io::ErrorKind::UnexpectedEof)?.to_vec())
+            }
+        }
+    }
+
+    /// Removes a file, if it can be.
+    pub(crate) fn remove(&self, name: &str) {
+        match self {
+            // What cannot be removed is replaced, or does no harm.
+            Place::Disk(folder, _) => drop(fs::remove_file(folder.join(name))),
+            Place::Memory(files, _) => drop(locked(files).remove(name)),
+        }
+    }
+
+    /// Removes the files of a part that are not among these names.
+    pub(crate) fn keep_only(&self, part: &str, names: &BTreeSet<String>) {
+        match self {
+            Place::Disk(folder, _) => {
+                for entry in fs::read_dir(folder.join(part)).into_iter().flatten().flatten() {
+                    if !names.contains(&*entry.file_name().to_string_lossy()) {
+                        // An old output that cannot be removed does no harm.
+                        let _ = fs::remove_file(entry.path());
+                    }
+                }
+            }
+            Place::Memory(files, _) => locked(files).retain(|name, _| {
+                let in_part = name.strip_prefix(part).and_then(|rest| rest.strip_prefix('/'));
+                in_part.is_none_or(|name| names.contains(name))
+            }),
+        }
+    }
+
+    /// Removes what a killed process left unfinished in these parts.
+    ///
+    /// # Errors
+    /// The part that cannot be read, and why.
+    pub(crate) fn sweep(&self, parts: &[&str]) -> Result<(), (PathBuf, io::Error)> {
+        let Place::Disk(folder, _) = self else { return Ok(()) };
+        for part in parts {
+            let part = folder.join(part);
+            if !part.is_dir() {
+                continue;
+            }
+            for entry in fs::read_dir(&part).map_err(|error| (part.clone(), error))?.flatten() {
+                if entry.file_name().to_string_lossy().ends_with(UNFINISHED) {
+                    // One that is gone already is no fault.
+                    let _ = fs::remove_file(entry.path());
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// The content of a subject's file.
+    pub(crate) fn input(&self, file: &Path) -> io::Result<Vec<u8>> {
+        match self {
+            Place::Disk(..) => fs::read(file),
+            Place::Memory(_, inputs) => inputs.read(file),
+        }
+    }
+
+    /// The hash of that content.
+    pub(crate) fn input_hash(&self, file: &Path) -> io::Result<String> {
+        match self {
+            Place::Disk(..) => fs::read(file).map(|bytes| hash(&bytes)),
+            Place::Memory(_, inputs) => inputs.hash(file),
+        }
+    }
+}

@@ -1,0 +1,494 @@
+//! `/v1/studies`: what a group of subjects shows.
+
+use super::{page, small_json, study_id};
+use crate::http::auth::{Reader, Submitter};
+use crate::http::content::{Wanted, streamed, wanted};
+use crate::http::fields::Fields;
+use crate::http::preferences::{idempotency_key, marked, traceparent};
+use crate::http::problem::{FieldError, Problem, ProblemDocument};
+use crate::http::problem_table::ProblemKind;
+use crate::http::query::QueryString;
+use crate::http::representation::PAGE_POLICY;
+use crate::http::router::{HttpState, IN_MEMORY};
+use crate::http::shares::Origin;
+use crate::http::study_wire::{
+    AddedSubjectsDocument, DecisionDocument, StudyDocument, StudyListDocument, StudyResultDocument,
+    StudySubjectDocument, StudySubmissionDocument,
+};
+use crate::http::submission::{SentDetails, check_details, media_type, read_json, study_input};
+use crate::http::upload::Tap;
+use crate::jobs::study_submission::{StudySubmission, SubmittedSubject};
+use crate::jobs::{Accepted, ArtifactKind, Study, Tenant};
+use axum::Json;
+use axum::extract::{Path, Request, State};
+use axum::http::{HeaderMap, HeaderValue, Method, StatusCode, header};
+use axum::response::{IntoResponse, Response};
+use serde::de::DeserializeOwned;
+
+/// Longest reason of a decision, bytes.
+const MAX_REASON: usize = 1000;
+/// Longest id of a subject, bytes: it names files.
+const MAX_ID: usize = 200;
+/// Most faults listed in an answer.
+const NAMED_FAULTS: usize = 16;
+
+/// Submit a study
+///
+/// A template, given or made from the group, is matched to every subject; from that come a shape model, statistics at every
+/// vertex, volumes and labels, a list for quality control and a report. Inputs are uploads, by their ids, or small files in
+/// base64. What is asked and all inputs are checked before the answer. The matches are jobs, `GET /v1/jobs?study=ID`. The result
+/// is that of `homolog study` with the same inputs, to the bit.
+#[utoipa::path(
+    post, path = "/v1/studies", tag = "studies", operation_id = "submit_study",
+    params(("Idempotency-Key" = Option<String>, Header, description = "1 to 128 visible ASCII characters")),
+    request_body = StudySubmissionDocument,
+    responses(
+        (status = 202, description = "Accepted", body = StudyDocument, headers(
+            ("Location" = String, description = "The study"), ("Retry-After" = u32, description = "Suggested delay before the next request, s"))),
+        (status = 400, description = "The body is malformed", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 408, description = "The body took too long to arrive", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 409, description = "A request with the same Idempotency-Key is in progress", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 413, description = "More subjects than a study can have, or a body beyond the limits", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 415, description = "Not JSON", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 422, description = "Invalid fields, parameters or inputs, or an Idempotency-Key that was used for another request", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 429, description = "The queue is full", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 507, description = "Out of storage space", body = ProblemDocument, content_type = "application/problem+json"),
+    )
+)]
+pub(crate) async fn submit(
+    State(state): State<HttpState>,
+    Submitter(tenant): Submitter,
+    query: QueryString,
+    request: Request,
+) -> Result<Response, Problem> {
+    let headers = request.headers().clone();
+    let (request, tap) = Tap::on(request, state.limits.max_body_bytes());
+    let taken = match query.finish() {
+        Ok(()) => take(&state, tenant, request, &tap, &headers).await,
+        Err(problem) => Err(problem),
+    };
+    let Accepted { made, replayed } = tap.settle(taken).await?;
+    Ok(marked(accepted(&made), replayed))
+}
+
+async fn take(
+    state: &HttpState,
+    tenant: Tenant,
+    request: Request,
+    tap: &Tap,
+    headers: &HeaderMap,
+) -> Result<Accepted<Study>, Problem> {
+    let idempotency_key = idempotency_key(headers)?;
+    let document: StudySubmissionDocument = body(state, &tenant, request, tap).await?;
+    let questions = document.questions();
+    let StudySubmissionDocument {
+        subjects,
+        template,
+        template_rounds,
+        permutations,
+        parameters,
+        labels,
+        external_ref,
+        priority,
+        max_run_s,
+        ..
+    } = document;
+    let details = SentDetails { labels, external_ref, priority, deadline_at: None, max_run_s, use_cache: None };
+    let (parameters, mut details) = check_details(parameters, details, &state.limits, state.service.limits())?;
+    details.traceparent = traceparent(headers);
+    let mut faults = Vec::new();
+    for (name, is_right, allowed) in [
+        ("template_rounds", template_rounds.is_none_or(|n| (1..=20).contains(&n)), "must be an integer from 1 to 20"),
+        (
+            "permutations",
+            permutations.is_none_or(|n| (1..=1_000_000).contains(&n)),
+            "must be an integer from 1 to 1000000",
+        ),
+        ("cycles", questions.cycles <= 1000, "must be an integer from 0 to 1000"),
+    ] {
+        if !is_right {
+            faults.push(FieldError::new(format!("/{name}"), "out_of_range", allowed));
+        }
+    }
+    let template = template.and_then(|template| match study_input("template", template, &state.limits) {
+        Ok(template) => Some(template),
+        Err(more) => {
+            faults.extend(more);
+            None
+        }
+    });
+    let subjects = checked(subjects, state, faults)?;
+    let submission = StudySubmission { tenant, subjects, template, questions, parameters, details, idempotency_key };
+    Ok(state.service.submit_study(submission).await?)
+}
+
+/// The document in a JSON body that may contain files.
+async fn body<T: DeserializeOwned>(
+    state: &HttpState,
+    tenant: &Tenant,
+    request: Request,
+    tap: &Tap,
+) -> Result<T, Problem> {
+    if media_type(&request) != "application/json" {
+        return Err(Problem::new(ProblemKind::UnsupportedMediaType));
+    }
+    state.begin_reading(tap, tenant, Origin::of(request.extensions()), IN_MEMORY).await?;
+    let reading = read_json(request, tap, &state.limits, state.limits.max_json_bytes);
+    let reading = tokio::time::timeout(state.limits.upload_timeout, reading);
+    reading.await.map_err(|_| Problem::new(ProblemKind::UploadTimeout))?
+}
+
+/// Subjects whose fields are within their limits.
+fn checked(
+    subjects: Vec<StudySubjectDocument>,
+    state: &HttpState,
+    mut faults: Vec<FieldError>,
+) -> Result<Vec<SubmittedSubject>, Problem> {
+    let mut taken = Vec::with_capacity(subjects.len());
+    for (number, document) in subjects.into_iter().enumerate() {
+        let StudySubjectDocument { id, input, subject, role, covariates } = document;
+        if id.len() > MAX_ID {
+            let detail = format!("must have at most {MAX_ID} characters");
+            faults.push(FieldError::new(format!("/subjects/{number}/id"), "out_of_range", detail));
+        }
+        match study_input(&format!("subjects/{number}/input"), input, &state.limits) {
+            Ok(input) => {
+                let (role, covariates) = (role.unwrap_or_default(), covariates.0);
+                taken.push(SubmittedSubject { id, subject, role, covariates, input });
+            }
+            Err(more) => faults.extend(more),
+        }
+        if faults.len() >= NAMED_FAULTS {
+            break;
+        }
+    }
+    if faults.is_empty() { Ok(taken) } else { Err(Problem::new(ProblemKind::InvalidRequest).errors(&faults)) }
+}
+
+/// 202 with the study.
+fn accepted(study: &Study) -> Response {
+    let document = StudyDocument::of(study, None);
+    let headers = [(header::LOCATION, document.links.study.clone()), (header::RETRY_AFTER, "1".to_owned())];
+    (StatusCode::ACCEPTED, headers, Json(document)).into_response()
+}
+
+/// List studies
+///
+/// `fields` selects members of each entry, as in the list of jobs.
+#[utoipa::path(
+    get, path = "/v1/studies", tag = "studies", operation_id = "list_studies",
+    params(
+        ("page_size" = Option<u32>, Query, minimum = 1, maximum = 500, description = "Maximum number of entries; 50 if absent"),
+        ("page_token" = Option<String>, Query, description = "`next_page_token` of the previous page"),
+    ),
+    responses(
+        (status = 200, description = "A page", body = StudyListDocument),
+        (status = 400, description = "Invalid query parameters", body = ProblemDocument, content_type = "application/problem+json"),
+    )
+)]
+pub(crate) async fn list(
+    State(state): State<HttpState>,
+    Reader(tenant): Reader,
+    mut query: QueryString,
+) -> Result<Response, Problem> {
+    let (size, after) = page(&mut query);
+    let fields = Fields::<StudyDocument>::of(&mut query);
+    query.finish()?;
+    let page = state.service.studies(&tenant, size, after).await?;
+    let studies = page.studies.iter().map(|study| StudyDocument::of(study, None)).collect();
+    let next_page_token = page.next.map(|cursor| cursor.to_token());
+    fields.answer(&StudyListDocument { studies, next_page_token }, "studies")
+}
+
+/// Get a study
+///
+/// Its state, how far its matches are, and its subjects with what was decided about them.
+#[utoipa::path(
+    get, path = "/v1/studies/{id}", tag = "studies", operation_id = "get_study",
+    params(("id" = String, Path, description = "The study")),
+    responses(
+        (status = 200, description = "The study", body = StudyDocument),
+        (status = 404, description = "No such study", body = ProblemDocument, content_type = "application/problem+json"),
+    )
+)]
+pub(crate) async fn get(
+    State(state): State<HttpState>,
+    Reader(tenant): Reader,
+    Path(id): Path<String>,
+    query: QueryString,
+) -> Result<Json<StudyDocument>, Problem> {
+    query.finish()?;
+    let id = study_id(&id)?;
+    let study = state.service.study(&tenant, id).await?;
+    let definition = state.service.study_definition(&tenant, id).await?;
+    Ok(Json(StudyDocument::of(&study, definition.as_ref())))
+}
+
+/// Delete a study
+///
+/// Deletes a finished study with its matches and everything that was found, and with those of its inputs that are no uploads.
+#[utoipa::path(
+    delete, path = "/v1/studies/{id}", tag = "studies", operation_id = "delete_study",
+    params(("id" = String, Path, description = "The study")),
+    responses(
+        (status = 204, description = "Deleted"),
+        (status = 404, description = "No such study", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 409, description = "The study, or a match of it, is not finished", body = ProblemDocument, content_type = "application/problem+json"),
+    )
+)]
+pub(crate) async fn delete(
+    State(state): State<HttpState>,
+    Submitter(tenant): Submitter,
+    Path(id): Path<String>,
+    query: QueryString,
+) -> Result<StatusCode, Problem> {
+    query.finish()?;
+    state.service.delete_study(&tenant, study_id(&id)?).await?;
+    Ok(StatusCode::NO_CONTENT)
+}
+
+/// Cancel a study
+///
+/// Cancels the study and its matches: queued ones at once, running ones within a second. What is finished is kept: when a
+/// subject is added or a decision changes, the study goes on from there.
+#[utoipa::path(
+    post, path = "/v1/studies/{id}/cancel", tag = "studies", operation_id = "cancel_study",
+    params(("id" = String, Path, description = "The study")),
+    responses(
+        (status = 202, description = "Cancelled", body = StudyDocument, headers(
+            ("Location" = String, description = "The study"), ("Retry-After" = u32, description = "Suggested delay before the next request, s"))),
+        (status = 404, description = "No such study", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 409, description = "The study is finished", body = ProblemDocument, content_type = "application/problem+json"),
+    )
+)]
+pub(crate) async fn cancel(
+    State(state): State<HttpState>,
+    Submitter(tenant): Submitter,
+    Path(id): Path<String>,
+    query: QueryString,
+) -> Result<Response, Problem> {
+    query.finish()?;
+    Ok(accepted(&state.service.cancel_study(&tenant, study_id(&id)?).await?))
+}
+
+/// Add subjects to a study
+///
+/// Each costs one match; the template is kept. The study goes on, also from a final state.
+#[utoipa::path(
+    post, path = "/v1/studies/{id}/subjects", tag = "studies", operation_id = "add_study_subjects",
+    params(("id" = String, Path, description = "The study")),
+    request_body = AddedSubjectsDocument,
+    responses(
+        (status = 202, description = "Accepted", body = StudyDocument, headers(
+            ("Location" = String, description = "The study"), ("Retry-After" = u32, description = "Suggested delay before the next request, s"))),
+        (status = 400, description = "The body is malformed", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 404, description = "No such study", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 408, description = "The body took too long to arrive", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 410, description = "The study was deleted at the end of its retention time", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 413, description = "More subjects than a study can have, or a body beyond the limits", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 415, description = "Not JSON", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 422, description = "Invalid fields or inputs", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 429, description = "The queue is full", body = ProblemDocument, content_type = "application/problem+json"),
+    )
+)]
+pub(crate) async fn add_subjects(
+    State(state): State<HttpState>,
+    Submitter(tenant): Submitter,
+    Path(id): Path<String>,
+    query: QueryString,
+    request: Request,
+) -> Result<Response, Problem> {
+    let (request, tap) = Tap::on(request, state.limits.max_body_bytes());
+    let taken = async {
+        query.finish()?;
+        let id = study_id(&id)?;
+        let AddedSubjectsDocument { subjects } = body(&state, &tenant, request, &tap).await?;
+        if subjects.is_empty() {
+            let fault = FieldError::new("/subjects", "missing", "at least one subject is required");
+            return Err(Problem::new(ProblemKind::InvalidRequest).errors(&[fault]));
+        }
+        let subjects = checked(subjects, &state, Vec::new())?;
+        Ok(state.service.add_subjects(&tenant, id, subjects).await?)
+    };
+    let taken = taken.await;
+    Ok(accepted(&tap.settle(taken).await?))
+}
+
+/// Decide about a subject
+///
+/// A subject that is kept stays in the model and the statistics whatever its match looks like; one that is dropped is left out.
+/// The study is computed again, without a match.
+#[utoipa::path(
+    put, path = "/v1/studies/{id}/subjects/{subject}/decision", tag = "studies", operation_id = "decide_study_subject",
+    params(("id" = String, Path, description = "The study"), ("subject" = String, Path, description = "Id of the subject")),
+    request_body = DecisionDocument,
+    responses(
+        (status = 202, description = "Recorded; the study is computed again", body = StudyDocument, headers(
+            ("Location" = String, description = "The study"), ("Retry-After" = u32, description = "Suggested delay before the next request, s"))),
+        (status = 400, description = "The body is malformed", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 404, description = "No such study, or it has no such subject", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 410, description = "The study was deleted at the end of its retention time", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 415, description = "Not JSON", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 422, description = "Invalid fields", body = ProblemDocument, content_type = "application/problem+json"),
+    )
+)]
+pub(crate) async fn decide(
+    State(state): State<HttpState>,
+    Submitter(tenant): Submitter,
+    Path((id, subject)): Path<(String, String)>,
+    query: QueryString,
+    request: Request,
+) -> Result<Response, Problem> {
+    let DecisionDocument { decision, reason } = small_json(&state, &tenant, request, query).await?;
+    if reason.len() > MAX_REASON || reason.chars().any(char::is_control) {
+        let detail = format!("must have at most {MAX_REASON} bytes and no control characters");
+        let fault = FieldError::new("/reason", "out_of_range", detail);
+        return Err(Problem::new(ProblemKind::InvalidRequest).errors(&[fault]));
+    }
+    let study = state.service.decide(&tenant, study_id(&id)?, &subject, Some((decision, reason))).await?;
+    Ok(accepted(&study))
+}
+
+/// Take back a decision about a subject
+///
+/// The study is computed again, without a match.
+#[utoipa::path(
+    delete, path = "/v1/studies/{id}/subjects/{subject}/decision", tag = "studies", operation_id = "undecide_study_subject",
+    params(("id" = String, Path, description = "The study"), ("subject" = String, Path, description = "Id of the subject")),
+    responses(
+        (status = 202, description = "Taken back; the study is computed again", body = StudyDocument, headers(
+            ("Location" = String, description = "The study"), ("Retry-After" = u32, description = "Suggested delay before the next request, s"))),
+        (status = 404, description = "No such study, or it has no such subject", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 410, description = "The study was deleted at the end of its retention time", body = ProblemDocument, content_type = "application/problem+json"),
+    )
+)]
+pub(crate) async fn undecide(
+    State(state): State<HttpState>,
+    Submitter(tenant): Submitter,
+    Path((id, subject)): Path<(String, String)>,
+    query: QueryString,
+) -> Result<Response, Problem> {
+    query.finish()?;
+    Ok(accepted(&state.service.decide(&tenant, study_id(&id)?, &subject, None).await?))
+}
+
+/// Get the result of a study
+///
+/// The `study.json` that `homolog study` writes: subjects, settings, decisions, and under `found` the main figures.
+#[utoipa::path(
+    get, path = "/v1/studies/{id}/result", tag = "studies", operation_id = "get_study_result",
+    params(
+        ("id" = String, Path, description = "The study"),
+        ("If-None-Match" = Option<String>, Header, description = "ETag of an earlier answer"),
+    ),
+    responses(
+        (status = 200, description = "The result", body = StudyResultDocument, headers(("ETag" = String, description = "Pass it as `If-None-Match`"))),
+        (status = 304, description = "Not modified since the version that `If-None-Match` names"),
+        (status = 404, description = "No such study", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 409, description = "The study is not finished, or finished without a result", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 410, description = "The result was deleted at the end of its retention time", body = ProblemDocument, content_type = "application/problem+json"),
+    )
+)]
+pub(crate) async fn result(
+    State(state): State<HttpState>,
+    Reader(tenant): Reader,
+    Path(id): Path<String>,
+    method: Method,
+    headers: HeaderMap,
+    query: QueryString,
+) -> Result<Response, Problem> {
+    query.finish()?;
+    part(&state, &tenant, &id, ArtifactKind::StudyDocument, "application/json", &method, &headers).await
+}
+
+/// Get the report of a study
+///
+/// One HTML page for people, which loads nothing from anywhere: quality control with pictures, maps and modes to turn with the
+/// mouse, effects, the model, consistency, labels, and methods with versions and parameters. It contains the ids of the subjects.
+#[utoipa::path(
+    get, path = "/v1/studies/{id}/report", tag = "studies", operation_id = "get_study_report",
+    params(
+        ("id" = String, Path, description = "The study"),
+        ("If-None-Match" = Option<String>, Header, description = "ETag of an earlier answer"),
+    ),
+    responses(
+        (status = 200, description = "The page", content((String = "text/html")), headers(("ETag" = String, description = "Pass it as `If-None-Match`"))),
+        (status = 304, description = "Not modified since the version that `If-None-Match` names"),
+        (status = 404, description = "No such study", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 409, description = "The study is not finished, or finished without a result", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 410, description = "The result was deleted at the end of its retention time", body = ProblemDocument, content_type = "application/problem+json"),
+    )
+)]
+pub(crate) async fn report(
+    State(state): State<HttpState>,
+    Reader(tenant): Reader,
+    Path(id): Path<String>,
+    method: Method,
+    headers: HeaderMap,
+    query: QueryString,
+) -> Result<Response, Problem> {
+    query.finish()?;
+    let kind = ArtifactKind::StudyReport;
+    let mut response = part(&state, &tenant, &id, kind, "text/html; charset=utf-8", &method, &headers).await?;
+    response.headers_mut().insert(header::CONTENT_SECURITY_POLICY, PAGE_POLICY);
+    response.headers_mut().insert(header::X_CONTENT_TYPE_OPTIONS, HeaderValue::from_static("nosniff"));
+    Ok(response)
+}
+
+/// Get everything that a study found
+///
+/// The folder that `homolog study` writes, as a zip archive: tables, surfaces, modes, maps, labels, the report, and the records of
+/// the matches.
+#[utoipa::path(
+    get, path = "/v1/studies/{id}/archive", tag = "studies", operation_id = "get_study_archive",
+    params(
+        ("id" = String, Path, description = "The study"),
+        ("If-None-Match" = Option<String>, Header, description = "ETag of an earlier answer"),
+    ),
+    responses(
+        (status = 200, description = "The archive", content((String = "application/zip")), headers(
+            ("ETag" = String, description = "Pass it as `If-None-Match`"), ("Content-Disposition" = String, description = "Suggested file name"))),
+        (status = 304, description = "Not modified since the version that `If-None-Match` names"),
+        (status = 404, description = "No such study", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 409, description = "The study is not finished, or finished without a result", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 410, description = "The result was deleted at the end of its retention time", body = ProblemDocument, content_type = "application/problem+json"),
+    )
+)]
+pub(crate) async fn archive(
+    State(state): State<HttpState>,
+    Reader(tenant): Reader,
+    Path(id): Path<String>,
+    method: Method,
+    headers: HeaderMap,
+    query: QueryString,
+) -> Result<Response, Problem> {
+    query.finish()?;
+    let kind = ArtifactKind::StudyArchive;
+    let mut response = part(&state, &tenant, &id, kind, "application/zip", &method, &headers).await?;
+    let name = format!("attachment; filename=\"homolog-study-{}.zip\"", study_id(&id)?);
+    if let Ok(value) = HeaderValue::from_str(&name) {
+        response.headers_mut().insert(header::CONTENT_DISPOSITION, value);
+    }
+    Ok(response)
+}
+
+/// A part of the result of a study, as it is stored; or a range of it.
+async fn part(
+    state: &HttpState,
+    tenant: &Tenant,
+    id: &str,
+    kind: ArtifactKind,
+    content_type: &'static str,
+    method: &Method,
+    headers: &HeaderMap,
+) -> Result<Response, Problem> {
+    let found = state.service.study_part(tenant, study_id(id)?, kind).await?;
+    let etag = format!("\"{}\"", &found.key.hash()[..32]);
+    Ok(match wanted(method, headers, &etag, found.n_bytes) {
+        Wanted::Nothing(response) => *response,
+        Wanted::Content { range, with_body } => {
+            let stream = if with_body { Some(state.service.open(&found, range.clone()).await?) } else { None };
+            streamed(headers, &etag, content_type, found.n_bytes, range.as_ref(), stream)
+        }
+    })
+}

@@ -1,0 +1,443 @@
+//! JSON documents of studies.
+
+use super::problem::{ProblemDocument, failure_document};
+use super::strict_json::{Parameters, SentLabels, object, objects};
+use super::submission::SubmittedInputDocument;
+use crate::jobs::documents::{MatchParameters, PartialParameters};
+use crate::jobs::mesh::content_id;
+use crate::jobs::study::{DecisionVerdict, StudyDefinition, StudyQuestions, SubjectRole};
+use crate::jobs::{Study, StudyState};
+use jiff::Timestamp;
+use serde::de::{Error, MapAccess, SeqAccess, Visitor};
+use serde::{Deserialize, Deserializer, Serialize};
+use serde_json::{Number, Value};
+use std::collections::BTreeMap;
+use std::fmt;
+use utoipa::ToSchema;
+
+/// Most covariates of a subject.
+const MAX_COVARIATES: usize = 256;
+/// Most entries of a list of names, and of pairs of them.
+const MAX_NAMES: usize = 1000;
+
+/// A study to be submitted.
+#[derive(Debug, Clone, Deserialize, Serialize, ToSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct StudySubmissionDocument {
+    /// At least three, each with a surface or a label volume of its own.
+    #[serde(deserialize_with = "objects")]
+    pub(crate) subjects: Vec<StudySubjectDocument>,
+    /// The template; without it one is made from the group.
+    #[serde(default, skip_serializing_if = "Option::is_none", deserialize_with = "maybe_object")]
+    #[schema(value_type = Option<SubmittedInputDocument>)]
+    pub(crate) template: Option<SubmittedInputDocument>,
+    /// Id of the subject whose surface the template is made from; the one of median volume if absent.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(crate) start: Option<String>,
+    /// Most subjects that the template is made from, spread over the list; 0: all; 12 if absent.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schema(maximum = 100000)]
+    pub(crate) template_subjects: Option<u32>,
+    /// Most rounds of matching and averaging; 4 if absent.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schema(minimum = 1, maximum = 20)]
+    pub(crate) template_rounds: Option<u32>,
+    /// Take size out of shape: subjects are scaled to one size.
+    #[serde(default)]
+    pub(crate) without_size: bool,
+    /// Subjects among which the consistency of maps is measured, at three matches each; not measured if absent.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schema(maximum = 1000)]
+    pub(crate) cycles: Option<u32>,
+    /// Covariate whose effect is tested: the difference between its levels, or its slope.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(crate) effect: Option<String>,
+    /// Covariates to adjust for.
+    #[serde(default, skip_serializing_if = "Vec::is_empty", deserialize_with = "names")]
+    pub(crate) adjust: Vec<String>,
+    /// Level with which the others of a covariate are compared; the first in alphabetical order if absent.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty", deserialize_with = "pairs")]
+    pub(crate) reference: BTreeMap<String, String>,
+    /// Further contrasts: a name, and a sum of columns of the design such as `group:severe - group:mild`.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty", deserialize_with = "pairs")]
+    pub(crate) contrasts: BTreeMap<String, String>,
+    /// What is tested at every vertex: `normal_displacement`, `log_area`, `thickness`; all if absent.
+    #[serde(default, skip_serializing_if = "Vec::is_empty", deserialize_with = "names")]
+    pub(crate) measures: Vec<String>,
+    /// Permutations of each test; 2000 if absent.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schema(minimum = 1, maximum = 1000000)]
+    pub(crate) permutations: Option<u32>,
+    /// Parameters of every match.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schema(value_type = PartialParameters, required = false)]
+    pub(crate) parameters: Option<Parameters>,
+    /// Labels of the study and of its matches.
+    #[serde(default, skip_serializing_if = "SentLabels::is_empty")]
+    #[schema(value_type = BTreeMap<String, String>, required = false)]
+    pub(crate) labels: SentLabels,
+    /// The client's own id of the study.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schema(max_length = 200)]
+    pub(crate) external_ref: Option<String>,
+    /// Its jobs run before those with a lower priority.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schema(minimum = -100, maximum = 100)]
+    pub(crate) priority: Option<i32>,
+    /// Longest run time of a match, s, up to the limit of the service.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schema(minimum = 1)]
+    pub(crate) max_run_s: Option<u64>,
+}
+
+impl StudySubmissionDocument {
+    /// What is asked besides subjects, inputs and parameters.
+    pub(crate) fn questions(&self) -> StudyQuestions {
+        StudyQuestions {
+            start: self.start.clone(),
+            template_subjects: self.template_subjects,
+            template_rounds: self.template_rounds,
+            without_size: self.without_size,
+            cycles: self.cycles.unwrap_or(0),
+            effect: self.effect.clone(),
+            adjust: self.adjust.clone(),
+            reference: self.reference.clone(),
+            contrasts: self.contrasts.clone(),
+            measures: self.measures.clone(),
+            permutations: self.permutations,
+        }
+    }
+}
+
+fn maybe_object<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<SubmittedInputDocument>, D::Error> {
+    object(deserializer).map(Some)
+}
+
+/// Reads a list of at most [`MAX_NAMES`] strings.
+fn names<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Vec<String>, D::Error> {
+    struct Reader;
+
+    impl<'de> Visitor<'de> for Reader {
+        type Value = Vec<String>;
+
+        fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+            write!(f, "a list of at most {MAX_NAMES} strings")
+        }
+
+        fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<Vec<String>, A::Error> {
+            let mut names = Vec::new();
+            while let Some(name) = list.next_element()? {
+                names.push(name);
+                if names.len() > MAX_NAMES {
+                    return Err(A::Error::invalid_length(names.len(), &self));
+                }
+            }
+            Ok(names)
+        }
+    }
+
+    deserializer.deserialize_seq(Reader)
+}
+
+/// Reads an object of at most [`MAX_NAMES`] strings, no member twice.
+fn pairs<'de, D: Deserializer<'de>>(deserializer: D) -> Result<BTreeMap<String, String>, D::Error> {
+    struct Reader;
+
+    impl<'de> Visitor<'de> for Reader {
+        type Value = BTreeMap<String, String>;
+
+        fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+            write!(f, "a JSON object of at most {MAX_NAMES} strings")
+        }
+
+        fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<BTreeMap<String, String>, A::Error> {
+            let mut pairs = BTreeMap::new();
+            while let Some((name, value)) = map.next_entry()? {
+                if pairs.insert(name, value).is_some() {
+                    return Err(A::Error::custom("this member is given twice"));
+                }
+                if pairs.len() > MAX_NAMES {
+                    return Err(A::Error::invalid_length(pairs.len(), &self));
+                }
+            }
+            Ok(pairs)
+        }
+    }
+
+    deserializer.deserialize_map(Reader)
+}
+
+/// A subject of a study.
+#[derive(Debug, Clone, Deserialize, Serialize, ToSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct StudySubjectDocument {
+    /// Its name in all outputs: letters, digits, `_`, `-` and `.`; unique.
+    #[schema(min_length = 1, max_length = 200)]
+    pub(crate) id: String,
+    /// Its surface or label volume.
+    #[serde(deserialize_with = "object")]
+    pub(crate) input: SubmittedInputDocument,
+    /// Who it is, where one person has several visits; the id if absent.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(crate) subject: Option<String>,
+    /// `model` (default): part of the model and the statistics; `score`: only compared with the model of the others.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schema(value_type = Option<SubjectRole>)]
+    pub(crate) role: Option<SubjectRole>,
+    /// Covariates: a number if it is one for all subjects, else a factor; missing values are absent or `null`.
+    #[serde(default)]
+    #[schema(value_type = BTreeMap<String, CovariateValue>, required = false)]
+    pub(crate) covariates: Covariates,
+}
+
+/// The value of a covariate.
+#[derive(Debug, Clone, PartialEq, Deserialize, Serialize, ToSchema)]
+#[serde(untagged)]
+pub(crate) enum CovariateValue {
+    /// A number.
+    #[schema(value_type = f64)]
+    Number(Number),
+    /// A level of a factor.
+    Level(String),
+}
+
+/// The covariates of a subject as sent, as text.
+#[derive(Debug, Clone, Default, PartialEq, Eq, Serialize)]
+#[serde(transparent)]
+pub(crate) struct Covariates(pub(crate) BTreeMap<String, String>);
+
+impl<'de> Deserialize<'de> for Covariates {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Reader;
+
+        impl<'de> Visitor<'de> for Reader {
+            type Value = Covariates;
+
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str("a JSON object of numbers, strings and null")
+            }
+
+            fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Covariates, A::Error> {
+                let mut covariates = BTreeMap::new();
+                while let Some((name, value)) = map.next_entry::<String, Option<CovariateValue>>()? {
+                    let text = match value {
+                        None => String::new(),
+                        Some(CovariateValue::Number(number)) => number.to_string(),
+                        Some(CovariateValue::Level(level)) => level,
+                    };
+                    if covariates.insert(name, text).is_some() {
+                        return Err(A::Error::custom("a covariate is given twice"));
+                    }
+                    if covariates.len() > MAX_COVARIATES {
+                        return Err(A::Error::custom(format!("at most {MAX_COVARIATES} covariates")));
+                    }
+                }
+                Ok(Covariates(covariates))
+            }
+        }
+
+        deserializer.deserialize_map(Reader)
+    }
+}
+
+/// Subjects to be added to a study.
+#[derive(Debug, Clone, Deserialize, Serialize, ToSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct AddedSubjectsDocument {
+    /// At least one; each costs one match.
+    #[serde(deserialize_with = "objects")]
+    pub(crate) subjects: Vec<StudySubjectDocument>,
+}
+
+/// A decision about a subject.
+#[derive(Debug, Clone, Deserialize, Serialize, ToSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct DecisionDocument {
+    /// Whether it stays in the model and the statistics.
+    pub(crate) decision: DecisionVerdict,
+    /// Why.
+    #[serde(default)]
+    #[schema(max_length = 1000)]
+    pub(crate) reason: String,
+}
+
+/// A study.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, ToSchema)]
+pub(crate) struct StudyDocument {
+    /// UUIDv7.
+    pub(crate) id: String,
+    /// State of the study.
+    pub(crate) state: StudyState,
+    /// How far its matches are.
+    pub(crate) progress: StudyProgressDocument,
+    /// Number of subjects.
+    pub(crate) n_subjects: u32,
+    /// Name of the method of its matches.
+    pub(crate) method: String,
+    /// Version of the program that accepted it.
+    pub(crate) method_version: String,
+    /// Priority of its jobs.
+    #[schema(minimum = -100, maximum = 100)]
+    pub(crate) priority: i32,
+    /// Labels of the client's choice.
+    pub(crate) labels: BTreeMap<String, String>,
+    /// The client's own id.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) external_ref: Option<String>,
+    /// When it was accepted.
+    #[schema(value_type = String, format = DateTime)]
+    pub(crate) created_at: Timestamp,
+    /// When it finished, in whichever state.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schema(value_type = Option<String>, format = DateTime)]
+    pub(crate) finished_at: Option<Timestamp>,
+    /// When its result will be deleted.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schema(value_type = Option<String>, format = DateTime)]
+    pub(crate) expires_at: Option<Timestamp>,
+    /// Why it has no result.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) error: Option<ProblemDocument>,
+    /// All parameters of its matches, with defaults filled in; not in lists.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schema(value_type = Option<MatchParameters>)]
+    pub(crate) parameters: Option<Value>,
+    /// Its subjects; not in lists.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(crate) subjects: Option<Vec<StudySubjectStateDocument>>,
+    /// Paths of related resources.
+    pub(crate) links: StudyLinks,
+}
+
+/// How far the matches of a study are.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
+pub(crate) struct StudyProgressDocument {
+    /// The round of making a template to which the matches belong, from 1; 0 for the matches of all subjects.
+    pub(crate) template_round: u32,
+    /// Matches that are finished.
+    pub(crate) matches_done: u32,
+    /// All matches of this round.
+    pub(crate) matches_total: u32,
+}
+
+/// A subject of a study, and what was decided about it.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, ToSchema)]
+pub(crate) struct StudySubjectStateDocument {
+    /// Its name in all outputs.
+    pub(crate) id: String,
+    /// Id of its content, `blake3:` and 64 hexadecimal digits; of an upload, that of the upload.
+    pub(crate) hash: String,
+    /// What it is for.
+    pub(crate) role: SubjectRole,
+    /// What was decided.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(crate) decision: Option<DecisionVerdict>,
+    /// Why.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(crate) reason: Option<String>,
+}
+
+/// Paths of the resources of a study.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
+pub(crate) struct StudyLinks {
+    /// The study.
+    #[serde(rename = "self")]
+    pub(crate) study: String,
+    /// Its matches.
+    pub(crate) jobs: String,
+    /// Its figures, if it is finished.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(crate) result: Option<String>,
+    /// A page about it, for browsers, if it is finished.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(crate) report: Option<String>,
+    /// Everything that was found, if it is finished.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(crate) archive: Option<String>,
+    /// Cancels it, until it is finished.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(crate) cancel: Option<String>,
+}
+
+/// A page of the list of studies.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, ToSchema)]
+pub(crate) struct StudyListDocument {
+    /// The studies, newest first.
+    pub(crate) studies: Vec<StudyDocument>,
+    /// `page_token` of the next page; absent on the last one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) next_page_token: Option<String>,
+}
+
+/// The result of a study: the `study.json` that `homolog study` writes.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, ToSchema)]
+pub(crate) struct StudyResultDocument {
+    /// Version of this document.
+    pub(crate) format: u32,
+    /// Version of homolog.
+    pub(crate) version: String,
+    /// Commit that it was built from.
+    pub(crate) commit: String,
+    /// Subjects and covariates.
+    pub(crate) cohort: Value,
+    /// Hash (BLAKE3) of each subject's file.
+    pub(crate) hashes: Vec<String>,
+    /// What was asked.
+    pub(crate) settings: Value,
+    /// What was decided.
+    pub(crate) decisions: Value,
+    /// Hash of the template.
+    pub(crate) template: String,
+    /// The rounds that made it.
+    pub(crate) rounds: Value,
+    /// Main figures: the shape model, effects, the smallest p of each map, consistency, labels.
+    pub(crate) found: Value,
+}
+
+impl StudyDocument {
+    /// A study with its subjects, if they are known.
+    pub(crate) fn of(study: &Study, definition: Option<&StudyDefinition>) -> Self {
+        let path = format!("/v1/studies/{}", study.id);
+        let has_result = study.state == StudyState::Finished && study.purged_at.is_none();
+        let part = |name: &str| has_result.then(|| format!("{path}/{name}"));
+        let (matches_done, matches_total) = study.matches();
+        let subjects = definition.map(|definition| {
+            let subject = |of: &crate::jobs::study::StudySubject| {
+                let decided = definition.decisions.iter().find(|decision| decision.id == of.id);
+                StudySubjectStateDocument {
+                    id: of.id.clone(),
+                    hash: content_id(&of.input.hash),
+                    role: of.role,
+                    decision: decided.map(|decided| decided.decision),
+                    reason: decided.map(|decided| decided.reason.clone()),
+                }
+            };
+            definition.subjects.iter().map(subject).collect()
+        });
+        StudyDocument {
+            id: study.id.to_string(),
+            state: study.state,
+            progress: StudyProgressDocument { template_round: study.progress.round, matches_done, matches_total },
+            n_subjects: study.n_subjects,
+            method: study.method.clone(),
+            method_version: study.method_version.clone(),
+            priority: study.priority,
+            labels: study.labels.clone(),
+            external_ref: study.external_ref.clone(),
+            created_at: study.created_at,
+            finished_at: study.finished_at,
+            expires_at: study.expires_at,
+            error: study.error.as_ref().map(failure_document),
+            parameters: definition.map(|definition| definition.parameters.clone()),
+            subjects,
+            links: StudyLinks {
+                jobs: format!("/v1/jobs?study={}", study.id),
+                result: part("result"),
+                report: part("report"),
+                archive: part("archive"),
+                cancel: (!study.state.is_final()).then(|| format!("{path}/cancel")),
+                study: path,
+            },
+        }
+    }
+}

@@ -1,0 +1,472 @@
+//! Studies: what a group of subjects shows, from matches that are jobs of the queue.
+//!
+//! A study is a definition (who, and what is asked), the records of its matches and what was found, all of them blobs, so
+//! that any process can go on with it. A *step* is a hidden job that reads all of these and either plans the matches that are
+//! missing or, when none is, computes the model, the statistics and the report. [`super::study_progress`] makes the jobs,
+//! [`super::study_submission`] has the use cases. Ids of subjects and covariates are in blobs only, and so encrypted where
+//! blobs are.
+
+use super::engine::InputSummary;
+use super::job::{Cursor, Failure, JobId, JobInput, NewJob, Tenant};
+use super::metadata::{ExternalRef, Labels};
+use super::ports::ArtifactKey;
+use super::state::JobState;
+use super::{Admission, JobError};
+use async_trait::async_trait;
+use jiff::Timestamp;
+use serde::{Deserialize, Serialize};
+use serde_json::Value;
+use std::collections::BTreeMap;
+use std::fmt::Debug;
+use std::time::Duration;
+
+/// Identity of a study: a UUIDv7.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct StudyId(uuid::Uuid);
+
+impl StudyId {
+    /// A new id.
+    pub fn random() -> Self {
+        StudyId(uuid::Uuid::now_v7())
+    }
+
+    /// The id written in `text`, in the usual hyphenated form.
+    pub fn parse(text: &str) -> Option<Self> {
+        if text.len() != 36 {
+            return None;
+        }
+        uuid::Uuid::try_parse(text).ok().map(StudyId)
+    }
+}
+
+impl std::fmt::Display for StudyId {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        std::fmt::Display::fmt(self.0.as_hyphenated(), f)
+    }
+}
+
+/// The state of a study. Of the final ones, each is left when subjects are added or a decision changes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, utoipa::ToSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum StudyState {
+    /// Its first matches are being planned.
+    Queued,
+    /// Its template is being made, or matched to its subjects.
+    Matching,
+    /// Its model, statistics and report are being computed.
+    Modelling,
+    /// It has a result.
+    Finished,
+    /// It ended without a result; `error` says why.
+    Failed,
+    /// Cancelled on request.
+    Cancelled,
+}
+
+impl StudyState {
+    /// All states.
+    pub const ALL: [StudyState; 6] = [
+        StudyState::Queued,
+        StudyState::Matching,
+        StudyState::Modelling,
+        StudyState::Finished,
+        StudyState::Failed,
+        StudyState::Cancelled,
+    ];
+
+    /// The name used in JSON and in the database.
+    pub fn name(self) -> &'static str {
+        match self {
+            StudyState::Queued => "queued",
+            StudyState::Matching => "matching",
+            StudyState::Modelling => "modelling",
+            StudyState::Finished => "finished",
+            StudyState::Failed => "failed",
+            StudyState::Cancelled => "cancelled",
+        }
+    }
+
+    /// The state of this name.
+    pub fn from_name(name: &str) -> Option<StudyState> {
+        StudyState::ALL.into_iter().find(|state| state.name() == name)
+    }
+
+    /// Whether nothing of the study is to be done.
+    pub fn is_final(self) -> bool {
+        matches!(self, StudyState::Finished | StudyState::Failed | StudyState::Cancelled)
+    }
+}
+
+/// The method of the hidden jobs that plan and model.
+pub const STEP_METHOD: &str = "study";
+
+/// Names of the blobs of a study. What begins with `matches/` or `template/` is a file of its folder.
+pub mod blob {
+    /// The definition.
+    pub const DEFINITION: &str = "definition.json";
+    /// The folder of everything that was found, as a zip archive.
+    pub const ARCHIVE: &str = "archive.zip";
+    /// The study and its figures.
+    pub const DOCUMENT: &str = "study.json";
+    /// The page for people.
+    pub const REPORT: &str = "report.html";
+    /// What is kept of how the template was made.
+    pub const KEPT: &str = "template/kept.json";
+    /// The template.
+    pub const TEMPLATE: &str = "template/template.ply";
+
+    /// The upload with this hash.
+    pub fn input(hash: &str) -> String {
+        format!("inputs/{hash}")
+    }
+
+    /// Whether it is a file of the folder from which a step goes on.
+    pub fn is_of_folder(name: &str) -> bool {
+        name.starts_with("matches/") || name.starts_with("template/")
+    }
+}
+
+/// What a subject is for.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize, utoipa::ToSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum SubjectRole {
+    /// Part of the shape model and of the statistics.
+    #[default]
+    Model,
+    /// Only compared with the model.
+    Score,
+}
+
+/// Whether a subject stays.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, utoipa::ToSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum DecisionVerdict {
+    /// It stays, whatever its match looks like.
+    Kept,
+    /// It is left out.
+    Dropped,
+}
+
+/// A subject of a study.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct StudySubject {
+    /// Its name in all outputs.
+    pub id: String,
+    /// Who it is, where one person has several visits; the id if `None`.
+    pub subject: Option<String>,
+    /// What it is for.
+    pub role: SubjectRole,
+    /// Its covariates, as text; numbers as they were written.
+    pub covariates: BTreeMap<String, String>,
+    /// Its surface or label volume.
+    pub input: JobInput,
+}
+
+/// What a person decided about a subject.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct SubjectDecision {
+    /// The subject.
+    pub id: String,
+    /// What was decided.
+    pub decision: DecisionVerdict,
+    /// Why.
+    pub reason: String,
+}
+
+/// What is asked of a study besides its subjects; `None` is the default of the engine.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+pub struct StudyQuestions {
+    /// Subject whose surface the template is made from.
+    pub start: Option<String>,
+    /// Most subjects that the template is made from; 0: all.
+    pub template_subjects: Option<u32>,
+    /// Most rounds of matching and averaging.
+    pub template_rounds: Option<u32>,
+    /// Whether size is taken out of shape.
+    pub without_size: bool,
+    /// Subjects among which the consistency of maps is measured.
+    pub cycles: u32,
+    /// The covariate of interest.
+    pub effect: Option<String>,
+    /// Covariates that are adjusted for.
+    pub adjust: Vec<String>,
+    /// Reference level of factors, by covariate.
+    pub reference: BTreeMap<String, String>,
+    /// Further contrasts: name, and sum of columns.
+    pub contrasts: BTreeMap<String, String>,
+    /// What is tested; empty: everything.
+    pub measures: Vec<String>,
+    /// Permutations of each test.
+    pub permutations: Option<u32>,
+}
+
+/// Who is in a study, and what is asked.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct StudyDefinition {
+    /// In the order in which they were added.
+    pub subjects: Vec<StudySubject>,
+    /// The given template; `None`: one is made.
+    pub template: Option<JobInput>,
+    /// What is asked.
+    pub questions: StudyQuestions,
+    /// Effective parameters of every match.
+    pub parameters: Value,
+    /// What was decided, in the order of the first decision about each subject.
+    pub decisions: Vec<SubjectDecision>,
+}
+
+/// A fault of a definition.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct StudyFault {
+    /// JSON pointer into the submission.
+    pub pointer: String,
+    /// Stable name of the kind of fault.
+    pub code: String,
+    /// What is wrong.
+    pub detail: String,
+}
+
+/// The matches that a step found missing, with the template of these.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct StudyPlan {
+    /// The round of making a template, from 1; 0 for the matches of all subjects.
+    pub round: u32,
+    /// Matches for the same that are there already.
+    pub finished: u32,
+    /// The missing ones.
+    pub tasks: Vec<PlannedMatch>,
+    /// The template.
+    pub template: InputSummary,
+}
+
+/// A match that is missing.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct PlannedMatch {
+    /// Names its record.
+    pub key: String,
+    /// The subject whose surface moves, by its place; `None`: the template.
+    pub source: Option<usize>,
+    /// The subject that stays; `None`: the template.
+    pub target: Option<usize>,
+}
+
+/// Reads the files of subjects during a step, from a thread that may wait.
+pub trait StudyInputs: Debug + Send + Sync {
+    /// The upload with this hash.
+    ///
+    /// # Errors
+    /// Those of the store.
+    fn read(&self, hash: &str) -> std::io::Result<Vec<u8>>;
+}
+
+/// What a step works on.
+#[derive(Debug)]
+pub struct StudyMaterial {
+    /// Who, and what is asked.
+    pub definition: StudyDefinition,
+    /// The files of the study's folder from which it goes on: records and the template that is kept.
+    pub files: BTreeMap<String, Vec<u8>>,
+    /// Matches without an answer: their keys, and why.
+    pub failures: Vec<(String, String)>,
+    /// The files of its subjects.
+    pub inputs: Box<dyn StudyInputs>,
+}
+
+/// A blob of a study.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct StudyBlob {
+    /// What it is.
+    pub name: String,
+    /// Its address.
+    pub key: ArtifactKey,
+    /// Its size, bytes.
+    pub n_bytes: u64,
+}
+
+/// How far the current matches of a study are.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct StudyProgress {
+    /// The round of making a template, from 1; 0 for the matches of all subjects.
+    pub round: u32,
+    /// Matches that were there before.
+    pub n_before: u32,
+    /// Matches that were planned besides.
+    pub n_tasks: u32,
+    /// Planned matches that have a job.
+    pub n_made: u32,
+}
+
+/// A study to be stored.
+#[derive(Debug, Clone, PartialEq)]
+pub struct NewStudy {
+    /// Identity.
+    pub id: StudyId,
+    /// Owner.
+    pub tenant: Tenant,
+    /// Name of the method of its matches.
+    pub method: String,
+    /// Version of this program.
+    pub method_version: String,
+    /// Subjects.
+    pub n_subjects: u32,
+    /// Priority of its jobs.
+    pub priority: i32,
+    /// Labels of the submitter.
+    pub labels: Labels,
+    /// The submitter's own identifier.
+    pub external_ref: Option<ExternalRef>,
+    /// Lost workers after which a job of it is dead.
+    pub max_attempts: u32,
+    /// Most queued jobs of its tenant.
+    pub max_queued: u32,
+    /// Maximum run time of a match, ms.
+    pub max_run_ms: Option<u64>,
+    /// W3C trace context of its submission.
+    pub traceparent: Option<String>,
+}
+
+/// A study as stored.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Study {
+    /// Identity.
+    pub id: StudyId,
+    /// Owner.
+    pub tenant: Tenant,
+    /// Its state.
+    pub state: StudyState,
+    /// Raised by every change; a change that was decided from an earlier one is not made.
+    pub revision: u64,
+    /// Name of the method of its matches.
+    pub method: String,
+    /// Version of the program that accepted it.
+    pub method_version: String,
+    /// Subjects.
+    pub n_subjects: u32,
+    /// Priority of its jobs.
+    pub priority: i32,
+    /// Labels of the submitter.
+    pub labels: BTreeMap<String, String>,
+    /// The submitter's own identifier.
+    pub external_ref: Option<String>,
+    /// Lost workers after which a job of it is dead.
+    pub max_attempts: u32,
+    /// Most queued jobs of its tenant.
+    pub max_queued: u32,
+    /// Maximum run time of a match, ms.
+    pub max_run_ms: Option<u64>,
+    /// W3C trace context of its submission.
+    pub traceparent: Option<String>,
+    /// The current step.
+    pub step: Option<JobId>,
+    /// How far its matches are.
+    pub progress: StudyProgress,
+    /// Its matches that are queued or running.
+    pub n_active: u32,
+    /// Why it has no result.
+    pub error: Option<Failure>,
+    /// When it was accepted.
+    pub created_at: Timestamp,
+    /// When it reached its final state.
+    pub finished_at: Option<Timestamp>,
+    /// When its result will be removed.
+    pub expires_at: Option<Timestamp>,
+    /// When it was removed.
+    pub purged_at: Option<Timestamp>,
+}
+
+impl Study {
+    /// Matches of the current round that are finished, and all of them.
+    pub fn matches(&self) -> (u32, u32) {
+        let StudyProgress { n_before, n_tasks, n_made, .. } = self.progress;
+        (n_before + n_made.saturating_sub(self.n_active), n_before + n_tasks)
+    }
+}
+
+/// A page of the list of studies.
+#[derive(Debug, Clone, PartialEq)]
+pub struct StudyPage {
+    /// The studies, newest first.
+    pub studies: Vec<Study>,
+    /// Where the next page begins, if there is one.
+    pub next: Option<Cursor>,
+}
+
+/// A change of a study, made as a whole or not at all. Records of its finished matches are taken over with it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct StudyChange {
+    /// The new state.
+    pub state: StudyState,
+    /// The new current step.
+    pub step: Option<JobId>,
+    /// How far its matches are.
+    pub progress: StudyProgress,
+    /// Subjects.
+    pub n_subjects: u32,
+    /// Why it has no result.
+    pub error: Option<Failure>,
+    /// How long its result is kept if the new state is final; for ever if `None`.
+    pub keep: Option<Duration>,
+    /// Jobs that begin.
+    pub jobs: Vec<NewJob>,
+    /// Blobs to which it refers from now on, instead of those of the same name.
+    pub blobs: Vec<StudyBlob>,
+    /// A hold that is released.
+    pub holder: Option<String>,
+}
+
+impl StudyChange {
+    /// A change that leaves everything as it is.
+    pub fn of(study: &Study) -> Self {
+        StudyChange {
+            state: study.state,
+            step: study.step,
+            progress: study.progress,
+            n_subjects: study.n_subjects,
+            error: study.error.clone(),
+            keep: None,
+            jobs: Vec::new(),
+            blobs: Vec::new(),
+            holder: None,
+        }
+    }
+}
+
+/// Records of studies.
+#[async_trait]
+pub trait StudyStore: Send + Sync {
+    /// Stores a study with its blobs, which the holder of the admission holds. [`JobError::QueueFull`] if the tenant's queue
+    /// has no room.
+    async fn insert_study(
+        &self,
+        study: &NewStudy,
+        blobs: &[StudyBlob],
+        admission: &Admission,
+    ) -> Result<Study, JobError>;
+
+    /// A study.
+    async fn get_study(&self, tenant: &Tenant, id: StudyId) -> Result<Study, JobError>;
+
+    /// A page of the list of studies, newest first.
+    async fn list_studies(&self, tenant: &Tenant, size: u32, after: Option<Cursor>) -> Result<StudyPage, JobError>;
+
+    /// At most `limit` studies that are not in a final state, the oldest first.
+    async fn active_studies(&self, limit: u32) -> Result<Vec<(Tenant, StudyId)>, JobError>;
+
+    /// The blobs of a study, by name.
+    async fn study_blobs(&self, tenant: &Tenant, id: StudyId) -> Result<Vec<StudyBlob>, JobError>;
+
+    /// The matches of a study that ended without an answer: the keys of their records, and why.
+    async fn study_failures(&self, id: StudyId) -> Result<Vec<(String, String)>, JobError>;
+
+    /// How a step is; `None` if it was removed.
+    async fn study_step(&self, step: JobId) -> Result<Option<(JobState, Option<Failure>)>, JobError>;
+
+    /// Makes a change that was decided from this state of the study. `false`, and nothing is changed, if it has changed since.
+    async fn change_study(&self, study: &Study, change: &StudyChange) -> Result<bool, JobError>;
+
+    /// Cancels a study and its jobs. [`JobError::StudyFinal`] if it has ended otherwise.
+    async fn cancel_study(&self, tenant: &Tenant, id: StudyId) -> Result<Study, JobError>;
+
+    /// Removes a study with its jobs and blobs. [`JobError::StudyActive`] before it and its jobs have ended.
+    async fn delete_study(&self, tenant: &Tenant, id: StudyId) -> Result<(), JobError>;
+}

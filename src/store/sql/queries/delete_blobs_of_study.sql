@@ -1,0 +1,2 @@
+-- delete_blobs_of_study
+DELETE FROM study_blobs WHERE study_id = $1

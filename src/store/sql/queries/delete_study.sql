@@ -1,0 +1,2 @@
+-- delete_study
+DELETE FROM studies WHERE id = $1

@@ -1,0 +1,2 @@
+-- study_step
+SELECT state, error FROM jobs WHERE id = $1

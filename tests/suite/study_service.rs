@@ -1,0 +1,328 @@
+//! `/v1/studies`: the same bytes as the command, whatever happens to the processes; decisions, further subjects, tenants.
+
+use super::cli::homolog;
+use super::faults::site::{Backend, Program, Site};
+use super::studies::{OPTIONS, cohort, contents, study};
+use reqwest::blocking::{Client, Response};
+use serde_json::{Value, json};
+use std::collections::{BTreeMap, BTreeSet};
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
+
+/// Longest time of a study, on a loaded machine.
+const PATIENCE: Duration = Duration::from_secs(400);
+/// A process that is killed takes an attempt of each job that it ran.
+const ATTEMPTS: [&str; 4] = ["--max-attempts", "100", "--crash-pause-ms", "0"];
+
+/// A service over a study.
+struct Service {
+    program: Program,
+    client: Client,
+}
+
+impl Service {
+    fn start(site: &Site, more: &[&str]) -> Self {
+        homolog::tls::prepare();
+        let program = site.program(&[more, &ATTEMPTS].concat());
+        Service { program, client: Client::builder().timeout(Duration::from_secs(120)).build().unwrap() }
+    }
+
+    fn url(&self, path: &str) -> String {
+        format!("{}{path}", self.program.base)
+    }
+
+    fn get(&self, path: &str) -> Value {
+        let response = self.client.get(self.url(path)).send().unwrap();
+        assert_eq!(response.status(), 200, "{path}");
+        response.json().unwrap()
+    }
+
+    fn post(&self, path: &str, body: &Value) -> Response {
+        self.client.post(self.url(path)).json(body).send().unwrap()
+    }
+
+    /// The id of an upload.
+    fn upload(&self, file: &Path) -> String {
+        let body = fs::read(file).unwrap();
+        let sent =
+            self.client.post(self.url("/v1/meshes")).header("content-type", "application/octet-stream").body(body);
+        let mesh: Value = sent.send().unwrap().json().unwrap();
+        mesh["id"].as_str().unwrap_or_else(|| panic!("{mesh}")).to_owned()
+    }
+
+    /// Waits until the study is in a final state or `done` says so; returns it.
+    fn until(&self, path: &str, done: impl Fn(&Value) -> bool) -> Value {
+        let began = Instant::now();
+        loop {
+            let study = self.get(path);
+            if done(&study) || study["finished_at"].is_string() {
+                return study;
+            }
+            assert!(began.elapsed() < PATIENCE, "still {study}");
+            std::thread::sleep(Duration::from_millis(15));
+        }
+    }
+
+    fn finished(&self, path: &str) {
+        let study = self.until(path, |_| false);
+        assert_eq!(study["state"], "finished", "{study}");
+    }
+
+    /// The files of the archive by name.
+    fn archive(&self, path: &str) -> BTreeMap<PathBuf, Vec<u8>> {
+        let response = self.client.get(self.url(&format!("{path}/archive"))).send().unwrap();
+        assert_eq!(
+            (response.status().as_u16(), &response.headers()["content-type"]),
+            (200, &"application/zip".parse().unwrap())
+        );
+        let mut archive = zip::ZipArchive::new(std::io::Cursor::new(response.bytes().unwrap())).unwrap();
+        (0..archive.len())
+            .map(|k| {
+                let mut file = archive.by_index(k).unwrap();
+                let name = PathBuf::from(file.name().unwrap().into_owned());
+                let mut bytes = Vec::new();
+                std::io::copy(&mut file, &mut bytes).unwrap();
+                (name, bytes)
+            })
+            .collect()
+    }
+
+    /// Ids of the matches of a study.
+    fn matches(&self, id: &str) -> BTreeSet<String> {
+        let listed = self.get(&format!("/v1/jobs?study={id}&page_size=500&fields=id"));
+        listed["jobs"].as_array().unwrap().iter().map(|job| job["id"].as_str().unwrap().to_owned()).collect()
+    }
+}
+
+fn subject(service: &Service, folder: &Path, k: usize) -> Value {
+    let mesh = service.upload(&folder.join(format!("p{k}/source.ply")));
+    let group = ["a", "b"][k % 2];
+    json!({"id": format!("s{k}"), "input": {"mesh_id": mesh}, "covariates": {"group": group}})
+}
+
+/// What [`OPTIONS`] ask of the command.
+fn asked(subjects: Vec<Value>) -> Value {
+    assert!(OPTIONS.windows(2).any(|pair| pair == ["--permutations", "50"]));
+    json!({"subjects": subjects, "effect": "group", "permutations": 50, "template_subjects": 3, "template_rounds": 2})
+}
+
+/// Both have the same files with the same bytes. Of the study document the names of files differ: the service has none.
+fn same(service: &BTreeMap<PathBuf, Vec<u8>>, command: &Path) {
+    let command = contents(command);
+    assert_eq!(service.keys().collect::<Vec<_>>(), command.keys().collect::<Vec<_>>());
+    for (name, bytes) in &command {
+        if name == Path::new("study.json") {
+            let document = |bytes: &[u8]| {
+                let mut document: Value = serde_json::from_slice(bytes).unwrap();
+                for subject in document["cohort"]["subjects"].as_array_mut().unwrap() {
+                    assert!(subject.as_object_mut().unwrap().remove("file").is_some());
+                }
+                document
+            };
+            assert_eq!(document(&service[name]), document(bytes));
+        } else {
+            assert!(service[name] == *bytes, "{} differs", name.display());
+        }
+    }
+}
+
+fn equal_to_the_command_whatever_happens(backend: Backend) {
+    let place = tempfile::tempdir().unwrap();
+    let table = cohort(place.path(), 7);
+    let seven = fs::read_to_string(&table).unwrap();
+    let six: String = seven.lines().take(7).map(|line| format!("{line}\n")).collect();
+    fs::write(&table, six).unwrap();
+    let out = place.path().join("out");
+    let done = study(&table, &out);
+    assert!(done.status.success(), "{}", String::from_utf8_lossy(&done.stderr));
+
+    let site = Site::open(backend);
+    let mut service = Service::start(&site, &[]);
+    let subjects: Vec<Value> = (0..6).map(|k| subject(&service, place.path(), k)).collect();
+    let response = service.post("/v1/studies", &asked(subjects));
+    assert_eq!(response.status(), 202, "{}", response.text().unwrap());
+    let made: Value = response.json().unwrap();
+    let id = made["id"].as_str().unwrap().to_owned();
+    let path = format!("/v1/studies/{id}");
+    assert_eq!((&made["state"], &made["n_subjects"]), (&"queued".into(), &6.into()));
+
+    // Killed after each further match or change of state, and while it models.
+    let (mut kills, mut states) = (0, BTreeSet::new());
+    loop {
+        let mark = |study: &Value| (study["state"].clone(), study["progress"].clone());
+        let before = mark(&service.get(&path));
+        let study = service.until(&path, |study| mark(study) != before);
+        states.insert(study["state"].as_str().unwrap().to_owned());
+        if study["finished_at"].is_string() || kills >= 12 {
+            break;
+        }
+        drop(service);
+        kills += 1;
+        service = Service::start(&site, &[]);
+    }
+    assert!(kills >= 5, "{kills} times");
+    service.finished(&path);
+    assert!(states.contains("matching"), "{states:?}");
+    same(&service.archive(&path), &out);
+
+    // No match twice: as many as there are records, and steps are not listed.
+    let records = contents(&out.join("matches")).len();
+    let matches = service.matches(&id);
+    assert_eq!(matches.len(), records);
+
+    // Its parts.
+    let result = service.get(&format!("{path}/result"));
+    assert_eq!(result["found"]["subjects"]["model"], 6);
+    let report = service.client.get(service.url(&format!("{path}/report"))).send().unwrap();
+    assert!(report.headers()["content-security-policy"].to_str().unwrap().starts_with("sandbox"));
+    assert!(report.bytes().unwrap() == fs::read(out.join("report.html")).unwrap());
+
+    // A decision is computed without a match.
+    let decision = format!("{path}/subjects/s1/decision");
+    let sent =
+        service.client.put(service.url(&decision)).json(&json!({"decision": "dropped", "reason": "motion, see scan"}));
+    assert_eq!(sent.send().unwrap().status(), 202);
+    service.finished(&path);
+    assert_eq!(service.matches(&id), matches);
+    fs::write(out.join("decisions.csv"), "id,decision,reason\ns1,dropped,\"motion, see scan\"\n").unwrap();
+    assert!(study(&table, &out).status.success());
+    same(&service.archive(&path), &out);
+    let subjects = service.get(&path)["subjects"].clone();
+    assert_eq!((&subjects[1]["decision"], &subjects[1]["reason"]), (&"dropped".into(), &"motion, see scan".into()));
+
+    // A further subject costs one match.
+    let added = service.post(&format!("{path}/subjects"), &json!({"subjects": [subject(&service, place.path(), 6)]}));
+    assert_eq!(added.status(), 202, "{}", added.text().unwrap());
+    service.finished(&path);
+    let more = service.matches(&id);
+    assert!(more.len() == matches.len() + 1 && more.is_superset(&matches));
+    fs::write(&table, seven).unwrap();
+    assert!(study(&table, &out).status.success());
+    same(&service.archive(&path), &out);
+
+    // Deleted with its matches; uploads stay.
+    assert_eq!(service.client.delete(service.url(&path)).send().unwrap().status(), 204);
+    assert_eq!(service.client.get(service.url(&path)).send().unwrap().status(), 404);
+    assert!(service.matches(&id).is_empty());
+    let listed = service.get("/v1/meshes");
+    assert_eq!(listed["meshes"].as_array().unwrap().len(), 7);
+    for mesh in listed["meshes"].as_array().unwrap() {
+        let path = format!("/v1/meshes/{}", mesh["id"].as_str().unwrap());
+        assert_eq!(service.client.delete(service.url(&path)).send().unwrap().status(), 204);
+    }
+}
+
+#[test]
+fn a_study_is_that_of_the_command_whatever_happens_to_its_processes() {
+    equal_to_the_command_whatever_happens(Backend::Sqlite);
+}
+
+#[test]
+#[ignore = "needs PostgreSQL"]
+fn a_study_is_that_of_the_command_on_postgres() {
+    equal_to_the_command_whatever_happens(Backend::Postgres);
+}
+
+#[test]
+fn a_study_belongs_to_its_tenant_and_can_be_cancelled() {
+    let place = tempfile::tempdir().unwrap();
+    cohort(place.path(), 5);
+    let site = Site::open(Backend::Sqlite);
+    let key = |tenant: &str, role: &str| {
+        let mut command = homolog();
+        command
+            .args(["keys", "create", "--init", "--tenant", tenant, "--role", role, "--data-dir"])
+            .arg(site.data_dir());
+        let done = command.output().unwrap();
+        assert!(done.status.success(), "{}", String::from_utf8_lossy(&done.stderr));
+        String::from_utf8(done.stdout).unwrap().trim().to_owned()
+    };
+    let [own, reader, other] = [key("clinic-a", "submitter"), key("clinic-a", "reader"), key("clinic-b", "submitter")];
+    let service = Service::start(&site, &["--auth", "keys", "--workers", "0"]);
+    let ask = |method: &str, path: &str, key: &str, body: Option<Value>| {
+        let method = reqwest::Method::from_bytes(method.as_bytes()).unwrap();
+        let request = service.client.request(method, service.url(path)).bearer_auth(key);
+        match body {
+            Some(body) => request.json(&body).send().unwrap(),
+            None => request.send().unwrap(),
+        }
+    };
+    let problem = |response: Response, status: u16, kind: &str| {
+        let at = response.status().as_u16();
+        let text = response.text().unwrap();
+        assert_eq!(at, status, "{text}");
+        assert!(text.contains(&format!("/problems/{kind}\"")), "{text}");
+        text
+    };
+    use base64::Engine as _;
+    let subjects: Vec<Value> = (0..5)
+        .map(|k| {
+            let bytes = fs::read(place.path().join(format!("p{k}/source.ply"))).unwrap();
+            let content = base64::prelude::BASE64_STANDARD.encode(bytes);
+            json!({"id": format!("s{k}"), "input": {"content_base64": content, "file_name": "Jane Doe.ply"}, "covariates": {"age": 60 + k}})
+        })
+        .collect();
+    let body = json!({"subjects": subjects, "effect": "age", "external_ref": "trial 7", "labels": {"site": "x"}});
+
+    // Faults are found before anything is stored.
+    problem(ask("POST", "/v1/studies", &reader, Some(body.clone())), 403, "scope-missing");
+    let mut wrong = body.clone();
+    wrong["effect"] = "grup".into();
+    assert!(problem(ask("POST", "/v1/studies", &own, Some(wrong)), 422, "invalid-request").contains("/effect"));
+    let mut wrong = body.clone();
+    wrong["subjects"][2]["id"] = "s1".into();
+    assert!(problem(ask("POST", "/v1/studies", &own, Some(wrong)), 422, "invalid-request").contains("/subjects/2/id"));
+    let mut wrong = body.clone();
+    wrong["subjects"][1]["input"] = json!({"mesh_id": format!("blake3:{}", "0".repeat(64))});
+    assert!(
+        problem(ask("POST", "/v1/studies", &own, Some(wrong)), 422, "invalid-request").contains("/subjects/1/input")
+    );
+    let listed: Value = ask("GET", "/v1/studies", &own, None).json().unwrap();
+    assert_eq!(listed["studies"], json!([]));
+
+    // Of the same request with the same key there is one study.
+    let send = || {
+        let request = service.client.post(service.url("/v1/studies")).bearer_auth(&own).header("idempotency-key", "k1");
+        request.json(&body).send().unwrap()
+    };
+    let first: Value = send().json().unwrap();
+    let again = send();
+    assert_eq!(again.headers()["idempotency-replayed"], "true");
+    assert_eq!(again.json::<Value>().unwrap()["id"], first["id"]);
+    let path = format!("/v1/studies/{}", first["id"].as_str().unwrap());
+    assert_eq!(first["external_ref"], "trial 7");
+
+    for (method, below) in [
+        ("GET", ""),
+        ("DELETE", ""),
+        ("POST", "/cancel"),
+        ("GET", "/result"),
+        ("GET", "/report"),
+        ("GET", "/archive"),
+        ("DELETE", "/subjects/s1/decision"),
+    ] {
+        problem(ask(method, &format!("{path}{below}"), &other, None), 404, "study-not-found");
+    }
+    let of_others: Value = ask("GET", "/v1/studies", &other, None).json().unwrap();
+    assert_eq!(of_others["studies"], json!([]));
+    problem(ask("GET", &format!("{path}/result"), &reader, None), 409, "study-not-ready");
+    problem(ask("DELETE", &path, &own, None), 409, "study-active");
+    problem(ask("DELETE", &format!("{path}/subjects/s9/decision"), &own, None), 404, "subject-not-found");
+
+    let cancelled = ask("POST", &format!("{path}/cancel"), &own, None);
+    assert_eq!((cancelled.status().as_u16(), &cancelled.json::<Value>().unwrap()["state"]), (202, &"cancelled".into()));
+    assert_eq!(ask("POST", &format!("{path}/cancel"), &own, None).status(), 202, "again");
+    let jobs: Value = ask("GET", "/v1/jobs", &own, None).json().unwrap();
+    assert_eq!(jobs["jobs"], json!([]), "the step that plans is hidden");
+    let changes: Value = ask("GET", "/v1/changes", &own, None).json().unwrap();
+    assert_eq!(changes["changes"], json!([]), "and so are its changes");
+
+    // Neither ids of subjects nor covariates are in the database; all of it goes with the study.
+    let blobs = || contents(&site.data_dir()).into_keys().filter(|path| path.starts_with("blobs")).count();
+    let database = fs::read(site.data_dir().join("homolog.sqlite-wal")).unwrap();
+    assert!(!database.windows(4).any(|w| w == b"Jane"));
+    assert_eq!(ask("DELETE", &path, &own, None).status(), 204);
+    problem(ask("GET", &path, &own, None), 404, "study-not-found");
+    assert_eq!(blobs(), 0);
+}

@@ -11,6 +11,9 @@ use rayon::prelude::*;
 /// Points of one chunk: work is divided in the same way on any number of threads.
 const CHUNK: usize = 64;
 
+/// Points at which a field is evaluated at once.
+const PIECE: usize = 4096;
+
 /// What target points say of every moved source point: mixture components `m` at `centers`, points `n`.
 pub(crate) struct Assigned {
     /// `Σ_n P(m | x_n)`.
@@ -93,9 +96,11 @@ impl Field {
         Field { basis, coefficients }
     }
 
-    /// `points` moved by the field. Cost `O(n M²)` for `M` functions.
+    /// `points` moved by the field. Cost `O(n M²)` for `M` functions, memory `O(n + M)`.
     pub fn moved(&self, points: &[Point3<f64>]) -> Vec<Point3<f64>> {
-        moved(points, &self.basis.values(points), &self.coefficients)
+        // In pieces, so that a large surface needs no matrix of all its vertices.
+        let piece = |points: &[Point3<f64>]| moved(points, &self.basis.values(points), &self.coefficients);
+        points.chunks(PIECE).flat_map(piece).collect()
     }
 }
 

@@ -87,7 +87,8 @@ fn largest(n: usize, k: usize, apply: &dyn Fn(&Mat<f64>) -> Mat<f64>) -> Option<
         while basis.len() < wanted {
             let from = basis.len();
             for mut v in next.drain(..) {
-                if basis.len() == wanted {
+                // Whole blocks: a direction that is left out would never come back.
+                if basis.len() == n {
                     break;
                 }
                 // A direction that the basis holds already is replaced by a random one.

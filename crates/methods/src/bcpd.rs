@@ -26,6 +26,9 @@ pub struct BcpdOptions {
     pub precision: f64,
     /// Share `ω` of target points that belong to no source point.
     pub outliers: f64,
+    /// `σ` at the start. The authors begin with that of all pairs of points, which contracts the source to its center before it
+    /// unfolds again; a pose that is known allows for less.
+    pub first_sigma: f64,
     /// Most steps.
     pub max_iterations: u32,
     /// It ends when a step changes `σ` by less than this share.
@@ -41,6 +44,7 @@ impl Default for BcpdOptions {
             width: 0.3,
             precision: 100.0,
             outliers: 0.05,
+            first_sigma: 0.1,
             max_iterations: 150,
             tolerance: 1e-4,
             n_functions: 300,
@@ -97,7 +101,7 @@ pub fn register(
     let mut own = vec![0.0; m];
     let (mut scale, mut rotation, mut translation) = (1.0, Matrix3::identity(), Vector3::zeros());
     let mut at = source.to_vec();
-    let mut variance = spread(source, target);
+    let mut variance = spread(source, target).min(options.first_sigma * options.first_sigma);
     // Outliers are uniform over the box of the target.
     let density = 1.0 / volume(target).max(f64::MIN_POSITIVE.sqrt());
     let (mut iterations, mut converged) = (0, false);
@@ -257,7 +261,7 @@ mod tests {
         let source = sampled(mesh.vertices(), 60);
         let target: Vec<_> = sampled(mesh.vertices(), 75).iter().map(warped).collect();
         for steps in [1, 5, 30] {
-            let options = BcpdOptions { max_iterations: steps, tolerance: 0.0, ..BcpdOptions::default() };
+            let options = BcpdOptions { max_iterations: steps, tolerance: 0.0, first_sigma: f64::INFINITY, ..BcpdOptions::default() };
             let found = register(&source, &target, &options, &Silent).unwrap();
             let exact = dense(&source, &target, &options, steps);
             let off = rms(&found.moved(&source), &exact);

@@ -24,11 +24,14 @@ use std::f64::consts::TAU;
 pub struct CpdOptions {
     /// Width `β` of the kernel. The authors use 2 root mean square radii; one is about 0.3 here.
     pub width: f64,
-    /// Weight `λ` of the coherence. The authors use 2 to 3 for surfaces of root mean square radius 1, which is about 11 times
-    /// as much in this unit.
+    /// Weight `λ` of the coherence: the inverse of the variance that displacements are expected to have, here 0.1². The authors
+    /// use 2 to 3 for surfaces of root mean square radius 1, which is about 11 times as much in this unit.
     pub smoothness: f64,
     /// Share `w` of target points that belong to no source point.
     pub outliers: f64,
+    /// `σ` at the start. The authors begin with that of all pairs of points, which contracts the source to its center before it
+    /// unfolds again; a pose that is known allows for less.
+    pub first_sigma: f64,
     /// Most steps.
     pub max_iterations: u32,
     /// It ends when a step changes `σ` by less than this share.
@@ -41,8 +44,9 @@ impl Default for CpdOptions {
     fn default() -> Self {
         CpdOptions {
             width: 0.3,
-            smoothness: 20.0,
+            smoothness: 100.0,
             outliers: 0.05,
+            first_sigma: 0.1,
             max_iterations: 150,
             tolerance: 1e-4,
             n_functions: 300,
@@ -86,7 +90,7 @@ pub fn register(
     let log_weights = vec![0.0; source.len()];
     let mut coefficients = Mat::zeros(basis.n_functions(), 3);
     let mut at = source.to_vec();
-    let mut variance = spread(source, target);
+    let mut variance = spread(source, target).min(options.first_sigma * options.first_sigma);
     let (mut iterations, mut converged) = (0, false);
     while iterations < options.max_iterations && !converged {
         checkpoint(observer)?;
@@ -170,7 +174,7 @@ mod tests {
         let source = sampled(mesh.vertices(), 60);
         let target: Vec<_> = sampled(mesh.vertices(), 75).iter().map(warped).collect();
         for steps in [1, 5, 30] {
-            let options = CpdOptions { max_iterations: steps, tolerance: 0.0, ..CpdOptions::default() };
+            let options = CpdOptions { max_iterations: steps, tolerance: 0.0, first_sigma: f64::INFINITY, ..CpdOptions::default() };
             let found = register(&source, &target, &options, &Silent).unwrap().field.moved(&source);
             let exact = dense(&source, &target, &options, steps);
             // Leaving out functions below 1e-5 of the largest variance and exponentials in 32 bits cost about 1e-4.

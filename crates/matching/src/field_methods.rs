@@ -29,7 +29,8 @@ pub(crate) fn limits(mode: DisplacementMode) -> Option<(usize, u64)> {
         DisplacementMode::None | DisplacementMode::Smooth => None,
         DisplacementMode::Cpd | DisplacementMode::Bcpd => Some((1500, 40 << 10)),
         DisplacementMode::NonrigidIcp => Some((1500, 64 << 10)),
-        DisplacementMode::SpharmPdm => Some((3000, 32 << 10)),
+        // Thinned surfaces need not be manifold, which a map onto the sphere needs; its memory grows with the surface alone.
+        DisplacementMode::SpharmPdm => Some((usize::MAX, 4 << 10)),
         DisplacementMode::FunctionalMap => Some((2500, 64 << 10)),
         DisplacementMode::Diffeomorphic => Some((600, 64 << 10)),
     }

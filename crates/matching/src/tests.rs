@@ -1,7 +1,7 @@
 //! Laws of the whole pipeline on small generated surfaces.
 
 use super::*;
-use homolog_contract::parameters::{MatchParameters, Method, resolve};
+use homolog_contract::parameters::{Algorithm, MatchParameters, Method, preset, resolve};
 use homolog_mesh::shapes::ellipsoid;
 use homolog_mesh::{FaceArity, SurfaceMesh};
 use homolog_primitives::observe::Silent;

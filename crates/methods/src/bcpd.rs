@@ -39,12 +39,12 @@ pub struct BcpdOptions {
 
 impl Default for BcpdOptions {
     fn default() -> Self {
-        // A standard deviation of a tenth of the root of the area.
+        // As for coherent point drift: a standard deviation of 0.06 roots of the area.
         BcpdOptions {
             width: 0.3,
-            precision: 100.0,
+            precision: 300.0,
             outliers: 0.05,
-            first_sigma: 0.1,
+            first_sigma: 0.06,
             max_iterations: 150,
             tolerance: 1e-4,
             n_functions: 300,

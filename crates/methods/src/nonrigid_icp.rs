@@ -23,10 +23,12 @@ use rayon::prelude::*;
 /// Weight of the identity in every map: what determines those of a piece without any closest point that counts.
 const LEAST_WEIGHT: f64 = 1e-12;
 
-/// Settings; lengths in roots of the area.
+/// Settings; lengths in roots of the area. The defaults of the first stiffness and of `γ` are the best of ten pairs of values tried
+/// on three real warps; with 1 and 1 two of them ended farther from the truth or no closer than they began.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct NonrigidIcpOptions {
-    /// First stiffness `α`: at 1 differences of maps cost as much as distances of the size of the surface.
+    /// First stiffness `α`: at 1 differences of maps cost as much as distances of the size of the surface. The stiffer it begins
+    /// the more closest points slip; a pose that is known allows for less.
     pub first_stiffness: f64,
     /// Last stiffness: its root, the length over which maps are alike, is the distance of 500 samples.
     pub last_stiffness: f64,
@@ -36,7 +38,7 @@ pub struct NonrigidIcpOptions {
     pub max_iterations: u32,
     /// The next stiffness follows when vertices move by less than this on average (root mean square).
     pub tolerance: f64,
-    /// Weight `γ` of translations against linear parts.
+    /// Weight `γ` of translations against linear parts: linear parts have to be stiffer, or vertices turn and shear in place.
     pub gamma: f64,
     /// Least cosine between normals.
     pub least_cosine: f64,
@@ -45,12 +47,12 @@ pub struct NonrigidIcpOptions {
 impl Default for NonrigidIcpOptions {
     fn default() -> Self {
         NonrigidIcpOptions {
-            first_stiffness: 1.0,
+            first_stiffness: 0.1,
             last_stiffness: 0.002,
             n_stiffnesses: 10,
             max_iterations: 8,
             tolerance: 1e-4,
-            gamma: 1.0,
+            gamma: 0.1,
             least_cosine: 0.5,
         }
     }

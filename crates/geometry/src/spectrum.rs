@@ -114,9 +114,8 @@ fn largest(n: usize, k: usize, apply: &dyn Fn(&Mat<f64>) -> Mat<f64>) -> Option<
         let coordinates = Mat::from_fn(m, k, |i, c| eigen.U()[(i, order[c])]);
         let vectors = &q * &coordinates;
         let mapped = &b * &coordinates;
-        let residual = |c: usize| {
-            (0..n).map(|i| (mapped[(i, c)] - values[c] * vectors[(i, c)]).powi(2)).sum::<f64>().sqrt()
-        };
+        let residual =
+            |c: usize| (0..n).map(|i| (mapped[(i, c)] - values[c] * vectors[(i, c)]).powi(2)).sum::<f64>().sqrt();
         if values.iter().any(|v| !v.is_finite()) {
             return None;
         }
@@ -262,10 +261,9 @@ mod tests {
     fn signatures_do_not_depend_on_the_signs_and_fade_with_the_size() {
         let small = spectrum(&ellipsoid(Vector3::new(5.0, 3.0, 2.0), 3), 40).unwrap();
         let large = spectrum(&ellipsoid(Vector3::new(10.0, 6.0, 4.0), 3), 40).unwrap();
-        for (a, b) in [
-            (small.heat_signature(10), large.heat_signature(10)),
-            (small.wave_signature(10), large.wave_signature(10)),
-        ] {
+        for (a, b) in
+            [(small.heat_signature(10), large.heat_signature(10)), (small.wave_signature(10), large.wave_signature(10))]
+        {
             for i in 0..small.n_vertices() {
                 for s in 0..10 {
                     // Four times the area.

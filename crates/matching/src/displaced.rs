@@ -81,7 +81,8 @@ pub(crate) fn displaced(coarse: &Coarse<'_>, posed: &Posed<'_>) -> Result<Displa
         }
         _ => {
             coarse.full.observer.phase(Phase::Displacement);
-            let starts = if posed.transform().is_some() { Starts::of(posed) } else { Starts::with_search(coarse, posed) };
+            let starts =
+                if posed.transform().is_some() { Starts::of(posed) } else { Starts::with_search(coarse, posed) };
             if let Some(pose) = starts.first(coarse) {
                 let poses = match posed {
                     Posed::Registration(registered) => registered.poses.clone(),

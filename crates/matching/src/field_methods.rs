@@ -32,7 +32,7 @@ pub(crate) fn limits(mode: DisplacementMode) -> Option<(usize, u64)> {
         // Thinned surfaces need not be manifold, which a map onto the sphere needs; its memory grows with the surface alone.
         DisplacementMode::SpharmPdm => Some((usize::MAX, 4 << 10)),
         DisplacementMode::FunctionalMap => Some((2500, 64 << 10)),
-        DisplacementMode::Diffeomorphic => Some((600, 64 << 10)),
+        DisplacementMode::Diffeomorphic => Some((500, 64 << 10)),
     }
 }
 
@@ -123,7 +123,12 @@ fn carried(source: &SurfaceMesh, images: &[Point3<f64>], whole: &SurfaceMesh) ->
 
 /// The answer for source vertices that are moved to `moved`, mm. The spread is the sampling error and the root mean square
 /// distance from the target, which is all that these methods leave unexplained; it was not calibrated.
-fn answered(coarse: &Coarse<'_>, pose: &RigidTransform, poses: Vec<PoseDocument>, moved: Vec<Point3<f64>>) -> Displaced {
+fn answered(
+    coarse: &Coarse<'_>,
+    pose: &RigidTransform,
+    poses: Vec<PoseDocument>,
+    moved: Vec<Point3<f64>>,
+) -> Displaced {
     let scene = &coarse.full;
     let (source, target) = (scene.source.mesh(), scene.target.mesh());
     let squares: f64 = moved.iter().map(|p| (scene.closest.index.closest(p).point - p).norm_squared()).sum();

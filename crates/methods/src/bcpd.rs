@@ -108,8 +108,7 @@ pub fn register(
     while iterations < options.max_iterations && !converged {
         checkpoint(observer)?;
         let log_weights: Vec<f64> = own.iter().map(|v| -1.5 * scale * scale * v / variance).collect();
-        let outliers =
-            options.outliers * density * (TAU * variance).powf(1.5) * m as f64 / (1.0 - options.outliers);
+        let outliers = options.outliers * density * (TAU * variance).powf(1.5) * m as f64 / (1.0 - options.outliers);
         let found = assign(&at, target, variance, &log_weights, outliers);
         let total: f64 = found.mass.iter().sum();
 
@@ -150,9 +149,8 @@ pub fn register(
         at = free.iter().map(|p| Point3::from(scale * (rotation * p.coords) + translation)).collect();
 
         let of_target: f64 = target.iter().zip(&found.explained).map(|(x, p)| p * x.coords.norm_squared()).sum();
-        let of_source: f64 = (0..m)
-            .map(|i| found.mass[i] * at[i].coords.norm_squared() - 2.0 * at[i].coords.dot(&found.sums[i]))
-            .sum();
+        let of_source: f64 =
+            (0..m).map(|i| found.mass[i] * at[i].coords.norm_squared() - 2.0 * at[i].coords.dot(&found.sums[i])).sum();
         let next = (of_target + of_source) / (3.0 * total) + scale * scale * mean_own;
         let next = next.max(LEAST_SIGMA * LEAST_SIGMA);
         if !(next.is_finite() && scale.is_finite() && scale > 0.0) {
@@ -191,9 +189,9 @@ mod tests {
     fn dense(source: &[Point3<f64>], target: &[Point3<f64>], o: &BcpdOptions, steps: u32) -> Vec<Point3<f64>> {
         let (n, m) = (target.len(), source.len());
         // A little noise at every point, without which the covariance of a smooth field has no inverse in 64 bits.
-        let g = DMatrix::from_fn(m, m, |i, j| {
-            (-(source[i] - source[j]).norm_squared() / (2.0 * o.width * o.width)).exp()
-        }) + DMatrix::identity(m, m) * 1e-7;
+        let g =
+            DMatrix::from_fn(m, m, |i, j| (-(source[i] - source[j]).norm_squared() / (2.0 * o.width * o.width)).exp())
+                + DMatrix::identity(m, m) * 1e-7;
         let inverse = g.try_inverse().unwrap();
         let (mut s, mut r, mut t) = (1.0, Matrix3::<f64>::identity(), Vector3::<f64>::zeros());
         let mut variance: f64 =
@@ -261,7 +259,12 @@ mod tests {
         let source = sampled(mesh.vertices(), 60);
         let target: Vec<_> = sampled(mesh.vertices(), 75).iter().map(warped).collect();
         for steps in [1, 5, 30] {
-            let options = BcpdOptions { max_iterations: steps, tolerance: 0.0, first_sigma: f64::INFINITY, ..BcpdOptions::default() };
+            let options = BcpdOptions {
+                max_iterations: steps,
+                tolerance: 0.0,
+                first_sigma: f64::INFINITY,
+                ..BcpdOptions::default()
+            };
             let found = register(&source, &target, &options, &Silent).unwrap();
             let exact = dense(&source, &target, &options, steps);
             let off = rms(&found.moved(&source), &exact);

@@ -135,16 +135,12 @@ mod tests {
         let y = DMatrix::from_fn(m, 3, |i, a| source[i][a]);
         let x = DMatrix::from_fn(n, 3, |i, a| target[i][a]);
         let mut t = y.clone();
-        let mut variance: f64 = source
-            .iter()
-            .flat_map(|p| target.iter().map(move |q| (p - q).norm_squared()))
-            .sum::<f64>()
-            / (3 * n * m) as f64;
+        let mut variance: f64 =
+            source.iter().flat_map(|p| target.iter().map(move |q| (p - q).norm_squared())).sum::<f64>()
+                / (3 * n * m) as f64;
         for _ in 0..steps {
             let c = (TAU * variance).powf(1.5) * options.outliers / (1.0 - options.outliers) * m as f64 / n as f64;
-            let mut p = DMatrix::from_fn(m, n, |i, j| {
-                (-(t.row(i) - x.row(j)).norm_squared() / (2.0 * variance)).exp()
-            });
+            let mut p = DMatrix::from_fn(m, n, |i, j| (-(t.row(i) - x.row(j)).norm_squared() / (2.0 * variance)).exp());
             for mut column in p.column_iter_mut() {
                 let sum = column.sum() + c;
                 column /= sum;
@@ -175,7 +171,12 @@ mod tests {
         let source = sampled(mesh.vertices(), 60);
         let target: Vec<_> = sampled(mesh.vertices(), 75).iter().map(warped).collect();
         for steps in [1, 5, 30] {
-            let options = CpdOptions { max_iterations: steps, tolerance: 0.0, first_sigma: f64::INFINITY, ..CpdOptions::default() };
+            let options = CpdOptions {
+                max_iterations: steps,
+                tolerance: 0.0,
+                first_sigma: f64::INFINITY,
+                ..CpdOptions::default()
+            };
             let found = register(&source, &target, &options, &Silent).unwrap().field.moved(&source);
             let exact = dense(&source, &target, &options, steps);
             // Leaving out functions below 1e-5 of the largest variance and exponentials in 32 bits cost about 1e-4.

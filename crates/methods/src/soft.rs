@@ -36,8 +36,9 @@ pub(crate) fn assign(
     outliers: f64,
 ) -> Assigned {
     let inverse = 0.5 / variance;
-    let likelihood =
-        |y: &Point3<f64>, x: &Point3<f64>, log: f64| f64::from(exp_negative((log - (x - y).norm_squared() * inverse) as f32));
+    let likelihood = |y: &Point3<f64>, x: &Point3<f64>, log: f64| {
+        f64::from(exp_negative((log - (x - y).norm_squared() * inverse) as f32))
+    };
     let denominators: Vec<f64> = points
         .par_iter()
         .with_min_len(CHUNK)
@@ -126,10 +127,6 @@ pub(crate) fn ridge(
 }
 
 /// The solution of `factor` for the right side `Φᵀ r`, `r` a vector for every point.
-pub(crate) fn solved(
-    factor: &faer::linalg::solvers::Llt<f64>,
-    values: &Mat<f64>,
-    right: &[Vector3<f64>],
-) -> Mat<f64> {
+pub(crate) fn solved(factor: &faer::linalg::solvers::Llt<f64>, values: &Mat<f64>, right: &[Vector3<f64>]) -> Mat<f64> {
     factor.solve(values.transpose() * Mat::from_fn(right.len(), 3, |i, a| right[i][a]))
 }

@@ -65,10 +65,8 @@ pub fn register(
     options: &SpharmOptions,
     observer: &dyn Observer,
 ) -> Result<Spharm, MethodError> {
-    let (of_source, of_target) = rayon::join(
-        || parametrized(source, "source", observer),
-        || parametrized(target, "target", observer),
-    );
+    let (of_source, of_target) =
+        rayon::join(|| parametrized(source, "source", observer), || parametrized(target, "target", observer));
     let (of_source, of_target) = (of_source?, of_target?);
     let singular = MethodError::Singular { method: "spherical harmonics" };
     let best = [[1.0, 1.0], [1.0, -1.0], [-1.0, 1.0], [-1.0, -1.0]]
@@ -77,9 +75,8 @@ pub fn register(
             let signs = Vector3::new(a, b, a * b);
             let turned: Vec<_> = of_target.directions.iter().map(|d| d.component_mul(&signs)).collect();
             let images = at_equal_parameters(&of_source.directions, &turned, target)?;
-            let squares: f64 = (0..images.len())
-                .map(|i| of_source.areas[i] * (images[i] - source.vertices()[i]).norm_squared())
-                .sum();
+            let squares: f64 =
+                (0..images.len()).map(|i| of_source.areas[i] * (images[i] - source.vertices()[i]).norm_squared()).sum();
             Some((squares, turned, images))
         })
         .min_by(|a, b| a.0.total_cmp(&b.0));

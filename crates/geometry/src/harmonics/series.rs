@@ -38,7 +38,10 @@ impl HarmonicSeries {
         let solved = factor.solve(right);
         let coefficients_mm: Vec<_> =
             (0..m).map(|k| Vector3::new(solved[(k, 0)], solved[(k, 1)], solved[(k, 2)])).collect();
-        coefficients_mm.iter().all(|c| c.iter().all(|x| x.is_finite())).then_some(HarmonicSeries { degree, coefficients_mm })
+        coefficients_mm
+            .iter()
+            .all(|c| c.iter().all(|x| x.is_finite()))
+            .then_some(HarmonicSeries { degree, coefficients_mm })
     }
 
     /// The degree.

@@ -130,7 +130,8 @@ impl Objective for Fit<'_> {
         let (of_source, own) = varifold.product_and_gradient(&varifold, self.data_width);
         let (of_both, cross) = varifold.product_and_gradient(&self.target, self.data_width);
         // The product of a varifold with itself changes through both of its factors.
-        let of_faces: Vec<_> = own.iter().zip(&cross).map(|(a, b)| (*a * 2.0 - *b * 2.0) * (1.0 / self.of_target)).collect();
+        let of_faces: Vec<_> =
+            own.iter().zip(&cross).map(|(a, b)| (*a * 2.0 - *b * 2.0) * (1.0 / self.of_target)).collect();
         let of_points = varifold::at_vertices(&of_faces, &end.at, &self.triangles);
         let mut of_momenta = field.back_through(&path, of_points);
         let energy = field.energy(&mut of_momenta, self.options.regularization);

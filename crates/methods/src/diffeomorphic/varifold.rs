@@ -90,11 +90,7 @@ impl Varifold {
 }
 
 /// The gradient with respect to vertices from that with respect to faces.
-pub(super) fn at_vertices(
-    of_faces: &[OfFace],
-    vertices: &[Point3<f64>],
-    triangles: &[[u32; 3]],
-) -> Vec<Vector3<f64>> {
+pub(super) fn at_vertices(of_faces: &[OfFace], vertices: &[Point3<f64>], triangles: &[[u32; 3]]) -> Vec<Vector3<f64>> {
     let mut gradient = vec![Vector3::zeros(); vertices.len()];
     for (t, g) in triangles.iter().zip(of_faces) {
         for k in 0..3 {
@@ -116,8 +112,7 @@ mod tests {
     fn the_distance_of_a_surface_to_itself_is_zero_whatever_its_orientation() {
         let mesh = bean(2);
         let turned: Vec<[u32; 3]> = mesh.triangles().iter().map(|&[a, b, c]| [a, c, b]).collect();
-        let (one, other) =
-            (Varifold::of(mesh.vertices(), &mesh.triangles()), Varifold::of(mesh.vertices(), &turned));
+        let (one, other) = (Varifold::of(mesh.vertices(), &mesh.triangles()), Varifold::of(mesh.vertices(), &turned));
         let [aa, ab, bb] = [one.product(&one, 0.1), one.product(&other, 0.1), other.product(&other, 0.1)];
         assert!((aa - 2.0 * ab + bb).abs() < 1e-12 * aa);
         let moved: Vec<_> = mesh.vertices().iter().map(warped).collect();

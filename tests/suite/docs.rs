@@ -150,7 +150,15 @@ fn root() -> &'static Path {
 
 /// The Markdown documents, except records of measurements, which are not updated.
 fn documents() -> Vec<PathBuf> {
-    let folders = ["", "docs", "docs/experiments", "deploy", "benches/accuracy", "crates/laboratory/benches/pgmax"];
+    let folders = [
+        "",
+        "docs",
+        "docs/experiments",
+        "docs/methods",
+        "deploy",
+        "benches/accuracy",
+        "crates/laboratory/benches/pgmax",
+    ];
     let entries = folders.iter().flat_map(|folder| fs::read_dir(root().join(folder)).unwrap());
     let mut paths: Vec<PathBuf> = entries.map(|entry| entry.unwrap().path()).collect();
     paths.retain(|path| path.extension().is_some_and(|e| e == "md"));

@@ -17,7 +17,8 @@ const MEMBERS: &[(&str, &[&str])] = &[
     ("registration", &["primitives"]),
     ("geometry", &["primitives", "mesh", "registration"]),
     ("contract", &["mesh"]),
-    ("matching", &["primitives", "mesh", "geometry", "mrf", "registration", "contract"]),
+    ("methods", &["primitives", "mesh", "geometry", "registration"]),
+    ("matching", &["primitives", "mesh", "geometry", "mrf", "registration", "methods", "contract"]),
     ("formats", &["mesh", "contract"]),
     ("run", &["primitives", "mesh", "contract", "formats", "matching"]),
     ("study", &["primitives", "mesh", "registration", "contract", "formats", "run"]),
@@ -25,7 +26,8 @@ const MEMBERS: &[(&str, &[&str])] = &[
 ];
 
 /// Members that only compute: bytes and numbers in, numbers out.
-const NUMERICS: &[&str] = &["primitives", "mesh", "geometry", "mrf", "registration", "contract", "matching", "formats"];
+const NUMERICS: &[&str] =
+    &["primitives", "mesh", "geometry", "mrf", "registration", "methods", "contract", "matching", "formats"];
 
 /// What those never use: networks, files, clocks, the environment, the terminal. Runtimes and databases are not among
 /// their dependencies, which the compiler enforces.

@@ -1,5 +1,5 @@
 //! Measurements on one surface: curvature in scale space ([`curvature`]), geodesic distances ([`geodesic`]), coarse
-//! levels ([`hierarchy`]) and the first-order ellipsoid ([`harmonics`]).
+//! levels ([`hierarchy`]), spherical harmonics ([`harmonics`]) and the spectrum of the Laplacian ([`spectrum`]).
 //!
 //! This crate knows no energy, no second surface, no file and no runtime.
 
@@ -8,4 +8,5 @@ pub mod curvature;
 pub mod geodesic;
 pub mod harmonics;
 pub mod hierarchy;
-mod sparse;
+pub mod sparse;
+pub mod spectrum;

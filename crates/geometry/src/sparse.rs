@@ -1,6 +1,6 @@
 //! Sparse symmetric positive definite systems, by Cholesky factorization.
 //!
-//! The one place of this crate that uses faer's generic solvers, so that they are compiled once.
+//! The one place of the workspace that uses faer's generic solvers, so that they are compiled once.
 
 use faer::linalg::solvers::Solve;
 use faer::sparse::linalg::solvers::{Llt, SymbolicLlt};
@@ -8,10 +8,10 @@ use faer::sparse::{Argsort, Pair, SparseColMat, SymbolicSparseColMat};
 use faer::{Mat, Side};
 
 /// Row and column of an entry of the lower triangle, diagonal included.
-pub(crate) type Place = Pair<usize, usize>;
+pub type Place = Pair<usize, usize>;
 
 /// The pattern of a matrix and the order in which its rows are eliminated, shared by all matrices of that pattern.
-pub(crate) struct CholeskyPattern {
+pub struct CholeskyPattern {
     places: SymbolicSparseColMat<usize>,
     /// From the given order of the entries to that of the matrix.
     order: Argsort<usize>,
@@ -19,12 +19,12 @@ pub(crate) struct CholeskyPattern {
 }
 
 /// A factorized matrix.
-pub(crate) struct Cholesky(Llt<usize, f64>);
+pub struct Cholesky(Llt<usize, f64>);
 
 impl CholeskyPattern {
     /// The pattern of an `n × n` matrix with entries at `places`; entries at the same place add up. `None` if there are
     /// more than can be counted. Cost `O(places log places)`.
-    pub(crate) fn new(n: usize, places: &[Place]) -> Option<Self> {
+    pub fn new(n: usize, places: &[Place]) -> Option<Self> {
         let (places, order) = SymbolicSparseColMat::try_new_from_indices(n, n, places).ok()?;
         let factor = SymbolicLlt::try_new(places.as_ref(), Side::Lower).ok()?;
         Some(CholeskyPattern { places, order, factor })
@@ -32,7 +32,7 @@ impl CholeskyPattern {
 
     /// Factorizes the matrix with `values` at the places of the pattern. `None` if it is not positive definite. Cost
     /// about `O(n^1.5)` on surfaces, on one thread.
-    pub(crate) fn factorize(&self, values: &[f64]) -> Option<Cholesky> {
+    pub fn factorize(&self, values: &[f64]) -> Option<Cholesky> {
         let matrix = SparseColMat::new_from_argsort(self.places.clone(), &self.order, values).ok()?;
         Llt::try_new_with_symbolic(self.factor.clone(), matrix.as_ref(), Side::Lower).ok().map(Cholesky)
     }
@@ -40,7 +40,7 @@ impl CholeskyPattern {
 
 impl Cholesky {
     /// The solution for `n_columns` right sides, `n × n_columns`; `right_side` gives the value at a row and column.
-    pub(crate) fn solve(&self, n: usize, n_columns: usize, right_side: &dyn Fn(usize, usize) -> f64) -> Mat<f64> {
+    pub fn solve(&self, n: usize, n_columns: usize, right_side: &dyn Fn(usize, usize) -> f64) -> Mat<f64> {
         self.0.solve(&Mat::from_fn(n, n_columns, right_side))
     }
 }

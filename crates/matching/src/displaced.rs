@@ -6,6 +6,7 @@ use super::coarse::Coarse;
 use super::displacement::{
     ComparedPose, DisplacementAnswer, DisplacementOptions, StartPose, Surfaces, Which, displace, landmark_pose,
 };
+use super::field_methods::by_method;
 use super::lengths::Lengths;
 use super::levels::Levels;
 use super::posed::{InferredPose, Posed};
@@ -53,15 +54,16 @@ pub(crate) struct SmoothImages {
     pub moved: Vec<Point3<f64>>,
     /// Whether the target has nothing where a source vertex is moved to.
     pub no_counterpart: Vec<bool>,
-    /// Whether the images can be relied on.
-    pub reliability: ReliabilityDocument,
+    /// Whether the images can be relied on; known of the smooth displacement field alone.
+    pub reliability: Option<ReliabilityDocument>,
 }
 
 /// An image for every source vertex of `coarse`, from the pose of `posed`.
 ///
 /// With a displacement field the poses compared are that of `posed`, that of the landmarks and those of a search of all
 /// orientations, mirrored ones too; the one that fits best after the deformation is kept. Where no field can be fitted,
-/// the images are those of the rigid pose, and where `posed` has none, of the first of the other poses.
+/// the images are those of the rigid pose, and where `posed` has none, of the first of the other poses. A method of the field
+/// starts from that one pose.
 ///
 /// # Errors
 /// [`MatchError::NoRegistration`] where `posed` has no pose and no other is at hand: without a displacement field, or
@@ -74,6 +76,22 @@ pub(crate) fn displaced(coarse: &Coarse<'_>, posed: &Posed<'_>) -> Result<Displa
             let starts = Starts::with_search(coarse, posed);
             if let Some(found) = by_field(coarse, posed, &starts)? {
                 return Ok(found);
+            }
+            starts
+        }
+        _ => {
+            coarse.full.observer.phase(Phase::Displacement);
+            let starts =
+                if posed.transform().is_some() { Starts::of(posed) } else { Starts::with_search(coarse, posed) };
+            if let Some(pose) = starts.first(coarse) {
+                let poses = match posed {
+                    Posed::Registration(registered) => registered.poses.clone(),
+                    Posed::Inference { .. } => Vec::new(),
+                };
+                if let Some(found) = by_method(coarse, &pose, poses)? {
+                    coarse.full.observer.progress(PROGRESS_AT_END);
+                    return Ok(found);
+                }
             }
             starts
         }
@@ -110,6 +128,12 @@ impl Starts {
         Starts { poses, of_search }
     }
 
+    /// The most trusted pose that may be answered.
+    fn first(&self, coarse: &Coarse<'_>) -> Option<RigidTransform> {
+        let allow_reflection = coarse.full.parameters.registration.allow_reflection;
+        self.poses.iter().map(|(_, pose)| *pose).find(|pose| allow_reflection || !pose.is_reflection())
+    }
+
     /// How much worse than the best the search found `pose`: as much as the nearest pose it returned, within 30 degrees;
     /// a pose that it did not return is as bad as its last.
     fn excess(&self, pose: &RigidTransform) -> f64 {
@@ -125,10 +149,7 @@ impl Starts {
 /// The images of a rigid pose.
 fn rigid(coarse: &Coarse<'_>, posed: &Posed<'_>, starts: &Starts) -> Result<Displaced, MatchError> {
     let scene = &coarse.full;
-    let may_answer = |pose: &&(PoseOrigin, RigidTransform)| {
-        scene.parameters.registration.allow_reflection || !pose.1.is_reflection()
-    };
-    let found = posed.transform().or_else(|| starts.poses.iter().find(may_answer).map(|(_, pose)| *pose));
+    let found = posed.transform().or_else(|| starts.first(coarse));
     let transform = found.ok_or(MatchError::NoRegistration { tolerance_mm: scene.tolerance_mm })?;
     let (map, poses) = match posed {
         // The labels of an energy of all vertices are the answer.
@@ -260,7 +281,7 @@ fn answered(
             points: found.images.iter().map(|image| image.closest).collect(),
             moved: found.images.iter().map(|image| image.moved).collect(),
             no_counterpart,
-            reliability,
+            reliability: Some(reliability),
         }),
     }
 }

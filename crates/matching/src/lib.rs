@@ -43,6 +43,7 @@ mod displaced;
 #[cfg(test)]
 mod displaced_tests;
 mod displacement;
+mod field_methods;
 mod inverse;
 mod lengths;
 mod levels;
@@ -148,11 +149,14 @@ const BYTES_PER_VERTEX: u64 = 2048;
 /// number of vertices and faces.
 ///
 /// On the level on which the energy is minimised: the messages once and a quarter of them again (those that are read while
-/// they are replaced), in 32 or 16 bits, and two tables of unary potentials in 32; and a share for each vertex. A closed
+/// they are replaced), in 32 or 16 bits, and two tables of unary potentials in 32; a share for each vertex; and that of a
+/// method of the field for each vertex of the thinned surfaces that it is given. A closed
 /// surface of genus 0 has `V + F − 2` edges, whatever its faces.
 pub fn match_memory_bytes(source: (usize, usize), target_vertices: usize, parameters: &MatchParameters) -> u64 {
     let (mut vertices, faces, mut labels) = (source.0 as u64, source.1 as u64, target_vertices as u64);
-    let each = BYTES_PER_VERTEX * (vertices + labels);
+    let of_method = field_methods::limits(parameters.displacement.mode)
+        .map_or(0, |(most, bytes)| bytes * (vertices.min(most as u64) + labels.min(most as u64)));
+    let each = BYTES_PER_VERTEX * (vertices + labels) + of_method;
     if parameters.inference.algorithm == Algorithm::None {
         return each;
     }

@@ -33,7 +33,7 @@ pub(crate) fn measured(coarse: &Coarse<'_>, posed: &Posed<'_>, answer: &Displace
     correspondences.inverse = scene.parameters.both_directions.then(|| inverse(scene, answer)).flatten().map(Box::new);
     let reliability = match &answer.images {
         Images::OnVertices => None,
-        Images::Smooth(smooth) => Some(smooth.reliability.clone()),
+        Images::Smooth(smooth) => smooth.reliability.clone(),
     };
     let (rounds, ambiguous_axes, stop_reason) = match posed {
         Posed::Inference { inferred, .. } => (inferred.rounds.clone(), false, inferred.stop_reason),

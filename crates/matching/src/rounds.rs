@@ -25,7 +25,7 @@ fn later_iterations(first: u32) -> u32 {
 fn progress_after_rounds(parameters: &MatchParameters) -> f64 {
     match parameters.displacement.mode {
         DisplacementMode::None => PROGRESS_AT_END,
-        DisplacementMode::Smooth => PROGRESS_BEFORE_DISPLACEMENT,
+        _ => PROGRESS_BEFORE_DISPLACEMENT,
     }
 }
 

@@ -82,7 +82,7 @@ impl<'a> Scene<'a> {
         self.observer.phase(Phase::Refinement);
         let max_iterations = match self.parameters.displacement.mode {
             DisplacementMode::None => ICP_ITERATIONS,
-            DisplacementMode::Smooth => ICP_ITERATIONS_OF_A_START,
+            _ => ICP_ITERATIONS_OF_A_START,
         };
         let options = IcpOptions { metric, keep: ICP_KEEP, max_iterations, tolerance: ICP_TOLERANCE };
         let report = refine_icp(self.source.mesh().vertices(), self.closest, start, &options, self.observer)?;

@@ -1,7 +1,7 @@
 //! Laws of the whole pipeline on small generated surfaces.
 
 use super::*;
-use homolog_contract::parameters::{MatchParameters, Method, resolve};
+use homolog_contract::parameters::{Algorithm, MatchParameters, Method, preset, resolve};
 use homolog_mesh::shapes::ellipsoid;
 use homolog_mesh::{FaceArity, SurfaceMesh};
 use homolog_primitives::observe::Silent;
@@ -234,7 +234,7 @@ fn every_method_registers_a_copy() {
             Method::Foe => assert_eq!(outcome.poses.len(), 4),
             _ => assert!(moved < 0.5, "{}: {moved} mm", method.name()),
         }
-        assert_eq!(outcome.energy.is_some(), !matches!(method, Method::Foe | Method::Icp | Method::Rigid));
+        assert_eq!(outcome.energy.is_some(), preset(method).inference.algorithm != Algorithm::None);
         let columns = &outcome.correspondences;
         assert!(columns.confidence.iter().all(|c| (0.0..=1.0).contains(c)), "{}", method.name());
         assert!(columns.spread_mm.iter().all(|s| s.is_finite() && *s >= 0.0), "{}", method.name());

@@ -76,7 +76,10 @@ fn factors() -> Vec<Factor> {
     choice("registration.refine", &names(&["none", "point_to_point", "point_to_plane"]));
     choice("registration.allow_reflection", &[json!(false), json!(true)]);
     choice("registration.similarity", &[json!(false), json!(true)]);
-    choice("displacement.mode", &names(&["none", "smooth"]));
+    choice(
+        "displacement.mode",
+        &names(&["none", "smooth", "cpd", "bcpd", "nonrigid_icp", "spharm_pdm", "functional_map", "diffeomorphic"]),
+    );
     choice("both_directions", &[json!(false), json!(true)]);
     choice("seed", &[json!(0), json!(u64::MAX)]);
     factors

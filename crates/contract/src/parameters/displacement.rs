@@ -6,7 +6,7 @@
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 #[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
 pub struct DisplacementParameters {
-    /// Whether a displacement field is fitted.
+    /// Whether and how the source is deformed before corresponding points are determined.
     pub mode: DisplacementMode,
     /// Learned prior of the structure that is applied. There is none at present: `any` is the only value that requests may
     /// state.
@@ -68,4 +68,19 @@ pub enum DisplacementMode {
     /// orientations, whichever fits best after the deformation. Each vertex then corresponds to the closest point of the
     /// target.
     Smooth,
+    /// Coherent point drift (Myronenko, Song 2010), non-rigid, from the rigid transform.
+    Cpd,
+    /// Bayesian coherent point drift (Hirose 2021), from the rigid transform.
+    Bcpd,
+    /// Optimal-step non-rigid ICP with locally affine maps (Amberg et al. 2007), from the rigid transform.
+    NonrigidIcp,
+    /// SPHARM-PDM: points of equal parameter on the sphere correspond (Brechbühler 1995, Styner 2006). Both surfaces have to be
+    /// closed and of genus 0.
+    SpharmPdm,
+    /// Functional maps between eigenfunctions of the Laplace-Beltrami operators, refined by ZoomOut (Melzi et al. 2019), from the
+    /// nearest points after the rigid transform or from heat and wave kernel signatures.
+    FunctionalMap,
+    /// The flow of a stationary velocity field, without folds and invertible, with the varifold distance, from the rigid
+    /// transform.
+    Diffeomorphic,
 }

@@ -33,11 +33,23 @@ pub enum Method {
     Foe,
     /// Registration alone, by iterative closest points from aligned centroids.
     Icp,
+    /// The pose of `rigid`, then coherent point drift.
+    Cpd,
+    /// The pose of `rigid`, then Bayesian coherent point drift.
+    Bcpd,
+    /// The pose of `rigid`, then non-rigid ICP with locally affine maps.
+    NonrigidIcp,
+    /// The pose of `rigid`, then points of equal parameter of spherical harmonics.
+    SpharmPdm,
+    /// The pose of `rigid`, then functional maps refined by ZoomOut.
+    FunctionalMap,
+    /// The pose of `rigid`, then the flow of a stationary velocity field.
+    Diffeomorphic,
 }
 
 impl Method {
     /// All presets, the default first.
-    pub const ALL: [Method; 8] = [
+    pub const ALL: [Method; 14] = [
         Method::Balanced,
         Method::Thesis,
         Method::Rigid,
@@ -46,6 +58,12 @@ impl Method {
         Method::LasVegas,
         Method::Foe,
         Method::Icp,
+        Method::Cpd,
+        Method::Bcpd,
+        Method::NonrigidIcp,
+        Method::SpharmPdm,
+        Method::FunctionalMap,
+        Method::Diffeomorphic,
     ];
 
     /// The name used in JSON.
@@ -59,6 +77,12 @@ impl Method {
             Method::LasVegas => "las_vegas",
             Method::Foe => "foe",
             Method::Icp => "icp",
+            Method::Cpd => "cpd",
+            Method::Bcpd => "bcpd",
+            Method::NonrigidIcp => "nonrigid_icp",
+            Method::SpharmPdm => "spharm_pdm",
+            Method::FunctionalMap => "functional_map",
+            Method::Diffeomorphic => "diffeomorphic",
         }
     }
 
@@ -88,6 +112,16 @@ impl Method {
             Method::Icp => {
                 "Baseline: iterative closest points from aligned centroids, for surfaces that are nearly aligned."
             }
+            Method::Cpd => "For comparison: the pose of `rigid`, then coherent point drift.",
+            Method::Bcpd => "For comparison: the pose of `rigid`, then Bayesian coherent point drift.",
+            Method::NonrigidIcp => "For comparison: the pose of `rigid`, then optimal-step non-rigid ICP.",
+            Method::SpharmPdm => {
+                "For comparison: the pose of `rigid`, then SPHARM-PDM, for closed surfaces of genus 0."
+            }
+            Method::FunctionalMap => "For comparison: the pose of `rigid`, then functional maps refined by ZoomOut.",
+            Method::Diffeomorphic => {
+                "For comparison: the pose of `rigid`, then the flow of a stationary velocity field, which never folds."
+            }
         }
     }
 }
@@ -116,6 +150,10 @@ pub fn preset(method: Method) -> MatchParameters {
         registration: RegistrationParameters { initial, refine, ..direct.registration.clone() },
         ..direct.clone()
     };
+    let of_the_field = |mode| {
+        let rigid = registration_only(InitialPose::Search, Refinement::PointToPlane);
+        MatchParameters { displacement: DisplacementParameters { mode, ..rigid.displacement.clone() }, ..rigid }
+    };
     match method {
         Method::Balanced => balanced,
         Method::Thesis => MatchParameters {
@@ -131,6 +169,12 @@ pub fn preset(method: Method) -> MatchParameters {
         Method::LasVegas => annealed(Algorithm::LasVegas, 1000),
         Method::Foe => registration_only(InitialPose::FirstOrderEllipsoid, Refinement::None),
         Method::Icp => registration_only(InitialPose::Centroids, Refinement::PointToPoint),
+        Method::Cpd => of_the_field(DisplacementMode::Cpd),
+        Method::Bcpd => of_the_field(DisplacementMode::Bcpd),
+        Method::NonrigidIcp => of_the_field(DisplacementMode::NonrigidIcp),
+        Method::SpharmPdm => of_the_field(DisplacementMode::SpharmPdm),
+        Method::FunctionalMap => of_the_field(DisplacementMode::FunctionalMap),
+        Method::Diffeomorphic => of_the_field(DisplacementMode::Diffeomorphic),
     }
 }
 

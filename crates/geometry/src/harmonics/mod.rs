@@ -13,14 +13,15 @@
 mod alignment;
 mod first_order;
 mod heat;
-mod lbfgs;
 mod relaxation;
+mod series;
 mod sphere;
 mod untangling;
 mod weights;
 
 pub use alignment::{EllipsoidOptions, EllipsoidPose, EllipsoidRegistration, register_by_ellipsoids};
 pub use first_order::{FirstOrderEllipsoid, first_order_ellipsoid};
+pub use series::HarmonicSeries;
 
 use homolog_mesh::SurfaceMesh;
 use homolog_mesh::topology::{SurfaceFault, analyze};

@@ -16,11 +16,11 @@
 //! with a barrier; the barrier is that of symmetric distortion energies (Smith, Schaefer, ACM Trans. Graph. 34(4),
 //! 2015).
 
-use super::lbfgs::{self, Objective};
 use super::sphere::{TargetAreas, determinant};
 use super::weights::WeightedEdges;
 use super::{HarmonicsError, ParametrizationOptions};
 use crate::sparse::{Cholesky, CholeskyPattern, Place};
+use homolog_primitives::lbfgs::{self, Objective};
 use homolog_primitives::observe::Observer;
 use nalgebra::Vector3;
 

@@ -32,7 +32,7 @@ pub(crate) struct Image {
 /// of `sampling_mm`.
 ///
 /// Cost `O(n log n')`.
-pub(super) fn images(
+pub(crate) fn images(
     target: &SurfaceMesh,
     index: &ClosestPointIndex,
     moved: &[Point3<f64>],

@@ -53,7 +53,7 @@ mod unbending;
 mod unbent;
 
 pub(crate) use agreement::Agreement;
-pub(crate) use answer::Image;
+pub(crate) use answer::{Image, images};
 pub(crate) use coarse::{ComparedPose, StartPose};
 pub(crate) use forms::Form;
 pub(super) use guides::landmark_pose;
@@ -61,7 +61,6 @@ pub use isometry::{NearIsometryModel, near_isometry_model};
 
 use super::MatchError;
 use super::lengths::Lengths;
-use answer::images;
 use faer::Mat;
 use fine::Refined;
 use finish::Turned;

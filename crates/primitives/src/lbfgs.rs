@@ -3,7 +3,7 @@
 //! Source: Nocedal, Wright, *Numerical Optimization*, 2006, algorithms 7.4 and 3.1; the preconditioner is the
 //! initial inverse Hessian, scaled as in their equation 7.20.
 
-use homolog_primitives::observe::{Cancelled, Observer, checkpoint};
+use crate::observe::{Cancelled, Observer, checkpoint};
 use std::collections::VecDeque;
 
 /// Number of stored pairs of steps and gradient changes.
@@ -16,7 +16,7 @@ const HALVINGS: usize = 40;
 const WINDOW: usize = 10;
 
 /// A function to minimize.
-pub(super) trait Objective {
+pub trait Objective {
     /// The value at `x`, infinite where it is not defined, and its gradient into `gradient`.
     fn evaluate(&self, x: &[f64], gradient: &mut [f64]) -> f64;
     /// An approximation of the inverse Hessian, symmetric and positive definite, times `v`.
@@ -24,9 +24,12 @@ pub(super) trait Objective {
 }
 
 /// The result of a minimization.
-pub(super) struct Minimum {
+pub struct Minimum {
+    /// Where the value is lowest.
     pub x: Vec<f64>,
+    /// Steps taken.
     pub iterations: u32,
+    /// Whether the decrease of the value ended it, not the number of steps.
     pub converged: bool,
 }
 
@@ -36,11 +39,12 @@ struct Pair {
     inverse_product: f64,
 }
 
-/// Minimizes `objective` from `x`, where it must be finite. The value falls with every step.
+/// Minimizes `objective` from `x`, where it must be finite. The value falls with every step. It ends when ten steps together
+/// lower the value by less than the share `tolerance`.
 ///
 /// # Errors
 /// [`Cancelled`].
-pub(super) fn minimize(
+pub fn minimize(
     objective: &dyn Objective,
     mut x: Vec<f64>,
     max_iterations: u32,
@@ -154,7 +158,7 @@ fn add(to: &mut [f64], factor: f64, what: &[f64]) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use homolog_primitives::observe::Silent;
+    use crate::observe::Silent;
 
     /// Rosenbrock's valley, undefined left of −2.
     struct Valley;

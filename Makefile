@@ -30,13 +30,15 @@
 #              seconds; WITHIN=10: seconds that an input may take (2 unless set), for busy machines; needs a nightly toolchain
 # make study   measure studies of real hippocampi: models, simulated atrophy, splits without an effect, time, memory; DATA=dir: label
 #              volumes in dir/hippocampus; PARTS=time,null: some of them
+# make study-others  the same studies with correspondences by spherical harmonics, ICP and coherent point drift; DATA as above;
+#              PARTS=model,cycles,atrophy: some of them
 # make bench   benchmarks of a match
 # make bench-service  benchmarks of the service; PART=poll: one part of them
 
 SHELL := /usr/bin/env bash
 .SHELLFLAGS := -eu -o pipefail -c
 .DEFAULT_GOAL := help
-.PHONY: help demo test faults fuzz soak memory check sbom advisories contract build api client picture experiment accuracy energies answers study bench bench-service dashboard screenshots
+.PHONY: help demo test faults fuzz soak memory check sbom advisories contract build api client picture experiment accuracy energies answers study study-others study-env bench bench-service dashboard screenshots
 
 CARGO ?= cargo
 SOURCE ?=
@@ -143,13 +145,19 @@ energies:
 	benches/accuracy/run --binary target/release/homolog --data "$(DATA)" --eval "$(EVAL)" --ours-only \
 	  --energies target/release/examples/energies $(if $(CASES),--cases "$(CASES)")
 
-study: build
+study: build study-env
+	$(CARGO) build --release --locked -p homolog -p homolog-study --example null_splits --example templates_apart --bins
+	target/study-env/bin/python benches/study/study.py --binary target/release/homolog --examples target/release/examples \
+	  --data "$(DATA)" --out target/study $(if $(PARTS),--parts "$(PARTS)")
+
+study-others: build study-env
+	$(CARGO) build --release --locked -p homolog -p homolog-study --example other_matches --bins
+	target/study-env/bin/python benches/study/others.py --binary target/release/homolog --examples target/release/examples \
+	  --data "$(DATA)" --out target/study $(if $(PARTS),--parts "$(PARTS)")
+
+study-env:
 	[ -x target/study-env/bin/python ] || python3 -m venv target/study-env
 	target/study-env/bin/python -m pip --disable-pip-version-check --quiet install -r benches/accuracy/requirements.txt
-	$(CARGO) build --release --locked -p homolog -p homolog-study --example null_splits --bins
-	target/study-env/bin/python benches/study/study.py --binary target/release/homolog \
-	  --null-splits target/release/examples/null_splits --data "$(DATA)" --out target/study \
-	  $(if $(PARTS),--parts "$(PARTS)")
 
 answers: build
 	scripts/answers target/release/homolog --data "$(DATA)" --against tests/answers.tsv

@@ -132,6 +132,7 @@ export interface Result {
     runner_up_misfit?: number;
     other_handedness_misfit?: number;
     curvature_agreement: number;
+    distortion?: number;
     normal_agreement: number;
     residual_mm: number;
   };

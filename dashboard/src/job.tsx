@@ -189,6 +189,9 @@ function Measures({ result }: { result: Result }) {
       ["Curvature agreement", number(reliability.curvature_agreement)],
       ["Agreement of directions", number(reliability.normal_agreement)],
     );
+    if (reliability.distortion !== undefined) {
+      rows.push(["Distortion (0 if angles are kept, about 0.2 for two subjects)", number(reliability.distortion)]);
+    }
   }
   return (
     <section class="card">

@@ -240,7 +240,7 @@ fn summary(found: &Findings) -> String {
     let rounds = &found.matched.making.rounds;
     if let Some(last) = rounds.last() {
         lines.push(format!(
-            "template made in {} rounds from {} subjects; the last moved it by {:.3} of its mean edge",
+            "template made in {} rounds from {} subjects; the last moved its surface by {:.3} of its mean edge",
             rounds.len(),
             last.subjects,
             last.moved_share

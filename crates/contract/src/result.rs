@@ -188,6 +188,11 @@ pub struct ReliabilityDocument {
     pub curvature_agreement: f64,
     /// Mean cosine between the normals of corresponding points.
     pub normal_agreement: f64,
+    /// How far the deformation is from one that keeps angles: the mean over the area of the source of the logarithm of how many
+    /// times longer than wide a small circle becomes. 0 for similarities; about 0.2 for two subjects. Absent in results of
+    /// version 0.1.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+    pub distortion: Option<f64>,
     /// Robust standard deviation of the distance between the deformed source and the target along the normals, mm.
     pub residual_mm: f64,
 }
@@ -198,8 +203,8 @@ pub struct ReliabilityDocument {
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum UnreliableReason {
-    /// Corresponding points have different curvatures or normals, or one closed surface is longer by half: they show
-    /// different structures.
+    /// Corresponding points have different curvatures or normals, one surface has to be drawn out far to become the other, or
+    /// one closed surface is longer by half: they show different structures.
     UnlikeShape,
     /// A mirrored copy of the source fits better: the two are of different sides, or one image is mirrored.
     OtherHandedness,

@@ -61,7 +61,7 @@ impl UnreliableReason {
         match self {
             UnreliableReason::UnlikeShape => {
                 "The two surfaces seem to show different structures: curvatures or normals of corresponding points \
-                 disagree, or one surface is longer by half."
+                 disagree, one has to be drawn out far to become the other, or one surface is longer by half."
             }
             UnreliableReason::OtherHandedness => "A mirror image of the source fits the target better.",
             UnreliableReason::AmbiguousPose => "Another pose, turned by 45 degrees or more, fits as well.",

@@ -7,14 +7,26 @@ use homolog_geometry::curvature::vertex_areas;
 use homolog_mesh::{ClosestPoint, SurfaceMesh};
 use homolog_registration::weighted_moments;
 
-/// Correlation of curvatures below which surfaces may show different structures. Two hippocampi have 0.65 and more, an
-/// ellipsoid and a hippocampus 0.33 to 0.61, and copies of which one has noise of 2 % of its diagonal 0.48 to 0.6.
-const MIN_CURVATURE_AGREEMENT: f64 = 0.62;
+/// Likeness of the shapes below which they may be of different structures. Correlated curvatures speak for one structure; a
+/// deformation that draws triangles out speaks against it, because a smooth field bends any shape near any other, but only
+/// by stretching it; and so does a pose that fits hardly better than another.
+///
+/// The weights were chosen on pairs of hippocampi and of hippocampi with the putamen, the caudate nucleus and the amygdala of the same
+/// heads, which have 0.37 and less. Right answers have 0.45 and more: warps of 8 %, which are drawn out furthest, 0.45, pairs of hippocampi 0.49,
+/// molars and vertebrae, on which no weight was chosen, 0.58.
+const MIN_LIKENESS: f64 = 0.41;
+const WEIGHT_OF_DISTORTION: f64 = 0.8;
+const WEIGHT_OF_LEAD: f64 = 0.3;
+/// Lead over other poses of the same handedness from which more says nothing.
+const MAX_LEAD: f64 = 0.3;
 /// Mean cosine between normals below which surfaces may show different structures.
 const MIN_NORMAL_AGREEMENT: f64 = 0.8;
-/// They do, unless the misfit of the pose is lower than that of any other by this much: with noise on one structure the
-/// difference was at least 0.08, with the ellipsoid at most 0.03.
-const CLEAR: f64 = 0.06;
+/// They do not if the deformation distorts less than this: the closest points of thin walls are often on their other side. Skulls have
+/// normal agreements of 0.54 to 0.57 at distortions of 0.13 and less, femurs matched with vertebrae 0.47 to 0.70 at 0.85 and more.
+const DISTORTION_OF_WALLS: f64 = 0.2;
+/// A mirror image counts as fitting better if its misfit is lower by this. Of shapes with two equal sides (skulls, vertebrae, solids)
+/// it differs by up to 0.05 either way; it is lower by at least 0.17 where one of two hippocampi is mirrored, and by 0.07 for bent tubes with noise.
+const LEAST_GAIN_OF_MIRRORING: f64 = 0.06;
 /// Largest ratio of the lengths of two closed surfaces of one structure, as standard deviations along the first principal
 /// axis: among all 8,385 pairs of 130 hippocampi the maximum is 1.46 (99th percentile 1.27), for warps of 8 % it is 1.20;
 /// of 16,770 pairs of a hippocampus and the anterior part of another 99 % have 1.56 and more.
@@ -67,6 +79,11 @@ fn length_mm(mesh: &SurfaceMesh) -> f64 {
     moments.map_or(0.0, |(_, scatter)| (scatter / total).symmetric_eigenvalues().max().sqrt())
 }
 
+/// How much the two shapes of `found` are alike, whose pose leads by `lead`: about 1 for copies; see [`MIN_LIKENESS`].
+fn likeness(found: &DisplacementAnswer, lead: f64) -> f64 {
+    found.agreement.curvature - WEIGHT_OF_DISTORTION * found.distortion + WEIGHT_OF_LEAD * lead
+}
+
 /// Reliability of `found`, an answer for `source` on `target`.
 pub(super) fn reliability(found: &DisplacementAnswer, source: &Side, target: &Side) -> ReliabilityDocument {
     let best = found.compared[0];
@@ -76,12 +93,14 @@ pub(super) fn reliability(found: &DisplacementAnswer, source: &Side, target: &Si
     };
     let (runner_up, mirrored) = (of(best.mirrored), of(!best.mirrored));
     let mut reasons = Vec::new();
-    let unlike = found.agreement.curvature < MIN_CURVATURE_AGREEMENT || found.agreement.normals < MIN_NORMAL_AGREEMENT;
-    let clear = [runner_up, mirrored].into_iter().flatten().all(|m| m > best.misfit + CLEAR);
-    if unlike && !clear || length_ratio(source, target) > MAX_LENGTH_RATIO {
+    // A shape with two equal sides fits its mirror image as well, and is no less alike for that.
+    let lead = runner_up.map_or(MAX_LEAD, |misfit| misfit - best.misfit).min(MAX_LEAD);
+    let normals_disagree = found.agreement.normals < MIN_NORMAL_AGREEMENT && found.distortion >= DISTORTION_OF_WALLS;
+    let unlike = likeness(found, lead) < MIN_LIKENESS || normals_disagree;
+    if unlike || length_ratio(source, target) > MAX_LENGTH_RATIO {
         reasons.push(UnreliableReason::UnlikeShape);
     }
-    if mirrored.is_some_and(|m| m < best.misfit) {
+    if mirrored.is_some_and(|m| m < best.misfit - LEAST_GAIN_OF_MIRRORING) {
         reasons.push(UnreliableReason::OtherHandedness);
     }
     // Several correspondences of bending-invariant forms may lead to one answer.
@@ -102,6 +121,7 @@ pub(super) fn reliability(found: &DisplacementAnswer, source: &Side, target: &Si
         other_handedness_misfit: mirrored,
         curvature_agreement: found.agreement.curvature,
         normal_agreement: found.agreement.normals,
+        distortion: Some(found.distortion),
         residual_mm: found.residual_mm,
     }
 }

@@ -1,8 +1,8 @@
 //! `exp(x)` for `x ≤ 0`, for loops over many numbers.
 //!
-//! A polynomial in 32 bits without fused operations, so that a loop around it vectorizes and every instruction set gives
-//! the same bits. Source: range reduction by `ln 2` in two parts and the minimax polynomial of Moshier's Cephes library
-//! (`expf`).
+//! Without fused operations, so that a loop around it vectorizes and every instruction set gives the same bits. Source: range
+//! reduction by `ln 2` in two parts, and the minimax polynomial (32 bits) or rational function (64 bits) of Moshier's Cephes
+//! library (`expf`, `exp`).
 
 /// 1.5 · 2²³: adding it rounds to the nearest integer and leaves that in the low bits.
 const ROUND: f32 = 12_582_912.0;
@@ -26,6 +26,29 @@ pub fn exp_negative(x: f32) -> f32 {
     if x > SMALLEST_EXPONENT { fraction * power } else { 0.0 }
 }
 
+/// 1.5 · 2⁵²: as [`ROUND`].
+const ROUND_F64: f64 = 6_755_399_441_055_744.0;
+/// As [`SMALLEST_EXPONENT`].
+const SMALLEST_EXPONENT_F64: f64 = -708.0;
+
+/// `exp(x)` for `x ≤ 0`, to two units in the last place; 0 below −708.
+#[inline(always)]
+pub fn exp_negative_f64(x: f64) -> f64 {
+    let bounded = if x > SMALLEST_EXPONENT_F64 { x } else { SMALLEST_EXPONENT_F64 };
+    let shifted = bounded * std::f64::consts::LOG2_E + ROUND_F64;
+    let k = shifted - ROUND_F64;
+    let r = bounded - k * 6.931_457_519_531_25e-1 - k * 1.428_606_820_309_417_2e-6;
+    let squared = r * r;
+    let odd = r * ((1.261_771_930_748_105_9e-4 * squared + 3.029_944_077_074_419_6e-2) * squared + 1.0);
+    let even = ((3.001_985_051_386_644_6e-6 * squared + 2.524_483_403_496_841e-3) * squared
+        + 2.272_655_482_081_550_3e-1)
+        * squared
+        + 2.0;
+    let fraction = 1.0 + 2.0 * (odd / (even - odd));
+    let power = f64::from_bits((shifted.to_bits() << 52).wrapping_add(1023 << 52));
+    if x > SMALLEST_EXPONENT_F64 { fraction * power } else { 0.0 }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -39,8 +62,18 @@ mod tests {
         }
     }
 
+    proptest! {
+        #[test]
+        fn the_exponential_in_64_bits_agrees_with_that_of_the_standard_library(x in -707.9f64..=0.0) {
+            let ratio = exp_negative_f64(x) / x.exp();
+            prop_assert!((ratio - 1.0).abs() <= 3.0 * f64::EPSILON, "{} at {x}", exp_negative_f64(x));
+        }
+    }
+
     #[test]
     fn exponentials_below_the_range_are_zero() {
         assert_eq!((exp_negative(0.0), exp_negative(-87.5), exp_negative(f32::NEG_INFINITY)), (1.0, 0.0, 0.0));
+        let of = [0.0, -708.5, f64::NEG_INFINITY].map(exp_negative_f64);
+        assert_eq!(of, [1.0, 0.0, 0.0]);
     }
 }

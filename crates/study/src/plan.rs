@@ -5,7 +5,8 @@
 //! compute them in any order, on any machine, through any queue. Records are named by what they depend on
 //! ([`Task::key`]), so that nothing is computed twice.
 
-use crate::align::{align, rms};
+use crate::align::align;
+use crate::average::{next_template, triangle_quality};
 use crate::cohort::{Cohort, Role};
 use crate::error::StudyError;
 use crate::record::Record;
@@ -51,10 +52,19 @@ pub struct Making {
 pub struct Round {
     /// Subjects whose shapes were averaged.
     pub subjects: usize,
-    /// How far the mean lies from the template that it replaces, RMS over the surface, mm.
+    /// How far the mean lies from the template that it replaces, RMS over both surfaces, whatever their vertices, mm.
     pub moved_mm: f64,
     /// That, as a share of the mean edge length.
     pub moved_share: f64,
+    /// How far averaging moved vertices along the surface, RMS over the surface, mm.
+    #[serde(default)]
+    pub slid_mm: f64,
+    /// Share of that which was taken back.
+    #[serde(default)]
+    pub put_back: f64,
+    /// Quality of the triangles of the next template, 1 for equilateral ones: mean, and lowest 5th percentile.
+    #[serde(default)]
+    pub triangle_quality: [f64; 2],
     /// Volume of the mean, mm³.
     pub volume_mm3: f64,
 }
@@ -268,8 +278,8 @@ impl Study {
     }
 }
 
-/// The mean of the shapes of a round on the mesh of its template, in the place of the template. Shapes whose match failed or
-/// is unreliable do not count.
+/// The next template: the mean of the shapes of a round, in the place of the template. Shapes whose match failed or is
+/// unreliable do not count.
 fn averaged(template: &Template, tasks: &[Task], records: &dyn Records) -> Result<(Template, Round), StudyError> {
     let (mut shapes, mut reason): (Vec<Vec<[f32; 3]>>, Option<String>) = (Vec::new(), None);
     for task in tasks {
@@ -288,10 +298,16 @@ fn averaged(template: &Template, tasks: &[Task], records: &dyn Records) -> Resul
     let before = template.mesh.vertices();
     let back = crate::align::onto(&alignment.mean, before, &alignment.weights, false)
         .map_err(|error| StudyError::Alignment { id: "mean".to_owned(), error })?;
-    let moved: Vec<_> = alignment.mean.iter().map(|p| back.apply(p)).collect();
-    let moved_mm = rms(&moved, before, &alignment.weights);
-    let mesh = template.mesh.with_vertices(moved)?;
-    let moved_share = moved_mm / template.mesh.mean_edge_length();
-    let round = Round { subjects: shapes.len(), moved_mm, moved_share, volume_mm3: mesh.signed_volume() };
-    Ok((Template::new(&mesh), round))
+    let mean = alignment.mean.iter().map(|p| back.apply(p)).collect();
+    let next = next_template(&template.mesh, mean)?;
+    let round = Round {
+        subjects: shapes.len(),
+        moved_mm: next.moved.rms_mm,
+        moved_share: next.moved.rms_mm / template.mesh.mean_edge_length(),
+        slid_mm: next.slid_mm,
+        put_back: next.put_back,
+        triangle_quality: triangle_quality(&next.mesh),
+        volume_mm3: next.mesh.signed_volume(),
+    };
+    Ok((Template::new(&next.mesh), round))
 }

@@ -49,13 +49,13 @@ pub struct MadeTemplate {
     pub from: Vec<String>,
     /// Most rounds of matching and averaging.
     pub max_rounds: usize,
-    /// The template is finished when a round moves it by less than this share of its mean edge length, RMS.
+    /// The template is finished when a round moves its surface by less than this share of its mean edge length, RMS.
     pub tolerance: f64,
 }
 
 impl Default for MadeTemplate {
     fn default() -> Self {
-        MadeTemplate { start: None, subjects: 12, from: Vec::new(), max_rounds: 4, tolerance: 0.1 }
+        MadeTemplate { start: None, subjects: 12, from: Vec::new(), max_rounds: 8, tolerance: 0.05 }
     }
 }
 

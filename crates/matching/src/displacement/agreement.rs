@@ -2,6 +2,7 @@
 
 use super::stages::Displacement;
 use super::surface::{N_FEATURES, SmoothSurface};
+use homolog_mesh::SurfaceMesh;
 use nalgebra::Point3;
 use rayon::prelude::*;
 
@@ -32,7 +33,8 @@ impl Displacement<'_> {
     ///
     /// Cost `O(n log n')`; sums in order of the vertices.
     pub(super) fn agreement(&self, moved: &[Point3<f64>]) -> Agreement {
-        let found: Vec<_> = moved.par_iter().map(|p| self.closest.index.closest(p)).collect();
+        let closest = &self.target.closest().index;
+        let found: Vec<_> = moved.par_iter().map(|p| closest.closest(p)).collect();
         // Of the features at the largest scale the first is mean curvature.
         let feature = |side: &SmoothSurface, i: usize| side.features[(i + 1) * N_FEATURES - 2];
         let pairs: Vec<(f64, f64)> = found
@@ -51,6 +53,39 @@ impl Displacement<'_> {
     }
 }
 
+/// A triangle that is drawn out further than this counts as drawn out so far: one that has collapsed to a line would outweigh
+/// all others.
+const MAX_DRAWN_OUT: f64 = 10.0;
+
+/// How far `moved`, places of the vertices of `mesh`, is from a map that keeps angles: the mean over the area of `mesh` of
+/// `ln(σ₁/σ₂)`, where `σ₁ ≥ σ₂` are the singular values of the map of a triangle (Hormann, Greiner 2000 take their ratio). 0 for
+/// similarities, 0.69 where every triangle is drawn out to twice its width.
+///
+/// Cost `O(n)`; sums in order of the triangles.
+pub(super) fn distortion(mesh: &SurfaceMesh, moved: &[Point3<f64>]) -> f64 {
+    let (mut sum, mut total) = (0.0, 0.0);
+    for corners in mesh.triangles() {
+        let form = |points: &[Point3<f64>]| {
+            let [a, b, c] = corners.map(|v| points[v as usize]);
+            let (e, f) = (b - a, c - a);
+            (e.dot(&e), e.dot(&f), f.dot(&f), e.cross(&f).norm_squared())
+        };
+        let (g11, g12, g22, g) = form(mesh.vertices());
+        let (h11, h12, h22, h) = form(moved);
+        if g <= 0.0 {
+            continue;
+        }
+        // With G and H the first fundamental forms, σ₁² and σ₂² are the eigenvalues of G⁻¹H.
+        let trace = (g22 * h11 - 2.0 * g12 * h12 + g11 * h22) / g;
+        let cosh = trace / (2.0 * (h / g).sqrt());
+        let drawn_out = if h > 0.0 { cosh.max(1.0).acosh().min(MAX_DRAWN_OUT.ln()) } else { MAX_DRAWN_OUT.ln() };
+        let area = g.sqrt();
+        sum += area * drawn_out;
+        total += area;
+    }
+    if total > 0.0 { sum / total } else { 0.0 }
+}
+
 /// Pearson's correlation; 0 where one side does not vary.
 fn correlation(pairs: &[(f64, f64)]) -> f64 {
     let n = pairs.len() as f64;
@@ -65,7 +100,65 @@ fn correlation(pairs: &[(f64, f64)]) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::correlation;
+    use super::{MAX_DRAWN_OUT, correlation, distortion};
+    use homolog_mesh::SurfaceMesh;
+    use homolog_mesh::shapes::ellipsoid;
+    use nalgebra::{Matrix3, Point3, Rotation3, Vector3};
+    use proptest::prelude::*;
+
+    fn sphere() -> SurfaceMesh {
+        ellipsoid(Vector3::new(5.0, 5.0, 5.0), 2)
+    }
+
+    fn moved(mesh: &SurfaceMesh, map: &Matrix3<f64>) -> Vec<Point3<f64>> {
+        mesh.vertices().iter().map(|p| Point3::from(map * p.coords)).collect()
+    }
+
+    /// The singular values of the map of one triangle, from the map between orthonormal bases of the two planes.
+    fn of_triangle(before: [Point3<f64>; 3], after: [Point3<f64>; 3]) -> f64 {
+        let plane = |[a, b, c]: [Point3<f64>; 3]| {
+            let x = (b - a).normalize();
+            let y = (b - a).cross(&(c - a)).cross(&x).normalize();
+            nalgebra::Matrix2::new((b - a).dot(&x), (c - a).dot(&x), (b - a).dot(&y), (c - a).dot(&y))
+        };
+        let map = plane(after) * plane(before).try_inverse().unwrap();
+        let values = map.singular_values();
+        (values.max() / values.min()).ln()
+    }
+
+    #[test]
+    fn similarities_do_not_distort() {
+        let mesh = sphere();
+        let turned = moved(&mesh, &(Rotation3::new(Vector3::new(0.3, -1.0, 0.7)).matrix() * 2.5));
+        assert!(distortion(&mesh, &turned) < 1e-6);
+    }
+
+    #[test]
+    fn a_collapsed_triangle_counts_as_far_drawn_out_and_no_further() {
+        let mesh = sphere();
+        let flat = moved(&mesh, &Matrix3::from_diagonal(&Vector3::new(1.0, 0.0, 0.0)));
+        assert!((distortion(&mesh, &flat) - MAX_DRAWN_OUT.ln()).abs() < 1e-9);
+    }
+
+    proptest! {
+        #[test]
+        fn distortion_is_that_of_the_singular_values_of_every_triangle(
+            entries in prop::array::uniform9(-1.0..1.0f64),
+        ) {
+            let map = Matrix3::from_iterator(entries) + Matrix3::identity() * 1.5;
+            prop_assume!(map.determinant().abs() > 0.1);
+            let mesh = sphere();
+            let moved = moved(&mesh, &map);
+            let (mut sum, mut total) = (0.0, 0.0);
+            for t in mesh.triangles() {
+                let [before, after] = [mesh.vertices(), &moved[..]].map(|points| t.map(|v| points[v as usize]));
+                let area = (before[1] - before[0]).cross(&(before[2] - before[0])).norm();
+                sum += area * of_triangle(before, after).min(MAX_DRAWN_OUT.ln());
+                total += area;
+            }
+            prop_assert!((distortion(&mesh, &moved) - sum / total).abs() < 1e-6);
+        }
+    }
 
     #[test]
     fn correlation_is_that_of_pearson() {

@@ -58,7 +58,7 @@ impl Displacement<'_> {
     /// The rigid part of what moves the vertices of the source to `moved`: a start that forgets from where it was reached.
     /// `fallback` where there is none.
     pub(super) fn pose_of(&self, moved: &[Point3<f64>], fallback: &RigidTransform) -> RigidTransform {
-        let SmoothSurface { mesh, areas, .. } = &self.source;
+        let SmoothSurface { mesh, areas, .. } = &*self.source;
         absolute_orientation(mesh.vertices(), moved, Some(areas), true).unwrap_or(*fallback)
     }
 
@@ -168,11 +168,12 @@ impl Displacement<'_> {
         across: f64,
     ) -> (Vec<Observation>, f64) {
         let along_mm = self.along_mm();
+        let closest = &self.target.closest().index;
         let pairs: Vec<(Observation, f64)> = (0..starts.len())
             .into_par_iter()
             .map(|i| {
                 let p = assigned.points[i];
-                let at = self.closest.index.closest(&p);
+                let at = closest.closest(&p);
                 let blended = at.blend(|k| self.target.normals[k]);
                 let normal = blended.try_normalize(1e-9).unwrap_or(assigned.normals[i]);
                 let to_surface = at.point - p;

@@ -14,7 +14,6 @@ use super::prior;
 use super::stages::{Displacement, kernel, precision_of_features};
 use super::track::Track;
 use crate::MatchError;
-use crate::surface_index::SurfaceIndex;
 use homolog_primitives::observe::checkpoint;
 use homolog_registration::RigidTransform;
 use homolog_registration::deformation::{FittedField, GaussianKernel, KernelEvidence, fit_field, most_probable_kernel};
@@ -126,7 +125,6 @@ impl Displacement<'_> {
         Some(Displacement {
             source: self.source.clone(),
             target: self.target.clone(),
-            closest: SurfaceIndex::with_normals(&self.target.mesh, self.target.normals.clone()),
             guides: self.guides.with_functions(&functions),
             functions,
             ..*self
@@ -149,7 +147,7 @@ impl Displacement<'_> {
         let mut heights = Vec::with_capacity(picked.len());
         let mut normals = Vec::with_capacity(picked.len());
         for &i in &picked {
-            let at = self.closest.index.closest(&moved[i]);
+            let at = self.target.closest().index.closest(&moved[i]);
             let normal = at.blend(|k| self.target.normals[k]).try_normalize(1e-9)?;
             heights.push(normal.dot(&(at.point - moved[i])));
             normals.push(normal);

@@ -36,6 +36,7 @@ mod answer;
 mod both_ways;
 mod coarse;
 mod fine;
+mod finish;
 mod forms;
 mod functions;
 mod guides;
@@ -60,10 +61,9 @@ pub use isometry::{NearIsometryModel, near_isometry_model};
 
 use super::MatchError;
 use super::lengths::Lengths;
-use super::surface_index::SurfaceIndex;
-use both_ways::WayBack;
 use faer::Mat;
 use fine::Refined;
+use finish::Turned;
 use functions::Functions;
 use guides::Guides;
 use homolog_contract::parameters::Landmark;
@@ -72,10 +72,10 @@ use homolog_mesh::{ClosestPointIndex, SurfaceMesh};
 use homolog_primitives::observe::{Observer, checkpoint};
 use homolog_registration::deformation::{GaussianKernel, SmoothPrior};
 use homolog_registration::{RigidTransform, weighted_moments};
-use local::LocalKernel;
 use nalgebra::Point3;
 use rayon::prelude::*;
 use stages::{Displacement, displaced};
+use std::sync::Arc;
 use surface::{SmoothSurface, prepare};
 
 /// Residual along the normals, in sampling distances, from which surfaces count as those of two subjects and are fitted in
@@ -169,22 +169,6 @@ impl Surfaces<'_> {
         spread(self.full_target) > spread(self.full_source)
     }
 
-    /// The inverse of the map from the target to the source, from the inverse of `pose`; `prepared` are both.
-    fn turned(
-        &self,
-        (source, target): (&SmoothSurface, &SmoothSurface),
-        pose: &RigidTransform,
-        options: &DisplacementOptions,
-        observer: &dyn Observer,
-    ) -> Result<Option<Deformed>, MatchError> {
-        let landmarks: Vec<Landmark> = self.landmarks.iter().map(swapped).collect();
-        let form_of = |which: Which| (self.form_of)(which.other());
-        let start = [StartPose { pose: pose.inverse(), excess: 0.0 }];
-        let prepared = (target.clone(), source.clone());
-        let back = deformed(&self.swapped(&landmarks, &form_of), prepared, &start, true, false, options, observer)?;
-        Ok(back.and_then(|back| back.inverse(self.full_target, self.full_source)))
-    }
-
     /// The pair in the other direction.
     fn swapped<'b>(
         &'b self,
@@ -235,6 +219,8 @@ pub(crate) struct DisplacementAnswer {
     pub residual_mm: f64,
     /// How well the surfaces agree after the deformation.
     pub agreement: Agreement,
+    /// How far the deformation is from one that keeps angles, [`agreement::distortion`].
+    pub distortion: f64,
 }
 
 /// Corresponding points of the source on the target, from the best of the rigid `poses`. A pose that mirrors takes part in
@@ -261,12 +247,12 @@ pub(crate) fn displace(
 ) -> Result<Option<DisplacementAnswer>, MatchError> {
     let prepared = prepare(surfaces.source, surfaces.target, surfaces.lengths.root_mm)?;
     checkpoint(observer)?;
-    let found = deformed(surfaces, prepared, poses, allow_reflection, true, options, observer)?;
+    let found = deformed(surfaces, prepared, poses, allow_reflection, options, observer)?;
     Ok(found.map(|found| {
-        let Deformed { moved, variances, transform, compared, residual_mm, agreement } = found;
+        let Deformed { moved, variances, transform, compared, residual_mm, agreement, distortion } = found;
         let (target, closest) = (surfaces.full_target, surfaces.target_closest);
         let images = images(target, closest, &moved, &variances, surfaces.lengths.sampling_mm);
-        DisplacementAnswer { images, transform, compared, residual_mm, agreement }
+        DisplacementAnswer { images, transform, compared, residual_mm, agreement, distortion }
     }))
 }
 
@@ -280,6 +266,7 @@ struct Deformed {
     compared: Vec<ComparedPose>,
     residual_mm: f64,
     agreement: Agreement,
+    distortion: f64,
 }
 
 impl Deformed {
@@ -314,28 +301,24 @@ fn swapped(landmark: &Landmark) -> Landmark {
     Landmark { source_mm: landmark.target_mm, target_mm: landmark.source_mm, ..landmark.clone() }
 }
 
-/// The source deformed onto the target; with `may_turn`, by the inverse of the map from the target where that is the direction
-/// for two subjects.
+/// The source deformed onto the target.
 fn deformed(
     surfaces: &Surfaces<'_>,
-    (smooth_source, smooth_target): (SmoothSurface, SmoothSurface),
+    (smooth_source, smooth_target): (Arc<SmoothSurface>, Arc<SmoothSurface>),
     poses: &[StartPose],
     allow_reflection: bool,
-    may_turn: bool,
     options: &DisplacementOptions,
     observer: &dyn Observer,
 ) -> Result<Option<Deformed>, MatchError> {
-    let Surfaces { source, target, full_source, full_target, target_closest, landmarks, open, lengths, .. } = *surfaces;
+    let Surfaces { source, landmarks, open, lengths, .. } = *surfaces;
     let Some(functions) = functions(source, &smooth_source, options) else { return Ok(None) };
     let guides = Guides::new(landmarks, &functions, lengths.root_mm);
     let forward = Displacement {
-        closest: SurfaceIndex::with_normals(&smooth_target.mesh, smooth_target.normals.clone()),
         source: smooth_source,
         target: smooth_target,
         functions,
         guides,
         diagonal_mm: diagonal_mm(source),
-        open,
         lengths,
         options,
         observer,
@@ -343,10 +326,18 @@ fn deformed(
     let may_answer = |pose: &RigidTransform| allow_reflection || !pose.is_reflection();
     let Some((mut compared, state)) = forward.coarse(poses, may_answer)? else { return Ok(None) };
     let pose = poses[compared[0].pose].pose;
-    let Some(fine) = forward.fine(state)? else { return Ok(None) };
-    // Whether another start is needed shows before a field is narrow enough to hide that it does not lead to the truth.
-    let wide = fine.moved();
     let fits_worse_than_its_mirror_image = compared.iter().any(|c| c.mirrored && c.misfit < compared[0].misfit);
+    let mut turned = None;
+    if !open && surfaces.is_fitted_backwards() {
+        turned = forward.turned(surfaces, &pose)?.filter(Turned::is_of_two_subjects);
+    }
+    // Whether another start is needed shows before a field is narrow enough to hide that it does not lead to the truth.
+    if !fits_worse_than_its_mirror_image && let Some(turned) = turned.take_if(|turned| !turned.is_doubtful()) {
+        let found = turned.finished(surfaces)?;
+        return Ok(found.map(|found| Deformed { compared, ..found }));
+    }
+    let Some(fine) = forward.fine(state)? else { return Ok(None) };
+    let wide = fine.moved();
     let mut unbent = None;
     // Correspondences of the forms never mirror.
     if !compared[0].mirrored
@@ -365,49 +356,16 @@ fn deformed(
             Some(unbent.refined)
         }
         None => {
-            let two_subjects = !open && fine.residual_mm >= TWO_SUBJECTS * lengths.sampling_mm;
-            if may_turn && two_subjects && surfaces.is_fitted_backwards() {
-                let pose = forward.pose_of(&fine.moved(), &pose);
-                let back = surfaces.turned((&forward.source, &forward.target), &pose, options, observer)?;
-                return Ok(back.map(|back| Deformed { compared, ..back }));
+            if let Some(turned) = turned {
+                let found = turned.finished(surfaces)?;
+                return Ok(found.map(|found| Deformed { compared, ..found }));
             }
             forward.refined_from(fine)?
         }
     };
     let Some(refined) = refined else { return Ok(None) };
-    // The mean of two fits agrees with any surface better than either does, so agreement is measured before.
-    let (own, own_values) = refined.moved(source);
-    let agreement = forward.agreement(&own);
-    let residual_mm = refined.residual_mm;
-    // A part that is missing on one surface has no counterpart in a fit back.
-    let returned = if open || refined.base.bend.is_some() || residual_mm < TWO_SUBJECTS * lengths.sampling_mm {
-        None
-    } else {
-        forward.returned(surfaces, &forward.pose_of(&own, &pose), refined.local)?
-    };
-    let back = returned.and_then(|returned| WayBack::new(full_target, target_closest, returned));
-    let met = |mesh: &SurfaceMesh, points: Vec<Point3<f64>>| match &back {
-        Some(back) => back.met(mesh.vertices(), &points),
-        None => points,
-    };
-    let fitted = met(source, own);
-    let Some(rigid) = forward.rigid_part(source, &fitted, target.mean_edge_length(), open)? else { return Ok(None) };
-    // The field of a small surface is fitted on all its vertices.
-    let (mut points, values) = if source == full_source {
-        (fitted, own_values)
-    } else {
-        let (points, values) = refined.moved(full_source);
-        (met(full_source, points), values)
-    };
-    if rigid.copies && open {
-        // A field pulls the part without counterpart towards the rim, and its surroundings with it.
-        points = full_source.vertices().iter().map(|p| rigid.transform.apply(p)).collect();
-    }
-    // The covariance of a wide field takes correlated residuals for independent ones of a low density.
-    let share = if refined.local.is_some() { 1.0 } else { FIELD_SHARE };
-    let variances = refined.field.covariances(values.as_ref()).iter().map(|c| share * c.trace()).collect();
-    let transform = rigid.transform;
-    Ok(Some(Deformed { moved: points, variances, transform, compared, residual_mm, agreement }))
+    let found = forward.finished(surfaces, refined, &pose)?;
+    Ok(found.map(|found| Deformed { compared, ..found }))
 }
 
 /// The prior of the displacement of `mesh`, on its smooth version.
@@ -430,39 +388,6 @@ fn prior(diagonal_mm: f64, options: &DisplacementOptions) -> SmoothPrior {
 fn diagonal_mm(mesh: &SurfaceMesh) -> f64 {
     let (low, high) = mesh.bounding_box();
     (high - low).norm()
-}
-
-impl Displacement<'_> {
-    /// The vertices of the full target moved onto the source by a fit in that direction, from the inverse of `pose`.
-    fn returned(
-        &self,
-        surfaces: &Surfaces<'_>,
-        pose: &RigidTransform,
-        local: Option<LocalKernel>,
-    ) -> Result<Option<Vec<Point3<f64>>>, MatchError> {
-        let Some(functions) = functions(surfaces.target, &self.target, self.options) else { return Ok(None) };
-        let back = Displacement {
-            source: self.target.clone(),
-            target: self.source.clone(),
-            closest: SurfaceIndex::with_normals(&self.source.mesh, self.source.normals.clone()),
-            guides: self.guides.swapped(&functions),
-            functions,
-            diagonal_mm: diagonal_mm(surfaces.target),
-            open: self.open,
-            lengths: self.lengths,
-            options: self.options,
-            observer: self.observer,
-        };
-        let inverse = pose.inverse();
-        let refined = match local {
-            Some(local) => back.locally_from(&inverse, &local)?,
-            None => match back.coarse_alone(&inverse) {
-                Some(state) => back.refined(state)?,
-                None => None,
-            },
-        };
-        Ok(refined.map(|refined| refined.moved(surfaces.full_target).0))
-    }
 }
 
 impl Refined {

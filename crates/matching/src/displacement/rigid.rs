@@ -14,9 +14,9 @@
 //! surfaces take part; here each in turn has the planes); Tukey's biweight for points without counterpart.
 
 use super::stages::Displacement;
+use super::surface::SmoothSurface;
 use crate::MatchError;
 use crate::copies::align_shortly;
-use crate::surface_index::SurfaceIndex;
 use homolog_geometry::curvature::vertex_areas;
 use homolog_mesh::SurfaceMesh;
 use homolog_registration::{
@@ -62,11 +62,10 @@ impl Displacement<'_> {
         if !copies && !open {
             return Ok(Some(RigidPart { transform: fitted, copies }));
         }
-        let closest = SurfaceIndex::with_normals(&self.source.mesh, self.source.normals.clone());
-        let of_source =
-            SurfaceSide { points: self.source.mesh.vertices(), areas: &self.source.areas, closest: &closest };
-        let of_target =
-            SurfaceSide { points: self.target.mesh.vertices(), areas: &self.target.areas, closest: &self.closest };
+        fn side(surface: &SmoothSurface) -> SurfaceSide<'_> {
+            SurfaceSide { points: surface.mesh.vertices(), areas: &surface.areas, closest: surface.closest() }
+        }
+        let (of_source, of_target) = (side(&self.source), side(&self.target));
         let options = TwoSidedOptions {
             metric: IcpMetric::PointToPlane,
             max_sample: usize::MAX,

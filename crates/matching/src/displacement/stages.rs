@@ -5,13 +5,13 @@ use super::functions::Functions;
 use super::guides::Guides;
 use super::surface::{N_FEATURES, SmoothSurface};
 use crate::lengths::Lengths;
-use crate::surface_index::SurfaceIndex;
 use faer::Mat;
 use homolog_primitives::observe::Observer;
 use homolog_registration::RigidTransform;
 use homolog_registration::alignment::{Assignment, AssignmentKernel, OUTLIER_SHARE, annealed};
 use homolog_registration::deformation::{FittedField, Observation};
 use nalgebra::{Point3, Vector3};
+use std::sync::Arc;
 
 /// `ν` in the assignment's `ν (1 − ⟨n, n'⟩)`.
 pub(super) const NORMAL_WEIGHT: f64 = 2.0;
@@ -94,15 +94,11 @@ pub(super) fn observed_means(
 
 /// What all stages of a displacement share.
 pub(super) struct Displacement<'a> {
-    pub source: SmoothSurface,
-    pub target: SmoothSurface,
-    /// Closest points of the target, with its normals.
-    pub closest: SurfaceIndex,
+    pub source: Arc<SmoothSurface>,
+    pub target: Arc<SmoothSurface>,
     pub functions: Functions,
     pub guides: Guides,
     pub diagonal_mm: f64,
-    /// Whether a part of either surface may be missing.
-    pub open: bool,
     pub lengths: Lengths,
     pub options: &'a DisplacementOptions,
     pub observer: &'a dyn Observer,

@@ -3,11 +3,13 @@
 use crate::MatchError;
 use crate::robust::{STD_OF_MAD, median};
 use crate::side::POSITION_SCALE;
+use crate::surface_index::SurfaceIndex;
 use homolog_geometry::curvature::{Curvatures, Estimator, ScaleSpace, curvatures, vertex_areas};
 use homolog_mesh::SurfaceMesh;
 use homolog_registration::alignment::OrientedPoints;
 use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
+use std::sync::{Arc, OnceLock};
 
 /// Scales of the features, in roots of the area: finer than those that find the pose, because the poses are close already.
 /// The first is that of the normals as well.
@@ -23,7 +25,6 @@ const GRAIN: f64 = 0.00225;
 const MAX_COARSENING: f64 = 4.0;
 
 /// One surface, prepared.
-#[derive(Clone)]
 pub(super) struct SmoothSurface {
     /// Positions at [`POSITION_SCALE`].
     pub mesh: SurfaceMesh,
@@ -33,6 +34,8 @@ pub(super) struct SmoothSurface {
     pub areas: Vec<f64>,
     /// `n × N_FEATURES`.
     pub features: Vec<f64>,
+    /// Its closest points, once they were asked for.
+    closest: OnceLock<SurfaceIndex>,
 }
 
 /// Every `k`-th vertex of a surface, with areas that sum to that of the surface.
@@ -53,7 +56,7 @@ pub(super) fn prepare(
     source: &SurfaceMesh,
     target: &SurfaceMesh,
     root_mm: f64,
-) -> Result<(SmoothSurface, SmoothSurface), MatchError> {
+) -> Result<(Arc<SmoothSurface>, Arc<SmoothSurface>), MatchError> {
     let (a, b) = rayon::join(|| Flow::new(source, root_mm), || Flow::new(target, root_mm));
     let (a, b) = (a?, b?);
     // One set of scales for both, or the smoother surface would look different.
@@ -72,7 +75,7 @@ pub(super) fn prepare(
             }
         }
     }
-    Ok((a, b))
+    Ok((Arc::new(a), Arc::new(b)))
 }
 
 /// A surface with its scale space.
@@ -116,6 +119,7 @@ impl<'a> Flow<'a> {
             normals,
             areas: vertex_areas(&mesh),
             features: vec![0.0; mesh.n_vertices() * N_FEATURES],
+            closest: OnceLock::new(),
             mesh,
         };
         Ok((surface, values))
@@ -127,6 +131,11 @@ fn at(space: &ScaleSpace<'_>, scale_mm: f64) -> Result<SurfaceMesh, MatchError> 
 }
 
 impl SmoothSurface {
+    /// Closest points of the surface, with its normals.
+    pub(super) fn closest(&self) -> &SurfaceIndex {
+        self.closest.get_or_init(|| SurfaceIndex::with_normals(&self.mesh, self.normals.clone()))
+    }
+
     pub(super) fn samples(&self) -> OrientedPoints<'_> {
         OrientedPoints {
             points: self.mesh.vertices(),

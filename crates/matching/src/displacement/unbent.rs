@@ -16,7 +16,6 @@ use super::prior;
 use super::stages::{Base, Displacement, State, comparison_kernel};
 use super::unbending::Unbending;
 use crate::MatchError;
-use crate::surface_index::SurfaceIndex;
 use homolog_primitives::observe::checkpoint;
 use homolog_registration::deformation::{GaussianKernel, Observation, fit_field};
 use homolog_registration::{RigidTransform, absolute_orientation};
@@ -167,7 +166,6 @@ impl Displacement<'_> {
         Some(Displacement {
             source: self.source.clone(),
             target: self.target.clone(),
-            closest: SurfaceIndex::with_normals(&self.target.mesh, self.target.normals.clone()),
             guides: self.guides.with_functions(&functions),
             functions,
             ..*self

@@ -13,6 +13,7 @@ use homolog_primitives::exponential::exp_negative;
 use multiversion::multiversion;
 use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
+use std::ops::Range;
 
 /// The kernel is cut off at this many standard deviations; the rest weighs about 1 %.
 const REACH: f64 = 3.0;
@@ -52,12 +53,14 @@ pub struct Assignment {
 pub fn assign(source: &OrientedPoints<'_>, target: &OrientedPoints<'_>, kernel: &AssignmentKernel) -> Assignment {
     let n = source.points.len();
     let affinities = Affinities::new(target, kernel);
-    let rows: Vec<_> = (0..n).into_par_iter().map(|i| affinities.row(source, i)).collect();
+    let chunks: Vec<Range<usize>> = (0..n).step_by(ROWS).map(|first| first..n.min(first + ROWS)).collect();
+    let rows: Vec<Rows> = chunks.par_iter().map(|chunk| affinities.rows(source, chunk.clone())).collect();
     let flat = flat_density(kernel.sigma_mm);
     let background = kernel.outlier_share * flat;
     let target_densities = affinities.target_densities(&rows, source.areas, background);
     let shares = affinities.area_over_density(&target_densities);
-    let means: Vec<Means> = (0..n).into_par_iter().map(|i| affinities.means(source, i, &rows[i], &shares)).collect();
+    let means: Vec<Vec<Means>> = rows.par_iter().map(|rows| affinities.means(source, rows, &shares)).collect();
+    let means: Vec<Means> = means.into_iter().flatten().collect();
     let mut feature_variance = vec![0.0; kernel.feature_precision.len()];
     let mut total = 0.0;
     for (found, area) in means.iter().zip(source.areas) {
@@ -69,7 +72,7 @@ pub fn assign(source: &OrientedPoints<'_>, target: &OrientedPoints<'_>, kernel: 
     for variance in &mut feature_variance {
         *variance /= total.max(f64::MIN_POSITIVE);
     }
-    let of_source = rows.iter().map(|row| (background + row.density) / flat);
+    let of_source = rows.iter().flat_map(|rows| &rows.densities).map(|density| (background + density) / flat);
     let of_target = target_densities.as_flattened()[..target.points.len()].iter().map(|&s| f64::from(s) / flat);
     Assignment {
         targets: source.points.iter().zip(&means).map(|(p, found)| p + found.offset).collect(),
@@ -101,13 +104,38 @@ struct Affinities {
     half_precision: Vec<f32>,
 }
 
-/// The affinities of one source point.
-struct Row {
-    /// Blocks within reach.
+/// Source points whose affinities are kept side by side: few allocations, and enough chunks for many threads.
+const ROWS: usize = 32;
+
+/// The affinities of some consecutive source points.
+struct Rows {
+    /// The source points.
+    points: Range<usize>,
+    /// For each of them the end of its blocks.
+    ends: Vec<usize>,
+    /// Blocks within reach, point by point.
     blocks: Vec<u32>,
     affinity: Vec<Lanes>,
-    /// `Σ_j a_j g_ij`.
-    density: f64,
+    /// `Σ_j a_j g_ij` of each point.
+    densities: Vec<f64>,
+}
+
+/// The affinities of one source point.
+struct Row<'a> {
+    /// Blocks within reach.
+    blocks: &'a [u32],
+    affinity: &'a [Lanes],
+}
+
+impl Rows {
+    /// Point by point.
+    fn iter(&self) -> impl Iterator<Item = Row<'_>> {
+        let mut start = 0;
+        self.ends.iter().map(move |&end| {
+            let within = std::mem::replace(&mut start, end)..end;
+            Row { blocks: &self.blocks[within.clone()], affinity: &self.affinity[within] }
+        })
+    }
 }
 
 /// What one source point is assigned to.
@@ -143,24 +171,35 @@ impl Affinities {
         LanePoint::new(&source.point(i, self.target.n_features), &self.target, features)
     }
 
-    /// The affinities of source point `i` with all points within reach.
-    fn row(&self, source: &OrientedPoints<'_>, i: usize) -> Row {
-        let mut features = Vec::new();
-        let point = self.lane_point(source, i, &mut features);
-        let mut squared = vec![0.0; self.target.blocks.len()];
-        distances_from_boxes(&self.boxes, &point.position, &mut squared);
-        let within = squared.iter().enumerate().filter(|(_, d)| **d <= self.reach_squared);
-        let blocks: Vec<u32> = within.map(|(b, _)| b as u32).collect();
-        let mut affinity = vec![[0.0; LANES]; blocks.len()];
-        let density = block_affinities(self, &point, &blocks, &mut affinity);
-        Row { blocks, affinity, density }
+    /// The affinities of some source points with all points within reach.
+    fn rows(&self, source: &OrientedPoints<'_>, points: Range<usize>) -> Rows {
+        let (mut features, mut squared) = (Vec::new(), vec![0.0; self.target.blocks.len()]);
+        let mut rows = Rows {
+            points: points.clone(),
+            ends: Vec::with_capacity(points.len()),
+            blocks: Vec::new(),
+            affinity: Vec::new(),
+            densities: Vec::with_capacity(points.len()),
+        };
+        for i in points {
+            let point = self.lane_point(source, i, &mut features);
+            distances_from_boxes(&self.boxes, &point.position, &mut squared);
+            let start = rows.blocks.len();
+            let within = squared.iter().enumerate().filter(|(_, d)| **d <= self.reach_squared);
+            rows.blocks.extend(within.map(|(b, _)| b as u32));
+            rows.affinity.resize(rows.blocks.len(), [0.0; LANES]);
+            let density = block_affinities(self, &point, &rows.blocks[start..], &mut rows.affinity[start..]);
+            rows.ends.push(rows.blocks.len());
+            rows.densities.push(density);
+        }
+        rows
     }
 
     /// `b + Σ_i a_i g_ij` of every target point.
-    fn target_densities(&self, rows: &[Row], areas: &[f64], background: f64) -> Vec<Lanes> {
+    fn target_densities(&self, rows: &[Rows], areas: &[f64], background: f64) -> Vec<Lanes> {
         let mut densities = vec![[background as f32; LANES]; self.target.blocks.len()];
-        for (row, &area) in rows.iter().zip(areas) {
-            add_scaled(&row.blocks, &row.affinity, area as f32, &mut densities);
+        for (row, &area) in rows.iter().flat_map(Rows::iter).zip(areas) {
+            add_scaled(row.blocks, row.affinity, area as f32, &mut densities);
         }
         densities
     }
@@ -171,20 +210,25 @@ impl Affinities {
         self.target.blocks.iter().zip(densities).map(share).collect()
     }
 
-    /// Mass and means of source point `i`.
-    fn means(&self, source: &OrientedPoints<'_>, i: usize, row: &Row, shares: &[Lanes]) -> Means {
-        let mut features = Vec::new();
-        let point = self.lane_point(source, i, &mut features);
+    /// Mass and means of the source points of `rows`.
+    fn means(&self, source: &OrientedPoints<'_>, rows: &Rows, shares: &[Lanes]) -> Vec<Means> {
+        let (mut features, mut weights) = (Vec::new(), Vec::new());
         let mut sums = vec![[0.0; LANES]; 4 + self.target.n_features];
-        weighted_sums(self, &point, row, shares, &mut vec![[0.0; LANES]; row.blocks.len()], &mut sums);
         let total = |lanes: &Lanes| f64::from(lanes.iter().sum::<f32>());
-        let mass = total(&sums[0]);
-        let offset = Vector3::new(total(&sums[1]), total(&sums[2]), total(&sums[3]));
-        Means {
-            mass,
-            offset: if mass > 0.0 { offset / mass } else { Vector3::zeros() },
-            feature_variance: sums[4..].iter().map(total).collect(),
-        }
+        let means = |(i, row): (usize, Row<'_>)| {
+            let point = self.lane_point(source, i, &mut features);
+            // Every entry is overwritten.
+            weights.resize(row.blocks.len(), [0.0; LANES]);
+            weighted_sums(self, &point, &row, shares, &mut weights, &mut sums);
+            let mass = total(&sums[0]);
+            let offset = Vector3::new(total(&sums[1]), total(&sums[2]), total(&sums[3]));
+            Means {
+                mass,
+                offset: if mass > 0.0 { offset / mass } else { Vector3::zeros() },
+                feature_variance: sums[4..].iter().map(total).collect(),
+            }
+        };
+        rows.points.clone().zip(rows.iter()).map(means).collect()
     }
 }
 
@@ -252,13 +296,13 @@ fn add_scaled(blocks: &[u32], affinity: &[Lanes], area: f32, sums: &mut [Lanes])
 fn weighted_sums(
     all: &Affinities,
     point: &LanePoint<'_>,
-    row: &Row,
+    row: &Row<'_>,
     shares: &[Lanes],
     weights: &mut [Lanes],
     sums: &mut [Lanes],
 ) {
     let mut moments = [[0.0f32; LANES]; 4];
-    for ((&b, affinity), weight) in row.blocks.iter().zip(&row.affinity).zip(weights.iter_mut()) {
+    for ((&b, affinity), weight) in row.blocks.iter().zip(row.affinity).zip(weights.iter_mut()) {
         let (block, share) = (&all.target.blocks[b as usize], &shares[b as usize]);
         for k in 0..LANES {
             weight[k] = affinity[k] * share[k];

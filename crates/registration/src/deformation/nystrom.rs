@@ -1,7 +1,10 @@
 //! Basis functions of a smooth displacement field by the Nyström approximation.
 
-use faer::{Mat, Side};
+use faer::linalg::matmul::matmul;
+use faer::{Accum, Mat, MatRef, Par, Side};
+use homolog_primitives::exponential::exp_negative_f64;
 use homolog_primitives::points::farthest_points;
+use multiversion::multiversion;
 use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
 
@@ -83,16 +86,42 @@ impl FieldBasis {
 
     /// The value of every function at every point, `n × M`. Cost `O(n · m · M)`.
     pub fn values(&self, points: &[Point3<f64>]) -> Mat<f64> {
-        let m = self.inducing.len();
-        let rows: Vec<Vec<f64>> = points
-            .par_iter()
-            .map(|p| self.inducing.iter().map(|z| self.prior.covariance((p - z).norm_squared())).collect())
-            .collect();
-        let smooth = Mat::from_fn(points.len(), m, |i, k| rows[i][k]) * &self.whitening;
-        Mat::from_fn(points.len(), self.n_functions(), |i, k| match k {
-            0 => self.prior.translation_mm,
-            1..4 => self.prior.linear * (points[i] - self.center)[k - 1],
-            _ => smooth[(i, k - 4)],
-        })
+        let (n, m) = (points.len(), self.inducing.len());
+        let axes: [Vec<f64>; 3] = std::array::from_fn(|axis| points.iter().map(|p| p[axis]).collect());
+        let mut covariances = vec![0.0; n * m];
+        covariances.par_chunks_mut(n.max(1)).zip(&self.inducing).for_each(|(column, inducing)| {
+            for kernel in &self.prior.kernels {
+                add_covariances(&axes, inducing, kernel, column);
+            }
+        });
+        let mut values = Mat::zeros(n, self.n_functions());
+        matmul(
+            values.as_mut().subcols_mut(4, self.whitening.ncols()),
+            Accum::Replace,
+            MatRef::from_column_major_slice(&covariances, n, m),
+            self.whitening.as_ref(),
+            1.0,
+            Par::Seq,
+        );
+        for i in 0..n {
+            values[(i, 0)] = self.prior.translation_mm;
+            for axis in 0..3 {
+                values[(i, 1 + axis)] = self.prior.linear * (axes[axis][i] - self.center[axis]);
+            }
+        }
+        values
+    }
+}
+
+/// Adds `k(p, z)` of every point `p`, given by its coordinates along the three axes, with `inducing` to `sums`.
+#[allow(unsafe_code)] // the dispatch that `multiversion` generates; the body is safe code
+#[multiversion(targets("x86_64+avx512f+avx512vl+avx512bw+avx512dq", "x86_64+avx2"))]
+fn add_covariances(axes: &[Vec<f64>; 3], inducing: &Point3<f64>, kernel: &GaussianKernel, sums: &mut [f64]) {
+    let [x, y, z] = axes;
+    let inverse = -0.5 / (kernel.width_mm * kernel.width_mm);
+    let variance = kernel.amplitude_mm * kernel.amplitude_mm;
+    for (((sum, x), y), z) in sums.iter_mut().zip(x).zip(y).zip(z) {
+        let (dx, dy, dz) = (x - inducing.x, y - inducing.y, z - inducing.z);
+        *sum += variance * exp_negative_f64(inverse * (dx * dx + dy * dy + dz * dz));
     }
 }

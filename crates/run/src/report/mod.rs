@@ -208,6 +208,11 @@ fn numbers(inputs: &ReportInputs<'_>) -> String {
             "agreement",
             format!("of curvatures {:.2}, of normals {:.2}", found.curvature_agreement, found.normal_agreement),
         ));
+        if let Some(distortion) = found.distortion {
+            // Of the logarithm; people see more in how far a circle is drawn out.
+            let longer = 100.0 * distortion.exp_m1();
+            rows.push(("distortion", format!("small circles become {longer:.0} % longer than wide, on average")));
+        }
         rows.push(("residual after bending", format!("{:.3} mm along the normal", found.residual_mm)));
     }
     rows.push((

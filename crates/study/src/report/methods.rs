@@ -17,8 +17,9 @@ pub(super) fn text(study: &Study, found: &Findings, commit: &str) -> String {
             let last = rounds.last().map_or(0.0, |round| round.moved_share);
             format!(
                 "A template was made from {} subjects in {} rounds: the surface of {} was matched to each of them, their \
-                 images were averaged after Procrustes alignment, and the mean became the next template, until it moved by {last:.3} \
-                 of its mean edge (stop below {} or after {} rounds). It was matched to every subject",
+                 images were averaged after Procrustes alignment, and the mean, with vertices where those of the template before lie on it, \
+                 became the next template, until the surface moved by {last:.3} of its mean edge (RMS; stop below {} or after {} \
+                 rounds). It was matched to every subject",
                 how.from.len(),
                 rounds.len(),
                 how.start

@@ -391,12 +391,31 @@ fn template(found: &Findings) -> String {
                     round.subjects.to_string(),
                     format!("{:.3}", round.moved_mm),
                     format!("{:.3}", round.moved_share),
+                    format!("{:.3}", round.slid_mm),
+                    format!("{:.0} %", 100.0 * round.put_back),
+                    format!("{:.2}", round.triangle_quality[0]),
+                    format!("{:.2}", round.triangle_quality[1]),
                     format!("{:.0}", round.volume_mm3),
                 ]
             })
             .collect();
-        let header = ["round", "subjects", "mean moved, mm", "in mean edges", "volume, mm³"];
+        let header = [
+            "round",
+            "subjects",
+            "surface moved, mm",
+            "in mean edges",
+            "vertices slid, mm",
+            "taken back",
+            "triangle quality",
+            "5th percentile",
+            "volume, mm³",
+        ];
         html.push_str(&table(&header, &rows, "free"));
+        html.push_str(
+            "<p class=\"hint\">Moved: distance of the mean from the template before, as surfaces, root mean square over both. Vertices \
+             slide along the surface besides, which is taken back as far as no shape is lost. Triangle quality: 1 for equilateral \
+             triangles.</p>\n",
+        );
     }
     html
 }

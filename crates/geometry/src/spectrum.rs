@@ -138,7 +138,7 @@ fn orthonormalized(v: &mut [f64], basis: &[Vec<f64>]) -> bool {
         }
     }
     let after = norm(v);
-    if !(after > 1e-12 * before) {
+    if after.is_nan() || after <= 1e-12 * before {
         return false;
     }
     v.iter_mut().for_each(|x| *x /= after);

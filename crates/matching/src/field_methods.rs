@@ -23,16 +23,17 @@ const COPY_EDGES: f64 = 0.5;
 const FLOW_STEPS: usize = 20;
 
 /// Most vertices of either surface that a method is given, and the memory that it takes for each of them, bytes: an upper
-/// bound of what was measured.
+/// bound. Whole processes took 25, 18, 43 and 14 MiB at the limits of coherent point drift, non-rigid ICP, functional maps and
+/// the flow, where 47, 47, 78 and 16 are counted.
 pub(crate) fn limits(mode: DisplacementMode) -> Option<(usize, u64)> {
     match mode {
         DisplacementMode::None | DisplacementMode::Smooth => None,
-        DisplacementMode::Cpd | DisplacementMode::Bcpd => Some((1500, 40 << 10)),
-        DisplacementMode::NonrigidIcp => Some((1500, 64 << 10)),
+        DisplacementMode::Cpd | DisplacementMode::Bcpd => Some((1500, 16 << 10)),
+        DisplacementMode::NonrigidIcp => Some((1500, 16 << 10)),
         // Thinned surfaces need not be manifold, which a map onto the sphere needs; its memory grows with the surface alone.
         DisplacementMode::SpharmPdm => Some((usize::MAX, 4 << 10)),
-        DisplacementMode::FunctionalMap => Some((2500, 64 << 10)),
-        DisplacementMode::Diffeomorphic => Some((500, 64 << 10)),
+        DisplacementMode::FunctionalMap => Some((2500, 16 << 10)),
+        DisplacementMode::Diffeomorphic => Some((500, 16 << 10)),
     }
 }
 

@@ -6,7 +6,7 @@
 //! displacement along the surface; on it errors fell to between 0.68 and 0.96 of the rigid ones, and the relief was added.
 //! On the new pair SPHARM-PDM, which does not see relief, left 2.46 mm of 1.70 mm: it is tested on a stretched surface instead.
 //! Functional maps need not halve the error any more: a warp is no isometry, and on real warps they leave 0.5 to 0.8 of it.
-#![allow(clippy::unwrap_used, clippy::panic)]
+#![allow(clippy::unwrap_used, clippy::panic, clippy::print_stdout)]
 
 use homolog_contract::parameters::{Method, preset};
 use homolog_matching::{MatchError, MatchOutcome, SurfaceMesh, match_memory_bytes, match_surfaces, shapes};

@@ -135,8 +135,8 @@ pub fn register(
         let mean_u = (0..m).map(|i| free[i].coords * found.mass[i]).sum::<Vector3<f64>>() / total;
         let mean_own = (0..m).map(|i| own[i] * found.mass[i]).sum::<f64>() / total;
         let (mut cross, mut trace) = (Matrix3::zeros(), 3.0 * mean_own);
-        for i in 0..m {
-            let u = free[i].coords - mean_u;
+        for (i, p) in free.iter().enumerate() {
+            let u = p.coords - mean_u;
             cross += (found.sums[i] - mean_x * found.mass[i]) * u.transpose() / total;
             trace += found.mass[i] * u.norm_squared() / total;
         }

@@ -24,7 +24,7 @@
 # make accuracy  measure accuracy and compare it with other programs; DATA=dir: label volumes in dir/hippocampus;
 #              EVAL=dir: the folder of real_cases.py; CASES=10: pairs per set; OURS_ONLY=1: without the other programs
 # make energies  the energy of the truth against what each minimizer finds; DATA, EVAL, CASES as for make accuracy
-# make answers compare the answers of this build with tests/answers.tsv, to the bit, on 20 real pairs and all methods;
+# make answers compare the answers of this build with tests/answers.tsv, to the bit, on 20 real pairs and eight methods;
 #              DATA=dir: label volumes in dir/hippocampus
 # make fuzz    coverage-guided fuzzing of the readers, or of what clients send: PART=json, form, headers, query or token; FOR=600:
 #              seconds; WITHIN=10: seconds that an input may take (2 unless set), for busy machines; needs a nightly toolchain

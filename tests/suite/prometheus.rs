@@ -169,15 +169,15 @@ async fn a_prometheus_collects_evaluates_the_rules_and_answers_the_dashboard() {
     let mut all = Vec::new();
     expressions(&serde_json::from_str(&dashboard).unwrap(), &mut all);
     assert!(all.len() > 10);
-    let mut empty = Vec::new();
     for expression in &all {
         let expression = expression.replace("$job", ".*");
-        if prometheus.query(&expression).await.is_empty() {
-            empty.push(expression);
+        // Of what has not happened: no problem, no webhook. A rate needs two scrapes after the first event.
+        if expression.contains("problems") || expression.contains("webhook") {
+            prometheus.query(&expression).await;
+        } else {
+            prometheus.until(&expression).await;
         }
     }
-    // Of what has not happened: no problem, no webhook.
-    assert!(empty.iter().all(|e| e.contains("problems") || e.contains("webhook")), "{empty:?}");
 
     service.post(&format!("/v1/jobs/{waiting}/cancel")).await;
     service.end().await;

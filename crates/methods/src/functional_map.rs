@@ -2,7 +2,7 @@
 //!
 //! In the first `k` eigenfunctions `Φ_S`, `Φ_T` of the Laplace-Beltrami operators a map `T: S → T` carries a function `f` of the
 //! target to `f ∘ T` on the source by `C = Φ_Sᵀ A_S Π Φ_T`, where row `i` of `Π` picks the image of vertex `i`. Given `C`, the
-//! image of `i` is the vertex of the target whose row of `Φ_T` is nearest to row `i` of `Φ_S C`. ZoomOut alternates
+//! image of `i` is the vertex of the target whose row of `Φ_T Cᵀ` is nearest to row `i` of `Φ_S`. ZoomOut alternates
 //! between the two while `k` grows: the map of few smooth functions is made precise by ever finer ones.
 //!
 //! It starts from two maps: the nearest points in the given pose, and the least-squares map between heat and wave kernel
@@ -127,14 +127,14 @@ impl Pair<'_> {
         weighted.transpose() * carried
     }
 
-    /// Rows of `Φ_S C`, and those of `Φ_T`.
+    /// Rows of `Φ_S`, and those of `Φ_T Cᵀ`.
     fn rows(&self, matrix: &Mat<f64>) -> (Vec<Vec<f64>>, Vec<Vec<f64>>) {
         let size = matrix.ncols();
-        let carried = self.source.functions.subcols(0, size) * matrix;
+        let carried = self.target.functions.subcols(0, size) * matrix.transpose();
         let row = |m: &Mat<f64>, i: usize| (0..size).map(|k| m[(i, k)]).collect();
         (
-            (0..self.source.n_vertices()).map(|i| row(&carried, i)).collect(),
-            (0..self.target.n_vertices()).map(|i| row(&self.target.functions, i)).collect(),
+            (0..self.source.n_vertices()).map(|i| row(&self.source.functions, i)).collect(),
+            (0..self.target.n_vertices()).map(|j| row(&carried, j)).collect(),
         )
     }
 

@@ -29,7 +29,7 @@
 # make fuzz    coverage-guided fuzzing of the readers, or of what clients send: PART=json, form, headers, query or token; FOR=600:
 #              seconds; WITHIN=10: seconds that an input may take (2 unless set), for busy machines; needs a nightly toolchain
 # make study   measure studies of real hippocampi: models, simulated atrophy, splits without an effect, time, memory; DATA=dir: label
-#              volumes in dir/hippocampus; PARTS=time,null: some of them
+#              volumes in dir/hippocampus; PARTS=time,null: some of them; SPLITS=200: splits without an effect
 # make study-others  the same studies with correspondences by spherical harmonics, ICP and coherent point drift; DATA as above;
 #              PARTS=model,cycles,atrophy: some of them
 # make bench   benchmarks of a match
@@ -54,6 +54,7 @@ EVAL ?= eval
 CASES ?=
 OURS_ONLY ?=
 PARTS ?=
+SPLITS ?=
 # The newest accuracy table.
 ACCURACY ?= $(lastword $(sort $(wildcard docs/accuracy/*)))
 
@@ -148,7 +149,7 @@ energies:
 study: build study-env
 	$(CARGO) build --release --locked -p homolog -p homolog-study --example null_splits --example templates_apart --bins
 	target/study-env/bin/python benches/study/study.py --binary target/release/homolog --examples target/release/examples \
-	  --data "$(DATA)" --out target/study $(if $(PARTS),--parts "$(PARTS)")
+	  --data "$(DATA)" --out target/study $(if $(PARTS),--parts "$(PARTS)") $(if $(SPLITS),--splits "$(SPLITS)")
 
 study-others: build study-env
 	$(CARGO) build --release --locked -p homolog -p homolog-study --example other_matches --bins

@@ -180,9 +180,8 @@ fn volume(points: &[Point3<f64>]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::testing::{bean, rms, warped};
+    use crate::testing::{bean, rms, sampled, warped};
     use homolog_primitives::observe::Silent;
-    use homolog_primitives::points::farthest_points;
     use nalgebra::DMatrix;
 
     /// The equations of the paper with full matrices, the prior covariance inverted, and exponentials in 64 bits.
@@ -247,10 +246,6 @@ mod tests {
             }
         }
         at
-    }
-
-    fn sampled(points: &[Point3<f64>], n: usize) -> Vec<Point3<f64>> {
-        farthest_points(points, n).into_iter().map(|k| points[k]).collect()
     }
 
     #[test]

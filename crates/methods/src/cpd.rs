@@ -121,9 +121,8 @@ pub fn register(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::testing::{bean, rms, warped};
+    use crate::testing::{bean, rms, sampled, warped};
     use homolog_primitives::observe::Silent;
-    use homolog_primitives::points::farthest_points;
     use nalgebra::DMatrix;
 
     /// The equations of the paper with full matrices and exponentials in 64 bits, `steps` times.
@@ -159,10 +158,6 @@ mod tests {
             variance /= 3.0 * mass.sum();
         }
         (0..m).map(|i| Point3::new(t[(i, 0)], t[(i, 1)], t[(i, 2)])).collect()
-    }
-
-    fn sampled(points: &[Point3<f64>], n: usize) -> Vec<Point3<f64>> {
-        farthest_points(points, n).into_iter().map(|k| points[k]).collect()
     }
 
     #[test]

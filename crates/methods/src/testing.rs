@@ -3,6 +3,7 @@
 
 use homolog_mesh::SurfaceMesh;
 use homolog_mesh::shapes::ellipsoid;
+use homolog_primitives::points::farthest_points;
 use nalgebra::{Point3, Vector3};
 
 /// A bent and tapered ellipsoid without symmetry, of area 1 about its centroid.
@@ -25,4 +26,9 @@ pub(crate) fn warped(p: &Point3<f64>) -> Point3<f64> {
 /// Root mean square distance of corresponding points.
 pub(crate) fn rms(a: &[Point3<f64>], b: &[Point3<f64>]) -> f64 {
     (a.iter().zip(b).map(|(p, q)| (p - q).norm_squared()).sum::<f64>() / a.len() as f64).sqrt()
+}
+
+/// `n` of `points`, evenly.
+pub(crate) fn sampled(points: &[Point3<f64>], n: usize) -> Vec<Point3<f64>> {
+    farthest_points(points, n).into_iter().map(|k| points[k]).collect()
 }

@@ -32,7 +32,7 @@ impl Turned<'_> {
         self.back.agreement(&self.fine.moved()).is_doubtful()
     }
 
-    /// The inverse of the map from the target to the source. What was compared is left empty.
+    /// The inverse of the map from the target to the source.
     pub(super) fn finished(self, surfaces: &Surfaces<'_>) -> Result<Option<Deformed>, MatchError> {
         let landmarks: Vec<Landmark> = surfaces.landmarks.iter().map(swapped).collect();
         let form_of = |which: Which| (surfaces.form_of)(which.other());
@@ -43,8 +43,7 @@ impl Turned<'_> {
 }
 
 impl<'a> Displacement<'a> {
-    /// The source moved by `refined`, of which `pose` is near the rigid part. What was compared is not known here, and left
-    /// empty.
+    /// The source moved by `refined`, of which `pose` is near the rigid part.
     pub(super) fn finished(
         &self,
         surfaces: &Surfaces<'_>,
@@ -85,7 +84,7 @@ impl<'a> Displacement<'a> {
         let share = if refined.local.is_some() { 1.0 } else { FIELD_SHARE };
         let variances = refined.field.covariances(values.as_ref()).iter().map(|c| share * c.trace()).collect();
         let transform = rigid.transform;
-        Ok(Some(Deformed { moved, variances, transform, compared: Vec::new(), residual_mm, agreement, distortion }))
+        Ok(Some(Deformed { moved, variances, transform, residual_mm, agreement, distortion }))
     }
 
     /// The target moved towards the source from the inverse of `pose`. `None` where a number is not finite.

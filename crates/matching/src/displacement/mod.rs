@@ -248,8 +248,8 @@ pub(crate) fn displace(
     let prepared = prepare(surfaces.source, surfaces.target, surfaces.lengths.root_mm)?;
     checkpoint(observer)?;
     let found = deformed(surfaces, prepared, poses, allow_reflection, options, observer)?;
-    Ok(found.map(|found| {
-        let Deformed { moved, variances, transform, compared, residual_mm, agreement, distortion } = found;
+    Ok(found.map(|(found, compared)| {
+        let Deformed { moved, variances, transform, residual_mm, agreement, distortion } = found;
         let (target, closest) = (surfaces.full_target, surfaces.target_closest);
         let images = images(target, closest, &moved, &variances, surfaces.lengths.sampling_mm);
         DisplacementAnswer { images, transform, compared, residual_mm, agreement, distortion }
@@ -263,7 +263,6 @@ struct Deformed {
     /// Posterior variance of each, mm².
     variances: Vec<f64>,
     transform: RigidTransform,
-    compared: Vec<ComparedPose>,
     residual_mm: f64,
     agreement: Agreement,
     distortion: f64,
@@ -285,15 +284,7 @@ impl Deformed {
             (Point3::from(image), at.blend(|k| self.variances[k]))
         };
         let (moved, variances) = target.vertices().par_iter().map(inverse).unzip();
-        let of_form =
-            |compared: ComparedPose| ComparedPose { of_form: compared.of_form.map(|pose| pose.inverse()), ..compared };
-        Some(Deformed {
-            moved,
-            variances,
-            transform: self.transform.inverse(),
-            compared: self.compared.into_iter().map(of_form).collect(),
-            ..self
-        })
+        Some(Deformed { moved, variances, transform: self.transform.inverse(), ..self })
     }
 }
 
@@ -301,7 +292,7 @@ fn swapped(landmark: &Landmark) -> Landmark {
     Landmark { source_mm: landmark.target_mm, target_mm: landmark.source_mm, ..landmark.clone() }
 }
 
-/// The source deformed onto the target.
+/// The source deformed onto the target, and the poses that were compared, the one that was kept first.
 fn deformed(
     surfaces: &Surfaces<'_>,
     (smooth_source, smooth_target): (Arc<SmoothSurface>, Arc<SmoothSurface>),
@@ -309,7 +300,7 @@ fn deformed(
     allow_reflection: bool,
     options: &DisplacementOptions,
     observer: &dyn Observer,
-) -> Result<Option<Deformed>, MatchError> {
+) -> Result<Option<(Deformed, Vec<ComparedPose>)>, MatchError> {
     let Surfaces { source, landmarks, open, lengths, .. } = *surfaces;
     let Some(functions) = functions(source, &smooth_source, options) else { return Ok(None) };
     let guides = Guides::new(landmarks, &functions, lengths.root_mm);
@@ -334,7 +325,7 @@ fn deformed(
     // Whether another start is needed shows before a field is narrow enough to hide that it does not lead to the truth.
     if !fits_worse_than_its_mirror_image && let Some(turned) = turned.take_if(|turned| !turned.is_doubtful()) {
         let found = turned.finished(surfaces)?;
-        return Ok(found.map(|found| Deformed { compared, ..found }));
+        return Ok(found.map(|found| (found, compared)));
     }
     let Some(fine) = forward.fine(state)? else { return Ok(None) };
     let wide = fine.moved();
@@ -358,14 +349,14 @@ fn deformed(
         None => {
             if let Some(turned) = turned {
                 let found = turned.finished(surfaces)?;
-                return Ok(found.map(|found| Deformed { compared, ..found }));
+                return Ok(found.map(|found| (found, compared)));
             }
             forward.refined_from(fine)?
         }
     };
     let Some(refined) = refined else { return Ok(None) };
     let found = forward.finished(surfaces, refined, &pose)?;
-    Ok(found.map(|found| Deformed { compared, ..found }))
+    Ok(found.map(|found| (found, compared)))
 }
 
 /// The prior of the displacement of `mesh`, on its smooth version.

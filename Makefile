@@ -28,6 +28,8 @@
 #              DATA=dir: label volumes in dir/hippocampus
 # make fuzz    coverage-guided fuzzing of the readers, or of what clients send: PART=json, form, headers, query or token; FOR=600:
 #              seconds; WITHIN=10: seconds that an input may take (2 unless set), for busy machines; needs a nightly toolchain
+# make methods  the methods of the field (docs/methods) beside other programs of the same methods; DATA, EVAL as for make accuracy;
+#             CASES=set:index,... pairs other than the default ones
 # make study   measure studies of real hippocampi: models, simulated atrophy, splits without an effect, time, memory; DATA=dir: label
 #              volumes in dir/hippocampus; PARTS=time,null: some of them; SPLITS=200: splits without an effect
 # make study-others  the same studies with correspondences by spherical harmonics, ICP and coherent point drift; DATA as above;
@@ -38,7 +40,7 @@
 SHELL := /usr/bin/env bash
 .SHELLFLAGS := -eu -o pipefail -c
 .DEFAULT_GOAL := help
-.PHONY: help demo test faults fuzz soak memory check sbom advisories contract build api client picture experiment accuracy energies answers study study-others study-env bench bench-service dashboard screenshots
+.PHONY: help demo test faults fuzz soak memory check sbom advisories contract build api client picture experiment accuracy energies methods answers study study-others study-env bench bench-service dashboard screenshots
 
 CARGO ?= cargo
 SOURCE ?=
@@ -145,6 +147,9 @@ energies:
 	$(CARGO) build --release --locked -p homolog -p homolog-laboratory --example energies --bins
 	benches/accuracy/run --binary target/release/homolog --data "$(DATA)" --eval "$(EVAL)" --ours-only \
 	  --energies target/release/examples/energies $(if $(CASES),--cases "$(CASES)")
+
+methods: build
+	benches/methods/run --binary target/release/homolog --data "$(DATA)" --eval "$(EVAL)" --out target/methods $(if $(CASES),--cases "$(CASES)")
 
 study: build study-env
 	$(CARGO) build --release --locked -p homolog -p homolog-study --example null_splits --example templates_apart --bins

@@ -26,13 +26,22 @@ DENSE_PEERS = ["icp", "bcpd"]
 DENSE = ["real_narrow2", "narrow4", *warped.WIDTH_KINDS, *capsules.KINDS, *bodies.KINDS, *landmarked.KINDS]
 """Sets, beside the real ones, on which dense peers run."""
 HALF = [*warped.WIDTH_KINDS, *SYMMETRIC]
-ABLATION = ["real_warp4", "real_warp8", "real_cross"]
+ABLATION = {
+    "real": ["real_warp4", "real_warp8", "real_cross"],
+    "bent": [*bodies.KINDS, "bent_90", "bent_120"],
+}
+"""The sets on which each group of variants is measured."""
 
 
 def read_variants():
-    """Named sets of parameters over the default method, each with a part switched off."""
+    """Groups of named sets of parameters over the default method, each with a part switched off."""
     with open(os.path.join(os.path.dirname(os.path.abspath(__file__)), "variants.json")) as file:
         return json.load(file)
+
+
+def variant(name):
+    """The parameters of one of them."""
+    return next(variants[name] for variants in read_variants().values() if name in variants)
 
 
 def our_parameters(method):
@@ -40,7 +49,7 @@ def our_parameters(method):
     parameters of its own, each written ` --set KEY=VALUE`."""
     method, *changes = method.split(" --set ")
     if method.startswith("variant: "):
-        parameters = {"method": DEFAULT, **read_variants()[method.removeprefix("variant: ")]}
+        parameters = {"method": DEFAULT, **variant(method.removeprefix("variant: "))}
     else:
         parameters = {"method": method}
     parameters.update(change.split("=", 1) for change in changes)
@@ -49,6 +58,11 @@ def our_parameters(method):
 
 def cores_of(method):
     return OURS.get(method, OURS[DEFAULT])
+
+
+def ablated(n, kind):
+    """How many pairs of a set the ablation has: bent pairs all, as intervals have to be told apart."""
+    return n if kind in ABLATION["bent"] else max(n // 2, 1) * MANY.get(kind, 1)
 
 
 def tasks(cases, n, with_peers):
@@ -68,8 +82,9 @@ def tasks(cases, n, with_peers):
         add(ROBUST_OURS, kind, n, False)
     for kind in ["real_narrow2", *FAMILY]:
         add([DEFAULT], kind, half if kind in HALF else n * MANY.get(kind, 1), False)
-    for kind in ABLATION:
-        add([f"variant: {name}" for name in read_variants()], kind, half * MANY.get(kind, 1), False)
+    for group, variants in read_variants().items():
+        for kind in ABLATION[group]:
+            add([f"variant: {name}" for name in variants], kind, ablated(n, kind), False)
     if with_peers:
         for kind in REAL:
             add([p for p in PEERS if PEERS[p].run], kind, n * MANY.get(kind, 1), True)

@@ -6,10 +6,11 @@ import os
 
 import numpy as np
 
+import bodies
 import report_sets
 from cases import CUT_SHARE, NOISE_SHARE, ROBUSTNESS
 from peers import PEERS
-from plan import ABLATION, DEFAULT, MANY, OURS, ROBUST_OURS, ROBUST_PEERS, read_variants
+from plan import ABLATION, DEFAULT, MANY, OURS, ROBUST_OURS, ROBUST_PEERS, ablated, read_variants
 from reach import to_reach
 from summary import CORRECT_DEG, summarize
 from tables import TITLES, mean_text, spread_text, table, title
@@ -317,28 +318,31 @@ def told_of(values, name=""):
     return [f"{name}`{word[:60]}` {words.count(word)} of {len(words)}" for word in sorted(set(words))[:4]]
 
 
+FIGURE_OF = {"real_cross": "label", **{kind: "err_diag_pct" for kind in bodies.KINDS}}
+"""What the ablation shows of a set; the share of vertices within one edge of the others."""
+FIGURE_TITLES = {"w1": "within one edge", "label": "label agreement", "err_diag_pct": "error, % of the diagonal"}
+
+
 def ablation_section(found):
-    rows = []
-    half = {kind: max(found["n"] // 2, 1) * MANY.get(kind, 1) for kind in ABLATION}
-    for name in [DEFAULT, *(f"variant: {v}" for v in read_variants())]:
-        cells = []
-        for kind in ABLATION:
-            records = [r for r in found["records"] if r["method"] == name and r["case"].split("/")[0] == kind]
-            records = records[: half[kind]]
-            summary = summarize(records) if records else None
-            figure = "label" if kind == "real_cross" else "w1"
-            cells.append(mean_text(summary[figure], 3) if summary and summary[figure] else "refused" if summary else "")
-        records = [r for r in found["records"] if r["method"] == name and r["status"] == "answered"]
-        seconds = f"{np.median([r['seconds'] for r in records]):.2f}" if records else ""
-        change = json.dumps(read_variants().get(name.removeprefix("variant: "), {})).strip("{}").replace('"', "")
-        rows.append([name.removeprefix("variant: "), f"`{change}`" if change else "", *cells, seconds])
-    header = [
-        "",
-        "parameters",
-        "warp 4 %: within one edge",
-        "warp 8 %: within one edge",
-        "two subjects: label agreement",
-        "seconds",
-    ]
+    tables = [ablation_table(found, group, variants) for group, variants in read_variants().items()]
     text = f"`{DEFAULT}` with one part changed (`benches/accuracy/variants.json`), on the same pairs.\n\n"
-    return "## Ablation\n\n" + text + table(header, rows)
+    return "## Ablation\n\n" + text + "\n\n".join(tables)
+
+
+def ablation_table(found, group, variants):
+    kinds = ABLATION[group]
+    figures = [FIGURE_OF.get(kind, "w1") for kind in kinds]
+    rows = []
+    for name, parameters in {DEFAULT: {}, **variants}.items():
+        method = name if name == DEFAULT else f"variant: {name}"
+        of_method = [r for r in found["records"] if r["method"] == method]
+        cells = []
+        for kind, figure in zip(kinds, figures):
+            records = [r for r in of_method if r["case"].split("/")[0] == kind][: ablated(found["n"], kind)]
+            summary = summarize(records) if records else None
+            cells.append(mean_text(summary[figure], 3) if summary and summary[figure] else "refused" if summary else "")
+        seconds = [r["seconds"] for r in of_method if r["status"] == "answered" and r["case"].split("/")[0] in kinds]
+        change = json.dumps(parameters).strip("{}").replace('"', "")
+        rows.append([name, f"`{change}`" if change else "", *cells, f"{np.median(seconds):.2f}" if seconds else ""])
+    titles = [f"{TITLES[kind]}: {FIGURE_TITLES[figure]}" for kind, figure in zip(kinds, figures)]
+    return table(["", "parameters", *titles, "seconds"], rows)

@@ -11,7 +11,7 @@ use homolog_contract::result::PoseDocument;
 use homolog_geometry::curvature::vertex_areas;
 use homolog_geometry::hierarchy::coarsen;
 use homolog_mesh::{ClosestPointIndex, SurfaceMesh};
-use homolog_methods::{Frame, MethodError, bcpd, cpd, diffeomorphic, functional_map, nonrigid_icp, spharm};
+use homolog_methods::{Frame, MethodError, bcpd, cpd, diffeomorphic, functional_map, medial, nonrigid_icp, spharm};
 use homolog_primitives::observe::Observer;
 use homolog_registration::{RigidTransform, absolute_orientation};
 use nalgebra::Point3;
@@ -31,7 +31,8 @@ pub(crate) fn limits(mode: DisplacementMode) -> Option<(usize, u64)> {
         DisplacementMode::Cpd | DisplacementMode::Bcpd => Some((1500, 16 << 10)),
         DisplacementMode::NonrigidIcp => Some((1500, 16 << 10)),
         // Thinned surfaces need not be manifold, which a map onto the sphere needs; its memory grows with the surface alone.
-        DisplacementMode::SpharmPdm => Some((usize::MAX, 4 << 10)),
+        // A triangle of a coarse surface can be wider than a tubular structure.
+        DisplacementMode::SpharmPdm | DisplacementMode::Medial => Some((usize::MAX, 4 << 10)),
         DisplacementMode::FunctionalMap => Some((2500, 16 << 10)),
         DisplacementMode::Diffeomorphic => Some((500, 16 << 10)),
     }
@@ -100,6 +101,10 @@ fn moved(
         }
         DisplacementMode::SpharmPdm => {
             let found = spharm::register(source, target, &spharm::SpharmOptions::default(), observer)?;
+            carried(source, &found.images, whole)
+        }
+        DisplacementMode::Medial => {
+            let found = medial::register(source, target, &medial::MedialOptions::default(), observer)?;
             carried(source, &found.images, whole)
         }
         DisplacementMode::FunctionalMap => {

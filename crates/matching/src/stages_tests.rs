@@ -78,7 +78,7 @@ fn the_coarse_stage_builds_the_energy_on_the_level_that_is_asked_for() {
 
 #[test]
 fn the_rounds_choose_one_of_those_that_they_report() {
-    let outcome = stages(json!({}), |coarse, posed, _| {
+    let outcome = stages(json!({"clamping": {"mode": "soft"}}), |coarse, posed, _| {
         let Posed::Inference { problem, inferred } = posed else { panic!("an energy was asked for") };
         assert_eq!(inferred.map.labeling.len(), problem.model.variables.n_vertices());
         assert!(inferred.map.labeling.len() < coarse.full.source.mesh().n_vertices() + 1);

@@ -97,6 +97,25 @@ fn equal_parameters_of_harmonics_lower_the_error_of_a_stretched_surface() {
 }
 
 #[test]
+fn medial_coordinates_follow_a_tube_that_is_bent_further() {
+    let tube = shapes::ellipsoid(Vector3::new(18.0, 4.0, 3.0), 4);
+    let by = |angle: f64| {
+        let radius = 36.0 / angle;
+        let bent = |p: &Point3<f64>| {
+            let at = p.x / radius;
+            let y = p.y * (1.0 + 0.02 * p.x) + 0.3 * (0.2 * p.x).sin();
+            Point3::new((radius - y) * at.sin(), radius - (radius - y) * at.cos(), p.z * (1.0 + 0.02 * p.x))
+        };
+        tube.with_vertices(tube.vertices().iter().map(bent).collect()).unwrap()
+    };
+    let (source, target) = (by(0.6), by(1.6));
+    let of = |method| error_mm(&match_surfaces(&source, &target, &preset(method), &Silent).unwrap(), &target);
+    let (found, rigid) = (of(Method::Medial), of(Method::Rigid));
+    println!("medial: {found:.3} mm, rigid {rigid:.3} mm");
+    assert!(found < 0.5 * rigid);
+}
+
+#[test]
 fn maps_of_thinned_surfaces_are_carried_to_all_vertices() {
     // 2,562 vertices: more than these methods are given.
     for (method, share) in [(Method::Cpd, 0.5), (Method::NonrigidIcp, 0.5), (Method::FunctionalMap, 1.0)] {
@@ -122,5 +141,7 @@ fn the_memory_of_a_method_is_counted_and_bounded() {
         let extra = |n| bytes(method, n) - bytes(Method::Rigid, n);
         assert!(extra(500) > 0 && extra(1_000_000) == extra(10_000), "{}", method.name());
     }
-    assert!(bytes(Method::SpharmPdm, 500) > bytes(Method::Rigid, 500));
+    for method in [Method::SpharmPdm, Method::Medial] {
+        assert!(bytes(method, 500) > bytes(Method::Rigid, 500));
+    }
 }

@@ -8,6 +8,7 @@
 //! | [`nonrigid_icp`] | non-rigid iterative closest points with locally affine maps |
 //! | [`functional_map`] | functional maps, refined by ZoomOut |
 //! | [`spharm`] | SPHARM-PDM: equal parameters of spherical harmonics |
+//! | [`medial`] | medial coordinates of tubular structures |
 //! | [`diffeomorphic`] | the flow of a stationary velocity field, matched by varifolds |
 //!
 //! Lengths have no unit: every constant is in roots of the area of a surface, and [`Frame`] brings surfaces into that unit
@@ -21,6 +22,7 @@ pub mod cpd;
 pub mod diffeomorphic;
 mod frame;
 pub mod functional_map;
+pub mod medial;
 pub mod nonrigid_icp;
 mod soft;
 pub mod spharm;

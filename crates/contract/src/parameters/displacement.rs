@@ -80,6 +80,9 @@ pub enum DisplacementMode {
     /// Functional maps between eigenfunctions of the Laplace-Beltrami operators, refined by ZoomOut (Melzi et al. 2019), from the
     /// nearest points after the rigid transform or from heat and wave kernel signatures.
     FunctionalMap,
+    /// Points of equal medial coordinates correspond: position along the center line of a tubular structure, and in the cross
+    /// section there. The rigid transform says which ends correspond.
+    Medial,
     /// The flow of a stationary velocity field, without folds and invertible, with the varifold distance, from the rigid
     /// transform.
     Diffeomorphic,

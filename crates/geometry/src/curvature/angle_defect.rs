@@ -7,7 +7,7 @@ use super::Curvatures;
 use super::laplacian::{both_triangulations, laplacian_of_positions};
 use homolog_mesh::{FaceArity, SurfaceMesh};
 use nalgebra::{Point3, Vector3};
-use std::f64::consts::{FRAC_PI_2, TAU};
+use std::f64::consts::TAU;
 
 /// Angle at `at` between the directions to `a` and `b`, radians. By `atan2`, exact also for thin corners.
 fn corner_angle(at: &Point3<f64>, a: &Point3<f64>, b: &Point3<f64>) -> f64 {
@@ -31,19 +31,22 @@ pub fn vertex_areas(mesh: &SurfaceMesh) -> Vec<f64> {
             continue;
         }
         let corners = [v[face[0] as usize], v[face[1] as usize], v[face[2] as usize]];
-        let angles: [f64; 3] =
-            std::array::from_fn(|k| corner_angle(&corners[k], &corners[(k + 1) % 3], &corners[(k + 2) % 3]));
-        let obtuse = angles.iter().position(|&angle| angle > FRAC_PI_2);
+        let sides: [Vector3<f64>; 3] = std::array::from_fn(|k| corners[(k + 1) % 3] - corners[k]);
+        // Products of the two sides at each corner; over twice the area they are the cotangents.
+        let products: [f64; 3] = std::array::from_fn(|k| -sides[k].dot(&sides[(k + 2) % 3]));
+        let obtuse = products.iter().position(|&product| product < 0.0);
         for k in 0..3 {
             areas[face[k] as usize] += match obtuse {
                 Some(wide) if wide == k => area / 2.0,
                 Some(_) => area / 4.0,
+                // Two corners coincide.
+                None if area == 0.0 => 0.0,
                 None => {
                     // Voronoi region: an eighth of each adjacent squared edge times the cotangent opposite to it.
                     let (next, last) = ((k + 1) % 3, (k + 2) % 3);
-                    let to_next = (corners[next] - corners[k]).norm_squared() / angles[last].tan();
-                    let to_last = (corners[last] - corners[k]).norm_squared() / angles[next].tan();
-                    (to_next + to_last) / 8.0
+                    let to_next = sides[k].norm_squared() * products[last];
+                    let to_last = sides[last].norm_squared() * products[next];
+                    (to_next + to_last) / (16.0 * area)
                 }
             };
         }

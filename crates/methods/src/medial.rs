@@ -1,0 +1,342 @@
+//! Medial coordinates of a tubular structure: position along a center line, and position in the cross section there.
+//!
+//! The first eigenfunction of the Laplace-Beltrami operator that is not constant runs from one end of an elongated surface to the
+//! other, however it is bent, so its level sets are cross sections. Their centers make the center line, along which a frame that
+//! turns as little as possible is carried. In these coordinates the surface is a straight tube:
+//!
+//! `p = c(s) + a t(s) + x u(s) + y v(s)` lies at `(s + a, x, y)`.
+//!
+//! Both straight tubes are brought to one length and one mean radius; the image of a source vertex is the closest point of the
+//! target there. Which ends correspond, and by which angle the cross sections are turned against each other, coordinates alone do not
+//! say: of both directions and all angles the one is taken under which corresponding points lie closest in the given pose.
+//!
+//! Sources: Chung et al., "Hot spots conjecture and its application to modeling tubular structures", MLMI 2011 (level sets of the
+//! first eigenfunction); Wang et al., "Computation of rotation minimizing frames", ACM Trans. Graph. 27(1), 2008; Blum 1967 for the
+//! idea of a medial axis.
+
+use crate::MethodError;
+use homolog_geometry::spectrum::spectrum;
+use homolog_mesh::{ClosestPointIndex, SurfaceMesh};
+use homolog_primitives::observe::{Observer, checkpoint};
+use nalgebra::{Matrix3, Point3, Rotation3, Vector3};
+use rayon::prelude::*;
+use std::f64::consts::TAU;
+
+/// Settings.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct MedialOptions {
+    /// Cross sections between the ends, which cut off equal areas.
+    pub n_sections: usize,
+    /// Times that centers are averaged with their neighbors: sections of a coarse surface jitter.
+    pub n_smoothings: usize,
+    /// Angles of the cross sections that are tried.
+    pub n_angles: usize,
+    /// Vertices over which directions and angles are compared.
+    pub n_compared: usize,
+}
+
+impl Default for MedialOptions {
+    fn default() -> Self {
+        MedialOptions { n_sections: 40, n_smoothings: 4, n_angles: 36, n_compared: 300 }
+    }
+}
+
+/// The center line of a surface, with the coordinates of its vertices.
+#[derive(Debug, Clone)]
+pub struct CenterLine {
+    /// Points from one end of the surface to the other.
+    pub points: Vec<Point3<f64>>,
+    /// Length of the line up to each of them.
+    pub lengths: Vec<f64>,
+    /// Frames there: the tangent, and two axes of the cross section.
+    pub frames: Vec<Matrix3<f64>>,
+    /// `(s + a, x, y)` of every vertex.
+    pub straight: Vec<Point3<f64>>,
+}
+
+/// The result of [`register`].
+#[derive(Debug, Clone)]
+pub struct Medial {
+    /// The point of the target with the same coordinates, for every source vertex.
+    pub images: Vec<Point3<f64>>,
+    /// The coordinates of the source.
+    pub source: CenterLine,
+    /// The coordinates of the target.
+    pub target: CenterLine,
+}
+
+/// A correspondence of `source` with `target`, in one pose. Surfaces that are not elongated have coordinates too, with which little
+/// is gained.
+///
+/// # Errors
+/// [`MethodError::Singular`] if a surface has no eigenfunction or no length; [`MethodError::Cancelled`].
+///
+/// # Cost
+/// Two sparse factorizations, and `O((n + 2 n_angles n_compared) log n)`; memory `O(n log n)`.
+pub fn register(
+    source: &SurfaceMesh,
+    target: &SurfaceMesh,
+    options: &MedialOptions,
+    observer: &dyn Observer,
+) -> Result<Medial, MethodError> {
+    let singular = MethodError::Singular { method: "medial coordinates" };
+    let (of_source, of_target) =
+        rayon::join(|| CenterLine::of(source, options), || CenterLine::of(target, options));
+    checkpoint(observer)?;
+    let (of_source, of_target) = (of_source.ok_or(singular.clone())?, of_target.ok_or(singular.clone())?);
+    let (slender, other) = (of_source.slenderness(), of_target.slenderness());
+    let ratio = (slender.ok_or(singular.clone())? * other.ok_or(singular.clone())?).sqrt();
+    let (moving, normalized) = (of_source.normalized(ratio), of_target.normalized(ratio));
+    let tube = target.with_vertices(normalized).map_err(|_| singular)?;
+    let index = ClosestPointIndex::new(&tube);
+    let image = |p: &Point3<f64>| Point3::from(index.closest(p).blend(|k| target.vertices()[k].coords));
+    let step = moving.len().div_ceil(options.n_compared.max(1)).max(1);
+    let apart = |turn: &Rotation3<f64>| -> f64 {
+        let compared = (0..moving.len()).step_by(step);
+        compared.map(|i| (image(&(turn * moving[i])) - source.vertices()[i]).norm_squared()).sum()
+    };
+    let angles = (0..options.n_angles).map(|k| TAU * k as f64 / options.n_angles as f64);
+    let turns: Vec<Rotation3<f64>> = [0.0, TAU / 2.0]
+        .into_iter()
+        .flat_map(|end| angles.clone().map(move |angle| (end, angle)))
+        .map(|(end, angle)| {
+            Rotation3::from_axis_angle(&Vector3::x_axis(), angle) * Rotation3::from_axis_angle(&Vector3::y_axis(), end)
+        })
+        .collect();
+    let distances: Vec<f64> = turns.par_iter().map(apart).collect();
+    checkpoint(observer)?;
+    // The first of equally good ones: no turn at all, where surfaces are copies.
+    let best = (1..turns.len()).fold(0, |best, k| if distances[k] < distances[best] { k } else { best });
+    let turn = turns[best];
+    let images = moving.par_iter().map(|p| image(&(turn * p))).collect();
+    Ok(Medial { images, source: of_source, target: of_target })
+}
+
+impl CenterLine {
+    /// The center line of `mesh`; `None` if it has no eigenfunction, or one without an extent.
+    pub fn of(mesh: &SurfaceMesh, options: &MedialOptions) -> Option<CenterLine> {
+        let found = spectrum(mesh, 2)?;
+        if found.values.len() < 2 {
+            return None;
+        }
+        let along: Vec<f64> = (0..mesh.n_vertices()).map(|i| found.functions[(i, 1)]).collect();
+        let mut order: Vec<usize> = (0..along.len()).collect();
+        order.sort_by(|&a, &b| along[a].total_cmp(&along[b]).then(a.cmp(&b)));
+        let ends = [order[0], *order.last()?];
+        let levels = levels(&along, &found.areas, &order, options.n_sections);
+        let mut values = vec![along[ends[0]]];
+        let mut points = vec![mesh.vertices()[ends[0]]];
+        for level in levels {
+            if let Some(center) = center_of_section(mesh, &along, level)
+                && level > *values.last()?
+            {
+                values.push(level);
+                points.push(center);
+            }
+        }
+        values.push(along[ends[1]]);
+        points.push(mesh.vertices()[ends[1]]);
+        for _ in 0..options.n_smoothings {
+            let before = points.clone();
+            for k in 1..points.len() - 1 {
+                let sum = before[k - 1].coords + 2.0 * before[k].coords + before[k + 1].coords;
+                points[k] = Point3::from(sum / 4.0);
+            }
+        }
+        let mut lengths = vec![0.0];
+        for pair in points.windows(2) {
+            lengths.push(lengths.last()? + (pair[1] - pair[0]).norm());
+        }
+        if lengths.windows(2).any(|w| w[1] <= w[0]) || !lengths.last()?.is_finite() {
+            return None;
+        }
+        let frames = frames_that_turn_least(&points)?;
+        let mut line = CenterLine { points, lengths, frames, straight: Vec::new() };
+        line.straight = mesh.vertices().iter().zip(&along).map(|(p, value)| line.straightened(p, &values, *value)).collect();
+        Some(line)
+    }
+
+    /// The coordinates of a point on the level set `value`.
+    fn straightened(&self, p: &Point3<f64>, values: &[f64], value: f64) -> Point3<f64> {
+        let k = values.partition_point(|v| *v <= value).clamp(1, values.len() - 1);
+        let share = ((value - values[k - 1]) / (values[k] - values[k - 1])).clamp(0.0, 1.0);
+        let center = self.points[k - 1] + (self.points[k] - self.points[k - 1]) * share;
+        let frame = self.frames[k - 1] * (1.0 - share) + self.frames[k] * share;
+        let length = self.lengths[k - 1] + (self.lengths[k] - self.lengths[k - 1]) * share;
+        let local = frame.tr_mul(&(p - center));
+        Point3::new(length + local.x, local.y, local.z)
+    }
+
+    /// Root mean square distance of the vertices from the line.
+    fn radius(&self) -> f64 {
+        let squares: f64 = self.straight.iter().map(|p| p.y * p.y + p.z * p.z).sum();
+        (squares / self.straight.len() as f64).sqrt()
+    }
+
+    fn length(&self) -> f64 {
+        self.lengths.last().copied().unwrap_or(0.0)
+    }
+
+    /// Length over radius; `None` for a surface without one of them.
+    fn slenderness(&self) -> Option<f64> {
+        let ratio = self.length() / self.radius();
+        (ratio.is_finite() && ratio > 0.0).then_some(ratio)
+    }
+
+    /// Coordinates about the middle of the line, of a tube of radius 1 and length `ratio`.
+    fn normalized(&self, ratio: f64) -> Vec<Point3<f64>> {
+        let (length, radius) = (self.length(), self.radius());
+        let scaled = |p: &Point3<f64>| Point3::new(ratio * (p.x / length - 0.5), p.y / radius, p.z / radius);
+        self.straight.iter().map(scaled).collect()
+    }
+}
+
+/// Values of the function between which equal areas lie, ascending. `order` sorts the vertices by it.
+fn levels(along: &[f64], areas: &[f64], order: &[usize], n: usize) -> Vec<f64> {
+    let total: f64 = areas.iter().sum();
+    let (mut levels, mut below) = (Vec::with_capacity(n), 0.0);
+    for &i in order {
+        below += areas[i];
+        while levels.len() < n && below >= total * (levels.len() + 1) as f64 / (n + 1) as f64 {
+            levels.push(along[i]);
+        }
+    }
+    levels
+}
+
+/// The centroid of the curve on which the function has the value `level`; `None` where it does not pass through a triangle.
+fn center_of_section(mesh: &SurfaceMesh, along: &[f64], level: f64) -> Option<Point3<f64>> {
+    let v = mesh.vertices();
+    let (mut sum, mut length) = (Vector3::zeros(), 0.0);
+    for triangle in mesh.triangles() {
+        let corners = triangle.map(|k| k as usize);
+        let mut ends: [Point3<f64>; 2] = [Point3::origin(); 2];
+        let mut n = 0;
+        for k in 0..3 {
+            let (a, b) = (corners[k], corners[(k + 1) % 3]);
+            // A value that equals the level counts as above it, so that each curve is closed.
+            if (along[a] < level) != (along[b] < level) && n < 2 {
+                ends[n] = v[a] + (v[b] - v[a]) * ((level - along[a]) / (along[b] - along[a]));
+                n += 1;
+            }
+        }
+        if n == 2 {
+            let own = (ends[1] - ends[0]).norm();
+            sum += (ends[0].coords + ends[1].coords) * (0.5 * own);
+            length += own;
+        }
+    }
+    (length > 0.0).then(|| Point3::from(sum / length))
+}
+
+/// Frames along a line, by the double reflection of Wang et al.: columns are the tangent and two axes across it.
+fn frames_that_turn_least(points: &[Point3<f64>]) -> Option<Vec<Matrix3<f64>>> {
+    let last = points.len() - 1;
+    let tangents: Option<Vec<Vector3<f64>>> =
+        (0..=last).map(|k| (points[(k + 1).min(last)] - points[k.saturating_sub(1)]).try_normalize(0.0)).collect();
+    let tangents = tangents?;
+    // Any axis across the first tangent: the angle between two surfaces is searched for.
+    let least = tangents[0].iamin();
+    let mut axis = tangents[0].cross(&Vector3::ith(least, 1.0)).normalize();
+    let mut frames = Vec::with_capacity(points.len());
+    for k in 0..=last {
+        if k > 0 {
+            let between = points[k] - points[k - 1];
+            let reflected = |x: &Vector3<f64>, by: &Vector3<f64>| x - by * (2.0 * by.dot(x) / by.norm_squared());
+            let (moved_axis, moved_tangent) = (reflected(&axis, &between), reflected(&tangents[k - 1], &between));
+            let second = tangents[k] - moved_tangent;
+            axis = if second.norm_squared() > 0.0 { reflected(&moved_axis, &second) } else { moved_axis };
+            // Rounding adds up along the line.
+            axis = (axis - tangents[k] * axis.dot(&tangents[k])).try_normalize(0.0)?;
+        }
+        frames.push(Matrix3::from_columns(&[tangents[k], axis, tangents[k].cross(&axis)]));
+    }
+    Some(frames)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::testing::{bean, rms};
+    use homolog_mesh::shapes::ellipsoid;
+    use homolog_primitives::observe::Silent;
+    use homolog_registration::absolute_orientation;
+
+    /// A flattened, tapering tube without symmetry, straight.
+    fn tube() -> SurfaceMesh {
+        let mesh = ellipsoid(Vector3::new(18.0, 4.0, 3.0), 4);
+        let shaped = |p: &Point3<f64>| {
+            let wide = 1.0 + 0.02 * p.x;
+            Point3::new(p.x, p.y * wide + 0.5 * (0.2 * p.x).sin(), p.z * wide)
+        };
+        mesh.with_vertices(mesh.vertices().iter().map(shaped).collect()).unwrap()
+    }
+
+    /// Its axis bent into an arc of `angle` radians.
+    fn bent(p: &Point3<f64>, angle: f64) -> Point3<f64> {
+        let radius = 36.0 / angle;
+        let at = p.x / radius;
+        Point3::new((radius - p.y) * at.sin(), radius - (radius - p.y) * at.cos(), p.z)
+    }
+
+    #[test]
+    fn copies_correspond_by_the_identity() {
+        let mesh = bean(3);
+        let found = register(&mesh, &mesh, &MedialOptions::default(), &Silent).unwrap();
+        assert!(rms(&found.images, mesh.vertices()) < 1e-9);
+    }
+
+    #[test]
+    fn a_tube_that_is_bent_by_a_right_angle_is_followed() {
+        let source = tube();
+        let truth: Vec<_> = source.vertices().iter().map(|p| bent(p, TAU / 4.0)).collect();
+        let target = source.with_vertices(truth.clone()).unwrap();
+        let pose = absolute_orientation(source.vertices(), &truth, None, false).unwrap();
+        let posed = source.moved(&pose.matrix()).unwrap();
+        let found = register(&posed, &target, &MedialOptions::default(), &Silent).unwrap();
+        let index = ClosestPointIndex::new(&target);
+        let nearest: Vec<_> = posed.vertices().iter().map(|p| index.closest(p).point).collect();
+        let (error, before) = (rms(&found.images, &truth), rms(&nearest, &truth));
+        // Asked for before it was measured: a fifth of what nearest points leave.
+        assert!(error < 0.2 * before, "{error} of {before}");
+    }
+
+    #[test]
+    fn the_center_line_of_a_bent_tube_is_its_arc() {
+        let angle = TAU / 4.0;
+        let mesh = ellipsoid(Vector3::new(18.0, 4.0, 4.0), 4);
+        let mesh = mesh.with_vertices(mesh.vertices().iter().map(|p| bent(p, angle)).collect()).unwrap();
+        let line = CenterLine::of(&mesh, &MedialOptions::default()).unwrap();
+        let center = Point3::new(0.0, 36.0 / angle, 0.0);
+        // The last sections are of a few triangles, and the ends are vertices: 0.28 was found there, with 0.2 asked for.
+        for p in &line.points[4..line.points.len() - 4] {
+            assert!(((p - center).norm() - 36.0 / angle).abs() < 0.05 * 4.0, "{p}");
+        }
+        assert!((line.lengths.last().unwrap() - 36.0).abs() < 0.02 * 36.0);
+    }
+
+    #[test]
+    fn frames_along_a_plane_curve_keep_its_normal_and_on_a_helix_lag_by_its_torsion() {
+        let arc: Vec<_> = (0..40).map(|k| bent(&Point3::new(f64::from(k), 0.0, 0.0), 3.0)).collect();
+        let frames = frames_that_turn_least(&arc).unwrap();
+        let z = |f: &Matrix3<f64>| f.tr_mul(&Vector3::z());
+        for f in &frames {
+            assert!((z(f) - z(&frames[0])).norm() < 1e-9);
+            assert!((f.determinant() - 1.0).abs() < 1e-12);
+        }
+        // A helix of radius 1 and pitch 2π b: a frame that does not turn lags behind the principal normal by b / √(1 + b²) a radian.
+        let (b, n) = (0.5, 4000);
+        let at = |t: f64| Point3::new(t.cos(), t.sin(), b * t);
+        let helix: Vec<_> = (0..=n).map(|k| at(TAU * f64::from(k) / f64::from(n))).collect();
+        let frames = frames_that_turn_least(&helix).unwrap();
+        let angle = |k: usize| {
+            let inward = -Vector3::new((TAU * k as f64 / f64::from(n)).cos(), (TAU * k as f64 / f64::from(n)).sin(), 0.0);
+            let local = frames[k].tr_mul(&inward);
+            local.z.atan2(local.y)
+        };
+        let turned = (angle(n as usize) - angle(0)).rem_euclid(TAU);
+        let expected = (TAU * b / (1.0f64 + b * b).sqrt()).rem_euclid(TAU);
+        let gap = (turned - expected).abs().min((turned - (TAU - expected)).abs());
+        assert!(gap < 0.02, "{turned} {expected}");
+    }
+}

@@ -78,7 +78,17 @@ fn factors() -> Vec<Factor> {
     choice("registration.similarity", &[json!(false), json!(true)]);
     choice(
         "displacement.mode",
-        &names(&["none", "smooth", "cpd", "bcpd", "nonrigid_icp", "spharm_pdm", "functional_map", "medial", "diffeomorphic"]),
+        &names(&[
+            "none",
+            "smooth",
+            "cpd",
+            "bcpd",
+            "nonrigid_icp",
+            "spharm_pdm",
+            "functional_map",
+            "medial",
+            "diffeomorphic",
+        ]),
     );
     choice("both_directions", &[json!(false), json!(true)]);
     choice("seed", &[json!(0), json!(u64::MAX)]);

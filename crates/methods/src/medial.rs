@@ -80,8 +80,7 @@ pub fn register(
     observer: &dyn Observer,
 ) -> Result<Medial, MethodError> {
     let singular = MethodError::Singular { method: "medial coordinates" };
-    let (of_source, of_target) =
-        rayon::join(|| CenterLine::of(source, options), || CenterLine::of(target, options));
+    let (of_source, of_target) = rayon::join(|| CenterLine::of(source, options), || CenterLine::of(target, options));
     checkpoint(observer)?;
     let (of_source, of_target) = (of_source.ok_or(singular.clone())?, of_target.ok_or(singular.clone())?);
     let (slender, other) = (of_source.slenderness(), of_target.slenderness());
@@ -152,7 +151,8 @@ impl CenterLine {
         }
         let frames = frames_that_turn_least(&points)?;
         let mut line = CenterLine { points, lengths, frames, straight: Vec::new() };
-        line.straight = mesh.vertices().iter().zip(&along).map(|(p, value)| line.straightened(p, &values, *value)).collect();
+        line.straight =
+            mesh.vertices().iter().zip(&along).map(|(p, value)| line.straightened(p, &values, *value)).collect();
         Some(line)
     }
 
@@ -177,8 +177,8 @@ impl CenterLine {
         self.lengths.last().copied().unwrap_or(0.0)
     }
 
-    /// Length over radius; `None` for a surface without one of them.
-    fn slenderness(&self) -> Option<f64> {
+    /// Length of the line over the root mean square distance of the vertices from it; `None` for a surface without one of them.
+    pub fn slenderness(&self) -> Option<f64> {
         let ratio = self.length() / self.radius();
         (ratio.is_finite() && ratio > 0.0).then_some(ratio)
     }
@@ -330,7 +330,8 @@ mod tests {
         let helix: Vec<_> = (0..=n).map(|k| at(TAU * f64::from(k) / f64::from(n))).collect();
         let frames = frames_that_turn_least(&helix).unwrap();
         let angle = |k: usize| {
-            let inward = -Vector3::new((TAU * k as f64 / f64::from(n)).cos(), (TAU * k as f64 / f64::from(n)).sin(), 0.0);
+            let inward =
+                -Vector3::new((TAU * k as f64 / f64::from(n)).cos(), (TAU * k as f64 / f64::from(n)).sin(), 0.0);
             let local = frames[k].tr_mul(&inward);
             local.z.atan2(local.y)
         };

@@ -2,6 +2,7 @@
 
 use super::error::CliError;
 use super::output::{note, print};
+use super::peak_memory;
 use super::progress::{Progress, WithoutTerminal};
 use clap::Args;
 use homolog_laboratory::experiment::document::ReportProvenance;
@@ -48,6 +49,7 @@ pub(super) fn run(args: &ExperimentArgs) -> Result<(), CliError> {
             machine: machine(),
         },
         clock: Box::new(move || begun.elapsed()),
+        memory: Some(Box::new(peak_memory::of_match)),
     };
     let display = Progress::new(WithoutTerminal::Lines);
     let written = run_experiments(&options, &mut |at| {

@@ -3,7 +3,8 @@
 use super::draws::Draws;
 use super::hippocampi::Subject;
 use super::solids::{Form, Individual, bumped};
-use crate::phantom::{PairRecipe, Part, PhantomPair, random_permutation, random_pose};
+use crate::phantom::{Deformation, PairRecipe, Part, PhantomPair, random_permutation, random_pose};
+use homolog_mesh::simplify::simplify;
 use homolog_mesh::{ClosestPointIndex, SurfaceMesh};
 use homolog_primitives::observe::Silent;
 use homolog_registration::{
@@ -111,6 +112,43 @@ pub(super) fn copy_pair(subject: &Subject, seed: u64) -> Result<Pair, String> {
         source: subject.mesh.clone(),
         target,
     })
+}
+
+/// A surface and its copy under a smooth deformation of `deform_share` of the diagonal (RMS), rotated, resampled and permuted.
+pub(super) fn warped_pair(subject: &Subject, deform_share: f64, seed: u64) -> Result<Pair, String> {
+    let field = Deformation::new(subject.mesh.vertices(), deform_share, seed).map_err(|e| e.to_string())?;
+    let motion = random_pose(seed);
+    let truth: Vec<_> = subject.mesh.vertices().iter().map(|p| motion * field.apply(p)).collect();
+    let moved = resampled(&subject.mesh, seed)?;
+    let moved =
+        moved.with_vertices(moved.vertices().iter().map(|p| field.apply(p)).collect()).map_err(|e| e.to_string())?;
+    let pose = absolute_orientation(subject.mesh.vertices(), &truth, None, false).map_err(|e| e.to_string())?;
+    Ok(Pair {
+        source: subject.mesh.clone(),
+        target: moved_and_permuted(&moved, &motion, seed)?.0,
+        truth: Some(truth),
+        pose: Some(pose),
+        parts: None,
+    })
+}
+
+/// `mesh` with other vertices: every vertex slides to a point of one of its triangles, half its own and a quarter each of the
+/// other corners', and then the surface is simplified to edges that are [`COARSER`].
+fn resampled(mesh: &SurfaceMesh, seed: u64) -> Result<SurfaceMesh, String> {
+    let mut around: Vec<Vec<[u32; 3]>> = vec![Vec::new(); mesh.n_vertices()];
+    let triangles = mesh.triangles();
+    for triangle in &triangles {
+        triangle.iter().for_each(|&v| around[v as usize].push(*triangle));
+    }
+    let mut draws = Draws::new(seed);
+    let slid = mesh.vertices().iter().zip(&around).map(|(p, around)| {
+        let Some(triangle) = around.get(draws.below(around.len())) else { return *p };
+        let sum: Vector3<f64> = triangle.iter().map(|&v| mesh.vertices()[v as usize].coords).sum();
+        Point3::from((p.coords + sum) / 4.0)
+    });
+    let slid = mesh.with_vertices(slid.collect()).map_err(|e| e.to_string())?;
+    let n_vertices = (mesh.n_vertices() as f64 / (COARSER * COARSER)).round() as usize;
+    Ok(simplify(&slid, n_vertices).repaired.mesh)
 }
 
 /// Two subjects, the second one rotated and permuted. The reference pose is that of trimmed ICP started in scanner

@@ -12,7 +12,7 @@ use homolog_primitives::observe::Silent;
 use homolog_run::intake::IntakeLimits;
 use homolog_run::{InputFile, run_match};
 use serde_json::Value;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::{fs, io};
 
@@ -47,14 +47,19 @@ fn own_peak() -> Option<u64> {
 }
 
 /// Peak memory of matching `source` to `target` with these parameters of a request, by this program in a process of its own, bytes.
+/// `folder` is one for temporary files; it is made and removed.
 ///
 /// # Errors
 /// One line with the reason.
-pub(super) fn of_match(source: &SurfaceMesh, target: &SurfaceMesh, request: &Value) -> Result<u64, String> {
+pub(super) fn of_match(
+    folder: &Path,
+    source: &SurfaceMesh,
+    target: &SurfaceMesh,
+    request: &Value,
+) -> Result<u64, String> {
     let failed = |error: io::Error| format!("the memory of a match cannot be measured: {error}");
-    let folder = tempfile::tempdir().map_err(failed)?;
-    let [first, second, parameters] =
-        ["source.ply", "target.ply", "parameters.json"].map(|name| folder.path().join(name));
+    fs::create_dir_all(folder).map_err(failed)?;
+    let [first, second, parameters] = ["source.ply", "target.ply", "parameters.json"].map(|name| folder.join(name));
     fs::write(&first, write_ply(source)).map_err(failed)?;
     fs::write(&second, write_ply(target)).map_err(failed)?;
     fs::write(&parameters, request.to_string()).map_err(failed)?;
@@ -62,6 +67,7 @@ pub(super) fn of_match(source: &SurfaceMesh, target: &SurfaceMesh, request: &Val
     let mut command = Command::new(program);
     command.arg("peak-memory").args([&first, &second]).arg("--params").arg(&parameters).stdin(Stdio::null());
     let done = command.output().map_err(failed)?;
+    fs::remove_dir_all(folder).map_err(failed)?;
     let said = |bytes: &[u8]| String::from_utf8_lossy(bytes).trim().to_owned();
     match said(&done.stdout).parse() {
         Ok(bytes) if done.status.success() => Ok(bytes),

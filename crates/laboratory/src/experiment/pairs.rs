@@ -208,3 +208,44 @@ impl ClosestSurfacePoint for Surface {
         (self.0.closest(query).point, Vector3::z())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::phantom::Phantom;
+
+    #[test]
+    fn a_warped_copy_has_other_vertices_and_its_truth_lies_on_it() {
+        let mesh = Phantom::new(3).surface(1.4).unwrap().mesh;
+        let subject = Subject { parts: vec![1; mesh.n_vertices()], mesh };
+        let pair = warped_pair(&subject, 0.04, 7).unwrap();
+        let (source, target) = (&pair.source, &pair.target);
+        let share = target.n_vertices() as f64 / source.n_vertices() as f64;
+        assert!((share - 1.0 / (COARSER * COARSER)).abs() < 0.01, "{share}");
+        let (index, edge_mm) = (ClosestPointIndex::new(target), target.mean_edge_length());
+        let truth = pair.truth.unwrap();
+        let off: Vec<f64> = truth.iter().map(|p| (index.closest(p).point - p).norm() / edge_mm).collect();
+        assert!(off.iter().sum::<f64>() / (off.len() as f64) < 0.05 && off.iter().all(|&d| d < 0.5), "{off:?}");
+        let at_vertex = |p: &Point3<f64>| target.vertices().iter().any(|q| (q - p).norm() < 1e-3 * edge_mm);
+        assert!(!truth.iter().any(at_vertex), "a true corresponding point is a vertex");
+        // The deformation is what was asked for, besides the pose.
+        let (low, high) = source.bounding_box();
+        let pose = pair.pose.unwrap();
+        let squares: f64 = source.vertices().iter().zip(&truth).map(|(p, q)| (pose.apply(p) - q).norm_squared()).sum();
+        let share = (squares / truth.len() as f64).sqrt() / (high - low).norm();
+        assert!(share > 0.01 && share <= 0.0401, "{share}");
+        // No triangle of the target is turned over.
+        let normals = source.vertex_normals();
+        let turned = target.triangles().into_iter().filter(|triangle| {
+            let [a, b, c] = triangle.map(|v| target.vertices()[v as usize]);
+            let middle = Point3::from((a.coords + b.coords + c.coords) / 3.0);
+            let (_, nearest) = truth.iter().enumerate().fold((f64::INFINITY, 0), |best, (k, q)| {
+                let distance = (q - middle).norm_squared();
+                if distance < best.0 { (distance, k) } else { best }
+            });
+            let outwards = pose.rotation * normals[nearest];
+            (b - a).cross(&(c - a)).dot(&outwards) < 0.0
+        });
+        assert_eq!(turned.count(), 0);
+    }
+}

@@ -18,7 +18,7 @@
 # make client  target/wheels: the Python package with this machine's program in it
 # make dashboard build the page of the dashboard, dashboard/dist, with node; make screenshots: the pictures in docs/dashboard,
 #              by the tests in a browser; TEST=batch: only the test of that name
-# make picture redraw docs/match.png
+# make picture redraw docs/match.png; make method-pictures: those in docs/methods
 # make experiment  measure every method and write a report that includes the newest accuracy table; DATA=dir: real label
 #              volumes in dir/hippocampus
 # make accuracy  measure accuracy and compare it with other programs; DATA=dir: label volumes in dir/hippocampus;
@@ -40,7 +40,7 @@
 SHELL := /usr/bin/env bash
 .SHELLFLAGS := -eu -o pipefail -c
 .DEFAULT_GOAL := help
-.PHONY: help demo test faults fuzz soak memory check sbom advisories contract build api client picture experiment accuracy energies methods answers study study-others study-env bench bench-service dashboard screenshots
+.PHONY: help demo test faults fuzz soak memory check sbom advisories contract build api client picture method-pictures experiment accuracy energies methods answers study study-others study-env bench bench-service dashboard screenshots
 
 CARGO ?= cargo
 SOURCE ?=
@@ -135,6 +135,11 @@ picture: build
 	[ -x target/picture-env/bin/python ] || python3 -m venv target/picture-env
 	target/picture-env/bin/python -m pip --disable-pip-version-check --quiet install numpy==2.4.6 matplotlib==3.11.2
 	target/picture-env/bin/python scripts/picture target/release/homolog docs/match.png
+
+method-pictures: build
+	[ -x target/picture-env/bin/python ] || python3 -m venv target/picture-env
+	target/picture-env/bin/python -m pip --disable-pip-version-check --quiet install numpy==2.4.6 matplotlib==3.11.2
+	target/picture-env/bin/python scripts/method-pictures target/release/homolog docs/methods
 
 experiment: build
 	target/release/homolog experiment --data "$(DATA)" --out target/experiment $(if $(ACCURACY),--accuracy "$(ACCURACY)")

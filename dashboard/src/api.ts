@@ -123,6 +123,7 @@ export interface Result {
   support: { inliers: number; ratio: number; rms_mm: number; tolerance_mm: number };
   surface_distance: { mean_mm: number; p95_mm: number; max_mm: number };
   energy?: { initial: number; final: number; unary: number; pairwise: number; broken_edges: number; lower_bound?: number };
+  deformation?: { folded_triangles: number; folded_area_share: number; area_ratio: number; area_ratio_p05: number; area_ratio_p95: number; volume_ratio: number | null };
   topology: { consistency: number; coverage: number; flipped_triangles: number; n_triangles: number };
   rounds: { round: number; feedback: string; iterations: number; energy?: number; support?: number; chosen: boolean }[];
   reliability?: {

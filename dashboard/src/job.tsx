@@ -171,7 +171,7 @@ export function JobView({ id }: { id: string }) {
 }
 
 function Measures({ result }: { result: Result }) {
-  const { surface_distance: distance, topology, support, reliability } = result;
+  const { surface_distance: distance, topology, deformation, support, reliability } = result;
   const rows: [string, string][] = [
     ["Surface distance, mean", mm(distance.mean_mm)],
     ["Surface distance, 95 % within", mm(distance.p95_mm)],
@@ -181,6 +181,13 @@ function Measures({ result }: { result: Result }) {
     ["Inliers of the transform", `${number(support.inliers)} (${percent(support.ratio)})`],
     ["Rotation", `${result.transform.rotation_angle_deg.toFixed(1)}°`],
   ];
+  if (deformation) {
+    rows.push(
+      ["Folded triangles", `${number(deformation.folded_triangles)} (${percent(deformation.folded_area_share)} of the area)`],
+      ["Area, target over source (5th to 95th percentile)", `${number(deformation.area_ratio)} (${number(deformation.area_ratio_p05)} to ${number(deformation.area_ratio_p95)})`],
+      ["Volume, target over source", number(deformation.volume_ratio)],
+    );
+  }
   if (reliability) {
     rows.push(
       ["Misfit (about 1.0 for copies, 1.2 for two subjects)", number(reliability.misfit)],

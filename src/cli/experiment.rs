@@ -2,6 +2,7 @@
 
 use super::error::CliError;
 use super::output::{note, print};
+use super::peak_memory;
 use super::progress::{Progress, WithoutTerminal};
 use clap::Args;
 use homolog_laboratory::experiment::document::ReportProvenance;
@@ -35,6 +36,7 @@ pub(super) struct ExperimentArgs {
 /// Runs the command.
 pub(super) fn run(args: &ExperimentArgs) -> Result<(), CliError> {
     let begun = Instant::now();
+    let temporary = args.out.join(".memory");
     let options = ExperimentOptions {
         data: args.data.clone(),
         out: args.out.clone(),
@@ -48,6 +50,9 @@ pub(super) fn run(args: &ExperimentArgs) -> Result<(), CliError> {
             machine: machine(),
         },
         clock: Box::new(move || begun.elapsed()),
+        memory: Some(Box::new(move |source, target, request| {
+            peak_memory::of_match(&temporary, source, target, request)
+        })),
     };
     let display = Progress::new(WithoutTerminal::Lines);
     let written = run_experiments(&options, &mut |at| {

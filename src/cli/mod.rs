@@ -19,6 +19,7 @@ mod match_pair;
 mod output;
 mod parameter_table;
 mod parameters;
+mod peak_memory;
 mod phantom;
 mod progress;
 mod serve;
@@ -64,6 +65,8 @@ enum Command {
     Demo(demo::DemoArgs),
     Health(health::HealthArgs),
     Completions(completions::CompletionsArgs),
+    #[command(hide = true)]
+    PeakMemory(peak_memory::PeakMemoryArgs),
     /// Print the OpenAPI document of the service
     Openapi,
     /// Print the table of problem types
@@ -131,6 +134,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Command::Inspect(args) => inspect::run(&args),
         Command::Phantom(args) => phantom::run(&args),
         Command::Experiment(args) => experiment::run(&args),
+        Command::PeakMemory(args) => peak_memory::run(&args),
         Command::Demo(args) => demo::run(&args),
         Command::Health(args) => health::run(&args),
         Command::Completions(args) => completions::run(&args, &program),

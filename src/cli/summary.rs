@@ -35,6 +35,9 @@ pub(super) fn summary(result: &ResultDocument) -> String {
         100.0 * result.topology.consistency,
         100.0 * result.topology.coverage
     );
+    if let Some(deformation) = &result.deformation {
+        let _ = writeln!(text, "deformation       {}", deformation.sentence());
+    }
     let _ = writeln!(
         text,
         "vertices          {} of the source, {} of the target",

@@ -292,6 +292,20 @@ fn a_source_is_matched_to_many_targets_with_a_table_of_verdicts() {
     assert!(refused(&["match", &source, &target, "/no/such/file"]).contains("cannot read /no/such/file"));
 }
 
+#[cfg(target_os = "linux")]
+#[test]
+fn the_memory_of_one_match_is_that_of_a_process() {
+    let folder = tempfile::tempdir().unwrap();
+    let [source, target] = pair(folder.path());
+    let (code, printed, said) = run(&["peak-memory", &source, &target, "--method", "rigid"]);
+    assert_eq!(code, Some(0), "{said}");
+    let bytes: u64 = printed.trim().parse().unwrap();
+    assert!((4 << 20..1 << 30).contains(&bytes), "{bytes} bytes");
+    let (code, printed, _) = run(&["match", &source, &target, "--method", "rigid"]);
+    assert_eq!(code, Some(0));
+    assert!(printed.contains("deformation       0 triangles folded"), "{printed}");
+}
+
 #[test]
 fn the_first_long_build_is_announced() {
     let makefile = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("Makefile")).unwrap();

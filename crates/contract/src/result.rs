@@ -20,6 +20,10 @@ pub struct ResultDocument {
     pub energy: Option<EnergyDocument>,
     /// How well the labeling keeps neighbours together, and how much of the target it covers.
     pub topology: ConsistencyDocument,
+    /// How the map to the corresponding points deforms the source surface; absent if no source triangle has a counterpart on the
+    /// target, and in results of version 0.1.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+    pub deformation: Option<DeformationDocument>,
     /// The rounds of inference, registration and feedback, in order; empty where no energy was minimised.
     #[cfg_attr(feature = "serde", serde(default))]
     pub rounds: Vec<RoundDocument>,
@@ -309,6 +313,29 @@ pub struct ConsistencyDocument {
     /// All source triangles.
     #[cfg_attr(feature = "serde", serde(default))]
     pub n_triangles: u32,
+}
+
+/// How the map to the corresponding points deforms the source surface that was matched. Source triangles (a quad counts as two)
+/// with a corner that has no counterpart are left out of areas and folds. The area ratio at every vertex is an array of the
+/// bent surface.
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+pub struct DeformationDocument {
+    /// Source triangles whose image, the triangle between the corresponding points of its corners, faces against the target's
+    /// normals there. `topology.flipped_triangles` counts the same for the nearest target vertices.
+    pub folded_triangles: u32,
+    /// Their share of the area of the source, from 0 to 1.
+    pub folded_area_share: f64,
+    /// Area of all images divided by the area of the source: the mean area ratio over the source.
+    pub area_ratio: f64,
+    /// 5th percentile of the area ratio over the source vertices: area of the images of the triangles around a vertex, divided by
+    /// the area of these triangles.
+    pub area_ratio_p05: f64,
+    /// 95th percentile of the same.
+    pub area_ratio_p95: f64,
+    /// Volume enclosed by the images divided by the volume enclosed by the source; null unless both surfaces are closed.
+    pub volume_ratio: Option<f64>,
 }
 
 /// The dense correspondence in columns of equal length, rows in ascending order of `source`.

@@ -1,6 +1,6 @@
 //! Whether an answer can be relied on: in short, for lists of jobs, and in words, for people.
 
-use crate::result::{ResultDocument, SurfaceDistanceDocument, UnreliableReason};
+use crate::result::{DeformationDocument, ResultDocument, SurfaceDistanceDocument, UnreliableReason};
 
 /// The verdict on an answer, with the distance between the registered surfaces.
 #[derive(Debug, Clone, PartialEq)]
@@ -23,6 +23,21 @@ impl ResultDocument {
             reasons: self.reliability.as_ref().map(|found| found.reasons.clone()).unwrap_or_default(),
             surface_distance: self.surface_distance.clone(),
         }
+    }
+}
+
+impl DeformationDocument {
+    /// Folds and the changes of area and volume, in one line.
+    pub fn sentence(&self) -> String {
+        let volume = self.volume_ratio.map(|ratio| format!(", volume × {ratio:.2}")).unwrap_or_default();
+        format!(
+            "{} triangles folded ({:.2} % of the area); area × {:.2} (90 % of vertices: {:.2} to {:.2}){volume}",
+            self.folded_triangles,
+            100.0 * self.folded_area_share,
+            self.area_ratio,
+            self.area_ratio_p05,
+            self.area_ratio_p95
+        )
     }
 }
 

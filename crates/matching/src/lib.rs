@@ -39,6 +39,7 @@ mod clamping;
 mod coarse;
 pub mod consistency;
 mod copies;
+mod deformation;
 mod displaced;
 #[cfg(test)]
 mod displaced_tests;
@@ -76,8 +77,8 @@ pub use levels::Levels;
 
 use homolog_contract::parameters::Algorithm;
 use homolog_contract::result::{
-    ConsistencyDocument, Correspondences, EnergyDocument, PoseDocument, ReliabilityDocument, RoundDocument, StopReason,
-    SupportDocument, SurfaceDistanceDocument, TransformDocument,
+    ConsistencyDocument, Correspondences, DeformationDocument, EnergyDocument, PoseDocument, ReliabilityDocument,
+    RoundDocument, StopReason, SupportDocument, SurfaceDistanceDocument, TransformDocument,
 };
 use homolog_geometry::harmonics::HarmonicsError;
 use homolog_mrf::MrfModel;
@@ -95,6 +96,8 @@ pub struct MatchOutcome {
     pub energy: Option<EnergyDocument>,
     /// Quality of the map.
     pub topology: ConsistencyDocument,
+    /// How the map to the corresponding points deforms the source; `None` if no triangle has a counterpart.
+    pub deformation: Option<DeformationDocument>,
     /// The rounds of inference and registration; empty where no energy was minimised.
     pub rounds: Vec<RoundDocument>,
     /// Candidate poses that were compared, the best first.

@@ -3,6 +3,7 @@
 use super::MatchOutcome;
 use super::coarse::{Coarse, EnergyProblem};
 use super::consistency::topology_consistency_within;
+use super::deformation::deformation;
 use super::displaced::{Displaced, Images, labeling_of_energy};
 use super::inverse::inverse;
 use super::outliers::{self, identify_outliers};
@@ -11,8 +12,8 @@ use super::scene::Scene;
 use super::side::Side;
 use homolog_contract::parameters::OrientationSolver as Solver;
 use homolog_contract::result::{
-    ConsistencyDocument, Correspondences, EnergyDocument, OutlierReason, SimilarityDocument, StopReason,
-    SupportDocument, SurfaceDistanceDocument, TransformDocument,
+    ConsistencyDocument, Correspondences, DeformationDocument, EnergyDocument, OutlierReason, SimilarityDocument,
+    StopReason, SupportDocument, SurfaceDistanceDocument, TransformDocument,
 };
 use homolog_mesh::{ClosestPoint, SurfaceDistances, SurfaceMesh};
 use homolog_primitives::graph::{EdgeGraph, Reach};
@@ -29,7 +30,7 @@ pub(crate) fn measured(coarse: &Coarse<'_>, posed: &Posed<'_>, answer: &Displace
         || surface_distance(scene.source, scene.target, &answer.transform),
         || OfPairs::new(scene, posed, answer),
     );
-    let OfPairs { similarity, support, topology, mut correspondences } = of_pairs;
+    let OfPairs { similarity, support, topology, deformation, mut correspondences } = of_pairs;
     correspondences.inverse = scene.parameters.both_directions.then(|| inverse(scene, answer)).flatten().map(Box::new);
     let reliability = match &answer.images {
         Images::OnVertices => None,
@@ -45,6 +46,7 @@ pub(crate) fn measured(coarse: &Coarse<'_>, posed: &Posed<'_>, answer: &Displace
         surface_distance,
         energy,
         topology,
+        deformation,
         rounds,
         poses: answer.poses.clone(),
         reliability,
@@ -69,6 +71,7 @@ struct OfPairs {
     similarity: Option<SimilarityDocument>,
     support: SupportDocument,
     topology: ConsistencyDocument,
+    deformation: Option<DeformationDocument>,
     /// In the numbering of the inputs, without the map the other way.
     correspondences: Correspondences,
 }
@@ -98,6 +101,9 @@ impl OfPairs {
                 Cow::Borrowed(smooth.points.as_slice())
             }
         };
+        let has_counterpart = |i: usize| outlier[i] != OutlierReason::NoCounterpart;
+        let mirrored = answer.transform.is_reflection();
+        let deformation = deformation(source, scene.target.mesh(), &points, has_counterpart, mirrored);
         // Back to the numbering of the inputs, in its order.
         let rows = scene.source.surface.numbering.by_original();
         let as_uploaded = |x: u32| scene.target.surface.numbering.original(x);
@@ -130,6 +136,7 @@ impl OfPairs {
                 confidence_reached,
             },
             topology: topology(scene, &answer.transform, &variables, &labels, &answer.labeling),
+            deformation,
             correspondences,
         }
     }

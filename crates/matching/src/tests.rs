@@ -75,6 +75,11 @@ fn a_moved_and_renumbered_copy_is_found_exactly() {
         let expected = motion().rotation.angle().to_degrees();
         assert!((outcome.transform.rotation_angle_deg - expected).abs() < 0.1, "{method}");
         assert!(outcome.surface_distance.max_mm < 0.1, "{method}");
+        let deformation = outcome.deformation.unwrap();
+        assert!(deformation.folded_area_share < 0.01, "{method}: {deformation:?}");
+        for ratio in [deformation.area_ratio, deformation.volume_ratio.unwrap()] {
+            assert!((ratio - 1.0).abs() < 0.02, "{method}: {deformation:?}");
+        }
     }
 }
 

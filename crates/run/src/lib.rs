@@ -204,6 +204,7 @@ pub fn run_match_with(
         surface_distance: outcome.surface_distance,
         energy: outcome.energy,
         topology: outcome.topology,
+        deformation: outcome.deformation,
         rounds: outcome.rounds,
         poses: outcome.poses,
         reliability: outcome.reliability,

@@ -116,6 +116,7 @@ fn trace(m: &mut Measurement, seen: &Recorded) {
 fn documents(m: &mut Measurement, outcome: &MatchOutcome) {
     let parts = [
         ("", serde_json::to_value(&outcome.topology)),
+        ("deformation_", serde_json::to_value(&outcome.deformation)),
         ("energy_", serde_json::to_value(&outcome.energy)),
         ("support_", serde_json::to_value(&outcome.support)),
         ("surface_", serde_json::to_value(&outcome.surface_distance)),

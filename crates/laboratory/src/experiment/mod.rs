@@ -30,8 +30,10 @@ mod units;
 pub use statistics::Summary;
 
 use document::{Cell, Column, ReportDocument, ReportProvenance, Section, Table};
+use homolog_mesh::SurfaceMesh;
 use results::Results;
 use sections::Experiment;
+use serde_json::Value;
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -41,6 +43,10 @@ use units::{Ending, FinishedUnit, UnitStore, key};
 
 /// A monotonic clock.
 pub type Clock = Box<dyn Fn() -> Duration + Sync>;
+
+/// Peak memory of matching a source to a target with the parameters of a request in a process of its own, bytes; or one line
+/// that says why it is not known.
+pub type MemoryMeter = Box<dyn Fn(&SurfaceMesh, &SurfaceMesh, &Value) -> Result<u64, String> + Sync>;
 
 /// Which sections to run, on which data, and where to write the report.
 pub struct ExperimentOptions {
@@ -58,6 +64,8 @@ pub struct ExperimentOptions {
     pub provenance: ReportProvenance,
     /// The clock that units are timed with.
     pub clock: Clock,
+    /// What measures the memory of matches; without it the report has none.
+    pub memory: Option<MemoryMeter>,
 }
 
 /// Progress of the report.

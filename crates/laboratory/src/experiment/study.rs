@@ -2,10 +2,10 @@
 
 use super::hippocampi::{Hippocampi, Subject};
 use super::measure::measure_match;
-use super::pairs::{Pair, PhantomRecipe, SolidRecipe, copy_pair, cross_pair, phantom_pair, solid_pair};
+use super::pairs::{Pair, PhantomRecipe, SolidRecipe, copy_pair, cross_pair, phantom_pair, solid_pair, warped_pair};
 use super::solids::Form;
 use super::units::{Unit, Work};
-use super::{Clock, ExperimentOptions};
+use super::{Clock, ExperimentOptions, MemoryMeter};
 use serde::Serialize;
 use serde_json::{Value, json};
 use std::cell::RefCell;
@@ -18,6 +18,8 @@ pub(super) const SYNTHETIC: &str = "synthetic";
 pub(super) const REAL: &str = "real";
 /// Name of the kind of pair made of real subjects and their rotated copies.
 pub(super) const COPIES: &str = "copies";
+/// Name of the kind of pair made of real subjects and their copies under a known smooth deformation.
+pub(super) const WARPED: &str = "warped";
 /// Name of the kind of pair made of bumped solids.
 pub(super) const SOLIDS: &str = "solids";
 
@@ -31,6 +33,7 @@ pub(super) enum PairRecipe {
     Phantom(PhantomRecipe),
     Solid(SolidRecipe),
     Copy { subject: usize, hash: String, seed: u64 },
+    Warped { subject: usize, hash: String, deform_share: f64, seed: u64 },
     Cross { source: usize, target: usize, hashes: [String; 2], seed: u64 },
 }
 
@@ -49,6 +52,7 @@ pub(super) struct Study<'o> {
     /// Whether the report is the quick one.
     pub(super) quick: bool,
     pub(super) clock: &'o Clock,
+    pub(super) memory: Option<&'o MemoryMeter>,
     hippocampi: Option<Hippocampi>,
     pairs: RefCell<BTreeMap<String, Rc<Pair>>>,
     subjects: RefCell<BTreeMap<usize, Rc<Subject>>>,
@@ -59,6 +63,7 @@ impl<'o> Study<'o> {
         Study {
             quick: options.quick,
             clock: &options.clock,
+            memory: options.memory.as_ref(),
             hippocampi: Hippocampi::open(&options.data),
             pairs: RefCell::default(),
             subjects: RefCell::default(),
@@ -137,6 +142,19 @@ impl<'o> Study<'o> {
             .collect()
     }
 
+    /// Real subjects with their rotated and resampled copies under a smooth deformation of [`DEFORM_SHARE`].
+    pub(super) fn warped(&self, full: usize) -> Vec<Case> {
+        let of_copy = |(k, case): (usize, Case)| match case.recipe {
+            PairRecipe::Copy { subject, hash, .. } => Case {
+                group: WARPED,
+                recipe: PairRecipe::Warped { subject, hash, deform_share: DEFORM_SHARE, seed: 500 + k as u64 },
+                ..case
+            },
+            _ => case,
+        };
+        self.copies(full).into_iter().enumerate().map(of_copy).collect()
+    }
+
     /// The reason if there are no real pairs.
     pub(super) fn real_absent(&self) -> Option<String> {
         if self.quick {
@@ -156,6 +174,9 @@ impl<'o> Study<'o> {
             PairRecipe::Phantom(recipe) => phantom_pair(recipe)?,
             PairRecipe::Solid(recipe) => solid_pair(recipe)?,
             PairRecipe::Copy { subject, seed, .. } => copy_pair(&*self.subject(*subject)?, *seed)?,
+            PairRecipe::Warped { subject, deform_share, seed, .. } => {
+                warped_pair(&*self.subject(*subject)?, *deform_share, *seed)?
+            }
             PairRecipe::Cross { source, target, seed, .. } => {
                 cross_pair(&*self.subject(*source)?, &*self.subject(*target)?, *seed)?
             }

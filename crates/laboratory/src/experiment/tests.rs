@@ -26,6 +26,7 @@ fn options(out: &Path, sections: &[&str]) -> ExperimentOptions {
             machine: words("two cores & more"),
         },
         clock: ticking(),
+        memory: Some(Box::new(|source, target, _| Ok(((source.n_vertices() + target.n_vertices()) as u64) << 20))),
     }
 }
 

@@ -224,6 +224,9 @@ fn numbers(inputs: &ReportInputs<'_>) -> String {
             100.0 * document.topology.coverage
         ),
     ));
+    if let Some(deformation) = &document.deformation {
+        rows.push(("deformation", deformation.sentence()));
+    }
     let matrix: Vec<String> =
         t.matrix.iter().map(|r| format!("{:>10.5} {:>10.5} {:>10.5} {:>11.4}", r[0], r[1], r[2], r[3])).collect();
     format!(

@@ -1,15 +1,18 @@
 //! Pairs of surfaces with their ground truth, where it is known.
 
 use super::draws::Draws;
-use super::hippocampi::Subject;
+use super::hippocampi::{Subject, surface};
 use super::solids::{Form, Individual, bumped};
-use crate::phantom::{PairRecipe, Part, PhantomPair, random_permutation, random_pose};
+use crate::phantom::{Deformation, PairRecipe, Part, PhantomPair, random_permutation, random_pose};
+use homolog_formats::nifti::write_nifti;
+use homolog_mesh::volume::LabelVolume;
 use homolog_mesh::{ClosestPointIndex, SurfaceMesh};
 use homolog_primitives::observe::Silent;
 use homolog_registration::{
     ClosestSurfacePoint, IcpMetric, IcpOptions, RigidTransform, absolute_orientation, refine_icp,
 };
-use nalgebra::{Isometry3, Matrix3, Point3, Vector3};
+use nalgebra::{Isometry3, Matrix3, Matrix4, Point3, Vector3};
+use rayon::prelude::*;
 use serde::Serialize;
 
 /// A source, a target, and the ground truth where it is known.
@@ -131,6 +134,49 @@ pub(super) fn cross_pair(source: &Subject, target: &Subject, seed: u64) -> Resul
         truth: None,
         pose: Some(rigid(&motion).after(&reference)),
         parts: Some((source.parts.clone(), permuted(&target.parts, &order))),
+    })
+}
+
+/// Voxels between a deformed structure and the border of its volume.
+const MARGIN: f64 = 4.0;
+
+/// A subject, and the surface that is made of its labels after a smooth deformation and a rotation, on voxels of the same size: the
+/// truth is known everywhere, and the surfaces share no vertex and no step of a voxel.
+pub(super) fn warped_pair(
+    subject: &Subject,
+    volume: &LabelVolume,
+    deform_share: f64,
+    seed: u64,
+) -> Result<Pair, String> {
+    let points = subject.mesh.vertices();
+    let deformation = Deformation::new(points, deform_share, seed).map_err(|e| e.to_string())?;
+    let motion = random_pose(seed);
+    let truth: Vec<_> = points.iter().map(|p| motion * deformation.apply(p)).collect();
+    let voxel_mm = volume.spacing_mm().into_iter().fold(f64::INFINITY, f64::min);
+    let infinity = Point3::from([f64::INFINITY; 3]);
+    let (low, high) = truth.iter().fold((infinity, -infinity), |(l, h), p| (l.inf(p), h.sup(p)));
+    let low = low - Vector3::repeat(MARGIN * voxel_mm);
+    let dims: [usize; 3] = std::array::from_fn(|k| ((high[k] - low[k]) / voxel_mm + MARGIN).ceil() as usize);
+    let index_from_mm = volume.affine().try_inverse().ok_or("the volume has no inverse transform")?;
+    let label = |k: usize| {
+        let at = Vector3::new(k % dims[0], k / dims[0] % dims[1], k / (dims[0] * dims[1])).map(|c| c as f64);
+        let of_subject = deformation.invert(&(motion.inverse() * (low + voxel_mm * at)))?;
+        let index = index_from_mm.transform_point(&of_subject).map(f64::round);
+        let inside = (0..3).all(|axis| index[axis] >= 0.0 && (index[axis] as usize) < volume.dims()[axis]);
+        let [nx, ny, _] = volume.dims();
+        inside.then(|| volume.labels()[(index.z as usize * ny + index.y as usize) * nx + index.x as usize])
+    };
+    let labels = (0..dims.iter().product()).into_par_iter().map(|k| label(k).unwrap_or(0)).collect();
+    let mut affine = Matrix4::new_scaling(voxel_mm);
+    affine.fixed_view_mut::<3, 1>(0, 3).copy_from(&low.coords);
+    let moved = LabelVolume::new(dims, labels, affine).map_err(|e| e.to_string())?;
+    let pose = absolute_orientation(points, &truth, None, false).map_err(|e| e.to_string())?;
+    Ok(Pair {
+        source: subject.mesh.clone(),
+        target: surface(&write_nifti(&moved))?,
+        truth: Some(truth),
+        pose: Some(pose),
+        parts: None,
     })
 }
 

@@ -2,7 +2,7 @@
 
 use super::hippocampi::{Hippocampi, Subject};
 use super::measure::measure_match;
-use super::pairs::{Pair, PhantomRecipe, SolidRecipe, copy_pair, cross_pair, phantom_pair, solid_pair};
+use super::pairs::{Pair, PhantomRecipe, SolidRecipe, copy_pair, cross_pair, phantom_pair, solid_pair, warped_pair};
 use super::solids::Form;
 use super::units::{Unit, Work};
 use super::{Clock, ExperimentOptions};
@@ -18,6 +18,8 @@ pub(super) const SYNTHETIC: &str = "synthetic";
 pub(super) const REAL: &str = "real";
 /// Name of the kind of pair made of real subjects and their rotated copies.
 pub(super) const COPIES: &str = "copies";
+/// Name of the kind of pair made of real subjects and their deformed copies.
+pub(super) const WARPED: &str = "warped";
 /// Name of the kind of pair made of bumped solids.
 pub(super) const SOLIDS: &str = "solids";
 
@@ -31,6 +33,7 @@ pub(super) enum PairRecipe {
     Phantom(PhantomRecipe),
     Solid(SolidRecipe),
     Copy { subject: usize, hash: String, seed: u64 },
+    Warped { subject: usize, hash: String, deform_share: f64, seed: u64 },
     Cross { source: usize, target: usize, hashes: [String; 2], seed: u64 },
 }
 
@@ -137,6 +140,21 @@ impl<'o> Study<'o> {
             .collect()
     }
 
+    /// Real subjects with copies that are deformed as much as phantoms are, and rotated; other subjects than those of
+    /// [`Study::copies`].
+    pub(super) fn warped(&self, full: usize) -> Vec<Case> {
+        let Some(data) = self.hippocampi.as_ref().filter(|_| !self.quick) else { return Vec::new() };
+        let n = full.min(data.len());
+        let step = data.len() / n.max(1);
+        (0..n)
+            .map(|k| {
+                let (subject, seed) = (k * step + step / 2, 600 + k as u64);
+                let recipe = PairRecipe::Warped { subject, hash: data.hash(subject), deform_share: DEFORM_SHARE, seed };
+                Case { group: WARPED, name: format!("subject {subject}"), recipe }
+            })
+            .collect()
+    }
+
     /// The reason if there are no real pairs.
     pub(super) fn real_absent(&self) -> Option<String> {
         if self.quick {
@@ -156,6 +174,10 @@ impl<'o> Study<'o> {
             PairRecipe::Phantom(recipe) => phantom_pair(recipe)?,
             PairRecipe::Solid(recipe) => solid_pair(recipe)?,
             PairRecipe::Copy { subject, seed, .. } => copy_pair(&*self.subject(*subject)?, *seed)?,
+            PairRecipe::Warped { subject, deform_share, seed, .. } => {
+                let data = self.hippocampi.as_ref().ok_or("there are no real data")?;
+                warped_pair(&*self.subject(*subject)?, &data.volume(*subject)?, *deform_share, *seed)?
+            }
             PairRecipe::Cross { source, target, seed, .. } => {
                 cross_pair(&*self.subject(*source)?, &*self.subject(*target)?, *seed)?
             }

@@ -2,6 +2,7 @@
 
 mod clamping;
 mod curvature;
+mod descriptors;
 mod ellipsoid;
 mod estimators;
 mod minimisers;
@@ -21,7 +22,7 @@ use super::study::{COPIES, REAL, SYNTHETIC, Setting, Study};
 use super::units::Unit;
 
 /// All sections, in the order of the report.
-pub(super) const ALL: [&dyn Experiment; 14] = [
+pub(super) const ALL: [&dyn Experiment; 15] = [
     &minimisers::Minimisers,
     &products::Products,
     &neighborhood::Neighborhood,
@@ -36,6 +37,7 @@ pub(super) const ALL: [&dyn Experiment; 14] = [
     &outliers::Outliers,
     &curvature::Curvature,
     &ellipsoid::Ellipsoid,
+    &descriptors::Descriptors,
 ];
 
 /// One section: a question and the units that answer it.

@@ -22,7 +22,10 @@ const MEMBERS: &[(&str, &[&str])] = &[
     ("formats", &["mesh", "contract"]),
     ("run", &["primitives", "mesh", "contract", "formats", "matching"]),
     ("study", &["primitives", "mesh", "registration", "contract", "formats", "run"]),
-    ("laboratory", &["primitives", "mesh", "geometry", "registration", "contract", "matching", "formats", "run"]),
+    (
+        "laboratory",
+        &["primitives", "mesh", "geometry", "mrf", "registration", "contract", "matching", "formats", "run"],
+    ),
 ];
 
 /// Members that only compute: bytes and numbers in, numbers out.

@@ -170,7 +170,7 @@ impl Spectrum {
         let (first, last) = self.range();
         let faded = 4.0 * std::f64::consts::LN_10;
         let (low, high) = ((faded / last).ln(), (faded / first).ln());
-        let times: Vec<f64> = (0..n).map(|s| (low + (high - low) * (s as f64 + 0.5) / n as f64).exp()).collect();
+        let times: Vec<f64> = (0..n).map(|s| (low + (high - low) * share(s, n)).exp()).collect();
         self.signature(n, &|s, value| (-value * times[s]).exp())
     }
 
@@ -184,7 +184,7 @@ impl Spectrum {
         let sigma = 7.0 * (high - low) / n as f64;
         let (low, high) = (low + 2.0 * sigma, high - 2.0 * sigma);
         let weight = |s: usize, value: f64| {
-            let energy = low + (high - low) * (s as f64 + 0.5) / n as f64;
+            let energy = low + (high - low) * share(s, n);
             // The constant function has no energy.
             if value < 0.5 * first { 0.0 } else { (-(energy - value.ln()).powi(2) / (2.0 * sigma * sigma)).exp() }
         };
@@ -206,6 +206,11 @@ impl Spectrum {
         let sums = squares * weights;
         Mat::from_fn(self.n_vertices(), n, |i, s| sums[(i, s)] / totals[s].max(f64::MIN_POSITIVE))
     }
+}
+
+/// Where the `s`-th of `n` values lies between the first, 0, and the last, 1.
+fn share(s: usize, n: usize) -> f64 {
+    s as f64 / (n - 1).max(1) as f64
 }
 
 #[cfg(test)]

@@ -44,6 +44,7 @@ mod displaced;
 #[cfg(test)]
 mod displaced_tests;
 mod displacement;
+mod features;
 mod field_methods;
 mod inverse;
 mod lengths;
@@ -143,6 +144,9 @@ pub enum MatchError {
         /// Scale, mm.
         scale_mm: f64,
     },
+    /// The spectrum that a heat or wave kernel signature is made of could not be computed.
+    #[error("the spectrum of the surface could not be computed: it has degenerate faces")]
+    Spectrum,
 }
 
 /// Memory of a match for each vertex of either surface, bytes, without messages: 568 MiB were measured at 2 × 155,000.

@@ -6,7 +6,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use homolog_geometry::hierarchy::coarsen;
-use homolog_matching::parameters::{BOUNDS, resolve};
+use homolog_matching::parameters::{BOUNDS, FeatureKind, resolve};
 use homolog_matching::{MatchError, MatchOutcome, Method, Silent, SurfaceMesh, match_surfaces, preset, shapes};
 use nalgebra::Point3;
 use rand_core::{Rng, SeedableRng};
@@ -59,8 +59,9 @@ fn factors() -> Vec<Factor> {
         factors.push(Factor { name: name.to_owned(), pointers: expanded(name), values: values.to_vec() });
     };
     let names = |names: &[&str]| names.iter().map(|name| json!(name)).collect::<Vec<_>>();
-    choice("features[].kind", &names(&["gaussian_curvature", "mean_curvature"]));
+    choice("features[].kind", &names(&FeatureKind::ALL.map(FeatureKind::name)));
     choice("features[].estimator", &names(&["angle_defect", "covariance", "quadric"]));
+    choice("energy.precisions", &names(&["equal", "learned"]));
     choice("energy.pairwise_distance", &names(&["euclidean", "graph", "geodesic"]));
     choice(
         "inference.algorithm",

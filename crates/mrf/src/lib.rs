@@ -10,7 +10,7 @@
 //! A **variable** `i` takes a **label** `x_i`; an assignment of all variables is a **labeling**. The unary potential `θ_i(x)`
 //! is what label `x` costs variable `i`, the pairwise potential `θ_ij(x, y)` what two neighbouring variables pay for their
 //! labels. Unary potentials may come from anywhere; those of the formula compare vertex features `f` with robust scales
-//! `s_f` ([`unary_potentials`]). Labels are vertices of a graph themselves: `N_r(x)` are the labels within `r` edges of `x`,
+//! `s_f` ([`unary_potentials`]), with weights `w_f` that may be learned ([`learned_weights`]). Labels are vertices of a graph themselves: `N_r(x)` are the labels within `r` edges of `x`,
 //! itself included, at distances `d'`. Neighbouring variables whose labels are not neighbours pay the truncation `T`;
 //! others pay for the difference between the length `ℓ_ij` of their edge and the distance of their labels, in units of `ℓ'`.
 //!
@@ -43,8 +43,10 @@
 pub mod inference;
 pub mod metric;
 mod potentials;
+mod precisions;
 
 pub use potentials::{Feature, FeaturePotentials, unary_potentials};
+pub use precisions::learned_weights;
 
 use homolog_primitives::graph::{EdgeGraph, LabelNeighborhoods};
 

@@ -19,7 +19,7 @@ mod request;
 mod resolve;
 
 pub use displacement::{Anatomy, Bending, DisplacementMode, DisplacementParameters};
-pub use energy::{CurvatureEstimator, EnergyParameters, FeatureKind, FeatureParameters, PairwiseDistance};
+pub use energy::{CurvatureEstimator, EnergyParameters, FeatureKind, FeatureParameters, PairwiseDistance, Precisions};
 pub use inference::{
     Algorithm, AnnealingParameters, ClampingMode, ClampingParameters, CoolingSchedule, InferenceParameters,
     MessageSchedule, Update,

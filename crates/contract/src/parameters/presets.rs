@@ -1,11 +1,12 @@
 //! The named presets: each is a complete set of parameters, parts of which a request may override.
 
-use super::energy::default_scales;
+use super::energy::{default_scales, default_support};
 use super::{
     Algorithm, Anatomy, AnnealingParameters, Bending, ClampingMode, ClampingParameters, CoolingSchedule,
     CurvatureEstimator, DisplacementMode, DisplacementParameters, EnergyParameters, FeatureKind, FeatureParameters,
     InferenceParameters, InitialPose, InputParameters, MatchParameters, MessageSchedule, MinimalEstimator,
-    OrientationSolver, PairwiseDistance, Refinement, RegistrationParameters, SideParameters, SurfaceKind, Update,
+    OrientationSolver, PairwiseDistance, Precisions, Refinement, RegistrationParameters, SideParameters, SurfaceKind,
+    Update,
 };
 
 /// A named preset.
@@ -193,6 +194,7 @@ fn feature(kind: FeatureKind, scales: Vec<f64>) -> FeatureParameters {
         radius_mm: None,
         scales,
         scales_mm: None,
+        support: default_support(),
         weight: 1.0,
     }
 }
@@ -223,6 +225,7 @@ fn balanced() -> MatchParameters {
             neighborhood_rings: 2,
             minkowski_p: 1.0,
             feature_cap: 3.0,
+            precisions: Precisions::Equal,
         },
         inference: InferenceParameters {
             algorithm: Algorithm::MaxProduct,

@@ -151,6 +151,9 @@ pub const BOUNDS: &[Bounds] = &[
     .above_minimum()
     .mm()
     .or_null(),
+    Bounds::number("features[].support", 0.01, 1.0, |p, visit| {
+        p.features.iter().enumerate().for_each(|(k, feature)| visit(&[k], Some(feature.support)));
+    }),
     Bounds::number("features[].weight", 0.0, 100.0, |p, visit| {
         p.features.iter().enumerate().for_each(|(k, feature)| visit(&[k], Some(feature.weight)));
     })

@@ -46,14 +46,26 @@ impl Hippocampi {
 
     /// Reads a volume and extracts its smooth surface, as the service does.
     pub(super) fn subject(&self, index: usize) -> Result<Subject, String> {
-        let bytes = fs::read(&self.files[index]).map_err(|e| format!("subject {index} cannot be read: {e}"))?;
-        let input = preset(Method::Balanced).input;
-        let refused = |e: &dyn std::fmt::Display| format!("subject {index}: {e}");
-        let mesh = prepare_surface(&bytes, None, &input, &IntakeLimits::default()).map_err(|e| refused(&e))?.mesh;
-        let volume = read_nifti(&bytes, &ReadLimits::default()).map_err(|e| refused(&e))?;
+        let refused = |e: String| format!("subject {index}: {e}");
+        let volume = self.volume(index)?;
+        let bytes = fs::read(&self.files[index]).map_err(|e| refused(e.to_string()))?;
+        let mesh = surface(&bytes).map_err(refused)?;
         let parts = nearest_labels(&volume, &mesh);
         Ok(Subject { mesh, parts })
     }
+
+    /// Reads a volume.
+    pub(super) fn volume(&self, index: usize) -> Result<LabelVolume, String> {
+        let bytes = fs::read(&self.files[index]).map_err(|e| format!("subject {index} cannot be read: {e}"))?;
+        read_nifti(&bytes, &ReadLimits::default()).map_err(|e| format!("subject {index}: {e}"))
+    }
+}
+
+/// The smooth surface of a file, as the service makes it.
+pub(super) fn surface(bytes: &[u8]) -> Result<SurfaceMesh, String> {
+    let input = preset(Method::Balanced).input;
+    let prepared = prepare_surface(bytes, None, &input, &IntakeLimits::default());
+    prepared.map(|prepared| prepared.mesh).map_err(|e| e.to_string())
 }
 
 /// The label of the voxel nearest to every vertex. Cost `O(vertices · voxels)`.

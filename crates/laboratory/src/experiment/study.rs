@@ -18,7 +18,7 @@ pub(super) const SYNTHETIC: &str = "synthetic";
 pub(super) const REAL: &str = "real";
 /// Name of the kind of pair made of real subjects and their rotated copies.
 pub(super) const COPIES: &str = "copies";
-/// Name of the kind of pair made of real subjects and their copies under a known smooth deformation.
+/// Name of the kind of pair made of real subjects and their deformed copies.
 pub(super) const WARPED: &str = "warped";
 /// Name of the kind of pair made of bumped solids.
 pub(super) const SOLIDS: &str = "solids";
@@ -142,17 +142,19 @@ impl<'o> Study<'o> {
             .collect()
     }
 
-    /// Real subjects with their rotated and resampled copies under a smooth deformation of [`DEFORM_SHARE`].
+    /// Real subjects with copies that are deformed as much as phantoms are, and rotated; other subjects than those of
+    /// [`Study::copies`].
     pub(super) fn warped(&self, full: usize) -> Vec<Case> {
-        let of_copy = |(k, case): (usize, Case)| match case.recipe {
-            PairRecipe::Copy { subject, hash, .. } => Case {
-                group: WARPED,
-                recipe: PairRecipe::Warped { subject, hash, deform_share: DEFORM_SHARE, seed: 500 + k as u64 },
-                ..case
-            },
-            _ => case,
-        };
-        self.copies(full).into_iter().enumerate().map(of_copy).collect()
+        let Some(data) = self.hippocampi.as_ref().filter(|_| !self.quick) else { return Vec::new() };
+        let n = full.min(data.len());
+        let step = data.len() / n.max(1);
+        (0..n)
+            .map(|k| {
+                let (subject, seed) = (k * step + step / 2, 600 + k as u64);
+                let recipe = PairRecipe::Warped { subject, hash: data.hash(subject), deform_share: DEFORM_SHARE, seed };
+                Case { group: WARPED, name: format!("subject {subject}"), recipe }
+            })
+            .collect()
     }
 
     /// The reason if there are no real pairs.
@@ -175,7 +177,8 @@ impl<'o> Study<'o> {
             PairRecipe::Solid(recipe) => solid_pair(recipe)?,
             PairRecipe::Copy { subject, seed, .. } => copy_pair(&*self.subject(*subject)?, *seed)?,
             PairRecipe::Warped { subject, deform_share, seed, .. } => {
-                warped_pair(&*self.subject(*subject)?, *deform_share, *seed)?
+                let data = self.hippocampi.as_ref().ok_or("there are no real data")?;
+                warped_pair(&*self.subject(*subject)?, &data.volume(*subject)?, *deform_share, *seed)?
             }
             PairRecipe::Cross { source, target, seed, .. } => {
                 cross_pair(&*self.subject(*source)?, &*self.subject(*target)?, *seed)?

@@ -16,7 +16,7 @@ pub(in crate::experiment) struct Methods;
 
 /// The default, the energy of the thesis, and two rigid baselines; then the methods of the field. `fast` and `accurate` are names
 /// of `balanced`.
-const METHODS: [&str; 10] = [
+const METHODS: [&str; 11] = [
     "balanced",
     "thesis",
     "icp",
@@ -26,6 +26,7 @@ const METHODS: [&str; 10] = [
     "nonrigid_icp",
     "spharm_pdm",
     "functional_map",
+    "medial",
     "diffeomorphic",
 ];
 
@@ -95,8 +96,8 @@ impl Experiment for Methods {
             question: "How accurate is each method, how often does its map fold the surface, and what time and memory does it take?",
             varied: "The method, with its default parameters. Each searches for the pose itself: every target is rotated by a \
                      uniformly random rotation. Phantoms and real subjects are deformed by a smooth field of 4 % of the diagonal \
-                     (RMS) and resampled, so that the true corresponding point of every vertex is known; of two subjects, the \
-                     anterior and posterior parts. Errors are those of corresponding points, which may lie between vertices. \
+                     (RMS) and sampled anew, real ones from new voxels, so that the true corresponding point of every vertex is \
+                     known; of two subjects, the anterior and posterior parts. Errors are those of corresponding points, which may lie between vertices. \
                      Memory is the peak of a process that computes one match, program and files included.",
         }
     }
@@ -120,7 +121,7 @@ impl Experiment for Methods {
     fn report(&self, study: &Study<'_>, results: &Results) -> Body {
         let kinds = [
             (SYNTHETIC, "Phantoms: deformed, rotated and resampled copies", ON_KNOWN.as_slice()),
-            (WARPED, "Real subjects: deformed, rotated and resampled copies", ON_KNOWN.as_slice()),
+            (WARPED, "Real subjects and their deformed, rotated copies from new voxels", ON_KNOWN.as_slice()),
             (REAL, "Pairs of different subjects, target rotated", ON_SUBJECTS.as_slice()),
         ];
         let present = kinds.into_iter().filter(|(group, ..)| !results.group(group).is_empty());

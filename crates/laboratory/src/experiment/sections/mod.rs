@@ -2,6 +2,7 @@
 
 mod clamping;
 mod curvature;
+mod descriptors;
 mod ellipsoid;
 mod estimators;
 mod methods;
@@ -37,6 +38,7 @@ pub(super) const ALL: [&dyn Experiment; 15] = [
     &outliers::Outliers,
     &curvature::Curvature,
     &ellipsoid::Ellipsoid,
+    &descriptors::Descriptors,
     &methods::Methods,
 ];
 

@@ -1,0 +1,64 @@
+//! Local descriptors: at every vertex a list of numbers that say what the surface about it looks like.
+//!
+//! [`shape_index()`] and [`curvedness()`] are functions of the curvatures; [`heat_kernel_signature()`] and
+//! [`wave_kernel_signature()`] come from the spectrum; [`spin_images`], [`shape_contexts`], [`fpfh`]
+//! and [`shot`] are histograms of what lies within a ball about the vertex. [`principal_components`] makes a few numbers of the many of two
+//! surfaces, the same combinations on both.
+//!
+//! All of them have no unit and do not depend on the size: a ball has a radius that the caller chooses in proportion to the
+//! surface. Whatever is counted is weighted with the area that it stands for, so that a finely sampled part does not count for more.
+//! Scaling a surface and its radius by a power of two changes no bit; every vertex is computed alone, so that any number of threads
+//! gives the same bits.
+
+mod fpfh;
+mod histogram;
+mod principal;
+mod samples;
+mod shape_context;
+mod shape_index;
+mod shot;
+mod signatures;
+mod spin_image;
+#[cfg(test)]
+mod testing;
+
+pub use fpfh::fpfh;
+pub use principal::{Components, MAX_COMPONENTS, principal_components};
+pub use shape_context::shape_contexts;
+pub use shape_index::{curvedness, shape_index};
+pub use shot::shot;
+pub use signatures::{heat_kernel_signature, unit_spectrum, wave_kernel_signature};
+pub use spin_image::spin_images;
+
+use rayon::prelude::*;
+
+/// Several numbers at every vertex of a surface, without a unit.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Descriptor {
+    /// Numbers of a vertex.
+    pub n_channels: usize,
+    /// Those of vertex `i` from index `i · n_channels` on.
+    pub values: Vec<f64>,
+}
+
+impl Descriptor {
+    /// `row` of each of `n` vertices, on all threads. A number that is not finite, as where a vertex has no normal, becomes 0.
+    fn of_rows(n: usize, n_channels: usize, row: impl Fn(usize, &mut [f64]) + Sync) -> Self {
+        let mut values = vec![0.0; n * n_channels];
+        values.par_chunks_mut(n_channels).enumerate().for_each(|(i, values)| {
+            row(i, values);
+            values.iter_mut().filter(|v| !v.is_finite()).for_each(|v| *v = 0.0);
+        });
+        Descriptor { n_channels, values }
+    }
+
+    /// Number of vertices.
+    pub fn n_vertices(&self) -> usize {
+        self.values.len() / self.n_channels.max(1)
+    }
+
+    /// The numbers of vertex `i`.
+    pub fn row(&self, i: usize) -> &[f64] {
+        &self.values[i * self.n_channels..(i + 1) * self.n_channels]
+    }
+}

@@ -120,12 +120,17 @@ def matched(arguments, pair, method):
     subprocess.run([arguments.binary, "match", source, target, "--method", method, "--out", out],
                    check=True, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
     seconds = time.monotonic() - begin
+    transform = json.loads((out / "result.json").read_text())["transform"]
+    return corresponding(out, pair.target), transform, seconds
+
+
+def corresponding(out, target):
+    """The point of the surface with the vertices `target` that each source vertex corresponds to, of the answer in a folder."""
     with open(out / "correspondences.csv") as file:
         rows = list(csv.DictReader(file))
     corners = np.array([[int(row[f"triangle_{k}"]) for k in range(3)] for row in rows])
     weights = np.array([[float(row[f"barycentric_{k}"]) for k in range(3)] for row in rows])
-    transform = json.loads((out / "result.json").read_text())["transform"]
-    return np.einsum("ik,ikd->id", weights, pair.target[corners]), transform, seconds
+    return np.einsum("ik,ikd->id", weights, target[corners])
 
 
 def onto(pair, points):
@@ -183,17 +188,22 @@ def printed(names, cases, store):
         print(f"| {name} |", " | ".join(cells), "|")
 
 
-parser = argparse.ArgumentParser()
-for name in ("--binary", "--data", "--eval", "--out"):
-    parser.add_argument(name, required=True, type=Path)
-parser.add_argument("--cases", default=",".join(f"{variant}:{k}" for variant in SETS for k in HELD_BACK))
-parser.add_argument("--only", default=",".join([*OURS, *PEERS]))
-arguments = parser.parse_args()
-sys.path.insert(0, str(arguments.eval))
-arguments.out.mkdir(parents=True, exist_ok=True)
-kept = arguments.out / "figures.json"
-store = json.loads(kept.read_text()) if kept.exists() else {}
-cases, names = arguments.cases.split(","), arguments.only.split(",")
-for case in cases:
-    measured(arguments, load(arguments, case), names, store)
-printed(names, cases, store)
+def main():
+    parser = argparse.ArgumentParser()
+    for name in ("--binary", "--data", "--eval", "--out"):
+        parser.add_argument(name, required=True, type=Path)
+    parser.add_argument("--cases", default=",".join(f"{variant}:{k}" for variant in SETS for k in HELD_BACK))
+    parser.add_argument("--only", default=",".join([*OURS, *PEERS]))
+    arguments = parser.parse_args()
+    sys.path.insert(0, str(arguments.eval))
+    arguments.out.mkdir(parents=True, exist_ok=True)
+    kept = arguments.out / "figures.json"
+    store = json.loads(kept.read_text()) if kept.exists() else {}
+    cases, names = arguments.cases.split(","), arguments.only.split(",")
+    for case in cases:
+        measured(arguments, load(arguments, case), names, store)
+    printed(names, cases, store)
+
+
+if __name__ == "__main__":
+    main()

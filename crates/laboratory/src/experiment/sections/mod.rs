@@ -23,7 +23,7 @@ use super::study::{COPIES, REAL, SYNTHETIC, Setting, Study};
 use super::units::Unit;
 
 /// All sections, in the order of the report.
-pub(super) const ALL: [&dyn Experiment; 15] = [
+pub(super) const ALL: [&dyn Experiment; 16] = [
     &minimisers::Minimisers,
     &products::Products,
     &neighborhood::Neighborhood,

@@ -10,7 +10,7 @@
 #![allow(clippy::print_stdout)] // a program; its answer goes to standard output
 
 use homolog_formats::{FileContent, ReadLimits, read};
-use homolog_matching::parameters::MatchParameters;
+use homolog_matching::parameters::{FeatureKind, MatchParameters};
 use homolog_matching::{Levels, Method, Silent, SurfaceMesh, coarse_energy_model, near_isometry_model, preset};
 use homolog_mesh::canonicalize;
 use homolog_mrf::inference::{
@@ -102,11 +102,19 @@ impl Case {
     }
 
     fn coarse(&self, name: &str) -> Outcome<()> {
-        for (energy, method) in
-            [("coarse level of balanced", Method::Balanced), ("coarse level of thesis", Method::Thesis)]
-        {
+        let of = |method| {
             let mut parameters: MatchParameters = preset(method);
             parameters.inference.coarse_vertices = preset(Method::Balanced).inference.coarse_vertices;
+            parameters
+        };
+        let mut fpfh = of(Method::Balanced);
+        fpfh.features.truncate(1);
+        fpfh.features[0].kind = FeatureKind::Fpfh;
+        for (energy, parameters) in [
+            ("coarse level of balanced", of(Method::Balanced)),
+            ("the same with features fpfh", fpfh),
+            ("coarse level of thesis", of(Method::Thesis)),
+        ] {
             let levels =
                 [&self.source, &self.target].map(|mesh| Levels::new(mesh, parameters.inference.coarse_vertices));
             let model = coarse_energy_model(&levels[0], &levels[1], &parameters)?;

@@ -190,9 +190,11 @@ fn a_study_finds_the_effect_and_is_the_same_whatever_happens_to_it() {
         assert!(files.contains_key(name), "{name}");
     }
     let page = String::from_utf8(files["report.html"].clone()).unwrap();
-    for reference in ["http://", "https://", "src=", "href=", "style=", "url(", "@import", "onclick=", "NaN"] {
+    for reference in ["http://", "https://", "src=", "href=", "style=", "url(", "@import", "onclick="] {
         assert!(!page.contains(reference), "{reference}");
     }
+    // As a word: the numbers of surfaces are in base64, where these letters can stand beside others.
+    assert!(!page.split(|c: char| !c.is_ascii_alphanumeric() && c != '+').any(|word| word == "NaN"));
 
     // One thread, interrupted again and again: the same bytes.
     let other = place.path().join("other");

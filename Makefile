@@ -155,6 +155,7 @@ energies:
 
 methods: build
 	benches/methods/run --binary target/release/homolog --data "$(DATA)" --eval "$(EVAL)" --out target/methods $(if $(CASES),--cases "$(CASES)")
+	target/methods-env/bin/python benches/methods/bent_tubes.py target/release/homolog
 
 study: build study-env
 	$(CARGO) build --release --locked -p homolog -p homolog-study --example null_splits --example templates_apart --bins

@@ -1,8 +1,8 @@
 //! Local descriptors: at every vertex a list of numbers that say what the surface about it looks like.
 //!
 //! [`shape_index()`] and [`curvedness()`] are functions of the curvatures; [`heat_kernel_signature()`] and
-//! [`wave_kernel_signature()`] come from the spectrum; [`spin_images`], [`shape_contexts`], [`fpfh`]
-//! and [`shot`] are histograms of what lies within a ball about the vertex. [`principal_components`] makes a few numbers of the many of two
+//! [`wave_kernel_signature()`] come from the spectrum; [`spin_images`], [`shape_contexts`], [`fpfh()`]
+//! and [`shot()`] are histograms of what lies within a ball about the vertex. [`principal_components`] makes a few numbers of the many of two
 //! surfaces, the same combinations on both.
 //!
 //! All of them have no unit and do not depend on the size: a ball has a radius that the caller chooses in proportion to the

@@ -9,7 +9,9 @@ from pathlib import Path
 
 import numpy as np
 
-from methods import corresponding, write_ply
+from methods import corresponding
+
+from geometry import write_ply  # of benches/accuracy, which `methods` adds to the path
 
 METHODS = ("medial", "balanced", "cpd", "spharm_pdm", "rigid")
 LENGTH_MM = 36.0

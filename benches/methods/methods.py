@@ -19,21 +19,15 @@ from types import SimpleNamespace
 import numpy as np
 from scipy.spatial import cKDTree
 
+sys.path.append(str(Path(__file__).parent.parent / "accuracy"))
+from geometry import write_ply  # noqa: E402
+
 OURS = ("rigid", "balanced", "cpd", "bcpd", "nonrigid_icp", "functional_map", "spharm_pdm", "medial", "diffeomorphic")
 SETS = ("real_warp4", "real_warp8", "real_narrow2")
 HELD_BACK = range(2, 6)
 """Settings of the methods here were chosen on pairs 0 and 1."""
 MOST_POINTS = 1500
 """Coherent point drift works on a sample of so many vertices, as the square of their number is what it costs."""
-
-
-def write_ply(path, vertices, faces):
-    with open(path, "w") as file:
-        file.write(f"ply\nformat ascii 1.0\nelement vertex {len(vertices)}\n")
-        file.writelines(f"property double {axis}\n" for axis in "xyz")
-        file.write(f"element face {len(faces)}\nproperty list uchar int vertex_indices\nend_header\n")
-        np.savetxt(file, vertices, fmt="%.9g")
-        np.savetxt(file, np.column_stack([np.full(len(faces), 3), faces]), fmt="%d")
 
 
 def sampled(points, moved, whole):

@@ -4,7 +4,6 @@ use super::consistency::DEGENERATE_AREA_SHARE;
 use homolog_contract::result::DeformationDocument;
 use homolog_mesh::{ClosestPoint, SurfaceMesh};
 use nalgebra::{Point3, Vector3};
-use std::array::from_fn;
 
 /// How the map that takes vertex `i` of `source` to `images[i]`, a point on `target`, deforms the source surface.
 ///
@@ -30,7 +29,7 @@ pub(crate) fn deformation(
     mirrored: bool,
 ) -> Option<DeformationDocument> {
     let target_normals = target.vertex_normals();
-    let normals: Vec<Vector3<f64>> = images.iter().map(|image| interpolated(image, |k| target_normals[k])).collect();
+    let normals: Vec<Vector3<f64>> = images.iter().map(|image| image.blend(|k| target_normals[k])).collect();
     let smallest = DEGENERATE_AREA_SHARE * target.area() / target.triangles().len() as f64;
     let sign = if mirrored { -1.0 } else { 1.0 };
     let (mut n_folded, mut folded, mut before, mut after) = (0_u32, 0.0, 0.0, 0.0);
@@ -75,12 +74,6 @@ pub(crate) fn deformation(
         area_ratio_p95: at(0.95),
         volume_ratio: volumes.filter(|[own, _]| *own > 0.0).map(|[own, image]| image / own),
     })
-}
-
-/// The mean of a quantity of the target's vertices at a point between them.
-fn interpolated(at: &ClosestPoint, of_vertex: impl Fn(usize) -> Vector3<f64>) -> Vector3<f64> {
-    let [a, b, c]: [Vector3<f64>; 3] = from_fn(|k| of_vertex(at.triangle[k] as usize) * at.barycentric[k]);
-    a + b + c
 }
 
 fn vector_area([a, b, c]: [Point3<f64>; 3]) -> Vector3<f64> {

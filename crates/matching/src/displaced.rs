@@ -225,8 +225,9 @@ fn by_field(coarse: &Coarse<'_>, posed: &Posed<'_>, starts: &Starts) -> Result<O
         landmarks: &scene.parameters.landmarks,
         open: source.full.is_open || target.full.is_open,
         lengths: Lengths::of(&source.middle, &target.middle),
+        bending: scene.parameters.displacement.bending,
         form_of: &|which| match (scene.parameters.displacement.bending, which) {
-            (Bending::None, _) => None,
+            (Bending::None | Bending::Straightened, _) => None,
             (Bending::NearIsometry, Which::Source) => source.middle.form(),
             (Bending::NearIsometry, Which::Target) => target.middle.form(),
         },

@@ -97,7 +97,8 @@ pub(super) fn reliability(found: &DisplacementAnswer, source: &Side, target: &Si
     let lead = runner_up.map_or(MAX_LEAD, |misfit| misfit - best.misfit).min(MAX_LEAD);
     let normals_disagree = found.agreement.normals < MIN_NORMAL_AGREEMENT && found.distortion >= DISTORTION_OF_WALLS;
     let unlike = likeness(found, lead) < MIN_LIKENESS || normals_disagree;
-    if unlike || length_ratio(source, target) > MAX_LENGTH_RATIO {
+    // The lengths of bent surfaces through space say nothing.
+    if unlike || best.of_form.is_none() && length_ratio(source, target) > MAX_LENGTH_RATIO {
         reasons.push(UnreliableReason::UnlikeShape);
     }
     if mirrored.is_some_and(|m| m < best.misfit - LEAST_GAIN_OF_MIRRORING) {

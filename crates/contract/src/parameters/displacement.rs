@@ -31,8 +31,11 @@ fn near_isometry() -> Bending {
 pub enum Bending {
     /// Not at all: all starts are rigid.
     None,
-    /// By the correspondence that keeps distances along the surfaces best: the labeling of lowest energy of a Markov random field
-    /// without a pose, by belief propagation from bending-invariant forms. Tried only where rigid starts disagree.
+    /// Tubular surfaces, longer than six of their radii, straightened along their center lines. Tried where rigid starts disagree, and
+    /// where surfaces of one shape are bent against each other; kept where they then fit better.
+    Straightened,
+    /// The same, and any surface by the correspondence that keeps distances along the surfaces best: the labeling of lowest energy
+    /// of a Markov random field without a pose, by belief propagation from bending-invariant forms. Tried only where rigid starts disagree.
     NearIsometry,
 }
 

@@ -4,9 +4,6 @@
 //! orientations of either handedness, then a smooth field from each pose. Curvatures are those of the surfaces themselves.
 //! What a form leaves open is its handedness, and which of several limbs of equal length is which; each pose is kept as a
 //! start of its own, and the energy of near isometries ([`super::isometry`]) says which is right.
-//!
-//! A tubular surface has a second form, straightened along its center line ([`homolog_methods::medial`]): the inner side of a bend
-//! is shorter than the outer one, which distances along the surface cannot undo.
 
 use super::stages::{NORMAL_WEIGHT, comparison_kernel, displaced, kernel, observed_means, precision_of_features};
 use super::surface::{N_FEATURES, SmoothSurface};
@@ -16,7 +13,6 @@ use homolog_geometry::canonical_form::canonical_form;
 use homolog_geometry::geodesic::distances_from;
 use homolog_geometry::hierarchy::coarsen;
 use homolog_mesh::SurfaceMesh;
-use homolog_methods::medial::{CenterLine, MedialOptions};
 use homolog_primitives::points::farthest_points;
 use homolog_registration::alignment::{OrientedPoints, annealed, assign, progress_to_end};
 use homolog_registration::deformation::{FieldBasis, fit_field};
@@ -35,10 +31,6 @@ const N_MEASURED: usize = 1000;
 const RADII: [f64; 2] = [0.15, 0.25];
 /// Poses of either handedness that are tried.
 const N_POSES: usize = 8;
-/// Poses of two straightened forms that are tried.
-const N_STRAIGHT_POSES: usize = 4;
-/// Least length of the center line over the radius of a tubular surface.
-const TUBULAR: f64 = 6.0;
 /// Steps of the field between two forms, and `σ` at its start and end, in diagonals of the form.
 const STEPS: u32 = 20;
 const SIGMA: [f64; 2] = [0.06, 0.03];
@@ -51,8 +43,6 @@ pub(crate) struct Form {
     /// The form, with the sites as vertices, mm.
     pub mesh: SurfaceMesh,
     normals: Vec<Vector3<f64>>,
-    /// The form straightened along the center line, with its normals, where the surface is tubular.
-    straight: Option<(SurfaceMesh, Vec<Vector3<f64>>)>,
     /// For each site those nearest along the surface, itself first.
     pub neighbors: Vec<Vec<u32>>,
     /// Area of the surface that each site stands for, mm².
@@ -140,17 +130,8 @@ impl Form {
             .zip(&site_normals)
             .flat_map(|(p, normal)| surroundings(&p.coords, normal, &around, radii_mm))
             .collect();
-        let straight = CenterLine::of(fine, &MedialOptions::default())
-            .filter(|line| line.slenderness().is_some_and(|ratio| ratio > TUBULAR))
-            .and_then(|line| {
-                let at_sites = level.sites.iter().map(|&k| line.straight[k as usize]).collect();
-                let mesh = level.mesh.with_vertices(at_sites).ok()?;
-                Some((mesh.vertex_normals(), mesh))
-            })
-            .map(|(normals, mesh)| (mesh, normals));
         let mesh = level.mesh.with_vertices(form.points).ok()?;
         Some(Form {
-            straight,
             sites,
             normals: mesh.vertex_normals(),
             neighbors: form.neighbors,
@@ -166,22 +147,14 @@ impl Form {
         self.sites.iter().map(|&k| surface.mesh.vertices()[k as usize]).collect()
     }
 
-    /// The forms that this surface has: that of its distances, and the straightened one.
-    fn shape(&self, kind: Kind) -> Option<(&SurfaceMesh, &[Vector3<f64>])> {
-        match kind {
-            Kind::Distances => Some((&self.mesh, &self.normals)),
-            Kind::Straight => self.straight.as_ref().map(|(mesh, normals)| (mesh, normals.as_slice())),
+    fn oriented(&self) -> OrientedPoints<'_> {
+        OrientedPoints {
+            points: self.mesh.vertices(),
+            normals: &self.normals,
+            areas: &self.areas,
+            features: &self.surroundings,
         }
     }
-}
-
-/// What a form keeps.
-#[derive(Debug, Clone, Copy)]
-enum Kind {
-    /// Distances along the surface; it has no handedness.
-    Distances,
-    /// Distances from and along the center line, and the handedness.
-    Straight,
 }
 
 /// Correspondences of the sites of a form.
@@ -198,8 +171,6 @@ pub(super) struct FormMatch {
 /// A form with what is known of the surface at its sites.
 struct FormSide<'a> {
     form: &'a Form,
-    mesh: &'a SurfaceMesh,
-    normals: &'a [Vector3<f64>],
     /// The sites on the surface itself.
     points: Vec<Point3<f64>>,
     /// Curvature features of the surface itself.
@@ -207,71 +178,45 @@ struct FormSide<'a> {
 }
 
 impl<'a> FormSide<'a> {
-    fn new(surface: &SmoothSurface, form: &'a Form, kind: Kind) -> Option<Self> {
-        let (mesh, normals) = form.shape(kind)?;
-        Some(FormSide {
+    fn new(surface: &SmoothSurface, form: &'a Form) -> Self {
+        FormSide {
             form,
-            mesh,
-            normals,
             points: form.places(surface),
             features: form
                 .sites
                 .iter()
                 .flat_map(|&k| surface.features[k as usize * N_FEATURES..][..N_FEATURES].to_vec())
                 .collect(),
-        })
-    }
-
-    fn oriented(&self) -> OrientedPoints<'_> {
-        OrientedPoints {
-            points: self.mesh.vertices(),
-            normals: self.normals,
-            areas: &self.form.areas,
-            features: &self.features,
         }
     }
 
-    /// With the surroundings of the sites as features, which no pose changes.
-    fn in_any_pose(&self) -> OrientedPoints<'_> {
-        OrientedPoints { features: &self.form.surroundings, ..self.oriented() }
+    fn oriented(&self) -> OrientedPoints<'_> {
+        OrientedPoints { features: &self.features, ..self.form.oriented() }
     }
 }
 
-/// Correspondences between two surfaces by their forms, of each kind of form the best first.
+/// Correspondences between two surfaces by their forms, the best first.
 ///
 /// # Cost
 /// `O(poses · (steps · sites² + sites · M²))` for `M` functions of a field.
 pub(super) fn form_matches(
-    source: (&SmoothSurface, &Form),
-    target: (&SmoothSurface, &Form),
-    options: &DisplacementOptions,
-) -> Vec<FormMatch> {
-    let mut found = matches_of(Kind::Distances, source, target, options).unwrap_or_default();
-    found.extend(matches_of(Kind::Straight, source, target, options).unwrap_or_default());
-    found
-}
-
-/// Those by one kind of form; `None` where a surface has none or no field is defined on it.
-fn matches_of(
-    kind: Kind,
     (source, source_form): (&SmoothSurface, &Form),
     (target, target_form): (&SmoothSurface, &Form),
     options: &DisplacementOptions,
-) -> Option<Vec<FormMatch>> {
-    let (source, target) = (FormSide::new(source, source_form, kind)?, FormSide::new(target, target_form, kind)?);
-    let (allow_reflection, n_settled) = match kind {
-        Kind::Distances => (true, N_POSES),
-        Kind::Straight => (false, N_STRAIGHT_POSES),
+) -> Vec<FormMatch> {
+    let search = PoseSearchOptions { allow_reflection: true, n_settled: N_POSES, ..PoseSearchOptions::default() };
+    let poses = pose_search(&source_form.oriented(), &target_form.oriented(), &search);
+    let (source, target) = (FormSide::new(source, source_form), FormSide::new(target, target_form));
+    let diagonal_mm = diagonal_mm(&source_form.mesh);
+    let prior = prior(diagonal_mm, options);
+    let Some(basis) = FieldBasis::new(source_form.mesh.vertices(), prior, options.n_inducing) else {
+        return Vec::new();
     };
-    let search = PoseSearchOptions { allow_reflection, n_settled, ..PoseSearchOptions::default() };
-    let poses = pose_search(&source.in_any_pose(), &target.in_any_pose(), &search);
-    let diagonal_mm = diagonal_mm(source.mesh);
-    let basis = FieldBasis::new(source.mesh.vertices(), prior(diagonal_mm, options), options.n_inducing)?;
-    let between = Between { values: basis.values(source.mesh.vertices()), source, target, diagonal_mm, options };
+    let between = Between { values: basis.values(source_form.mesh.vertices()), source, target, diagonal_mm, options };
     let mut found: Vec<FormMatch> =
         poses.par_iter().filter_map(|pose| between.matched(&pose.target_from_source)).collect();
     found.sort_by(|a, b| a.misfit.total_cmp(&b.misfit));
-    Some(found)
+    found
 }
 
 /// Two forms, and the functions of a field over that of the source.
@@ -287,8 +232,8 @@ impl Between<'_> {
     /// The correspondence after a field from `pose`; `None` where no field can be fitted.
     fn matched(&self, pose: &RigidTransform) -> Option<FormMatch> {
         let form = self.source.form;
-        let base: Vec<Point3<f64>> = self.source.mesh.vertices().iter().map(|p| pose.apply(p)).collect();
-        let normals: Vec<Vector3<f64>> = self.source.normals.iter().map(|n| pose.rotation * n).collect();
+        let base: Vec<Point3<f64>> = form.mesh.vertices().iter().map(|p| pose.apply(p)).collect();
+        let normals: Vec<Vector3<f64>> = form.normals.iter().map(|n| pose.rotation * n).collect();
         let area: f64 = form.areas.iter().sum();
         let target = self.target.oriented();
         let [first, last] = SIGMA.map(|sigma| sigma * self.diagonal_mm);

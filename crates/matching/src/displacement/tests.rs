@@ -28,6 +28,7 @@ fn displace(
         landmarks: &[],
         open: [source, target].iter().any(|mesh| mesh.boundary_vertices().is_some()),
         lengths: Lengths::of(&Side::new(source), &Side::new(target)),
+        bending: homolog_contract::parameters::Bending::None,
         form_of: &|_| None,
     };
     let poses: Vec<_> = poses.iter().map(|&pose| StartPose { pose, excess: 0.0 }).collect();

@@ -17,8 +17,11 @@ use homolog_mrf::inference::{
     AnnealingOptions, BeliefPropagation, BpOptions, Cooling, DualBound, DualOptions, LasVegas, LasVegasOptions,
     Product, Sampler, SearchRun, SimulatedAnnealing,
 };
+use homolog_mrf::metric::MetricModel;
 use homolog_mrf::{Labeling, MrfModel};
 use nalgebra::Point3;
+use rand_core::{Rng, SeedableRng};
+use rand_xoshiro::Xoshiro256PlusPlus;
 use std::error::Error;
 use std::path::Path;
 
@@ -93,11 +96,19 @@ impl Case {
         say("conditional modes from the truth", &relaxed);
         let mut from_forms: Vec<Labeling> = found.biases.iter().map(|bias| found.minimised(bias)).collect();
         from_forms.sort_by(|a, b| energy(a).total_cmp(&energy(b)));
+        if let Some(lowest) = from_forms.first() {
+            say("propagation", lowest);
+        }
         for (k, x) in from_forms.iter().enumerate() {
             say(&format!("propagation from form {}", k + 1), x);
         }
         say("propagation from nothing", &found.minimised(&[]));
         say("conditional modes from unary potentials", &found.model.descend(found.model.unary_minimum(), 100));
+        let mut random = Xoshiro256PlusPlus::seed_from_u64(SEED);
+        let any: Labeling =
+            (0..found.model.n_variables()).map(|_| (uniform(&mut random) * labels.len() as f64) as u32).collect();
+        say("conditional modes from random labels", &found.model.descend(any.clone(), 100));
+        say("Gibbs", &annealed_metric(&found.model, any, &mut random));
         Ok(())
     }
 
@@ -150,6 +161,36 @@ impl Case {
         }
         Ok(())
     }
+}
+
+/// Simulated annealing by Gibbs sampling from `labeling`, and conditional modes after it.
+///
+/// The temperature falls geometrically from 10, above which an edge hardly matters (its most is 3), to 0.01.
+fn annealed_metric(model: &MetricModel, mut labeling: Labeling, random: &mut Xoshiro256PlusPlus) -> Labeling {
+    const SWEEPS_OF_METRIC: u32 = 60;
+    let (first, last) = (10.0f64, 0.01f64);
+    for sweep in 0..SWEEPS_OF_METRIC {
+        let temperature = first * (last / first).powf(f64::from(sweep) / f64::from(SWEEPS_OF_METRIC - 1));
+        for i in 0..model.n_variables() {
+            let cost = model.conditional(i, &labeling);
+            let least = cost.iter().copied().fold(f32::INFINITY, f32::min);
+            let weight = |c: &f32| (f64::from(least - c) / temperature).exp();
+            let mut left = uniform(random) * cost.iter().map(weight).sum::<f64>();
+            labeling[i] = cost
+                .iter()
+                .position(|c| {
+                    left -= weight(c);
+                    left <= 0.0
+                })
+                .unwrap_or(labeling[i] as usize) as u32;
+        }
+    }
+    model.descend(labeling, 100)
+}
+
+/// Uniform in `[0, 1)`.
+fn uniform(random: &mut Xoshiro256PlusPlus) -> f64 {
+    (random.next_u64() >> 11) as f64 / (1u64 << 53) as f64
 }
 
 fn annealed(model: &MrfModel, sampler: Sampler) -> Outcome<Labeling> {

@@ -91,6 +91,7 @@ fn factors() -> Vec<Factor> {
             "diffeomorphic",
         ]),
     );
+    choice("displacement.bending", &names(&["none", "straightened", "near_isometry"]));
     choice("both_directions", &[json!(false), json!(true)]);
     choice("seed", &[json!(0), json!(u64::MAX)]);
     factors

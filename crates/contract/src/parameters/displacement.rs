@@ -12,7 +12,7 @@ pub struct DisplacementParameters {
     /// state.
     #[cfg_attr(feature = "serde", serde(default = "without_prior"))]
     pub anatomy: Anatomy,
-    /// What is tried where no rigid start leads to surfaces that agree: bent, folded and articulated ones.
+    /// What is tried for surfaces that are bent, folded or articulated against each other.
     #[cfg_attr(feature = "serde", serde(default = "near_isometry"))]
     pub bending: Bending,
 }

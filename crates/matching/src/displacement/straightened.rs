@@ -67,14 +67,6 @@ fn carried(from: &SurfaceMesh, closest: &ClosestPointIndex, to: &SurfaceMesh, p:
     Point3::from(at.blend(|k| to.vertices()[k].coords) + normal(to) * height)
 }
 
-/// An answer by straightened surfaces.
-pub(super) struct Straightened {
-    pub deformed: Deformed,
-    pub compared: Vec<ComparedPose>,
-    /// The vertices of the surface that was fitted, mm.
-    pub own: Vec<Point3<f64>>,
-}
-
 /// Distance of the ends of the center line over its length, on a coarser level.
 fn straightness(surface: &SurfaceMesh) -> Option<f64> {
     let level = coarsen(surface, N_COARSE);
@@ -83,7 +75,7 @@ fn straightness(surface: &SurfaceMesh) -> Option<f64> {
 }
 
 /// The source deformed onto the target by way of both straightened; `None` if one is not tubular, or if the straightness of their
-/// center lines, between 0 and 1, differs by less than `if_bent_by`.
+/// center lines, between 0 and 1, differs by less than `if_bent_by`. With the starts that were compared, the one that was kept first.
 ///
 /// # Errors
 /// [`MatchError::ScaleSpace`]; [`MatchError::Cancelled`].
@@ -96,7 +88,7 @@ pub(super) fn straightened(
     allow_reflection: bool,
     options: &DisplacementOptions,
     observer: &dyn Observer,
-) -> Result<Option<Straightened>, MatchError> {
+) -> Result<Option<(Deformed, Vec<ComparedPose>)>, MatchError> {
     if if_bent_by > 0.0 {
         let (a, b) = rayon::join(|| straightness(surfaces.source), || straightness(surfaces.target));
         if !a.zip(b).is_some_and(|(a, b)| (a - b).abs() >= if_bent_by) {
@@ -137,8 +129,7 @@ pub(super) fn straightened(
         found.iter().map(|p| StartPose { pose: p.target_from_source, excess: p.excess }).collect();
     checkpoint(observer)?;
     let prepared = prepare(&source.straight, &target.straight, surfaces.lengths.root_mm)?;
-    let Some((deformed, compared)) = deformed(&straight, prepared, &poses, allow_reflection, options, observer)?
-    else {
+    let Some((deformed, compared)) = deformed(&straight, prepared, &poses, allow_reflection, options, observer)? else {
         return Ok(None);
     };
     let own = target.bent(&deformed.moved);
@@ -157,14 +148,14 @@ pub(super) fn straightened(
         })
         .collect();
     let (moved, variances) = if surfaces.source == surfaces.full_source {
-        (own.clone(), deformed.variances)
+        (own, deformed.variances)
     } else {
-        let Ok(moved) = surfaces.source.with_vertices(own.clone()) else { return Ok(None) };
+        let Ok(moved) = surfaces.source.with_vertices(own) else { return Ok(None) };
         let carried = |p: &Point3<f64>| {
             let at = source.closest[0].closest(p);
             (carried(surfaces.source, &source.closest[0], &moved, p), at.blend(|k| deformed.variances[k]))
         };
         surfaces.full_source.vertices().par_iter().map(carried).unzip()
     };
-    Ok(Some(Straightened { deformed: Deformed { moved, variances, transform, ..deformed }, compared, own }))
+    Ok(Some((Deformed { moved, variances, transform, ..deformed }, compared)))
 }

@@ -8,11 +8,23 @@ use homolog_mesh::SurfaceMesh;
 use homolog_mesh::repair::reversed;
 use homolog_mesh::shapes::ellipsoid;
 use homolog_primitives::observe::Silent;
-use nalgebra::{Isometry3, Point3, Vector3};
+use nalgebra::{Isometry3, Point3, Rotation3, Vector3};
 
 /// A long surface with bumps and ridges that break its symmetries.
 fn straight() -> SurfaceMesh {
-    let mesh = ellipsoid(Vector3::new(24.0, 6.0, 5.0), 4);
+    shaped(&ellipsoid(Vector3::new(24.0, 6.0, 5.0), 4))
+}
+
+/// The same surface with its vertices at other places.
+fn sampled_again() -> SurfaceMesh {
+    let sphere = ellipsoid(Vector3::new(1.0, 1.0, 1.0), 4);
+    let turn = Rotation3::new(Vector3::new(0.7, -0.4, 1.1));
+    let place = |p: &Point3<f64>| Point3::from((turn * p.coords).component_mul(&Vector3::new(24.0, 6.0, 5.0)));
+    shaped(&sphere.with_vertices(sphere.vertices().iter().map(place).collect()).unwrap())
+}
+
+/// An ellipsoid with the bumps and ridges.
+fn shaped(mesh: &SurfaceMesh) -> SurfaceMesh {
     let bumps = [(-17.0, 0.4, 0.30), (-8.0, 2.6, 0.25), (2.0, 4.5, 0.28), (11.0, 1.4, 0.22), (18.0, 3.5, 0.35)];
     let shaped = |p: &Point3<f64>| {
         let angle = (p.z / 5.0).atan2(p.y / 6.0);
@@ -95,6 +107,22 @@ fn a_tube_of_one_shape_that_is_bent_by_130_degrees_is_matched_straightened_too()
     assert_eq!(found.poses[0].origin, PoseOrigin::Form);
     let [before, after] = [&rigid, &found].map(|found| mean_error(found, &target));
     assert!(after < before, "{after} {before}");
+}
+
+#[test]
+fn confidences_of_a_folded_surface_are_near_the_share_within_an_edge() {
+    let source = straight();
+    let (target, images) = (bent(&sampled_again(), 150.0), bent(&source, 150.0));
+    let found = matched(&source, &target);
+    let table = &found.correspondences;
+    let edge = target.mean_edge_length();
+    let near = |(&i, &x): (&u32, &u32)| (target.vertices()[x as usize] - images.vertices()[i as usize]).norm() <= edge;
+    let n = source.n_vertices() as f64;
+    let share = table.source.iter().zip(&table.target).filter(|&pair| near(pair)).count() as f64 / n;
+    let mean = table.confidence.iter().sum::<f64>() / n;
+    println!("{mean} {share} {:?}", found.reliability);
+    assert_eq!(found.poses[0].origin, PoseOrigin::Form);
+    assert!((mean - share).abs() < 0.05, "{mean} {share}");
 }
 
 #[test]

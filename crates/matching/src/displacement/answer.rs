@@ -28,6 +28,11 @@ pub(crate) struct Image {
     pub spread_mm: f64,
 }
 
+/// Variance of an image that no field explains, mm², on surfaces sampled at a distance of `sampling_mm`.
+pub(super) fn sampling_variance(sampling_mm: f64) -> f64 {
+    SAMPLING_VARIANCE * sampling_mm * sampling_mm
+}
+
 /// The images of source vertices that are moved to `moved`, with the variance of each, mm², on surfaces sampled at a distance
 /// of `sampling_mm`.
 ///
@@ -54,7 +59,7 @@ pub(crate) fn images(
                     best = (squared, j);
                 }
             });
-            let variance = SAMPLING_VARIANCE * sampling_mm * sampling_mm + variance;
+            let variance = sampling_variance(sampling_mm) + variance;
             let confidence = within(edge_mm, best.0.sqrt(), (variance / 2.0).sqrt());
             Image { moved: *p, closest, label: best.1, confidence, spread_mm: variance.sqrt() }
         })

@@ -1,6 +1,7 @@
 //! From a field to the moved vertices: a fit back for two subjects, the rigid part, variances.
 
 use super::agreement::distortion;
+use super::along;
 use super::both_ways::WayBack;
 use super::fine::{Fine, Refined};
 use super::local::LocalKernel;
@@ -68,6 +69,9 @@ impl<'a> Displacement<'a> {
         };
         let fitted = met(source, own);
         let distortion = distortion(source, &fitted);
+        // A bent base comes from forms alone.
+        let is_of_forms = refined.base.bend.is_some();
+        let error = is_of_forms.then(|| along::squared_error(source, &fitted, &agreement, &lengths));
         let Some(rigid) = self.rigid_part(source, &fitted, target.mean_edge_length(), open)? else { return Ok(None) };
         // The field of a small surface is fitted on all its vertices.
         let (mut moved, values) = if source == full_source {
@@ -82,7 +86,11 @@ impl<'a> Displacement<'a> {
         }
         // The covariance of a wide field takes correlated residuals for independent ones of a low density.
         let share = if refined.local.is_some() { 1.0 } else { FIELD_SHARE };
-        let variances = refined.field.covariances(values.as_ref()).iter().map(|c| share * c.trace()).collect();
+        let mut variances: Vec<f64> =
+            refined.field.covariances(values.as_ref()).iter().map(|c| share * c.trace()).collect();
+        if let Some(error) = error {
+            along::raise(&mut variances, error, &lengths);
+        }
         let transform = rigid.transform;
         Ok(Some(Deformed { moved, variances, transform, residual_mm, agreement, distortion }))
     }

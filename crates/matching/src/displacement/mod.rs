@@ -32,6 +32,7 @@
 //! from the tangent plane).
 
 mod agreement;
+mod along;
 mod answer;
 mod both_ways;
 mod coarse;

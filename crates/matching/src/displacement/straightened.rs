@@ -5,7 +5,7 @@
 //! capsules bent by 150° then differ from the straight one by 0.6 edges (root mean square), by 0.3 to 0.4 away from the ends.
 //! Search of the pose, field, comparison with mirror images and fit back are those of the surfaces themselves.
 
-use super::{ComparedPose, Deformed, DisplacementOptions, StartPose, Surfaces, deformed, prepare};
+use super::{ComparedPose, Deformed, DisplacementOptions, StartPose, Surfaces, along, deformed, prepare};
 use crate::MatchError;
 use homolog_contract::parameters::{Bending, Landmark};
 use homolog_geometry::curvature::vertex_areas;
@@ -147,7 +147,8 @@ pub(super) fn straightened(
             ComparedPose { pose: usize::MAX, of_form: Some(bent), ..compared }
         })
         .collect();
-    let (moved, variances) = if surfaces.source == surfaces.full_source {
+    let error = along::squared_error(surfaces.source, &own, &deformed.agreement, &surfaces.lengths);
+    let (moved, mut variances) = if surfaces.source == surfaces.full_source {
         (own, deformed.variances)
     } else {
         let Ok(moved) = surfaces.source.with_vertices(own) else { return Ok(None) };
@@ -157,5 +158,6 @@ pub(super) fn straightened(
         };
         surfaces.full_source.vertices().par_iter().map(carried).unzip()
     };
+    along::raise(&mut variances, error, &surfaces.lengths);
     Ok(Some((Deformed { moved, variances, transform, ..deformed }, compared)))
 }

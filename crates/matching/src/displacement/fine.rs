@@ -118,8 +118,8 @@ impl Displacement<'_> {
     fn followed(&self, fine: &mut Fine, stage: usize, steps: u32, weight: f64) -> Result<bool, MatchError> {
         let Fine { track, field, feature_precision, residual_mm } = fine;
         let thinned = self.source.thinned(self.options.n_samples[stage]);
-        let thinned_target = self.target.thinned(self.options.n_samples[stage]);
-        let target = if stage == 1 { thinned_target.samples() } else { self.target.samples() };
+        let target =
+            if stage == 1 { self.target.thinned(self.options.n_samples[stage]).packed() } else { self.target.packed() };
         let values = self.guides.below(&track.values(&thinned));
         let starts = track.starts(&thinned);
         let mirrored = track.base.pose.is_reflection();

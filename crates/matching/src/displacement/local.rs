@@ -167,7 +167,7 @@ impl Displacement<'_> {
         local: &LocalKernel,
     ) -> Result<Option<Local>, MatchError> {
         let thinned = self.source.thinned(SAMPLES);
-        let target = self.target.samples();
+        let target = self.target.packed();
         let values = self.guides.below(&track.values(&thinned));
         let starts = track.starts(&thinned);
         let mirrored = track.base.pose.is_reflection();

@@ -3,7 +3,7 @@
 use super::stages::{Base, Displacement, displaced};
 use super::surface::Thinned;
 use faer::Mat;
-use homolog_registration::alignment::{Assignment, AssignmentKernel, OrientedPoints, assign};
+use homolog_registration::alignment::{Assignment, AssignmentKernel, AssignmentTarget, OrientedPoints, assign};
 use homolog_registration::deformation::{FittedField, Observation};
 use nalgebra::{Point3, Vector3};
 
@@ -72,16 +72,26 @@ impl Displacement<'_> {
         moved: Vec<Point3<f64>>,
         mirrored: bool,
         thinned: &Thinned,
-        target: &OrientedPoints<'_>,
+        target: &AssignmentTarget,
         kernel: &AssignmentKernel,
     ) -> Option<Assigned> {
+        let (points, normals) = self.placed(moved, mirrored, thinned)?;
+        let samples = OrientedPoints { points: &points, normals: &normals, ..thinned.samples() };
+        let found = assign(&samples, target, kernel);
+        Some(Assigned { points, normals, found })
+    }
+
+    /// The places of the vertices of `thinned` and the normals there, of the source with its vertices at `moved`.
+    pub(super) fn placed(
+        &self,
+        moved: Vec<Point3<f64>>,
+        mirrored: bool,
+        thinned: &Thinned,
+    ) -> Option<(Vec<Point3<f64>>, Vec<Vector3<f64>>)> {
         let mesh = self.source.mesh.with_vertices(moved).ok()?;
         let outwards = if mirrored { -1.0 } else { 1.0 };
         let normals = mesh.vertex_normals();
         let normals: Vec<Vector3<f64>> = thinned.vertices.iter().map(|&i| normals[i] * outwards).collect();
-        let points: Vec<Point3<f64>> = thinned.vertices.iter().map(|&i| mesh.vertices()[i]).collect();
-        let samples = OrientedPoints { points: &points, normals: &normals, ..thinned.samples() };
-        let found = assign(&samples, target, kernel);
-        Some(Assigned { points, normals, found })
+        Some((thinned.vertices.iter().map(|&i| mesh.vertices()[i]).collect(), normals))
     }
 }

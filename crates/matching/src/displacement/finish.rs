@@ -82,7 +82,7 @@ impl<'a> Displacement<'a> {
         }
         // The covariance of a wide field takes correlated residuals for independent ones of a low density.
         let share = if refined.local.is_some() { 1.0 } else { FIELD_SHARE };
-        let variances = refined.field.covariances(values.as_ref()).iter().map(|c| share * c.trace()).collect();
+        let variances = refined.field.variances(values.as_ref()).iter().map(|variance| share * variance).collect();
         let transform = rigid.transform;
         Ok(Some(Deformed { moved, variances, transform, residual_mm, agreement, distortion }))
     }

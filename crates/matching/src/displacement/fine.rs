@@ -131,7 +131,7 @@ impl Displacement<'_> {
             let sigma_mm = self.diagonal_mm * annealed(self.options.sigma[from], self.options.sigma[to], at);
             let density = weight * self.density(from, to, at);
             let kernel = kernel(sigma_mm, feature_precision.clone());
-            let Some(assigned) = self.assigned(track.moved(field), mirrored, &thinned, &target, &kernel) else {
+            let Some(assigned) = self.assigned(&track.moved(field), mirrored, &thinned, &target, &kernel) else {
                 return Ok(false);
             };
             let across = density / (sigma_mm * sigma_mm);

@@ -180,7 +180,7 @@ impl Displacement<'_> {
         for _ in 0..STEPS {
             checkpoint(self.observer)?;
             let kernel = kernel(sigma_mm, precision);
-            let Some(assigned) = self.assigned(moved, mirrored, &thinned, &target, &kernel) else { return Ok(None) };
+            let Some(assigned) = self.assigned(&moved, mirrored, &thinned, &target, &kernel) else { return Ok(None) };
             let (observed, _) = self.sliding(&assigned, &thinned.areas, &starts, along, across);
             let Some(next) = fit_field(values.as_ref(), &track.with_guides(observed)) else { return Ok(None) };
             moved = track.moved(&next);

@@ -69,7 +69,7 @@ impl Displacement<'_> {
     /// surface, outwards after a `mirrored` pose too, which turns all faces inside out. `None` where a number is not finite.
     pub(super) fn assigned(
         &self,
-        moved: Vec<Point3<f64>>,
+        moved: &[Point3<f64>],
         mirrored: bool,
         thinned: &Thinned,
         target: &AssignmentTarget,
@@ -84,14 +84,16 @@ impl Displacement<'_> {
     /// The places of the vertices of `thinned` and the normals there, of the source with its vertices at `moved`.
     pub(super) fn placed(
         &self,
-        moved: Vec<Point3<f64>>,
+        moved: &[Point3<f64>],
         mirrored: bool,
         thinned: &Thinned,
     ) -> Option<(Vec<Point3<f64>>, Vec<Vector3<f64>>)> {
-        let mesh = self.source.mesh.with_vertices(moved).ok()?;
+        if !moved.iter().all(|p| p.iter().all(|x| x.is_finite())) {
+            return None;
+        }
         let outwards = if mirrored { -1.0 } else { 1.0 };
-        let normals = mesh.vertex_normals();
+        let normals = self.source.mesh.vertex_normals_at(moved);
         let normals: Vec<Vector3<f64>> = thinned.vertices.iter().map(|&i| normals[i] * outwards).collect();
-        Some((thinned.vertices.iter().map(|&i| mesh.vertices()[i]).collect(), normals))
+        Some((thinned.vertices.iter().map(|&i| moved[i]).collect(), normals))
     }
 }

@@ -210,7 +210,7 @@ impl Displacement<'_> {
     pub(super) fn fine_misfit(&self, moved: Vec<Point3<f64>>, mirrored: bool) -> f64 {
         let thinned = self.source.thinned(COMPARISON_SAMPLES);
         let kernel = comparison_kernel(COMPARISON_SCALE * self.lengths.root_mm);
-        self.placed(moved, mirrored, &thinned).map_or(f64::INFINITY, |(points, normals)| {
+        self.placed(&moved, mirrored, &thinned).map_or(f64::INFINITY, |(points, normals)| {
             let samples = OrientedPoints { points: &points, normals: &normals, ..thinned.samples() };
             misfit(&samples, &self.target.packed(), &kernel)
         })

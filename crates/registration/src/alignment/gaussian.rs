@@ -94,7 +94,11 @@ pub fn assign(source: &OrientedPoints<'_>, target: &AssignmentTarget, kernel: &A
     for variance in &mut feature_variance {
         *variance /= total.max(f64::MIN_POSITIVE);
     }
-    Assignment { targets: source.points.iter().zip(offsets).map(|(p, offset)| p + offset).collect(), mass, feature_variance }
+    Assignment {
+        targets: source.points.iter().zip(offsets).map(|(p, offset)| p + offset).collect(),
+        mass,
+        feature_variance,
+    }
 }
 
 /// Misfit of `source`, which has been moved close to `target`: mean over both surfaces of `−ln` of the density relative to a
@@ -107,8 +111,7 @@ pub fn misfit(source: &OrientedPoints<'_>, target: &AssignmentTarget, kernel: &A
     let target_densities = affinities.target_densities(&rows, source.areas, background);
     let of_source = rows.iter().flat_map(|rows| &rows.densities).map(|density| (background + density) / flat);
     let of_target = target_densities.as_flattened()[..target.areas.len()].iter().map(|&s| f64::from(s) / flat);
-    0.5 * (mean_misfit(of_source, source.areas.iter().copied())
-        + mean_misfit(of_target, target.areas.iter().copied()))
+    0.5 * (mean_misfit(of_source, source.areas.iter().copied()) + mean_misfit(of_target, target.areas.iter().copied()))
 }
 
 /// Corners of the bounding boxes of the blocks, coordinate by coordinate.
@@ -345,25 +348,30 @@ fn weighted_sums(
     weights: &mut [Lanes],
     sums: &mut [Lanes],
 ) {
-    let mut moments = [[0.0f32; LANES]; 4];
+    let mut mass = [0.0f32; LANES];
     for ((&b, affinity), weight) in row.blocks.iter().zip(row.affinity).zip(weights.iter_mut()) {
-        let (block, share) = (&all.target.blocks[b as usize], &shares[b as usize]);
+        let share = &shares[b as usize];
         for k in 0..LANES {
             weight[k] = affinity[k] * share[k];
-            moments[0][k] += weight[k];
-        }
-        for a in 0..3 {
-            for k in 0..LANES {
-                moments[a + 1][k] += weight[k] * (block.position[a][k] - point.position[a]);
-            }
+            mass[k] += weight[k];
         }
     }
-    sums[..4].copy_from_slice(&moments);
-    // One feature after the other, so that its sum stays in registers.
+    sums[0] = mass;
+    // One quantity after the other, so that its sum stays in registers; all axes together are shuffled through memory.
+    for (a, &own) in point.position.iter().enumerate() {
+        let mut sum = [0.0f32; LANES];
+        for (&b, weight) in row.blocks.iter().zip(weights.iter()) {
+            let others = &all.target.blocks[b as usize].position[a];
+            for k in 0..LANES {
+                sum[k] += weight[k] * (others[k] - own);
+            }
+        }
+        sums[1 + a] = sum;
+    }
     for (f, &own) in point.features.iter().enumerate() {
         let mut sum = [0.0f32; LANES];
         for (&b, weight) in row.blocks.iter().zip(weights.iter()) {
-            let others = &all.target.features(b as usize)[f];
+            let others = &all.target.features[b as usize * all.target.n_features + f];
             for k in 0..LANES {
                 let difference = others[k] - own;
                 sum[k] += weight[k] * difference * difference;

@@ -58,7 +58,7 @@ impl Displacement<'_> {
         let Some(followed) = self.screened(poses)? else { return Ok(None) };
         let n = self.options.n_samples[0];
         let (source, target) = (self.source.thinned(n), self.target.thinned(n).packed());
-        let values = self.guides.below(&self.functions.values(&source.points));
+        let values = self.guides.below(self.functions.values(&source.points));
         // Each pose alone, so that all cores have work where a step is too short to share.
         let found: Vec<Option<(f64, State)>> = followed
             .par_iter()
@@ -96,7 +96,7 @@ impl Displacement<'_> {
     pub(super) fn coarse_alone(&self, pose: &RigidTransform) -> Option<State> {
         let n = self.options.n_samples[0];
         let (source, target) = (self.source.thinned(n), self.target.thinned(n).packed());
-        let values = self.guides.below(&self.functions.values(&source.points));
+        let values = self.guides.below(self.functions.values(&source.points));
         let found =
             self.coarse_from(&Base::rigid(*pose), &source, &target, &values, self.pace(0, STEPS_FROM_KNOWN_POSE));
         found.map(|(_, state)| state)
@@ -106,7 +106,7 @@ impl Displacement<'_> {
     fn screened(&self, poses: &[StartPose]) -> Result<Option<Vec<usize>>, MatchError> {
         let source = self.source.thinned(SCREENING_SAMPLES);
         let target = self.target.thinned(SCREENING_SAMPLES).packed();
-        let values = self.guides.below(&self.functions.values(&source.points));
+        let values = self.guides.below(self.functions.values(&source.points));
         let screened: Vec<Option<(f64, usize)>> = poses
             .par_iter()
             .enumerate()

@@ -120,7 +120,7 @@ impl Displacement<'_> {
         let thinned = self.source.thinned(self.options.n_samples[stage]);
         let target =
             if stage == 1 { self.target.thinned(self.options.n_samples[stage]).packed() } else { self.target.packed() };
-        let values = self.guides.below(&track.values(&thinned));
+        let values = self.guides.below(track.values(&thinned));
         let starts = track.starts(&thinned);
         let mirrored = track.base.pose.is_reflection();
         // Settling stays where the fine stage ended.

@@ -168,7 +168,7 @@ impl Displacement<'_> {
     ) -> Result<Option<Local>, MatchError> {
         let thinned = self.source.thinned(SAMPLES);
         let target = self.target.packed();
-        let values = self.guides.below(&track.values(&thinned));
+        let values = self.guides.below(track.values(&thinned));
         let starts = track.starts(&thinned);
         let mirrored = track.base.pose.is_reflection();
 

@@ -96,7 +96,7 @@ impl Displacement<'_> {
         let Some(on_form) = self.on_form(source) else { return Ok(None) };
         let n = self.options.n_samples[0];
         let (thinned, thinned_target) = (on_form.source.thinned(n), on_form.target.thinned(n).packed());
-        let values = on_form.guides.below(&on_form.functions.values(&thinned.points));
+        let values = on_form.guides.below(on_form.functions.values(&thinned.points));
         let found: Vec<(f64, f64, State)> = starts
             .into_par_iter()
             .map(|start| {
@@ -210,8 +210,8 @@ impl Displacement<'_> {
     pub(super) fn fine_misfit(&self, moved: Vec<Point3<f64>>, mirrored: bool) -> f64 {
         let thinned = self.source.thinned(COMPARISON_SAMPLES);
         let kernel = comparison_kernel(COMPARISON_SCALE * self.lengths.root_mm);
-        self.placed(&moved, mirrored, &thinned).map_or(f64::INFINITY, |(points, normals)| {
-            let samples = OrientedPoints { points: &points, normals: &normals, ..thinned.samples() };
+        self.placed(&moved, mirrored, &thinned).map_or(f64::INFINITY, |placed| {
+            let samples = OrientedPoints { points: &placed.points, normals: &placed.normals, ..thinned.samples() };
             misfit(&samples, &self.target.packed(), &kernel)
         })
     }

@@ -2,7 +2,7 @@
 //!
 //! Six products `Φᵀ diag(w) Φ`, one for each entry of a symmetric 3×3 matrix, share `Φ`. They are summed over chunks of points
 //! that stay in the cache: for a few functions at a time, the values times each of the six weights are packed side by side and
-//! multiplied with the values of all functions that follow. Passing over all points for every product took half as long again.
+//! multiplied with the values of all functions that follow. Passing over all points for every product waits for memory.
 
 use faer::linalg::matmul::matmul;
 use faer::{Accum, ColRef, Mat, MatMut, MatRef, Par};

@@ -3,18 +3,22 @@
 use super::{FaceArity, SurfaceMesh};
 use nalgebra::{Point3, Vector3};
 
+/// Vector area of a face, triangle or quad, with its corners at these of `vertices`, mm².
+#[inline(always)] // called for every face in every step
+fn vector_area(vertices: &[Point3<f64>], face: &[u32]) -> Vector3<f64> {
+    let at = |corner: usize| vertices[face[corner] as usize];
+    if face.len() == FaceArity::Triangle.n_corners() {
+        (at(1) - at(0)).cross(&(at(2) - at(0))) / 2.0
+    } else {
+        (at(2) - at(0)).cross(&(at(3) - at(1))) / 2.0
+    }
+}
+
 impl SurfaceMesh {
     /// Vector area of every face (normal times area, mm²). That of a quad is the sum over its two triangles, which does
     /// not depend on the diagonal.
     pub fn face_vector_areas(&self) -> Vec<Vector3<f64>> {
-        let v = self.vertices();
-        let at = |k: u32| v[k as usize];
-        self.faces()
-            .map(|f| match self.arity() {
-                FaceArity::Triangle => (at(f[1]) - at(f[0])).cross(&(at(f[2]) - at(f[0]))) / 2.0,
-                FaceArity::Quad => (at(f[2]) - at(f[0])).cross(&(at(f[3]) - at(f[1]))) / 2.0,
-            })
-            .collect()
+        self.faces().map(|face| vector_area(self.vertices(), face)).collect()
     }
 
     /// Surface area, mm².
@@ -45,8 +49,14 @@ impl SurfaceMesh {
 
     /// Unit normal of every vertex, the direction of the area-weighted sum over its faces; zero where that vanishes.
     pub fn vertex_normals(&self) -> Vec<Vector3<f64>> {
-        let mut normals = vec![Vector3::zeros(); self.n_vertices()];
-        for (face, area) in self.faces().zip(self.face_vector_areas()) {
+        self.vertex_normals_at(self.vertices())
+    }
+
+    /// The normals of the vertices when they are at `vertices`, one position for each.
+    pub fn vertex_normals_at(&self, vertices: &[Point3<f64>]) -> Vec<Vector3<f64>> {
+        let mut normals = vec![Vector3::zeros(); vertices.len()];
+        for face in self.faces() {
+            let area = vector_area(vertices, face);
             for &v in face {
                 normals[v as usize] += area;
             }

@@ -1,13 +1,15 @@
 //! The first stage of a displacement: the choice of the pose, and the field from it.
 
 use super::pace::Pace;
-use super::stages::{Base, Displacement, State, displaced, kernel, observed_means, precision_of_features};
+use super::stages::{
+    Base, Displacement, State, comparison_kernel, displaced, kernel, observed_means, precision_of_features,
+};
 use super::surface::{N_FEATURES, Thinned};
 use crate::MatchError;
 use faer::Mat;
 use homolog_primitives::observe::checkpoint;
 use homolog_registration::RigidTransform;
-use homolog_registration::alignment::{OrientedPoints, annealed, assign};
+use homolog_registration::alignment::{AssignmentTarget, OrientedPoints, annealed, assign, misfit};
 use homolog_registration::deformation::fit_field;
 use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
@@ -55,8 +57,8 @@ impl Displacement<'_> {
     ) -> Result<Option<(Vec<ComparedPose>, State)>, MatchError> {
         let Some(followed) = self.screened(poses)? else { return Ok(None) };
         let n = self.options.n_samples[0];
-        let (source, target) = (self.source.thinned(n), self.target.thinned(n));
-        let values = self.guides.below(&self.functions.values(&source.points));
+        let (source, target) = (self.source.thinned(n), self.target.thinned(n).packed());
+        let values = self.guides.below(self.functions.values(&source.points));
         // Each pose alone, so that all cores have work where a step is too short to share.
         let found: Vec<Option<(f64, State)>> = followed
             .par_iter()
@@ -93,8 +95,8 @@ impl Displacement<'_> {
     /// The field from one pose alone, which an earlier fit has found.
     pub(super) fn coarse_alone(&self, pose: &RigidTransform) -> Option<State> {
         let n = self.options.n_samples[0];
-        let (source, target) = (self.source.thinned(n), self.target.thinned(n));
-        let values = self.guides.below(&self.functions.values(&source.points));
+        let (source, target) = (self.source.thinned(n), self.target.thinned(n).packed());
+        let values = self.guides.below(self.functions.values(&source.points));
         let found =
             self.coarse_from(&Base::rigid(*pose), &source, &target, &values, self.pace(0, STEPS_FROM_KNOWN_POSE));
         found.map(|(_, state)| state)
@@ -102,8 +104,9 @@ impl Displacement<'_> {
 
     /// The poses to follow, after a few steps on few vertices from each: the best of each handedness.
     fn screened(&self, poses: &[StartPose]) -> Result<Option<Vec<usize>>, MatchError> {
-        let (source, target) = (self.source.thinned(SCREENING_SAMPLES), self.target.thinned(SCREENING_SAMPLES));
-        let values = self.guides.below(&self.functions.values(&source.points));
+        let source = self.source.thinned(SCREENING_SAMPLES);
+        let target = self.target.thinned(SCREENING_SAMPLES).packed();
+        let values = self.guides.below(self.functions.values(&source.points));
         let screened: Vec<Option<(f64, usize)>> = poses
             .par_iter()
             .enumerate()
@@ -134,7 +137,7 @@ impl Displacement<'_> {
         &self,
         base_of: &Base,
         source: &Thinned,
-        target: &Thinned,
+        target: &AssignmentTarget,
         values: &Mat<f64>,
         mut pace: Pace,
     ) -> Option<(f64, State)> {
@@ -150,16 +153,13 @@ impl Displacement<'_> {
             whole = Some((values, moved));
         }
         let mut moved = base.clone();
-        let assigned = |moved: &[Point3<f64>], normals: &[Vector3<f64>], sigma: f64, precision: Vec<f64>| {
-            let samples = OrientedPoints { points: moved, normals, ..source.samples() };
-            assign(&samples, &target.samples(), &kernel(sigma * self.diagonal_mm, precision))
-        };
         let [sigma, last_sigma, ..] = self.options.sigma;
         let mut precision = precision_of_features(&[1.0; N_FEATURES]);
         let mut field = None;
         while let Some(at) = pace.next() {
             let sigma = annealed(sigma, last_sigma, at);
-            let found = assigned(&moved, &normals, sigma, precision);
+            let samples = OrientedPoints { points: &moved, normals: &normals, ..source.samples() };
+            let found = assign(&samples, target, &kernel(sigma * self.diagonal_mm, precision));
             let weight = self.density(0, 1, at) / (sigma * self.diagonal_mm).powi(2);
             let observed = [observed_means(&found, &base, &source.areas, weight), guided.clone()].concat();
             let fitted = fit_field(values.as_ref(), &observed)?;
@@ -173,7 +173,8 @@ impl Displacement<'_> {
             field = Some(fitted);
         }
         // The same precisions for all poses: a wrong pose that has come to distrust features must not gain by that.
-        let misfit = assigned(&moved, &normals, last_sigma, vec![4.0 / N_FEATURES as f64; N_FEATURES]).misfit
+        let samples = OrientedPoints { points: &moved, normals: &normals, ..source.samples() };
+        let misfit = misfit(&samples, target, &comparison_kernel(last_sigma * self.diagonal_mm))
             + field.as_ref().map_or(0.0, |field| self.guides.misfit(base_of, field));
         field.map(|field| (misfit, State { base: base_of.clone(), field, feature_precision: precision }))
     }

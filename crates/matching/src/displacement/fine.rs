@@ -118,9 +118,9 @@ impl Displacement<'_> {
     fn followed(&self, fine: &mut Fine, stage: usize, steps: u32, weight: f64) -> Result<bool, MatchError> {
         let Fine { track, field, feature_precision, residual_mm } = fine;
         let thinned = self.source.thinned(self.options.n_samples[stage]);
-        let thinned_target = self.target.thinned(self.options.n_samples[stage]);
-        let target = if stage == 1 { thinned_target.samples() } else { self.target.samples() };
-        let values = self.guides.below(&track.values(&thinned));
+        let target =
+            if stage == 1 { self.target.thinned(self.options.n_samples[stage]).packed() } else { self.target.packed() };
+        let values = self.guides.below(track.values(&thinned));
         let starts = track.starts(&thinned);
         let mirrored = track.base.pose.is_reflection();
         // Settling stays where the fine stage ended.
@@ -131,7 +131,7 @@ impl Displacement<'_> {
             let sigma_mm = self.diagonal_mm * annealed(self.options.sigma[from], self.options.sigma[to], at);
             let density = weight * self.density(from, to, at);
             let kernel = kernel(sigma_mm, feature_precision.clone());
-            let Some(assigned) = self.assigned(track.moved(field), mirrored, &thinned, &target, &kernel) else {
+            let Some(assigned) = self.assigned(&track.moved(field), mirrored, &thinned, &target, &kernel) else {
                 return Ok(false);
             };
             let across = density / (sigma_mm * sigma_mm);

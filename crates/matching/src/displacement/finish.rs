@@ -87,7 +87,7 @@ impl<'a> Displacement<'a> {
         // The covariance of a wide field takes correlated residuals for independent ones of a low density.
         let share = if refined.local.is_some() { 1.0 } else { FIELD_SHARE };
         let mut variances: Vec<f64> =
-            refined.field.covariances(values.as_ref()).iter().map(|c| share * c.trace()).collect();
+            refined.field.variances(values.as_ref()).iter().map(|variance| share * variance).collect();
         if let Some(error) = error {
             along::raise(&mut variances, error, &lengths);
         }

@@ -14,7 +14,7 @@ use homolog_geometry::geodesic::distances_from;
 use homolog_geometry::hierarchy::coarsen;
 use homolog_mesh::SurfaceMesh;
 use homolog_primitives::points::farthest_points;
-use homolog_registration::alignment::{OrientedPoints, annealed, assign, progress_to_end};
+use homolog_registration::alignment::{AssignmentTarget, OrientedPoints, annealed, assign, misfit, progress_to_end};
 use homolog_registration::deformation::{FieldBasis, fit_field};
 use homolog_registration::{PoseSearchOptions, RigidTransform, pose_search, surroundings};
 use nalgebra::{Point3, Vector3};
@@ -235,7 +235,7 @@ impl Between<'_> {
         let base: Vec<Point3<f64>> = form.mesh.vertices().iter().map(|p| pose.apply(p)).collect();
         let normals: Vec<Vector3<f64>> = form.normals.iter().map(|n| pose.rotation * n).collect();
         let area: f64 = form.areas.iter().sum();
-        let target = self.target.oriented();
+        let target = AssignmentTarget::new(&self.target.oriented());
         let [first, last] = SIGMA.map(|sigma| sigma * self.diagonal_mm);
         let mut moved = base.clone();
         let mut precision = precision_of_features(&[1.0; N_FEATURES]);
@@ -249,7 +249,7 @@ impl Between<'_> {
             precision = precision_of_features(&assigned.feature_variance);
         }
         let source = OrientedPoints { points: &moved, normals: &normals, ..self.source.oriented() };
-        let misfit = assign(&source, &target, &comparison_kernel(last)).misfit;
+        let misfit = misfit(&source, &target, &comparison_kernel(last));
         let (images, mass) = self.images(&source, last, &precision);
         Some(FormMatch { images, mass, misfit })
     }

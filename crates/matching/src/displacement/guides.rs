@@ -59,7 +59,10 @@ impl Guides {
     }
 
     /// `values` with the rows of the guides appended.
-    pub(super) fn below(&self, values: &Mat<f64>) -> Mat<f64> {
+    pub(super) fn below(&self, values: Mat<f64>) -> Mat<f64> {
+        if self.source.is_empty() {
+            return values;
+        }
         let n = values.nrows();
         Mat::from_fn(n + self.source.len(), values.ncols(), |i, k| {
             if i < n { values[(i, k)] } else { self.values[(i - n, k)] }

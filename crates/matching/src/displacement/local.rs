@@ -167,8 +167,8 @@ impl Displacement<'_> {
         local: &LocalKernel,
     ) -> Result<Option<Local>, MatchError> {
         let thinned = self.source.thinned(SAMPLES);
-        let target = self.target.samples();
-        let values = self.guides.below(&track.values(&thinned));
+        let target = self.target.packed();
+        let values = self.guides.below(track.values(&thinned));
         let starts = track.starts(&thinned);
         let mirrored = track.base.pose.is_reflection();
 
@@ -180,7 +180,7 @@ impl Displacement<'_> {
         for _ in 0..STEPS {
             checkpoint(self.observer)?;
             let kernel = kernel(sigma_mm, precision);
-            let Some(assigned) = self.assigned(moved, mirrored, &thinned, &target, &kernel) else { return Ok(None) };
+            let Some(assigned) = self.assigned(&moved, mirrored, &thinned, &target, &kernel) else { return Ok(None) };
             let (observed, _) = self.sliding(&assigned, &thinned.areas, &starts, along, across);
             let Some(next) = fit_field(values.as_ref(), &track.with_guides(observed)) else { return Ok(None) };
             moved = track.moved(&next);

@@ -6,7 +6,7 @@ use crate::side::POSITION_SCALE;
 use crate::surface_index::SurfaceIndex;
 use homolog_geometry::curvature::{Curvatures, Estimator, ScaleSpace, curvatures, vertex_areas};
 use homolog_mesh::SurfaceMesh;
-use homolog_registration::alignment::OrientedPoints;
+use homolog_registration::alignment::{AssignmentTarget, OrientedPoints};
 use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
 use std::sync::{Arc, OnceLock};
@@ -145,6 +145,11 @@ impl SmoothSurface {
         }
     }
 
+    /// All vertices as the target of assignments.
+    pub(super) fn packed(&self) -> AssignmentTarget {
+        AssignmentTarget::new(&self.samples())
+    }
+
     /// At most `n` vertices. Canonical numbering follows a curve through space, so every `k`-th is an even sample.
     pub(super) fn thinned(&self, n: usize) -> Thinned {
         let step = self.mesh.n_vertices().div_ceil(n);
@@ -162,5 +167,10 @@ impl SmoothSurface {
 impl Thinned {
     pub(super) fn samples(&self) -> OrientedPoints<'_> {
         OrientedPoints { points: &self.points, normals: &self.normals, areas: &self.areas, features: &self.features }
+    }
+
+    /// These vertices as the target of assignments.
+    pub(super) fn packed(&self) -> AssignmentTarget {
+        AssignmentTarget::new(&self.samples())
     }
 }

@@ -3,7 +3,7 @@
 use super::stages::{Base, Displacement, displaced};
 use super::surface::Thinned;
 use faer::Mat;
-use homolog_registration::alignment::{Assignment, AssignmentKernel, OrientedPoints, assign};
+use homolog_registration::alignment::{Assignment, AssignmentKernel, AssignmentTarget, OrientedPoints, assign};
 use homolog_registration::deformation::{FittedField, Observation};
 use nalgebra::{Point3, Vector3};
 
@@ -16,6 +16,12 @@ pub(super) struct Track {
     values: Mat<f64>,
     /// The displacements that landmarks ask for.
     guided: Vec<Observation>,
+}
+
+/// The thinned vertices of a source that was moved.
+pub(super) struct Placed {
+    pub points: Vec<Point3<f64>>,
+    pub normals: Vec<Vector3<f64>>,
 }
 
 /// The thinned vertices of a source that was moved, and what is assigned to them.
@@ -59,29 +65,37 @@ impl Track {
     }
 
     /// `observed`, with the landmarks after them.
-    pub(super) fn with_guides(&self, observed: Vec<Observation>) -> Vec<Observation> {
-        [observed, self.guided.clone()].concat()
+    pub(super) fn with_guides(&self, mut observed: Vec<Observation>) -> Vec<Observation> {
+        observed.extend_from_slice(&self.guided);
+        observed
     }
 }
 
 impl Displacement<'_> {
-    /// What of `target` is assigned to the source with its vertices at `moved`. Normals are those of the whole moved
-    /// surface, outwards after a `mirrored` pose too, which turns all faces inside out. `None` where a number is not finite.
+    /// What of `target` is assigned to the source with its vertices at `moved`, [`Self::placed`].
     pub(super) fn assigned(
         &self,
-        moved: Vec<Point3<f64>>,
+        moved: &[Point3<f64>],
         mirrored: bool,
         thinned: &Thinned,
-        target: &OrientedPoints<'_>,
+        target: &AssignmentTarget,
         kernel: &AssignmentKernel,
     ) -> Option<Assigned> {
-        let mesh = self.source.mesh.with_vertices(moved).ok()?;
-        let outwards = if mirrored { -1.0 } else { 1.0 };
-        let normals = mesh.vertex_normals();
-        let normals: Vec<Vector3<f64>> = thinned.vertices.iter().map(|&i| normals[i] * outwards).collect();
-        let points: Vec<Point3<f64>> = thinned.vertices.iter().map(|&i| mesh.vertices()[i]).collect();
+        let Placed { points, normals } = self.placed(moved, mirrored, thinned)?;
         let samples = OrientedPoints { points: &points, normals: &normals, ..thinned.samples() };
         let found = assign(&samples, target, kernel);
         Some(Assigned { points, normals, found })
+    }
+
+    /// The vertices of `thinned` of the source with its vertices at `moved`. Normals are those of the whole moved surface,
+    /// outwards after a `mirrored` pose too, which turns all faces inside out. `None` where a number is not finite.
+    pub(super) fn placed(&self, moved: &[Point3<f64>], mirrored: bool, thinned: &Thinned) -> Option<Placed> {
+        if !moved.iter().all(|p| p.iter().all(|x| x.is_finite())) {
+            return None;
+        }
+        let outwards = if mirrored { -1.0 } else { 1.0 };
+        let normals = self.source.mesh.vertex_normals_at(moved);
+        let normals: Vec<Vector3<f64>> = thinned.vertices.iter().map(|&i| normals[i] * outwards).collect();
+        Some(Placed { points: thinned.vertices.iter().map(|&i| moved[i]).collect(), normals })
     }
 }

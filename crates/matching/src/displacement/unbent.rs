@@ -17,6 +17,7 @@ use super::stages::{Base, Displacement, State, comparison_kernel};
 use super::unbending::Unbending;
 use crate::MatchError;
 use homolog_primitives::observe::checkpoint;
+use homolog_registration::alignment::{OrientedPoints, misfit};
 use homolog_registration::deformation::{GaussianKernel, Observation, fit_field};
 use homolog_registration::{RigidTransform, absolute_orientation};
 use nalgebra::Point3;
@@ -94,8 +95,8 @@ impl Displacement<'_> {
             starts.first().is_some_and(|lowest| lowest.energy <= as_low_as(isometry.lowest_mirrored(&matches)));
         let Some(on_form) = self.on_form(source) else { return Ok(None) };
         let n = self.options.n_samples[0];
-        let (thinned, thinned_target) = (on_form.source.thinned(n), on_form.target.thinned(n));
-        let values = on_form.guides.below(&on_form.functions.values(&thinned.points));
+        let (thinned, thinned_target) = (on_form.source.thinned(n), on_form.target.thinned(n).packed());
+        let values = on_form.guides.below(on_form.functions.values(&thinned.points));
         let found: Vec<(f64, f64, State)> = starts
             .into_par_iter()
             .map(|start| {
@@ -209,7 +210,9 @@ impl Displacement<'_> {
     pub(super) fn fine_misfit(&self, moved: Vec<Point3<f64>>, mirrored: bool) -> f64 {
         let thinned = self.source.thinned(COMPARISON_SAMPLES);
         let kernel = comparison_kernel(COMPARISON_SCALE * self.lengths.root_mm);
-        let assigned = self.assigned(moved, mirrored, &thinned, &self.target.samples(), &kernel);
-        assigned.map_or(f64::INFINITY, |assigned| assigned.found.misfit)
+        self.placed(&moved, mirrored, &thinned).map_or(f64::INFINITY, |placed| {
+            let samples = OrientedPoints { points: &placed.points, normals: &placed.normals, ..thinned.samples() };
+            misfit(&samples, &self.target.packed(), &kernel)
+        })
     }
 }

@@ -42,6 +42,8 @@ pub(crate) struct CompactAssignment {
     target_density: Vec<Lanes>,
     targets: Vec<Point3<f64>>,
     weights: Vec<f64>,
+    /// `w_ij` of the source point at hand.
+    shares: Vec<Lanes>,
     /// Of the source point at hand.
     features: Vec<f32>,
 }
@@ -90,10 +92,12 @@ impl CompactAssignment {
         }
         self.targets.clear();
         self.weights.clear();
+        self.shares.resize(target.packed.blocks.len(), [0.0; LANES]);
         let rows = self.affinity.chunks_exact(target.packed.blocks.len().max(1)).zip(&self.source_density);
         for ((row, &density), point) in rows.zip(source) {
             let inverse = 1.0 / (density + background);
-            let [mass, x, y, z] = weighted_sums(row, &target.packed, &self.target_density, inverse).map(f64::from);
+            let [mass, x, y, z] =
+                weighted_sums(row, &target.packed, &self.target_density, inverse, &mut self.shares).map(f64::from);
             self.weights.push(mass * point.area);
             let mean = if mass > 0.0 { Vector3::new(x, y, z) / mass } else { Vector3::zeros() };
             self.targets.push(Point3::from(mean));
@@ -140,20 +144,36 @@ fn affinity_row(
     sums.iter().sum()
 }
 
-/// `Σ_j w_ij` and `Σ_j w_ij q_j` for one `i`, with the inverses of `b + G_j` for all `j` and of `b + G_i`.
+/// `Σ_j w_ij` and `Σ_j w_ij q_j` for one `i`, with the inverses of `b + G_j` for all `j` and of `b + G_i`. `weights` is
+/// scratch memory, one entry per block.
 #[allow(unsafe_code)] // the dispatch that `multiversion` generates; the body is safe code
 #[multiversion(targets("x86_64+avx512f+avx512vl+avx512bw+avx512dq", "x86_64+avx2"))]
-fn weighted_sums(row: &[Lanes], target: &PackedPoints, inverse_densities: &[Lanes], own_inverse: f32) -> [f32; 4] {
-    let mut sums = [[0.0f32; LANES]; 4];
-    for ((block, row), inverse) in target.blocks.iter().zip(row).zip(inverse_densities) {
-        let [x, y, z] = &block.position;
+fn weighted_sums(
+    row: &[Lanes],
+    target: &PackedPoints,
+    inverse_densities: &[Lanes],
+    own_inverse: f32,
+    weights: &mut [Lanes],
+) -> [f32; 4] {
+    let mut mass = [0.0f32; LANES];
+    for (((block, row), inverse), weight) in
+        target.blocks.iter().zip(row).zip(inverse_densities).zip(weights.iter_mut())
+    {
         for k in 0..LANES {
-            let weight = 0.5 * block.area[k] * row[k] * (inverse[k] + own_inverse);
-            sums[0][k] += weight;
-            sums[1][k] += weight * x[k];
-            sums[2][k] += weight * y[k];
-            sums[3][k] += weight * z[k];
+            weight[k] = 0.5 * block.area[k] * row[k] * (inverse[k] + own_inverse);
+            mass[k] += weight[k];
         }
+    }
+    let mut sums = [mass; 4];
+    // One axis after the other, so that its sum stays in registers.
+    for (axis, found) in sums[1..].iter_mut().enumerate() {
+        let mut sum = [0.0f32; LANES];
+        for (block, weight) in target.blocks.iter().zip(weights.iter()) {
+            for k in 0..LANES {
+                sum[k] += weight[k] * block.position[axis][k];
+            }
+        }
+        *found = sum;
     }
     sums.map(|lanes| lanes.iter().sum())
 }

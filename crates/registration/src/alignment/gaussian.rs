@@ -40,8 +40,29 @@ pub struct Assignment {
     pub mass: Vec<f64>,
     /// Mean squared difference of each feature between assigned points.
     pub feature_variance: Vec<f64>,
-    /// Mean over both surfaces of `−ln` of the density relative to a flat match; lower is better.
-    pub misfit: f64,
+}
+
+/// A target, packed for repeated assignments.
+pub struct AssignmentTarget {
+    packed: PackedPoints,
+    boxes: Boxes,
+    areas: Vec<f64>,
+}
+
+impl AssignmentTarget {
+    /// `target`, whose points have as many features each as the kernels of the assignments.
+    pub fn new(target: &OrientedPoints<'_>) -> Self {
+        let n = target.points.len();
+        let n_features = target.features.len() / n.max(1);
+        let origin = target.points.first().map_or(Vector3::zeros(), |p| p.coords);
+        let packed = PackedPoints::new(n, n_features, origin, |j| target.point(j, n_features));
+        let corner = |fold: fn(f32, f32) -> f32, start: f32| {
+            let of_block = |block: &Block, axis: usize| block.coordinates(axis).fold(start, fold);
+            std::array::from_fn(|axis| packed.blocks.iter().map(|block| of_block(block, axis)).collect())
+        };
+        let boxes = Boxes { low: corner(f32::min, f32::INFINITY), high: corner(f32::max, f32::NEG_INFINITY) };
+        AssignmentTarget { packed, boxes, areas: target.areas.to_vec() }
+    }
 }
 
 /// Assigns `target` to `source`, which has been moved close to it. Affinities are 32-bit numbers with relative errors
@@ -50,38 +71,47 @@ pub struct Assignment {
 /// # Cost
 /// `O(pairs within reach)` in time and memory when target points that are close in space have close indices, as in
 /// canonical numbering; `O(pairs)` in time at most.
-pub fn assign(source: &OrientedPoints<'_>, target: &OrientedPoints<'_>, kernel: &AssignmentKernel) -> Assignment {
-    let n = source.points.len();
+pub fn assign(source: &OrientedPoints<'_>, target: &AssignmentTarget, kernel: &AssignmentKernel) -> Assignment {
     let affinities = Affinities::new(target, kernel);
-    let chunks: Vec<Range<usize>> = (0..n).step_by(ROWS).map(|first| first..n.min(first + ROWS)).collect();
-    let rows: Vec<Rows> = chunks.par_iter().map(|chunk| affinities.rows(source, chunk.clone())).collect();
-    let flat = flat_density(kernel.sigma_mm);
-    let background = kernel.outlier_share * flat;
-    let target_densities = affinities.target_densities(&rows, source.areas, background);
-    let shares = affinities.area_over_density(&target_densities);
-    let means: Vec<Vec<Means>> = rows.par_iter().map(|rows| affinities.means(source, rows, &shares)).collect();
-    let means: Vec<Means> = means.into_iter().flatten().collect();
-    let mut feature_variance = vec![0.0; kernel.feature_precision.len()];
+    let rows = affinities.all_rows(source);
+    let background = kernel.outlier_share * flat_density(kernel.sigma_mm);
+    let shares = affinities.area_over_density(&affinities.target_densities(&rows, source.areas, background));
+    let means: Vec<Means> = rows.par_iter().map(|rows| affinities.means(source, rows, &shares)).collect();
+    let mass: Vec<f64> = means.iter().flat_map(|means| &means.mass).copied().collect();
+    let offsets = means.iter().flat_map(|means| &means.offsets);
+    let n_features = target.packed.n_features;
+    let mut feature_variance = vec![0.0; n_features];
     let mut total = 0.0;
-    for (found, area) in means.iter().zip(source.areas) {
-        total += found.mass * area;
-        for (sum, variance) in feature_variance.iter_mut().zip(&found.feature_variance) {
+    let variances = means.iter().flat_map(|means| means.feature_variance.chunks_exact(n_features.max(1)));
+    for (variances, area) in variances.zip(source.areas) {
+        for (sum, variance) in feature_variance.iter_mut().zip(variances) {
             *sum += variance * area;
         }
+    }
+    for (mass, area) in mass.iter().zip(source.areas) {
+        total += mass * area;
     }
     for variance in &mut feature_variance {
         *variance /= total.max(f64::MIN_POSITIVE);
     }
-    let of_source = rows.iter().flat_map(|rows| &rows.densities).map(|density| (background + density) / flat);
-    let of_target = target_densities.as_flattened()[..target.points.len()].iter().map(|&s| f64::from(s) / flat);
     Assignment {
-        targets: source.points.iter().zip(&means).map(|(p, found)| p + found.offset).collect(),
-        mass: means.iter().map(|found| found.mass).collect(),
+        targets: source.points.iter().zip(offsets).map(|(p, offset)| p + offset).collect(),
+        mass,
         feature_variance,
-        misfit: 0.5
-            * (mean_misfit(of_source, source.areas.iter().copied())
-                + mean_misfit(of_target, target.areas.iter().copied())),
     }
+}
+
+/// Misfit of `source`, which has been moved close to `target`: mean over both surfaces of `−ln` of the density relative to a
+/// flat match; lower is better. The same bits on any number of threads; cost that of [`assign`].
+pub fn misfit(source: &OrientedPoints<'_>, target: &AssignmentTarget, kernel: &AssignmentKernel) -> f64 {
+    let affinities = Affinities::new(target, kernel);
+    let rows = affinities.all_rows(source);
+    let flat = flat_density(kernel.sigma_mm);
+    let background = kernel.outlier_share * flat;
+    let target_densities = affinities.target_densities(&rows, source.areas, background);
+    let of_source = rows.iter().flat_map(|rows| &rows.densities).map(|density| (background + density) / flat);
+    let of_target = target_densities.as_flattened()[..target.areas.len()].iter().map(|&s| f64::from(s) / flat);
+    0.5 * (mean_misfit(of_source, source.areas.iter().copied()) + mean_misfit(of_target, target.areas.iter().copied()))
 }
 
 /// Corners of the bounding boxes of the blocks, coordinate by coordinate.
@@ -91,9 +121,9 @@ struct Boxes {
 }
 
 /// The target in blocks, and the kernel.
-struct Affinities {
-    target: PackedPoints,
-    boxes: Boxes,
+struct Affinities<'t> {
+    target: &'t PackedPoints,
+    boxes: &'t Boxes,
     /// `1/2σ²`.
     inverse_width: f32,
     /// Squared reach, mm².
@@ -138,28 +168,21 @@ impl Rows {
     }
 }
 
-/// What one source point is assigned to.
+/// What some consecutive source points are assigned to.
 struct Means {
-    mass: f64,
-    /// From the source point to the mean of its target points, mm.
-    offset: Vector3<f64>,
-    /// Variance of each feature, times the mass.
+    mass: Vec<f64>,
+    /// From each source point to the mean of its target points, mm.
+    offsets: Vec<Vector3<f64>>,
+    /// Variance of each feature, times the mass; point by point.
     feature_variance: Vec<f64>,
 }
 
-impl Affinities {
-    fn new(target: &OrientedPoints<'_>, kernel: &AssignmentKernel) -> Self {
-        let n_features = kernel.feature_precision.len();
-        let origin = target.points.first().map_or(Vector3::zeros(), |p| p.coords);
-        let packed = PackedPoints::new(target.points.len(), n_features, origin, |j| target.point(j, n_features));
-        let corner = |fold: fn(f32, f32) -> f32, start: f32| {
-            let of_block = |block: &Block, axis: usize| block.coordinates(axis).fold(start, fold);
-            std::array::from_fn(|axis| packed.blocks.iter().map(|block| of_block(block, axis)).collect())
-        };
+impl<'t> Affinities<'t> {
+    fn new(target: &'t AssignmentTarget, kernel: &AssignmentKernel) -> Self {
         let reach_mm = REACH * kernel.sigma_mm;
         Affinities {
-            boxes: Boxes { low: corner(f32::min, f32::INFINITY), high: corner(f32::max, f32::NEG_INFINITY) },
-            target: packed,
+            target: &target.packed,
+            boxes: &target.boxes,
             inverse_width: (0.5 / (kernel.sigma_mm * kernel.sigma_mm)) as f32,
             reach_squared: (reach_mm * reach_mm) as f32,
             normal_weight: kernel.normal_weight as f32,
@@ -168,12 +191,20 @@ impl Affinities {
     }
 
     fn lane_point<'f>(&self, source: &OrientedPoints<'_>, i: usize, features: &'f mut Vec<f32>) -> LanePoint<'f> {
-        LanePoint::new(&source.point(i, self.target.n_features), &self.target, features)
+        LanePoint::new(&source.point(i, self.target.n_features), self.target, features)
+    }
+
+    /// The affinities of all source points, in chunks.
+    fn all_rows(&self, source: &OrientedPoints<'_>) -> Vec<Rows> {
+        let n = source.points.len();
+        let chunks: Vec<Range<usize>> = (0..n).step_by(ROWS).map(|first| first..n.min(first + ROWS)).collect();
+        chunks.par_iter().map(|chunk| self.rows(source, chunk.clone())).collect()
     }
 
     /// The affinities of some source points with all points within reach.
     fn rows(&self, source: &OrientedPoints<'_>, points: Range<usize>) -> Rows {
-        let (mut features, mut squared) = (Vec::new(), vec![0.0; self.target.blocks.len()]);
+        let n_blocks = self.target.blocks.len();
+        let (mut features, mut squared) = (Vec::new(), vec![0.0; n_blocks]);
         let mut rows = Rows {
             points: points.clone(),
             ends: Vec::with_capacity(points.len()),
@@ -181,15 +212,26 @@ impl Affinities {
             affinity: Vec::new(),
             densities: Vec::with_capacity(points.len()),
         };
+        let mut within = vec![0; n_blocks];
         for i in points {
             let point = self.lane_point(source, i, &mut features);
-            distances_from_boxes(&self.boxes, &point.position, &mut squared);
+            distances_from_boxes(self.boxes, &point.position, &mut squared);
+            // Whether a block is within reach is hard to predict: it is written in any case, and counted if it is.
+            let mut n_within = 0;
+            for (b, &squared) in squared.iter().enumerate() {
+                within[n_within] = b as u32;
+                n_within += usize::from(squared <= self.reach_squared);
+            }
             let start = rows.blocks.len();
-            let within = squared.iter().enumerate().filter(|(_, d)| **d <= self.reach_squared);
-            rows.blocks.extend(within.map(|(b, _)| b as u32));
-            rows.affinity.resize(rows.blocks.len(), [0.0; LANES]);
+            let end = start + n_within;
+            if rows.affinity.capacity() < end {
+                // The neighbors of the first point in a chunk tell how many the others have.
+                rows.affinity.reserve(n_within * (rows.ends.capacity() - rows.ends.len()));
+            }
+            rows.blocks.extend_from_slice(&within[..n_within]);
+            rows.affinity.resize(end, [0.0; LANES]);
             let density = block_affinities(self, &point, &rows.blocks[start..], &mut rows.affinity[start..]);
-            rows.ends.push(rows.blocks.len());
+            rows.ends.push(end);
             rows.densities.push(density);
         }
         rows
@@ -211,24 +253,29 @@ impl Affinities {
     }
 
     /// Mass and means of the source points of `rows`.
-    fn means(&self, source: &OrientedPoints<'_>, rows: &Rows, shares: &[Lanes]) -> Vec<Means> {
+    fn means(&self, source: &OrientedPoints<'_>, rows: &Rows, shares: &[Lanes]) -> Means {
         let (mut features, mut weights) = (Vec::new(), Vec::new());
-        let mut sums = vec![[0.0; LANES]; 4 + self.target.n_features];
+        let n_features = self.target.n_features;
+        let mut sums = vec![[0.0; LANES]; 4 + n_features];
         let total = |lanes: &Lanes| f64::from(lanes.iter().sum::<f32>());
-        let means = |(i, row): (usize, Row<'_>)| {
+        let n = rows.ends.len();
+        let mut means = Means {
+            mass: Vec::with_capacity(n),
+            offsets: Vec::with_capacity(n),
+            feature_variance: Vec::with_capacity(n * n_features),
+        };
+        for (i, row) in rows.points.clone().zip(rows.iter()) {
             let point = self.lane_point(source, i, &mut features);
             // Every entry is overwritten.
             weights.resize(row.blocks.len(), [0.0; LANES]);
             weighted_sums(self, &point, &row, shares, &mut weights, &mut sums);
             let mass = total(&sums[0]);
             let offset = Vector3::new(total(&sums[1]), total(&sums[2]), total(&sums[3]));
-            Means {
-                mass,
-                offset: if mass > 0.0 { offset / mass } else { Vector3::zeros() },
-                feature_variance: sums[4..].iter().map(total).collect(),
-            }
-        };
-        rows.points.clone().zip(rows.iter()).map(means).collect()
+            means.mass.push(mass);
+            means.offsets.push(if mass > 0.0 { offset / mass } else { Vector3::zeros() });
+            means.feature_variance.extend(sums[4..].iter().map(total));
+        }
+        means
     }
 }
 
@@ -250,7 +297,7 @@ fn distances_from_boxes(boxes: &Boxes, at: &[f32; 3], squared: &mut [f32]) {
 /// Writes the affinities of `point` with the points of `blocks`; returns their sum, each times its area.
 #[allow(unsafe_code)] // the dispatch that `multiversion` generates; the body is safe code
 #[multiversion(targets("x86_64+avx512f+avx512vl+avx512bw+avx512dq", "x86_64+avx2"))]
-fn block_affinities(all: &Affinities, point: &LanePoint<'_>, blocks: &[u32], affinity: &mut [Lanes]) -> f64 {
+fn block_affinities(all: &Affinities<'_>, point: &LanePoint<'_>, blocks: &[u32], affinity: &mut [Lanes]) -> f64 {
     let mut density = [0.0f32; LANES];
     for (&b, affinity) in blocks.iter().zip(affinity) {
         let block = &all.target.blocks[b as usize];
@@ -294,32 +341,37 @@ fn add_scaled(blocks: &[u32], affinity: &[Lanes], area: f32, sums: &mut [Lanes])
 #[allow(unsafe_code)] // the dispatch that `multiversion` generates; the body is safe code
 #[multiversion(targets("x86_64+avx512f+avx512vl+avx512bw+avx512dq", "x86_64+avx2"))]
 fn weighted_sums(
-    all: &Affinities,
+    all: &Affinities<'_>,
     point: &LanePoint<'_>,
     row: &Row<'_>,
     shares: &[Lanes],
     weights: &mut [Lanes],
     sums: &mut [Lanes],
 ) {
-    let mut moments = [[0.0f32; LANES]; 4];
+    let mut mass = [0.0f32; LANES];
     for ((&b, affinity), weight) in row.blocks.iter().zip(row.affinity).zip(weights.iter_mut()) {
-        let (block, share) = (&all.target.blocks[b as usize], &shares[b as usize]);
+        let share = &shares[b as usize];
         for k in 0..LANES {
             weight[k] = affinity[k] * share[k];
-            moments[0][k] += weight[k];
-        }
-        for a in 0..3 {
-            for k in 0..LANES {
-                moments[a + 1][k] += weight[k] * (block.position[a][k] - point.position[a]);
-            }
+            mass[k] += weight[k];
         }
     }
-    sums[..4].copy_from_slice(&moments);
-    // One feature after the other, so that its sum stays in registers.
+    sums[0] = mass;
+    // One quantity after the other, so that its sum stays in registers; all axes together are shuffled through memory.
+    for (a, &own) in point.position.iter().enumerate() {
+        let mut sum = [0.0f32; LANES];
+        for (&b, weight) in row.blocks.iter().zip(weights.iter()) {
+            let others = &all.target.blocks[b as usize].position[a];
+            for k in 0..LANES {
+                sum[k] += weight[k] * (others[k] - own);
+            }
+        }
+        sums[1 + a] = sum;
+    }
     for (f, &own) in point.features.iter().enumerate() {
         let mut sum = [0.0f32; LANES];
         for (&b, weight) in row.blocks.iter().zip(weights.iter()) {
-            let others = &all.target.features(b as usize)[f];
+            let others = &all.target.features[b as usize * all.target.n_features + f];
             for k in 0..LANES {
                 let difference = others[k] - own;
                 sum[k] += weight[k] * difference * difference;

@@ -63,7 +63,7 @@ impl Block {
 pub(crate) struct PackedPoints {
     pub(super) blocks: Vec<Block>,
     /// Block by block, feature by feature.
-    features: Vec<Lanes>,
+    pub(super) features: Vec<Lanes>,
     pub(super) n_features: usize,
     /// Positions are relative to this, so that 32 bits resolve the differences of coordinates far from 0.
     origin: Vector3<f64>,

@@ -19,7 +19,7 @@ proptest! {
         let target = OrientedPoints { points: &q, normals: &nq, areas: &aq, features: &fq };
         let kernel =
             AssignmentKernel { sigma_mm: sigma, normal_weight: 1.5, feature_precision: vec![0.7, 2.0], outlier_share: 0.1 };
-        let found = assign(&source, &target, &kernel);
+        let found = assign(&source, &AssignmentTarget::new(&target), &kernel);
         let g = |i: usize, j: usize| {
             let squared = (p[i] - q[j]).norm_squared();
             let agreement = np[i].dot(&nq[j]);
@@ -58,7 +58,7 @@ fn one_thread_and_many_give_the_same_bits() {
             OrientedPoints { points: &target, normals: &target_normals, areas: &[1.2; 300], features: &[0.4; 300] };
         let kernel =
             AssignmentKernel { sigma_mm: 3.0, normal_weight: 1.0, feature_precision: vec![1.0], outlier_share: 0.1 };
-        assign(&source, &target, &kernel)
+        assign(&source, &AssignmentTarget::new(&target), &kernel)
     };
     let on = |threads: usize| rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap().install(all);
     assert_eq!(on(1), on(4));

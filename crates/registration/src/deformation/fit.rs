@@ -1,8 +1,9 @@
 //! The posterior of a displacement field given observations.
 
+use super::gram::weighted_gram;
 use faer::linalg::matmul::triangular::{BlockStructure, matmul};
 use faer::linalg::solvers::{DenseSolveCore, Llt, Solve};
-use faer::{Accum, Mat, MatRef, Par, Side};
+use faer::{Accum, Col, Mat, MatRef, Par, Side, unzip, zip};
 use nalgebra::{Matrix3, Vector3};
 
 /// An observed displacement at one point, with Gaussian noise that differs along a normal and across it.
@@ -38,21 +39,6 @@ pub struct FittedField {
     precision: Llt<f64>,
 }
 
-/// The lower triangle of `Φᵀ diag(w) Φ`, which is symmetric; zeros above it. `scaled` is overwritten.
-fn weighted_gram(values: MatRef<'_, f64>, weight: impl Fn(usize) -> f64, scaled: &mut Mat<f64>) -> Mat<f64> {
-    let weights: Vec<f64> = (0..values.nrows()).map(weight).collect();
-    for (mut scaled, values) in scaled.col_iter_mut().zip(values.col_iter()) {
-        for (k, weight) in weights.iter().enumerate() {
-            scaled[k] = weight * values[k];
-        }
-    }
-    let m = values.ncols();
-    let mut gram = Mat::zeros(m, m);
-    let (lower, whole) = (BlockStructure::TriangularLower, BlockStructure::Rectangular);
-    matmul(gram.as_mut(), lower, Accum::Replace, values.transpose(), whole, scaled.as_ref(), whole, 1.0, Par::Seq);
-    gram
-}
-
 /// The posterior of the field. `values`: every function at every point, `n × M` (see [`super::FieldBasis::values`]);
 /// `observations`: one for each point. `None` if the system cannot be solved because a number is not finite.
 ///
@@ -63,28 +49,25 @@ pub fn fit_field(values: MatRef<'_, f64>, observations: &[Observation]) -> Optio
     let precision: Vec<Matrix3<f64>> = observations.iter().map(Observation::precision).collect();
     let weighted: Vec<Vector3<f64>> = observations.iter().zip(&precision).map(|(p, w)| w * p.displacement).collect();
     let right_side = values.transpose() * Mat::from_fn(n, 3, |i, a| weighted[i][a]);
-    let mut scaled = Mat::zeros(n, m);
     if observations.iter().all(|p| p.along == p.across) {
-        let mut system = weighted_gram(values, |i| observations[i].across, &mut scaled);
+        let weights: Col<f64> = observations.iter().map(|p| p.across).collect();
+        let mut scaled = values.to_owned();
+        for scaled in scaled.col_iter_mut() {
+            zip!(scaled, &weights).for_each(|unzip!(scaled, weight)| *scaled *= weight);
+        }
+        let mut system = Mat::zeros(m, m);
+        let (lower, whole) = (BlockStructure::TriangularLower, BlockStructure::Rectangular);
+        let (left, right) = (values.transpose(), scaled.as_ref());
+        matmul(system.as_mut(), lower, Accum::Replace, left, whole, right, whole, 1.0, Par::Seq);
         for k in 0..m {
             system[(k, k)] += 1.0;
         }
         let factor = system.llt(Side::Lower).ok()?;
         return Some(FittedField { coefficients: factor.solve(&right_side), precision: factor });
     }
-    let mut system = Mat::<f64>::identity(3 * m, 3 * m);
-    for a in 0..3 {
-        for b in 0..=a {
-            let block = weighted_gram(values, |i| precision[i][(a, b)], &mut scaled);
-            for k in 0..m {
-                for l in k..m {
-                    system[(a * m + l, b * m + k)] += block[(l, k)];
-                    if a != b && l != k {
-                        system[(a * m + k, b * m + l)] += block[(l, k)];
-                    }
-                }
-            }
-        }
+    let mut system = weighted_gram(values, &precision);
+    for k in 0..3 * m {
+        system[(k, k)] += 1.0;
     }
     let factor = system.llt(Side::Lower).ok()?;
     let stacked = Mat::from_fn(3 * m, 1, |k, _| right_side[(k % m, k / m)]);
@@ -99,32 +82,28 @@ impl FittedField {
         (0..u.nrows()).map(|i| Vector3::new(u[(i, 0)], u[(i, 1)], u[(i, 2)])).collect()
     }
 
-    /// Posterior covariance of the displacement at every point of `values`, mm². Cost `O(n M² + M³)`.
-    pub fn covariances(&self, values: MatRef<'_, f64>) -> Vec<Matrix3<f64>> {
+    /// Posterior variance of the displacement at every point of `values`, mm²: the trace of its covariance. Cost
+    /// `O(n M² + M³)`.
+    pub fn variances(&self, values: MatRef<'_, f64>) -> Vec<f64> {
         let (n, m) = (values.nrows(), values.ncols());
-        let mut found = vec![Matrix3::zeros(); n];
         let covariance = self.precision.inverse();
-        let shared = covariance.nrows() == m;
-        for a in 0..3 {
-            for b in 0..=a {
-                if shared && (a, b) != (0, 0) {
-                    continue;
-                }
-                let block = covariance.as_ref().submatrix(a * m, b * m, m, m);
-                let product = values * block;
-                for (i, c) in found.iter_mut().enumerate() {
-                    let value: f64 = (0..m).map(|k| product[(i, k)] * values[(i, k)]).sum();
-                    c[(a, b)] = value;
-                    c[(b, a)] = value;
-                }
+        let along_axis = |a: usize| {
+            let product = values * covariance.as_ref().submatrix(a * m, a * m, m, m);
+            let mut variances = Col::<f64>::zeros(n);
+            for (product, values) in product.col_iter().zip(values.col_iter()) {
+                zip!(&mut variances, product, values)
+                    .for_each(|unzip!(variance, product, value)| *variance += product * value);
             }
+            variances.iter().copied().collect()
+        };
+        let mut sums: Vec<f64> = along_axis(0);
+        // Isotropic observations leave the same variance along each axis.
+        let is_shared = covariance.nrows() == m;
+        let others: [Vec<f64>; 2] = [1, 2].map(|a| if is_shared { sums.clone() } else { along_axis(a) });
+        for other in others {
+            sums.iter_mut().zip(other).for_each(|(sum, variance)| *sum += variance);
         }
-        if shared {
-            for c in &mut found {
-                *c = Matrix3::identity() * c[(0, 0)];
-            }
-        }
-        found
+        sums
     }
 
     /// `‖c‖²`: twice the negative logarithm of the field's density under the prior, up to a constant.

@@ -21,6 +21,7 @@
 
 mod evidence;
 mod fit;
+mod gram;
 mod nystrom;
 pub(crate) mod taylor;
 #[cfg(test)]

@@ -25,7 +25,7 @@
 //!    the answer ([`both_ways`]).
 //!
 //! Where the surfaces do not agree after all that, or where a mirror image fits better, tubular surfaces are matched straightened
-//! ([`straightened`]), and the stages are run once more from correspondences of bending-invariant forms ([`unbent`]).
+//! ([`mod@straightened`]), and the stages are run once more from correspondences of bending-invariant forms ([`unbent`]).
 //!
 //! Sources: Myronenko, Song, "Point set registration: coherent point drift", IEEE PAMI 32(12), 2010; Hirose, "A
 //! Bayesian formulation of coherent point drift", IEEE PAMI 43(7), 2021 (prior, weights); Chen, Medioni 1992 (distance

@@ -165,9 +165,9 @@ fn rigid(coarse: &Coarse<'_>, posed: &Posed<'_>, starts: &Starts) -> Result<Disp
     Ok(Displaced { transform, labeling, confidence, spread_mm, poses, images: Images::OnVertices })
 }
 
-/// Checks for cancellation in the displacement of a pair of two subjects: about 70 or 90 in four pairs of hippocampi. Other pairs
-/// have fewer or more.
-const CHECKS_OF_DISPLACEMENT: f64 = 95.0;
+/// Checks for cancellation in the displacement of a pair of two subjects: 63 to 67 in four pairs of hippocampi. Other pairs have
+/// fewer or more.
+const CHECKS_OF_DISPLACEMENT: f64 = 75.0;
 
 /// Says how much of a displacement is done, by the number of checks for cancellation: there is one for each step.
 struct Counting<'a> {
@@ -178,8 +178,8 @@ struct Counting<'a> {
 /// The share of the time of a displacement that has passed after `share` of its checks. Something has been done before the first
 /// one, later steps have more points, and a displacement of more checks than expected comes to its end ever more slowly.
 fn time_share(share: f64) -> f64 {
-    const FIRST: f64 = 0.16;
-    const EXPONENT: f64 = 1.2;
+    const FIRST: f64 = 0.14;
+    const EXPONENT: f64 = 1.4;
     const LAST: f64 = 0.9;
     let early = |share: f64| FIRST + (1.0 - FIRST) * share.powf(EXPONENT);
     if share <= LAST {

@@ -31,10 +31,10 @@ fn progress_after_rounds(parameters: &MatchParameters) -> f64 {
 
 /// The share of a match that is done when the rounds begin. This one and those below were measured on pairs of hippocampi with
 /// the default parameters.
-pub(crate) const PROGRESS_BEFORE_ROUNDS: f64 = 0.05;
+pub(crate) const PROGRESS_BEFORE_ROUNDS: f64 = 0.09;
 
 /// The share of a match that is done when its displacement field, if it has one, is begun.
-pub(crate) const PROGRESS_BEFORE_DISPLACEMENT: f64 = 0.11;
+pub(crate) const PROGRESS_BEFORE_DISPLACEMENT: f64 = 0.2;
 
 /// The share of a match that is done when only the report remains.
 pub(crate) const PROGRESS_AT_END: f64 = 0.99;

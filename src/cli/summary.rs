@@ -16,6 +16,9 @@ pub(super) fn summary(result: &ResultDocument) -> String {
     let [x, y, z] = t.translation_mm.map(without_sign_of_zero);
     let _ = writeln!(text, "rotation          {:.2}°", t.rotation_angle_deg);
     let _ = writeln!(text, "translation       {x:.2}  {y:.2}  {z:.2} mm");
+    if let Some(similarity) = &t.similarity {
+        let _ = writeln!(text, "similarity        {}", similarity.sentence());
+    }
     let _ = writeln!(
         text,
         "inliers           {} ({:.1} %) within {:.2} mm, RMS {:.3} mm, {} trials",

@@ -61,7 +61,9 @@ pub struct TransformDocument {
     pub rotation_angle_deg: f64,
     /// Translation `t`, mm.
     pub translation_mm: [f64; 3],
-    /// The similarity transform that fits the support best; absent unless `registration.similarity` asked for it.
+    /// The similarity transform that fits the support best; absent unless `registration.similarity` asked for it. If the sizes of the
+    /// surfaces differ so that the source was matched at the size of the target, it is there without being asked for, and
+    /// fits all vertices with a counterpart.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub similarity: Option<SimilarityDocument>,
 }
@@ -75,7 +77,7 @@ pub struct SimilarityDocument {
     pub scale: f64,
     /// 4×4 matrix, row-major, including the scale, mm.
     pub matrix: [[f64; 4]; 4],
-    /// Root mean square residual over the support, mm.
+    /// Root mean square residual over the vertices that it fits, mm.
     pub rms_mm: f64,
 }
 

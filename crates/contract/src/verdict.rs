@@ -1,6 +1,8 @@
 //! Whether an answer can be relied on: in short, for lists of jobs, and in words, for people.
 
-use crate::result::{DeformationDocument, ResultDocument, SurfaceDistanceDocument, UnreliableReason};
+use crate::result::{
+    DeformationDocument, ResultDocument, SimilarityDocument, SurfaceDistanceDocument, UnreliableReason,
+};
 
 /// The verdict on an answer, with the distance between the registered surfaces.
 #[derive(Debug, Clone, PartialEq)]
@@ -38,6 +40,13 @@ impl DeformationDocument {
             self.area_ratio_p05,
             self.area_ratio_p95
         )
+    }
+}
+
+impl SimilarityDocument {
+    /// The scale and what the similarity leaves, in one line.
+    pub fn sentence(&self) -> String {
+        format!("scale {:.4}, RMS {:.3} mm", self.scale, self.rms_mm)
     }
 }
 

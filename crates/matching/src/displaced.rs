@@ -36,6 +36,39 @@ pub(crate) struct Displaced {
     /// Poses that were compared.
     pub poses: Vec<PoseDocument>,
     pub images: Images,
+    /// Whether the source was scaled to the area of the target.
+    pub resized: bool,
+}
+
+impl Displaced {
+    /// This answer for `levels`, which are a source at another size whose vertices are numbered as those of the source, as an answer for
+    /// the source: `rigid` is the transform of the source that stands for one of theirs.
+    pub(crate) fn of_original(
+        mut self,
+        levels: &Levels,
+        rigid: impl Fn(&RigidTransform) -> RigidTransform,
+    ) -> Displaced {
+        let order: Vec<usize> = levels.full.surface.numbering.by_original().into_iter().map(|(_, i)| i).collect();
+        self.labeling = in_order(&order, &self.labeling);
+        self.confidence = in_order(&order, &self.confidence);
+        self.spread_mm = in_order(&order, &self.spread_mm);
+        if let Images::Smooth(smooth) = &mut self.images {
+            smooth.points = in_order(&order, &smooth.points);
+            smooth.moved = in_order(&order, &smooth.moved);
+            smooth.no_counterpart = in_order(&order, &smooth.no_counterpart);
+        }
+        for pose in &mut self.poses {
+            pose.matrix = rigid(&RigidTransform::of_matrix(&pose.matrix)).matrix();
+        }
+        self.transform = rigid(&self.transform);
+        self.resized = true;
+        self
+    }
+}
+
+/// `values` at the indices of `order`.
+fn in_order<T: Clone>(order: &[usize], values: &[T]) -> Vec<T> {
+    order.iter().map(|&i| values[i].clone()).collect()
 }
 
 /// Where the images of the source vertices lie.
@@ -162,7 +195,7 @@ fn rigid(coarse: &Coarse<'_>, posed: &Posed<'_>, starts: &Starts) -> Result<Disp
         Posed::Registration(registered) => (VertexMap::nearest(scene, &transform), registered.poses.clone()),
     };
     let VertexMap { labeling, confidence, spread_mm } = map;
-    Ok(Displaced { transform, labeling, confidence, spread_mm, poses, images: Images::OnVertices })
+    Ok(Displaced { transform, labeling, confidence, spread_mm, poses, images: Images::OnVertices, resized: false })
 }
 
 /// Checks for cancellation in the displacement of a pair of two subjects: 63 to 67 in four pairs of hippocampi. Other pairs have
@@ -284,6 +317,7 @@ fn answered(
             no_counterpart,
             reliability: Some(reliability),
         }),
+        resized: false,
     }
 }
 

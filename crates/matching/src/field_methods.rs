@@ -157,5 +157,6 @@ fn answered(
             no_counterpart,
             reliability: None,
         }),
+        resized: false,
     }
 }

@@ -3,7 +3,8 @@
 //!
 //! 1. [`coarse()`]: the energy of a coarse level, unless registration alone is asked for;
 //! 2. [`posed()`]: a rigid transform, from rounds of inference or from registration alone;
-//! 3. [`displaced()`]: an image of every source vertex, through a smooth displacement field if one is asked for;
+//! 3. [`displaced()`]: an image of every source vertex, through a smooth displacement field if one is asked for; between surfaces
+//!    of unlike sizes also with the source [`resized()`];
 //! 4. [`measured()`]: the outcome, with all that is measured on these images.
 
 use super::coarse::coarse;
@@ -11,6 +12,7 @@ use super::displaced::displaced;
 use super::levels::Levels;
 use super::posed::posed;
 use super::report::measured;
+use super::resized::resized;
 use super::{MatchError, MatchOutcome};
 use homolog_contract::parameters::MatchParameters;
 use homolog_primitives::observe::{Observer, Phase};
@@ -25,6 +27,7 @@ pub(crate) fn run(
     let coarse = coarse(source, target, parameters, observer)?;
     let posed = posed(&coarse)?;
     let displaced = displaced(&coarse, &posed)?;
+    let displaced = resized(source, target, parameters, displaced, observer)?;
     observer.phase(Phase::Reporting);
     Ok(measured(&coarse, &posed, &displaced))
 }

@@ -79,9 +79,10 @@ fn length_mm(mesh: &SurfaceMesh) -> f64 {
     moments.map_or(0.0, |(_, scatter)| (scatter / total).symmetric_eigenvalues().max().sqrt())
 }
 
-/// How much the two shapes of `found` are alike, whose pose leads by `lead`: about 1 for copies; see [`MIN_LIKENESS`].
-fn likeness(found: &DisplacementAnswer, lead: f64) -> f64 {
-    found.agreement.curvature - WEIGHT_OF_DISTORTION * found.distortion + WEIGHT_OF_LEAD * lead
+/// How much the two shapes are alike by an answer of this reliability: about 1 for copies; see [`MIN_LIKENESS`].
+pub(super) fn likeness(found: &ReliabilityDocument) -> f64 {
+    let lead = found.runner_up_misfit.map_or(MAX_LEAD, |misfit| misfit - found.misfit).min(MAX_LEAD);
+    found.curvature_agreement - WEIGHT_OF_DISTORTION * found.distortion.unwrap_or(0.0) + WEIGHT_OF_LEAD * lead
 }
 
 /// Reliability of `found`, an answer for `source` on `target`.
@@ -92,11 +93,21 @@ pub(super) fn reliability(found: &DisplacementAnswer, source: &Side, target: &Si
         others.fold(None, |least: Option<f64>, m| Some(least.map_or(m, |l| l.min(m))))
     };
     let (runner_up, mirrored) = (of(best.mirrored), of(!best.mirrored));
+    let mut answer = ReliabilityDocument {
+        reliable: true,
+        reasons: Vec::new(),
+        misfit: best.misfit,
+        // A shape with two equal sides fits its mirror image as well, and is no less alike for that.
+        runner_up_misfit: runner_up,
+        other_handedness_misfit: mirrored,
+        curvature_agreement: found.agreement.curvature,
+        normal_agreement: found.agreement.normals,
+        distortion: Some(found.distortion),
+        residual_mm: found.residual_mm,
+    };
     let mut reasons = Vec::new();
-    // A shape with two equal sides fits its mirror image as well, and is no less alike for that.
-    let lead = runner_up.map_or(MAX_LEAD, |misfit| misfit - best.misfit).min(MAX_LEAD);
     let normals_disagree = found.agreement.normals < MIN_NORMAL_AGREEMENT && found.distortion >= DISTORTION_OF_WALLS;
-    let unlike = likeness(found, lead) < MIN_LIKENESS || normals_disagree;
+    let unlike = likeness(&answer) < MIN_LIKENESS || normals_disagree;
     // The lengths of bent surfaces through space say nothing.
     if unlike || best.of_form.is_none() && length_ratio(source, target) > MAX_LENGTH_RATIO {
         reasons.push(UnreliableReason::UnlikeShape);
@@ -114,17 +125,9 @@ pub(super) fn reliability(found: &DisplacementAnswer, source: &Side, target: &Si
     if runner_up.is_some_and(|m| m < best.misfit + ambiguity) {
         reasons.push(UnreliableReason::AmbiguousPose);
     }
-    ReliabilityDocument {
-        reliable: reasons.is_empty(),
-        reasons,
-        misfit: best.misfit,
-        runner_up_misfit: runner_up,
-        other_handedness_misfit: mirrored,
-        curvature_agreement: found.agreement.curvature,
-        normal_agreement: found.agreement.normals,
-        distortion: Some(found.distortion),
-        residual_mm: found.residual_mm,
-    }
+    answer.reliable = reasons.is_empty();
+    answer.reasons = reasons;
+    answer
 }
 
 #[cfg(test)]

@@ -126,7 +126,7 @@ impl OfPairs {
             Posed::Registration(_) => (0, true),
         };
         OfPairs {
-            similarity: similarity(scene, &images, &supporting),
+            similarity: similarity(scene, answer, &images, &supporting),
             support: SupportDocument {
                 inliers: supporting.len() as u32,
                 ratio: supporting.len() as f64 / n as f64,
@@ -221,12 +221,24 @@ fn outlier_reasons(
     found.into_iter().map(reason).collect()
 }
 
-/// The similarity over the support, where the parameters ask for it and three pairs determine it.
-fn similarity(scene: &Scene<'_>, images: &[Point3<f64>], supporting: &[usize]) -> Option<SimilarityDocument> {
+/// The similarity over the support, where the parameters ask for it and three pairs determine it; over all vertices with a
+/// counterpart where the answer is that of a source at the size of the target, of which few support a rigid transform.
+fn similarity(
+    scene: &Scene<'_>,
+    answer: &Displaced,
+    images: &[Point3<f64>],
+    supporting: &[usize],
+) -> Option<SimilarityDocument> {
     let p = &scene.parameters.registration;
-    if !p.similarity {
-        return None;
-    }
+    let with_counterpart: Vec<usize>;
+    let supporting = match &answer.images {
+        Images::Smooth(smooth) if answer.resized => {
+            with_counterpart = (0..images.len()).filter(|&i| !smooth.no_counterpart[i]).collect();
+            &with_counterpart
+        }
+        _ if p.similarity => supporting,
+        _ => return None,
+    };
     let source: Vec<_> = supporting.iter().map(|&i| scene.source.mesh().vertices()[i]).collect();
     let target: Vec<_> = supporting.iter().map(|&i| images[i]).collect();
     let options =

@@ -17,6 +17,14 @@ impl RigidTransform {
         RigidTransform { rotation: Matrix3::identity(), translation: Vector3::zeros() }
     }
 
+    /// The transform of a 4×4 matrix, row by row; the inverse of [`Self::matrix`].
+    pub fn of_matrix(matrix: &[[f64; 4]; 4]) -> Self {
+        RigidTransform {
+            rotation: Matrix3::from_fn(|i, j| matrix[i][j]),
+            translation: Vector3::from_fn(|i, _| matrix[i][3]),
+        }
+    }
+
     /// `R p + t`.
     pub fn apply(&self, p: &Point3<f64>) -> Point3<f64> {
         Point3::from(self.rotation * p.coords + self.translation)

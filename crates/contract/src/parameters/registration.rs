@@ -21,6 +21,7 @@ pub struct RegistrationParameters {
     /// Whether the transform may mirror the source.
     pub allow_reflection: bool,
     /// Whether the similarity transform (with scale) that fits the support best is reported in addition to the rigid one.
+    /// Where the source is matched at the size of the target, a similarity is reported in any case.
     pub similarity: bool,
     /// Whether the pose that brings the surfaces closest is chosen among the four that align two first-order ellipsoids. Without
     /// it, it is the one that rotates least.

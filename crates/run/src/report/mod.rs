@@ -193,6 +193,9 @@ fn numbers(inputs: &ReportInputs<'_>) -> String {
         ),
         ("median confidence", format!("{median:.2}")),
     ];
+    if let Some(similarity) = &t.similarity {
+        rows.push(("similarity", similarity.sentence()));
+    }
     if let Some(found) = &document.reliability {
         let other = |misfit: Option<f64>| misfit.map_or_else(|| "none".to_owned(), |m| format!("{m:.3}"));
         rows.push((

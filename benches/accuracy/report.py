@@ -333,7 +333,9 @@ def ablation_table(found, group, variants):
     kinds = ABLATION[group]
     figures = [FIGURE_OF.get(kind, "w1") for kind in kinds]
     rows = []
-    for name, parameters in {DEFAULT: {}, **variants}.items():
+    # Where the ablation has more pairs than the sections above, the default is one of its variants.
+    of_default = {} if {} in variants.values() else {DEFAULT: {}}
+    for name, parameters in {**of_default, **variants}.items():
         method = name if name == DEFAULT else f"variant: {name}"
         of_method = [r for r in found["records"] if r["method"] == method]
         cells = []

@@ -1,6 +1,6 @@
 //! Whether an answer can be relied on: do the two surfaces show one structure, in one pose, of one handedness?
 
-use super::displacement::{DisplacementAnswer, Image};
+use super::displacement::{ComparedPose, DisplacementAnswer, Image};
 use super::side::Side;
 use homolog_contract::result::{ReliabilityDocument, UnreliableReason};
 use homolog_geometry::curvature::vertex_areas;
@@ -122,7 +122,10 @@ pub(super) fn reliability(found: &DisplacementAnswer, source: &Side, target: &Si
     } else {
         AMBIGUITY
     };
-    if runner_up.is_some_and(|m| m < best.misfit + ambiguity) {
+    let is_rival = |other: &ComparedPose| {
+        other.mirrored == best.mirrored && !other.outdone && other.misfit < best.misfit + ambiguity
+    };
+    if found.compared[1..].iter().any(is_rival) {
         reasons.push(UnreliableReason::AmbiguousPose);
     }
     answer.reliable = reasons.is_empty();
@@ -133,9 +136,38 @@ pub(super) fn reliability(found: &DisplacementAnswer, source: &Side, target: &Si
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::displacement::Agreement;
     use homolog_mesh::FaceArity;
     use homolog_mesh::shapes::ellipsoid;
+    use homolog_registration::RigidTransform;
     use nalgebra::Vector3;
+
+    #[test]
+    fn a_start_that_was_outdone_otherwise_makes_no_answer_ambiguous() {
+        let side = Side::new(&ellipsoid(Vector3::new(6.0, 5.0, 4.0), 2));
+        let reasons = |outdone: bool| {
+            let start = |misfit: f64, outdone: bool| ComparedPose {
+                pose: usize::MAX,
+                of_form: Some(RigidTransform::identity()),
+                mirrored: false,
+                misfit,
+                outdone,
+            };
+            let found = DisplacementAnswer {
+                images: Vec::new(),
+                transform: RigidTransform::identity(),
+                compared: vec![start(1.4, false), start(1.3, outdone)],
+                residual_mm: 0.1,
+                agreement: Agreement { curvature: 0.9, normals: 0.95 },
+                distortion: 0.2,
+            };
+            let found = reliability(&found, &side, &side);
+            assert_eq!(found.runner_up_misfit, Some(1.3));
+            found.reasons
+        };
+        assert_eq!(reasons(false), [UnreliableReason::AmbiguousPose]);
+        assert!(reasons(true).is_empty());
+    }
 
     #[test]
     fn the_length_is_that_of_the_area_along_the_longest_axis() {

@@ -46,6 +46,9 @@ pub(crate) struct ComparedPose {
     pub mirrored: bool,
     /// Misfit after the deformation: mean of `−ln` of the likelihood of the other surface at each point. Lower is better.
     pub misfit: f64,
+    /// Whether more than this misfit has decided against it: the energy of near isometries, or the misfit at the scale of the
+    /// sampling. What is left of the two in this misfit then makes no answer ambiguous.
+    pub outdone: bool,
 }
 
 impl Displacement<'_> {
@@ -83,7 +86,13 @@ impl Displacement<'_> {
             {
                 best = Some(state);
             }
-            compared.push(ComparedPose { pose, of_form: None, mirrored: poses[pose].pose.is_reflection(), misfit });
+            compared.push(ComparedPose {
+                pose,
+                of_form: None,
+                mirrored: poses[pose].pose.is_reflection(),
+                misfit,
+                outdone: false,
+            });
         }
         compared.sort_by(|a, b| {
             let rank = |j: &ComparedPose| !may_answer(&poses[j.pose].pose);

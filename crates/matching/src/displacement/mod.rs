@@ -381,6 +381,8 @@ fn deformed(
         Some(unbent) => {
             // Rigid poses say nothing of the handedness of a surface that bends.
             compared.retain(|rigid| !(rigid.mirrored && unbent.is_of_same_handedness));
+            // They were outdone by the misfit at the scale of the sampling.
+            compared.iter_mut().for_each(|rigid| rigid.outdone = true);
             compared = unbent.compared.into_iter().chain(compared).collect();
             Some(unbent.refined)
         }

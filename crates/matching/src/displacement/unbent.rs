@@ -30,6 +30,8 @@ const REFINED: usize = 3;
 const SAME: f64 = 0.03;
 /// Energies that differ by less than this share of them do not tell two correspondences apart.
 const EQUAL_ENERGY: f64 = 0.03;
+/// Misfits at the scale of the sampling that differ by less than this do not tell two answers apart.
+const EQUAL_MISFIT: f64 = 0.01;
 /// Width and standard deviation of a second kernel, in diagonals: joints are narrower than the bends of one structure.
 const JOINT_WIDTH: f64 = 0.12;
 const JOINT_AMPLITUDE: f64 = 0.05;
@@ -47,16 +49,17 @@ const COMPARISON_SCALE: f64 = 0.02;
 /// Vertices of the source that are compared.
 const COMPARISON_SAMPLES: usize = 1200;
 
+/// Mean distance of points of the same index, mm; 0 of none.
+fn mean_distance(a: &[Point3<f64>], b: &[Point3<f64>]) -> f64 {
+    a.iter().zip(b).map(|(p, q)| (p - q).norm()).sum::<f64>() / a.len().max(1) as f64
+}
+
 /// `starts` by their energy, the lowest first, without those that are the same correspondence as one before them.
 fn distinct(mut starts: Vec<NearIsometry>, root_mm: f64) -> Vec<NearIsometry> {
     starts.sort_by(|a, b| a.energy.total_cmp(&b.energy));
     let mut kept: Vec<NearIsometry> = Vec::new();
     for start in starts {
-        let apart = |other: &NearIsometry| {
-            let sum: f64 = start.images.iter().zip(&other.images).map(|(p, q)| (p - q).norm()).sum();
-            sum / start.images.len() as f64
-        };
-        if kept.iter().all(|other| apart(other) > SAME * root_mm) {
+        if kept.iter().all(|other| mean_distance(&start.images, &other.images) > SAME * root_mm) {
             kept.push(start);
         }
     }
@@ -122,18 +125,31 @@ impl Displacement<'_> {
                 of_form: Some(state.base.pose),
                 mirrored: false,
                 misfit: *misfit,
+                outdone: true,
             })
             .collect();
         let mut best: Option<(f64, usize, Refined)> = None;
+        let mut ends: Vec<(f64, Vec<Point3<f64>>)> = Vec::new();
         let as_low = found.first().map_or(0.0, |lowest| as_low_as(lowest.0));
         for (k, (_, _, state)) in found.into_iter().filter(|(energy, ..)| *energy <= as_low).take(REFINED).enumerate() {
-            let Some(refined) = on_form.refined(state)? else { continue };
-            let misfit = on_form.fine_misfit(refined.moved(&self.source.mesh).0, false);
+            let Some(refined) = on_form.refined(state)? else {
+                ends.push((f64::INFINITY, Vec::new()));
+                continue;
+            };
+            let moved = refined.moved(&self.source.mesh).0;
+            let misfit = on_form.fine_misfit(moved.clone(), false);
+            ends.push((misfit, moved));
             if best.as_ref().is_none_or(|b| misfit < b.0) {
                 best = Some((misfit, k, refined));
             }
         }
         let Some((mut fine_misfit, chosen, mut refined)) = best else { return Ok(None) };
+        // Neither tells another answer apart.
+        for (start, (misfit, moved)) in compared.iter_mut().zip(&ends) {
+            start.outdone = *misfit > fine_misfit + EQUAL_MISFIT
+                || mean_distance(moved, &ends[chosen].1) <= SAME * self.lengths.root_mm;
+        }
+        compared[chosen].outdone = false;
         for _ in 0..PASSES {
             let Some(base) = on_form.rebased(&refined) else { break };
             let Some((_, state)) =

@@ -16,6 +16,7 @@
 
 use crate::MethodError;
 use homolog_geometry::spectrum::spectrum;
+use homolog_mesh::repair::largest_component;
 use homolog_mesh::{ClosestPointIndex, SurfaceMesh};
 use homolog_primitives::observe::{Observer, checkpoint};
 use nalgebra::{Matrix3, Point3, Rotation3, Vector3};
@@ -112,8 +113,22 @@ pub fn register(
 }
 
 impl CenterLine {
-    /// The center line of `mesh`; `None` if it has no eigenfunction, or one without an extent.
+    /// The center line of the piece of `mesh` that has the most vertices, with the coordinates of all vertices; `None` if it has no
+    /// eigenfunction, or one without an extent. Points of other pieces have the section of the closest point of that piece.
     pub fn of(mesh: &SurfaceMesh, options: &MedialOptions) -> Option<CenterLine> {
+        // On a surface of several pieces the first functions tell pieces apart, and do not run along any.
+        let piece = largest_component(mesh).mesh;
+        let (mut line, along, values) = CenterLine::of_piece(&piece, options)?;
+        if piece.n_vertices() < mesh.n_vertices() {
+            let closest = ClosestPointIndex::new(&piece);
+            let place = |p: &Point3<f64>| line.straightened(p, &values, closest.closest(p).blend(|k| along[k]));
+            line.straight = mesh.vertices().par_iter().map(place).collect();
+        }
+        Some(line)
+    }
+
+    /// The center line of a connected surface, its eigenfunction, and the values of that along the line.
+    fn of_piece(mesh: &SurfaceMesh, options: &MedialOptions) -> Option<(CenterLine, Vec<f64>, Vec<f64>)> {
         let found = spectrum(mesh, 2)?;
         if found.values.len() < 2 {
             return None;
@@ -153,7 +168,7 @@ impl CenterLine {
         let mut line = CenterLine { points, lengths, frames, straight: Vec::new() };
         line.straight =
             mesh.vertices().iter().zip(&along).map(|(p, value)| line.straightened(p, &values, *value)).collect();
-        Some(line)
+        Some((line, along, values))
     }
 
     /// The coordinates of a point on the level set `value`.
@@ -307,6 +322,29 @@ mod tests {
         let (error, before) = (rms(&found.images, &truth), rms(&nearest, &truth));
         // Asked for before it was measured: a fifth of what nearest points leave.
         assert!(error < 0.2 * before, "{error} of {before}");
+    }
+
+    #[test]
+    fn another_piece_changes_no_center_line_and_lies_beside_it() {
+        let mesh = tube();
+        let line = CenterLine::of(&mesh, &MedialOptions::default()).unwrap();
+        let mut vertices = mesh.vertices().to_vec();
+        let n = vertices.len() as u32;
+        // A copy of one triangle, a little farther out.
+        let corners = mesh.triangles()[300].map(|k| vertices[k as usize]);
+        let out = 1e-3 * (corners[1] - corners[0]).cross(&(corners[2] - corners[0])).normalize();
+        vertices.extend(corners.map(|p| p + out));
+        let indices = mesh.indices().iter().copied().chain([n, n + 1, n + 2]).collect();
+        let both = SurfaceMesh::new(vertices, mesh.arity(), indices).unwrap();
+        let found = CenterLine::of(&both, &MedialOptions::default()).unwrap();
+        assert_eq!(found.points, line.points);
+        assert_eq!(found.straight.len(), both.n_vertices());
+        for (p, q) in found.straight.iter().zip(&line.straight) {
+            assert!((p - q).norm() < 1e-9);
+        }
+        for (k, corner) in mesh.triangles()[300].into_iter().enumerate() {
+            assert!((found.straight[n as usize + k] - line.straight[corner as usize]).norm() < 2e-3);
+        }
     }
 
     #[test]

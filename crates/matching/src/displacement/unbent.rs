@@ -27,7 +27,7 @@ use std::sync::Arc;
 /// Correspondences that go through all stages at most.
 const REFINED: usize = 3;
 /// Share by which the energy of such a one may be above the lowest. Of bodies in two poses the truth had the lowest energy (40 pairs);
-/// with noise of 0.3 edges or a hole of 2 % of the vertices its energy was up to 0.12 above that of limbs exchanged. Of 112 such
+/// with noise of 0.3 edges or a hole of 2 % of the vertices its energy was up to 0.12 above that of limbs exchanged. Of 106 such
 /// pairs seven were off by 6 to 26 % of the diagonal with 0.03 and six of them by less than 4 % with 0.2; one, off by 1 %, then by 6.5 %.
 const LOW_ENERGY: f64 = 0.2;
 /// Mean distance up to which two correspondences count as one, in roots of the area: less than the distance between sites.

@@ -117,31 +117,20 @@ impl CenterLine {
     /// eigenfunction, or one without an extent. Points of other pieces have the section of the closest point of that piece.
     pub fn of(mesh: &SurfaceMesh, options: &MedialOptions) -> Option<CenterLine> {
         // On a surface of several pieces the first functions tell pieces apart, and do not run along any.
-        let piece = largest_component(mesh).mesh;
-        let (mut line, along, values) = CenterLine::of_piece(&piece, options)?;
-        if piece.n_vertices() < mesh.n_vertices() {
-            let closest = ClosestPointIndex::new(&piece);
-            let place = |p: &Point3<f64>| line.straightened(p, &values, closest.closest(p).blend(|k| along[k]));
-            line.straight = mesh.vertices().par_iter().map(place).collect();
-        }
-        Some(line)
-    }
-
-    /// The center line of a connected surface, its eigenfunction, and the values of that along the line.
-    fn of_piece(mesh: &SurfaceMesh, options: &MedialOptions) -> Option<(CenterLine, Vec<f64>, Vec<f64>)> {
-        let found = spectrum(mesh, 2)?;
+        let piece = &largest_component(mesh).mesh;
+        let found = spectrum(piece, 2)?;
         if found.values.len() < 2 {
             return None;
         }
-        let along: Vec<f64> = (0..mesh.n_vertices()).map(|i| found.functions[(i, 1)]).collect();
+        let along: Vec<f64> = (0..piece.n_vertices()).map(|i| found.functions[(i, 1)]).collect();
         let mut order: Vec<usize> = (0..along.len()).collect();
         order.sort_by(|&a, &b| along[a].total_cmp(&along[b]).then(a.cmp(&b)));
         let ends = [order[0], *order.last()?];
         let levels = levels(&along, &found.areas, &order, options.n_sections);
         let mut values = vec![along[ends[0]]];
-        let mut points = vec![mesh.vertices()[ends[0]]];
+        let mut points = vec![piece.vertices()[ends[0]]];
         for level in levels {
-            if let Some(center) = center_of_section(mesh, &along, level)
+            if let Some(center) = center_of_section(piece, &along, level)
                 && level > *values.last()?
             {
                 values.push(level);
@@ -149,7 +138,7 @@ impl CenterLine {
             }
         }
         values.push(along[ends[1]]);
-        points.push(mesh.vertices()[ends[1]]);
+        points.push(piece.vertices()[ends[1]]);
         for _ in 0..options.n_smoothings {
             let before = points.clone();
             for k in 1..points.len() - 1 {
@@ -165,10 +154,16 @@ impl CenterLine {
             return None;
         }
         let frames = frames_that_turn_least(&points)?;
+        let along = if piece.n_vertices() == mesh.n_vertices() {
+            along
+        } else {
+            let closest = ClosestPointIndex::new(piece);
+            mesh.vertices().par_iter().map(|p| closest.closest(p).blend(|k| along[k])).collect()
+        };
         let mut line = CenterLine { points, lengths, frames, straight: Vec::new() };
         line.straight =
             mesh.vertices().iter().zip(&along).map(|(p, value)| line.straightened(p, &values, *value)).collect();
-        Some((line, along, values))
+        Some(line)
     }
 
     /// The coordinates of a point on the level set `value`.

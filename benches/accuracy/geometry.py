@@ -215,9 +215,14 @@ def welded(vertices, faces):
 
 def largest_piece(vertices, faces):
     """The connected piece with most faces, without the vertices that it does not use."""
-    pairs = edges(faces)
-    graph = coo_matrix((np.ones(len(pairs)), (pairs[:, 0], pairs[:, 1])), (len(vertices),) * 2)
-    piece = connected_components(graph, directed=False)[1]
-    faces = faces[piece[faces[:, 0]] == np.bincount(piece[faces[:, 0]]).argmax()]
+    faces = largest_piece_faces(faces)
     left = np.unique(faces)
     return vertices[left], np.searchsorted(left, faces).astype(np.int32)
+
+
+def largest_piece_faces(faces):
+    """The faces of that piece."""
+    pairs = edges(faces)
+    graph = coo_matrix((np.ones(len(pairs)), (pairs[:, 0], pairs[:, 1])), (faces.max() + 1,) * 2)
+    piece = connected_components(graph, directed=False)[1]
+    return faces[piece[faces[:, 0]] == np.bincount(piece[faces[:, 0]]).argmax()]

@@ -6,6 +6,7 @@ import os
 import bodies
 import capsules
 import landmarked
+import people
 import warped
 from cases import FAMILY, REAL, ROBUSTNESS, UNLIKE
 from coarse import KINDS as NOISY
@@ -80,7 +81,8 @@ def tasks(cases, n, with_peers):
         add([DEFAULT], kind, half, False)
     for kind in ROBUSTNESS:
         add(ROBUST_OURS, kind, n, False)
-    for kind in ["real_narrow2", *FAMILY]:
+    # People need assets that are installed on request.
+    for kind in ["real_narrow2", *(kind for kind in FAMILY if kind not in people.KINDS)]:
         add([DEFAULT], kind, half if kind in HALF else n * MANY.get(kind, 1), False)
     for group, variants in read_variants().items():
         for kind in ABLATION[group]:

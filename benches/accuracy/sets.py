@@ -4,6 +4,7 @@ import bodies
 import capsules
 import coarse
 import landmarked
+import people
 import scaled
 import solids
 import structures
@@ -18,6 +19,7 @@ GROUPS = {
     "width": warped.WIDTH_KINDS,
     "bent": capsules.KINDS,
     "bodies": bodies.KINDS,
+    "people": people.KINDS,
     "symmetric": solids.KINDS,
     "unlike": structures.KINDS,
     "noise": coarse.KINDS,

@@ -45,6 +45,8 @@ pub(crate) struct Form {
     normals: Vec<Vector3<f64>>,
     /// For each site those nearest along the surface, itself first.
     pub neighbors: Vec<Vec<u32>>,
+    /// The site of the cell that each vertex of the surface belongs to, along edges.
+    pub site_of: Vec<u32>,
     /// Area of the surface that each site stands for, mm².
     pub areas: Vec<f64>,
     /// Surroundings of each site on the surface itself, four numbers each.
@@ -107,11 +109,10 @@ impl Form {
         let rows = distances_from(fine, &level.sites);
         let form = canonical_form(fine, &level.sites, &rows)?;
         let sites: Vec<u32> = level.sites.iter().map(|&k| to_mesh[k as usize]).collect();
+        let cell = |i: usize| coarser.as_ref().map_or(i, |c| c.cells[i] as usize);
+        let site_of: Vec<u32> = (0..mesh.n_vertices()).map(|i| level.cells[cell(i)]).collect();
         let mut areas = vec![0.0; sites.len()];
-        for (i, area) in vertex_areas.iter().enumerate() {
-            let cell = coarser.as_ref().map_or(i, |c| c.cells[i] as usize);
-            areas[level.cells[cell] as usize] += area;
-        }
+        site_of.iter().zip(vertex_areas).for_each(|(&site, area)| areas[site as usize] += area);
         let points: Vec<Point3<f64>> = sites.iter().map(|&k| mesh.vertices()[k as usize]).collect();
         let site_normals: Vec<Vector3<f64>> = sites.iter().map(|&k| normals[k as usize]).collect();
         let root_mm = mesh.area().sqrt();
@@ -135,6 +136,7 @@ impl Form {
             sites,
             normals: mesh.vertex_normals(),
             neighbors: form.neighbors,
+            site_of,
             mesh,
             areas,
             surroundings,

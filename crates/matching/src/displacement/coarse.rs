@@ -113,18 +113,13 @@ impl Displacement<'_> {
 
     /// The poses to follow, after a few steps on few vertices from each: the best of each handedness.
     fn screened(&self, poses: &[StartPose]) -> Result<Option<Vec<usize>>, MatchError> {
-        let source = self.source.thinned(SCREENING_SAMPLES);
-        let target = self.target.thinned(SCREENING_SAMPLES).packed();
-        let values = self.guides.below(self.functions.values(&source.points));
+        let misfit = self.screening();
         let screened: Vec<Option<(f64, usize)>> = poses
             .par_iter()
             .enumerate()
             .map(|(k, pose)| {
                 checkpoint(self.observer)?;
-                // An order of the poses needs no field that has settled.
-                let pace = Pace::new(SCREENING_STEPS, 0, self.lengths.root_mm);
-                let found = self.coarse_from(&Base::rigid(pose.pose), &source, &target, &values, pace);
-                Ok(found.map(|(misfit, _)| (misfit + pose.excess, k)))
+                Ok(misfit(&pose.pose).map(|misfit| (misfit + pose.excess, k)))
             })
             .collect::<Result<_, MatchError>>()?;
         let Some(mut screened) = screened.into_iter().collect::<Option<Vec<_>>>() else { return Ok(None) };
@@ -139,6 +134,18 @@ impl Displacement<'_> {
             }
         }
         Ok(Some(followed))
+    }
+
+    /// The misfit after a few steps on few vertices from a pose; `None` where a number is not finite.
+    pub(super) fn screening(&self) -> impl Fn(&RigidTransform) -> Option<f64> + Sync {
+        let source = self.source.thinned(SCREENING_SAMPLES);
+        let target = self.target.thinned(SCREENING_SAMPLES).packed();
+        let values = self.guides.below(self.functions.values(&source.points));
+        move |pose| {
+            // An order of the poses needs no field that has settled.
+            let pace = Pace::new(SCREENING_STEPS, 0, self.lengths.root_mm);
+            self.coarse_from(&Base::rigid(*pose), &source, &target, &values, pace).map(|(misfit, _)| misfit)
+        }
     }
 
     /// The misfit and the field over `base_of` after the steps of `pace`.

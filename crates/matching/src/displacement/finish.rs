@@ -56,11 +56,12 @@ impl<'a> Displacement<'a> {
         let (own, own_values) = refined.moved(source);
         let agreement = self.agreement(&own);
         let residual_mm = refined.residual_mm;
+        let reached = self.pose_of(&own, pose);
         // A part that is missing on one surface has no counterpart in a fit back.
         let returned = if open || refined.base.bend.is_some() || residual_mm < TWO_SUBJECTS * lengths.sampling_mm {
             None
         } else {
-            self.returned(surfaces, &self.pose_of(&own, pose), refined.local)?
+            self.returned(surfaces, &reached, refined.local)?
         };
         let back = returned.and_then(|returned| WayBack::new(full_target, target_closest, returned));
         let met = |mesh: &SurfaceMesh, points: Vec<Point3<f64>>| match &back {
@@ -88,6 +89,13 @@ impl<'a> Displacement<'a> {
         let share = if refined.local.is_some() { 1.0 } else { FIELD_SHARE };
         let mut variances: Vec<f64> =
             refined.field.variances(values.as_ref()).iter().map(|variance| share * variance).collect();
+        // Copies need no deformation from their own pose, and much from others. Bent surfaces have no axis.
+        if !rigid.copies
+            && !is_of_forms
+            && let Some(of_starts) = self.spread_of_rotations(full_source.vertices(), &reached)?
+        {
+            variances.iter_mut().zip(of_starts).for_each(|(variance, of_starts)| *variance += of_starts);
+        }
         if let Some(error) = error {
             along::raise(&mut variances, error, &lengths);
         }

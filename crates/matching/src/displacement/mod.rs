@@ -45,6 +45,7 @@ mod isometry;
 mod local;
 mod pace;
 mod rigid;
+mod roundness;
 mod stages;
 mod straightened;
 mod surface;

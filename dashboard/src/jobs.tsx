@@ -1,10 +1,10 @@
 // The list of jobs: live, filtered by the address, with as many rows as there are.
 
 import { Virtualizer, elementScroll, observeElementOffset, observeElementRect } from "@tanstack/virtual-core";
-import { useCallback, useEffect, useMemo, useRef, useState } from "preact/hooks";
+import { useEffect, useMemo, useRef, useState } from "preact/hooks";
 import { type Job, type JobState, STATES, type TracePoint, describe, get, query as queryOf, send } from "./api";
 import { age, duration, isFinal, mm, shortId, verdictWord, words } from "./format";
-import { followChanges, newest, pause } from "./live";
+import { followChanges, isRefused, newest, pause } from "./live";
 import { Badge, Bar, Failure, State, Typed, useNow, useWork } from "./parts";
 import { go } from "./router";
 
@@ -25,8 +25,18 @@ export interface Page {
 }
 
 const [FIRST_PAGE, PAGE] = [100, 500];
+/** Changes that follow each other are gathered for this long; what could not be read is asked for again after that. */
+const [GATHER_MS, RETRY_MS] = [300, 2_000];
+/** Rows that are asked for at the same time, one by one. */
+const AT_ONCE = 20;
 const ROW_PX = 44;
 const FILTERS = ["state", "method", "label", "external_ref", "batch", "order"] as const;
+
+/** What the list can be told to do. */
+interface List {
+  more(from: string): Promise<void>;
+  renew(ids: string[]): Promise<void>;
+}
 
 export function Jobs({ query }: { query: URLSearchParams }) {
   const filters = Object.fromEntries(FILTERS.map((name) => [name, query.get(name) ?? ""])) as Record<(typeof FILTERS)[number], string>;
@@ -36,78 +46,143 @@ export function Jobs({ query }: { query: URLSearchParams }) {
   const [failure, setFailure] = useState<string | null>(null);
   const [connected, setConnected] = useState(true);
   const [methods, setMethods] = useState<string[]>([]);
-  const loading = useRef(false);
+  /** Whether changes are followed. Until then there is the first page only. */
+  const [isLive, setLive] = useState(false);
   const failed = (error: unknown) => setFailure(describe(error));
   const known = useRef(new Map<string, Row>());
   known.current = useMemo(() => new Map(rows.map((row) => [row.id, row])), [rows]);
-
-  const load = useCallback(
-    async (from: string | undefined, signal?: AbortSignal) => {
-      if (from === undefined || loading.current) return;
-      loading.current = true;
-      try {
-        const page = await get<Page>(`v1/jobs${queryOf({ ...filters, page_size: from === "" ? FIRST_PAGE : PAGE, page_token: from })}`, signal);
-        setRows((before) => [...(from === "" ? [] : before), ...page.jobs.map(rowOf)]);
-        setToken(page.next_page_token);
-        setFailure(null);
-      } catch (error) {
-        if (!signal?.aborted) failed(error);
-      } finally {
-        loading.current = false;
-      }
-    },
-    [filterKey],
-  );
-  const renew = useCallback(
-    async (ids: string[]) => {
-      const found = await Promise.all(ids.map((id) => get<Job>(`v1/jobs/${id}`).then(rowOf, () => null)));
-      const by = new Map(found.filter((row) => row !== null).map((row) => [row.id, row]));
-      const fits = (row: Row) => filters.state === "" || filters.state.split(",").includes(row.state);
-      setRows((before) => before.map((row) => newest(row, by.get(row.id) ?? row)).filter(fits));
-    },
-    [filterKey],
-  );
-  /** The newest jobs, before those that are shown. */
-  const renewTop = useCallback(async () => {
-    if (filters.order === "oldest") return;
-    const page = await get<Page>(`v1/jobs${queryOf({ ...filters, page_size: FIRST_PAGE })}`).catch(() => null);
-    if (page === null) return;
-    const top = page.jobs.map(rowOf);
-    const ids = new Set(top.map((row) => row.id));
-    setRows((before) => {
-      const known = new Map(before.map((row) => [row.id, row]));
-      return [...top.map((row) => newest(known.get(row.id), row)), ...before.filter((row) => !ids.has(row.id))];
-    });
-  }, [filterKey]);
+  const list = useRef<List | null>(null);
 
   useWork(
     (signal) => {
       setRows([]);
       setToken("");
-      loading.current = false;
-      void load("", signal);
-      let ids = new Set<string>();
-      let isNew = false;
-      let timer = 0;
-      const refresh = () => {
-        timer = 0;
-        const changed = [...ids];
-        ids = new Set();
-        if (isNew || changed.length > 20) void renewTop();
-        isNew = false;
-        if (changed.length <= 20) void renew(changed);
+      setLive(false);
+      const reading = new Set<Set<string>>();
+      /** Reads what `take` gets, with the jobs that have changed since it was asked for: of these it may be out of date. */
+      const read = async <T,>(ask: () => Promise<T>, take: (answer: T, changed: Set<string>) => void): Promise<void> => {
+        const changed = new Set<string>();
+        reading.add(changed);
+        try {
+          const answer = await ask();
+          if (!signal.aborted) take(answer, changed);
+        } finally {
+          reading.delete(changed);
+        }
       };
-      void followChanges(
-        (changes) => {
-          for (const { job_id } of changes) known.current.has(job_id) ? ids.add(job_id) : (isNew = true);
-          if (timer === 0 && !signal.aborted) timer = window.setTimeout(refresh, 300);
-        },
-        (is) => {
-          setConnected((was) => {
-            if (is && !was) void renewTop();
-            return is;
+      const readPage = (size: number, from: string, take: (page: Page, rows: Row[], changed: Set<string>) => void) =>
+        read(
+          () => get<Page>(`v1/jobs${queryOf({ ...filters, page_size: size, page_token: from })}`, signal),
+          (page, changed) => {
+            take(page, page.jobs.map(rowOf), changed);
+            renewSoon(page.jobs.map(({ id }) => id).filter((id) => changed.has(id)));
+          },
+        );
+      const reload = () =>
+        readPage(FIRST_PAGE, "", (page, top) => {
+          setRows((before) => {
+            const known = new Map(before.map((row) => [row.id, row]));
+            return top.map((row) => newest(known.get(row.id), row));
           });
+          setToken(page.next_page_token);
+          setFailure(null);
+        });
+      let isLoading = false;
+      const more = async (from: string) => {
+        if (isLoading) return;
+        isLoading = true;
+        try {
+          await readPage(PAGE, from, (page, further) => {
+            setRows((before) => [...before, ...further]);
+            setToken(page.next_page_token);
+            setFailure(null);
+          });
+        } catch (error) {
+          if (!signal.aborted) failed(error);
+        } finally {
+          isLoading = false;
+        }
+      };
+      /** The newest jobs, before those that are shown. Returns which they are. */
+      const renewTop = async (): Promise<Set<string>> => {
+        let ids = new Set<string>();
+        if (filters.order === "asc") return ids;
+        await readPage(FIRST_PAGE, "", (_, top, changed) => {
+          ids = new Set(top.map((row) => row.id));
+          setRows((before) => {
+            const known = new Map(before.map((row) => [row.id, row]));
+            return [...top.map((row) => (changed.has(row.id) && known.get(row.id)) || newest(known.get(row.id), row)), ...before.filter((row) => !ids.has(row.id))];
+          });
+        });
+        return ids;
+      };
+      const fits = (row: Row) => filters.state === "" || filters.state.split(",").includes(row.state);
+      const renew = async (ids: string[]) => {
+        for (let k = 0; k < ids.length && !signal.aborted; k += AT_ONCE) {
+          const lost: string[] = [];
+          const ask = (id: string) =>
+            get<Job>(`v1/jobs/${id}`, signal).then(rowOf, (error: unknown) => {
+              if (!isRefused(error)) lost.push(id);
+              return null;
+            });
+          await read(
+            () => Promise.all(ids.slice(k, k + AT_ONCE).map(ask)),
+            (found, changed) => {
+              // Those that have changed since are asked for again anyway.
+              const by = new Map(found.flatMap((row) => (row === null || changed.has(row.id) ? [] : [[row.id, row]])));
+              setRows((before) => before.map((row) => newest(row, by.get(row.id) ?? row)).filter(fits));
+            },
+          );
+          renewSoon(lost, RETRY_MS);
+        }
+      };
+      const waiting = new Set<string>();
+      let timer = 0;
+      const renewSoon = (ids: string[], ms = GATHER_MS) => {
+        ids.forEach((id) => waiting.add(id));
+        if (waiting.size > 0 && timer === 0 && !signal.aborted) timer = window.setTimeout(() => void renewWaiting(), ms);
+      };
+      let areManyRead = false;
+      const renewWaiting = async () => {
+        timer = 0;
+        const ids = [...waiting];
+        waiting.clear();
+        const shown = ids.filter((id) => known.current.has(id));
+        const areMany = shown.length > AT_ONCE;
+        // A few do not wait for others, whose answers may be late; many do, or requests would pile up.
+        if (areMany && areManyRead) return renewSoon(ids, RETRY_MS);
+        areManyRead ||= areMany;
+        try {
+          const top = areMany || shown.length < ids.length ? await renewTop() : new Set();
+          await renew(shown.filter((id) => !top.has(id)));
+        } catch (error) {
+          if (!isRefused(error)) renewSoon(ids, RETRY_MS);
+        } finally {
+          if (areMany) areManyRead = false;
+        }
+      };
+      list.current = { more, renew };
+
+      const first = reload().catch((error: unknown) => {
+        if (!signal.aborted) failed(error);
+      });
+      void followChanges(
+        async () => {
+          await first;
+          try {
+            await reload();
+            setLive(true);
+          } catch (error) {
+            if (!isRefused(error)) throw error;
+            failed(error);
+          }
         },
+        (changes) => {
+          const ids = changes.map(({ job_id }) => job_id);
+          for (const changed of reading) ids.forEach((id) => changed.add(id));
+          renewSoon(ids);
+        },
+        setConnected,
         signal,
       );
       // Progress is no change of state.
@@ -130,7 +205,7 @@ export function Jobs({ query }: { query: URLSearchParams }) {
     const { order: _, ...which } = filters;
     const set = Object.values(which).some((value) => value !== "");
     if (!confirm(set ? "Cancel all queued and running jobs that these filters select?" : "Cancel all queued and running jobs?")) return;
-    send("POST", `v1/jobs/cancel${queryOf({ ...which, all: set ? undefined : "true" })}`).then(() => renewTop(), failed);
+    send("POST", `v1/jobs/cancel${queryOf({ ...which, all: set ? undefined : "true" })}`).catch(failed);
   };
   const isFiltered = FILTERS.some((name) => filters[name] !== "");
 
@@ -166,7 +241,7 @@ export function Jobs({ query }: { query: URLSearchParams }) {
           Order{" "}
           <select value={filters.order} onChange={(e) => filter("order", e.currentTarget.value)}>
             <option value="">newest first</option>
-            <option value="oldest">oldest first</option>
+            <option value="asc">oldest first</option>
           </select>
         </label>
         {isFiltered && (
@@ -179,7 +254,7 @@ export function Jobs({ query }: { query: URLSearchParams }) {
         </button>
       </form>
       <Failure text={failure} />
-      <Table rows={rows} hasMore={token !== undefined} more={() => void load(token)} renew={renew} failed={failed} />
+      <Table rows={rows} hasMore={token !== undefined} more={isLive && token ? () => void list.current?.more(token) : null} renew={(ids) => void list.current?.renew(ids)} failed={failed} />
       {rows.length === 0 && token === undefined && (
         <p class="empty">
           {isFiltered ? "No job fits these filters." : "There is no job yet."} <a href="#/submit">Submit a pair of surfaces</a>, or the two built-in phantoms.
@@ -213,7 +288,8 @@ function useVirtual(count: number, box: { current: HTMLDivElement | null }) {
 interface TableProps {
   rows: Row[];
   hasMore: boolean;
-  more: () => void;
+  /** Reads further rows, if that can be done now. */
+  more: (() => void) | null;
   renew: (ids: string[]) => void;
   failed: (error: unknown) => void;
 }
@@ -225,8 +301,8 @@ function Table({ rows, hasMore, more, renew, failed }: TableProps) {
   const items = virtual.getVirtualItems();
   const last = items.at(-1)?.index ?? 0;
   useEffect(() => {
-    if (hasMore && last >= rows.length - 12) more();
-  }, [hasMore, last, rows.length]);
+    if (last >= rows.length - 12) more?.();
+  }, [more === null, last, rows.length]);
 
   const act = (verb: "cancel" | "retry", id: string) => {
     send<Job>("POST", `v1/jobs/${id}/${verb}`).then((answer) => (verb === "retry" ? go(`jobs/${answer.id}`) : renew([id])), failed);

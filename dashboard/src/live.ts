@@ -34,6 +34,9 @@ export const pause = (ms: number, signal: AbortSignal): Promise<void> =>
     signal.addEventListener("abort", over);
   });
 
+/** Whether the service has refused, so that asking again is in vain: not a lost connection, nor a service that is busy or down. */
+export const isRefused = (error: unknown): boolean => error instanceof ApiError && error.problem.status < 500 && error.problem.status !== 429;
+
 /** Longest silence of a stream: the service sends a comment every 15 s. */
 const SILENCE_MS = 40_000;
 
@@ -99,7 +102,7 @@ export async function follow(id: string, to: Follower, signal: AbortSignal): Pro
       }
     } catch (error) {
       if (signal.aborted) return;
-      if (error instanceof ApiError && error.problem.status < 500 && error.problem.status !== 429) {
+      if (isRefused(error)) {
         to.failed(error);
         return;
       }
@@ -125,8 +128,12 @@ interface Changes {
   next_since: number;
 }
 
-/** Tells of every change of a job's state, by long polls. */
+/**
+ * Tells of every change of a job's state, by long polls. Which changes come later is found out first, and `begin` reads the state of
+ * things only then: read before, it would lack the changes between the two, of which nothing tells.
+ */
 export async function followChanges(
+  begin: () => Promise<void>,
   told: (changes: Change[]) => void,
   connected: (is: boolean) => void,
   signal: AbortSignal,
@@ -135,7 +142,11 @@ export async function followChanges(
   let wait = 500;
   while (!signal.aborted) {
     try {
-      if (since === undefined) since = await latestChange(signal);
+      if (since === undefined) {
+        const latest = await latestChange(signal);
+        await begin();
+        since = latest;
+      }
       const page: Changes = await get<Changes>(`v1/changes?since=${since}&wait=20`, signal);
       connected(true);
       wait = 500;
@@ -145,19 +156,19 @@ export async function followChanges(
       if (signal.aborted) return;
       connected(false);
       if (error instanceof ApiError && error.problem.status === 401) return;
-      // Changes that were missed are not counted up: the lists are read anew.
+      // Reading goes on behind the last change that was told, so that none is missed.
       await pause(wait, signal);
       wait = Math.min(wait * 2, 8_000);
     }
   }
 }
 
-/** The number of the last change: found by halving, since the feed is read from its beginning only. */
+/** The number of the last change, 0 if there is none: found by halving, since the feed is read from its beginning only. */
 async function latestChange(signal: AbortSignal): Promise<number> {
   const isAfter = async (since: number): Promise<boolean> =>
     (await get<Changes>(`v1/changes?since=${since}&limit=1`, signal)).changes.length > 0;
-  let [low, high] = [0, 1];
-  while (await isAfter(high)) [low, high] = [high, high * 4];
+  let [low, high] = [-1, 0];
+  while (await isAfter(high)) [low, high] = [high, Math.max(1, high * 4)];
   while (high - low > 1) {
     const middle = Math.floor((low + high) / 2);
     if (await isAfter(middle)) low = middle;

@@ -444,6 +444,97 @@ test("an answer that was written before the end and comes after it takes nothing
   list.complaints();
 });
 
+test("the list misses no change: not while it begins, not by an answer that is lost or late, nor when many come at once", async () => {
+  // Nothing runs here, so that no later change of a job makes up for one that was missed.
+  const base = await h.service("waiting", "--workers", "0");
+  const [source, target] = [await upload(base, pair[0]), await upload(base, pair[1])];
+  let seed = 0;
+  const wait = async () => (await json(base, "jobs", sent({ source: { mesh_id: source }, target: { mesh_id: target }, parameters: { seed: seed++ } }))).id;
+  const cancel = (id) => api(base, `jobs/${id}/cancel`, { method: "POST" });
+  const page = await h.tab({ ignore: /ERR_FAILED/ });
+  const states = () => page.locator("tr[data-state]").evaluateAll((rows) => rows.map((row) => row.dataset.state).sort().join());
+  const shows = (expected, what) => h.until(what, async () => (await states()) === expected).catch(async (error) => {
+    throw new Error(`${error.message}; the rows are ${await states()}, the jobs ${(await json(base, "jobs")).jobs.map(({ state }) => state)}`);
+  });
+  const following = () => page.waitForRequest(/changes\?.*wait=/);
+  /** Holds the first answer to requests for `address` until it is released. */
+  const hold = async (address) => {
+    const held = {};
+    const isAsked = new Promise((resolve) => (held.isAsked = resolve));
+    const isReleased = new Promise((resolve) => (held.release = resolve));
+    await page.route(address, async (route) => {
+      const response = await route.fetch();
+      held.isAsked();
+      await isReleased;
+      // The page may have given the request up.
+      await route.fulfill({ response }).catch(() => undefined);
+    }, { times: 1 });
+    return { isAsked, release: held.release };
+  };
+
+  // The very first change of a service.
+  await Promise.all([following(), page.goto(`${base}#/jobs`)]);
+  const first = await wait();
+  await shows("queued", "the first job");
+
+  // After the list was read, and before the page knows from where to follow the changes.
+  const second = await wait();
+  await page.goto("about:blank");
+  let follow;
+  const mayFollow = new Promise((resolve) => (follow = resolve));
+  const early = /changes\?since=\d+&limit=1$/;
+  await page.route(early, async (route) => {
+    await mayFollow;
+    await route.continue();
+  });
+  await page.goto(`${base}#/jobs`);
+  await shows("queued,queued", "the list");
+  await cancel(first);
+  await Promise.all([following(), follow()]);
+  await shows("cancelled,queued", "a change while the list begins");
+  await page.unroute(early);
+
+  // An answer that is lost is asked for again.
+  let lost = 0;
+  const row = new RegExp(`/v1/jobs/${second}$`);
+  await page.route(row, (route) => (lost++, route.abort()), { times: 1 });
+  await cancel(second);
+  await shows("cancelled,cancelled", "a change whose answer was lost");
+  assert.equal(lost, 1);
+
+  // The answer to a filter that is no longer chosen changes nothing.
+  const late = await hold(/jobs\?page_size=/);
+  await wait();
+  await late.isAsked;
+  await Promise.all([following(), page.selectOption('label:has-text("State") select', "cancelled")]);
+  await shows("cancelled,cancelled", "the filtered list");
+  late.release();
+  await page.waitForTimeout(500);
+  assert.equal(await states(), "cancelled,cancelled");
+
+  // What has left a filtered list does not come back by an answer that was written before.
+  await Promise.all([following(), page.selectOption('label:has-text("State") select', "queued")]);
+  await shows("queued", "the queued jobs");
+  const [old] = (await json(base, "jobs?state=queued")).jobs;
+  const before = await hold(/jobs\?state=queued&page_size=/);
+  await wait();
+  await before.isAsked;
+  await cancel(old.id);
+  await h.until("it has left", async () => (await states()) === "");
+  before.release();
+  await page.waitForTimeout(500);
+  await shows("queued", "the other job");
+
+  // Oldest first, and more at once than are asked for one by one.
+  for (let k = 0; k < 25; k++) await wait();
+  await Promise.all([following(), page.goto(`${base}#/jobs?order=asc`)]);
+  await page.waitForSelector('tr[data-state="queued"]');
+  const all = (await page.locator("tr[data-state]").count());
+  await api(base, "jobs/cancel?all=true", { method: "POST" });
+  await shows(Array(all).fill("cancelled").join(), "many changes");
+  page.complaints();
+});
+
 test("a trace of 100,000 points does not hold up the page", async () => {
   const id = await submit(open, pair, { ...LONG, seed: 8 });
   await api(open, `jobs/${id}/cancel`, { method: "POST" });

@@ -17,7 +17,7 @@ use rayon::prelude::*;
 /// Standard deviation of a point along the normal of the other surface in the fine stage, in sampling distances.
 const ALONG: f64 = 0.34;
 /// Share of the assignment's weight that is kept across the normal in the fine stage; 0.03 to 0.3 gave the same accuracy.
-const ACROSS_SHARE: f64 = 0.1;
+pub(super) const ACROSS_SHARE: f64 = 0.1;
 /// Residual along the normals, in sampling distances, below which two surfaces are copies of one anatomy.
 const NOISE: f64 = 0.136;
 /// Observations are weighted by `(noise / residual)` to this power: two for the variance, the rest because larger
@@ -45,6 +45,8 @@ pub(super) struct Fine {
     pub feature_precision: Vec<f64>,
     /// Robust standard deviation of the residual along the normals, mm.
     pub residual_mm: f64,
+    /// Share of the assignment's weight that is kept across the normals.
+    pub across_share: f64,
 }
 
 impl Fine {
@@ -80,14 +82,14 @@ impl Displacement<'_> {
 
     /// The field after the middle and fine stages.
     pub(super) fn fine(&self, start: State) -> Result<Option<Fine>, MatchError> {
-        self.fine_in(start, [self.options.steps[1], self.options.steps[2]])
+        self.fine_in(start, [self.options.steps[1], self.options.steps[2]], ACROSS_SHARE)
     }
 
-    /// The same in so many steps of each.
-    pub(super) fn fine_in(&self, start: State, steps: [u32; 2]) -> Result<Option<Fine>, MatchError> {
+    /// The same in so many steps of each, with this share of the assignment's weight across the normals.
+    pub(super) fn fine_in(&self, start: State, steps: [u32; 2], across_share: f64) -> Result<Option<Fine>, MatchError> {
         let State { base, field, feature_precision } = start;
         let track = Track::new(self, base);
-        let mut fine = Fine { track, field, feature_precision, residual_mm: 0.0 };
+        let mut fine = Fine { track, field, feature_precision, residual_mm: 0.0, across_share };
         for (stage, steps) in [1, 2].into_iter().zip(steps) {
             if !self.followed(&mut fine, stage, steps, 1.0)? {
                 return Ok(None);
@@ -116,7 +118,7 @@ impl Displacement<'_> {
     /// Follows the field through the steps of a stage, with observations weighted by `weight`. Whether all numbers stayed
     /// finite.
     fn followed(&self, fine: &mut Fine, stage: usize, steps: u32, weight: f64) -> Result<bool, MatchError> {
-        let Fine { track, field, feature_precision, residual_mm } = fine;
+        let Fine { track, field, feature_precision, residual_mm, across_share } = fine;
         let thinned = self.source.thinned(self.options.n_samples[stage]);
         let target =
             if stage == 1 { self.target.thinned(self.options.n_samples[stage]).packed() } else { self.target.packed() };
@@ -139,7 +141,8 @@ impl Displacement<'_> {
                 observed_means(&assigned.found, &starts, &thinned.areas, across)
             } else {
                 let along = density / self.along_mm().powi(2);
-                let (observed, residual) = self.sliding(&assigned, &thinned.areas, &starts, along, across);
+                let (observed, residual) =
+                    self.sliding(&assigned, &thinned.areas, &starts, along, *across_share * across);
                 if stage == 2 {
                     *residual_mm = residual;
                 }
@@ -184,7 +187,7 @@ impl Displacement<'_> {
                 let trust =
                     normal.dot(&assigned.normals[i]).max(0.0) / (1.0 + (to_surface.norm() / (3.0 * along_mm)).powi(2));
                 let area = areas[i];
-                let across = ACROSS_SHARE * across * area * assigned.found.mass[i];
+                let across = across * area * assigned.found.mass[i];
                 (Observation { displacement, normal, along: along * area * trust, across }, height.abs())
             })
             .collect();

@@ -7,7 +7,8 @@
 
 use super::stages::{NORMAL_WEIGHT, comparison_kernel, displaced, kernel, observed_means, precision_of_features};
 use super::surface::{N_FEATURES, SmoothSurface};
-use super::{DisplacementOptions, diagonal_mm, prior};
+use super::unbending::rotations;
+use super::{DisplacementOptions, prior};
 use faer::Mat;
 use homolog_geometry::canonical_form::canonical_form;
 use homolog_geometry::geodesic::distances_from;
@@ -26,7 +27,7 @@ const N_SITES: usize = 256;
 /// Places of a surface that are labels of the field between two surfaces ([`super::isometry`]).
 const N_LABELS: usize = 512;
 /// Vertices of the surface on which distances between them are measured.
-const N_MEASURED: usize = 1000;
+const N_MEASURED: usize = 2500;
 /// Radii, in roots of the area, of the balls whose contents describe the surroundings of a site.
 const RADII: [f64; 2] = [0.15, 0.25];
 /// Poses of either handedness that are tried.
@@ -40,8 +41,8 @@ const SIGMA: [f64; 2] = [0.06, 0.03];
 pub(crate) struct Form {
     /// Vertices of the surface.
     pub sites: Vec<u32>,
-    /// The form, with the sites as vertices, mm.
-    pub mesh: SurfaceMesh,
+    /// The sites on the form, mm.
+    pub points: Vec<Point3<f64>>,
     normals: Vec<Vector3<f64>>,
     /// For each site those nearest along the surface, itself first.
     pub neighbors: Vec<Vec<u32>>,
@@ -105,12 +106,20 @@ impl Form {
             Some(level) => (&level.mesh, level.sites.clone()),
             None => (mesh, (0..mesh.n_vertices() as u32).collect()),
         };
-        let level = coarsen(fine, N_SITES)?;
-        let rows = distances_from(fine, &level.sites);
-        let form = canonical_form(fine, &level.sites, &rows)?;
-        let sites: Vec<u32> = level.sites.iter().map(|&k| to_mesh[k as usize]).collect();
+        if fine.n_vertices() <= N_SITES {
+            return None;
+        }
+        // Ascending, as canonical numbering keeps what is close in space close. No mesh joins them: the cells around a tip that is
+        // thinner than their spacing form none, and its sites would be lost.
+        let mut fine_sites: Vec<u32> =
+            farthest_points(fine.vertices(), N_SITES).into_iter().map(|k| k as u32).collect();
+        fine_sites.sort_unstable();
+        let rows = distances_from(fine, &fine_sites);
+        let form = canonical_form(fine, &fine_sites, &rows)?;
+        let sites: Vec<u32> = fine_sites.iter().map(|&k| to_mesh[k as usize]).collect();
+        let nearest_site: Vec<u32> = (0..fine.n_vertices()).map(|v| nearest_row(&rows, v)).collect();
         let cell = |i: usize| coarser.as_ref().map_or(i, |c| c.cells[i] as usize);
-        let site_of: Vec<u32> = (0..mesh.n_vertices()).map(|i| level.cells[cell(i)]).collect();
+        let site_of: Vec<u32> = (0..mesh.n_vertices()).map(|i| nearest_site[cell(i)]).collect();
         let mut areas = vec![0.0; sites.len()];
         site_of.iter().zip(vertex_areas).for_each(|(&site, area)| areas[site as usize] += area);
         let points: Vec<Point3<f64>> = sites.iter().map(|&k| mesh.vertices()[k as usize]).collect();
@@ -120,7 +129,7 @@ impl Form {
         let label_rows = distances_from(fine, &labels);
         let measured = Measured {
             mesh: fine.clone(),
-            sites: Places::new(level.sites.clone(), rows, root_mm),
+            sites: Places::new(fine_sites, rows, root_mm),
             labels: Places::new(labels, label_rows, root_mm),
             vertices: to_mesh,
         };
@@ -131,13 +140,13 @@ impl Form {
             .zip(&site_normals)
             .flat_map(|(p, normal)| surroundings(&p.coords, normal, &around, radii_mm))
             .collect();
-        let mesh = level.mesh.with_vertices(form.points).ok()?;
+        let rotations = rotations(&points, &form.points, &form.neighbors, false);
         Some(Form {
             sites,
-            normals: mesh.vertex_normals(),
+            normals: rotations.iter().zip(&site_normals).map(|(rotation, normal)| rotation * normal).collect(),
             neighbors: form.neighbors,
             site_of,
-            mesh,
+            points: form.points,
             areas,
             surroundings,
             measured,
@@ -149,14 +158,28 @@ impl Form {
         self.sites.iter().map(|&k| surface.mesh.vertices()[k as usize]).collect()
     }
 
+    fn diagonal_mm(&self) -> f64 {
+        let along = |axis: usize| {
+            let values = self.points.iter().map(|p| p[axis]);
+            values.clone().fold(f64::NEG_INFINITY, f64::max) - values.fold(f64::INFINITY, f64::min)
+        };
+        Vector3::from_fn(|axis, _| along(axis)).norm()
+    }
+
     fn oriented(&self) -> OrientedPoints<'_> {
         OrientedPoints {
-            points: self.mesh.vertices(),
+            points: &self.points,
             normals: &self.normals,
             areas: &self.areas,
             features: &self.surroundings,
         }
     }
+}
+
+/// The row with the lowest number at `v`, the first of equal ones.
+fn nearest_row(rows: &[Vec<f64>], v: usize) -> u32 {
+    let nearest = rows.iter().map(|row| row[v]).zip(0..).min_by(|a, b| a.0.total_cmp(&b.0));
+    nearest.map_or(0, |(_, k)| k)
 }
 
 /// Correspondences of the sites of a form.
@@ -209,12 +232,12 @@ pub(super) fn form_matches(
     let search = PoseSearchOptions { allow_reflection: true, n_settled: N_POSES, ..PoseSearchOptions::default() };
     let poses = pose_search(&source_form.oriented(), &target_form.oriented(), &search);
     let (source, target) = (FormSide::new(source, source_form), FormSide::new(target, target_form));
-    let diagonal_mm = diagonal_mm(&source_form.mesh);
+    let diagonal_mm = source_form.diagonal_mm();
     let prior = prior(diagonal_mm, options);
-    let Some(basis) = FieldBasis::new(source_form.mesh.vertices(), prior, options.n_inducing) else {
+    let Some(basis) = FieldBasis::new(&source_form.points, prior, options.n_inducing) else {
         return Vec::new();
     };
-    let between = Between { values: basis.values(source_form.mesh.vertices()), source, target, diagonal_mm, options };
+    let between = Between { values: basis.values(&source_form.points), source, target, diagonal_mm, options };
     let mut found: Vec<FormMatch> =
         poses.par_iter().filter_map(|pose| between.matched(&pose.target_from_source)).collect();
     found.sort_by(|a, b| a.misfit.total_cmp(&b.misfit));
@@ -234,7 +257,7 @@ impl Between<'_> {
     /// The correspondence after a field from `pose`; `None` where no field can be fitted.
     fn matched(&self, pose: &RigidTransform) -> Option<FormMatch> {
         let form = self.source.form;
-        let base: Vec<Point3<f64>> = form.mesh.vertices().iter().map(|p| pose.apply(p)).collect();
+        let base: Vec<Point3<f64>> = form.points.iter().map(|p| pose.apply(p)).collect();
         let normals: Vec<Vector3<f64>> = form.normals.iter().map(|n| pose.rotation * n).collect();
         let area: f64 = form.areas.iter().sum();
         let target = AssignmentTarget::new(&self.target.oriented());

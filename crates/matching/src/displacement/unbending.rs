@@ -34,15 +34,8 @@ impl Unbending {
         neighbors: &[Vec<u32>],
         cells: (&[Point3<f64>], &[u32]),
     ) -> Unbending {
-        let motions = neighbors
-            .par_iter()
-            .enumerate()
-            .map(|(i, near)| {
-                let at = |p: &[Point3<f64>]| -> Vec<Point3<f64>> { near.iter().map(|&k| p[k as usize]).collect() };
-                let fitted = absolute_orientation(&at(sites), &at(form), None, true);
-                (fitted.map_or(Matrix3::identity(), |t| t.rotation), form[i])
-            })
-            .collect();
+        let rotations = rotations(sites, form, neighbors, true);
+        let motions = rotations.into_iter().zip(form.iter().copied()).collect();
         let nearest =
             |(p, near): (&Point3<f64>, &Vec<u32>)| near.get(1).map_or(0.0, |&k| (sites[k as usize] - p).norm());
         let spacing_mm = sites.iter().zip(neighbors).map(nearest).sum::<f64>() / sites.len() as f64;
@@ -82,6 +75,22 @@ impl Unbending {
             })
             .collect()
     }
+}
+
+/// The rotation that takes the surroundings of each of the `sites` of a surface to the form: the site and its `neighbors` along the
+/// surface. A reflection where that fits better and `allow_reflection`.
+pub(super) fn rotations(
+    sites: &[Point3<f64>],
+    form: &[Point3<f64>],
+    neighbors: &[Vec<u32>],
+    allow_reflection: bool,
+) -> Vec<Matrix3<f64>> {
+    let rotation = |near: &Vec<u32>| {
+        let at = |p: &[Point3<f64>]| -> Vec<Point3<f64>> { near.iter().map(|&k| p[k as usize]).collect() };
+        let fitted = absolute_orientation(&at(sites), &at(form), None, allow_reflection);
+        fitted.map_or(Matrix3::identity(), |t| t.rotation)
+    };
+    neighbors.par_iter().map(rotation).collect()
 }
 
 /// The nearest of the points of `grid` to `p`, looked for within `radius_mm` and then within twice as much, and so on.

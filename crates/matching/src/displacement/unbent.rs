@@ -174,7 +174,7 @@ impl Displacement<'_> {
     /// This displacement with functions that are smooth over the form of the source.
     fn on_form(&self, form: &Form) -> Option<Displacement<'_>> {
         let cells = (self.source.mesh.vertices(), &form.site_of[..]);
-        let unbending = Unbending::new(&form.places(&self.source), form.mesh.vertices(), &form.neighbors, cells);
+        let unbending = Unbending::new(&form.places(&self.source), &form.points, &form.neighbors, cells);
         let unbending = Arc::new(unbending);
         let mut prior = prior(self.diagonal_mm, self.options);
         prior.kernels.push(GaussianKernel {

@@ -305,3 +305,38 @@ impl Between<'_> {
         (0..source.points.len()).map(image).unzip()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::side::Side;
+    use homolog_mesh::shapes::ellipsoid;
+
+    /// A round body with a thin tail, mm: the tail is a third of the length, and thinner than the spacing of sites.
+    fn with_a_tail() -> SurfaceMesh {
+        let mesh = ellipsoid(Vector3::new(20.0, 10.0, 9.0), 5);
+        let drawn_out = |p: &Point3<f64>| {
+            let beyond = (p.x - 14.0).max(0.0);
+            let thin = 1.0 / (1.0 + 4.0 * beyond);
+            Point3::new(p.x + 3.0 * beyond, p.y * thin, p.z * thin)
+        };
+        mesh.with_vertices(mesh.vertices().iter().map(drawn_out).collect()).unwrap()
+    }
+
+    #[test]
+    fn sites_cover_ends_that_are_thinner_than_their_spacing() {
+        let mesh = with_a_tail();
+        let side = Side::new(&mesh);
+        let form = side.form().unwrap();
+        let rows = &form.measured.sites.rows;
+        let farthest =
+            (0..form.measured.mesh.n_vertices()).map(|v| rows[nearest_row(rows, v) as usize][v]).fold(0.0, f64::max);
+        // The spacing is the root of a site's share of the area.
+        let spacing = 1.0 / (N_SITES as f64).sqrt();
+        assert!(farthest < 2.0 * spacing, "{farthest} roots of the area from any site, {spacing} apart");
+        assert_eq!(form.sites.len(), N_SITES);
+        let tip = form.sites.iter().map(|&k| mesh.vertices()[k as usize].x).fold(0.0, f64::max);
+        assert!(tip > 34.0, "the last site is at {tip} mm of 38");
+        assert!(form.normals.iter().all(|n| (n.norm() - 1.0).abs() < 1e-6));
+    }
+}

@@ -204,3 +204,20 @@ impl Displacement<'_> {
         Ok(Some(Local { track, field }))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_less_noise_the_more_counts_what_is_assigned_across_the_normals() {
+        let share = |noise_mm: f64| {
+            let kernel = GaussianKernel { width_mm: 5.0, amplitude_mm: 1.0 };
+            LocalKernel::of(&KernelEvidence { kernel, noise_mm, gain: 10.0 }, 2.0).across_share
+        };
+        assert_eq!([share(0.4), share(0.2)], [ACROSS_SHARE; 2]);
+        assert!((share(0.1) - 4.0 * ACROSS_SHARE).abs() < 1e-12);
+        // Never more than all of it.
+        assert_eq!([share(0.01), share(0.0)], [1.0; 2]);
+    }
+}

@@ -541,6 +541,10 @@ test("a trace of 100,000 points does not hold up the page", async () => {
   const ended = await finished(open, id);
   const total = 100_000;
   let sent = 0;
+  // The last points wait until the page has done what it was told, however long a click takes.
+  const free = total - 1000;
+  let release;
+  const held = new Promise((resolve) => (release = resolve));
   // The events as the service would send them.
   const event = (name, number, data) => `event: ${name}\nid: ${number}\ndata: ${JSON.stringify(data)}\n\n`;
   const point = (seq) => ({ seq, round: 1 + Math.floor((3 * seq) / (total + 1)), phase: "inference", iteration: seq, energy: 1e6 / seq + Math.sin(seq), energy_unary: 5e5 / seq, energy_pairwise: 5e5 / seq, temperature: 1 / seq, elapsed_ms: seq });
@@ -548,36 +552,50 @@ test("a trace of 100,000 points does not hold up the page", async () => {
     if (request.url.endsWith(`/jobs/${id}`)) return response.writeHead(200, { "content-type": "application/json" }).end(JSON.stringify({ ...ended, state: "running" }));
     if (!request.url.endsWith(`/jobs/${id}/events`)) return false;
     response.writeHead(200, { "content-type": "text/event-stream" });
-    const go = () => {
+    const go = async () => {
       while (sent < total) {
+        if (sent === free) await held;
         let text = "";
         for (let k = 0; k < 100; k++) text += event("trace", ++sent, point(sent));
         if (!response.write(text)) return response.once("drain", go);
       }
       response.end(event("done", `${total}-done`, ended));
     };
-    go();
+    void go();
     return true;
   });
   const page = await h.tab();
   await page.addInitScript(() => {
     globalThis.long = [];
     new PerformanceObserver((list) => list.getEntries().forEach(({ duration }) => globalThis.long.push(duration))).observe({ type: "longtask" });
+    // The most points that arrive between two turns in which the page can do something else.
+    globalThis.most = 0;
+    let before = 0;
+    const turn = () => {
+      const points = Number(document.querySelector("#trace")?.dataset.points ?? 0);
+      globalThis.most = Math.max(globalThis.most, points - before);
+      before = points;
+      setTimeout(turn);
+    };
+    turn();
   });
   const debuggers = await page.context().newCDPSession(page);
   await debuggers.send("Emulation.setCPUThrottlingRate", { rate: 4 });
   const began = Date.now();
   await page.goto(`${base}#/jobs/${id}`);
   const count = async () => Number(await page.getAttribute("#trace", "data-points").catch(() => 0));
-  // While they arrive, the page does what it is told.
+  // Before all have arrived, the page does what it is told.
   await h.until("some points", async () => (await count()) > 1000);
   await page.check('#trace label:has-text("Logarithmic") input');
   const during = await count();
+  release();
   await h.until("the end", async () => (await page.textContent("#verdict")) === "Cancelled", 120_000);
   await h.until("the whole trace", async () => (await count()) === total);
-  const longest = Math.max(0, ...(await page.evaluate(() => globalThis.long)));
-  console.log(`  100,000 points in ${Date.now() - began} ms on a processor slowed four times, ${during} of them before the page had done what it was told; the longest task took ${longest} ms`);
-  assert(during < total, `the page answered after all ${during} points`);
+  const [longest, most] = await page.evaluate(() => [Math.max(0, ...globalThis.long), globalThis.most]);
+  console.log(`  100,000 points in ${Date.now() - began} ms on a processor slowed four times, ${during} of them before the page had done what it was told, at most ${most} between two turns of the page; the longest task took ${longest} ms`);
+  // A page that reads on as long as there is something to read takes about half of them at once, or nearly all. They are counted and
+  // the time is not measured: on a busy computer fewer points arrive between two turns, not more.
+  assert(most < total / 4, `the page was held up while ${most} points arrived`);
   const drawn = Number(await page.getAttribute("#trace .plot", "data-points"));
   assert(drawn > 2000 && drawn < 5000, `${drawn} points are drawn`);
   page.complaints();

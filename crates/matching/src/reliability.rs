@@ -1,6 +1,6 @@
 //! Whether an answer can be relied on: do the two surfaces show one structure, in one pose, of one handedness?
 
-use super::displacement::{ComparedPose, DisplacementAnswer, Image};
+use super::displacement::{ComparedPose, DisplacementAnswer, Finer, Image};
 use super::side::Side;
 use homolog_contract::result::{ReliabilityDocument, UnreliableReason};
 use homolog_geometry::curvature::vertex_areas;
@@ -127,9 +127,12 @@ pub(super) fn reliability(found: &DisplacementAnswer, source: &Side, target: &Si
     } else {
         AMBIGUITY
     };
-    let is_rival = |other: &ComparedPose| {
-        other.mirrored == best.mirrored && !other.outdone && other.misfit < best.misfit + ambiguity
+    let fits_as_well = |other: &ComparedPose| match other.finer {
+        Finer::None => other.misfit < best.misfit + ambiguity,
+        Finer::Outdone => false,
+        Finer::AsGood => true,
     };
+    let is_rival = |other: &ComparedPose| other.mirrored == best.mirrored && fits_as_well(other);
     if found.compared[1..].iter().any(is_rival) {
         reasons.push(UnreliableReason::AmbiguousPose);
     }
@@ -148,37 +151,38 @@ mod tests {
     use nalgebra::Vector3;
 
     #[test]
-    fn a_start_that_was_outdone_otherwise_makes_no_answer_ambiguous() {
+    fn a_closer_look_at_another_start_decides_whether_an_answer_is_ambiguous() {
         let side = Side::new(&ellipsoid(Vector3::new(6.0, 5.0, 4.0), 2));
-        let reasons = |outdone: bool| {
-            let start = |misfit: f64, outdone: bool| ComparedPose {
+        let reasons = |misfit: f64, finer: Finer| {
+            let start = |misfit: f64, finer: Finer| ComparedPose {
                 pose: usize::MAX,
                 of_form: Some(RigidTransform::identity()),
                 mirrored: false,
                 misfit,
-                outdone,
+                finer,
             };
             let found = DisplacementAnswer {
                 images: Vec::new(),
                 transform: RigidTransform::identity(),
-                compared: vec![start(1.4, false), start(1.3, outdone)],
+                compared: vec![start(1.4, Finer::None), start(misfit, finer)],
                 residual_mm: 0.1,
                 agreement: Agreement { curvature: 0.9, normals: 0.95 },
                 distortion: 0.2,
             };
             let found = reliability(&found, &side, &side);
-            assert_eq!(found.runner_up_misfit, Some(1.3));
+            assert_eq!(found.runner_up_misfit, Some(misfit));
             found.reasons
         };
-        assert_eq!(reasons(false), [UnreliableReason::AmbiguousPose]);
-        assert!(reasons(true).is_empty());
+        assert_eq!(reasons(1.3, Finer::None), [UnreliableReason::AmbiguousPose]);
+        assert!(reasons(1.6, Finer::None).is_empty() && reasons(1.3, Finer::Outdone).is_empty());
+        assert_eq!(reasons(1.6, Finer::AsGood), [UnreliableReason::AmbiguousPose]);
     }
 
     #[test]
     fn normals_may_disagree_more_where_a_surface_bends() {
         let side = Side::new(&ellipsoid(Vector3::new(6.0, 5.0, 4.0), 2));
         let is_reliable = |of_form: Option<RigidTransform>, normals: f64| {
-            let best = ComparedPose { pose: 0, of_form, mirrored: false, misfit: 1.2, outdone: false };
+            let best = ComparedPose { pose: 0, of_form, mirrored: false, misfit: 1.2, finer: Finer::None };
             let found = DisplacementAnswer {
                 images: Vec::new(),
                 transform: RigidTransform::identity(),

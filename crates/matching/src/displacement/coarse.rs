@@ -46,9 +46,19 @@ pub(crate) struct ComparedPose {
     pub mirrored: bool,
     /// Misfit after the deformation: mean of `−ln` of the likelihood of the other surface at each point. Lower is better.
     pub misfit: f64,
-    /// Whether more than this misfit has decided against it: the energy of near isometries, or the misfit at the scale of the
-    /// sampling. What is left of the two in this misfit then makes no answer ambiguous.
-    pub outdone: bool,
+    /// What is known of it beyond this misfit.
+    pub finer: Finer,
+}
+
+/// What a closer look at a start says than the misfit of the first stage.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Finer {
+    /// There was none: the misfit of the first stage has to tell.
+    None,
+    /// The energy of near isometries, or the misfit at the scale of the sampling, has decided against it.
+    Outdone,
+    /// It went through all stages, and ends elsewhere with as low a misfit at the scale of the sampling.
+    AsGood,
 }
 
 impl Displacement<'_> {
@@ -91,7 +101,7 @@ impl Displacement<'_> {
                 of_form: None,
                 mirrored: poses[pose].pose.is_reflection(),
                 misfit,
-                outdone: false,
+                finer: Finer::None,
             });
         }
         compared.sort_by(|a, b| {

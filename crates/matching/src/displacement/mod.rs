@@ -57,7 +57,7 @@ mod unbent;
 
 pub(crate) use agreement::Agreement;
 pub(crate) use answer::{Image, images};
-pub(crate) use coarse::{ComparedPose, StartPose};
+pub(crate) use coarse::{ComparedPose, Finer, StartPose};
 pub(crate) use forms::Form;
 pub(super) use guides::landmark_pose;
 pub use isometry::{NearIsometryModel, near_isometry_model};
@@ -383,7 +383,7 @@ fn deformed(
             // Rigid poses say nothing of the handedness of a surface that bends.
             compared.retain(|rigid| !(rigid.mirrored && unbent.is_of_same_handedness));
             // They were outdone by the misfit at the scale of the sampling.
-            compared.iter_mut().for_each(|rigid| rigid.outdone = true);
+            compared.iter_mut().for_each(|rigid| rigid.finer = Finer::Outdone);
             compared = unbent.compared.into_iter().chain(compared).collect();
             Some(unbent.refined)
         }

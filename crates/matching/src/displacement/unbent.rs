@@ -7,7 +7,7 @@
 //! start. Those of the lowest energies go through all stages; of them, that with the lowest misfit at the scale of the
 //! sampling is kept.
 
-use super::coarse::ComparedPose;
+use super::coarse::{ComparedPose, Finer};
 use super::fine::Refined;
 use super::forms::{Form, form_matches};
 use super::functions::Functions;
@@ -125,7 +125,7 @@ impl Displacement<'_> {
                 of_form: Some(state.base.pose),
                 mirrored: false,
                 misfit: *misfit,
-                outdone: true,
+                finer: Finer::Outdone,
             })
             .collect();
         let mut best: Option<(f64, usize, Refined)> = None;
@@ -144,12 +144,13 @@ impl Displacement<'_> {
             }
         }
         let Some((mut fine_misfit, chosen, mut refined)) = best else { return Ok(None) };
-        // Neither tells another answer apart.
         for (start, (misfit, moved)) in compared.iter_mut().zip(&ends) {
-            start.outdone = *misfit > fine_misfit + EQUAL_MISFIT
-                || mean_distance(moved, &ends[chosen].1) <= SAME * self.lengths.root_mm;
+            let is_elsewhere = mean_distance(moved, &ends[chosen].1) > SAME * self.lengths.root_mm;
+            if is_elsewhere && *misfit <= fine_misfit + EQUAL_MISFIT {
+                start.finer = Finer::AsGood;
+            }
         }
-        compared[chosen].outdone = false;
+        compared[chosen].finer = Finer::None;
         for _ in 0..PASSES {
             let Some(base) = on_form.rebased(&refined) else { break };
             let Some((_, state)) =

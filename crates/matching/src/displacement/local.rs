@@ -188,13 +188,13 @@ impl Displacement<'_> {
         let sigma_mm = self.diagonal_mm * self.options.sigma[3];
         let mean_area = thinned.areas.iter().sum::<f64>() / thinned.areas.len() as f64;
         let along = POINT_WEIGHT / (mean_area * local.noise_mm * local.noise_mm);
-        let across = local.across_share * self.density(3, 3, 1.0) / (sigma_mm * sigma_mm);
+        let across = self.density(3, 3, 1.0) / (sigma_mm * sigma_mm);
         let mut fitted = None;
         for _ in 0..STEPS {
             checkpoint(self.observer)?;
             let kernel = kernel(sigma_mm, precision);
             let Some(assigned) = self.assigned(&moved, mirrored, &thinned, &target, &kernel) else { return Ok(None) };
-            let (observed, _) = self.sliding(&assigned, &thinned.areas, &starts, along, across);
+            let (observed, _) = self.sliding(&assigned, &thinned.areas, &starts, along, local.across_share * across);
             let Some(next) = fit_field(values.as_ref(), &track.with_guides(observed)) else { return Ok(None) };
             moved = track.moved(&next);
             precision = precision_of_features(&assigned.found.feature_variance);

@@ -1,5 +1,6 @@
 //! The levels of a surface: all vertices, those that a displacement field is fitted on, and those of the energy.
 
+use super::displacement::Form;
 use super::side::Side;
 use homolog_mesh::{Numbering, SurfaceMesh};
 use std::sync::Arc;
@@ -71,7 +72,8 @@ impl Levels {
     pub fn heap_bytes(&self) -> usize {
         let middle = if Arc::ptr_eq(&self.middle, &self.full) { 0 } else { self.middle.heap_bytes() };
         let energy = if Arc::ptr_eq(&self.energy, &self.middle) { 0 } else { self.energy.heap_bytes() };
-        self.full.heap_bytes() + middle + energy + size_of_val(self.cells.as_slice())
+        let form = Form::heap_bytes_over(self.middle.mesh().n_vertices());
+        self.full.heap_bytes() + middle + energy + form + size_of_val(self.cells.as_slice())
     }
 }
 

@@ -131,7 +131,7 @@ impl Side {
         })
     }
 
-    /// Memory of this level with all parts that are computed on first use, bytes. A finer surface on which features are
+    /// Memory of this level with all parts that are computed on first use but its form, bytes. A finer surface on which features are
     /// measured is not counted.
     pub(crate) fn heap_bytes(&self) -> usize {
         let (n, mesh) = (self.mesh().n_vertices(), self.mesh().heap_bytes());

@@ -33,8 +33,8 @@ const MAX_WAIT: Duration = Duration::from_secs(30);
 /// Share of the bytes for surfaces that were requested again; the rest is for new ones, which are evicted first. A surface
 /// larger than this share is not kept.
 const SHARE_IN_USE: f64 = 0.75;
-/// Bytes of a surface of about 1,000 vertices: determines how many keys are remembered after their surfaces were evicted.
-const TYPICAL_BYTES: u64 = 1 << 20;
+/// Bytes of a surface of about 1,000 vertices, with its bending-invariant form: determines how many keys are remembered after their surfaces were evicted.
+const TYPICAL_BYTES: u64 = 7 << 20;
 
 /// A surface that is ready to be matched to any other.
 pub(crate) struct ReadySurface {

@@ -16,7 +16,8 @@ use rayon::prelude::*;
 
 /// Standard deviation of a point along the normal of the other surface in the fine stage, in sampling distances.
 const ALONG: f64 = 0.34;
-/// Share of the assignment's weight that is kept across the normal in the fine stage; 0.03 to 0.3 gave the same accuracy.
+/// Share of the assignment's weight that is kept across the normal in the fine stage. With 0.3 narrow 4 % warps had 0.77 of the vertices within
+/// one edge instead of 0.80, warps of 8 % 0.97 instead of 0.98; with 1 0.69 and 0.91.
 pub(super) const ACROSS_SHARE: f64 = 0.1;
 /// Residual along the normals, in sampling distances, below which two surfaces are copies of one anatomy.
 const NOISE: f64 = 0.136;

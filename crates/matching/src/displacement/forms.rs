@@ -10,7 +10,7 @@ use super::surface::{N_FEATURES, SmoothSurface};
 use super::unbending::rotations;
 use super::{DisplacementOptions, prior};
 use faer::Mat;
-use homolog_geometry::canonical_form::canonical_form;
+use homolog_geometry::canonical_form::{NEIGHBORS, canonical_form};
 use homolog_geometry::geodesic::distances_from;
 use homolog_geometry::hierarchy::coarsen;
 use homolog_mesh::SurfaceMesh;
@@ -151,6 +151,16 @@ impl Form {
             surroundings,
             measured,
         })
+    }
+
+    /// Memory of the form of a surface with so many vertices, bytes: nearly all of it are distances along the surface.
+    pub(crate) fn heap_bytes_over(n_vertices: usize) -> usize {
+        let n_measured = n_vertices.min(N_MEASURED);
+        let distances = (N_SITES + N_LABELS) * n_measured * size_of::<f64>();
+        // A vertex has two triangles, its position, and its index on the finer surface.
+        let measured = n_measured * (size_of::<Point3<f64>>() + 7 * size_of::<u32>());
+        let site = 4 * size_of::<Vec<f64>>() + (NEIGHBORS + 2) * size_of::<u32>() + 7 * size_of::<f64>();
+        distances + measured + (N_SITES + N_LABELS) * site + n_vertices * size_of::<u32>()
     }
 
     /// The sites on the surface itself, mm.
@@ -338,5 +348,33 @@ mod tests {
         let tip = form.sites.iter().map(|&k| mesh.vertices()[k as usize].x).fold(0.0, f64::max);
         assert!(tip > 34.0, "the last site is at {tip} mm of 38");
         assert!(form.normals.iter().all(|n| (n.norm() - 1.0).abs() < 1e-6));
+    }
+
+    #[test]
+    fn the_counted_memory_bounds_that_of_a_form() {
+        for level in [3, 4, 5] {
+            let mesh = ellipsoid(Vector3::new(20.0, 10.0, 9.0), level);
+            let side = Side::new(&mesh);
+            let Form { sites, points, normals, neighbors, site_of, areas, surroundings, measured } =
+                side.form().unwrap();
+            let of_places = |places: &Places| {
+                let rows = places.rows.iter().map(|row| size_of_val(row.as_slice()) + size_of::<Vec<f64>>());
+                size_of_val(places.vertices.as_slice()) + rows.sum::<usize>()
+            };
+            let of_neighbors = neighbors.iter().map(|near| size_of_val(near.as_slice()) + size_of::<Vec<u32>>());
+            let made = size_of_val(sites.as_slice())
+                + size_of_val(points.as_slice())
+                + size_of_val(normals.as_slice())
+                + of_neighbors.sum::<usize>()
+                + size_of_val(site_of.as_slice())
+                + size_of_val(areas.as_slice())
+                + size_of_val(surroundings.as_slice())
+                + measured.mesh.heap_bytes()
+                + size_of_val(measured.vertices.as_slice())
+                + of_places(&measured.sites)
+                + of_places(&measured.labels);
+            let counted = Form::heap_bytes_over(mesh.n_vertices());
+            assert!(made <= counted && 10 * counted < 12 * made, "{made} bytes of {counted} counted");
+        }
     }
 }

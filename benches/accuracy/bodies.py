@@ -2,7 +2,7 @@
 
 One surface is near the rest pose, the other far from it. `bodies_posed`: a person; `bodies_animals`: a four-legged
 animal; `bodies_build`: two individuals, persons and animals in turn, of which the second has other lengths and
-thicknesses of all parts. The solids and joints are in `anatomy.py`.
+thicknesses of all parts; `bodies_unlike`: the same with factors as between species. The solids and joints are in `anatomy.py`.
 
 A surface is sampled by marching cubes on a grid of its own around the rest pose, posed by linear blend skinning, and
 reduced to about 5,000 vertices of equal spacing in its pose. Weights depend on the position in the rest pose alone, so
@@ -19,10 +19,10 @@ from skimage.measure import marching_cubes
 import anatomy
 import geometry
 
-KINDS = ["bodies_posed", "bodies_animals", "bodies_build"]
+KINDS = ["bodies_posed", "bodies_animals", "bodies_build", "bodies_unlike"]
 KEPT = True
 N_VERTICES = 5000
-FACTORS = (0.75, 1.3)
+FACTORS = {"bodies_build": (0.75, 1.3), "bodies_unlike": (0.55, 1.8)}
 """Of the lengths and of the thicknesses of the parts of another individual."""
 N_POSES_TRIED = 60
 LEAST_COSINE = 0.2
@@ -39,10 +39,10 @@ def names(cases, kind, n):
 
 def make(cases, kind, index):
     draws = np.random.default_rng([2600 + KINDS.index(kind), int(index)])
-    is_person = kind == "bodies_posed" or (kind == "bodies_build" and int(index) % 2 == 0)
+    is_person = kind == "bodies_posed" or (kind in FACTORS and int(index) % 2 == 0)
     body = (anatomy.person if is_person else anatomy.animal)(draws)
     poses = (anatomy.PERSON_REST, anatomy.PERSON_FAR) if is_person else (anatomy.ANIMAL_REST, anatomy.ANIMAL_FAR)
-    builds = None, other_build(body, draws) if kind == "bodies_build" else None
+    builds = None, other_build(body, draws, FACTORS[kind]) if kind in FACTORS else None
     turns = [Rotation.random(random_state=draws.integers(2**31)).as_matrix() for _ in range(4)]
     rest = [sampled(body, turns[k], draws.uniform(0, 1, 3)) for k in (0, 1)]
     posed = [posed_surface(body, *rest[k], poses[k], draws, builds[k]) for k in (0, 1)]
@@ -60,9 +60,9 @@ def make(cases, kind, index):
     return geometry.finished(new)
 
 
-def other_build(body, draws):
+def other_build(body, draws, factors):
     """Factors along and across each bone, the same on the left and on the right."""
-    of_group = {bone.group: draws.uniform(*FACTORS, 2) for bone in body.bones}
+    of_group = {bone.group: draws.uniform(*factors, 2) for bone in body.bones}
     return [of_group[bone.group] for bone in body.bones]
 
 

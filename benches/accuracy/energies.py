@@ -16,8 +16,8 @@ from scipy.stats import spearmanr
 from geometry import write_ply
 
 FROM_TRUTH = "conditional modes from the truth"
-START = " from form "
-"""In the names of minimizations that begin at one of several forms; `propagation` is the lowest of these."""
+STARTS = " from form ", " from extremities "
+"""In the names of minimizations that begin at one of several forms or assignments; `propagation, form` is the lowest of these."""
 SETS = "real_resample,real_warp4,real_warp8,bodies,bent"
 
 
@@ -60,7 +60,7 @@ def report(lines):
                 )
         of = [line for line in lines if line["energy"] == energy]
         begun_at_truth = {line["case"]: value(line, "error_pct") for line in of if line["minimizer"] == FROM_TRUTH}
-        minimizers = [line for line in of if line["minimizer"] != FROM_TRUTH and START not in line["minimizer"]]
+        minimizers = [line for line in of if line["minimizer"] != FROM_TRUTH and not any(start in line["minimizer"] for start in STARTS)]
 
         def correlation(lines):
             excess = [value(line, "found") / value(line, "relaxed") for line in lines]

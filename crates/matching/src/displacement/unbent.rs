@@ -1,7 +1,7 @@
 //! The second attempt: from the bending-invariant forms, where no rigid start leads to surfaces that agree.
 //!
-//! The correspondences of the forms ([`super::forms`]) are corrected and ordered by the energy of near isometries
-//! ([`super::isometry`]). Each bends the source onto the target before a field is fitted: bending costs nothing, and the prior of
+//! Correspondences of the forms ([`super::forms`]) and of extremities ([`super::extremities`]) are corrected and ordered by the energy
+//! of near isometries ([`super::isometry`]). Each bends the source onto the target before a field is fitted: bending costs nothing, and the prior of
 //! the field is that of what remains. Its functions are smooth along the surface instead of through space
 //! ([`super::unbending`]), so that a limb moves apart from what it happens to be close to. The stages are those of a rigid
 //! start. Those of the lowest energies go through all stages; of them, that with the lowest misfit at the scale of the
@@ -24,7 +24,9 @@ use nalgebra::Point3;
 use rayon::prelude::*;
 use std::sync::Arc;
 
-/// Correspondences that go through all stages at most.
+/// Correspondences that are followed, those of the lowest energies.
+const FOLLOWED: usize = 8;
+/// Of them, those that go through all stages at most.
 const REFINED: usize = 3;
 /// Share by which the energy of such a one may be above the lowest. Of bodies in two poses the truth had the lowest energy (40 pairs);
 /// with noise of 0.3 edges or a hole of 2 % of the vertices its energy was up to 0.12 above that of limbs exchanged. Of 106 such
@@ -58,12 +60,13 @@ fn mean_distance(a: &[Point3<f64>], b: &[Point3<f64>]) -> f64 {
     a.iter().zip(b).map(|(p, q)| (p - q).norm()).sum::<f64>() / a.len().max(1) as f64
 }
 
-/// `starts` by their energy, the lowest first, without those that are the same correspondence as one before them.
+/// The first [`FOLLOWED`] of `starts` by their energy, the lowest first, without those that are the same correspondence as one before
+/// them.
 fn distinct(mut starts: Vec<NearIsometry>, root_mm: f64) -> Vec<NearIsometry> {
     starts.sort_by(|a, b| a.energy.total_cmp(&b.energy));
     let mut kept: Vec<NearIsometry> = Vec::new();
     for start in starts {
-        if kept.iter().all(|other| mean_distance(&start.images, &other.images) > SAME * root_mm) {
+        if kept.len() < FOLLOWED && kept.iter().all(|other| mean_distance(&start.images, &other.images) > SAME * root_mm) {
             kept.push(start);
         }
     }
@@ -91,7 +94,7 @@ impl Displacement<'_> {
         let matches = form_matches((&self.source, source), (&self.target, target), self.options);
         checkpoint(self.observer)?;
         let isometry = Isometry::new((&self.source, source), (&self.target, target));
-        let starts = distinct(matches.par_iter().map(|guess| isometry.from(guess)).collect(), self.lengths.root_mm);
+        let starts = distinct(isometry.correspondences(&matches), self.lengths.root_mm);
         checkpoint(self.observer)?;
         let is_of_same_handedness = starts
             .first()

@@ -42,6 +42,8 @@ pub(crate) struct ComparedPose {
     pub pose: usize,
     /// The rigid part of a start from bending-invariant forms, which is none of the poses.
     pub of_form: Option<RigidTransform>,
+    /// The energy of near isometries of that start, a mean over its variables; none of straightened surfaces.
+    pub energy: Option<f64>,
     /// Whether it mirrors.
     pub mirrored: bool,
     /// Misfit after the deformation: mean of `−ln` of the likelihood of the other surface at each point. Lower is better.
@@ -99,6 +101,7 @@ impl Displacement<'_> {
             compared.push(ComparedPose {
                 pose,
                 of_form: None,
+                energy: None,
                 mirrored: poses[pose].pose.is_reflection(),
                 misfit,
                 finer: Finer::None,

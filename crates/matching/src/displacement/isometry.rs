@@ -78,6 +78,13 @@ pub(super) struct NearIsometry {
     pub energy: f64,
 }
 
+impl NearIsometry {
+    /// The energy over the number of variables.
+    pub(super) fn mean_energy(&self) -> f64 {
+        self.energy / self.points.len() as f64
+    }
+}
+
 /// The energy of near isometries between two surfaces, and where its minimization begins: for measuring the energy itself.
 #[derive(Debug, Clone, PartialEq)]
 pub struct NearIsometryModel {

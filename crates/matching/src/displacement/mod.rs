@@ -377,7 +377,7 @@ fn deformed(
             ((surfaces.form_of)(Which::Source), (surfaces.form_of)(Which::Target))
     {
         let misfit = forward.fine_misfit(wide, false);
-        unbent = forward.unbent(of_source, of_target)?.filter(|found| found.fine_misfit < misfit - CLEARLY_BETTER);
+        unbent = forward.unbent(of_source, of_target, misfit - CLEARLY_BETTER)?;
     }
     let refined = match unbent {
         Some(unbent) => {

@@ -88,4 +88,70 @@ proptest! {
         }
         prop_assert_eq!(model.max_product(&bias, 5, 0.0), vec![2, 2, 2]);
     }
+
+    #[test]
+    fn on_a_tree_fusion_is_the_best_of_all_choices(
+        seed: u64,
+        a in prop::collection::vec(0u32..6, 7),
+        b in prop::collection::vec(0u32..6, 7),
+    ) {
+        let model = random_model(seed, 7, 6, &[[0, 1], [2, 1], [1, 3], [4, 3], [4, 5], [6, 0]]);
+        let energy = |x: &[u32]| model.energy(x).total();
+        let found = energy(&model.fused(&a, &b));
+        prop_assert!((found - least_of_choices(&model, &a, &b)).abs() < 1e-6, "{found}");
+    }
+
+    #[test]
+    fn fusion_takes_every_label_from_one_of_both_and_is_no_worse_than_either(
+        seed: u64,
+        a in prop::collection::vec(0u32..6, 6),
+        b in prop::collection::vec(0u32..6, 6),
+    ) {
+        let pairs = [[0, 1], [1, 2], [2, 3], [3, 4], [4, 5], [5, 0], [0, 3], [1, 4], [2, 5]];
+        let model = random_model(seed, 6, 6, &pairs);
+        let energy = |x: &[u32]| model.energy(x).total();
+        let found = model.fused(&a, &b);
+        prop_assert!(found.iter().zip(a.iter().zip(&b)).all(|(x, (p, q))| x == p || x == q));
+        prop_assert!(energy(&found) <= energy(&a).min(energy(&b)));
+        prop_assert!(energy(&found) >= least_of_choices(&model, &a, &b) - 1e-6);
+        prop_assert_eq!(&model.fused(&found, &found), &found);
+    }
+
+    #[test]
+    fn the_fusion_of_all_is_no_worse_than_any_and_no_change_of_one_label_improves_it(
+        seed: u64,
+        labelings in prop::collection::vec(prop::collection::vec(0u32..6, 6), 1..5),
+    ) {
+        let model = random_model(seed, 6, 6, &[[0, 1], [1, 2], [2, 3], [3, 4], [4, 5], [5, 0], [0, 3]]);
+        let energy = |x: &[u32]| model.energy(x).total();
+        let found = model.fused_of_all(&labelings, 100).unwrap();
+        prop_assert!(labelings.iter().all(|x| energy(&found) <= energy(x)));
+        for i in 0..6 {
+            let cost = model.conditional(i, &found);
+            prop_assert_eq!(cost[lowest(&cost)], cost[found[i] as usize]);
+        }
+    }
+}
+
+/// The lowest energy of all labelings whose every label is that of `a` or of `b`.
+fn least_of_choices(model: &MetricModel, a: &[u32], b: &[u32]) -> f64 {
+    let choice = |code: usize| -> Labeling { (0..a.len()).map(|i| [a, b][code >> i & 1][i]).collect() };
+    (0..1 << a.len()).map(|code| model.energy(&choice(code)).total()).fold(f64::INFINITY, f64::min)
+}
+
+#[test]
+fn fusion_puts_two_halves_together() {
+    // A chain whose labels are places on a line; each labeling is right about one half of it.
+    let n = 12;
+    let distances = (0..n * n).map(|k| ((k / n) as f32 - (k % n) as f32).abs()).collect();
+    let unary = (0..n * n).map(|k| if k / n == k % n { 0.0 } else { 0.4 }).collect();
+    let edges = (1..n as u32).map(|i| MetricEdge { ends: [i - 1, i], length: 1.0, weight: 1.0 });
+    let model = MetricModel::new(distances, unary, edges.collect(), 2.0);
+    let truth: Labeling = (0..n as u32).collect();
+    // Each puts the other half the wrong way round.
+    let a: Labeling = (0..n as u32).map(|i| if i < 6 { i } else { 17 - i }).collect();
+    let b: Labeling = (0..n as u32).map(|i| if i < 6 { 5 - i } else { i }).collect();
+    assert_eq!(model.fused(&a, &b), truth);
+    assert_eq!(model.fused_of_all(&[b, a], 10).unwrap(), truth);
+    assert_eq!(model.fused_of_all(&[], 10), None);
 }

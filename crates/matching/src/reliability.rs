@@ -191,7 +191,8 @@ mod tests {
     fn normals_may_disagree_more_where_a_surface_bends() {
         let side = Side::new(&ellipsoid(Vector3::new(6.0, 5.0, 4.0), 2));
         let is_reliable = |of_form: Option<RigidTransform>, normals: f64| {
-            let best = ComparedPose { pose: 0, of_form, energy: None, mirrored: false, misfit: 1.2, finer: Finer::None };
+            let best =
+                ComparedPose { pose: 0, of_form, energy: None, mirrored: false, misfit: 1.2, finer: Finer::None };
             let found = DisplacementAnswer {
                 images: Vec::new(),
                 transform: RigidTransform::identity(),

@@ -46,6 +46,12 @@ pub(super) fn assignments(source: &Places, target: &Places) -> Vec<Assignment> {
     search.kept.into_iter().map(|(_, chosen)| pairs(chosen)).collect()
 }
 
+/// How many extremities a surface has whose root mean square distance from all places is at least `remoteness`, at most [`MOST`]. Cost
+/// `O(places²)`.
+pub(super) fn number_of_limbs(places: &Places, remoteness: f64) -> usize {
+    Extremities::of(places).remoteness.iter().filter(|&&r| r >= remoteness).count()
+}
+
 /// The extremities of a surface, that which is farthest out first.
 struct Extremities {
     places: Vec<usize>,
@@ -164,12 +170,8 @@ mod tests {
         let arms = [(0.0, 1.0), (80.0, 0.8), (170.0, 1.3), (250.0, 0.6)];
         let (source, tips) = star(&arms);
         let (target, others) = star(&[arms[2], arms[0], arms[3], arms[1]]);
-        let mut expected: Assignment = vec![
-            (tips[0], others[1]),
-            (tips[1], others[3]),
-            (tips[2], others[0]),
-            (tips[3], others[2]),
-        ];
+        let mut expected: Assignment =
+            vec![(tips[0], others[1]), (tips[1], others[3]), (tips[2], others[0]), (tips[3], others[2])];
         let found = assignments(&source, &target);
         let mut first = found[0].clone();
         first.sort_unstable();

@@ -60,7 +60,8 @@ def report(lines):
                 )
         of = [line for line in lines if line["energy"] == energy]
         begun_at_truth = {line["case"]: value(line, "error_pct") for line in of if line["minimizer"] == FROM_TRUTH}
-        minimizers = [line for line in of if line["minimizer"] != FROM_TRUTH and not any(start in line["minimizer"] for start in STARTS)]
+        is_one_start = lambda line: any(start in line["minimizer"] for start in STARTS)
+        minimizers = [line for line in of if line["minimizer"] != FROM_TRUTH and not is_one_start(line)]
 
         def correlation(lines):
             excess = [value(line, "found") / value(line, "relaxed") for line in lines]

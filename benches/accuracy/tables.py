@@ -40,6 +40,7 @@ TITLES = {
     "bodies_posed": "person in two poses",
     "bodies_animals": "animal in two poses",
     "bodies_build": "two individuals in two poses",
+    "bodies_unlike": "two individuals as of two species",
     **{kind: f"{kind.removeprefix('symmetric_')}, sampled twice" for kind in solids.KINDS},
     **{kind: f"warp 4 %, kernels {kind.removeprefix('width_')} wide" for kind in warped.WIDTH_KINDS},
     **{kind: f"in units of {kind.removeprefix('scale_')}" for kind in scaled.KINDS},

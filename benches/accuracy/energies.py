@@ -17,7 +17,7 @@ from geometry import write_ply
 
 FROM_TRUTH = "conditional modes from the truth"
 STARTS = " from form ", " from extremities "
-"""In the names of minimizations that begin at one of several forms or assignments; `propagation, form` is the lowest of these."""
+"""In the names of minimizations that begin at one of several forms or assignments; `propagation (form)` is the lowest of these."""
 SETS = "real_resample,real_warp4,real_warp8,bodies,bent"
 
 

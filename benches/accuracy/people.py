@@ -79,12 +79,12 @@ def make(cases, kind, index):
     first = drawn_person(draws)
     people = [first, first if kind == "people_posed" else drawn_person(draws)]
     turns = [Rotation.random(random_state=draws.integers(2**31)).as_matrix() for _ in range(2)]
+    shapes = [model.shaped(person) for person in people]
     if kind == "people_one_pose":
-        seed, share = draws.integers(2**31), NEAR_REST
-        poses = [np.random.default_rng(seed) for _ in people]
+        seed = draws.integers(2**31)
+        found = posed_surfaces(model, shapes, draws, lambda tried: np.random.default_rng([seed, tried]), NEAR_REST)
     else:
-        poses, share = [draws, draws], 1.0
-    found = [posed_surface(model, model.shaped(person), pose, share) for person, pose in zip(people, poses)]
+        found = [pair for shape in shapes for pair in posed_surfaces(model, [shape], draws, lambda _: draws, 1.0)]
     if None in found:
         return {"genus0": False}
     (fine1, at1, weights1, faces1), (fine2, at2, weights2, faces2) = found
@@ -244,21 +244,26 @@ def drawn_pose(model, vertices, draws, share):
     return turns
 
 
-def posed_surface(model, vertices, draws, share):
-    """Fine vertices, and for each vertex of the reduced surface its triangle and weights in it, and faces between them.
+def posed_surfaces(model, shapes, draws, draws_of_pose, share):
+    """For each shape its fine vertices, and for each vertex of the reduced surface its triangle and weights in it, and faces between them.
 
-    In the first pose, drawn from `share` of the ranges of joints, in which no parts meet that are far apart.
+    In the first pose, drawn from `share` of the ranges of joints and the same for all, in which no parts of any meet that are far apart.
     """
-    rest = model.posed(vertices, {})
     used = np.unique(model.fine_faces)
-    few = used[draws.permutation(len(used))[: 2 * N_VERTICES]]
+    rests = [model.posed(vertices, {}) for vertices in shapes]
+    fews = [used[draws.permutation(len(used))[: 2 * N_VERTICES]] for _ in shapes]
     for tried in range(N_POSES_TRIED):
-        fine = model.posed(vertices, drawn_pose(model, vertices, draws, share * 0.98**tried))
-        near = cKDTree(fine[few]).query_pairs(TOUCHING_MM, output_type="ndarray")
-        if (np.linalg.norm(rest[few[near[:, 0]]] - rest[few[near[:, 1]]], axis=1) > 8 * TOUCHING_MM).any():
+        turns = [drawn_pose(model, vertices, draws_of_pose(tried), share * 0.98**tried) for vertices in shapes]
+        fines = [model.posed(vertices, turn) for vertices, turn in zip(shapes, turns)]
+        if any(meets_itself(rest[few], fine[few]) for rest, few, fine in zip(rests, fews, fines)):
             continue
-        return (fine, *resampled(model, fine, draws))
-    return None
+        return [(fine, *resampled(model, fine, draws)) for fine in fines]
+    return [None] * len(shapes)
+
+
+def meets_itself(rest, posed):
+    near = cKDTree(posed).query_pairs(TOUCHING_MM, output_type="ndarray")
+    return bool((np.linalg.norm(rest[near[:, 0]] - rest[near[:, 1]], axis=1) > 8 * TOUCHING_MM).any())
 
 
 def resampled(model, fine, draws):

@@ -232,7 +232,7 @@ pub enum PoseOrigin {
     Landmarks,
     /// A search of all orientations.
     Search,
-    /// The bending-invariant forms of the two surfaces: the rigid part of correspondences between them.
+    /// The rigid part of a correspondence that keeps distances along the surfaces, begun from their bending-invariant forms or extremities.
     Form,
     /// Alignment of the first-order ellipsoids.
     FirstOrderEllipsoid,

@@ -94,22 +94,18 @@ impl Case {
             println!("{name},near isometry,{minimizer},{truth:.2},{relaxed:.2},{:.2},{error:.3}", energy(x));
         };
         say("conditional modes from the truth", &relaxed);
-        let begun = |biases: &[Vec<f32>]| -> Vec<Labeling> {
-            let mut labelings: Vec<Labeling> = biases.iter().map(|bias| found.minimised(bias)).collect();
-            labelings.sort_by(|a, b| energy(a).total_cmp(&energy(b)));
-            labelings
-        };
         let from_nothing = found.minimised(&[]);
         let mut all = vec![from_nothing.clone()];
         for (what, biases) in [("form", &found.of_forms), ("extremities", &found.of_extremities)] {
-            let labelings = begun(biases);
+            let mut labelings: Vec<Labeling> = biases.iter().map(|bias| found.minimised(bias)).collect();
+            all.extend_from_slice(&labelings);
+            labelings.sort_by(|a, b| energy(a).total_cmp(&energy(b)));
             if let Some(lowest) = labelings.first() {
-                say(&format!("propagation, {what}"), lowest);
+                say(&format!("propagation ({what})"), lowest);
             }
             for (k, x) in labelings.iter().enumerate() {
                 say(&format!("propagation from {what} {}", k + 1), x);
             }
-            all.extend(labelings);
         }
         say("propagation from nothing", &from_nothing);
         if let Some(fused) = found.fused(&all) {

@@ -157,9 +157,9 @@ const BYTES_PER_VERTEX: u64 = 2048;
 /// differ is not known from the numbers of vertices.
 const BYTES_PER_RESIZED_VERTEX: u64 = 800;
 
-/// Memory of belief propagation over distances along the surface, bytes: messages of two starts at a time (about 1,900 edges in two
-/// directions, 512 labels, 32 bits) and the biases of thirty. With the forms of both surfaces 45 MiB more were measured at 2 × 5,000.
-/// Whether surfaces bend is not known from the numbers of vertices.
+/// Memory of belief propagation over distances along the surface on two threads, bytes: with the forms of both surfaces 45 MiB more were
+/// measured at 2 × 5,000. The messages of a start take 8 MiB (about 1,900 edges in two directions, 512 labels, 32 bits), and each further thread
+/// has one more start at work. Whether surfaces bend is not known from the numbers of vertices.
 const BYTES_OF_NEAR_ISOMETRIES: u64 = 16 << 20;
 
 /// Peak memory of matching surfaces of these sizes, bytes; accurate to a tenth where messages dominate. `source` is the
@@ -167,7 +167,7 @@ const BYTES_OF_NEAR_ISOMETRIES: u64 = 16 << 20;
 ///
 /// On the level on which the energy is minimised: the messages once and a quarter of them again (those that are read while
 /// they are replaced), in 32 or 16 bits, and two tables of unary potentials in 32; a share for each vertex; and that of a
-/// method of the field for each vertex of the thinned surfaces that it is given. A closed
+/// method of the field for each vertex of the thinned surfaces that it is given, and the bending-invariant forms. A closed
 /// surface of genus 0 has `V + F − 2` edges, whatever its faces.
 pub fn match_memory_bytes(source: (usize, usize), target_vertices: usize, parameters: &MatchParameters) -> u64 {
     let (mut vertices, faces, mut labels) = (source.0 as u64, source.1 as u64, target_vertices as u64);

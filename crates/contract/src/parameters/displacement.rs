@@ -35,7 +35,8 @@ pub enum Bending {
     /// where surfaces of one shape are bent against each other; kept where they then fit better.
     Straightened,
     /// The same, and any surface by the correspondence that keeps distances along the surfaces best: the labeling of lowest energy
-    /// of a Markov random field without a pose, by belief propagation from bending-invariant forms. Tried only where rigid starts disagree.
+    /// of a Markov random field without a pose, by belief propagation from bending-invariant forms and from extremities. Tried only where rigid starts disagree, and
+    /// between closed surfaces with four limbs or more; kept where they then fit better.
     NearIsometry,
 }
 

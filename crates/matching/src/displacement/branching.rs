@@ -18,7 +18,7 @@ const MOST_COMPACT: f64 = 0.18;
 const FEWEST_LIMBS: usize = 4;
 const FAR_OUT: f64 = 0.64;
 
-/// Whether both surfaces are whole and have limbs.
+/// Whether both surfaces are whole and have limbs. Landmarks say already which limb is which.
 ///
 /// Cost `O(n)` for compact surfaces, otherwise that of their forms.
 pub(super) fn may_branch(surfaces: &Surfaces<'_>) -> bool {
@@ -27,6 +27,7 @@ pub(super) fn may_branch(surfaces: &Surfaces<'_>) -> bool {
     };
     surfaces.bending == Bending::NearIsometry
         && !surfaces.open
+        && surfaces.landmarks.is_empty()
         && [surfaces.source, surfaces.target].into_iter().all(|mesh| isoperimetric_quotient(mesh) < MOST_COMPACT)
         && branches(Which::Source)
         && branches(Which::Target)

@@ -10,7 +10,8 @@
 
 use super::forms::Places;
 
-/// A place is an extremity if none is farther from all others within this distance along the surface, in roots of the area.
+/// A place is an extremity if within this distance along the surface, in roots of the area, no other has a larger root mean square distance
+/// from all places.
 const REACH: f64 = 0.25;
 /// The most extremities of a surface that take part, those that are farthest out.
 const MOST: usize = 7;
@@ -26,7 +27,7 @@ const TRUNCATION: f64 = 4.5;
 /// Pairs of a place of the source and a place of the target.
 pub(super) type Assignment = Vec<(usize, usize)>;
 
-/// Assignments of extremities, the likeliest first; the last may assign none. The same for the same places, whatever their unit.
+/// Assignments of extremities, the likeliest first; each assigns one at least. The same for the same places, whatever their unit.
 ///
 /// Cost: that of all partial assignments of [`MOST`] places, cut off where they cost more than those that are kept, and
 /// `O(places²)`.
@@ -43,7 +44,7 @@ pub(super) fn assignments(source: &Places, target: &Places) -> Vec<Assignment> {
     let pairs = |chosen: Vec<Option<usize>>| {
         a.places.iter().zip(chosen).filter_map(|(&i, k)| k.map(|k| (i, b.places[k]))).collect()
     };
-    search.kept.into_iter().map(|(_, chosen)| pairs(chosen)).collect()
+    search.kept.into_iter().map(|(_, chosen)| pairs(chosen)).filter(|pairs: &Assignment| !pairs.is_empty()).collect()
 }
 
 /// How many extremities a surface has whose root mean square distance from all places is at least `remoteness`, at most [`MOST`]. Cost
@@ -182,6 +183,15 @@ mod tests {
     }
 
     #[test]
+    fn limbs_are_the_extremities_that_are_far_out() {
+        let (places, _) = star(&[(0.0, 1.0), (80.0, 0.8), (170.0, 1.3), (250.0, 0.6)]);
+        let remoteness = Extremities::of(&places).remoteness;
+        assert_eq!(remoteness.len(), 4);
+        assert!(remoteness.windows(2).all(|w| w[0] >= w[1]));
+        assert_eq!([0.0, remoteness[1], 2.0 * remoteness[0]].map(|least| number_of_limbs(&places, least)), [4, 2, 0]);
+    }
+
+    #[test]
     fn a_symmetry_gives_both_assignments_first() {
         let (source, tips) = star(&[(0.0, 1.3), (100.0, 0.9), (260.0, 0.9)]);
         let found = assignments(&source, &source);
@@ -218,6 +228,7 @@ mod tests {
         all.sort_by(f64::total_cmp);
         let mut search = Search { costs, kept: Vec::new(), chosen: Vec::new() };
         search.deeper(0.0);
+        assert!(all.len() > KEPT && search.kept.len() == KEPT);
         for (kept, expected) in search.kept.iter().zip(&all) {
             assert!((kept.0 - expected).abs() < 1e-12, "{} {expected}", kept.0);
         }

@@ -210,7 +210,7 @@ impl<'a> Isometry<'a> {
         labelings.iter().chain(&fused).map(correspondence).collect()
     }
 
-    /// The lowest energy to which the `guesses` lead if the source is mirrored.
+    /// The lowest energy to which the `guesses`, extremities and nothing lead if the source is mirrored.
     ///
     /// Cost as that of [`Isometry::correspondences`].
     pub(super) fn lowest_mirrored(&self, guesses: &[FormMatch]) -> f64 {

@@ -1,4 +1,5 @@
-//! The second attempt: from the bending-invariant forms, where no rigid start leads to surfaces that agree.
+//! The second attempt: from bending-invariant forms and from extremities, where no rigid start leads to surfaces that agree, and between
+//! surfaces with limbs.
 //!
 //! Correspondences of the forms ([`super::forms`]) and of extremities ([`super::extremities`]) are corrected and ordered by the energy
 //! of near isometries ([`super::isometry`]). Each bends the source onto the target before a field is fitted: bending costs nothing, and the prior of
@@ -34,7 +35,7 @@ const REFINED: usize = 3;
 const LOW_ENERGY: f64 = 0.2;
 /// Mean distance up to which two correspondences count as one, in roots of the area: less than the distance between sites.
 const SAME: f64 = 0.03;
-/// Energies that differ by less than this share of them tell neither two answers nor a surface and its mirror image apart.
+/// An energy that is higher by less than this share speaks neither against another answer nor for the mirror image.
 const EQUAL_ENERGY: f64 = 0.03;
 /// Misfits at the scale of the sampling that differ by less than this do not tell two answers apart; nor do they by less than the
 /// second if their energies do not. Answers of hippocampi on ellipsoids, whose symmetries give four, are up to 0.035 apart (12 pairs, all

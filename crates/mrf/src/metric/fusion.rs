@@ -1,4 +1,4 @@
-//! Fusion of labelings: the best labeling in which every variable has its label of one or the other.
+//! Fusion of labelings: a labeling of low energy in which every variable has its label of one or the other.
 //!
 //! Belief propagation from different starts is often right about different parts. Which part to take from which is a problem of two
 //! labels for each variable, whatever the number of labels of the model, so it costs `O(edges)` and not `O(edges · K²)`.

@@ -11,7 +11,7 @@
 //! that of the best by the truncation cannot matter and are skipped.
 //!
 //! [`MetricModel::max_product`] is belief propagation, [`MetricModel::descend`] iterated conditional modes from a labeling,
-//! [`MetricModel::fused`] takes the best of two labelings, variable by variable.
+//! [`MetricModel::fused`] puts two labelings together, variable by variable.
 //!
 //! Sources: Pearl 1988 (max-product); Besag, "On the statistical analysis of dirty pictures", 1986 (conditional modes);
 //! Anguelov et al., "The correlated correspondence algorithm for unsupervised registration of nonrigid surfaces", NIPS 2004

@@ -49,19 +49,24 @@ fn deviation(pair: &[Vec<u8>]) -> f64 {
     shares.iter().map(|(at, done)| (done / at - 1.0).abs()).fold(0.0, f64::max)
 }
 
-#[test]
-#[ignore = "needs real data (hippocampus)"]
-fn what_is_said_to_be_done_is_the_share_of_the_time_within_a_third() {
-    for pair in hippocampi(8).chunks(2) {
-        // Other programs on the machine slow parts of a run and so only add to the deviation: what is wrong is wrong each time.
-        let mut found = f64::INFINITY;
-        for _ in 0..6 {
-            found = found.min(deviation(pair));
-            println!("{found:.2}\n");
-            if found < 1.0 / 3.0 {
-                break;
+/// By this name they are left out where the data are absent.
+mod real_data {
+    use super::*;
+
+    #[test]
+    #[ignore = "needs real data (hippocampus)"]
+    fn what_is_said_to_be_done_is_the_share_of_the_time_within_a_third() {
+        for pair in hippocampi(8).chunks(2) {
+            // Other programs on the machine slow parts of a run and so only add to the deviation: what is wrong is wrong each time.
+            let mut found = f64::INFINITY;
+            for _ in 0..6 {
+                found = found.min(deviation(pair));
+                println!("{found:.2}\n");
+                if found < 1.0 / 3.0 {
+                    break;
+                }
             }
+            assert!(found < 1.0 / 3.0, "{found:.2}");
         }
-        assert!(found < 1.0 / 3.0, "{found:.2}");
     }
 }

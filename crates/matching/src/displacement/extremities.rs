@@ -9,6 +9,7 @@
 //! assignments of extremities, pruned by distances along the surface).
 
 use super::forms::Places;
+use super::isometry::STRETCH;
 
 /// A place is an extremity if within this distance along the surface, in roots of the area, no other has a larger root mean square distance
 /// from all places.
@@ -17,8 +18,6 @@ const REACH: f64 = 0.25;
 const MOST: usize = 7;
 /// Assignments that are kept. Bodies with two arms and two legs have four that keep all distances.
 const KEPT: usize = 12;
-/// Standard deviation of the difference of corresponding distances, relative to them: that of the pairwise potentials.
-const STRETCH: f64 = 0.15;
 /// What an extremity without a counterpart costs, and the most that a pair of distances does: three and four and a half units of
 /// log-likelihood. Costs only order the assignments.
 const ALONE: f64 = 3.0;

@@ -39,7 +39,7 @@ const FAR_STEPS: [usize; 4] = [37, 53, 71, 89];
 /// Standard deviation of a label's distance from the place it stands for, in spacings of the labels, and of the change of a
 /// distance, relative to it.
 const LABEL_NOISE: f64 = 0.35;
-const STRETCH: f64 = 0.15;
+pub(super) const STRETCH: f64 = 0.15;
 /// Weight of a pairwise potential: distances that share an end are not independent.
 const PAIR_WEIGHT: f64 = 0.5;
 /// Truncation of a pairwise and of a unary term.

@@ -1,9 +1,9 @@
 // A job: the verdict first, then the picture, then how it came about.
 
 import { useMemo, useState } from "preact/hooks";
-import { type Job, type Result, type TracePoint, ApiError, describe, get, send } from "./api";
+import { type Job, type Result, type TracePoint, describe, get, send } from "./api";
 import { duration, isFinal, mm, number, percent, verdict, words } from "./format";
-import { follow, newest } from "./live";
+import { answered, follow, newest } from "./live";
 import { loadPair, type Pair } from "./pair";
 import { Badge, Bar, Check, Facts, Failure, Plot, State, useNow, useWork } from "./parts";
 import { go } from "./router";
@@ -26,7 +26,10 @@ export function JobView({ id }: { id: string }) {
       setPair(null);
       setResult(null);
       setFailure(null);
-      get<Job>(`v1/jobs/${id}`, signal).then((found) => !signal.aborted && setJob((before) => before ?? found), failed);
+      answered(() => get<Job>(`v1/jobs/${id}`, signal), signal).then(
+        (found) => !signal.aborted && setJob((before) => before ?? found),
+        (error: unknown) => !signal.aborted && failed(error),
+      );
       // Points that arrive together are drawn together.
       let waiting: TracePoint[] = [];
       let timer = 0;
@@ -350,9 +353,11 @@ export function Inputs({ job }: { job: Pick<Job, "source" | "target"> }) {
 function Parameters({ job }: { job: Job }) {
   const [defaults, setDefaults] = useState<Record<string, unknown> | null>(null);
   useWork((signal) => {
-    get<{ defaults: Record<string, unknown> }>(`v1/methods/${job.method}`, signal).then((method) => setDefaults(method.defaults), (error: unknown) => {
-      if (!(error instanceof ApiError) && !signal.aborted) throw error;
-    });
+    // A service that does not know the method any more shows all parameters without comparing them.
+    answered(() => get<{ defaults: Record<string, unknown> }>(`v1/methods/${job.method}`, signal), signal).then(
+      (method) => !signal.aborted && setDefaults(method.defaults),
+      () => undefined,
+    );
   }, [job.method]);
   const all = flatten(job.parameters);
   const usual = new Map(defaults ? flatten(defaults) : []);

@@ -37,6 +37,19 @@ export const pause = (ms: number, signal: AbortSignal): Promise<void> =>
 /** Whether the service has refused, so that asking again is in vain: not a lost connection, nor a service that is busy or down. */
 export const isRefused = (error: unknown): boolean => error instanceof ApiError && error.problem.status < 500 && error.problem.status !== 429;
 
+/** What `ask` answers: asked again after a lost connection, until the service answers or refuses. */
+export async function answered<T>(ask: () => Promise<T>, signal: AbortSignal): Promise<T> {
+  for (let wait = 500; ; wait = Math.min(wait * 2, 8_000)) {
+    try {
+      return await ask();
+    } catch (error) {
+      if (signal.aborted || isRefused(error)) throw error;
+    }
+    await pause(wait, signal);
+    signal.throwIfAborted();
+  }
+}
+
 /** Longest silence of a stream: the service sends a comment every 15 s. */
 const SILENCE_MS = 40_000;
 

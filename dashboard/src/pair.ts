@@ -4,6 +4,7 @@ import { BufferAttribute, BufferGeometry, Matrix4, Vector3 } from "three";
 import { PLYLoader } from "three/examples/jsm/loaders/PLYLoader.js";
 import { call, get, type Job, type Result } from "./api";
 import { ofCategory } from "./colors";
+import { answered } from "./live";
 
 export interface Pair {
   source: BufferGeometry;
@@ -61,9 +62,9 @@ export async function loadPair(job: Job, signal: AbortSignal): Promise<{ pair: P
   const base = `v1/jobs/${job.id}`;
   const bytes = async (path: string) => (await call(`${base}/${path}`, { signal })).arrayBuffer();
   const [result, matched, target] = await Promise.all([
-    get<Result>(`${base}/result?correspondences=false`, signal),
-    bytes("correspondences?format=ply"),
-    bytes("surfaces/target?format=ply"),
+    answered(() => get<Result>(`${base}/result?correspondences=false`, signal), signal),
+    answered(() => bytes("correspondences?format=ply"), signal),
+    answered(() => bytes("surfaces/target?format=ply"), signal),
   ]);
   return { pair: makePair(result, matched, target), result };
 }

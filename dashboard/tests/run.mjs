@@ -624,6 +624,27 @@ test("the connection is lost and regained without a gap in the trace", async () 
   page.complaints();
 });
 
+test("what a lost connection keeps from the page of a job is asked for again", async () => {
+  const id = await submit(open, pair);
+  await finished(open, id);
+  const lost = new Set();
+  const needed = /\/v1\/(methods\/|jobs\/[^/?]+$|jobs\/[^/]+\/(result|correspondences|surfaces))/;
+  const base = await h.prefixed(open, "/", (request, response) => {
+    if (!needed.test(request.url) || lost.has(request.url)) return false;
+    lost.add(request.url);
+    response.destroy();
+    return true;
+  });
+  const page = await h.tab({ ignore: /ERR_EMPTY|ERR_CONNECTION|Failed to load resource/ });
+  await page.goto(`${base}#/jobs/${id}`);
+  await shown(page);
+  assert.equal(await page.textContent("#verdict"), "Reliable");
+  await page.waitForSelector('text="All as the method balanced sets them."', { state: "attached" });
+  assert.equal(await page.locator(".failure").count(), 0);
+  assert.equal(lost.size, 5, [...lost].join());
+  page.complaints();
+});
+
 test("with authentication: a key for the tab, and nothing without it", async () => {
   const key = h.run("keys", "create", "--init", "--tenant", "clinic-a", "--role", "submitter", "--data-dir", join(h.folder, "keys")).match(/hml_\S+/)[0];
   const base = await h.service("keys", "--auth", "keys");

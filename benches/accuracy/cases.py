@@ -17,13 +17,14 @@ import capsules
 import coarse
 import geometry
 import landmarked
+import parts
 import people
 import scaled
 import solids
 import structures
 import warped
 
-FAMILIES = [scaled, warped, capsules, bodies, people, solids, structures, coarse, landmarked]
+FAMILIES = [scaled, warped, capsules, bodies, people, solids, structures, coarse, parts, landmarked]
 """Modules that make further sets: `KINDS`, `names(cases, kind, n)`, `make(cases, kind, index)`, `KEPT`: on disk or not."""
 FAMILY = {kind: family for family in FAMILIES for kind in family.KINDS}
 REAL = ["real_warp4", "real_warp8", "real_cross", "real_resample"]

@@ -6,6 +6,7 @@ import os
 import bodies
 import capsules
 import landmarked
+import parts
 import people
 import warped
 from cases import FAMILY, REAL, ROBUSTNESS, UNLIKE
@@ -30,6 +31,7 @@ HALF = [*warped.WIDTH_KINDS, *SYMMETRIC]
 ABLATION = {
     "real": ["real_warp4", "real_warp8", "real_cross"],
     "bent": [*bodies.KINDS, "bent_90", "bent_120"],
+    "parts": parts.KINDS,
 }
 """The sets on which each group of variants is measured."""
 
@@ -62,8 +64,8 @@ def cores_of(method):
 
 
 def ablated(n, kind):
-    """How many pairs of a set the ablation has: twice as many bent ones, as intervals have to be told apart."""
-    return 2 * n if kind in ABLATION["bent"] else max(n // 2, 1) * MANY.get(kind, 1)
+    """How many pairs of a set the ablation has: twice as many bent ones and parts, as intervals have to be told apart."""
+    return max(n // 2, 1) * MANY.get(kind, 1) if kind in ABLATION["real"] else 2 * n
 
 
 def tasks(cases, n, with_peers):

@@ -7,6 +7,7 @@ import os
 import numpy as np
 
 import bodies
+import parts
 import report_sets
 from cases import CUT_SHARE, NOISE_SHARE, ROBUSTNESS
 from peers import PEERS
@@ -318,9 +319,18 @@ def told_of(values, name=""):
     return [f"{name}`{word[:60]}` {words.count(word)} of {len(words)}" for word in sorted(set(words))[:4]]
 
 
-FIGURE_OF = {"real_cross": "label", **{kind: "err_diag_pct" for kind in bodies.KINDS}}
+FIGURE_OF = {
+    "real_cross": "label",
+    **{kind: "err_diag_pct" for kind in bodies.KINDS},
+    **{kind: "within_10_deg" for kind in parts.KINDS},
+}
 """What the ablation shows of a set; the share of vertices within one edge of the others."""
-FIGURE_TITLES = {"w1": "within one edge", "label": "label agreement", "err_diag_pct": "error, % of the diagonal"}
+FIGURE_TITLES = {
+    "w1": "within one edge",
+    "label": "label agreement",
+    "err_diag_pct": "error, % of the diagonal",
+    "within_10_deg": "pose within 10°",
+}
 
 
 def ablation_section(found):

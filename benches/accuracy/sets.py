@@ -4,6 +4,7 @@ import bodies
 import capsules
 import coarse
 import landmarked
+import parts
 import people
 import scaled
 import solids
@@ -23,6 +24,7 @@ GROUPS = {
     "symmetric": solids.KINDS,
     "unlike": structures.KINDS,
     "noise": coarse.KINDS,
+    "parts": parts.KINDS,
     "landmarked": landmarked.KINDS,
 }
 KINDS = [*REAL, "real_narrow2", *ROBUSTNESS, *UNLIKE, *FAMILY, *(f"swapped_{kind}" for kind in REAL)]

@@ -14,7 +14,7 @@ EXPECTED = {
 """Sets whose answers must not be reliable, with the reason that must be among those given; None: any."""
 RIGHT_DEG = 5
 RIGHT_SHARE = 0.5
-RIGID = ["real_resample", "resample_noise", "resample_cut", "resample_half", "bean_noise", "bean_cut", "bean_half", *NOISY]
+RIGID = ["real_resample", "resample_noise", "resample_cut", "resample_half", "bean_noise", "bean_cut", "bean_half", "part_copy", "end_copy", *NOISY]
 
 
 def kind_of(record):

@@ -1,0 +1,26 @@
+"""The sets `part_*` and `end_*`: one half, or one end of 30 %, of a hippocampus, which is open where it was cut, and the whole of a re-sampled
+copy or of another subject.
+
+The two ends take turns. Of another subject the true pose is the generator's estimate: the two whole surfaces aligned by trimmed ICP from their
+poses in the scanner.
+"""
+
+import geometry
+
+WHOLE = {"part_copy": "real_resample", "part_other": "real_cross", "end_copy": "real_resample", "end_other": "real_cross"}
+KINDS = list(WHOLE)
+KEPT = True
+CUT = {"part_copy": 0.5, "part_other": 0.5, "end_copy": 0.7, "end_other": 0.7}
+"""The share of the area that is cut off."""
+
+
+def names(cases, kind, n):
+    return cases.first_of_genus_0(kind, n)
+
+
+def make(cases, kind, index):
+    index = int(index)
+    case = cases.load(f"{WHOLE[kind]}/{index}")
+    new = {key: case[key] for key in ("V1", "F1", "V2", "F2", "R", "t", "genus0")}
+    new["V1"], new["F1"] = geometry.cut_end(new["V1"], new["F1"], CUT[kind], index % 2 == 0)
+    return geometry.finished(new)

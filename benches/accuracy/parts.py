@@ -5,6 +5,8 @@ The two ends take turns. Of another subject the true pose is the generator's est
 poses in the scanner.
 """
 
+from scipy.spatial import cKDTree
+
 import geometry
 
 WHOLE = {"part_copy": "real_resample", "part_other": "real_cross", "end_copy": "real_resample", "end_other": "real_cross"}
@@ -21,6 +23,8 @@ def names(cases, kind, n):
 def make(cases, kind, index):
     index = int(index)
     case = cases.load(f"{WHOLE[kind]}/{index}")
-    new = {key: case[key] for key in ("V1", "F1", "V2", "F2", "R", "t", "genus0")}
-    new["V1"], new["F1"] = geometry.cut_end(new["V1"], new["F1"], CUT[kind], index % 2 == 0)
+    new = {key: case[key] for key in ("F2", "V2", "R", "t", "genus0", "lb") if key in case}
+    new["V1"], new["F1"] = geometry.cut_end(case["V1"], case["F1"], CUT[kind], index % 2 == 0)
+    kept = cKDTree(case["V1"]).query(new["V1"])[1]
+    new.update({key: case[key][kept] for key in ("gtpos", "la") if key in case})
     return geometry.finished(new)

@@ -1,7 +1,7 @@
 //! Poses that may fit better than the one at hand: from a search of all orientations, and from the principal axes.
 
 use super::scene::even_sample;
-use super::side::Side;
+use super::side::{Side, part};
 use homolog_geometry::curvature::vertex_areas;
 use homolog_primitives::observe::{Cancelled, Observer};
 use homolog_registration::alignment::OrientedPoints;
@@ -33,7 +33,7 @@ pub(super) fn searched(source: &Side, target: &Side, allow_reflection: bool) -> 
     pose_search(
         &oriented(source, &source_areas),
         &oriented(target, &target_areas),
-        &PoseSearchOptions { allow_reflection, ..PoseSearchOptions::default() },
+        &PoseSearchOptions { allow_reflection, part: part(source, target), ..PoseSearchOptions::default() },
     )
 }
 

@@ -39,5 +39,8 @@ pub(crate) fn align_shortly(
         tolerance,
     };
     let found = align_both_ways(source, target, start, &options, observer)?;
-    Ok(Aligned { target_from_source: found.target_from_source, copies: found.residual_mm <= COPY_EDGES * edge_mm })
+    Ok(Aligned {
+        target_from_source: found.target_from_source,
+        copies: found.steps > 0 && found.residual_mm <= COPY_EDGES * edge_mm,
+    })
 }

@@ -13,6 +13,7 @@ use super::posed::{InferredPose, Posed};
 use super::reliability::{UNRELIABLE_CONFIDENCE, reliability, without_counterpart};
 use super::rounds::{PROGRESS_AT_END, PROGRESS_BEFORE_DISPLACEMENT};
 use super::scene::Scene;
+use super::side::part;
 use super::vertex_map::VertexMap;
 use homolog_contract::parameters::{Bending, DisplacementMode};
 use homolog_contract::result::{PoseDocument, PoseOrigin, ReliabilityDocument};
@@ -257,6 +258,7 @@ fn by_field(coarse: &Coarse<'_>, posed: &Posed<'_>, starts: &Starts) -> Result<O
         target_closest: &scene.closest.index,
         landmarks: &scene.parameters.landmarks,
         open: source.full.is_open || target.full.is_open,
+        part: part(&source.full, &target.full),
         lengths: Lengths::of(&source.middle, &target.middle),
         bending: scene.parameters.displacement.bending,
         form_of: &|which| match (scene.parameters.displacement.bending, which) {

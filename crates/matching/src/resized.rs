@@ -2,21 +2,26 @@
 //!
 //! From a rigid pose the field has to shrink or swell one surface before anything fits, and what it finds on the way may hold it.
 //! Between surfaces of equal area there is nothing to swell. That the sizes differ does not say which is right, though: one of the two may
-//! be a part of the other. So both are matched, and the answer under which the shapes are more alike is taken.
+//! be a part of the other. So both are matched, and the answer under which the shapes are more alike is taken. An open surface that is smaller than a
+//! closed one is a part, at its size.
 
 use super::displaced::{Displaced, Images};
 use super::levels::Levels;
 use super::reliability;
+use super::side::part;
 use super::{MatchError, coarse, displaced, posed};
 use homolog_contract::parameters::MatchParameters;
 use homolog_geometry::curvature::vertex_areas;
 use homolog_mesh::SurfaceMesh;
 use homolog_primitives::observe::{Observer, Phase, TracePoint};
-use homolog_registration::{RigidTransform, weighted_moments};
+use homolog_registration::{Part, RigidTransform, weighted_moments};
 use nalgebra::{Point3, Vector3};
 
 /// Ratio of the roots of two areas from which that is tried. It saves time: the likeness of the shapes decides.
 const UNLIKE_SIZES: f64 = 1.25;
+
+/// Ratio of the roots of two areas up to which an open surface may be a part of a closed one: a tenth of its area.
+const MOST_OF_PARTS: f64 = 3.2;
 
 /// Passes on nothing but cancellation: phases and progress are those of the match of the surfaces as they are.
 struct Unseen<'a>(&'a dyn Observer);
@@ -46,7 +51,7 @@ pub(crate) fn resized(
 ) -> Result<Displaced, MatchError> {
     let factor = target.full.root_mm / source.full.root_mm;
     let Some(as_they_are) = likeness(&found) else { return Ok(found) };
-    if !factor.is_finite() || factor.max(1.0 / factor) < UNLIKE_SIZES {
+    if !factor.is_finite() || factor.max(1.0 / factor) < UNLIKE_SIZES || is_of_a_part(source, target, factor) {
         return Ok(found);
     }
     let mesh = source.full.mesh();
@@ -67,6 +72,15 @@ pub(crate) fn resized(
     }
     let center = center(mesh);
     Ok(of_equal_area.of_original(&levels, |pose| unscaled(pose, factor, &center)))
+}
+
+/// Whether the sizes differ by so much, as a factor from the source to the target, because one surface shows a part of what the other shows.
+fn is_of_a_part(source: &Levels, target: &Levels, factor: f64) -> bool {
+    match part(&source.full, &target.full) {
+        None => false,
+        Some(Part::Source) => (1.0..MOST_OF_PARTS).contains(&factor),
+        Some(Part::Target) => (1.0..MOST_OF_PARTS).contains(&(1.0 / factor)),
+    }
 }
 
 /// How much the shapes are alike in an answer by a smooth field.

@@ -6,6 +6,7 @@ use super::surface_index::SurfaceIndex;
 use homolog_geometry::curvature::{default_radius_mm, vertex_areas};
 use homolog_geometry::hierarchy::{CoarseSurface, coarsen};
 use homolog_mesh::{CanonicalMesh, Numbering, SurfaceMesh, canonicalize};
+use homolog_registration::Part;
 use nalgebra::Vector3;
 use std::mem::size_of;
 use std::sync::{Arc, OnceLock};
@@ -35,6 +36,15 @@ pub(super) struct Side {
     closest: OnceLock<SurfaceIndex>,
     light: OnceLock<LightSide>,
     form: OnceLock<Option<Form>>,
+}
+
+/// Which of the two surfaces shows a part of what the other shows: an open one, if the other is closed.
+pub(super) fn part(source: &Side, target: &Side) -> Option<Part> {
+    match (source.is_open, target.is_open) {
+        (true, false) => Some(Part::Source),
+        (false, true) => Some(Part::Target),
+        _ => None,
+    }
 }
 
 /// A surface smoothed at [`POSITION_SCALE`].

@@ -50,6 +50,12 @@ impl ClosestPoint {
         a + b + c
     }
 
+    /// Whether the point is on an edge or a corner of which every end `is_marked`: on the rim, say, beyond which a surface is missing.
+    pub fn is_between(&self, is_marked: impl Fn(usize) -> bool) -> bool {
+        let takes_part = |k: &usize| self.barycentric[*k] >= 1e-6;
+        (0..3).filter(takes_part).count() < 3 && (0..3).filter(takes_part).all(|k| is_marked(self.triangle[k] as usize))
+    }
+
     /// The corner of the triangle with the largest barycentric coordinate, the lowest index of equal ones.
     pub fn nearest_corner(&self) -> u32 {
         let mut best = 0;
@@ -292,5 +298,17 @@ mod tests {
             assert_eq!(index.closest(&query), by_parry(&tree, &query));
         }
         assert_eq!(index.closest(&Point3::new(f64::NAN, 0.0, 0.0)).triangle, [0, 1, 2]);
+    }
+
+    #[test]
+    fn a_point_is_between_vertices_if_only_they_have_a_share_of_it() {
+        let at = |barycentric| ClosestPoint { point: Point3::origin(), triangle: [4, 7, 9], barycentric };
+        let is_marked = |v: usize| v != 9;
+        assert!(at([0.3, 0.7, 0.0]).is_between(is_marked) && at([1.0, 0.0, 0.0]).is_between(is_marked));
+        assert!(
+            !at([0.3, 0.6, 0.1]).is_between(|_| true)
+                && !at([0.3, 0.6, 0.1]).is_between(is_marked)
+                && !at([0.0, 0.0, 1.0]).is_between(is_marked)
+        );
     }
 }

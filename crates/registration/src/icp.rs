@@ -12,6 +12,12 @@ use rayon::prelude::*;
 pub trait ClosestSurfacePoint: Sync {
     /// The closest point, mm, and the unit normal of the surface there.
     fn closest(&self, query: &Point3<f64>) -> (Point3<f64>, Vector3<f64>);
+
+    /// The same, unless that point is on the rim of an open surface: what `query` corresponds to may lie beyond it, where the surface is
+    /// missing.
+    fn closest_inside(&self, query: &Point3<f64>) -> Option<(Point3<f64>, Vector3<f64>)> {
+        Some(self.closest(query))
+    }
 }
 
 /// The distance that ICP minimizes between a point and its closest point.

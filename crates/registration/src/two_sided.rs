@@ -3,9 +3,9 @@
 //! Plain ICP searches closest points from source to target only: a part of the target without counterpart has no
 //! influence, and the staircase of voxel surfaces biases the result. Here every point of either surface is paired with
 //! its closest point on the other, weighted by its area and by Tukey's biweight of its residual, which ignores parts
-//! without counterpart. The first steps use a sample of the points, the last ones all.
+//! without counterpart; so are points whose closest one is on the rim of an open surface. The first steps use a sample of the points, the last ones all.
 //!
-//! Sources: Besl, McKay 1992 (point-to-point); Chen, Medioni 1992 (point-to-plane); Beaton, Tukey, "The fitting of
+//! Sources: Turk, Levoy, "Zippered polygon meshes from range images", 1994 (rims); Besl, McKay 1992 (point-to-point); Chen, Medioni 1992 (point-to-plane); Beaton, Tukey, "The fitting of
 //! power series", 1974 (biweight).
 
 use super::icp::ClosestSurfacePoint;
@@ -91,6 +91,9 @@ pub fn align_both_ways(
         for _ in 0..steps {
             checkpoint(observer)?;
             let pairs = pairs(source, target, &report.target_from_source, sample);
+            if pairs.is_empty() {
+                break;
+            }
             let Some((step, residual_mm)) = step(&pairs, options.metric, extent) else { break };
             report.target_from_source = step.after(&report.target_from_source);
             report.residual_mm = residual_mm;
@@ -114,15 +117,15 @@ fn pairs(source: &SurfaceSide<'_>, target: &SurfaceSide<'_>, pose: &RigidTransfo
     let back = pose.inverse();
     let mut found: Vec<Pair> = picked(source)
         .par_iter()
-        .map(|&(p, area)| {
+        .filter_map(|&(p, area)| {
             let moved = pose.apply(&p);
-            let (at, normal) = target.closest.closest(&moved);
-            Pair { source: moved, target: at, normal, area }
+            let (at, normal) = target.closest.closest_inside(&moved)?;
+            Some(Pair { source: moved, target: at, normal, area })
         })
         .collect();
-    found.par_extend(picked(target).par_iter().map(|&(q, area)| {
-        let (at, normal) = source.closest.closest(&back.apply(&q));
-        Pair { source: pose.apply(&at), target: q, normal: pose.rotation * normal, area }
+    found.par_extend(picked(target).par_iter().filter_map(|&(q, area)| {
+        let (at, normal) = source.closest.closest_inside(&back.apply(&q))?;
+        Some(Pair { source: pose.apply(&at), target: q, normal: pose.rotation * normal, area })
     }));
     found
 }

@@ -2,7 +2,7 @@
 
 use super::stages::Displacement;
 use super::surface::{N_FEATURES, SmoothSurface};
-use homolog_mesh::SurfaceMesh;
+use homolog_mesh::{ClosestPoint, SurfaceMesh};
 use nalgebra::Point3;
 use rayon::prelude::*;
 
@@ -29,26 +29,26 @@ impl Agreement {
 }
 
 impl Displacement<'_> {
-    /// The agreement of the source, whose vertices are moved to `moved`, with the closest points of the target.
+    /// The agreement of the source, whose vertices are moved to `moved`, with the closest points of the target, without those on its rim.
     ///
     /// Cost `O(n log n')`; sums in order of the vertices.
     pub(super) fn agreement(&self, moved: &[Point3<f64>]) -> Agreement {
-        let closest = &self.target.closest().index;
-        let found: Vec<_> = moved.par_iter().map(|p| closest.closest(p)).collect();
+        let closest = self.target.closest();
+        let found: Vec<_> = moved.par_iter().map(|p| closest.index.closest(p)).collect();
+        // What lies beyond the rim of the target has no counterpart there.
+        let inside = |(_, at): &(usize, &ClosestPoint)| !closest.is_at_rim(at);
+        let corresponding = || found.iter().enumerate().filter(inside);
         // Of the features at the largest scale the first is mean curvature.
         let feature = |side: &SmoothSurface, i: usize| side.features[(i + 1) * N_FEATURES - 2];
-        let pairs: Vec<(f64, f64)> = found
-            .iter()
-            .enumerate()
-            .map(|(i, at)| (feature(&self.source, i), at.blend(|k| feature(&self.target, k))))
-            .collect();
+        let pairs: Vec<(f64, f64)> =
+            corresponding().map(|(i, at)| (feature(&self.source, i), at.blend(|k| feature(&self.target, k)))).collect();
         let normals = match self.source.mesh.with_vertices(moved.to_vec()) {
             Ok(mesh) => mesh.vertex_normals(),
             Err(_) => self.source.normals.clone(),
         };
-        let cosines = found.iter().zip(&normals).map(|(at, n)| at.blend(|k| self.target.normals[k].dot(n)));
+        let cosines = corresponding().map(|(i, at)| at.blend(|k| self.target.normals[k].dot(&normals[i])));
         // All faces of a mirrored surface are oriented inwards.
-        let mean = cosines.sum::<f64>() / found.len() as f64;
+        let mean = cosines.sum::<f64>() / pairs.len().max(1) as f64;
         Agreement { curvature: correlation(&pairs), normals: mean.abs() }
     }
 }

@@ -190,7 +190,7 @@ impl Displacement<'_> {
             let samples = OrientedPoints { points: &moved, normals: &normals, ..source.samples() };
             let found = assign(&samples, target, &kernel(sigma * self.diagonal_mm, precision));
             let weight = self.density(0, 1, at) / (sigma * self.diagonal_mm).powi(2);
-            let observed = [observed_means(&found, &base, &source.areas, weight), guided.clone()].concat();
+            let observed = [observed_means(&found, &base, &source.counted, weight), guided.clone()].concat();
             let fitted = fit_field(values.as_ref(), &observed)?;
             let after = displaced(&base, &fitted, values);
             pace.note(&moved, &after);

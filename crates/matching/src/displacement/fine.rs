@@ -139,11 +139,11 @@ impl Displacement<'_> {
             };
             let across = density / (sigma_mm * sigma_mm);
             let observed = if stage == 1 {
-                observed_means(&assigned.found, &starts, &thinned.areas, across)
+                observed_means(&assigned.found, &starts, &thinned.counted, across)
             } else {
                 let along = density / self.along_mm().powi(2);
                 let (observed, residual) =
-                    self.sliding(&assigned, &thinned.areas, &starts, along, *across_share * across);
+                    self.sliding(&assigned, &thinned.counted, &starts, along, *across_share * across);
                 if stage == 2 {
                     *residual_mm = residual;
                 }

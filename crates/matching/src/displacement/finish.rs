@@ -54,7 +54,7 @@ impl<'a> Displacement<'a> {
         let Surfaces { source, target, full_source, full_target, target_closest, open, lengths, .. } = *surfaces;
         // The mean of two fits agrees with any surface better than either does, so agreement is measured before.
         let (own, own_values) = refined.moved(source);
-        let agreement = self.agreement(&own);
+        let mut agreement = self.agreement(&own);
         let residual_mm = refined.residual_mm;
         let reached = self.pose_of(&own, pose);
         // A part that is missing on one surface has no counterpart in a fit back.
@@ -69,7 +69,7 @@ impl<'a> Displacement<'a> {
             None => points,
         };
         let fitted = met(source, own);
-        let distortion = distortion(source, &fitted);
+        let mut distortion = distortion(source, &fitted);
         // A bent base comes from forms alone.
         let is_of_forms = refined.base.bend.is_some();
         let error = is_of_forms.then(|| along::squared_error(source, &fitted, &agreement, &lengths));
@@ -81,10 +81,6 @@ impl<'a> Displacement<'a> {
             let (points, values) = refined.moved(full_source);
             (met(full_source, points), values)
         };
-        if rigid.copies && open {
-            // A field pulls the part without counterpart towards the rim, and its surroundings with it.
-            moved = full_source.vertices().iter().map(|p| rigid.transform.apply(p)).collect();
-        }
         // The covariance of a wide field takes correlated residuals for independent ones of a low density.
         let share = if refined.local.is_some() { 1.0 } else { FIELD_SHARE };
         let mut variances: Vec<f64> =
@@ -98,6 +94,16 @@ impl<'a> Displacement<'a> {
         }
         if let Some(error) = error {
             along::raise(&mut variances, error, &lengths);
+        }
+        if rigid.copies && open {
+            // A field pulls the part without counterpart towards the rim, and its surroundings with it: copies need none.
+            let posed = |mesh: &SurfaceMesh| -> Vec<Point3<f64>> {
+                mesh.vertices().iter().map(|p| rigid.transform.apply(p)).collect()
+            };
+            agreement = self.agreement(&posed(source));
+            distortion = 0.0;
+            moved = posed(full_source);
+            variances.fill(0.0);
         }
         let transform = rigid.transform;
         Ok(Some(Deformed { moved, variances, transform, residual_mm, agreement, distortion }))

@@ -194,7 +194,7 @@ impl Displacement<'_> {
             checkpoint(self.observer)?;
             let kernel = kernel(sigma_mm, precision);
             let Some(assigned) = self.assigned(&moved, mirrored, &thinned, &target, &kernel) else { return Ok(None) };
-            let (observed, _) = self.sliding(&assigned, &thinned.areas, &starts, along, local.across_share * across);
+            let (observed, _) = self.sliding(&assigned, &thinned.counted, &starts, along, local.across_share * across);
             let Some(next) = fit_field(values.as_ref(), &track.with_guides(observed)) else { return Ok(None) };
             moved = track.moved(&next);
             precision = precision_of_features(&assigned.found.feature_variance);

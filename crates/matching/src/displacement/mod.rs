@@ -77,7 +77,7 @@ use homolog_geometry::curvature::vertex_areas;
 use homolog_mesh::{ClosestPointIndex, SurfaceMesh};
 use homolog_primitives::observe::{Observer, checkpoint};
 use homolog_registration::deformation::{GaussianKernel, SmoothPrior};
-use homolog_registration::{RigidTransform, weighted_moments};
+use homolog_registration::{Part, RigidTransform, SAME_POSE_ANGLE, weighted_moments};
 use nalgebra::Point3;
 use rayon::prelude::*;
 use stages::{Displacement, displaced};
@@ -178,6 +178,8 @@ pub(crate) struct Surfaces<'a> {
     pub landmarks: &'a [Landmark],
     /// Whether a part of either surface may be missing.
     pub open: bool,
+    /// Which of them shows a part of what the other shows, if one does.
+    pub part: Option<Part>,
     pub lengths: Lengths,
     /// How surfaces that no rigid motion brings together are matched.
     pub bending: Bending,
@@ -209,6 +211,10 @@ impl Surfaces<'_> {
             landmarks,
             form_of,
             open: self.open,
+            part: self.part.map(|part| match part {
+                Part::Source => Part::Target,
+                Part::Target => Part::Source,
+            }),
             lengths: self.lengths,
             bending: self.bending,
         }
@@ -276,7 +282,7 @@ pub(crate) fn displace(
     options: &DisplacementOptions,
     observer: &dyn Observer,
 ) -> Result<Option<DisplacementAnswer>, MatchError> {
-    let prepared = prepare(surfaces.source, surfaces.target, surfaces.lengths.root_mm)?;
+    let prepared = prepare(surfaces.source, surfaces.target, surfaces.lengths.root_mm, surfaces.part)?;
     checkpoint(observer)?;
     let found = deformed(surfaces, prepared, poses, allow_reflection, options, observer)?;
     Ok(found.map(|(found, compared)| {
@@ -365,11 +371,26 @@ fn deformed(
     let Some(fine) = forward.fine(state)? else { return Ok(None) };
     let wide = fine.moved();
     let mut unbent = None;
+    // Copies of which a part is missing need no other start, whatever the field does to them at their rim.
+    let edge_mm = surfaces.target.mean_edge_length();
+    let copies =
+        if open { forward.rigid_part(source, &wide, edge_mm, open)?.filter(|rigid| rigid.copies) } else { None };
+    if let Some(copies) = &copies {
+        // Another pose is as good if it makes them copies too.
+        for other in &mut compared[1..] {
+            let from_there = forward.aligned_shortly(&poses[other.pose].pose, edge_mm)?;
+            let elsewhere = from_there.target_from_source.angle_to(&copies.transform) >= SAME_POSE_ANGLE;
+            other.finer = if from_there.copies && elsewhere { Finer::AsGood } else { Finer::Outdone };
+        }
+    }
+    let are_open_copies = copies.is_some();
+    let branching = branching && !are_open_copies;
     // Neither straightened surfaces nor correspondences of the forms are tried for a pose that mirrors.
-    let doubtful = fits_worse_than_its_mirror_image || forward.agreement(&wide).is_doubtful();
+    let doubtful = !are_open_copies && (fits_worse_than_its_mirror_image || forward.agreement(&wide).is_doubtful());
     let of_one_shape = fine.residual_mm < TWO_SUBJECTS * lengths.sampling_mm;
     let if_bent_by = match surfaces.bending {
         Bending::None => None,
+        _ if are_open_copies => None,
         _ if doubtful => Some(0.0),
         // Of one shape, surfaces that agree may still be bent against each other.
         _ if of_one_shape && differ_in_spread(surfaces) => Some(BENT),

@@ -16,7 +16,7 @@
 use super::stages::Displacement;
 use super::surface::SmoothSurface;
 use crate::MatchError;
-use crate::copies::align_shortly;
+use crate::copies::{Aligned, align_shortly};
 use homolog_geometry::curvature::vertex_areas;
 use homolog_mesh::SurfaceMesh;
 use homolog_registration::{
@@ -38,6 +38,10 @@ pub(super) struct RigidPart {
     pub transform: RigidTransform,
     /// Whether the surfaces are copies of one shape.
     pub copies: bool,
+}
+
+fn side(surface: &SmoothSurface) -> SurfaceSide<'_> {
+    SurfaceSide { points: surface.mesh.vertices(), areas: &surface.areas, closest: surface.closest() }
 }
 
 impl Displacement<'_> {
@@ -62,10 +66,6 @@ impl Displacement<'_> {
         if !copies && !open {
             return Ok(Some(RigidPart { transform: fitted, copies }));
         }
-        fn side(surface: &SmoothSurface) -> SurfaceSide<'_> {
-            SurfaceSide { points: surface.mesh.vertices(), areas: &surface.areas, closest: surface.closest() }
-        }
-        let (of_source, of_target) = (side(&self.source), side(&self.target));
         let options = TwoSidedOptions {
             metric: IcpMetric::PointToPlane,
             max_sample: usize::MAX,
@@ -75,14 +75,23 @@ impl Displacement<'_> {
         };
         let mut start = fitted;
         if !copies {
-            let first = align_shortly(&of_source, &of_target, &fitted, (edge_mm, TOLERANCE), self.observer)?;
+            let first = self.aligned_shortly(&fitted, edge_mm)?;
             copies = first.copies;
             if !copies {
                 return Ok(Some(RigidPart { transform: fitted, copies }));
             }
             start = first.target_from_source;
         }
-        let found = align_both_ways(&of_source, &of_target, &start, &options, self.observer)?;
+        let found = align_both_ways(&side(&self.source), &side(&self.target), &start, &options, self.observer)?;
         Ok(Some(RigidPart { transform: found.target_from_source, copies }))
+    }
+
+    /// The surfaces after a few steps of rigid alignment from `start`, and whether they are copies of one shape there.
+    ///
+    /// # Errors
+    /// [`MatchError::Cancelled`].
+    pub(super) fn aligned_shortly(&self, start: &RigidTransform, edge_mm: f64) -> Result<Aligned, MatchError> {
+        let (of_source, of_target) = (side(&self.source), side(&self.target));
+        Ok(align_shortly(&of_source, &of_target, start, (edge_mm, TOLERANCE), self.observer)?)
     }
 }

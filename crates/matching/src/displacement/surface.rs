@@ -6,6 +6,7 @@ use crate::side::POSITION_SCALE;
 use crate::surface_index::SurfaceIndex;
 use homolog_geometry::curvature::{Curvatures, Estimator, ScaleSpace, curvatures, vertex_areas};
 use homolog_mesh::SurfaceMesh;
+use homolog_registration::Part;
 use homolog_registration::alignment::{AssignmentTarget, OrientedPoints};
 use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
@@ -24,6 +25,9 @@ const FEATURE_CAP: f64 = 3.0;
 const GRAIN: f64 = 0.00225;
 const MAX_COARSENING: f64 = 4.0;
 
+/// Width of the rim of a part that counts less, in roots of the area: `σ` of the assignment in the coarse stage, 4 to 5 % of the diagonal.
+const RIM: f64 = 0.05;
+
 /// One surface, prepared.
 pub(super) struct SmoothSurface {
     /// Positions at [`POSITION_SCALE`].
@@ -32,6 +36,8 @@ pub(super) struct SmoothSurface {
     pub normals: Vec<Vector3<f64>>,
     /// Area of each vertex, mm².
     pub areas: Vec<f64>,
+    /// The area that its displacement counts for: less at the rim of a part.
+    counted: Vec<f64>,
     /// `n × N_FEATURES`.
     pub features: Vec<f64>,
     /// Its closest points, once they were asked for.
@@ -45,10 +51,12 @@ pub(super) struct Thinned {
     pub points: Vec<Point3<f64>>,
     pub normals: Vec<Vector3<f64>>,
     pub areas: Vec<f64>,
+    /// Areas that their displacements count for.
+    pub counted: Vec<f64>,
     pub features: Vec<f64>,
 }
 
-/// Both surfaces; features are brought to the median and the median absolute deviation of both together.
+/// Both surfaces, of which one may be a `part` of the other; features are brought to the median and the median absolute deviation of both together.
 ///
 /// # Errors
 /// [`MatchError::ScaleSpace`].
@@ -56,6 +64,7 @@ pub(super) fn prepare(
     source: &SurfaceMesh,
     target: &SurfaceMesh,
     root_mm: f64,
+    part: Option<Part>,
 ) -> Result<(Arc<SmoothSurface>, Arc<SmoothSurface>), MatchError> {
     let (a, b) = rayon::join(|| Flow::new(source, root_mm), || Flow::new(target, root_mm));
     let (a, b) = (a?, b?);
@@ -74,6 +83,11 @@ pub(super) fn prepare(
                 side.features[i * N_FEATURES + feature] = ((x - center) / scale).clamp(-FEATURE_CAP, FEATURE_CAP);
             }
         }
+    }
+    match part {
+        Some(Part::Source) => a.discount_rim(RIM * root_mm, false),
+        Some(Part::Target) => b.discount_rim(RIM * root_mm, true),
+        None => {}
     }
     Ok((Arc::new(a), Arc::new(b)))
 }
@@ -115,9 +129,11 @@ impl<'a> Flow<'a> {
         let values = at_scales.into_iter().flat_map(|(_, measured)| [measured.mean, measured.gaussian]).collect();
         let mesh =
             if coarsening > 1.0 { at(&self.space, coarsening * POSITION_SCALE * self.root_mm)? } else { self.smoothed };
+        let areas = vertex_areas(&mesh);
         let surface = SmoothSurface {
             normals,
-            areas: vertex_areas(&mesh),
+            counted: areas.clone(),
+            areas,
             features: vec![0.0; mesh.n_vertices() * N_FEATURES],
             closest: OnceLock::new(),
             mesh,
@@ -131,6 +147,23 @@ fn at(space: &ScaleSpace<'_>, scale_mm: f64) -> Result<SurfaceMesh, MatchError> 
 }
 
 impl SmoothSurface {
+    /// Lets vertices count less the closer they are to the rim, within `width_mm` or so: what they are assigned to lies partly beyond it,
+    /// where this surface is missing, and would draw them outwards.
+    fn discount_rim(&mut self, width_mm: f64, as_target: bool) {
+        let Some(on_rim) = self.mesh.boundary_vertices() else { return };
+        let points = self.mesh.vertices();
+        let rim: Vec<Point3<f64>> = points.iter().zip(&on_rim).filter(|(_, on)| **on).map(|(p, _)| *p).collect();
+        let counted = |p: &Point3<f64>| {
+            let squared = rim.iter().map(|q| (p - q).norm_squared()).fold(f64::INFINITY, f64::min);
+            1.0 - (-0.5 * squared / (width_mm * width_mm)).exp()
+        };
+        let shares: Vec<f64> = points.par_iter().map(counted).collect();
+        self.counted.iter_mut().zip(&shares).for_each(|(area, share)| *area *= share);
+        if as_target {
+            self.areas.iter_mut().zip(&shares).for_each(|(area, share)| *area *= share);
+        }
+    }
+
     /// Closest points of the surface, with its normals.
     pub(super) fn closest(&self) -> &SurfaceIndex {
         self.closest.get_or_init(|| SurfaceIndex::with_normals(&self.mesh, self.normals.clone()))
@@ -159,6 +192,7 @@ impl SmoothSurface {
             points: picked().map(|i| self.mesh.vertices()[i]).collect(),
             normals: picked().map(|i| self.normals[i]).collect(),
             areas: picked().map(|i| self.areas[i] * step as f64).collect(),
+            counted: picked().map(|i| self.counted[i] * step as f64).collect(),
             features: picked().flat_map(|i| self.features[i * N_FEATURES..][..N_FEATURES].to_vec()).collect(),
         }
     }

@@ -26,6 +26,7 @@ fn displace(
         source_closest: &ClosestPointIndex::new(source),
         target_closest: &ClosestPointIndex::new(target),
         landmarks: &[],
+        part: None,
         open: [source, target].iter().any(|mesh| mesh.boundary_vertices().is_some()),
         lengths: Lengths::of(&Side::new(source), &Side::new(target)),
         bending: homolog_contract::parameters::Bending::None,

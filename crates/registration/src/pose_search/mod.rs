@@ -7,7 +7,8 @@
 //!
 //! 1. Both surfaces become patches ([`patches`]), few and many, in the frames of their centroids and principal axes.
 //! 2. **Screening**: rotations on a spiral, and the four of the principal axes, are ranked on the few patches by the
-//!    misfit of a wide soft assignment ([`crate::alignment`]); the best that are not close to each other remain.
+//!    misfit of a wide soft assignment ([`crate::alignment`]); the best that are not close to each other remain. Centroid lies on centroid,
+//!    but the centroid of a part lies on those of several pieces of the whole in turn, each as large as the part ([`patches::pieces`]).
 //! 3. **Annealing**: each is refined by rigid steps of coherent point drift while the kernel width shrinks; candidates
 //!    that end in the same pose are merged.
 //! 4. **Settling**: the few best are refined on the many patches with narrower kernels.
@@ -33,15 +34,26 @@ use crate::deformation::taylor::TaylorBasis;
 use features::describe;
 pub use features::surroundings;
 use nalgebra::{Matrix3, Point3, Vector3};
-use patches::{Patch, Patches, mirrored};
+use patches::{Patch, Patches, mirrored, pieces};
 use rayon::prelude::*;
 use rotations::spread_rotations;
+
+/// The surface that shows a part of what the other one shows.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Part {
+    /// The source is a part of the target.
+    Source,
+    /// The target is a part of the source.
+    Target,
+}
 
 /// How a pose search runs.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PoseSearchOptions {
     /// Whether poses with a reflection are tried as well.
     pub allow_reflection: bool,
+    /// The surface that shows a part of what the other one shows, if one does.
+    pub part: Option<Part>,
     /// Rotations on the spiral.
     pub n_rotations: usize,
     /// Patches of each surface in screening and annealing.
@@ -63,6 +75,7 @@ impl Default for PoseSearchOptions {
     fn default() -> Self {
         PoseSearchOptions {
             allow_reflection: false,
+            part: None,
             n_rotations: 400,
             n_coarse: 96,
             n_fine: 256,
@@ -95,6 +108,9 @@ const OBSERVATIONS: f64 = 80.0;
 /// Smallest angle between rotations that are annealed, radians; 20°.
 const APART: f64 = 0.35;
 
+/// Places of the whole on which the centroid of a part is tried. An end of 30 % of a hippocampus has about three lengths of its own to lie on.
+const N_PLACES: usize = 16;
+
 /// A pose in the frames of the patches.
 #[derive(Debug, Clone, Copy)]
 struct Candidate {
@@ -118,7 +134,7 @@ impl Candidate {
 /// any number of threads gives the same bits.
 ///
 /// # Cost
-/// `O((rotations + annealed · steps) · coarse² + settled · steps · fine² + fine · points)`; twice with reflections.
+/// `O((rotations · places + annealed · steps) · coarse² + settled · steps · fine² + fine · points)`; twice with reflections.
 pub fn pose_search(
     source: &OrientedPoints<'_>,
     target: &OrientedPoints<'_>,
@@ -129,7 +145,7 @@ pub fn pose_search(
         return Vec::new();
     };
     let diagonal_mm = of_source.diagonal_mm.max(of_target.diagonal_mm);
-    describe(&mut of_source, &mut of_target, diagonal_mm);
+    describe(&mut of_source, &mut of_target, diagonal_mm, options.part.is_some());
     let search = Search {
         coarse: Level::new(&of_source.coarse, &of_target.coarse),
         fine: Level::new(&of_source.fine, &of_target.fine),
@@ -156,12 +172,18 @@ struct Level {
     /// The mirror image of the source.
     mirrored: Vec<Patch>,
     target: CompactTarget,
+    target_patches: Vec<Patch>,
 }
 
 impl Level {
     fn new(source: &[Patch], target: &[Patch]) -> Self {
-        let target: Vec<OrientedPoint<'_>> = points_of(target).collect();
-        Level { source: source.to_vec(), mirrored: mirrored(source), target: CompactTarget::new(&target) }
+        let points: Vec<OrientedPoint<'_>> = points_of(target).collect();
+        Level {
+            source: source.to_vec(),
+            mirrored: mirrored(source),
+            target: CompactTarget::new(&points),
+            target_patches: target.to_vec(),
+        }
     }
 
     fn source(&self, mirrors: bool) -> &[Patch] {
@@ -243,9 +265,21 @@ impl Search<'_> {
             [[1.0, 1.0], [1.0, -1.0], [-1.0, 1.0], [-1.0, -1.0]].map(|[a, b]| diagonal(a, b, a * b)).to_vec();
         rotations.extend(spread_rotations(self.options.n_rotations));
         let handedness: &[bool] = if self.options.allow_reflection { &[false, true] } else { &[false] };
-        let all_rotations = |&mirrors| {
-            let centered = move |&rotation| Candidate { mirrors, rotation, shift: Vector3::zeros(), misfit: 0.0 };
-            rotations.iter().map(centered)
+        let all_rotations = |&mirrors: &bool| {
+            let places = self.places(mirrors);
+            let at = move |&rotation: &Matrix3<f64>| {
+                let shift = move |place| match self.options.part {
+                    Some(Part::Target) => -rotation * place,
+                    _ => place,
+                };
+                places.clone().into_iter().map(move |place| Candidate {
+                    mirrors,
+                    rotation,
+                    shift: shift(place),
+                    misfit: 0.0,
+                })
+            };
+            rotations.iter().flat_map(at)
         };
         let tried: Vec<Candidate> = handedness.iter().flat_map(all_rotations).collect();
         let found = for_each_candidate(&tried, |assignment, c| {
@@ -253,6 +287,16 @@ impl Search<'_> {
             Candidate { misfit: assignment.misfit(points_of(&moved), &self.coarse.target, sigma_mm), ..*c }
         });
         best_apart(found, APART, self.options.n_annealed)
+    }
+
+    /// Where the centroid of the part may lie on the whole, both in the frames of the patches: at its centroid where neither is a part.
+    fn places(&self, mirrors: bool) -> Vec<Vector3<f64>> {
+        let (part, whole) = match self.options.part {
+            None => return vec![Vector3::zeros()],
+            Some(Part::Source) => (self.coarse.source(mirrors), &self.coarse.target_patches[..]),
+            Some(Part::Target) => (&self.coarse.target_patches[..], self.coarse.source(mirrors)),
+        };
+        pieces(whole, part.iter().map(|p| p.area).sum(), N_PLACES)
     }
 }
 

@@ -78,6 +78,25 @@ pub(super) fn mirrored(patches: &[Patch]) -> Vec<Patch> {
     patches.iter().map(|p| Patch { center: reflected(&p.center), normal: reflected(&p.normal), ..*p }).collect()
 }
 
+/// The centroids of `n` pieces of `whole`, each around one of its first patches, which are spread evenly, and of the area `area`: as many
+/// of the nearest patches as have it together. Cost `O(n · patches log patches)`.
+pub(super) fn pieces(whole: &[Patch], area: f64, n: usize) -> Vec<Vector3<f64>> {
+    let around = |at: &Patch| {
+        let mut nearest: Vec<&Patch> = whole.iter().collect();
+        nearest.sort_by(|a, b| (a.center - at.center).norm_squared().total_cmp(&(b.center - at.center).norm_squared()));
+        let (mut sum, mut mass) = (Vector3::zeros(), 0.0);
+        for patch in nearest {
+            if mass >= area {
+                break;
+            }
+            sum += patch.center * patch.area;
+            mass += patch.area;
+        }
+        sum / mass
+    };
+    whole.iter().take(n).map(around).collect()
+}
+
 /// Centroid of the surface, and its principal axes as columns of a rotation, longest first. The first two have the sign
 /// that makes the skewness along them positive, so that the frame moves with the surface. `None` if a number is not
 /// finite.

@@ -120,6 +120,26 @@ fn any_number_of_threads_gives_the_same_bits() {
 }
 
 #[test]
+fn a_part_is_found_on_the_whole_and_the_whole_on_a_part() {
+    let (mut with, mut without) = (0, 0);
+    for seed in 0..10 {
+        let truth = pose(seed + 40);
+        let end = |p: &Point3<f64>| if seed % 2 == 0 { p.x < -9.0 } else { p.x > 7.0 };
+        let (part, whole) = (bean(seed, 2400).only(end), bean(seed, 1700));
+        let area = |cloud: &Cloud| cloud.areas.iter().sum::<f64>();
+        assert!(area(&part) < 0.45 * area(&whole));
+        let found = |source: &Cloud, target: &Cloud, part: Option<Part>| {
+            let options = PoseSearchOptions { part, ..PoseSearchOptions::default() };
+            let found = pose_search(&source.oriented(), &target.moved(&truth).oriented(), &options);
+            u32::from(degrees(&found, &truth) < 15.0)
+        };
+        with += found(&part, &whole, Some(Part::Source)) + found(&whole, &part, Some(Part::Target));
+        without += found(&part, &whole, None) + found(&whole, &part, None);
+    }
+    assert!(with >= 18 && without < with, "{with} and {without} of 20");
+}
+
+#[test]
 fn a_mirror_image_is_found_if_reflections_are_allowed() {
     let source = bean(5, 900);
     let mirror = RigidTransform {
@@ -217,7 +237,7 @@ fn the_compact_assignment_equals_its_formula() {
     let patches = |seed, motion: u64| Patches::new(&bean(seed, 600).moved(&pose(motion)).oriented(), 40, 90).unwrap();
     let (mut a, mut b) = (patches(6, 0), patches(7, 1));
     let diagonal_mm = a.diagonal_mm;
-    describe(&mut a, &mut b, diagonal_mm);
+    describe(&mut a, &mut b, diagonal_mm, false);
     let rotation = pose(30).rotation;
     let source: Vec<Patch> = a.fine.iter().map(|p| p.moved(&rotation, &Vector3::new(1.0, 2.0, -1.0))).collect();
     let sigma = 4.0;

@@ -58,7 +58,7 @@ class Cases:
         if kind.startswith("real_"):
             return self.real.load_case(kind, index, self.labels, self.cache)
         if kind.startswith("swapped_"):
-            return swapped(self.load(f"{kind.removeprefix('swapped_')}/{index}"))
+            return geometry.swapped(self.load(f"{kind.removeprefix('swapped_')}/{index}"))
         path = os.path.join(self.cache, f"made_{kind}_{index}.pkl")
         if not os.path.exists(path):
             os.makedirs(self.cache, exist_ok=True)
@@ -124,13 +124,6 @@ class Cases:
         vertices, faces = self.real.surface(mask.astype(float))
         turned = vertices @ Rotation.random(random_state=500 + index).as_matrix().T
         return turned, np.ascontiguousarray(faces, np.int32), self.real.genus0(vertices, faces)
-
-
-def swapped(case):
-    """The same pair with the roles exchanged; of the truth only the transform is left."""
-    turn, shift = case["R"].T, -case["R"].T @ case["t"]
-    new = dict(V1=case["V2"], F1=case["F2"], V2=case["V1"], F2=case["F1"], R=turn, t=shift, genus0=case["genus0"])
-    return geometry.finished(new)
 
 
 def spoiled(case, how, index):

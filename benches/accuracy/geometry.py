@@ -154,6 +154,13 @@ def finished(case):
     return case
 
 
+def swapped(case):
+    """The same pair with the roles exchanged; of the truth only the transform is left."""
+    turn, shift = case["R"].T, -case["R"].T @ case["t"]
+    new = dict(V1=case["V2"], F1=case["F2"], V2=case["V1"], F2=case["F1"], R=turn, t=shift, genus0=case["genus0"])
+    return finished(new)
+
+
 def without_missing_positions(vertices, faces):
     """Without the vertices whose position is not a number, and without their faces."""
     there = np.isfinite(vertices).all(1)

@@ -29,6 +29,8 @@ TITLES = {
     "part_other": "half and another subject's whole",
     "end_copy": "end of 30 % and re-sampled whole",
     "end_other": "end of 30 % and another subject's whole",
+    "to_end_copy": "re-sampled whole and end of 30 %",
+    "to_end_other": "another subject's whole and end of 30 %",
     "real_narrow2": "narrow warp 2 %",
     "narrow4": "narrow warp 4 %",
     "noise1000": "1,000 vertices, noise",

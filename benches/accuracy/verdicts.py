@@ -15,8 +15,12 @@ EXPECTED = {
 RIGHT_DEG = 5
 RIGHT_SHARE = 0.5
 RIGHT_LABELS = 0.8
-PARTS_OF_OTHERS = ["part_other", "end_other"]
-RIGID = ["real_resample", "resample_noise", "resample_cut", "resample_half", "bean_noise", "bean_cut", "bean_half", "part_copy", "end_copy", *NOISY]
+SAME_END_DEG = 45
+PARTS_OF_OTHERS = ["part_other", "end_other", "to_end_other"]
+RIGID = [
+    *["real_resample", "resample_noise", "resample_cut", "resample_half", "bean_noise", "bean_cut", "bean_half"],
+    *["part_copy", "end_copy", "to_end_copy", *NOISY],
+]
 
 
 def kind_of(record):
@@ -28,7 +32,8 @@ def is_right(record):
 
     Copies: the rotation is within 5 degrees. Deformed pairs: half of the vertices are within two edges of the truth.
     Two subjects and any other pair with a rigid truth: within 10 degrees, as the rigid truth itself is an estimate. A part and another
-    subject's whole: labels agree at four fifths of the vertices, as the rigid truth of a part differs from that of the whole.
+    subject's whole: labels agree at four fifths of the vertices, or, without labels, the rotation is within 45 degrees, so that no end is taken
+    for the other, as the rigid truth of a part differs from that of the whole.
     """
     kind, found = kind_of(record), record.get("scores", {})
     if kind in EXPECTED:
@@ -36,7 +41,7 @@ def is_right(record):
     if kind in RIGID or "/real_resample" in record["case"]:
         return found.get("rot_deg", 180) <= RIGHT_DEG
     if kind in PARTS_OF_OTHERS:
-        return found.get("label", 0) >= RIGHT_LABELS
+        return found["label"] >= RIGHT_LABELS if "label" in found else found.get("rot_deg", 180) <= SAME_END_DEG
     if "w2" in found:
         return found["w2"] >= RIGHT_SHARE
     if "rot_deg" in found:

@@ -1,7 +1,7 @@
 //! Poses that may fit better than the one at hand: from a search of all orientations, and from the principal axes.
 
 use super::scene::even_sample;
-use super::side::{Side, part};
+use super::side::{Part, Side, part};
 use homolog_geometry::curvature::vertex_areas;
 use homolog_primitives::observe::{Cancelled, Observer};
 use homolog_registration::alignment::OrientedPoints;
@@ -27,14 +27,23 @@ fn oriented<'a>(side: &'a Side, areas: &'a [f64]) -> OrientedPoints<'a> {
     OrientedPoints { points: side.mesh().vertices(), normals: &side.normals, areas, features: &[] }
 }
 
-/// Poses that lay `source` on `target`, the best first; with `allow_reflection` of either handedness.
+/// Poses that lay `source` on `target`, the best first; with `allow_reflection` of either handedness. A part is laid on the whole,
+/// whichever of them is the source.
 pub(super) fn searched(source: &Side, target: &Side, allow_reflection: bool) -> Vec<ScoredPose> {
-    let (source_areas, target_areas) = (vertex_areas(source.mesh()), vertex_areas(target.mesh()));
-    pose_search(
-        &oriented(source, &source_areas),
-        &oriented(target, &target_areas),
-        &PoseSearchOptions { allow_reflection, part: part(source, target), ..PoseSearchOptions::default() },
-    )
+    let part = part(source, target);
+    let (from, to) = if part == Some(Part::Target) { (target, source) } else { (source, target) };
+    let (from_areas, to_areas) = (vertex_areas(from.mesh()), vertex_areas(to.mesh()));
+    let mut found = pose_search(
+        &oriented(from, &from_areas),
+        &oriented(to, &to_areas),
+        &PoseSearchOptions { allow_reflection, source_is_part: part.is_some(), ..PoseSearchOptions::default() },
+    );
+    if part == Some(Part::Target) {
+        for pose in &mut found {
+            pose.target_from_source = pose.target_from_source.inverse();
+        }
+    }
+    found
 }
 
 /// The best pose on the principal axes, if it brings `source` clearly closer to the surface `closest` than `present`

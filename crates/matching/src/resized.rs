@@ -8,13 +8,13 @@
 use super::displaced::{Displaced, Images};
 use super::levels::Levels;
 use super::reliability;
-use super::side::part;
+use super::side::{Part, part};
 use super::{MatchError, coarse, displaced, posed};
 use homolog_contract::parameters::MatchParameters;
 use homolog_geometry::curvature::vertex_areas;
 use homolog_mesh::SurfaceMesh;
 use homolog_primitives::observe::{Observer, Phase, TracePoint};
-use homolog_registration::{Part, RigidTransform, weighted_moments};
+use homolog_registration::{RigidTransform, weighted_moments};
 use nalgebra::{Point3, Vector3};
 
 /// Ratio of the roots of two areas from which that is tried. It saves time: the likeness of the shapes decides.

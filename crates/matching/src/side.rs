@@ -6,7 +6,6 @@ use super::surface_index::SurfaceIndex;
 use homolog_geometry::curvature::{default_radius_mm, vertex_areas};
 use homolog_geometry::hierarchy::{CoarseSurface, coarsen};
 use homolog_mesh::{CanonicalMesh, Numbering, SurfaceMesh, canonicalize};
-use homolog_registration::Part;
 use nalgebra::Vector3;
 use std::mem::size_of;
 use std::sync::{Arc, OnceLock};
@@ -36,6 +35,13 @@ pub(super) struct Side {
     closest: OnceLock<SurfaceIndex>,
     light: OnceLock<LightSide>,
     form: OnceLock<Option<Form>>,
+}
+
+/// The surface that shows a part of what the other one shows.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Part {
+    Source,
+    Target,
 }
 
 /// Which of the two surfaces shows a part of what the other shows: an open one, if the other is closed.

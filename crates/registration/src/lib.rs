@@ -28,7 +28,7 @@ mod two_sided;
 pub use absolute_orientation::{OrientationError, absolute_orientation};
 pub use icp::{ClosestSurfacePoint, IcpMetric, IcpOptions, IcpReport, refine_icp};
 pub use orientation_solvers::{OrientationSolver, solve_orientation};
-pub use pose_search::{Part, PoseSearchOptions, SAME_POSE_ANGLE, ScoredPose, pose_search, surroundings};
+pub use pose_search::{PoseSearchOptions, SAME_POSE_ANGLE, ScoredPose, pose_search, surroundings};
 pub use principal_axes::{principal_axis_poses, principal_directions, weighted_moments};
 pub use procrustes::{ProcrustesOptions, ProcrustesReport, procrustes};
 pub use ransac::{RansacMethods, RansacOptions, RansacReport, ransac, ransac_with};

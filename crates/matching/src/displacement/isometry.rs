@@ -131,7 +131,7 @@ pub fn near_isometry_model(
 ) -> Result<Option<NearIsometryModel>, MatchError> {
     let (source, target) = (Side::new(source), Side::new(target));
     let root_mm = Lengths::of(&source, &target).root_mm;
-    let smooth = prepare(source.mesh(), target.mesh(), root_mm, None)?;
+    let smooth = prepare(source.mesh(), target.mesh(), root_mm, false)?;
     let (Some(of_source), Some(of_target)) = (source.form(), target.form()) else { return Ok(None) };
     let (source, target) = ((&*smooth.0, of_source), (&*smooth.1, of_target));
     let isometry = Isometry::new(source, target);

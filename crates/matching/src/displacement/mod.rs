@@ -66,6 +66,7 @@ pub use isometry::{NearIsometryModel, near_isometry_model};
 
 use super::MatchError;
 use super::lengths::Lengths;
+use super::side::Part;
 use branching::may_branch;
 use faer::Mat;
 use fine::Refined;
@@ -77,7 +78,7 @@ use homolog_geometry::curvature::vertex_areas;
 use homolog_mesh::{ClosestPointIndex, SurfaceMesh};
 use homolog_primitives::observe::{Observer, checkpoint};
 use homolog_registration::deformation::{GaussianKernel, SmoothPrior};
-use homolog_registration::{Part, RigidTransform, SAME_POSE_ANGLE, weighted_moments};
+use homolog_registration::{RigidTransform, SAME_POSE_ANGLE, weighted_moments};
 use nalgebra::Point3;
 use rayon::prelude::*;
 use stages::{Displacement, displaced};
@@ -282,14 +283,52 @@ pub(crate) fn displace(
     options: &DisplacementOptions,
     observer: &dyn Observer,
 ) -> Result<Option<DisplacementAnswer>, MatchError> {
-    let prepared = prepare(surfaces.source, surfaces.target, surfaces.lengths.root_mm, surfaces.part)?;
-    checkpoint(observer)?;
-    let found = deformed(surfaces, prepared, poses, allow_reflection, options, observer)?;
+    let found = if surfaces.part == Some(Part::Target) {
+        from_part(surfaces, poses, allow_reflection, options, observer)?
+    } else {
+        from_source(surfaces, poses, allow_reflection, options, observer)?
+    };
     Ok(found.map(|(found, compared)| {
         let Deformed { moved, variances, transform, residual_mm, agreement, distortion } = found;
         let (target, closest) = (surfaces.full_target, surfaces.target_closest);
         let images = images(target, closest, &moved, &variances, surfaces.lengths.sampling_mm);
         DisplacementAnswer { images, transform, compared, residual_mm, agreement, distortion }
+    }))
+}
+
+/// [`deformed`], with the surfaces prepared.
+fn from_source(
+    surfaces: &Surfaces<'_>,
+    poses: &[StartPose],
+    allow_reflection: bool,
+    options: &DisplacementOptions,
+    observer: &dyn Observer,
+) -> Result<Option<(Deformed, Vec<ComparedPose>)>, MatchError> {
+    let Surfaces { source, target, lengths, part, .. } = *surfaces;
+    let prepared = prepare(source, target, lengths.root_mm, part == Some(Part::Source))?;
+    checkpoint(observer)?;
+    deformed(surfaces, prepared, poses, allow_reflection, options, observer)
+}
+
+/// The same for a target that is a part of the source: the part is deformed onto the whole, of which a field would have to press the rest into
+/// the part, and the answer is the inverse map.
+fn from_part(
+    surfaces: &Surfaces<'_>,
+    poses: &[StartPose],
+    allow_reflection: bool,
+    options: &DisplacementOptions,
+    observer: &dyn Observer,
+) -> Result<Option<(Deformed, Vec<ComparedPose>)>, MatchError> {
+    let landmarks: Vec<Landmark> = surfaces.landmarks.iter().map(swapped).collect();
+    let form_of = |which: Which| (surfaces.form_of)(which.other());
+    let poses: Vec<StartPose> = poses.iter().map(|start| StartPose { pose: start.pose.inverse(), ..*start }).collect();
+    let turned = surfaces.swapped(&landmarks, &form_of);
+    let found = from_source(&turned, &poses, allow_reflection, options, observer)?;
+    Ok(found.and_then(|(found, mut compared)| {
+        for start in &mut compared {
+            start.of_form = start.of_form.map(|pose| pose.inverse());
+        }
+        Some((found.inverse(surfaces.full_target, surfaces.full_source)?, compared))
     }))
 }
 
@@ -314,8 +353,15 @@ impl Deformed {
         let deformed = source.with_vertices(self.moved).ok()?;
         let (before, after) = (source.vertex_normals(), deformed.vertex_normals());
         let index = ClosestPointIndex::new(&deformed);
+        let on_rim = deformed.boundary_vertices();
+        let back = self.transform.inverse();
         let inverse = |q: &Point3<f64>| {
             let at = index.closest(q);
+            if on_rim.as_ref().is_some_and(|ends| at.is_between(|k| ends[k])) {
+                // Beyond the rim there is nothing to stand on: as far from it as `q` is from the deformed one.
+                let image = at.blend(|k| source.vertices()[k].coords) + back.rotation * (q - at.point);
+                return (Point3::from(image), at.blend(|k| self.variances[k]));
+            }
             let height = outwards * at.blend(|k| after[k]).normalize().dot(&(q - at.point));
             let image = at.blend(|k| source.vertices()[k].coords) + at.blend(|k| before[k]).normalize() * height;
             (Point3::from(image), at.blend(|k| self.variances[k]))

@@ -123,13 +123,15 @@ pub(super) fn straightened(
     };
     let (normals, other_normals) = (source.straight.vertex_normals(), target.straight.vertex_normals());
     let (areas, other_areas) = (vertex_areas(&source.straight), vertex_areas(&target.straight));
-    let search = PoseSearchOptions { allow_reflection: true, part: surfaces.part, ..PoseSearchOptions::default() };
+    // A target that is a part has become the source.
+    let source_is_part = surfaces.part.is_some();
+    let search = PoseSearchOptions { allow_reflection: true, source_is_part, ..PoseSearchOptions::default() };
     let found =
         pose_search(&source.oriented(&normals, &areas), &target.oriented(&other_normals, &other_areas), &search);
     let poses: Vec<StartPose> =
         found.iter().map(|p| StartPose { pose: p.target_from_source, excess: p.excess }).collect();
     checkpoint(observer)?;
-    let prepared = prepare(&source.straight, &target.straight, surfaces.lengths.root_mm, surfaces.part)?;
+    let prepared = prepare(&source.straight, &target.straight, surfaces.lengths.root_mm, source_is_part)?;
     let Some((deformed, compared)) = deformed(&straight, prepared, &poses, allow_reflection, options, observer)? else {
         return Ok(None);
     };

@@ -6,7 +6,6 @@ use crate::side::POSITION_SCALE;
 use crate::surface_index::SurfaceIndex;
 use homolog_geometry::curvature::{Curvatures, Estimator, ScaleSpace, curvatures, vertex_areas};
 use homolog_mesh::SurfaceMesh;
-use homolog_registration::Part;
 use homolog_registration::alignment::{AssignmentTarget, OrientedPoints};
 use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
@@ -56,7 +55,7 @@ pub(super) struct Thinned {
     pub features: Vec<f64>,
 }
 
-/// Both surfaces, of which one may be a `part` of the other; features are brought to the median and the median absolute deviation of both together.
+/// Both surfaces, of which the source may show a part of what the target shows; features are brought to the median and the median absolute deviation of both together.
 ///
 /// # Errors
 /// [`MatchError::ScaleSpace`].
@@ -64,7 +63,7 @@ pub(super) fn prepare(
     source: &SurfaceMesh,
     target: &SurfaceMesh,
     root_mm: f64,
-    part: Option<Part>,
+    source_is_part: bool,
 ) -> Result<(Arc<SmoothSurface>, Arc<SmoothSurface>), MatchError> {
     let (a, b) = rayon::join(|| Flow::new(source, root_mm), || Flow::new(target, root_mm));
     let (a, b) = (a?, b?);
@@ -84,10 +83,8 @@ pub(super) fn prepare(
             }
         }
     }
-    match part {
-        Some(Part::Source) => a.discount_rim(RIM * root_mm, false),
-        Some(Part::Target) => b.discount_rim(RIM * root_mm, true),
-        None => {}
+    if source_is_part {
+        a.discount_rim(RIM * root_mm);
     }
     Ok((Arc::new(a), Arc::new(b)))
 }
@@ -149,7 +146,7 @@ fn at(space: &ScaleSpace<'_>, scale_mm: f64) -> Result<SurfaceMesh, MatchError> 
 impl SmoothSurface {
     /// Lets vertices count less the closer they are to the rim, within `width_mm` or so: what they are assigned to lies partly beyond it,
     /// where this surface is missing, and would draw them outwards.
-    fn discount_rim(&mut self, width_mm: f64, as_target: bool) {
+    fn discount_rim(&mut self, width_mm: f64) {
         let Some(on_rim) = self.mesh.boundary_vertices() else { return };
         let points = self.mesh.vertices();
         let rim: Vec<Point3<f64>> = points.iter().zip(&on_rim).filter(|(_, on)| **on).map(|(p, _)| *p).collect();
@@ -159,9 +156,6 @@ impl SmoothSurface {
         };
         let shares: Vec<f64> = points.par_iter().map(counted).collect();
         self.counted.iter_mut().zip(&shares).for_each(|(area, share)| *area *= share);
-        if as_target {
-            self.areas.iter_mut().zip(&shares).for_each(|(area, share)| *area *= share);
-        }
     }
 
     /// Closest points of the surface, with its normals.

@@ -21,15 +21,15 @@ const RADII: [f64; 2] = [0.1, 0.17];
 const SHARE: usize = 3;
 
 /// Sets the features of all patches of both surfaces, unless their points came with some, and scales them to mean 0 and
-/// standard deviation 1 over both together. If one surface shows a part of the other, shares are those of the larger one. Cost `O(patches²)`.
-pub(super) fn describe(source: &mut Patches, target: &mut Patches, diagonal_mm: f64, is_part: bool) {
+/// standard deviation 1 over both together. If the source shows a part of the target, shares are those of the larger one. Cost `O(patches²)`.
+pub(super) fn describe(source: &mut Patches, target: &mut Patches, diagonal_mm: f64, source_is_part: bool) {
     let area = |side: &Patches| side.fine.iter().map(|p| p.area).sum::<f64>();
     let larger = area(source).max(area(target));
     for side in [&mut *source, &mut *target] {
         if side.have_features {
             continue;
         }
-        let share = if is_part { area(side) / larger } else { 1.0 };
+        let share = if source_is_part { area(side) / larger } else { 1.0 };
         let around = side.fine.clone();
         let places: Vec<(Vector3<f64>, f64)> = around.iter().map(|p| (p.center, p.area)).collect();
         for patch in side.coarse.iter_mut().chain(&mut side.fine) {

@@ -38,22 +38,13 @@ use patches::{Patch, Patches, mirrored, pieces};
 use rayon::prelude::*;
 use rotations::spread_rotations;
 
-/// The surface that shows a part of what the other one shows.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Part {
-    /// The source is a part of the target.
-    Source,
-    /// The target is a part of the source.
-    Target,
-}
-
 /// How a pose search runs.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PoseSearchOptions {
     /// Whether poses with a reflection are tried as well.
     pub allow_reflection: bool,
-    /// The surface that shows a part of what the other one shows, if one does.
-    pub part: Option<Part>,
+    /// Whether the source shows a part of what the target shows.
+    pub source_is_part: bool,
     /// Rotations on the spiral.
     pub n_rotations: usize,
     /// Patches of each surface in screening and annealing.
@@ -75,7 +66,7 @@ impl Default for PoseSearchOptions {
     fn default() -> Self {
         PoseSearchOptions {
             allow_reflection: false,
-            part: None,
+            source_is_part: false,
             n_rotations: 400,
             n_coarse: 96,
             n_fine: 256,
@@ -145,7 +136,7 @@ pub fn pose_search(
         return Vec::new();
     };
     let diagonal_mm = of_source.diagonal_mm.max(of_target.diagonal_mm);
-    describe(&mut of_source, &mut of_target, diagonal_mm, options.part.is_some());
+    describe(&mut of_source, &mut of_target, diagonal_mm, options.source_is_part);
     let search = Search {
         coarse: Level::new(&of_source.coarse, &of_target.coarse),
         fine: Level::new(&of_source.fine, &of_target.fine),
@@ -266,18 +257,10 @@ impl Search<'_> {
         rotations.extend(spread_rotations(self.options.n_rotations));
         let handedness: &[bool] = if self.options.allow_reflection { &[false, true] } else { &[false] };
         let all_rotations = |&mirrors: &bool| {
-            let places = self.places(mirrors);
+            let places = self.places();
             let at = move |&rotation: &Matrix3<f64>| {
-                let shift = move |place| match self.options.part {
-                    Some(Part::Target) => -rotation * place,
-                    _ => place,
-                };
-                places.clone().into_iter().map(move |place| Candidate {
-                    mirrors,
-                    rotation,
-                    shift: shift(place),
-                    misfit: 0.0,
-                })
+                let candidate = move |shift| Candidate { mirrors, rotation, shift, misfit: 0.0 };
+                places.clone().into_iter().map(candidate)
             };
             rotations.iter().flat_map(at)
         };
@@ -289,14 +272,13 @@ impl Search<'_> {
         best_apart(found, APART, self.options.n_annealed)
     }
 
-    /// Where the centroid of the part may lie on the whole, both in the frames of the patches: at its centroid where neither is a part.
-    fn places(&self, mirrors: bool) -> Vec<Vector3<f64>> {
-        let (part, whole) = match self.options.part {
-            None => return vec![Vector3::zeros()],
-            Some(Part::Source) => (self.coarse.source(mirrors), &self.coarse.target_patches[..]),
-            Some(Part::Target) => (&self.coarse.target_patches[..], self.coarse.source(mirrors)),
-        };
-        pieces(whole, part.iter().map(|p| p.area).sum(), N_PLACES)
+    /// Where on the target the centroid of the source may lie, in the frame of the patches: on its centroid, unless the source is a part.
+    fn places(&self) -> Vec<Vector3<f64>> {
+        if !self.options.source_is_part {
+            return vec![Vector3::zeros()];
+        }
+        let area = self.coarse.source.iter().map(|p| p.area).sum();
+        pieces(&self.coarse.target_patches, area, N_PLACES)
     }
 }
 

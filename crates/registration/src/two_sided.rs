@@ -52,7 +52,8 @@ pub struct TwoSidedOptions {
 pub struct TwoSidedReport {
     /// The pose.
     pub target_from_source: RigidTransform,
-    /// Robust standard deviation of the residuals before the last step, mm; 0 without steps.
+    /// Robust standard deviation of the residuals before the last step, mm; 0 without steps, infinite where no point has a counterpart inside
+    /// the rim of the other surface.
     pub residual_mm: f64,
     /// Number of steps.
     pub steps: u32,
@@ -92,6 +93,8 @@ pub fn align_both_ways(
             checkpoint(observer)?;
             let pairs = pairs(source, target, &report.target_from_source, sample);
             if pairs.is_empty() {
+                // Surfaces that have slid off each other agree nowhere.
+                report.residual_mm = f64::INFINITY;
                 break;
             }
             let Some((step, residual_mm)) = step(&pairs, options.metric, extent) else { break };
@@ -247,5 +250,27 @@ mod tests {
         let still = TwoSidedOptions { sample_steps: 0, full_steps: 0, ..options(IcpMetric::PointToPlane) };
         let report = align_both_ways(&side, &side, &small_motion(), &still, &Silent).unwrap();
         assert_eq!((report.target_from_source, report.steps, report.converged), (small_motion(), 0, false));
+    }
+
+    /// A surface of which every closest point is on the rim.
+    struct Rim;
+
+    impl ClosestSurfacePoint for Rim {
+        fn closest(&self, query: &Point3<f64>) -> (Point3<f64>, Vector3<f64>) {
+            Corner.closest(query)
+        }
+
+        fn closest_inside(&self, _: &Point3<f64>) -> Option<(Point3<f64>, Vector3<f64>)> {
+            None
+        }
+    }
+
+    #[test]
+    fn surfaces_that_meet_at_their_rims_alone_are_not_moved_and_agree_nowhere() {
+        let areas = vec![1.0; 270];
+        let side = SurfaceSide { points: &points(3), areas: &areas, closest: &Rim };
+        let report =
+            align_both_ways(&side, &side, &small_motion(), &options(IcpMetric::PointToPlane), &Silent).unwrap();
+        assert_eq!((report.target_from_source, report.residual_mm), (small_motion(), f64::INFINITY));
     }
 }

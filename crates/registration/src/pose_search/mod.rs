@@ -137,9 +137,15 @@ pub fn pose_search(
     };
     let diagonal_mm = of_source.diagonal_mm.max(of_target.diagonal_mm);
     describe(&mut of_source, &mut of_target, diagonal_mm, options.source_is_part);
+    let places = if options.source_is_part {
+        pieces(&of_target.coarse, of_source.coarse.iter().map(|p| p.area).sum(), N_PLACES)
+    } else {
+        vec![Vector3::zeros()]
+    };
     let search = Search {
         coarse: Level::new(&of_source.coarse, &of_target.coarse),
         fine: Level::new(&of_source.fine, &of_target.fine),
+        places,
         diagonal_mm,
         options,
     };
@@ -163,18 +169,12 @@ struct Level {
     /// The mirror image of the source.
     mirrored: Vec<Patch>,
     target: CompactTarget,
-    target_patches: Vec<Patch>,
 }
 
 impl Level {
     fn new(source: &[Patch], target: &[Patch]) -> Self {
-        let points: Vec<OrientedPoint<'_>> = points_of(target).collect();
-        Level {
-            source: source.to_vec(),
-            mirrored: mirrored(source),
-            target: CompactTarget::new(&points),
-            target_patches: target.to_vec(),
-        }
+        let target: Vec<OrientedPoint<'_>> = points_of(target).collect();
+        Level { source: source.to_vec(), mirrored: mirrored(source), target: CompactTarget::new(&target) }
     }
 
     fn source(&self, mirrors: bool) -> &[Patch] {
@@ -189,6 +189,8 @@ fn points_of(patches: &[Patch]) -> impl Iterator<Item = OrientedPoint<'_>> + Clo
 struct Search<'a> {
     coarse: Level,
     fine: Level,
+    /// Where on the target the centroid of the source may lie, in the frame of its patches.
+    places: Vec<Vector3<f64>>,
     diagonal_mm: f64,
     options: &'a PoseSearchOptions,
 }
@@ -250,19 +252,17 @@ impl Search<'_> {
         found
     }
 
-    /// The best rotations with centroid on centroid.
+    /// The best rotations, with the centroid of the source on each of the places.
     fn screened(&self, sigma_mm: f64) -> Vec<Candidate> {
         let mut rotations =
             [[1.0, 1.0], [1.0, -1.0], [-1.0, 1.0], [-1.0, -1.0]].map(|[a, b]| diagonal(a, b, a * b)).to_vec();
         rotations.extend(spread_rotations(self.options.n_rotations));
         let handedness: &[bool] = if self.options.allow_reflection { &[false, true] } else { &[false] };
-        let all_rotations = |&mirrors: &bool| {
-            let places = self.places();
-            let at = move |&rotation: &Matrix3<f64>| {
-                let candidate = move |shift| Candidate { mirrors, rotation, shift, misfit: 0.0 };
-                places.clone().into_iter().map(candidate)
+        let all_rotations = |&mirrors| {
+            let everywhere = move |&rotation| {
+                self.places.iter().map(move |&shift| Candidate { mirrors, rotation, shift, misfit: 0.0 })
             };
-            rotations.iter().flat_map(at)
+            rotations.iter().flat_map(everywhere)
         };
         let tried: Vec<Candidate> = handedness.iter().flat_map(all_rotations).collect();
         let found = for_each_candidate(&tried, |assignment, c| {
@@ -270,15 +270,6 @@ impl Search<'_> {
             Candidate { misfit: assignment.misfit(points_of(&moved), &self.coarse.target, sigma_mm), ..*c }
         });
         best_apart(found, APART, self.options.n_annealed)
-    }
-
-    /// Where on the target the centroid of the source may lie, in the frame of the patches: on its centroid, unless the source is a part.
-    fn places(&self) -> Vec<Vector3<f64>> {
-        if !self.options.source_is_part {
-            return vec![Vector3::zeros()];
-        }
-        let area = self.coarse.source.iter().map(|p| p.area).sum();
-        pieces(&self.coarse.target_patches, area, N_PLACES)
     }
 }
 

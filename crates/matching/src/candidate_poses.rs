@@ -6,8 +6,8 @@ use homolog_geometry::curvature::vertex_areas;
 use homolog_primitives::observe::{Cancelled, Observer};
 use homolog_registration::alignment::OrientedPoints;
 use homolog_registration::{
-    ClosestSurfacePoint, IcpMetric, IcpOptions, PoseSearchOptions, RigidTransform, ScoredPose, pose_search,
-    principal_axis_poses, refine_icp,
+    ClosestSurfacePoint, IcpMetric, IcpOptions, PoseSearchOptions, RigidTransform, SAME_POSE_ANGLE, SamePose,
+    ScoredPose, pose_search, principal_axis_poses, refine_icp,
 };
 use nalgebra::Point3;
 use rayon::prelude::*;
@@ -44,6 +44,21 @@ pub(super) fn searched(source: &Side, target: &Side, allow_reflection: bool) -> 
         }
     }
     found
+}
+
+/// Whether two poses of `source` on `target` are the same within 30°, those of a part by orientation and place.
+pub(super) fn sameness(source: &Side, target: &Side) -> impl Fn(&RigidTransform, &RigidTransform) -> bool {
+    let of_place = |side: &Side| SamePose::of_place(side.mesh().vertices(), &vertex_areas(side.mesh()));
+    let part = part(source, target);
+    let same = match part {
+        None => SamePose::of_orientation(),
+        Some(Part::Source) => of_place(source),
+        Some(Part::Target) => of_place(target),
+    };
+    move |a, b| match part {
+        Some(Part::Target) => same.holds(&a.inverse(), &b.inverse(), SAME_POSE_ANGLE),
+        _ => same.holds(a, b, SAME_POSE_ANGLE),
+    }
 }
 
 /// The best pose on the principal axes, if it brings `source` clearly closer to the surface `closest` than `present`

@@ -1,7 +1,7 @@
 //! The third stage: an image on the target for every source vertex, through a smooth displacement field or rigidly.
 
 use super::MatchError;
-use super::candidate_poses::searched;
+use super::candidate_poses::{sameness, searched};
 use super::coarse::Coarse;
 use super::displacement::{
     ComparedPose, DisplacementAnswer, DisplacementOptions, StartPose, Surfaces, Which, displace, landmark_pose,
@@ -20,7 +20,7 @@ use homolog_contract::result::{PoseDocument, PoseOrigin, ReliabilityDocument};
 use homolog_mesh::ClosestPoint;
 use homolog_mrf::Labeling;
 use homolog_primitives::observe::{Observer, Phase, TracePoint};
-use homolog_registration::{RigidTransform, SAME_POSE_ANGLE, ScoredPose};
+use homolog_registration::{RigidTransform, ScoredPose};
 use nalgebra::Point3;
 use std::sync::{Mutex, PoisonError};
 
@@ -168,13 +168,10 @@ impl Starts {
         self.poses.iter().map(|(_, pose)| *pose).find(|pose| allow_reflection || !pose.is_reflection())
     }
 
-    /// How much worse than the best the search found `pose`: as much as the nearest pose it returned, within 30 degrees;
+    /// How much worse than the best the search found `pose`: as much as the best pose it returned that is the same;
     /// a pose that it did not return is as bad as its last.
-    fn excess(&self, pose: &RigidTransform) -> f64 {
-        let alike = self.of_search.iter().filter(|p| {
-            let found = &p.target_from_source;
-            found.is_reflection() == pose.is_reflection() && found.angle_to(pose) < SAME_POSE_ANGLE
-        });
+    fn excess(&self, pose: &RigidTransform, are_same: impl Fn(&RigidTransform, &RigidTransform) -> bool) -> f64 {
+        let alike = self.of_search.iter().filter(|p| are_same(&p.target_from_source, pose));
         let least = alike.map(|p| p.excess).fold(f64::INFINITY, f64::min);
         least.min(self.of_search.last().map_or(0.0, |p| p.excess))
     }
@@ -267,8 +264,12 @@ fn by_field(coarse: &Coarse<'_>, posed: &Posed<'_>, starts: &Starts) -> Result<O
             (Bending::NearIsometry, Which::Target) => target.middle.form(),
         },
     };
-    let poses: Vec<StartPose> =
-        starts.poses.iter().map(|(_, pose)| StartPose { pose: *pose, excess: starts.excess(pose) }).collect();
+    let are_same = sameness(&source.middle, &target.middle);
+    let poses: Vec<StartPose> = starts
+        .poses
+        .iter()
+        .map(|(_, pose)| StartPose { pose: *pose, excess: starts.excess(pose, &are_same) })
+        .collect();
     let options = DisplacementOptions::default();
     let allow_reflection = scene.parameters.registration.allow_reflection;
     let Some(found) = displace(&surfaces, &poses, allow_reflection, &options, &counting)? else { return Ok(None) };

@@ -8,6 +8,7 @@ use homolog_mesh::{FaceArity, SurfaceMesh};
 use homolog_primitives::observe::Silent;
 use nalgebra::{Isometry3, Matrix3, Point3, Rotation3, Vector3};
 use std::collections::BTreeMap;
+use std::f64::consts::FRAC_PI_2;
 
 fn mapped(mesh: &SurfaceMesh, map: impl Fn(&Point3<f64>) -> Point3<f64>) -> SurfaceMesh {
     mesh.with_vertices(mesh.vertices().iter().map(map).collect()).unwrap()
@@ -91,6 +92,28 @@ fn a_part_that_fits_in_several_places_is_ambiguous() {
     };
     let middle = only(&tube(0.0), |p| p.x.abs() < 7.0);
     let found = matched(&middle, &tube(0.9));
+    assert!(!found.reliability.as_ref().unwrap().reliable, "{:?}", found.reliability);
+}
+
+#[test]
+fn a_part_that_fits_in_several_places_of_one_orientation_is_ambiguous() {
+    // A rod with a ridge along it: its middle fits in one orientation, anywhere along it.
+    let rod = |turn: f64| {
+        let sphere = ellipsoid(Vector3::repeat(1.0), 4);
+        let turn = Rotation3::new(Vector3::new(turn, 0.2 * turn, -turn));
+        mapped(&sphere, |p| {
+            let p = turn * p;
+            let x = 26.0 * p.x.clamp(-1.0, 1.0).asin() / FRAC_PI_2;
+            let round = (1.0 - ((x.abs() - 20.0) / 6.0).max(0.0).powi(2)).max(0.0).sqrt();
+            let angle = p.z.atan2(p.y);
+            let ridge = 1.0 + 0.5 * (-(angle / 0.5).powi(2)).exp() + 0.2 * (-((angle - 2.0) / 0.4).powi(2)).exp();
+            // The axes differ at its ends, so that it has a front and a back.
+            let ends = if x > 20.0 { 1.0 + 0.04 * (x - 20.0) } else { 1.0 };
+            Point3::new(x, 5.0 * round * ridge * ends * angle.cos(), 5.0 * round * ridge * angle.sin())
+        })
+    };
+    let middle = only(&rod(0.0), |p| (-12.0..4.0).contains(&p.x));
+    let found = matched(&middle, &mapped(&rod(0.9), |p| motion() * p));
     assert!(!found.reliability.as_ref().unwrap().reliable, "{:?}", found.reliability);
 }
 

@@ -8,9 +8,9 @@ use super::surface::{N_FEATURES, Thinned};
 use crate::MatchError;
 use faer::Mat;
 use homolog_primitives::observe::checkpoint;
-use homolog_registration::RigidTransform;
 use homolog_registration::alignment::{AssignmentTarget, OrientedPoints, annealed, assign, misfit};
 use homolog_registration::deformation::fit_field;
+use homolog_registration::{RigidTransform, SAME_POSE_ANGLE, SamePose, absolute_orientation};
 use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
 
@@ -90,9 +90,15 @@ impl Displacement<'_> {
             .collect::<Result<_, MatchError>>()?;
         let mut best: Option<State> = None;
         let mut compared: Vec<ComparedPose> = Vec::new();
+        let mut ends: Vec<(usize, RigidTransform)> = Vec::new();
         for (&pose, found) in followed.iter().zip(found) {
             let Some((misfit, state)) = found else { return Ok(None) };
             let misfit = misfit + poses[pose].excess;
+            if self.same_place.is_some() {
+                let moved = displaced(&state.base.moved(&source.points, &values), &state.field, &values);
+                let end = absolute_orientation(&source.points, &moved, Some(&source.counted), true);
+                ends.push((pose, end.unwrap_or(poses[pose].pose)));
+            }
             if may_answer(&poses[pose].pose)
                 && compared.iter().all(|j| misfit < j.misfit || !may_answer(&poses[j.pose].pose))
             {
@@ -111,7 +117,24 @@ impl Displacement<'_> {
             let rank = |j: &ComparedPose| !may_answer(&poses[j.pose].pose);
             rank(a).cmp(&rank(b)).then(a.misfit.total_cmp(&b.misfit)).then(a.pose.cmp(&b.pose))
         });
-        Ok(best.map(|state| (compared, state)))
+        // Two starts may end in one place.
+        let end_of = |j: &ComparedPose| ends.iter().find(|(pose, _)| *pose == j.pose).map(|(_, end)| end);
+        let mut kept: Vec<ComparedPose> = Vec::new();
+        for other in compared {
+            let is_reached = |better: &ComparedPose| match (end_of(better), end_of(&other)) {
+                (Some(a), Some(b)) => self.are_same(a, b, SAME_POSE_ANGLE),
+                _ => false,
+            };
+            if !kept.iter().any(is_reached) {
+                kept.push(other);
+            }
+        }
+        Ok(best.map(|state| (kept, state)))
+    }
+
+    /// Whether two poses of one handedness are the same within `angle`, radians.
+    pub(super) fn are_same(&self, a: &RigidTransform, b: &RigidTransform, angle: f64) -> bool {
+        self.same_place.unwrap_or_else(SamePose::of_orientation).holds(a, b, angle)
     }
 
     /// The field from one pose alone, which an earlier fit has found.
@@ -140,7 +163,7 @@ impl Displacement<'_> {
         let mut followed: Vec<usize> = Vec::new();
         for (_, k) in screened {
             let alike = |&&other: &&usize| poses[other].pose.is_reflection() == poses[k].pose.is_reflection();
-            let near = |&&other: &&usize| poses[other].pose.angle_to(&poses[k].pose) < SAME_POSE;
+            let near = |&&other: &&usize| self.are_same(&poses[other].pose, &poses[k].pose, SAME_POSE);
             let same_handedness: Vec<&usize> = followed.iter().filter(alike).collect();
             if same_handedness.len() < FOLLOWED && !same_handedness.iter().any(near) {
                 followed.push(k);

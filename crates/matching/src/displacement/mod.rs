@@ -78,7 +78,7 @@ use homolog_geometry::curvature::vertex_areas;
 use homolog_mesh::{ClosestPointIndex, SurfaceMesh};
 use homolog_primitives::observe::{Observer, checkpoint};
 use homolog_registration::deformation::{GaussianKernel, SmoothPrior};
-use homolog_registration::{RigidTransform, SAME_POSE_ANGLE, weighted_moments};
+use homolog_registration::{RigidTransform, SamePose, weighted_moments};
 use nalgebra::Point3;
 use rayon::prelude::*;
 use stages::{Displacement, displaced};
@@ -394,6 +394,7 @@ fn deformed(
         guides,
         diagonal_mm: diagonal_mm(source),
         lengths,
+        same_place: open.then(|| SamePose::of_place(source.vertices(), &vertex_areas(source))),
         options,
         observer,
     };
@@ -424,9 +425,8 @@ fn deformed(
     if let Some(copies) = &copies {
         // Another pose is as good if it makes them copies too.
         for other in &mut compared[1..] {
-            let from_there = forward.aligned_shortly(&poses[other.pose].pose, edge_mm)?;
-            let elsewhere = from_there.target_from_source.angle_to(&copies.transform) >= SAME_POSE_ANGLE;
-            other.finer = if from_there.copies && elsewhere { Finer::AsGood } else { Finer::Outdone };
+            let is_other = forward.copies_elsewhere(&poses[other.pose].pose, &copies.transform, edge_mm)?;
+            other.finer = if is_other { Finer::AsGood } else { Finer::Outdone };
         }
     }
     let are_open_copies = copies.is_some();

@@ -66,13 +66,6 @@ impl Displacement<'_> {
         if !copies && !open {
             return Ok(Some(RigidPart { transform: fitted, copies }));
         }
-        let options = TwoSidedOptions {
-            metric: IcpMetric::PointToPlane,
-            max_sample: usize::MAX,
-            sample_steps: 0,
-            full_steps: MAX_STEPS,
-            tolerance: TOLERANCE,
-        };
         let mut start = fitted;
         if !copies {
             let first = self.aligned_shortly(&fitted, edge_mm)?;
@@ -82,15 +75,45 @@ impl Displacement<'_> {
             }
             start = first.target_from_source;
         }
-        let found = align_both_ways(&side(&self.source), &side(&self.target), &start, &options, self.observer)?;
-        Ok(Some(RigidPart { transform: found.target_from_source, copies }))
+        Ok(Some(RigidPart { transform: self.aligned(&start)?, copies }))
     }
 
-    /// The surfaces after a few steps of rigid alignment from `start`, and whether they are copies of one shape there.
+    /// Whether a rigid alignment from `start` makes the surfaces copies in another pose than `pose`, that of an alignment from
+    /// elsewhere. Where copies lie on each other in one pose alone, both end in it but for rounding.
     ///
     /// # Errors
     /// [`MatchError::Cancelled`].
-    pub(super) fn aligned_shortly(&self, start: &RigidTransform, edge_mm: f64) -> Result<Aligned, MatchError> {
+    pub(super) fn copies_elsewhere(
+        &self,
+        start: &RigidTransform,
+        pose: &RigidTransform,
+        edge_mm: f64,
+    ) -> Result<bool, MatchError> {
+        let first = self.aligned_shortly(start, edge_mm)?;
+        if !first.copies {
+            return Ok(false);
+        }
+        let other = self.aligned(&first.target_from_source)?;
+        let points = self.source.mesh.vertices();
+        let squares: f64 = points.iter().map(|p| (other.apply(p) - pose.apply(p)).norm_squared()).sum();
+        Ok((squares / points.len() as f64).sqrt() >= COPY_EDGES * edge_mm)
+    }
+
+    /// The pose that a rigid alignment of all points ends in, from `start`.
+    fn aligned(&self, start: &RigidTransform) -> Result<RigidTransform, MatchError> {
+        let options = TwoSidedOptions {
+            metric: IcpMetric::PointToPlane,
+            max_sample: usize::MAX,
+            sample_steps: 0,
+            full_steps: MAX_STEPS,
+            tolerance: TOLERANCE,
+        };
+        let found = align_both_ways(&side(&self.source), &side(&self.target), start, &options, self.observer)?;
+        Ok(found.target_from_source)
+    }
+
+    /// The surfaces after a few steps of rigid alignment from `start`, and whether they are copies of one shape there.
+    fn aligned_shortly(&self, start: &RigidTransform, edge_mm: f64) -> Result<Aligned, MatchError> {
         let (of_source, of_target) = (side(&self.source), side(&self.target));
         Ok(align_shortly(&of_source, &of_target, start, (edge_mm, TOLERANCE), self.observer)?)
     }

@@ -7,9 +7,9 @@ use super::surface::{N_FEATURES, SmoothSurface};
 use crate::lengths::Lengths;
 use faer::Mat;
 use homolog_primitives::observe::Observer;
-use homolog_registration::RigidTransform;
 use homolog_registration::alignment::{Assignment, AssignmentKernel, OUTLIER_SHARE, annealed};
 use homolog_registration::deformation::{FittedField, Observation};
+use homolog_registration::{RigidTransform, SamePose};
 use nalgebra::{Point3, Vector3};
 use std::sync::Arc;
 
@@ -100,6 +100,8 @@ pub(super) struct Displacement<'a> {
     pub guides: Guides,
     pub diagonal_mm: f64,
     pub lengths: Lengths,
+    /// When two poses of an open pair are the same, which may fit at several places in one orientation.
+    pub same_place: Option<SamePose>,
     pub options: &'a DisplacementOptions,
     pub observer: &'a dyn Observer,
 }

@@ -26,7 +26,7 @@ mod rotations;
 #[cfg(test)]
 mod tests;
 
-use super::{RigidTransform, absolute_orientation};
+use super::{RigidTransform, SAME_POSE_ANGLE, SamePose, absolute_orientation};
 use crate::alignment::compact::{CompactAssignment, CompactTarget};
 use crate::alignment::{OrientedPoint, OrientedPoints, annealed, progress_short_of_end};
 use crate::deformation::GaussianKernel;
@@ -89,8 +89,6 @@ pub struct ScoredPose {
     pub excess: f64,
 }
 
-/// Poses within this angle, radians, count as the same; 30°.
-pub const SAME_POSE_ANGLE: f64 = 0.52;
 /// Width and standard deviation of the bending field in diagonals: bends over a third of a structure, by a tenth.
 const WIDTH: f64 = 0.3;
 const AMPLITUDE: f64 = 0.1;
@@ -117,7 +115,8 @@ impl Candidate {
     }
 }
 
-/// Poses that align `source` with `target`, best first, no two of equal handedness within 30°.
+/// Poses that align `source` with `target`, best first, no two of equal handedness the same within 30° ([`SamePose`]; those of a part
+/// by orientation and place).
 ///
 /// Empty if a surface has fewer than three points, no area, or a number that is not finite. Features of the inputs, if there
 /// are any, are those of [`surroundings`], in any unit: those of a surface whose points have been moved elsewhere, say.
@@ -142,10 +141,18 @@ pub fn pose_search(
     } else {
         vec![Vector3::zeros()]
     };
+    let same = if options.source_is_part {
+        let (centers, areas): (Vec<_>, Vec<_>) =
+            of_source.coarse.iter().map(|p| (Point3::from(p.center), p.area)).unzip();
+        SamePose::of_place(&centers, &areas)
+    } else {
+        SamePose::of_orientation()
+    };
     let search = Search {
         coarse: Level::new(&of_source.coarse, &of_target.coarse),
         fine: Level::new(&of_source.fine, &of_target.fine),
         places,
+        same,
         diagonal_mm,
         options,
     };
@@ -191,6 +198,7 @@ struct Search<'a> {
     fine: Level,
     /// Where on the target the centroid of the source may lie, in the frame of its patches.
     places: Vec<Vector3<f64>>,
+    same: SamePose,
     diagonal_mm: f64,
     options: &'a PoseSearchOptions,
 }
@@ -203,13 +211,13 @@ impl Search<'_> {
         let moved = for_each_candidate(&self.screened(wide), |assignment, c| {
             refined(c, &self.coarse, (wide, middle), annealing, assignment)
         });
-        let settled = for_each_candidate(&best_apart(moved, SAME_POSE_ANGLE, n), |assignment, c| {
+        let settled = for_each_candidate(&self.best_apart(moved, SAME_POSE_ANGLE, n), |assignment, c| {
             refined(c, &self.fine, (middle, narrow), settling, assignment)
         });
-        let bent = for_each_candidate(&best_apart(settled, SAME_POSE_ANGLE, n), |assignment, c| {
+        let bent = for_each_candidate(&self.best_apart(settled, SAME_POSE_ANGLE, n), |assignment, c| {
             self.bent(c, (middle, narrow), bending, assignment)
         });
-        best_apart(bent, SAME_POSE_ANGLE, n)
+        self.best_apart(bent, SAME_POSE_ANGLE, n)
     }
 
     /// `start` refined with a field that takes up the difference in shape. Its misfit is that of the bent surface plus
@@ -269,7 +277,27 @@ impl Search<'_> {
             let moved = c.moved(self.coarse.source(c.mirrors));
             Candidate { misfit: assignment.misfit(points_of(&moved), &self.coarse.target, sigma_mm), ..*c }
         });
-        best_apart(found, APART, self.options.n_annealed)
+        self.best_apart(found, APART, self.options.n_annealed)
+    }
+
+    /// The `n` best of `candidates` of either handedness, best first, none the same as a better one within `angle`, radians.
+    /// Candidates of equal misfit stay in the given order; those whose misfit is not finite are left out.
+    fn best_apart(&self, mut candidates: Vec<Candidate>, angle: f64, n: usize) -> Vec<Candidate> {
+        candidates.retain(|c| c.misfit.is_finite());
+        candidates.sort_by(|a, b| a.misfit.total_cmp(&b.misfit));
+        // Rotations at an angle φ to each other have tr(RᵀR') = 1 + 2 cos φ. The centroid of the source is the origin.
+        let (least_trace, distance_mm) = (1.0 + 2.0 * angle.cos(), self.same.distance_mm(angle));
+        let are_same = |a: &Candidate, b: &Candidate| {
+            a.rotation.dot(&b.rotation) >= least_trace && (a.shift - b.shift).norm() < distance_mm
+        };
+        let mut kept: Vec<Candidate> = Vec::new();
+        for c in candidates {
+            let mut same_handedness = kept.iter().filter(|k| k.mirrors == c.mirrors);
+            if same_handedness.clone().count() < n && !same_handedness.any(|k| are_same(k, &c)) {
+                kept.push(c);
+            }
+        }
+        kept
     }
 }
 
@@ -308,21 +336,4 @@ fn refined(
     }
     found.misfit = assignment.misfit(points_of(&found.moved(source)), &level.target, sigma_mm.1);
     found
-}
-
-/// The `n` best of `candidates` of either handedness, best first, none within `angle`, radians, of a better one.
-/// Candidates of equal misfit stay in the given order; those whose misfit is not finite are left out.
-fn best_apart(mut candidates: Vec<Candidate>, angle: f64, n: usize) -> Vec<Candidate> {
-    candidates.retain(|c| c.misfit.is_finite());
-    candidates.sort_by(|a, b| a.misfit.total_cmp(&b.misfit));
-    // Rotations at an angle φ to each other have tr(RᵀR') = 1 + 2 cos φ.
-    let near = 1.0 + 2.0 * angle.cos();
-    let mut kept: Vec<Candidate> = Vec::new();
-    for c in candidates {
-        let mut same_handedness = kept.iter().filter(|k| k.mirrors == c.mirrors);
-        if same_handedness.clone().count() < n && same_handedness.all(|k| k.rotation.dot(&c.rotation) < near) {
-            kept.push(c);
-        }
-    }
-    kept
 }

@@ -54,7 +54,7 @@ impl<'a> Displacement<'a> {
         let Surfaces { source, target, full_source, full_target, target_closest, open, lengths, .. } = *surfaces;
         // The mean of two fits agrees with any surface better than either does, so agreement is measured before.
         let (own, own_values) = refined.moved(source);
-        let mut agreement = self.agreement(&own);
+        let agreement = self.agreement(&own);
         let residual_mm = refined.residual_mm;
         let reached = self.pose_of(&own, pose);
         // A part that is missing on one surface has no counterpart in a fit back.
@@ -69,13 +69,13 @@ impl<'a> Displacement<'a> {
             None => points,
         };
         let fitted = met(source, own);
-        let mut distortion = distortion(source, &fitted);
+        let distortion = distortion(source, &fitted);
         // A bent base comes from forms alone.
         let is_of_forms = refined.base.bend.is_some();
         let error = is_of_forms.then(|| along::squared_error(source, &fitted, &agreement, &lengths));
-        let Some(rigid) = self.rigid_part(source, &fitted, target.mean_edge_length(), open)? else { return Ok(None) };
+        let Some(rigid) = self.rigid_part(source, &fitted, target.mean_edge_length(), false)? else { return Ok(None) };
         // The field of a small surface is fitted on all its vertices.
-        let (mut moved, values) = if source == full_source {
+        let (moved, values) = if source == full_source {
             (fitted, own_values)
         } else {
             let (points, values) = refined.moved(full_source);
@@ -95,18 +95,17 @@ impl<'a> Displacement<'a> {
         if let Some(error) = error {
             along::raise(&mut variances, error, &lengths);
         }
-        if rigid.copies && open {
-            // A field pulls the part without counterpart towards the rim, and its surroundings with it: copies need none.
-            let posed = |mesh: &SurfaceMesh| -> Vec<Point3<f64>> {
-                mesh.vertices().iter().map(|p| rigid.transform.apply(p)).collect()
-            };
-            agreement = self.agreement(&posed(source));
-            distortion = 0.0;
-            moved = posed(full_source);
-            variances.fill(0.0);
-        }
         let transform = rigid.transform;
         Ok(Some(Deformed { moved, variances, transform, residual_mm, agreement, distortion }))
+    }
+
+    /// The source moved rigidly onto its copy. A field would pull the part without counterpart towards the rim, and its surroundings
+    /// with it.
+    pub(super) fn posed(&self, surfaces: &Surfaces<'_>, transform: RigidTransform, residual_mm: f64) -> Deformed {
+        let posed = |mesh: &SurfaceMesh| mesh.vertices().iter().map(|p| transform.apply(p)).collect::<Vec<_>>();
+        let moved = posed(surfaces.full_source);
+        let agreement = self.agreement(&posed(surfaces.source));
+        Deformed { variances: vec![0.0; moved.len()], moved, transform, residual_mm, agreement, distortion: 0.0 }
     }
 
     /// The target moved towards the source from the inverse of `pose`. `None` where a number is not finite.

@@ -81,6 +81,7 @@ use homolog_registration::deformation::{GaussianKernel, SmoothPrior};
 use homolog_registration::{RigidTransform, SamePose, weighted_moments};
 use nalgebra::Point3;
 use rayon::prelude::*;
+use rigid::RigidPart;
 use stages::{Displacement, displaced};
 use std::sync::Arc;
 use straightened::straightened;
@@ -417,26 +418,22 @@ fn deformed(
     }
     let Some(fine) = forward.fine(state)? else { return Ok(None) };
     let wide = fine.moved();
-    let mut unbent = None;
-    // Copies of which a part is missing need no other start, whatever the field does to them at their rim.
+    // Copies of which a part is missing need no other start and no field, whatever one does to them at their rim.
     let edge_mm = surfaces.target.mean_edge_length();
-    let copies =
-        if open { forward.rigid_part(source, &wide, edge_mm, open)?.filter(|rigid| rigid.copies) } else { None };
-    if let Some(copies) = &copies {
+    if open && let Some(RigidPart { transform, copies: true }) = forward.rigid_part(source, &wide, edge_mm, open)? {
         // Another pose is as good if it makes them copies too.
         for other in &mut compared[1..] {
-            let is_other = forward.copies_elsewhere(&poses[other.pose].pose, &copies.transform, edge_mm)?;
+            let is_other = forward.copies_elsewhere(&poses[other.pose].pose, &transform, edge_mm)?;
             other.finer = if is_other { Finer::AsGood } else { Finer::Outdone };
         }
+        return Ok(Some((forward.posed(surfaces, transform, fine.residual_mm), compared)));
     }
-    let are_open_copies = copies.is_some();
-    let branching = branching && !are_open_copies;
+    let mut unbent = None;
     // Neither straightened surfaces nor correspondences of the forms are tried for a pose that mirrors.
-    let doubtful = !are_open_copies && (fits_worse_than_its_mirror_image || forward.agreement(&wide).is_doubtful());
+    let doubtful = fits_worse_than_its_mirror_image || forward.agreement(&wide).is_doubtful();
     let of_one_shape = fine.residual_mm < TWO_SUBJECTS * lengths.sampling_mm;
     let if_bent_by = match surfaces.bending {
         Bending::None => None,
-        _ if are_open_copies => None,
         _ if doubtful => Some(0.0),
         // Of one shape, surfaces that agree may still be bent against each other.
         _ if of_one_shape && differ_in_spread(surfaces) => Some(BENT),

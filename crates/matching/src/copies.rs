@@ -7,6 +7,8 @@ use homolog_registration::{IcpMetric, RigidTransform, SurfaceSide, TwoSidedOptio
 /// copies: at most 0.14 for re-sampled copies, also noisy ones, and 0.11 to 0.15 for forty copies with an end cut off; from
 /// 0.30 on for different subjects, and from 0.54 for warps of 8 % of the diagonal.
 const COPY_EDGES: f64 = 0.2;
+/// Share of the area of one of them that has to lie on the other: surfaces that only touch show nothing of each other.
+const LEAST_OVERLAP: f64 = 0.5;
 /// Points of each surface, and steps of the alignment that tells.
 const SAMPLE: usize = 400;
 const STEPS: u32 = 10;
@@ -41,6 +43,6 @@ pub(crate) fn align_shortly(
     let found = align_both_ways(source, target, start, &options, observer)?;
     Ok(Aligned {
         target_from_source: found.target_from_source,
-        copies: found.steps > 0 && found.residual_mm <= COPY_EDGES * edge_mm,
+        copies: found.steps > 0 && found.residual_mm <= COPY_EDGES * edge_mm && found.overlap >= LEAST_OVERLAP,
     })
 }

@@ -55,6 +55,9 @@ pub struct TwoSidedReport {
     /// Robust standard deviation of the residuals before the last step, mm; 0 without steps, infinite where no point has a counterpart inside
     /// the rim of the other surface.
     pub residual_mm: f64,
+    /// Share of the area of one surface, of the one of which it is larger, whose closest points lie inside the rim of the other, before the last
+    /// step; 0 without steps.
+    pub overlap: f64,
     /// Number of steps.
     pub steps: u32,
     /// Whether the last step was below the tolerance.
@@ -86,12 +89,14 @@ pub fn align_both_ways(
     observer: &dyn Observer,
 ) -> Result<TwoSidedReport, Cancelled> {
     let extent = extent(source.points);
-    let mut report = TwoSidedReport { target_from_source: *start, residual_mm: 0.0, steps: 0, converged: false };
+    let mut report =
+        TwoSidedReport { target_from_source: *start, residual_mm: 0.0, overlap: 0.0, steps: 0, converged: false };
     for (sample, steps) in [(options.max_sample, options.sample_steps), (usize::MAX, options.full_steps)] {
         report.converged = false;
         for _ in 0..steps {
             checkpoint(observer)?;
-            let pairs = pairs(source, target, &report.target_from_source, sample);
+            let (pairs, overlap) = pairs(source, target, &report.target_from_source, sample);
+            report.overlap = overlap;
             if pairs.is_empty() {
                 // Surfaces that have slid off each other agree nowhere.
                 report.residual_mm = f64::INFINITY;
@@ -112,13 +117,15 @@ pub fn align_both_ways(
     Ok(report)
 }
 
-fn pairs(source: &SurfaceSide<'_>, target: &SurfaceSide<'_>, pose: &RigidTransform, sample: usize) -> Vec<Pair> {
+/// The pairs, and [`TwoSidedReport::overlap`].
+fn pairs(source: &SurfaceSide<'_>, target: &SurfaceSide<'_>, pose: &RigidTransform, sample: usize) -> (Vec<Pair>, f64) {
     let picked = |side: &SurfaceSide<'_>| -> Vec<(Point3<f64>, f64)> {
         let step = side.points.len().div_ceil(sample.max(3)).max(1);
         side.points.iter().copied().zip(side.areas.iter().copied()).step_by(step).collect()
     };
     let back = pose.inverse();
-    let mut found: Vec<Pair> = picked(source)
+    let (of_source, of_target) = (picked(source), picked(target));
+    let mut found: Vec<Pair> = of_source
         .par_iter()
         .filter_map(|&(p, area)| {
             let moved = pose.apply(&p);
@@ -126,11 +133,16 @@ fn pairs(source: &SurfaceSide<'_>, target: &SurfaceSide<'_>, pose: &RigidTransfo
             Some(Pair { source: moved, target: at, normal, area })
         })
         .collect();
-    found.par_extend(picked(target).par_iter().filter_map(|&(q, area)| {
+    let n_source = found.len();
+    found.par_extend(of_target.par_iter().filter_map(|&(q, area)| {
         let (at, normal) = source.closest.closest_inside(&back.apply(&q))?;
         Some(Pair { source: pose.apply(&at), target: q, normal: pose.rotation * normal, area })
     }));
-    found
+    let share = |paired: &[Pair], all: &[(Point3<f64>, f64)]| {
+        paired.iter().map(|pair| pair.area).sum::<f64>() / all.iter().map(|(_, area)| area).sum::<f64>()
+    };
+    let overlap = share(&found[..n_source], &of_source).max(share(&found[n_source..], &of_target));
+    (found, overlap)
 }
 
 /// The step that minimizes the weighted residuals, and their robust standard deviation, mm.
@@ -272,5 +284,37 @@ mod tests {
         let report =
             align_both_ways(&side, &side, &small_motion(), &options(IcpMetric::PointToPlane), &Silent).unwrap();
         assert_eq!((report.target_from_source, report.residual_mm), (small_motion(), f64::INFINITY));
+        assert_eq!(report.overlap, 0.0);
+    }
+
+    /// The corner as far as `x` goes.
+    struct ShortCorner(f64);
+
+    impl ClosestSurfacePoint for ShortCorner {
+        fn closest(&self, query: &Point3<f64>) -> (Point3<f64>, Vector3<f64>) {
+            Corner.closest(query)
+        }
+
+        fn closest_inside(&self, query: &Point3<f64>) -> Option<(Point3<f64>, Vector3<f64>)> {
+            (query.x < self.0).then(|| Corner.closest(query))
+        }
+    }
+
+    #[test]
+    fn the_overlap_is_the_share_of_the_area_of_the_surface_that_has_more_of_it() {
+        let (points, areas) = (points(4), vec![1.0; 270]);
+        let mut along: Vec<f64> = points.iter().map(|p| p.x).collect();
+        along.sort_by(f64::total_cmp);
+        let short = |share: usize| ShortCorner(along[270 * share / 100]);
+        let of = |source: &ShortCorner, target: &ShortCorner| {
+            let side = |closest| SurfaceSide { points: &points, areas: &areas, closest };
+            let options = TwoSidedOptions { full_steps: 1, ..options(IcpMetric::PointToPlane) };
+            let pose = RigidTransform::identity();
+            align_both_ways(&side(source), &side(target), &pose, &options, &Silent).unwrap().overlap
+        };
+        let below = |share: usize| along.iter().filter(|x| **x < short(share).0).count() as f64 / 270.0;
+        assert_eq!(of(&short(30), &short(60)), below(60));
+        assert_eq!(of(&short(80), &short(60)), below(80));
+        assert!(below(30) < below(60) && below(60) < below(80));
     }
 }

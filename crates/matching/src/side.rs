@@ -14,8 +14,8 @@ use std::sync::{Arc, OnceLock};
 /// voxels.
 pub(super) const POSITION_SCALE: f64 = 0.0175;
 
-/// A boundary longer than this many roots of the area makes a surface open. A cut through an end of a structure is longer;
-/// a hole that a segmentation or a scanner left is not, and nothing is missing there.
+/// A rim longer than this many roots of the area makes a surface open. A cut through an end of a structure is longer;
+/// the holes that a segmentation or a scanner left are not, and nothing is missing there.
 const OPEN: f64 = 0.2;
 
 /// One surface at one level. Immutable: the parts that are computed on first use depend on nothing else. They are computed
@@ -73,7 +73,7 @@ impl Side {
         let surface = CanonicalMesh { mesh, numbering: canonical.over(numbering) };
         let normals = surface.mesh.vertex_normals();
         let root_mm = surface.mesh.area().sqrt();
-        let is_open = surface.mesh.boundary_length() > OPEN * root_mm;
+        let is_open = surface.mesh.rim_lengths().first().is_some_and(|longest| *longest > OPEN * root_mm);
         Side {
             surface,
             normals,

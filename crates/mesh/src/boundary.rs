@@ -1,6 +1,7 @@
 //! The boundary of an open surface.
 
 use super::SurfaceMesh;
+use super::topology::DisjointSets;
 
 impl SurfaceMesh {
     /// For every vertex whether it lies on the boundary, an edge with only one face; `None` for a surface without
@@ -14,12 +15,23 @@ impl SurfaceMesh {
         (!edges.is_empty()).then_some(on_boundary)
     }
 
-    /// Length of all edges with only one face, mm.
+    /// Lengths of the rims, which are the connected pieces of the boundary, mm, the longest first; without a boundary none.
     ///
     /// Cost `O(faces)` for closed surfaces, `O(faces log faces)` for open ones.
-    pub fn boundary_length(&self) -> f64 {
-        let length = |[a, b]: &[u32; 2]| (self.vertices()[*a as usize] - self.vertices()[*b as usize]).norm();
-        self.boundary_edges().iter().map(length).sum()
+    pub fn rim_lengths(&self) -> Vec<f64> {
+        let edges = self.boundary_edges();
+        if edges.is_empty() {
+            return Vec::new();
+        }
+        let mut rims = DisjointSets::new(self.n_vertices());
+        edges.iter().for_each(|&[a, b]| rims.join(a, b));
+        let mut length_of = vec![0.0; self.n_vertices()];
+        for [a, b] in edges {
+            length_of[rims.root(a) as usize] += (self.vertices()[a as usize] - self.vertices()[b as usize]).norm();
+        }
+        length_of.retain(|length| *length > 0.0);
+        length_of.sort_by(|a, b| b.total_cmp(a));
+        length_of
     }
 
     /// The edges with only one face, ascending.
@@ -50,12 +62,25 @@ mod tests {
     use crate::SurfaceMesh;
     use crate::shapes::{ellipsoid, torus};
     use crate::{FaceArity, repair};
-    use nalgebra::Vector3;
+    use nalgebra::{Point3, Vector3};
 
     #[test]
     fn a_closed_surface_has_no_boundary() {
         assert_eq!(ellipsoid(Vector3::new(3.0, 2.0, 1.0), 3).boundary_vertices(), None);
         assert_eq!(torus(5.0, 2.0, 9, 7, FaceArity::Quad).boundary_vertices(), None);
+        assert!(ellipsoid(Vector3::new(3.0, 2.0, 1.0), 3).rim_lengths().is_empty());
+    }
+
+    #[test]
+    fn every_hole_has_a_rim_of_its_own() {
+        // A sheet of 9 x 9 unit squares without a square and without two beside each other.
+        let vertices = (0..100).map(|k| Point3::new(f64::from(k % 10), f64::from(k / 10), 0.0)).collect();
+        let at = |x: u32, y: u32| 10 * y + x;
+        let missing = [(2, 2), (5, 6), (6, 6)];
+        let squares = (0..81).map(|k| (k % 9, k / 9)).filter(|square| !missing.contains(square));
+        let indices = squares.flat_map(|(x, y)| [at(x, y), at(x + 1, y), at(x + 1, y + 1), at(x, y + 1)]).collect();
+        let sheet = SurfaceMesh::new(vertices, FaceArity::Quad, indices).unwrap();
+        assert_eq!(sheet.rim_lengths(), [36.0, 6.0, 4.0]);
     }
 
     #[test]

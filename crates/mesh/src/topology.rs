@@ -477,14 +477,14 @@ pub(super) fn vertex_components(mesh: &SurfaceMesh) -> Components {
 }
 
 /// Disjoint sets with path halving; the root of a set is its lowest member.
-struct DisjointSets(Vec<u32>);
+pub(super) struct DisjointSets(Vec<u32>);
 
 impl DisjointSets {
-    fn new(n: usize) -> Self {
+    pub(super) fn new(n: usize) -> Self {
         DisjointSets((0..n as u32).collect())
     }
 
-    fn root(&mut self, mut k: u32) -> u32 {
+    pub(super) fn root(&mut self, mut k: u32) -> u32 {
         while self.0[k as usize] != k {
             let up = self.0[self.0[k as usize] as usize];
             self.0[k as usize] = up;
@@ -493,7 +493,7 @@ impl DisjointSets {
         k
     }
 
-    fn join(&mut self, a: u32, b: u32) {
+    pub(super) fn join(&mut self, a: u32, b: u32) {
         let (a, b) = (self.root(a), self.root(b));
         self.0[a.max(b) as usize] = a.min(b);
     }

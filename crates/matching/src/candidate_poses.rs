@@ -1,7 +1,7 @@
 //! Poses that may fit better than the one at hand: from a search of all orientations, and from the principal axes.
 
 use super::scene::even_sample;
-use super::side::{Part, Side, part};
+use super::side::{Side, Which, part};
 use homolog_geometry::curvature::vertex_areas;
 use homolog_primitives::observe::{Cancelled, Observer};
 use homolog_registration::alignment::OrientedPoints;
@@ -31,14 +31,14 @@ fn oriented<'a>(side: &'a Side, areas: &'a [f64]) -> OrientedPoints<'a> {
 /// whichever of them is the source.
 pub(super) fn searched(source: &Side, target: &Side, allow_reflection: bool) -> Vec<ScoredPose> {
     let part = part(source, target);
-    let (from, to) = if part == Some(Part::Target) { (target, source) } else { (source, target) };
+    let (from, to) = if part == Some(Which::Target) { (target, source) } else { (source, target) };
     let (from_areas, to_areas) = (vertex_areas(from.mesh()), vertex_areas(to.mesh()));
     let mut found = pose_search(
         &oriented(from, &from_areas),
         &oriented(to, &to_areas),
         &PoseSearchOptions { allow_reflection, source_is_part: part.is_some(), ..PoseSearchOptions::default() },
     );
-    if part == Some(Part::Target) {
+    if part == Some(Which::Target) {
         for pose in &mut found {
             pose.target_from_source = pose.target_from_source.inverse();
         }
@@ -52,11 +52,11 @@ pub(super) fn sameness(source: &Side, target: &Side) -> impl Fn(&RigidTransform,
     let part = part(source, target);
     let same = match part {
         None => SamePose::of_orientation(),
-        Some(Part::Source) => of_place(source),
-        Some(Part::Target) => of_place(target),
+        Some(Which::Source) => of_place(source),
+        Some(Which::Target) => of_place(target),
     };
     move |a, b| match part {
-        Some(Part::Target) => same.holds(&a.inverse(), &b.inverse(), SAME_POSE_ANGLE),
+        Some(Which::Target) => same.holds(&a.inverse(), &b.inverse(), SAME_POSE_ANGLE),
         _ => same.holds(a, b, SAME_POSE_ANGLE),
     }
 }

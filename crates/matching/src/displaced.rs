@@ -4,7 +4,7 @@ use super::MatchError;
 use super::candidate_poses::{sameness, searched};
 use super::coarse::Coarse;
 use super::displacement::{
-    ComparedPose, DisplacementAnswer, DisplacementOptions, StartPose, Surfaces, Which, displace, landmark_pose,
+    ComparedPose, DisplacementAnswer, DisplacementOptions, StartPose, Surfaces, displace, landmark_pose,
 };
 use super::field_methods::by_method;
 use super::lengths::Lengths;
@@ -13,7 +13,7 @@ use super::posed::{InferredPose, Posed};
 use super::reliability::{UNRELIABLE_CONFIDENCE, reliability, without_counterpart};
 use super::rounds::{PROGRESS_AT_END, PROGRESS_BEFORE_DISPLACEMENT};
 use super::scene::Scene;
-use super::side::part;
+use super::side::{Which, part};
 use super::vertex_map::VertexMap;
 use homolog_contract::parameters::{Bending, DisplacementMode};
 use homolog_contract::result::{PoseDocument, PoseOrigin, ReliabilityDocument};

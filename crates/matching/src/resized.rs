@@ -8,7 +8,7 @@
 use super::displaced::{Displaced, Images};
 use super::levels::Levels;
 use super::reliability;
-use super::side::{Part, part};
+use super::side::{Which, part};
 use super::{MatchError, coarse, displaced, posed};
 use homolog_contract::parameters::MatchParameters;
 use homolog_geometry::curvature::vertex_areas;
@@ -78,8 +78,8 @@ pub(crate) fn resized(
 fn is_of_a_part(source: &Levels, target: &Levels, factor: f64) -> bool {
     match part(&source.full, &target.full) {
         None => false,
-        Some(Part::Source) => (1.0..MOST_OF_PARTS).contains(&factor),
-        Some(Part::Target) => (1.0..MOST_OF_PARTS).contains(&(1.0 / factor)),
+        Some(Which::Source) => (1.0..MOST_OF_PARTS).contains(&factor),
+        Some(Which::Target) => (1.0..MOST_OF_PARTS).contains(&(1.0 / factor)),
     }
 }
 

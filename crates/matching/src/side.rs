@@ -37,18 +37,27 @@ pub(super) struct Side {
     form: OnceLock<Option<Form>>,
 }
 
-/// The surface that shows a part of what the other one shows.
+/// One of the two surfaces of a match.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Part {
+pub(crate) enum Which {
     Source,
     Target,
 }
 
+impl Which {
+    pub(super) fn other(self) -> Which {
+        match self {
+            Which::Source => Which::Target,
+            Which::Target => Which::Source,
+        }
+    }
+}
+
 /// Which of the two surfaces shows a part of what the other shows: an open one, if the other is closed.
-pub(super) fn part(source: &Side, target: &Side) -> Option<Part> {
+pub(super) fn part(source: &Side, target: &Side) -> Option<Which> {
     match (source.is_open, target.is_open) {
-        (true, false) => Some(Part::Source),
-        (false, true) => Some(Part::Target),
+        (true, false) => Some(Which::Source),
+        (false, true) => Some(Which::Target),
         _ => None,
     }
 }

@@ -4,8 +4,9 @@
 //! the surface. What such surfaces have in common is that they branch. For them an answer that agrees is no reason not to try
 //! correspondences of bending-invariant forms and of extremities.
 
+use super::Surfaces;
 use super::extremities::number_of_limbs;
-use super::{Surfaces, Which};
+use crate::side::Which;
 use homolog_contract::parameters::Bending;
 use homolog_mesh::SurfaceMesh;
 use std::f64::consts::PI;

@@ -66,7 +66,7 @@ pub use isometry::{NearIsometryModel, near_isometry_model};
 
 use super::MatchError;
 use super::lengths::Lengths;
-use super::side::Part;
+use super::side::Which;
 use branching::may_branch;
 use faer::Mat;
 use fine::Refined;
@@ -114,13 +114,6 @@ const UNLIKE_SPREAD: f64 = 1.1;
 /// An answer by straightened surfaces is taken if one of its starts, mirrored or not, has a misfit that is lower by this than those of
 /// all rigid starts: for bent capsules it is lower by 0.38 to 0.72, for hippocampi with warps and of two subjects by 0.06 at most.
 const STRAIGHT: f64 = 0.2;
-
-/// One of the two surfaces.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Which {
-    Source,
-    Target,
-}
 
 /// Settings of the displacement. The defaults are round numbers; nearby values gave the same accuracy within its spread. Twice
 /// the steps and half again as many inducing points took 1.5 times as long and changed the share of vertices within one edge,
@@ -181,7 +174,7 @@ pub(crate) struct Surfaces<'a> {
     /// Whether a part of either surface may be missing.
     pub open: bool,
     /// Which of them shows a part of what the other shows, if one does.
-    pub part: Option<Part>,
+    pub part: Option<Which>,
     pub lengths: Lengths,
     /// How surfaces that no rigid motion brings together are matched.
     pub bending: Bending,
@@ -213,10 +206,7 @@ impl Surfaces<'_> {
             landmarks,
             form_of,
             open: self.open,
-            part: self.part.map(|part| match part {
-                Part::Source => Part::Target,
-                Part::Target => Part::Source,
-            }),
+            part: self.part.map(Which::other),
             lengths: self.lengths,
             bending: self.bending,
         }
@@ -234,15 +224,6 @@ fn spread(mesh: &SurfaceMesh) -> f64 {
     let areas = vertex_areas(mesh);
     let total: f64 = areas.iter().sum();
     weighted_moments(mesh.vertices(), &areas, total).map_or(0.0, |(_, scatter)| scatter.trace() / (total * total))
-}
-
-impl Which {
-    fn other(self) -> Which {
-        match self {
-            Which::Source => Which::Target,
-            Which::Target => Which::Source,
-        }
-    }
 }
 
 /// The result of a displacement.
@@ -284,7 +265,7 @@ pub(crate) fn displace(
     options: &DisplacementOptions,
     observer: &dyn Observer,
 ) -> Result<Option<DisplacementAnswer>, MatchError> {
-    let found = if surfaces.part == Some(Part::Target) {
+    let found = if surfaces.part == Some(Which::Target) {
         from_part(surfaces, poses, allow_reflection, options, observer)?
     } else {
         from_source(surfaces, poses, allow_reflection, options, observer)?
@@ -306,7 +287,7 @@ fn from_source(
     observer: &dyn Observer,
 ) -> Result<Option<(Deformed, Vec<ComparedPose>)>, MatchError> {
     let Surfaces { source, target, lengths, part, .. } = *surfaces;
-    let prepared = prepare(source, target, lengths.root_mm, part == Some(Part::Source))?;
+    let prepared = prepare(source, target, lengths.root_mm, part == Some(Which::Source))?;
     checkpoint(observer)?;
     deformed(surfaces, prepared, poses, allow_reflection, options, observer)
 }

@@ -7,7 +7,8 @@ use homolog_registration::{IcpMetric, RigidTransform, SurfaceSide, TwoSidedOptio
 /// copies: at most 0.14 for re-sampled copies, also noisy ones, and 0.11 to 0.15 for forty copies with an end cut off; from
 /// 0.30 on for different subjects, and from 0.54 for warps of 8 % of the diagonal.
 const COPY_EDGES: f64 = 0.2;
-/// Share of the area of one of them that has to lie on the other: surfaces that only touch show nothing of each other.
+/// Share of the area of one of them whose closest points have to lie inside the rim of the other: surfaces that only touch show
+/// nothing of each other.
 const LEAST_OVERLAP: f64 = 0.5;
 /// Points of each surface, and steps of the alignment that tells.
 const SAMPLE: usize = 400;

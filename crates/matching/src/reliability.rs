@@ -132,7 +132,7 @@ pub(super) fn reliability(found: &DisplacementAnswer, source: &Side, target: &Si
         if of_poses && (of_copies || part(source, target).is_some()) { AMBIGUITY_OF_COPIES } else { AMBIGUITY };
     let fits_as_well = |other: &ComparedPose| match other.finer {
         Finer::None => other.misfit < best.misfit + ambiguity,
-        Finer::Outdone => false,
+        Finer::Outdone | Finer::Same => false,
         Finer::AsGood => true,
     };
     let is_rival = |other: &ComparedPose| other.mirrored == best.mirrored && fits_as_well(other);

@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use homolog_contract::parameters::{Method, preset};
+use homolog_contract::result::UnreliableReason;
 use homolog_matching::{MatchOutcome, match_surfaces};
 use homolog_mesh::shapes::ellipsoid;
 use homolog_mesh::{FaceArity, SurfaceMesh};
@@ -113,8 +114,11 @@ fn a_part_that_fits_in_several_places_of_one_orientation_is_ambiguous() {
         })
     };
     let middle = only(&rod(0.0), |p| (-12.0..4.0).contains(&p.x));
-    let found = matched(&middle, &mapped(&rod(0.9), |p| motion() * p));
-    assert!(!found.reliability.as_ref().unwrap().reliable, "{:?}", found.reliability);
+    let whole = mapped(&rod(0.9), |p| motion() * p);
+    for found in [matched(&middle, &whole), matched(&whole, &middle)] {
+        let reliability = found.reliability.as_ref().unwrap();
+        assert!(reliability.reasons.contains(&UnreliableReason::AmbiguousPose), "{reliability:?}");
+    }
 }
 
 #[test]

@@ -9,7 +9,8 @@ pub const SAME_POSE_ANGLE: f64 = 0.52;
 /// When two poses of a surface are the same.
 ///
 /// Two complete surfaces lie on each other in one place for each orientation. A part may fit a whole at several places in one
-/// orientation: then poses differ also where they move the part, on average, as far as the rotation by the angle does.
+/// orientation: then poses differ also where they move the part as far as a rotation by the angle
+/// can, root mean square.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SamePose {
     center: Point3<f64>,
@@ -51,7 +52,7 @@ impl SamePose {
 mod tests {
     use super::*;
     use crate::testing::{cloud, pose};
-    use nalgebra::Vector3;
+    use nalgebra::{Rotation3, Vector3};
 
     #[test]
     fn a_place_differs_where_the_surface_is_moved_as_far_as_by_a_rotation() {
@@ -70,7 +71,12 @@ mod tests {
         assert!(SamePose::of_orientation().holds(&at, &shifted(100.0), 0.3));
         let mirror = RigidTransform { rotation: -at.rotation, ..at };
         assert!(!SamePose::of_orientation().holds(&at, &mirror, 3.2));
-        assert!(!same.holds(&at, &at.after(&pose(5)), 0.3));
+        // About the centroid, so that it stays where it is.
+        let turned = |angle: f64| {
+            let rotation = at.rotation * Rotation3::from_axis_angle(&Vector3::z_axis(), angle).matrix();
+            RigidTransform { rotation, translation: at.translation + (at.rotation - rotation) * center }
+        };
+        assert!(same.holds(&at, &turned(0.29), 0.3) && !same.holds(&at, &turned(0.31), 0.3));
         // Without an area there is no centroid.
         assert_eq!(SamePose::of_place(&points, &[0.0; 50]), SamePose::of_orientation());
     }

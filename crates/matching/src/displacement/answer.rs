@@ -111,7 +111,7 @@ mod tests {
     use rand_core::{Rng, SeedableRng};
     use rand_xoshiro::Xoshiro256PlusPlus;
 
-    /// Squared length of an error in a plane that is normal with variances drawn from the inverse gamma distribution whose mixture
+    /// An error in a plane that is normal with variances drawn from the inverse gamma distribution whose mixture
     /// is Student's t with this scale.
     fn drawn(number: &mut impl FnMut() -> f64, scale: f64) -> [f64; 2] {
         let mut normal = || (0..12).map(|_| number()).sum::<f64>() - 6.0;

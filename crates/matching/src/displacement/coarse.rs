@@ -17,7 +17,7 @@ use rayon::prelude::*;
 /// Vertices and steps of the first screening of all poses.
 const SCREENING_SAMPLES: usize = 250;
 const SCREENING_STEPS: u32 = 6;
-/// Of poses of one handedness that are closer to each other than this, radians, only the better one is followed: later
+/// Of poses of one handedness that are the same within this angle, radians, only the better one is followed: later
 /// stages would lead both to the same pose.
 const SAME_POSE: f64 = std::f64::consts::FRAC_PI_4;
 /// Poses of one handedness that are followed after the screening.
@@ -57,6 +57,8 @@ pub(crate) struct ComparedPose {
 pub(crate) enum Finer {
     /// There was none: the misfit of the first stage has to tell.
     None,
+    /// It ended where a better one did, in the first stage.
+    Same,
     /// The energy of near isometries, or the misfit at the scale of the sampling, has decided against it.
     Outdone,
     /// It went through all stages, and ends elsewhere with as low a misfit at the scale of the sampling.
@@ -96,8 +98,10 @@ impl Displacement<'_> {
             let misfit = misfit + poses[pose].excess;
             if self.same_place.is_some() {
                 let moved = displaced(&state.base.moved(&source.points, &values), &state.field, &values);
+                let start = poses[pose].pose;
                 let end = absolute_orientation(&source.points, &moved, Some(&source.counted), true);
-                ends.push((pose, end.unwrap_or(poses[pose].pose)));
+                // Of points near a plane either handedness may come out.
+                ends.push((pose, end.ok().filter(|end| end.is_reflection() == start.is_reflection()).unwrap_or(start)));
             }
             if may_answer(&poses[pose].pose)
                 && compared.iter().all(|j| misfit < j.misfit || !may_answer(&poses[j.pose].pose))
@@ -117,19 +121,19 @@ impl Displacement<'_> {
             let rank = |j: &ComparedPose| !may_answer(&poses[j.pose].pose);
             rank(a).cmp(&rank(b)).then(a.misfit.total_cmp(&b.misfit)).then(a.pose.cmp(&b.pose))
         });
-        // Two starts may end in one place.
         let end_of = |j: &ComparedPose| ends.iter().find(|(pose, _)| *pose == j.pose).map(|(_, end)| end);
-        let mut kept: Vec<ComparedPose> = Vec::new();
-        for other in compared {
-            let is_reached = |better: &ComparedPose| match (end_of(better), end_of(&other)) {
-                (Some(a), Some(b)) => self.are_same(a, b, SAME_POSE_ANGLE),
+        for k in 1..compared.len() {
+            let (better, others) = compared.split_at_mut(k);
+            let other = &mut others[0];
+            let is_reached = |better: &ComparedPose| match (end_of(better), end_of(other)) {
+                (Some(a), Some(b)) => better.mirrored == other.mirrored && self.are_same(a, b, SAME_POSE_ANGLE),
                 _ => false,
             };
-            if !kept.iter().any(is_reached) {
-                kept.push(other);
+            if better.iter().any(is_reached) {
+                other.finer = Finer::Same;
             }
         }
-        Ok(best.map(|state| (kept, state)))
+        Ok(best.map(|state| (compared, state)))
     }
 
     /// Whether two poses of one handedness are the same within `angle`, radians.
@@ -165,7 +169,15 @@ impl Displacement<'_> {
             let alike = |&&other: &&usize| poses[other].pose.is_reflection() == poses[k].pose.is_reflection();
             let near = |&&other: &&usize| self.are_same(&poses[other].pose, &poses[k].pose, SAME_POSE);
             let same_handedness: Vec<&usize> = followed.iter().filter(alike).collect();
-            if same_handedness.len() < FOLLOWED && !same_handedness.iter().any(near) {
+            // Places in one orientation leave room for another orientation.
+            let has_orientation_of = |other: usize| {
+                move |&&a: &&usize| SamePose::of_orientation().holds(&poses[a].pose, &poses[other].pose, SAME_POSE)
+            };
+            let has_room = same_handedness.len() < FOLLOWED
+                || same_handedness.len() == FOLLOWED
+                    && same_handedness.iter().all(has_orientation_of(*same_handedness[0]))
+                    && !same_handedness.iter().any(has_orientation_of(k));
+            if has_room && !same_handedness.iter().any(near) {
                 followed.push(k);
             }
         }

@@ -366,7 +366,7 @@ fn deformed(
     options: &DisplacementOptions,
     observer: &dyn Observer,
 ) -> Result<Option<(Deformed, Vec<ComparedPose>)>, MatchError> {
-    let Surfaces { source, landmarks, open, lengths, .. } = *surfaces;
+    let Surfaces { source, landmarks, open, part, lengths, .. } = *surfaces;
     let Some(functions) = functions(source, &smooth_source, options) else { return Ok(None) };
     let guides = Guides::new(landmarks, &functions, lengths.root_mm);
     let forward = Displacement {
@@ -376,7 +376,7 @@ fn deformed(
         guides,
         diagonal_mm: diagonal_mm(source),
         lengths,
-        same_place: open.then(|| SamePose::of_place(source.vertices(), &vertex_areas(source))),
+        same_place: part.is_some().then(|| SamePose::of_place(source.vertices(), &vertex_areas(source))),
         options,
         observer,
     };
@@ -409,6 +409,7 @@ fn deformed(
         }
         return Ok(Some((forward.posed(surfaces, transform, fine.residual_mm), compared)));
     }
+    compared.retain(|start| start.finer != Finer::Same);
     let mut unbent = None;
     // Neither straightened surfaces nor correspondences of the forms are tried for a pose that mirrors.
     let doubtful = fits_worse_than_its_mirror_image || forward.agreement(&wide).is_doubtful();

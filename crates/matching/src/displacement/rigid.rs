@@ -45,8 +45,8 @@ fn side(surface: &SmoothSurface) -> SurfaceSide<'_> {
 }
 
 impl Displacement<'_> {
-    /// The rigid part of the correspondences `source vertex → image` (mm), where `open` says that one of the surfaces
-    /// has a boundary. `None` for collinear ones.
+    /// The rigid part of the correspondences `source vertex → image` (mm). With `open`, an alignment of the surfaces decides whether
+    /// they are copies, which a field does not show at a rim. `None` for collinear ones.
     ///
     /// # Errors
     /// [`MatchError::Cancelled`].
@@ -63,23 +63,18 @@ impl Displacement<'_> {
         let squares: f64 =
             source.vertices().iter().zip(images).map(|(p, q)| (fitted.apply(p) - q).norm_squared()).sum();
         let mut copies = (squares / images.len() as f64).sqrt() < COPY_EDGES * edge_mm;
-        if !copies && !open {
-            return Ok(Some(RigidPart { transform: fitted, copies }));
-        }
         let mut start = fitted;
-        if !copies {
+        if open {
             let first = self.aligned_shortly(&fitted, edge_mm)?;
             copies = first.copies;
-            if !copies {
-                return Ok(Some(RigidPart { transform: fitted, copies }));
-            }
             start = first.target_from_source;
         }
-        Ok(Some(RigidPart { transform: self.aligned(&start)?, copies }))
+        let transform = if copies { self.aligned(&start)? } else { fitted };
+        Ok(Some(RigidPart { transform, copies }))
     }
 
     /// Whether a rigid alignment from `start` makes the surfaces copies in another pose than `pose`, that of an alignment from
-    /// elsewhere. Where copies lie on each other in one pose alone, both end in it but for rounding.
+    /// elsewhere. Where copies lie on each other in one pose alone, both end in it.
     ///
     /// # Errors
     /// [`MatchError::Cancelled`].

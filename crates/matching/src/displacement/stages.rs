@@ -100,7 +100,7 @@ pub(super) struct Displacement<'a> {
     pub guides: Guides,
     pub diagonal_mm: f64,
     pub lengths: Lengths,
-    /// When two poses of an open pair are the same, which may fit at several places in one orientation.
+    /// When two poses of a source that is a part are the same: it may fit at several places in one orientation.
     pub same_place: Option<SamePose>,
     pub options: &'a DisplacementOptions,
     pub observer: &'a dyn Observer,

@@ -94,7 +94,7 @@ const WIDTH: f64 = 0.3;
 const AMPLITUDE: f64 = 0.1;
 /// Independent observations over a surface: the errors of neighboring patches are correlated.
 const OBSERVATIONS: f64 = 80.0;
-/// Smallest angle between rotations that are annealed, radians; 20°.
+/// Poses that are the same within this angle, radians, are annealed once; 20°.
 const APART: f64 = 0.35;
 
 /// Places of the whole on which the centroid of a part is tried. An end of 30 % of a hippocampus has about three lengths of its own to lie on.

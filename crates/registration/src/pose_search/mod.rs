@@ -136,17 +136,12 @@ pub fn pose_search(
     };
     let diagonal_mm = of_source.diagonal_mm.max(of_target.diagonal_mm);
     describe(&mut of_source, &mut of_target, diagonal_mm, options.source_is_part);
-    let places = if options.source_is_part {
-        pieces(&of_target.coarse, of_source.coarse.iter().map(|p| p.area).sum(), N_PLACES)
-    } else {
-        vec![Vector3::zeros()]
-    };
-    let same = if options.source_is_part {
-        let (centers, areas): (Vec<_>, Vec<_>) =
+    let (places, same) = if options.source_is_part {
+        let (centers, areas): (Vec<_>, Vec<f64>) =
             of_source.coarse.iter().map(|p| (Point3::from(p.center), p.area)).unzip();
-        SamePose::of_place(&centers, &areas)
+        (pieces(&of_target.coarse, areas.iter().sum(), N_PLACES), SamePose::of_place(&centers, &areas))
     } else {
-        SamePose::of_orientation()
+        (vec![Vector3::zeros()], SamePose::of_orientation())
     };
     let search = Search {
         coarse: Level::new(&of_source.coarse, &of_target.coarse),

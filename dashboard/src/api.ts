@@ -97,6 +97,9 @@ export interface TracePoint {
   elapsed_ms?: number;
 }
 
+/** Whether a point is one of a displacement field's, whose energies have another scale than those of labels. */
+export const isOfField = (point: TracePoint): boolean => point.phase === "displacement" && point.energy !== undefined;
+
 export interface Batch {
   id: string;
   n_jobs: number;

@@ -105,7 +105,7 @@ export function verdict(job: Job): VerdictText {
       mark: "…",
       title: job.cancel_requested ? "Being cancelled" : "Running",
       lines: [job.eta_ms ? `About ${duration(job.eta_ms)} left.` : "The verdict comes with the result."],
-      next: "The energy below falls while the match improves.",
+      next: "The energy below shows how the match improves; each round begins anew.",
     },
     cancelled: { tone: "neutral", mark: "–", title: "Cancelled", lines: ["It has no result."], next: "Submit it again with Retry." },
     expired: {

@@ -1,7 +1,7 @@
 // A job: the verdict first, then the picture, then how it came about.
 
 import { useMemo, useState } from "preact/hooks";
-import { type Job, type Result, type TracePoint, describe, get, send } from "./api";
+import { type Job, type Result, type TracePoint, describe, get, isOfField, send } from "./api";
 import { duration, isFinal, mm, number, percent, verdict, words } from "./format";
 import { answered, follow, newest } from "./live";
 import { loadPair, type Pair } from "./pair";
@@ -243,8 +243,13 @@ function Trace({ points, isLive }: { points: TracePoint[]; isLive: boolean }) {
   const [isLog, setLog] = useState(false);
   const [parts, setParts] = useState(false);
   const [round, setRound] = useState("all");
-  const rounds = useMemo(() => [...new Set(points.map((point) => point.round))], [points]);
-  const chosen = useMemo(() => points.filter((point) => (round === "all" || String(point.round) === round) && (point.energy !== undefined || point.support !== undefined)), [points, round]);
+  const [model, setModel] = useState<"field" | "labels" | null>(null);
+  const ofField = useMemo(() => points.filter(isOfField), [points]);
+  const ofLabels = useMemo(() => points.filter((point) => !isOfField(point) && (point.energy !== undefined || point.support !== undefined)), [points]);
+  const ofModel = (model ?? (ofField.length > 0 ? "field" : "labels")) === "field" ? ofField : ofLabels;
+  const rounds = useMemo(() => [...new Set(ofModel.map((point) => point.round))], [ofModel]);
+  const isRound = rounds.map(String).includes(round);
+  const chosen = useMemo(() => ofModel.filter((point) => !isRound || String(point.round) === round), [ofModel, isRound, round]);
   const shown = useMemo(() => thinned(chosen), [chosen]);
   const of = (name: "energy" | "energy_unary" | "energy_pairwise" | "lower_bound" | "support" | "temperature") =>
     shown.map((point) => {
@@ -256,7 +261,7 @@ function Trace({ points, isLive }: { points: TracePoint[]; isLive: boolean }) {
   const last = chosen.at(-1);
   const series = [
     { label: "energy", color: "#0072b2", values: of("energy"), width: 2.5 },
-    ...(parts ? [{ label: "unary", color: "#d55e00", values: of("energy_unary"), dash: [6, 3] }, { label: "pairwise", color: "#009e73", values: of("energy_pairwise"), dash: [2, 3] }] : []),
+    ...(parts ? [{ label: ofModel === ofField ? "misfit" : "unary", color: "#d55e00", values: of("energy_unary"), dash: [6, 3] }, { label: ofModel === ofField ? "deformation" : "pairwise", color: "#009e73", values: of("energy_pairwise"), dash: [2, 3] }] : []),
     ...(has("lower_bound") ? [{ label: "lower bound", color: "#8c6d1f", values: of("lower_bound"), dash: [10, 4] }] : []),
     ...(has("temperature") ? [{ label: "temperature", color: "#cc79a7", values: of("temperature"), scale: "right" }] : []),
     ...(has("support") && !has("temperature") ? [{ label: "support (inliers)", color: "#b0607f", values: of("support"), scale: "right", points: true }] : []),
@@ -267,10 +272,19 @@ function Trace({ points, isLive }: { points: TracePoint[]; isLive: boolean }) {
       <div class="tools">
         <Check label="Logarithmic" checked={isLog} onChange={(e) => setLog(e.currentTarget.checked)} />
         <Check label="Its parts" checked={parts} onChange={(e) => setParts(e.currentTarget.checked)} />
+        {ofField.length > 0 && ofLabels.length > 0 && (
+          <label>
+            Of{" "}
+            <select value={ofModel === ofField ? "field" : "labels"} onChange={(e) => setModel(e.currentTarget.value === "field" ? "field" : "labels")}>
+              <option value="field">the displacement field</option>
+              <option value="labels">the labels</option>
+            </select>
+          </label>
+        )}
         {rounds.length > 1 && (
           <label>
             Round{" "}
-            <select value={round} onChange={(e) => setRound(e.currentTarget.value)}>
+            <select value={isRound ? round : "all"} onChange={(e) => setRound(e.currentTarget.value)}>
               <option value="all">all</option>
               {rounds.map((k) => (
                 <option value={String(k)}>{k}</option>

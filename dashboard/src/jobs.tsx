@@ -2,7 +2,7 @@
 
 import { Virtualizer, elementScroll, observeElementOffset, observeElementRect } from "@tanstack/virtual-core";
 import { useEffect, useMemo, useRef, useState } from "preact/hooks";
-import { type Job, type JobState, STATES, type TracePoint, describe, get, query as queryOf, send } from "./api";
+import { type Job, type JobState, STATES, type TracePoint, describe, get, isOfField, query as queryOf, send } from "./api";
 import { age, duration, isFinal, mm, shortId, verdictWord, words } from "./format";
 import { followChanges, isRefused, newest, pause } from "./live";
 import { Badge, Bar, Failure, State, Typed, useNow, useWork } from "./parts";
@@ -428,7 +428,9 @@ function Spark({ id, state }: { id: string; state: JobState }) {
         if (signal.aborted) return;
         const page = await get<{ points: TracePoint[] }>(`v1/jobs/${id}/trace?limit=200`, signal).catch(() => null);
         if (page === null) return;
-        const read = page.points.flatMap(({ energy, phase }) => (energy === undefined || phase !== "inference" ? [] : [energy]));
+        const ofField = page.points.filter(isOfField);
+        const shown = ofField.length > 0 ? ofField : page.points.filter(({ phase }) => phase === "inference");
+        const read = shown.flatMap(({ energy }) => (energy === undefined ? [] : [energy]));
         if (sparks.size > MOST_SPARKS) sparks.clear();
         if (isFinal(state)) sparks.set(id, read);
         setValues(read);

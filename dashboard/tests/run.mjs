@@ -356,7 +356,7 @@ const strokes = (page, selector, colors) =>
   }, [selector, colors]);
 
 test("the lower bound and the inliers are lines of the energy's plot, with the values of the API", async () => {
-  const id = await submit(open, pair, { method: "balanced", inference: { algorithm: "tree_reweighted" } });
+  const id = await submit(open, pair, { method: "balanced", inference: { algorithm: "tree_reweighted" }, displacement: { mode: "none" } });
   assert.equal((await finished(open, id)).state, "succeeded");
   const { points } = await json(open, `jobs/${id}/trace?limit=5000`);
   const bounded = points.filter((point) => point.lower_bound !== undefined);

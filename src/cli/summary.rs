@@ -19,14 +19,15 @@ pub(super) fn summary(result: &ResultDocument) -> String {
     if let Some(similarity) = &t.similarity {
         let _ = writeln!(text, "similarity        {}", similarity.sentence());
     }
+    // Without labels there is nothing to draw from.
+    let trials = if s.trials > 0 { format!(", {} trials", s.trials) } else { String::new() };
     let _ = writeln!(
         text,
-        "inliers           {} ({:.1} %) within {:.2} mm, RMS {:.3} mm, {} trials",
+        "inliers           {} ({:.1} %) within {:.2} mm, RMS {:.3} mm{trials}",
         s.inliers,
         100.0 * s.ratio,
         s.tolerance_mm,
-        s.rms_mm,
-        s.trials
+        s.rms_mm
     );
     if let Some(e) = &result.energy {
         let _ = writeln!(text, "energy            {}", energy(result, e));

@@ -1,7 +1,7 @@
 //! The predicted demand of a match: cores by method and sizes of the surfaces, memory as `matching` counts it.
 
 use crate::jobs::{Demand, SurfaceSize};
-use homolog_contract::parameters::{Algorithm, MatchParameters};
+use homolog_contract::parameters::{Algorithm, DisplacementMode, MatchParameters};
 use homolog_run::match_memory_bytes;
 
 /// A match gets one core for this many vertices, counted as the geometric mean of its two surfaces.
@@ -10,7 +10,7 @@ use homolog_run::match_memory_bytes;
 /// arrive in batches and run side by side on a core each, while a user waits for a large match, which gets more. Before
 /// changing it, measure with `make bench-service PART=schedule-gain` what all cores gain for one match.
 const VERTICES_PER_CORE: f64 = 4_000.0;
-/// The same for methods that minimize the energy on coarse levels: the rest of their work grows with the number of vertices,
+/// The same for methods that fit a field, or minimize the energy on coarse levels: the rest of their work grows with the number of vertices,
 /// not with the product of the two numbers.
 const VERTICES_PER_CORE_COARSE: f64 = 20_000.0;
 
@@ -21,7 +21,7 @@ pub(crate) fn predict(parameters: &MatchParameters, source: SurfaceSize, target:
     let size = (f64::from(source.n_vertices) * f64::from(target.n_vertices)).sqrt();
     let cores = match parameters.inference.algorithm {
         // Registration alone is short.
-        Algorithm::None => 1,
+        Algorithm::None if parameters.displacement.mode != DisplacementMode::Smooth => 1,
         _ if parameters.inference.coarse_vertices.is_some() => ((size / VERTICES_PER_CORE_COARSE) as usize).max(1),
         _ => ((size / VERTICES_PER_CORE) as usize).max(1),
     };
@@ -57,7 +57,7 @@ mod tests {
     #[test]
     fn registration_alone_takes_one_core() {
         for method in Method::ALL {
-            let is_alone = preset(method).inference.algorithm == Algorithm::None;
+            let is_alone = preset(method).inference.algorithm == Algorithm::None && method != Method::Balanced;
             assert_eq!(cores(method, 50_000, 50_000) == 1, is_alone, "{}", method.name());
         }
     }

@@ -182,7 +182,7 @@ async fn one_trace_leads_from_the_request_to_the_phases_of_the_job_and_names_no_
     parts.sort_by_key(|span| span.start_time_unix_nano);
     let names: Vec<_> = parts.iter().map(|span| span.name.as_str()).collect();
     assert_eq!((names.first(), names.last()), (Some(&"read inputs"), Some(&"store result")), "{names:?}");
-    for phase in ["reading", "features", "inference", "registration", "reporting"] {
+    for phase in ["reading", "features", "displacement", "reporting"] {
         assert!(names.contains(&phase), "{phase}: {names:?}");
     }
     for two in parts.windows(2) {

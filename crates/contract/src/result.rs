@@ -15,7 +15,7 @@ pub struct ResultDocument {
     pub support: SupportDocument,
     /// Symmetric distance between the registered surfaces, from each vertex to the closest point of the other surface.
     pub surface_distance: SurfaceDistanceDocument,
-    /// Energies of the labeling; absent where no energy was minimised (`inference.algorithm` is `none`).
+    /// Energies of the labeling; absent where none was minimised (`inference.algorithm` is `none`, as by default).
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub energy: Option<EnergyDocument>,
     /// How well the labeling keeps neighbours together, and how much of the target it covers.
@@ -500,7 +500,7 @@ pub enum StopReason {
     MaxIterations,
     /// The target energy was reached, which certifies the answer.
     TargetReached,
-    /// No energy was minimised.
+    /// No energy of labels was minimised.
     RegistrationOnly,
 }
 

@@ -130,7 +130,7 @@ impl Case {
         fpfh.features.truncate(1);
         fpfh.features[0].kind = FeatureKind::Fpfh;
         for (energy, parameters) in [
-            ("coarse level of balanced", of(Method::Balanced)),
+            ("curvature, coarse level", of(Method::Balanced)),
             ("the same with features fpfh", fpfh),
             ("coarse level of thesis", of(Method::Thesis)),
         ] {

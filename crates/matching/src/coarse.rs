@@ -50,7 +50,10 @@ pub(crate) fn coarse<'a>(
     // The scene's tree of closest points is built on one thread, and both take about as long on fine surfaces.
     let (full, model) = rayon::join(
         || Scene::new(&source.full, &target.full, parameters, observer),
-        || build_model(&source.energy, &target.energy, parameters),
+        || {
+            let (source, target) = rayon::join(|| source.energy(), || target.energy());
+            build_model(&source.side, &target.side, parameters)
+        },
     );
     let model = model?;
     checkpoint(observer)?;
@@ -59,7 +62,7 @@ pub(crate) fn coarse<'a>(
     let scene = if source.is_direct() && target.is_direct() {
         full
     } else {
-        Scene::new(&source.energy, &target.energy, parameters, observer)
+        Scene::new(&source.energy().side, &target.energy().side, parameters, observer)
     };
     Ok(Coarse { source, target, full, problem: Problem::Energy(EnergyProblem { model, lower_bound, scene }) })
 }

@@ -10,8 +10,9 @@ use super::field_methods::by_method;
 use super::lengths::Lengths;
 use super::levels::Levels;
 use super::posed::{InferredPose, Posed};
+use super::registration_only::register;
 use super::reliability::{UNRELIABLE_CONFIDENCE, reliability, without_counterpart};
-use super::rounds::{PROGRESS_AT_END, PROGRESS_BEFORE_DISPLACEMENT};
+use super::rounds::{PROGRESS_AT_END, PROGRESS_BEFORE_DISPLACEMENT, PROGRESS_BEFORE_ROUNDS};
 use super::scene::Scene;
 use super::side::{Which, part};
 use super::vertex_map::VertexMap;
@@ -97,7 +98,7 @@ pub(crate) struct SmoothImages {
 /// With a displacement field the poses compared are that of `posed`, that of the landmarks and those of a search of all
 /// orientations, mirrored ones too; the one that fits best after the deformation is kept. Where no field can be fitted,
 /// the images are those of the rigid pose, and where `posed` has none, of the first of the other poses. A method of the field
-/// starts from that one pose.
+/// starts from that one pose. Where the pose was left to the field and none can be fitted, the answer is that of registration alone.
 ///
 /// # Errors
 /// [`MatchError::NoRegistration`] where `posed` has no pose and no other is at hand: without a displacement field, or
@@ -111,6 +112,10 @@ pub(crate) fn displaced(coarse: &Coarse<'_>, posed: &Posed<'_>) -> Result<Displa
             if let Some(found) = by_field(coarse, posed, &starts)? {
                 return Ok(found);
             }
+            if matches!(posed, Posed::ByField) {
+                let registered = Posed::Registration(register(&coarse.full)?);
+                return rigid(coarse, &registered, &starts);
+            }
             starts
         }
         _ => {
@@ -120,7 +125,7 @@ pub(crate) fn displaced(coarse: &Coarse<'_>, posed: &Posed<'_>) -> Result<Displa
             if let Some(pose) = starts.first(coarse) {
                 let poses = match posed {
                     Posed::Registration(registered) => registered.poses.clone(),
-                    Posed::Inference { .. } => Vec::new(),
+                    Posed::Inference { .. } | Posed::ByField => Vec::new(),
                 };
                 if let Some(found) = by_method(coarse, &pose, poses)? {
                     coarse.full.observer.progress(PROGRESS_AT_END);
@@ -145,7 +150,7 @@ impl Starts {
     fn of(posed: &Posed<'_>) -> Starts {
         let origin = match posed {
             Posed::Inference { .. } => PoseOrigin::Inference,
-            Posed::Registration(_) => PoseOrigin::Registration,
+            Posed::Registration(_) | Posed::ByField => PoseOrigin::Registration,
         };
         Starts { poses: posed.transform().map(|pose| (origin, pose)).into_iter().collect(), of_search: Vec::new() }
     }
@@ -189,7 +194,7 @@ fn rigid(coarse: &Coarse<'_>, posed: &Posed<'_>, starts: &Starts) -> Result<Disp
         {
             (inferred.map.clone(), Vec::new())
         }
-        Posed::Inference { .. } => (VertexMap::nearest(scene, &transform), Vec::new()),
+        Posed::Inference { .. } | Posed::ByField => (VertexMap::nearest(scene, &transform), Vec::new()),
         Posed::Registration(registered) => (VertexMap::nearest(scene, &transform), registered.poses.clone()),
     };
     let VertexMap { labeling, confidence, spread_mm } = map;
@@ -200,10 +205,15 @@ fn rigid(coarse: &Coarse<'_>, posed: &Posed<'_>, starts: &Starts) -> Result<Disp
 /// fewer or more.
 const CHECKS_OF_DISPLACEMENT: f64 = 75.0;
 
-/// Says how much of a displacement is done, by the number of checks for cancellation: there is one for each step.
+/// Says how much of a displacement is done, by the number of checks for cancellation: there is one for each step. The rounds of its energy
+/// trace follow those of inference.
 struct Counting<'a> {
     observer: &'a dyn Observer,
+    /// The share of the match that was done before.
+    done_before: f64,
     n_checks: Mutex<u32>,
+    /// The last round of inference, which is that of the first fit too; `None` where no energy of labels was minimised before.
+    last_round: Option<u32>,
 }
 
 /// The share of the time of a displacement that has passed after `share` of its checks. Something has been done before the first
@@ -228,14 +238,17 @@ impl Observer for Counting<'_> {
         self.observer.progress(fraction);
     }
     fn trace(&self, point: &TracePoint) {
-        self.observer.trace(point);
+        // Labels of near isometries have another energy than those of the rounds.
+        if self.last_round.is_none() || point.phase != Phase::Inference {
+            self.observer.trace(&TracePoint { round: self.last_round.unwrap_or(0) + point.round, ..point.clone() });
+        }
     }
     fn is_cancelled(&self) -> bool {
         // Held while it is said, so that what is said never decreases.
         let mut n_checks = self.n_checks.lock().unwrap_or_else(PoisonError::into_inner);
         *n_checks += 1;
         let done = time_share(f64::from(*n_checks) / CHECKS_OF_DISPLACEMENT);
-        self.observer.progress(PROGRESS_BEFORE_DISPLACEMENT + (PROGRESS_AT_END - PROGRESS_BEFORE_DISPLACEMENT) * done);
+        self.observer.progress(self.done_before + (PROGRESS_AT_END - self.done_before) * done);
         self.observer.is_cancelled()
     }
 }
@@ -245,7 +258,11 @@ impl Observer for Counting<'_> {
 fn by_field(coarse: &Coarse<'_>, posed: &Posed<'_>, starts: &Starts) -> Result<Option<Displaced>, MatchError> {
     let (scene, source, target) = (&coarse.full, coarse.source, coarse.target);
     let observer = scene.observer;
-    let counting = Counting { observer, n_checks: Mutex::default() };
+    let (done_before, last_round) = match posed {
+        Posed::Inference { inferred, .. } => (PROGRESS_BEFORE_DISPLACEMENT, inferred.rounds.last().map(|r| r.round)),
+        Posed::Registration(_) | Posed::ByField => (PROGRESS_BEFORE_ROUNDS, None),
+    };
+    let counting = Counting { observer, done_before, n_checks: Mutex::default(), last_round };
     let surfaces = Surfaces {
         source: source.middle.mesh(),
         target: target.middle.mesh(),
@@ -275,17 +292,6 @@ fn by_field(coarse: &Coarse<'_>, posed: &Posed<'_>, starts: &Starts) -> Result<O
     let Some(found) = displace(&surfaces, &poses, allow_reflection, &options, &counting)? else { return Ok(None) };
     let displaced = answered(scene, starts, &found, reliability(&found, &source.full, &target.full));
     observer.progress(PROGRESS_AT_END);
-    if let Posed::Inference { problem, inferred } = posed {
-        let energy = problem.model.energy(&labeling_of_energy(source, target, &displaced.labeling));
-        let round = inferred.rounds.last().map_or(0, |r| r.round);
-        observer.trace(&TracePoint {
-            energy: Some(energy.total()),
-            energy_unary: Some(energy.unary),
-            energy_pairwise: Some(energy.pairwise),
-            lower_bound: problem.lower_bound,
-            ..TracePoint::new(round, Phase::Displacement, 1)
-        });
-    }
     Ok(Some(displaced))
 }
 
@@ -326,11 +332,12 @@ fn answered(
 
 /// `labels` of all source vertices as a labeling of the level on which the energy is.
 pub(crate) fn labeling_of_energy(source: &Levels, target: &Levels, labels: &[u32]) -> Labeling {
-    let mut labeling = vec![0; source.energy.mesh().n_vertices()];
+    let (source_level, target_level) = (source.energy(), target.energy());
+    let mut labeling = vec![0; source_level.side.mesh().n_vertices()];
     // Of the vertices of a cell one is its site, and the image of that one counts.
-    for (i, &k) in source.cells.iter().enumerate() {
-        if source.full.surface.numbering.original(i as u32) == source.energy.surface.numbering.original(k) {
-            labeling[k as usize] = target.cells[labels[i] as usize];
+    for (i, &k) in source_level.cells.iter().enumerate() {
+        if source.full.surface.numbering.original(i as u32) == source_level.side.surface.numbering.original(k) {
+            labeling[k as usize] = target_level.cells[labels[i] as usize];
         }
     }
     labeling

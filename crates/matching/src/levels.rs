@@ -3,7 +3,7 @@
 use super::displacement::Form;
 use super::side::Side;
 use homolog_mesh::{Numbering, SurfaceMesh};
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 /// Above this number of vertices a field is fitted on a level of [`MIDDLE_VERTICES`]. The field has about forty functions,
 /// which more vertices do not determine better for structures of 1 mm voxels.
@@ -16,10 +16,18 @@ pub struct Levels {
     pub(super) full: Arc<Side>,
     /// The level that a displacement field is fitted on.
     pub(super) middle: Arc<Side>,
-    /// The level that the energy is minimised on.
-    pub(super) energy: Arc<Side>,
-    /// For every vertex of `full` the vertex of `energy` in whose cell it lies.
-    pub(super) cells: Vec<u32>,
+    /// For every vertex of `full` the vertex of `middle` in whose cell it lies.
+    cells_of_middle: Vec<u32>,
+    /// Vertices of the level that an energy is minimised on; `None`: all.
+    coarse_vertices: Option<u32>,
+    energy: OnceLock<EnergyLevel>,
+}
+
+/// The level that an energy is minimised on.
+pub(super) struct EnergyLevel {
+    pub side: Arc<Side>,
+    /// For every vertex of the full surface the vertex of this level in whose cell it lies.
+    pub cells: Vec<u32>,
 }
 
 impl Levels {
@@ -48,32 +56,44 @@ impl Levels {
             }
             None => Arc::clone(&full),
         };
-        let energy = match coarse_vertices.and_then(|n_sites| Side::coarser(&middle, n_sites as usize, true)) {
-            Some((side, of_middle)) => {
-                cells.iter_mut().for_each(|k| *k = of_middle[*k as usize]);
-                Arc::new(side)
+        Levels { full, middle, cells_of_middle: cells, coarse_vertices, energy: OnceLock::new() }
+    }
+
+    /// The level that an energy is minimised on, made when a match asks for it.
+    pub(super) fn energy(&self) -> &EnergyLevel {
+        self.energy.get_or_init(|| {
+            let n_sites = self.coarse_vertices.map(|n| n as usize);
+            match n_sites.and_then(|n_sites| Side::coarser(&self.middle, n_sites, true)) {
+                Some((side, of_middle)) => {
+                    let cells = self.cells_of_middle.iter().map(|&k| of_middle[k as usize]).collect();
+                    EnergyLevel { side: Arc::new(side), cells }
+                }
+                None => EnergyLevel { side: Arc::clone(&self.middle), cells: self.cells_of_middle.clone() },
             }
-            None => Arc::clone(&middle),
-        };
-        Levels { full, middle, energy, cells }
+        })
     }
 
     /// The surface on whose vertices the energy is, mm.
     pub fn energy_mesh(&self) -> &SurfaceMesh {
-        self.energy.mesh()
+        self.energy().side.mesh()
     }
 
     /// Whether the energy is that of all vertices.
     pub(super) fn is_direct(&self) -> bool {
-        Arc::ptr_eq(&self.full, &self.energy)
+        Arc::ptr_eq(&self.full, &self.energy().side)
     }
 
     /// Memory of the levels, bytes, with all parts that matches compute on first use: an upper bound.
     pub fn heap_bytes(&self) -> usize {
         let middle = if Arc::ptr_eq(&self.middle, &self.full) { 0 } else { self.middle.heap_bytes() };
-        let energy = if Arc::ptr_eq(&self.energy, &self.middle) { 0 } else { self.energy.heap_bytes() };
-        let form = Form::heap_bytes_over(self.middle.mesh().n_vertices());
-        self.full.heap_bytes() + middle + energy + form + size_of_val(self.cells.as_slice())
+        let n = self.middle.mesh().n_vertices();
+        // What a vertex of the finer level takes and the number of its site, and half as much again: a coarse level has triangles where the
+        // finer one may have quads, and more of them around tunnels.
+        let of_sites =
+            |n_sites: u32| 3 * (self.middle.heap_bytes() / n.max(1) + size_of::<u32>()) * n.min(n_sites as usize) / 2;
+        let energy = self.coarse_vertices.map_or(0, of_sites);
+        let cells = 2 * size_of_val(self.cells_of_middle.as_slice());
+        self.full.heap_bytes() + middle + energy + Form::heap_bytes_over(n) + cells
     }
 }
 
@@ -85,11 +105,21 @@ mod tests {
     use nalgebra::Vector3;
 
     #[test]
+    fn the_level_of_the_energy_is_counted_before_it_is_made() {
+        for (level, coarse) in [(3, 100), (4, 300), (5, 700)] {
+            let levels = Levels::new(&ellipsoid(Vector3::new(18.0, 8.0, 6.0), level), Some(coarse));
+            let without = Levels { coarse_vertices: None, ..Levels::new(levels.full.mesh(), Some(coarse)) };
+            let (made, counted) = (levels.energy().side.heap_bytes(), levels.heap_bytes() - without.heap_bytes());
+            assert!(made <= counted && counted < 2 * made, "{made} bytes of {counted} counted");
+        }
+    }
+
+    #[test]
     fn the_counted_memory_bounds_that_of_every_tree_of_closest_points() {
         for (level, coarse) in [(3, None), (4, Some(300)), (5, Some(700))] {
             let mesh = ellipsoid(Vector3::new(18.0, 8.0, 6.0), level);
             let levels = Levels::new(&mesh, coarse);
-            for side in [&levels.full, &levels.middle, &levels.energy] {
+            for side in [&levels.full, &levels.middle, &levels.energy().side] {
                 for (index, mesh) in [(side.closest(), side.mesh()), (&side.light().closest, &side.light().mesh)] {
                     let (made, counted) = (index.heap_bytes(), SurfaceIndex::heap_bytes_over(mesh));
                     assert!(made <= counted && 10 * counted < 15 * made, "{made} bytes of {counted} counted");

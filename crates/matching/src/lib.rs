@@ -2,11 +2,11 @@
 //!
 //! A match runs in four stages, each of which hands an immutable value to the next:
 //!
-//! 1. **Coarse.** Curvature in scale space on both surfaces makes an energy (a Markov random field whose variables are
-//!    source vertices and whose labels are target vertices) on a coarse level of the surfaces.
-//! 2. **Posed.** A minimiser, by default belief propagation, finds a labeling; RANSAC finds the rigid transform that most
-//!    of its pairs agree with; clamping feeds that transform back into the energy, round by round; ICP refines it. Or
-//!    registration alone finds a pose, without an energy.
+//! 1. **Coarse.** If an energy of labels is asked for, curvature in scale space on both surfaces makes it (a Markov random field whose
+//!    variables are source vertices and whose labels are target vertices) on a coarse level of the surfaces.
+//! 2. **Posed.** A minimiser finds a labeling; RANSAC finds the rigid transform that most of its pairs agree with; clamping feeds that
+//!    transform back into the energy, round by round; ICP refines it. Or registration alone finds a pose, without an energy. By
+//!    default the pose is left to the field.
 //! 3. **Displaced.** A smooth displacement field moves the source, from the pose that fits best after the deformation,
 //!    and every source vertex gets an image on the target, between vertices. Without a field the images are vertices.
 //! 4. **Measured.** Support, distances, outliers, topology, and the map back to the source.
@@ -221,7 +221,7 @@ pub fn coarse_energy_model(
     target: &Levels,
     parameters: &MatchParameters,
 ) -> Result<MrfModel, MatchError> {
-    prepare::build_model(&source.energy, &target.energy, parameters)
+    prepare::build_model(&source.energy().side, &target.energy().side, parameters)
 }
 
 /// Matches `source` to `target` and registers them. Correspondences use the vertex indices of these two meshes.

@@ -1,8 +1,8 @@
 //! From two surfaces to an outcome, in four stages. Each is a function from the values of the stages before it to an
 //! immutable value of its own:
 //!
-//! 1. [`coarse()`]: the energy of a coarse level, unless registration alone is asked for;
-//! 2. [`posed()`]: a rigid transform, from rounds of inference or from registration alone;
+//! 1. [`coarse()`]: the energy of a coarse level, if one is asked for;
+//! 2. [`posed()`]: a rigid transform, from rounds of inference or from registration alone, unless the field searches for it;
 //! 3. [`displaced()`]: an image of every source vertex, through a smooth displacement field if one is asked for; between surfaces
 //!    of unlike sizes also with the source [`resized()`];
 //! 4. [`measured()`]: the outcome, with all that is measured on these images.

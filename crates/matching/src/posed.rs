@@ -1,10 +1,12 @@
-//! The second stage: a rigid transform, from rounds of inference and registration or from registration alone.
+//! The second stage: a rigid transform, from rounds of inference and registration or from registration alone. By default it is left to the
+//! displacement field, which searches all orientations itself.
 
 use super::MatchError;
 use super::coarse::{Coarse, EnergyProblem, Problem};
 use super::registration_only::register;
 use super::rounds::Rounds;
 use super::vertex_map::VertexMap;
+use homolog_contract::parameters::{DisplacementMode, InitialPose};
 use homolog_contract::result::{PoseDocument, RoundDocument, StopReason};
 use homolog_registration::RigidTransform;
 
@@ -14,6 +16,8 @@ pub(crate) enum Posed<'c> {
     Inference { problem: &'c EnergyProblem<'c>, inferred: Inferred },
     /// Registration alone, on all vertices.
     Registration(Registered),
+    /// Nothing yet: the displacement field compares the poses of a search of its own.
+    ByField,
 }
 
 /// What the rounds found.
@@ -50,7 +54,7 @@ pub(crate) struct Registered {
 }
 
 impl Posed<'_> {
-    /// The transform, unless the rounds found none.
+    /// The transform, unless the rounds found none or it is left to the field.
     pub(crate) fn transform(&self) -> Option<RigidTransform> {
         match self {
             Posed::Inference { inferred, .. } => match inferred.pose {
@@ -58,6 +62,7 @@ impl Posed<'_> {
                 InferredPose::Unsupported => None,
             },
             Posed::Registration(registered) => Some(registered.transform),
+            Posed::ByField => None,
         }
     }
 }
@@ -65,7 +70,14 @@ impl Posed<'_> {
 /// Solves the problem of `coarse`.
 pub(crate) fn posed<'c>(coarse: &'c Coarse<'c>) -> Result<Posed<'c>, MatchError> {
     match &coarse.problem {
-        Problem::Registration => Ok(Posed::Registration(register(&coarse.full)?)),
+        Problem::Registration => {
+            let parameters = coarse.full.parameters;
+            let searches = parameters.registration.initial == InitialPose::Search;
+            if searches && parameters.displacement.mode == DisplacementMode::Smooth {
+                return Ok(Posed::ByField);
+            }
+            Ok(Posed::Registration(register(&coarse.full)?))
+        }
         Problem::Energy(problem) => Ok(Posed::Inference { problem, inferred: Rounds { problem }.run()? }),
     }
 }

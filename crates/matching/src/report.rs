@@ -39,6 +39,7 @@ pub(crate) fn measured(coarse: &Coarse<'_>, posed: &Posed<'_>, answer: &Displace
     let (rounds, ambiguous_axes, stop_reason) = match posed {
         Posed::Inference { inferred, .. } => (inferred.rounds.clone(), false, inferred.stop_reason),
         Posed::Registration(registered) => (Vec::new(), registered.ambiguous_axes, StopReason::RegistrationOnly),
+        Posed::ByField => (Vec::new(), false, StopReason::RegistrationOnly),
     };
     MatchOutcome {
         transform: TransformDocument { similarity, ..transform_document(&answer.transform) },
@@ -123,7 +124,7 @@ impl OfPairs {
                 InferredPose::Supported { trials, confidence_reached, .. } => (trials, confidence_reached),
                 InferredPose::Unsupported => (0, false),
             },
-            Posed::Registration(_) => (0, true),
+            Posed::Registration(_) | Posed::ByField => (0, true),
         };
         OfPairs {
             similarity: similarity(scene, answer, &images, &supporting),

@@ -29,11 +29,11 @@ fn progress_after_rounds(parameters: &MatchParameters) -> f64 {
     }
 }
 
-/// The share of a match that is done when the rounds begin. This one and those below were measured on pairs of hippocampi with
-/// the default parameters.
+/// The share of a match that is done when the rounds begin, or without rounds its displacement field. This one and those below were measured on
+/// pairs of hippocampi with a displacement field.
 pub(crate) const PROGRESS_BEFORE_ROUNDS: f64 = 0.09;
 
-/// The share of a match that is done when its displacement field, if it has one, is begun.
+/// The share of a match that is done when its displacement field, if it has one, is begun after rounds.
 pub(crate) const PROGRESS_BEFORE_DISPLACEMENT: f64 = 0.2;
 
 /// The share of a match that is done when only the report remains.

@@ -197,7 +197,37 @@ fn progress_and_trace_only_go_forward() {
             .all(|w| (w[0].round, w[0].phase as u8, w[0].iteration) < (w[1].round, w[1].phase as u8, w[1].iteration))
     );
     assert!(trace.iter().any(|t| t.support.is_some()));
-    assert!(trace.iter().any(|t| t.energy == outcome.energy.as_ref().map(|e| e.r#final)));
+    assert!(trace.iter().any(|t| t.energy == Some(outcome.rounds[0].energy)));
+}
+
+#[test]
+fn the_default_traces_the_fits_of_the_field() {
+    use homolog_primitives::observe::{Observer, Phase, TracePoint};
+    use std::sync::Mutex;
+    #[derive(Default)]
+    struct Record(Mutex<Vec<TracePoint>>);
+    impl Observer for Record {
+        fn trace(&self, point: &TracePoint) {
+            self.0.lock().unwrap().push(point.clone());
+        }
+    }
+    let (record, surface) = (Record::default(), bean());
+    let outcome = match_surfaces(&surface, &squeezed(&surface), &parameters(json!({})), &record).unwrap();
+    let trace = record.0.into_inner().unwrap();
+    assert!(outcome.energy.is_none() && outcome.rounds.is_empty() && trace.len() > 10, "{}", trace.len());
+    for (k, point) in trace.iter().enumerate() {
+        assert_eq!(point.phase, Phase::Displacement);
+        let [energy, misfit, cost] = [point.energy, point.energy_unary, point.energy_pairwise].map(Option::unwrap);
+        assert!(misfit > 0.0 && cost > 0.0 && energy == misfit + cost, "{point:?}");
+        // Each fit begins at 1 and counts on.
+        let before = k.checked_sub(1).map(|before| (trace[before].round, trace[before].iteration));
+        let follows = before.is_some_and(|(round, iteration)| (round, iteration + 1) == (point.round, point.iteration));
+        let begins = before.map_or(0, |(round, _)| round + 1) == point.round && point.iteration == 1;
+        assert!(follows || begins, "{before:?} {point:?}");
+    }
+    // At one scale the misfit falls while the surfaces come closer.
+    let misfit = |k: usize| trace[k].energy_unary.unwrap();
+    assert!(misfit(7) < misfit(0), "{} {}", misfit(0), misfit(7));
 }
 
 #[test]
@@ -299,6 +329,7 @@ fn every_update_and_schedule_and_the_hard_constraint_find_the_copy() {
     ] {
         request["displacement"] = json!({"mode": "none"});
         let outcome = run(&source, &target, &parameters(request.clone()));
+        assert!(outcome.energy.is_some() && outcome.support.trials > 0, "{request}");
         assert!(exact(&outcome) > 0.95, "{request}: {}", exact(&outcome));
         assert_eq!(outcome.topology.flipped_triangles, 0, "{request}");
         if let Some(similarity) = &outcome.transform.similarity {

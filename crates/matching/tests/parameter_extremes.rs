@@ -136,6 +136,8 @@ fn covering(factors: &[Factor]) -> Vec<Vec<Option<usize>>> {
     let bases = {
         let mut balanced = template();
         balanced["clamping"]["mode"] = json!("none");
+        balanced["inference"]["algorithm"] = json!("max_product");
+        balanced["registration"]["initial"] = json!("ransac");
         let mut alone = serde_json::to_value(preset(Method::Rigid)).unwrap();
         alone["landmarks"] = balanced["landmarks"].clone();
         [balanced, alone]

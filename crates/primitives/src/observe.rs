@@ -50,19 +50,21 @@ impl Phase {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct TracePoint {
-    /// Clamping round, from 0.
+    /// Clamping round, from 0; in the phase `displacement`, or where belief propagation runs within it, the number of the fit.
     pub round: u32,
     /// Where in the pipeline the point was taken.
     pub phase: Phase,
     /// Iteration within the phase of this round, from 1.
     pub iteration: u32,
-    /// Energy `E` of the labeling decoded at this point, without clamping terms; no unit, lower is better.
+    /// Energy `E` of the labeling decoded at this point, without clamping terms; no unit, lower is better. In the phase `displacement` that
+    /// of the field, per independent observation: negative logarithm of the likelihood plus that of the prior. The scale of
+    /// both falls from step to step, so the energy can rise.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub energy: Option<f64>,
-    /// Sum of the unary potentials.
+    /// Sum of the unary potentials; of a field, the misfit of the surfaces.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub energy_unary: Option<f64>,
-    /// Sum of the pairwise potentials.
+    /// Sum of the pairwise potentials; of a field, the cost of its deformation.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub energy_pairwise: Option<f64>,
     /// Largest change of any message in this iteration, in the linear domain (messages have maximum 1).

@@ -123,7 +123,7 @@ fn match_over_http(
         let text = compared_with_truth(recipe, &source?, &warped?, &document.transform)?;
         print(&format!("\n{text}"))?;
     }
-    show_energy(&document, &trace)?;
+    show_energy(&trace)?;
     print(&format!("\nwritten to {}", folder.path().display()))?;
     folder.write_json("result.json", &result)?;
     print(&format!("  {:<22}everything above and more, as JSON", "result.json"))?;
@@ -233,22 +233,24 @@ fn follow(
     }
 }
 
-/// Plots the energy that was minimized over the iterations of all rounds, from that of the first labeling on.
-fn show_energy(document: &ResultDocument, trace: &[Value]) -> Result<(), CliError> {
-    let Some(energy) = &document.energy else { return Ok(()) };
-    // The energy of the smooth map at the end is no iteration, and higher.
-    let inference = |point: &&Value| point.get("phase").and_then(Value::as_str) == Some("inference");
+/// Plots the energy of the displacement field over the iterations of all its fits.
+fn show_energy(trace: &[Value]) -> Result<(), CliError> {
+    let of_field = |point: &&Value| point.get("phase").and_then(Value::as_str) == Some("displacement");
     let points: Vec<(f64, u64)> = trace
         .iter()
-        .filter(inference)
+        .filter(of_field)
         .filter_map(|p| Some((p.get("energy")?.as_f64()?, p.get("round").and_then(Value::as_u64).unwrap_or(0))))
         .collect();
     let starts: Vec<usize> = (0..points.len()).filter(|&k| k == 0 || points[k].1 != points[k - 1].1).collect();
-    let energies: Vec<f64> = [energy.initial].into_iter().chain(points.iter().map(|(energy, _)| *energy)).collect();
+    let energies: Vec<f64> = points.iter().map(|(energy, _)| *energy).collect();
     let lines = plot(&energies, &starts, 60, 10);
     if lines.is_empty() {
         return Ok(());
     }
-    print(&format!("\nenergy over {} iterations of {} rounds (┴ start of a round)", points.len(), starts.len()))?;
+    print(&format!(
+        "\nenergy of the field over {} iterations of {} fits (┴ start of a fit)",
+        points.len(),
+        starts.len()
+    ))?;
     lines.iter().try_for_each(|line| print(line))
 }

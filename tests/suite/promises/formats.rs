@@ -49,6 +49,7 @@ async fn a_match_is_answered_in_every_format(backend: Backend) {
     assert!(homolog().args(arguments).arg(&folder).output().unwrap().status.success());
     let file = |name: &str| Part::bytes(std::fs::read(folder.join(name)).unwrap()).file_name(name.to_owned());
     let form = Form::new().part("source", file("source.ply")).part("target", file("target.ply"));
+    let form = form.text("parameters", json!({"inference": {"algorithm": "max_product"}}).to_string());
     let sent = client.http.post(format!("{}/v1/jobs", client.base)).multipart(form).send().await.unwrap();
     assert_eq!(sent.status(), 202, "{}", sent.text().await.unwrap());
     let job: Value = sent.json().await.unwrap();

@@ -6,7 +6,8 @@
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 #[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
 pub struct InferenceParameters {
-    /// The algorithm.
+    /// The algorithm. The method `balanced` has `none`, but `max_product` for a request that names no algorithm and states anything else about
+    /// the energy of labels: `features`, `energy`, `inference`, `clamping` or RANSAC's parameters, or landmarks without a smooth field.
     pub algorithm: Algorithm,
     /// Label pairs that belief propagation considers when it updates a message.
     pub update: Update,
@@ -66,7 +67,8 @@ pub enum Algorithm {
     Metropolis,
     /// Random moves that are accepted only when they lower the energy, with restarts.
     LasVegas,
-    /// No energy is minimised: registration alone, from `registration.initial`.
+    /// No energy of labels is minimised: the pose comes from `registration.initial`. With `search` and a smooth field, the field compares the
+    /// poses of the search.
     None,
 }
 

@@ -15,8 +15,8 @@ use super::{
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum Method {
-    /// The default: belief propagation on coarse levels, Gaussian and mean curvature, a search of all
-    /// orientations, a smooth displacement field. `fast` and `accurate`, which gave the same answers, are accepted in its place.
+    /// The default: a search of all orientations and a smooth displacement field; between surfaces that bend, belief propagation over
+    /// distances along them. `fast` and `accurate`, which gave the same answers, are accepted in its place.
     #[cfg_attr(feature = "serde", serde(alias = "fast", alias = "accurate"))]
     Balanced,
     /// Belief propagation over all vertices, Gaussian curvature at one scale, the hard neighborhood constraint, hard clamping, no
@@ -95,8 +95,8 @@ impl Method {
     pub fn description(self) -> &'static str {
         match self {
             Method::Balanced => {
-                "Max-product belief propagation on coarse levels, a search of all orientations, and a smooth displacement field \
-                 from the best pose."
+                "A search of all orientations and a smooth displacement field from the best pose; between surfaces that bend, from the \
+                 best correspondence of belief propagation over distances along them."
             }
             Method::Thesis => {
                 "Max-product belief propagation over all vertices on Gaussian curvature at one scale, the hard neighborhood \
@@ -142,8 +142,14 @@ pub fn preset(method: Method) -> MatchParameters {
     let balanced = MatchParameters { method, ..balanced() };
     // Methods for the study of minimisers minimise the energy of all vertices and answer with its labels.
     let direct = MatchParameters {
-        inference: InferenceParameters { coarse_vertices: None, max_iterations: 40, ..balanced.inference.clone() },
+        inference: InferenceParameters {
+            algorithm: Algorithm::MaxProduct,
+            coarse_vertices: None,
+            max_iterations: 40,
+            ..balanced.inference.clone()
+        },
         clamping: ClampingParameters { mode: ClampingMode::Soft, max_rounds: 3 },
+        registration: RegistrationParameters { initial: InitialPose::Ransac, ..balanced.registration.clone() },
         displacement: DisplacementParameters { mode: DisplacementMode::None, ..balanced.displacement.clone() },
         ..balanced.clone()
     };
@@ -228,7 +234,8 @@ fn balanced() -> MatchParameters {
             precisions: Precisions::Equal,
         },
         inference: InferenceParameters {
-            algorithm: Algorithm::MaxProduct,
+            // Belief propagation over curvature changed no answer of the ablation (docs/defaults.md).
+            algorithm: Algorithm::None,
             update: Update::Sparse,
             schedule: MessageSchedule::Flooding,
             message_bits: 32,
@@ -245,10 +252,9 @@ fn balanced() -> MatchParameters {
             restart_after: 50,
             lower_bound_iterations: 0,
         },
-        // A round of feedback changed no answer of the ablation (docs/defaults.md) and took a twelfth of the time.
         clamping: ClampingParameters { mode: ClampingMode::None, max_rounds: 1 },
         registration: RegistrationParameters {
-            initial: InitialPose::Ransac,
+            initial: InitialPose::Search,
             estimator: MinimalEstimator::Frame,
             solver: OrientationSolver::Svd,
             tolerance_mm: None,

@@ -358,12 +358,12 @@ impl MatchParameters {
         check(
             !alone || self.clamping.mode == ClampingMode::None,
             "/clamping/mode",
-            "must be none where inference.algorithm is none: there is no energy to feed back to",
+            "must be none where inference.algorithm is none: there is no energy to feed back to; name an algorithm",
         );
         check(
             !alone || i.lower_bound_iterations == 0,
             "/inference/lower_bound_iterations",
-            "must be 0 where inference.algorithm is none: there is no energy to bound",
+            "must be 0 where inference.algorithm is none: there is no energy to bound; name an algorithm",
         );
         check(
             i.update == Update::Sparse || i.schedule == MessageSchedule::Flooding,

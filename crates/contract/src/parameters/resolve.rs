@@ -25,11 +25,50 @@ pub fn resolve(request: &Value) -> Result<MatchParameters, Vec<ParameterError>> 
     if !faults.is_empty() {
         return Err(faults);
     }
+    follow_the_request(&mut merged, request, method);
     let parameters: MatchParameters = serde_path_to_error::deserialize(merged).map_err(|e| {
         let pointer = format!("/{}", e.path().to_string().replace(['.', '['], "/").replace(']', ""));
         vec![fault(&pointer, "wrong_type", needed(&pointer, &e.inner().to_string()))]
     })?;
     parameters.check().map(|()| parameters)
+}
+
+/// Parameters that are about an energy of labels, or about RANSAC over them.
+const OF_LABELS: [&str; 7] = [
+    "/features",
+    "/energy",
+    "/inference",
+    "/clamping",
+    "/registration/estimator",
+    "/registration/confidence",
+    "/registration/max_trials",
+];
+
+/// What a request leaves open follows what it states. The default minimizes no energy of labels, so a request that states something about
+/// one asks for it; so do landmarks where no smooth field takes them, as they enter its unary potentials. Initial poses come from the labels
+/// that a minimizer finds, or without one from a search.
+fn follow_the_request(merged: &mut Value, request: &Value, method: Method) {
+    let names_algorithm = request.pointer("/inference/algorithm").is_some();
+    let states = |pointer: &&str| request.pointer(pointer).is_some_and(|stated| *stated != serde_json::json!({}));
+    let has_other_field = merged.pointer("/displacement/mode").is_some_and(|mode| mode != "smooth");
+    let has_landmarks = request.get("landmarks").and_then(Value::as_array).is_some_and(|given| !given.is_empty());
+    let draws = request.pointer("/registration/initial").is_some_and(|initial| initial == "ransac");
+    let asks_for_labels = method == Method::Balanced
+        && !names_algorithm
+        && (OF_LABELS.iter().any(states) || draws || (has_other_field && has_landmarks));
+    if asks_for_labels && let Some(algorithm) = merged.pointer_mut("/inference/algorithm") {
+        *algorithm = "max_product".into();
+    }
+    if !(names_algorithm || asks_for_labels) || request.pointer("/registration/initial").is_some() {
+        return;
+    }
+    let is_none = merged.pointer("/inference/algorithm").is_some_and(|name| name == "none");
+    let Some(initial) = merged.pointer_mut("/registration/initial") else { return };
+    match (is_none, *initial == "ransac") {
+        (true, true) => *initial = "search".into(),
+        (false, false) => *initial = "ransac".into(),
+        _ => {}
+    }
 }
 
 /// Overrides `base` with `request`: objects are merged key by key, other values are replaced. Unknown keys are faults.
@@ -126,11 +165,50 @@ fn needed(pointer: &str, message: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::parameters::{Algorithm, InitialPose};
     use serde_json::json;
 
     #[test]
     fn an_empty_request_is_the_default_preset() {
         assert_eq!(resolve(&json!({})), Ok(preset(Method::Balanced)));
+    }
+
+    #[test]
+    fn the_initial_pose_follows_the_algorithm_unless_it_is_stated() {
+        let initial = |request: Value| resolve(&request).map(|p| p.registration.initial);
+        assert_eq!(initial(json!({})), Ok(InitialPose::Search));
+        assert_eq!(initial(json!({"inference": {"algorithm": "sum_product"}})), Ok(InitialPose::Ransac));
+        assert_eq!(
+            initial(json!({"method": "thesis", "inference": {"algorithm": "none"},
+            "clamping": {"mode": "none"}})),
+            Ok(InitialPose::Search)
+        );
+        assert_eq!(initial(json!({"method": "icp", "inference": {"algorithm": "none"}})), Ok(InitialPose::Centroids));
+        assert_eq!(initial(json!({"method": "icp", "energy": {"alpha": 2}})), Ok(InitialPose::Centroids));
+        let stated = json!({"inference": {"algorithm": "max_product"}, "registration": {"initial": "search"}});
+        assert_eq!(initial(stated).unwrap_err()[0].pointer, "/registration/initial");
+    }
+
+    #[test]
+    fn who_states_something_about_an_energy_of_labels_asks_for_one() {
+        let algorithm = |request: Value| resolve(&request).map(|p| p.inference.algorithm);
+        let landmark = json!({"source_mm": [0.0, 0.0, 0.0], "target_mm": [1.0, 0.0, 0.0], "sigma_mm": 1.0});
+        let nothing = json!({"displacement": {"bending": "none"}, "inference": {}, "seed": 3, "landmarks": [landmark]});
+        assert_eq!(algorithm(nothing), Ok(Algorithm::None));
+        for request in [
+            json!({"energy": {"beta": 0.3}}),
+            json!({"inference": {"max_iterations": 5}}),
+            json!({"clamping": {"mode": "soft"}}),
+            json!({"features": [{"kind": "gaussian_curvature"}]}),
+            json!({"registration": {"initial": "ransac"}}),
+            json!({"registration": {"max_trials": 50}}),
+            json!({"displacement": {"mode": "none"}, "landmarks": [landmark]}),
+        ] {
+            assert_eq!(algorithm(request.clone()), Ok(Algorithm::MaxProduct), "{request}");
+            assert_eq!(resolve(&request).map(|p| p.registration.initial), Ok(InitialPose::Ransac), "{request}");
+        }
+        let stated = json!({"energy": {"beta": 0.3}, "inference": {"algorithm": "none"}});
+        assert_eq!(algorithm(stated), Ok(Algorithm::None));
     }
 
     #[test]

@@ -62,8 +62,13 @@ pub(super) fn studied(request: &Value) -> Result<MatchParameters, String> {
         let faults: Vec<_> = faults.iter().map(|f| format!("{}: {}", f.pointer, f.detail)).collect();
         faults.join("; ")
     };
-    let mut parameters = resolve(request).map_err(named)?;
-    if request.get("method").is_none() {
+    let is_of_energy = request.get("method").is_none();
+    let mut request = request.clone();
+    if is_of_energy && request.pointer("/inference/algorithm").is_none() {
+        request["inference"]["algorithm"] = "max_product".into();
+    }
+    let mut parameters = resolve(&request).map_err(named)?;
+    if is_of_energy {
         parameters.inference.coarse_vertices = None;
         parameters.displacement.mode = DisplacementMode::None;
     }

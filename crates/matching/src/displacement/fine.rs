@@ -1,5 +1,6 @@
 //! The stages after the pose is chosen: middle, fine and settling.
 
+use super::fits::Fit;
 use super::functions::Functions;
 use super::local::LocalKernel;
 use super::stages::{Base, Displacement, State, displaced, kernel, observed_means, precision_of_features};
@@ -48,6 +49,8 @@ pub(super) struct Fine {
     pub residual_mm: f64,
     /// Share of the assignment's weight that is kept across the normals.
     pub across_share: f64,
+    /// Its place in the energy trace, unless it is left out there.
+    pub fit: Option<Fit>,
 }
 
 impl Fine {
@@ -83,14 +86,25 @@ impl Displacement<'_> {
 
     /// The field after the middle and fine stages.
     pub(super) fn fine(&self, start: State) -> Result<Option<Fine>, MatchError> {
-        self.fine_in(start, [self.options.steps[1], self.options.steps[2]], ACROSS_SHARE)
+        self.fine_in(start, [self.options.steps[1], self.options.steps[2]], ACROSS_SHARE, Some(self.observer.begin()))
+    }
+
+    /// The same, left out of the energy trace: for fits side by side that are no answer.
+    pub(super) fn fine_aside(&self, start: State) -> Result<Option<Fine>, MatchError> {
+        self.fine_in(start, [self.options.steps[1], self.options.steps[2]], ACROSS_SHARE, None)
     }
 
     /// The same in so many steps of each, with this share of the assignment's weight across the normals.
-    pub(super) fn fine_in(&self, start: State, steps: [u32; 2], across_share: f64) -> Result<Option<Fine>, MatchError> {
+    pub(super) fn fine_in(
+        &self,
+        start: State,
+        steps: [u32; 2],
+        across_share: f64,
+        fit: Option<Fit>,
+    ) -> Result<Option<Fine>, MatchError> {
         let State { base, field, feature_precision } = start;
         let track = Track::new(self, base);
-        let mut fine = Fine { track, field, feature_precision, residual_mm: 0.0, across_share };
+        let mut fine = Fine { track, field, feature_precision, residual_mm: 0.0, across_share, fit };
         for (stage, steps) in [1, 2].into_iter().zip(steps) {
             if !self.followed(&mut fine, stage, steps, 1.0)? {
                 return Ok(None);
@@ -119,7 +133,7 @@ impl Displacement<'_> {
     /// Follows the field through the steps of a stage, with observations weighted by `weight`. Whether all numbers stayed
     /// finite.
     fn followed(&self, fine: &mut Fine, stage: usize, steps: u32, weight: f64) -> Result<bool, MatchError> {
-        let Fine { track, field, feature_precision, residual_mm, across_share } = fine;
+        let Fine { track, field, feature_precision, residual_mm, across_share, fit } = fine;
         let thinned = self.source.thinned(self.options.n_samples[stage]);
         let target =
             if stage == 1 { self.target.thinned(self.options.n_samples[stage]).packed() } else { self.target.packed() };
@@ -150,6 +164,10 @@ impl Displacement<'_> {
                 observed
             };
             let Some(fitted) = fit_field(values.as_ref(), &track.with_guides(observed)) else { return Ok(false) };
+            if let Some(fit) = fit {
+                let observations = annealed(self.options.density[from], self.options.density[to], at);
+                self.observer.trace(fit, assigned.found.misfit, field, observations);
+            }
             pace.note(&assigned.points, &displaced(&starts, &fitted, &values));
             *field = fitted;
             *feature_precision = precision_of_features(&assigned.found.feature_variance);

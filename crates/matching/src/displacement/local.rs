@@ -10,6 +10,7 @@
 //! both kernels is fitted anew, from the rigid pose through all stages.
 
 use super::fine::{ACROSS_SHARE, Fine, Refined};
+use super::fits::Fit;
 use super::prior;
 use super::stages::{Displacement, kernel, precision_of_features};
 use super::track::Track;
@@ -102,7 +103,12 @@ impl Displacement<'_> {
             None => joint.anew(&self.pose_of(&moved, &base.pose), &local)?,
             Some(_) => {
                 let track = fine.track.with_functions_of(&joint);
-                joint.followed_locally(track, moved, fine.feature_precision.clone(), &local)?
+                joint.followed_locally(
+                    track,
+                    (moved, fine.feature_precision.clone()),
+                    joint.observer.begin(),
+                    &local,
+                )?
             }
         };
         Ok(found.map(|kept| self.refined_locally(&joint, kept, fine.residual_mm, local)))
@@ -147,9 +153,11 @@ impl Displacement<'_> {
     /// The field of both kernels through all stages from a rigid base.
     fn anew(&self, pose: &RigidTransform, local: &LocalKernel) -> Result<Option<Local>, MatchError> {
         let Some(state) = self.coarse_alone(pose) else { return Ok(None) };
-        let Some(fine) = self.fine_in(state, STAGE_STEPS, local.across_share)? else { return Ok(None) };
+        let fit = Some(self.observer.begin());
+        let Some(fine) = self.fine_in(state, STAGE_STEPS, local.across_share, fit)? else { return Ok(None) };
         let moved = fine.moved();
-        self.followed_locally(fine.track, moved, fine.feature_precision, local)
+        let fit = fine.fit.unwrap_or_else(|| self.observer.begin());
+        self.followed_locally(fine.track, (moved, fine.feature_precision), fit, local)
     }
 
     /// The kernel under which the heights of the source, moved to `moved`, below the target are most probable.
@@ -171,12 +179,12 @@ impl Displacement<'_> {
         most_probable_kernel(&points, &normals, &heights, &widths)
     }
 
-    /// The field after some steps from `moved`, and its energy.
+    /// The field after some steps of `fit` from `moved`, with the precisions of the features there.
     fn followed_locally(
         &self,
         track: Track,
-        mut moved: Vec<Point3<f64>>,
-        mut precision: Vec<f64>,
+        (mut moved, mut precision): (Vec<Point3<f64>>, Vec<f64>),
+        mut fit: Fit,
         local: &LocalKernel,
     ) -> Result<Option<Local>, MatchError> {
         let thinned = self.source.thinned(SAMPLES);
@@ -189,12 +197,16 @@ impl Displacement<'_> {
         let mean_area = thinned.areas.iter().sum::<f64>() / thinned.areas.len() as f64;
         let along = POINT_WEIGHT / (mean_area * local.noise_mm * local.noise_mm);
         let across = self.density(3, 3, 1.0) / (sigma_mm * sigma_mm);
-        let mut fitted = None;
+        let mut fitted: Option<FittedField> = None;
         for _ in 0..STEPS {
             checkpoint(self.observer)?;
             let kernel = kernel(sigma_mm, precision);
             let Some(assigned) = self.assigned(&moved, mirrored, &thinned, &target, &kernel) else { return Ok(None) };
             let (observed, _) = self.sliding(&assigned, &thinned.counted, &starts, along, local.across_share * across);
+            if let Some(field) = &fitted {
+                let observations = POINT_WEIGHT * thinned.areas.len() as f64;
+                self.observer.trace(&mut fit, assigned.found.misfit, field, observations);
+            }
             let Some(next) = fit_field(values.as_ref(), &track.with_guides(observed)) else { return Ok(None) };
             moved = track.moved(&next);
             precision = precision_of_features(&assigned.found.feature_variance);

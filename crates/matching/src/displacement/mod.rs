@@ -40,6 +40,7 @@ mod coarse;
 mod extremities;
 mod fine;
 mod finish;
+mod fits;
 mod forms;
 mod functions;
 mod guides;
@@ -71,6 +72,7 @@ use branching::may_branch;
 use faer::Mat;
 use fine::Refined;
 use finish::Turned;
+use fits::Fits;
 use functions::Functions;
 use guides::Guides;
 use homolog_contract::parameters::{Bending, Landmark};
@@ -265,10 +267,11 @@ pub(crate) fn displace(
     options: &DisplacementOptions,
     observer: &dyn Observer,
 ) -> Result<Option<DisplacementAnswer>, MatchError> {
+    let observer = Fits::new(observer);
     let found = if surfaces.part == Some(Which::Target) {
-        from_part(surfaces, poses, allow_reflection, options, observer)?
+        from_part(surfaces, poses, allow_reflection, options, &observer)?
     } else {
-        from_source(surfaces, poses, allow_reflection, options, observer)?
+        from_source(surfaces, poses, allow_reflection, options, &observer)?
     };
     Ok(found.map(|(found, compared)| {
         let Deformed { moved, variances, transform, residual_mm, agreement, distortion } = found;
@@ -284,7 +287,7 @@ fn from_source(
     poses: &[StartPose],
     allow_reflection: bool,
     options: &DisplacementOptions,
-    observer: &dyn Observer,
+    observer: &Fits<'_>,
 ) -> Result<Option<(Deformed, Vec<ComparedPose>)>, MatchError> {
     let Surfaces { source, target, lengths, part, .. } = *surfaces;
     let prepared = prepare(source, target, lengths.root_mm, part == Some(Which::Source))?;
@@ -299,7 +302,7 @@ fn from_part(
     poses: &[StartPose],
     allow_reflection: bool,
     options: &DisplacementOptions,
-    observer: &dyn Observer,
+    observer: &Fits<'_>,
 ) -> Result<Option<(Deformed, Vec<ComparedPose>)>, MatchError> {
     let landmarks: Vec<Landmark> = surfaces.landmarks.iter().map(swapped).collect();
     let form_of = |which: Which| (surfaces.form_of)(which.other());
@@ -364,7 +367,7 @@ fn deformed(
     poses: &[StartPose],
     allow_reflection: bool,
     options: &DisplacementOptions,
-    observer: &dyn Observer,
+    observer: &Fits<'_>,
 ) -> Result<Option<(Deformed, Vec<ComparedPose>)>, MatchError> {
     let Surfaces { source, landmarks, open, part, lengths, .. } = *surfaces;
     let Some(functions) = functions(source, &smooth_source, options) else { return Ok(None) };

@@ -48,7 +48,7 @@ impl Displacement<'_> {
             .map(|start| {
                 checkpoint(self.observer)?;
                 let Some(state) = self.coarse_alone(start) else { return Ok(None) };
-                let Some(fine) = self.fine(state)? else { return Ok(None) };
+                let Some(fine) = self.fine_aside(state)? else { return Ok(None) };
                 let misfit = self.fine_misfit(fine.moved(), start.is_reflection());
                 let base = fine.track.base.moved(points, &values);
                 Ok(Some((misfit, displaced(&base, &fine.field, &values))))

@@ -1,12 +1,12 @@
 //! What the stages of a displacement share.
 
 use super::DisplacementOptions;
+use super::fits::Fits;
 use super::functions::Functions;
 use super::guides::Guides;
 use super::surface::{N_FEATURES, SmoothSurface};
 use crate::lengths::Lengths;
 use faer::Mat;
-use homolog_primitives::observe::Observer;
 use homolog_registration::alignment::{Assignment, AssignmentKernel, OUTLIER_SHARE, annealed};
 use homolog_registration::deformation::{FittedField, Observation};
 use homolog_registration::{RigidTransform, SamePose};
@@ -103,7 +103,7 @@ pub(super) struct Displacement<'a> {
     /// When two poses of a source that is a part are the same: it may fit at several places in one orientation.
     pub same_place: Option<SamePose>,
     pub options: &'a DisplacementOptions,
-    pub observer: &'a dyn Observer,
+    pub observer: &'a Fits<'a>,
 }
 
 impl Displacement<'_> {

@@ -5,6 +5,7 @@
 //! capsules bent by 150° then differ from the straight one by 0.6 edges (root mean square), by 0.3 to 0.4 away from the ends.
 //! Search of the pose, field, comparison with mirror images and fit back are those of the surfaces themselves.
 
+use super::fits::Fits;
 use super::{ComparedPose, Deformed, DisplacementOptions, StartPose, Surfaces, along, deformed, prepare};
 use crate::MatchError;
 use homolog_contract::parameters::{Bending, Landmark};
@@ -12,7 +13,7 @@ use homolog_geometry::curvature::vertex_areas;
 use homolog_geometry::hierarchy::coarsen;
 use homolog_mesh::{ClosestPointIndex, SurfaceMesh};
 use homolog_methods::medial::{CenterLine, MedialOptions};
-use homolog_primitives::observe::{Observer, checkpoint};
+use homolog_primitives::observe::checkpoint;
 use homolog_registration::alignment::OrientedPoints;
 use homolog_registration::{PoseSearchOptions, RigidTransform, absolute_orientation, pose_search};
 use nalgebra::{Point3, Vector3};
@@ -87,7 +88,7 @@ pub(super) fn straightened(
     if_bent_by: f64,
     allow_reflection: bool,
     options: &DisplacementOptions,
-    observer: &dyn Observer,
+    observer: &Fits<'_>,
 ) -> Result<Option<(Deformed, Vec<ComparedPose>)>, MatchError> {
     if if_bent_by > 0.0 {
         let (a, b) = rayon::join(|| straightness(surfaces.source), || straightness(surfaces.target));

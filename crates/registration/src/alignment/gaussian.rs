@@ -40,6 +40,8 @@ pub struct Assignment {
     pub mass: Vec<f64>,
     /// Mean squared difference of each feature between assigned points.
     pub feature_variance: Vec<f64>,
+    /// [`misfit`] of the source with this kernel.
+    pub misfit: f64,
 }
 
 /// A target, packed for repeated assignments.
@@ -75,7 +77,8 @@ pub fn assign(source: &OrientedPoints<'_>, target: &AssignmentTarget, kernel: &A
     let affinities = Affinities::new(target, kernel);
     let rows = affinities.all_rows(source);
     let background = kernel.outlier_share * flat_density(kernel.sigma_mm);
-    let shares = affinities.area_over_density(&affinities.target_densities(&rows, source.areas, background));
+    let densities = affinities.target_densities(&rows, source.areas, background);
+    let shares = affinities.area_over_density(&densities);
     let means: Vec<Means> = rows.par_iter().map(|rows| affinities.means(source, rows, &shares)).collect();
     let mass: Vec<f64> = means.iter().flat_map(|means| &means.mass).copied().collect();
     let offsets = means.iter().flat_map(|means| &means.offsets);
@@ -98,6 +101,7 @@ pub fn assign(source: &OrientedPoints<'_>, target: &AssignmentTarget, kernel: &A
         targets: source.points.iter().zip(offsets).map(|(p, offset)| p + offset).collect(),
         mass,
         feature_variance,
+        misfit: misfit_of(source, target, kernel, (&rows, &densities)),
     }
 }
 
@@ -106,9 +110,20 @@ pub fn assign(source: &OrientedPoints<'_>, target: &AssignmentTarget, kernel: &A
 pub fn misfit(source: &OrientedPoints<'_>, target: &AssignmentTarget, kernel: &AssignmentKernel) -> f64 {
     let affinities = Affinities::new(target, kernel);
     let rows = affinities.all_rows(source);
+    let background = kernel.outlier_share * flat_density(kernel.sigma_mm);
+    let densities = affinities.target_densities(&rows, source.areas, background);
+    misfit_of(source, target, kernel, (&rows, &densities))
+}
+
+/// The same from the affinities of the source points and the densities of the target points.
+fn misfit_of(
+    source: &OrientedPoints<'_>,
+    target: &AssignmentTarget,
+    kernel: &AssignmentKernel,
+    (rows, target_densities): (&[Rows], &[Lanes]),
+) -> f64 {
     let flat = flat_density(kernel.sigma_mm);
     let background = kernel.outlier_share * flat;
-    let target_densities = affinities.target_densities(&rows, source.areas, background);
     let of_source = rows.iter().flat_map(|rows| &rows.densities).map(|density| (background + density) / flat);
     let of_target = target_densities.as_flattened()[..target.areas.len()].iter().map(|&s| f64::from(s) / flat);
     0.5 * (mean_misfit(of_source, source.areas.iter().copied()) + mean_misfit(of_target, target.areas.iter().copied()))

@@ -11,7 +11,7 @@ use base64::engine::general_purpose::STANDARD as BASE64;
 use homolog_contract::result::{Correspondences, InputProvenance, OutlierReason, ResultDocument};
 use homolog_contract::result::{WarpDirection, WarpSpace};
 use homolog_mesh::SurfaceMesh;
-use homolog_primitives::observe::TracePoint;
+use homolog_primitives::observe::{Phase, TracePoint};
 use nalgebra::{Matrix3, Point3, Vector3};
 use plot::energy_plot;
 use serde_json::json;
@@ -242,7 +242,15 @@ fn numbers(inputs: &ReportInputs<'_>) -> String {
 /// The energy over the iterations.
 fn energy(inputs: &ReportInputs<'_>) -> String {
     let Some(energy) = &inputs.document.energy else {
-        return "<h2>Energy</h2>\n<p>This method minimizes no energy.</p>\n".to_owned();
+        return match energy_plot(None, Phase::Displacement, inputs.trace) {
+            None => "<h2>Energy</h2>\n<p>This method minimizes no energy.</p>\n".to_owned(),
+            Some(plot) => format!(
+                "<h2>Energy</h2>\n<p>Of the displacement field: misfit of the surfaces plus the cost of the deformation, for each \
+                 independent observation; no unit, lower is better. Each round is one fit: with a wide kernel, with a narrower one as well, \
+                 or from the target back to the source. The scale at which the surfaces are compared falls from iteration to \
+                 iteration, so the energy can rise.</p>\n{plot}"
+            ),
+        };
     };
     let minimized =
         inputs.document.rounds.iter().find(|round| round.chosen).map_or(energy.r#final, |round| round.energy);
@@ -254,7 +262,7 @@ fn energy(inputs: &ReportInputs<'_>) -> String {
         energy.r#final,
         energy.n_variables,
         energy.n_labels,
-        energy_plot(energy.initial, inputs.trace).unwrap_or_default()
+        energy_plot(Some(energy.initial), Phase::Inference, inputs.trace).unwrap_or_default()
     )
 }
 

@@ -12,19 +12,20 @@ const BOTTOM: f64 = 205.0;
 /// Most points of the curve: more than the page has pixels.
 const MOST_POINTS: usize = 1500;
 
-/// The energies of the iterations, after `initial`; `None` without two finite values. The axis is logarithmic where all are
+/// The energies of the iterations in `phase`, after `initial`; `None` without two finite values. The axis is logarithmic where all are
 /// positive and the largest is more than ten times the smallest.
-pub(super) fn energy_plot(initial: f64, trace: &[TracePoint]) -> Option<String> {
+pub(super) fn energy_plot(initial: Option<f64>, phase: Phase, trace: &[TracePoint]) -> Option<String> {
     let iterations: Vec<(f64, u32)> = trace
         .iter()
-        .filter(|point| point.phase == Phase::Inference)
+        .filter(|point| point.phase == phase)
         .filter_map(|point| Some((point.energy?, point.round)))
         .filter(|(energy, _)| energy.is_finite())
         .collect();
-    if iterations.is_empty() || !initial.is_finite() {
+    let initial = initial.filter(|energy| energy.is_finite());
+    let values: Vec<f64> = initial.into_iter().chain(iterations.iter().map(|(energy, _)| *energy)).collect();
+    if iterations.is_empty() || values.len() < 2 {
         return None;
     }
-    let values: Vec<f64> = [initial].into_iter().chain(iterations.iter().map(|(energy, _)| *energy)).collect();
     let low = values.iter().copied().fold(f64::INFINITY, f64::min);
     let high = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     let logarithmic = low > 0.0 && high > 10.0 * low;
@@ -45,8 +46,7 @@ pub(super) fn energy_plot(initial: f64, trace: &[TracePoint]) -> Option<String> 
     }
     for (k, pair) in iterations.windows(2).enumerate() {
         if pair[0].1 != pair[1].1 {
-            // Value k + 1 of the plot is iteration k.
-            let at = x(k + 1);
+            let at = x(k + usize::from(initial.is_some()));
             let _ = write!(svg, "<path d=\"M{at:.1} {TOP}V{BOTTOM}\" stroke=\"#c3cad3\" stroke-dasharray=\"4 4\"/>");
         }
     }
@@ -85,11 +85,16 @@ mod tests {
             point(1, Phase::Inference, 2.0),
             point(1, Phase::Displacement, 9.0),
         ];
-        let svg = energy_plot(100.0, &trace).unwrap();
+        let svg = energy_plot(Some(100.0), Phase::Inference, &trace).unwrap();
         assert_eq!(svg.matches("stroke-dasharray").count(), 1);
         assert!(svg.contains(">100.00<") && svg.contains(">2.00<") && svg.contains("logarithmic"), "{svg}");
         let curve = svg.split("<path d=\"").nth(3).unwrap();
         assert_eq!(curve.split('"').next().unwrap().matches(['M', 'L']).count(), 3, "{curve}");
-        assert_eq!(energy_plot(1.0, &trace[3..]), None);
+        assert_eq!(energy_plot(Some(1.0), Phase::Inference, &trace[3..]), None);
+        assert_eq!(energy_plot(None, Phase::Displacement, &trace), None);
+        let fits = [0, 0, 1].map(|round| point(round, Phase::Displacement, 3.0 - f64::from(round)));
+        let svg = energy_plot(None, Phase::Displacement, &fits).unwrap();
+        assert_eq!(svg.matches("stroke-dasharray").count(), 1);
+        assert!(svg.contains(">3.00<") && svg.contains(">2.00<"), "{svg}");
     }
 }

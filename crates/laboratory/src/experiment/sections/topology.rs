@@ -25,8 +25,8 @@ fn settings() -> Vec<Setting> {
         ("one iteration".to_owned(), json!({"inference": {"max_iterations": 1}, "clamping": free})),
         ("no clamping".to_owned(), json!({"clamping": free})),
         ("no clamping, β = 0.5".to_owned(), json!({"energy": {"beta": 0.5}, "clamping": free})),
-        ("hard clamping".to_owned(), json!({"clamping": {"mode": "hard"}})),
-        ("soft clamping".to_owned(), json!({})),
+        ("hard clamping".to_owned(), json!({"clamping": {"mode": "hard", "max_rounds": 3}})),
+        ("soft clamping".to_owned(), json!({"clamping": {"mode": "soft", "max_rounds": 3}})),
     ]
 }
 

@@ -1,0 +1,68 @@
+//! The fits of a displacement in its energy trace.
+
+use homolog_primitives::observe::{Observer, Phase, TracePoint};
+use homolog_registration::deformation::FittedField;
+use std::sync::atomic::{AtomicU32, Ordering};
+
+/// The observer of a displacement, and how many fits it was told of.
+pub(super) struct Fits<'a> {
+    observer: &'a dyn Observer,
+    n_begun: AtomicU32,
+}
+
+/// A fit in the trace: its number, from 0, and the iterations that it has made.
+#[derive(Debug)]
+pub(super) struct Fit {
+    round: u32,
+    iterations: u32,
+}
+
+impl<'a> Fits<'a> {
+    pub(super) fn new(observer: &'a dyn Observer) -> Self {
+        Fits { observer, n_begun: AtomicU32::new(0) }
+    }
+
+    /// The next fit. Not to be called from several threads at a time: the numbers are part of the trace.
+    pub(super) fn begin(&self) -> Fit {
+        Fit { round: self.n_begun.fetch_add(1, Ordering::Relaxed), iterations: 0 }
+    }
+
+    /// Traces an iteration of a fit of labels that has this energy.
+    pub(super) fn trace_labels(&self, fit: &mut Fit, energy: f64) {
+        self.observer.trace(&TracePoint { energy: Some(energy), ..fit.next(Phase::Inference) });
+    }
+
+    /// Traces an iteration of a fit of `field`: the `misfit` of the surfaces, moved by it, and half the squared norm of its coefficients for
+    /// each of so many independent `observations`.
+    pub(super) fn trace(&self, fit: &mut Fit, misfit: f64, field: &FittedField, observations: f64) {
+        let cost = 0.5 * field.cost() / observations;
+        self.observer.trace(&TracePoint {
+            energy: Some(misfit + cost),
+            energy_unary: Some(misfit),
+            energy_pairwise: Some(cost),
+            ..fit.next(Phase::Displacement)
+        });
+    }
+}
+
+impl Fit {
+    fn next(&mut self, phase: Phase) -> TracePoint {
+        self.iterations += 1;
+        TracePoint::new(self.round, phase, self.iterations)
+    }
+}
+
+impl Observer for Fits<'_> {
+    fn phase(&self, phase: Phase) {
+        self.observer.phase(phase);
+    }
+    fn progress(&self, fraction: f64) {
+        self.observer.progress(fraction);
+    }
+    fn trace(&self, point: &TracePoint) {
+        self.observer.trace(point);
+    }
+    fn is_cancelled(&self) -> bool {
+        self.observer.is_cancelled()
+    }
+}

@@ -1,5 +1,6 @@
 //! Poses that may fit better than the one at hand: from a search of all orientations, and from the principal axes.
 
+use super::round_axis::RoundAxis;
 use super::scene::even_sample;
 use super::side::{Side, Which, part};
 use homolog_geometry::curvature::vertex_areas;
@@ -44,6 +45,25 @@ pub(super) fn searched(source: &Side, target: &Side, allow_reflection: bool) -> 
         }
     }
     found
+}
+
+/// Rotations by which the best poses of the search are varied, degrees: less than two poses differ that count as different.
+const VARIED_DEG: [f64; 4] = [-20.0, 20.0, -40.0, 40.0];
+
+/// The best pose of either handedness among those of a search, rotated about the axis about which `source` is most nearly round: a
+/// rotation that a rigid refinement hardly sees.
+pub(super) fn rotations_of_best(source: &Side, found: &[ScoredPose]) -> impl Iterator<Item = RigidTransform> {
+    let axis = RoundAxis::of(source.mesh().vertices(), &vertex_areas(source.mesh()));
+    let best = |mirrored: bool| found.iter().map(|p| p.target_from_source).find(|p| p.is_reflection() == mirrored);
+    let best = [false, true].map(best);
+    best.into_iter().flatten().flat_map(move |pose| {
+        let axis = &axis;
+        VARIED_DEG
+            .map(|angle| axis.as_ref().map(|axis| axis.rotated(&pose, angle.to_radians())))
+            .into_iter()
+            .flatten()
+            .collect::<Vec<_>>()
+    })
 }
 
 /// Whether two poses of `source` on `target` are the same within 30°, those of a part by orientation and place.

@@ -1,7 +1,7 @@
 //! The third stage: an image on the target for every source vertex, through a smooth displacement field or rigidly.
 
 use super::MatchError;
-use super::candidate_poses::{sameness, searched};
+use super::candidate_poses::{rotations_of_best, sameness, searched};
 use super::coarse::Coarse;
 use super::displacement::{
     ComparedPose, DisplacementAnswer, DisplacementOptions, StartPose, Surfaces, displace, landmark_pose,
@@ -164,6 +164,7 @@ impl Starts {
         // Of either handedness, so that a mirrored image is noticed.
         let of_search = searched(&coarse.source.middle, &coarse.target.middle, true);
         poses.extend(of_search.iter().map(|p| (PoseOrigin::Search, p.target_from_source)));
+        poses.extend(rotations_of_best(&coarse.source.middle, &of_search).map(|pose| (PoseOrigin::Search, pose)));
         Starts { poses, of_search }
     }
 

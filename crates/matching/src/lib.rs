@@ -60,6 +60,7 @@ mod reliability;
 mod report;
 mod resized;
 mod robust;
+mod round_axis;
 mod rounds;
 mod scene;
 mod side;

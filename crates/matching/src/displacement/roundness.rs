@@ -10,9 +10,10 @@
 use super::DisplacementOptions;
 use super::stages::{Displacement, displaced};
 use crate::MatchError;
+use crate::round_axis::RoundAxis;
 use homolog_primitives::observe::checkpoint;
-use homolog_registration::{RigidTransform, weighted_moments};
-use nalgebra::{Point3, Rotation3, Unit, Vector3};
+use homolog_registration::RigidTransform;
+use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
 
 /// Rotations about the axis from which the field is fitted, degrees; of ten beans the answer was wrong by more in none.
@@ -37,8 +38,8 @@ impl Displacement<'_> {
         points: &[Point3<f64>],
         pose: &RigidTransform,
     ) -> Result<Option<Vec<f64>>, MatchError> {
-        let Some((center, axis)) = self.roundest_axis() else { return Ok(None) };
-        let starts = ANGLES_DEG.map(|angle| rotated(pose, &center, &axis, angle.to_radians()));
+        let Some(axis) = RoundAxis::of(self.source.mesh.vertices(), &self.source.areas) else { return Ok(None) };
+        let starts = ANGLES_DEG.map(|angle| axis.rotated(pose, angle.to_radians()));
         if !self.is_flat(&starts[..PROBED]) {
             return Ok(None);
         }
@@ -58,31 +59,12 @@ impl Displacement<'_> {
         Ok(spread(&fits, self.options))
     }
 
-    /// Center and direction of the principal axis about which the other two moments are closest to each other.
-    fn roundest_axis(&self) -> Option<(Vector3<f64>, Unit<Vector3<f64>>)> {
-        let areas = &self.source.areas;
-        let (center, scatter) = weighted_moments(self.source.mesh.vertices(), areas, areas.iter().sum())?;
-        let eigen = scatter.symmetric_eigen();
-        let unlike = |k: usize| {
-            let (a, b) = (eigen.eigenvalues[(k + 1) % 3], eigen.eigenvalues[(k + 2) % 3]);
-            a.max(b) / a.min(b).max(f64::MIN_POSITIVE)
-        };
-        let k = (0..3).min_by(|&a, &b| unlike(a).total_cmp(&unlike(b)))?;
-        Some((center, Unit::try_new(eigen.eigenvectors.column(k).into_owned(), 0.0)?))
-    }
-
     /// Whether the misfit of the first of the `starts` is hardly lower than the mean of those of the others.
     fn is_flat(&self, starts: &[RigidTransform]) -> bool {
         let Some(found) = starts.par_iter().map(self.screening()).collect::<Option<Vec<f64>>>() else { return false };
         let others = &found[1..];
         others.iter().sum::<f64>() / (others.len() as f64) < found[0] + FLAT
     }
-}
-
-/// `pose` after a rotation of the source by `angle` radians about an axis through `center`.
-fn rotated(pose: &RigidTransform, center: &Vector3<f64>, axis: &Unit<Vector3<f64>>, angle: f64) -> RigidTransform {
-    let rotation = pose.rotation * Rotation3::from_axis_angle(axis, angle).matrix();
-    RigidTransform { rotation, translation: pose.rotation * center + pose.translation - rotation * center }
 }
 
 /// Mean squared distance of `fits` from their mean at each point, mm², each fit, its misfit and where it moves the points, weighted by its
@@ -113,14 +95,5 @@ mod tests {
         assert_eq!(spread([1.0, 1.0]), [4.0, 16.0]);
         let [near, far] = [spread([1.0, 1.02]), spread([1.0, 2.0])];
         assert!(near[0] > 2.0 && near[0] < 4.0 && far[0] < 1e-12, "{near:?} {far:?}");
-    }
-
-    #[test]
-    fn a_rotation_leaves_the_center_in_its_place() {
-        let pose = RigidTransform { translation: Vector3::new(3.0, 2.0, 1.0), ..RigidTransform::identity() };
-        let (center, axis) = (Vector3::new(1.0, -2.0, 0.5), Vector3::x_axis());
-        let found = rotated(&pose, &center, &axis, 0.7);
-        assert!((found.apply(&center.into()) - pose.apply(&center.into())).norm() < 1e-12);
-        assert!((found.angle_to(&pose) - 0.7).abs() < 1e-12);
     }
 }

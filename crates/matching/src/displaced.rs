@@ -202,7 +202,7 @@ fn rigid(coarse: &Coarse<'_>, posed: &Posed<'_>, starts: &Starts) -> Result<Disp
     Ok(Displaced { transform, labeling, confidence, spread_mm, poses, images: Images::OnVertices, resized: false })
 }
 
-/// Checks for cancellation in the displacement of a pair of two subjects: 63 to 67 in four pairs of hippocampi. Other pairs have
+/// Checks for cancellation in the displacement of a pair of two subjects: 70 to 74 in four pairs of hippocampi. Other pairs have
 /// fewer or more.
 const CHECKS_OF_DISPLACEMENT: f64 = 75.0;
 
@@ -218,10 +218,10 @@ struct Counting<'a> {
 }
 
 /// The share of the time of a displacement that has passed after `share` of its checks. Something has been done before the first
-/// one, later steps have more points, and a displacement of more checks than expected comes to its end ever more slowly.
+/// one, poses are compared by many cheap steps before later ones have more points, and a displacement of more checks than expected comes to its end ever more slowly.
 fn time_share(share: f64) -> f64 {
     const FIRST: f64 = 0.14;
-    const EXPONENT: f64 = 1.4;
+    const EXPONENT: f64 = 2.0;
     const LAST: f64 = 0.9;
     let early = |share: f64| FIRST + (1.0 - FIRST) * share.powf(EXPONENT);
     if share <= LAST {

@@ -2,8 +2,9 @@
 
 Writes the pairs as files, runs the laboratory's program `energies` on them, and prints for every set, energy and
 minimizer how far the energies lie apart and how far the labels are from the truth; last, Spearman's rank correlation between
-energy and error over the minimizers, of which none knows the truth, and all cases. Both are taken relative to those of the truth
-after conditional modes: cases differ in how well labels can stand for the truth at all.
+energy and error over the minimizers, of which none knows the truth, and all cases: of the mean energy of a variable and the error as they
+are; of the energy over the lowest that any minimizer finds for the case; and of both relative to those of the truth after conditional modes,
+as cases differ in how well labels can stand for the truth at all.
 """
 
 import csv
@@ -63,17 +64,24 @@ def report(lines):
         is_one_start = lambda line: any(start in line["minimizer"] for start in STARTS)
         minimizers = [line for line in of if line["minimizer"] != FROM_TRUTH and not is_one_start(line)]
 
-        def correlation(lines):
-            excess = [value(line, "found") / value(line, "relaxed") for line in lines]
-            error = [value(line, "error_pct") / begun_at_truth[line["case"]] for line in lines]
-            return spearmanr(excess, error)[0]
-
-        within = [correlation([line for line in of if line["case"] == case]) for case in begun_at_truth]
-        print(
-            f"  rank correlation of energy and error, each over that of the relaxed truth: {correlation(minimizers):.2f} over "
-            f"minimizers and cases ({len(minimizers)}), {correlation(of):.2f} over all labelings ({len(of)}), "
-            f"{np.nanmedian(within):.2f} within a case (median of {len(within)})"
-        )
+        lowest = {}
+        for line in minimizers:
+            lowest[line["case"]] = min(value(line, "found"), lowest.get(line["case"], np.inf))
+        of_variable = lambda line: value(line, "found") / value(line, "variables")
+        over_lowest = lambda line: value(line, "found") / lowest[line["case"]]
+        over_truth = lambda line: value(line, "found") / value(line, "relaxed")
+        error = lambda line: value(line, "error_pct")
+        error_over_truth = lambda line: error(line) / begun_at_truth[line["case"]]
+        correlation = lambda lines, x, y: spearmanr([x(line) for line in lines], [y(line) for line in lines])[0]
+        print(f"  rank correlation of energy and error over minimizers and cases ({len(minimizers)}), over all labelings ({len(of)}):")
+        for what, x, y in [
+            ("mean energy of a variable, error", of_variable, error),
+            ("energy over the lowest of the case, error over that of the relaxed truth", over_lowest, error_over_truth),
+            ("both over those of the relaxed truth", over_truth, error_over_truth),
+        ]:
+            print(f"    {correlation(minimizers, x, y):5.2f} {correlation(of, x, y):5.2f}  {what}")
+        within = [correlation([line for line in of if line["case"] == case], over_truth, error) for case in begun_at_truth]
+        print(f"  within a case {np.nanmedian(within):.2f} (all labelings, median of {len(within)})")
         lower = [line for line in of if value(line, "found") < value(line, "relaxed")]
         wrong = [line for line in lower if value(line, "error_pct") > 5]
         print(f"  labelings below the relaxed truth: {len(lower)} of {len(of)}, {len(wrong)} of them wrong by more than 5 %")

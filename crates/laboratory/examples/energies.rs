@@ -3,8 +3,8 @@
 //! `cargo run --release -p homolog-laboratory --example energies -- FOLDER > energies.csv`
 //!
 //! For every case in the folder, `NAME_s.ply`, `NAME_t.ply` and `NAME.truth` (the image of each source vertex, three
-//! little-endian 64-bit numbers each, mm), a line for each energy and minimizer: the energy of the labels nearest to the truth, that of the labeling
-//! to which conditional modes lead from there, that of the minimizer, and the mean distance of its labels from the truth in
+//! little-endian 64-bit numbers each, mm), a line for each energy and minimizer: the number of variables, the energy of the labels nearest to the
+//! truth, that of the labeling to which conditional modes lead from there, that of the minimizer, and the mean distance of its labels from the truth in
 //! percent of the target's diagonal. An energy is of use where no minimizer ends below the relaxed truth with a larger error.
 
 #![allow(clippy::print_stdout)] // a program; its answer goes to standard output
@@ -36,7 +36,7 @@ fn main() -> Outcome<()> {
         .filter_map(|entry| Some(entry.ok()?.file_name().to_str()?.strip_suffix(".truth")?.to_owned()))
         .collect();
     names.sort();
-    println!("case,energy,minimizer,truth,relaxed,found,error_pct");
+    println!("case,energy,variables,minimizer,truth,relaxed,found,error_pct");
     for name in names {
         let case = Case::open(Path::new(&folder), &name)?;
         case.near_isometry(&name)?;
@@ -91,7 +91,8 @@ impl Case {
         let say = |minimizer: &str, x: &[u32]| {
             let error = self.error(&labels, x, &truth);
             let (truth, relaxed) = (energy(&of_truth), energy(&relaxed));
-            println!("{name},near isometry,{minimizer},{truth:.2},{relaxed:.2},{:.2},{error:.3}", energy(x));
+            let variables = found.model.n_variables();
+            println!("{name},near isometry,{variables},{minimizer},{truth:.2},{relaxed:.2},{:.2},{error:.3}", energy(x));
         };
         say("conditional modes from the truth", &relaxed);
         let from_nothing = found.minimised(&[]);
@@ -147,7 +148,8 @@ impl Case {
             let say = |minimizer: &str, x: &[u32]| {
                 let error = self.error(labels, x, &truth);
                 println!(
-                    "{name},{energy},{minimizer},{:.2},{:.2},{:.2},{error:.3}",
+                    "{name},{energy:?},{},{minimizer},{:.2},{:.2},{:.2},{error:.3}",
+                    truth.len(),
                     of(&of_truth),
                     of(&relaxed),
                     of(x)

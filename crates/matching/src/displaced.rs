@@ -232,11 +232,8 @@ fn time_share(share: f64) -> f64 {
 }
 
 impl Observer for Counting<'_> {
-    fn phase(&self, phase: Phase) {
-        self.observer.phase(phase);
-    }
-    fn progress(&self, fraction: f64) {
-        self.observer.progress(fraction);
+    fn inner(&self) -> Option<&dyn Observer> {
+        Some(self.observer)
     }
     fn trace(&self, point: &TracePoint) {
         // Labels of near isometries have another energy than those of the rounds.

@@ -13,7 +13,7 @@ use super::{MatchError, coarse, displaced, posed};
 use homolog_contract::parameters::MatchParameters;
 use homolog_geometry::curvature::vertex_areas;
 use homolog_mesh::SurfaceMesh;
-use homolog_primitives::observe::{Observer, Phase, TracePoint};
+use homolog_primitives::observe::Observer;
 use homolog_registration::{RigidTransform, weighted_moments};
 use nalgebra::{Point3, Vector3};
 
@@ -27,9 +27,6 @@ const MOST_OF_PARTS: f64 = 3.2;
 struct Unseen<'a>(&'a dyn Observer);
 
 impl Observer for Unseen<'_> {
-    fn phase(&self, _: Phase) {}
-    fn progress(&self, _: f64) {}
-    fn trace(&self, _: &TracePoint) {}
     fn is_cancelled(&self) -> bool {
         self.0.is_cancelled()
     }

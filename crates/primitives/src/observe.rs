@@ -106,21 +106,31 @@ impl TracePoint {
 /// Receives the progress of a computation and may cancel it. All methods are called often, from one thread at a time, and
 /// should return quickly.
 pub trait Observer: Sync {
+    /// The observer to which everything is passed on that this one does not take itself; none by default.
+    fn inner(&self) -> Option<&dyn Observer> {
+        None
+    }
     /// A phase begins.
     fn phase(&self, phase: Phase) {
-        let _ = phase;
+        if let Some(inner) = self.inner() {
+            inner.phase(phase);
+        }
     }
     /// The share of the whole work that is done, in `[0, 1]`; it never falls.
     fn progress(&self, fraction: f64) {
-        let _ = fraction;
+        if let Some(inner) = self.inner() {
+            inner.progress(fraction);
+        }
     }
     /// A point of the energy trace.
     fn trace(&self, point: &TracePoint) {
-        let _ = point;
+        if let Some(inner) = self.inner() {
+            inner.trace(point);
+        }
     }
     /// Whether the computation should end now, without a result.
     fn is_cancelled(&self) -> bool {
-        false
+        self.inner().is_some_and(|inner| inner.is_cancelled())
     }
 }
 

@@ -35,7 +35,7 @@ use homolog_contract::result::{
 pub use homolog_matching::match_memory_bytes;
 use homolog_matching::{MatchError, match_levels};
 use homolog_mesh::{MeshError, SurfaceMesh};
-use homolog_primitives::observe::{Cancelled, Observer, Phase, TracePoint};
+use homolog_primitives::observe::{Cancelled, Observer, Phase};
 use std::collections::BTreeMap;
 use std::sync::{Mutex, PoisonError};
 use std::time::Instant;
@@ -267,6 +267,9 @@ impl<'a> PhaseTimer<'a> {
 }
 
 impl Observer for PhaseTimer<'_> {
+    fn inner(&self) -> Option<&dyn Observer> {
+        Some(self.observer)
+    }
     fn phase(&self, phase: Phase) {
         let now = Instant::now();
         let mut clock = self.clock.lock().unwrap_or_else(PoisonError::into_inner);
@@ -274,15 +277,6 @@ impl Observer for PhaseTimer<'_> {
         clock.current = Some((phase, now));
         drop(clock);
         self.observer.phase(phase);
-    }
-    fn progress(&self, fraction: f64) {
-        self.observer.progress(fraction);
-    }
-    fn trace(&self, point: &TracePoint) {
-        self.observer.trace(point);
-    }
-    fn is_cancelled(&self) -> bool {
-        self.observer.is_cancelled()
     }
 }
 

@@ -53,16 +53,7 @@ impl Fit {
 }
 
 impl Observer for Fits<'_> {
-    fn phase(&self, phase: Phase) {
-        self.observer.phase(phase);
-    }
-    fn progress(&self, fraction: f64) {
-        self.observer.progress(fraction);
-    }
-    fn trace(&self, point: &TracePoint) {
-        self.observer.trace(point);
-    }
-    fn is_cancelled(&self) -> bool {
-        self.observer.is_cancelled()
+    fn inner(&self) -> Option<&dyn Observer> {
+        Some(self.observer)
     }
 }

@@ -189,8 +189,9 @@ def landmark_section(found):
 
 
 def calibration_section(found):
+    error = lambda pooled: f"{pooled['error']:.3f} [{pooled['interval'][0]:.3f}, {pooled['interval'][1]:.3f}]"
     rows = [
-        [TITLES[kind], str(said["calibration"]["n_pairs"]), f"{said['calibration']['error']:.3f}"]
+        [TITLES[kind], str(said["calibration"]["n_pairs"]), error(said["calibration"])]
         + [to_reach("calibration", kind), f"{said['calibration']['confidence']:.3f}", f"{said['calibration']['hits']:.3f}"]
         for kind, said in found["sets"].items()
         if said["calibration"]
@@ -198,7 +199,11 @@ def calibration_section(found):
     if not rows:
         return ""
     header = ["pairs", "number", "expected calibration error", "to reach", "mean confidence", "share within one edge"]
-    return f"### One set at a time, `{DEFAULT}`\n\n" + table(header, rows)
+    text = (
+        "The intervals are over pairs. Vertices of one pair share what their confidences are off by, so few pairs have a calibration "
+        "error even where confidences are right on average.\n\n"
+    )
+    return f"### One set at a time, `{DEFAULT}`\n\n" + text + table(header, rows)
 
 
 def verdict_section(found):

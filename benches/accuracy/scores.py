@@ -81,6 +81,13 @@ def calibration_error(bins):
     return float(np.abs(confidence - hits).sum() / max(n.sum(), 1))
 
 
+def calibration_interval(bins_of_pairs):
+    """Bootstrap 95 % interval of the expected calibration error over pairs, which share what their confidences are off by."""
+    bins = np.array(bins_of_pairs)
+    draws = np.random.default_rng(0).integers(len(bins), size=(RESAMPLES, len(bins)))
+    return [float(x) for x in np.quantile([calibration_error(bins[draw].sum(axis=0)) for draw in draws], [0.025, 0.975])]
+
+
 def there_and_back(case, forth, back):
     """Distance between source vertices and where the map forth and the map back take them, in mean source edges."""
     returned = back[np.maximum(forth, 0)]

@@ -97,7 +97,7 @@ def of_set(records):
     if rows:
         bins = np.sum(rows, axis=0)
         n = bins[0].sum()
-        pooled = {"error": scores.calibration_error(bins), "n_pairs": len(rows)}
+        pooled = {"error": scores.calibration_error(bins), "interval": scores.calibration_interval(rows), "n_pairs": len(rows)}
         pooled |= {"confidence": float(bins[1].sum() / n), "hits": float(bins[2].sum() / n)}
     return {"n": len(records), "calibration": pooled, "verdicts": counted_verdicts(records)}
 

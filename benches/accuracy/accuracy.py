@@ -36,6 +36,7 @@ def arguments():
     parser.add_argument("--sets", help="quick mode: a line for each of these sets or groups of sets, and no report")
     parser.add_argument("--set", action="append", default=[], help="quick mode: KEY=VALUE, a parameter of the match")
     parser.add_argument("--energies", metavar="PROGRAM", help="the energy of the truth against what minimizers find")
+    parser.add_argument("--peers-of", metavar="REPORT", help="a folder docs/accuracy/DATE: take the untimed answers of its peers")
     parser.add_argument("--report-only", action="store_true", help="write the report of the answers that are there")
     return parser.parse_args()
 
@@ -86,6 +87,8 @@ def main():
         return run_quickly(given, run, made)
     n = given.cases or (5 if given.ours_only else 10)
     tasks = plan.tasks(made, n, not given.ours_only)
+    if given.peers_of:
+        run.take(given.peers_of, tasks)
     if not given.report_only:
         run.run([task for task in tasks if not given.only or task[0] in given.only])
     out = given.out or os.path.join(ROOT, "docs/accuracy", datetime.datetime.now(datetime.UTC).strftime("%Y-%m-%d"))

@@ -57,6 +57,11 @@ def flattened(found):
     }
 
 
+def taken_text(found):
+    reports = sorted({r["taken_from"] for r in found["records"] if r.get("taken_from")})
+    return f" Answers of peers in sets without seconds are those of the report of {', '.join(reports)}." if reports else ""
+
+
 def markdown(found):
     p = found["provenance"]
     parts = [
@@ -68,7 +73,9 @@ def markdown(found):
         "as their tables say).\n",
         "Each figure is the mean over pairs with its bootstrap 95 % interval; where three stand, they are the mean, "
         "the median and the worst. An edge is the mean edge length of the target. `accuracy.csv` has all figures, "
-        "`accuracy.json` each pair; `benches/accuracy/README.md` says how they are made.\n",
+        "`accuracy.json` each pair; `benches/accuracy/README.md` says how they are made."
+        + taken_text(found)
+        + "\n",
         main_table(found),
         spread_section(found),
         robustness_section(found),

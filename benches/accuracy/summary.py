@@ -13,6 +13,7 @@ import verdicts
 from cases import UNLIKE
 from peers import PEERS
 from plan import DEFAULT, OURS
+from runner import peer_fingerprint
 
 HIGHER = {"w1", "w2", "label", "point_w1", "within_5_pct", "within_10_deg", "cover"}
 FIGURES = [
@@ -205,6 +206,7 @@ def provenance(run, n):
         "machine": f"{processor()}, {len(os.sched_getaffinity(0))} cores, {memory_gib():.0f} GiB, {platform.system()}",
         "python": platform.python_version(),
         "packages": versions,
+        "peers": peer_fingerprint(),
         "n_label_volumes": len(run.cases.files),
         "cases_a_set": n,
     }

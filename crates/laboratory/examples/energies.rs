@@ -92,7 +92,10 @@ impl Case {
             let error = self.error(&labels, x, &truth);
             let (truth, relaxed) = (energy(&of_truth), energy(&relaxed));
             let variables = found.model.n_variables();
-            println!("{name},near isometry,{variables},{minimizer},{truth:.2},{relaxed:.2},{:.2},{error:.3}", energy(x));
+            println!(
+                "{name},near isometry,{variables},{minimizer},{truth:.2},{relaxed:.2},{:.2},{error:.3}",
+                energy(x)
+            );
         };
         say("conditional modes from the truth", &relaxed);
         let from_nothing = found.minimised(&[]);

@@ -51,19 +51,15 @@ pub(super) fn searched(source: &Side, target: &Side, allow_reflection: bool) -> 
 const VARIED_DEG: [f64; 4] = [-20.0, 20.0, -40.0, 40.0];
 
 /// The best pose of either handedness among those of a search, rotated about the axis about which `source` is most nearly round: a
-/// rotation that a rigid refinement hardly sees.
-pub(super) fn rotations_of_best(source: &Side, found: &[ScoredPose]) -> impl Iterator<Item = RigidTransform> {
-    let axis = RoundAxis::of(source.mesh().vertices(), &vertex_areas(source.mesh()));
-    let best = |mirrored: bool| found.iter().map(|p| p.target_from_source).find(|p| p.is_reflection() == mirrored);
-    let best = [false, true].map(best);
-    best.into_iter().flatten().flat_map(move |pose| {
+/// rotation that a rigid refinement hardly sees. Each with the index of the pose that was rotated; none where a number is not finite.
+pub(super) fn rotations_of_best(source: &Side, found: &[ScoredPose]) -> Vec<(usize, RigidTransform)> {
+    let Some(axis) = RoundAxis::of(source.mesh().vertices(), &vertex_areas(source.mesh())) else { return Vec::new() };
+    let best = |mirrored: bool| found.iter().position(|p| p.target_from_source.is_reflection() == mirrored);
+    let rotations = |k: usize| {
         let axis = &axis;
-        VARIED_DEG
-            .map(|angle| axis.as_ref().map(|axis| axis.rotated(&pose, angle.to_radians())))
-            .into_iter()
-            .flatten()
-            .collect::<Vec<_>>()
-    })
+        VARIED_DEG.map(move |angle| (k, axis.rotated(&found[k].target_from_source, angle.to_radians())))
+    };
+    [false, true].into_iter().filter_map(best).flat_map(rotations).collect()
 }
 
 /// Whether two poses of `source` on `target` are the same within 30°, those of a part by orientation and place.

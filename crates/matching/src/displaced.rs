@@ -138,9 +138,23 @@ pub(crate) fn displaced(coarse: &Coarse<'_>, posed: &Posed<'_>) -> Result<Displa
     rigid(coarse, posed, &starts)
 }
 
+/// A rigid pose to start from.
+struct Start {
+    origin: PoseOrigin,
+    pose: RigidTransform,
+    /// The index of the start that was rotated to give this one.
+    rotation_of: Option<usize>,
+}
+
+impl Start {
+    fn new(origin: PoseOrigin, pose: RigidTransform) -> Start {
+        Start { origin, pose, rotation_of: None }
+    }
+}
+
 /// Rigid poses to start from, the most trusted first.
 struct Starts {
-    poses: Vec<(PoseOrigin, RigidTransform)>,
+    poses: Vec<Start>,
     /// All that the search found, the best first.
     of_search: Vec<ScoredPose>,
 }
@@ -152,7 +166,10 @@ impl Starts {
             Posed::Inference { .. } => PoseOrigin::Inference,
             Posed::Registration(_) | Posed::ByField => PoseOrigin::Registration,
         };
-        Starts { poses: posed.transform().map(|pose| (origin, pose)).into_iter().collect(), of_search: Vec::new() }
+        Starts {
+            poses: posed.transform().map(|pose| Start::new(origin, pose)).into_iter().collect(),
+            of_search: Vec::new(),
+        }
     }
 
     /// The pose of `posed`, that of the landmarks, and those of a search of all orientations.
@@ -160,18 +177,21 @@ impl Starts {
         let parameters = coarse.full.parameters;
         let Starts { mut poses, .. } = Starts::of(posed);
         let of_landmarks = landmark_pose(&parameters.landmarks, parameters.registration.allow_reflection);
-        poses.extend(of_landmarks.map(|pose| (PoseOrigin::Landmarks, pose)));
+        poses.extend(of_landmarks.map(|pose| Start::new(PoseOrigin::Landmarks, pose)));
         // Of either handedness, so that a mirrored image is noticed.
         let of_search = searched(&coarse.source.middle, &coarse.target.middle, true);
-        poses.extend(of_search.iter().map(|p| (PoseOrigin::Search, p.target_from_source)));
-        poses.extend(rotations_of_best(&coarse.source.middle, &of_search).map(|pose| (PoseOrigin::Search, pose)));
+        let first = poses.len();
+        poses.extend(of_search.iter().map(|p| Start::new(PoseOrigin::Search, p.target_from_source)));
+        let rotations = rotations_of_best(&coarse.source.middle, &of_search);
+        let rotation = |(k, pose)| Start { rotation_of: Some(first + k), ..Start::new(PoseOrigin::Search, pose) };
+        poses.extend(rotations.into_iter().map(rotation));
         Starts { poses, of_search }
     }
 
     /// The most trusted pose that may be answered.
     fn first(&self, coarse: &Coarse<'_>) -> Option<RigidTransform> {
         let allow_reflection = coarse.full.parameters.registration.allow_reflection;
-        self.poses.iter().map(|(_, pose)| *pose).find(|pose| allow_reflection || !pose.is_reflection())
+        self.poses.iter().map(|start| start.pose).find(|pose| allow_reflection || !pose.is_reflection())
     }
 
     /// How much worse than the best the search found `pose`: as much as the best pose it returned that is the same;
@@ -283,7 +303,11 @@ fn by_field(coarse: &Coarse<'_>, posed: &Posed<'_>, starts: &Starts) -> Result<O
     let poses: Vec<StartPose> = starts
         .poses
         .iter()
-        .map(|(_, pose)| StartPose { pose: *pose, excess: starts.excess(pose, &are_same) })
+        .map(|start| StartPose {
+            pose: start.pose,
+            excess: starts.excess(&start.pose, &are_same),
+            rotation_of: start.rotation_of,
+        })
         .collect();
     let options = DisplacementOptions::default();
     let allow_reflection = scene.parameters.registration.allow_reflection;
@@ -342,15 +366,10 @@ pub(crate) fn labeling_of_energy(source: &Levels, target: &Levels, labels: &[u32
 }
 
 /// A compared.pose as the result states it.
-fn document(
-    scene: &Scene<'_>,
-    poses: &[(PoseOrigin, RigidTransform)],
-    compared: &ComparedPose,
-    answered: &RigidTransform,
-) -> PoseDocument {
+fn document(scene: &Scene<'_>, starts: &[Start], compared: &ComparedPose, answered: &RigidTransform) -> PoseDocument {
     let (origin, pose) = match &compared.of_form {
         Some(pose) => (PoseOrigin::Form, *pose),
-        None => poses[compared.pose],
+        None => (starts[compared.pose].origin, starts[compared.pose].pose),
     };
     PoseDocument {
         origin,

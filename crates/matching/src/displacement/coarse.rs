@@ -23,6 +23,11 @@ const SAME_POSE: f64 = std::f64::consts::FRAC_PI_4;
 /// Poses of one handedness that are followed after the screening.
 const FOLLOWED: usize = 2;
 
+/// A rotation about the axis about which the source is most nearly round is better than none only if its misfit is lower by this: of
+/// nearly round copies with noise it was lower by up to 0.006 by chance, and answers were off by 10° to 15°; of 13 beans with warps of 8 %
+/// for which a rotation was followed it was lower by 0.007 to 0.036 in ten.
+const LEAST_GAIN_OF_ROTATION: f64 = 0.01;
+
 /// Steps from a pose that an earlier fit has found.
 const STEPS_FROM_KNOWN_POSE: u32 = 6;
 
@@ -33,6 +38,15 @@ pub(crate) struct StartPose {
     pub pose: RigidTransform,
     /// How much worse than the best it is known to be beforehand; added to its misfit.
     pub excess: f64,
+    /// The index of the start that was rotated about the axis about which the source is most nearly round to give this one.
+    pub rotation_of: Option<usize>,
+}
+
+impl StartPose {
+    /// A start that is as good as any and was found as it is.
+    pub(super) fn of(pose: RigidTransform) -> StartPose {
+        StartPose { pose, excess: 0.0, rotation_of: None }
+    }
 }
 
 /// The first stage's verdict on one pose.
@@ -95,7 +109,8 @@ impl Displacement<'_> {
         let mut ends: Vec<(usize, RigidTransform)> = Vec::new();
         for (&pose, found) in followed.iter().zip(found) {
             let Some((misfit, state)) = found else { return Ok(None) };
-            let misfit = misfit + poses[pose].excess;
+            let StartPose { excess, rotation_of, .. } = poses[pose];
+            let misfit = misfit + excess + rotation_of.map_or(0.0, |_| LEAST_GAIN_OF_ROTATION);
             if self.same_place.is_some() {
                 let moved = displaced(&state.base.moved(&source.points, &values), &state.field, &values);
                 let start = poses[pose].pose;
@@ -121,6 +136,15 @@ impl Displacement<'_> {
             let rank = |j: &ComparedPose| !may_answer(&poses[j.pose].pose);
             rank(a).cmp(&rank(b)).then(a.misfit.total_cmp(&b.misfit)).then(a.pose.cmp(&b.pose))
         });
+        // A start and its rotation are one pose, of which the better is kept.
+        let is_rotation = |a: &ComparedPose, b: &ComparedPose| poses[a.pose].rotation_of == Some(b.pose);
+        let mut kept: Vec<ComparedPose> = Vec::with_capacity(compared.len());
+        for start in compared {
+            if !kept.iter().any(|better| is_rotation(better, &start) || is_rotation(&start, better)) {
+                kept.push(start);
+            }
+        }
+        let mut compared = kept;
         let end_of = |j: &ComparedPose| ends.iter().find(|(pose, _)| *pose == j.pose).map(|(_, end)| end);
         for k in 1..compared.len() {
             let (better, others) = compared.split_at_mut(k);
@@ -151,7 +175,8 @@ impl Displacement<'_> {
         found.map(|(_, state)| state)
     }
 
-    /// The poses to follow, after a few steps on few vertices from each: the best of each handedness.
+    /// The poses to follow, after a few steps on few vertices from each: the best of each handedness, and of a rotation the pose that
+    /// was rotated.
     fn screened(&self, poses: &[StartPose]) -> Result<Option<Vec<usize>>, MatchError> {
         let misfit = self.screening();
         let screened: Vec<Option<(f64, usize)>> = poses
@@ -180,6 +205,11 @@ impl Displacement<'_> {
             if has_room && !same_handedness.iter().any(near) {
                 followed.push(k);
             }
+        }
+        // Few vertices do not show whether a rotation about that axis is better than none, so the pose itself is followed too.
+        for k in followed.clone() {
+            let own = poses[k].rotation_of;
+            followed.extend(own.filter(|own| !followed.contains(own)));
         }
         Ok(Some(followed))
     }

@@ -117,7 +117,7 @@ impl<'a> Displacement<'a> {
     ) -> Result<Option<Turned<'a>>, MatchError> {
         let Some(back) = self.backwards(surfaces) else { return Ok(None) };
         let pose = pose.inverse();
-        let Some((_, state)) = back.coarse(&[StartPose { pose, excess: 0.0 }], |_| true)? else { return Ok(None) };
+        let Some((_, state)) = back.coarse(&[StartPose::of(pose)], |_| true)? else { return Ok(None) };
         let fine = back.fine(state)?;
         Ok(fine.map(|fine| Turned { back, pose, fine }))
     }

@@ -130,7 +130,7 @@ pub(super) fn straightened(
     let found =
         pose_search(&source.oriented(&normals, &areas), &target.oriented(&other_normals, &other_areas), &search);
     let poses: Vec<StartPose> =
-        found.iter().map(|p| StartPose { pose: p.target_from_source, excess: p.excess }).collect();
+        found.iter().map(|p| StartPose { excess: p.excess, ..StartPose::of(p.target_from_source) }).collect();
     checkpoint(observer)?;
     let prepared = prepare(&source.straight, &target.straight, surfaces.lengths.root_mm, source_is_part)?;
     let Some((deformed, compared)) = deformed(&straight, prepared, &poses, allow_reflection, options, observer)? else {

@@ -18,6 +18,17 @@ fn displace(
     options: &DisplacementOptions,
     observer: &dyn Observer,
 ) -> Result<Option<DisplacementAnswer>, MatchError> {
+    let starts: Vec<_> = poses.iter().map(|&pose| StartPose::of(pose)).collect();
+    displace_from(source, target, &starts, options, observer)
+}
+
+fn displace_from(
+    source: &SurfaceMesh,
+    target: &SurfaceMesh,
+    starts: &[StartPose],
+    options: &DisplacementOptions,
+    observer: &dyn Observer,
+) -> Result<Option<DisplacementAnswer>, MatchError> {
     let surfaces = Surfaces {
         source,
         target,
@@ -32,8 +43,7 @@ fn displace(
         bending: homolog_contract::parameters::Bending::None,
         form_of: &|_| None,
     };
-    let poses: Vec<_> = poses.iter().map(|&pose| StartPose { pose, excess: 0.0 }).collect();
-    super::displace(&surfaces, &poses, true, options, observer)
+    super::displace(&surfaces, starts, true, options, observer)
 }
 
 /// A lopsided bean of 2562 vertices, its cross-sections rounded triangles: round ones would have nothing against rolling.
@@ -112,6 +122,25 @@ fn a_moved_copy_gives_its_motion() {
     let error = found.transform.angle_to(&motion()).to_degrees();
     assert!(error < 1e-3, "{error} degrees");
     assert!(found.residual_mm < 0.05, "{}", found.residual_mm);
+}
+
+#[test]
+fn a_rotated_start_and_the_pose_that_was_rotated_are_both_followed_and_one_answer() {
+    let (source, target, _) = pair(|p| *p);
+    let rotated = |angle: f64| {
+        let about = RigidTransform {
+            rotation: *Rotation3::from_axis_angle(&Vector3::x_axis(), angle).matrix(),
+            ..RigidTransform::identity()
+        };
+        motion().after(&about)
+    };
+    for (right, found, rotation) in [(0, motion(), rotated(0.6)), (1, rotated(0.6), motion())] {
+        let starts = [StartPose::of(found), StartPose { rotation_of: Some(0), ..StartPose::of(rotation) }];
+        let found =
+            displace_from(&source.mesh, &target.mesh, &starts, &DisplacementOptions::default(), &Silent).unwrap();
+        let compared = found.unwrap().compared;
+        assert_eq!(compared.iter().map(|start| start.pose).collect::<Vec<_>>(), [right], "{compared:?}");
+    }
 }
 
 #[test]

@@ -238,7 +238,8 @@ struct Counting<'a> {
 }
 
 /// The share of the time of a displacement that has passed after `share` of its checks. Something has been done before the first
-/// one, poses are compared by many cheap steps before later ones have more points, and a displacement of more checks than expected comes to its end ever more slowly.
+/// one, poses are compared by many cheap steps before later ones have more points, and a displacement of more checks than expected
+/// comes to its end ever more slowly.
 fn time_share(share: f64) -> f64 {
     const FIRST: f64 = 0.14;
     const EXPONENT: f64 = 2.0;

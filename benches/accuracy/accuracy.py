@@ -31,6 +31,7 @@ def arguments():
     parser.add_argument("--cases", type=int, help="pairs of a set; default 10, or 5 with --ours-only")
     parser.add_argument("--limit", type=float, default=120, help="seconds that one answer may take")
     parser.add_argument("--ours-only", action="store_true", help="no peers")
+    parser.add_argument("--no-ablation", action="store_true", help="no variants of the default method")
     parser.add_argument("--only", action="append", help="run this method alone; may be repeated")
     parser.add_argument("--refresh", action="append", default=[], help="compute this method's answers anew")
     parser.add_argument("--sets", help="quick mode: a line for each of these sets or groups of sets, and no report")
@@ -86,7 +87,7 @@ def main():
     if given.sets:
         return run_quickly(given, run, made)
     n = given.cases or (5 if given.ours_only else 10)
-    tasks = plan.tasks(made, n, not given.ours_only)
+    tasks = plan.tasks(made, n, not given.ours_only, not given.no_ablation)
     if given.peers_of:
         run.take(given.peers_of, tasks)
     if not given.report_only:

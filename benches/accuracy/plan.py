@@ -68,7 +68,7 @@ def ablated(n, kind):
     return max(n // 2, 1) * MANY.get(kind, 1) if kind in ABLATION["real"] else 2 * n
 
 
-def tasks(cases, n, with_peers):
+def tasks(cases, n, with_peers, with_ablation=True):
     """`(method, case name, is timed)` without repetition; the smaller studies take half as many cases."""
     half = max(n // 2, 1)
     found = []
@@ -86,7 +86,7 @@ def tasks(cases, n, with_peers):
     # People need assets that are installed on request.
     for kind in ["real_narrow2", *(kind for kind in FAMILY if kind not in people.KINDS)]:
         add([DEFAULT], kind, half if kind in HALF else n * MANY.get(kind, 1), False)
-    for group, variants in read_variants().items():
+    for group, variants in read_variants().items() if with_ablation else ():
         for kind in ABLATION[group]:
             add([f"variant: {name}" for name in variants], kind, ablated(n, kind), False)
     if with_peers:

@@ -350,6 +350,8 @@ FIGURE_TITLES = {
 
 
 def ablation_section(found):
+    if not any(r["method"].startswith("variant: ") for r in found["records"]):
+        return "## Ablation\n\nNot run for this report.\n"
     tables = [ablation_table(found, group, variants) for group, variants in read_variants().items()]
     text = f"`{DEFAULT}` with one part changed (`benches/accuracy/variants.json`), on the same pairs.\n\n"
     return "## Ablation\n\n" + text + "\n\n".join(tables)

@@ -202,7 +202,8 @@ def provenance(run, n):
         "program": run.homolog.version,
         "program_sha256": run.homolog.fingerprint,
         "commit_of_the_benchmark": command_output("git", "-C", here, "rev-parse", "--short", "HEAD"),
-        "command": f"make accuracy CASES={n}" + (" OURS_ONLY=1" if "--ours-only" in sys.argv else ""),
+        "command": f"make accuracy CASES={n}" + (" OURS_ONLY=1" if "--ours-only" in sys.argv else "")
+        + (", without the ablation" if "--no-ablation" in sys.argv else ""),
         "machine": f"{processor()}, {len(os.sched_getaffinity(0))} cores, {memory_gib():.0f} GiB, {platform.system()}",
         "python": platform.python_version(),
         "packages": versions,

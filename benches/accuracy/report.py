@@ -58,8 +58,11 @@ def flattened(found):
 
 
 def taken_text(found):
-    reports = sorted({r["taken_from"] for r in found["records"] if r.get("taken_from")})
-    return f" Answers of peers in sets without seconds are those of the report of {', '.join(reports)}." if reports else ""
+    taken = [r for r in found["records"] if r.get("taken_from")]
+    if not taken:
+        return ""
+    names = lambda key: ", ".join(sorted({r[key] for r in taken}))
+    return f" {len(taken)} answers of peers ({names('method')}) in sets without seconds are those of the report of {names('taken_from')}."
 
 
 def markdown(found):

@@ -89,7 +89,11 @@ def main():
     n = given.cases or (5 if given.ours_only else 10)
     tasks = plan.tasks(made, n, not given.ours_only, not given.no_ablation)
     if given.peers_of:
-        run.take(given.peers_of, tasks)
+        try:
+            run.take(given.peers_of, tasks)
+        except (OSError, ValueError) as error:
+            print(f"accuracy: --peers-of: {error}", file=sys.stderr)
+            return 1
     if not given.report_only:
         run.run([task for task in tasks if not given.only or task[0] in given.only])
     out = given.out or os.path.join(ROOT, "docs/accuracy", datetime.datetime.now(datetime.UTC).strftime("%Y-%m-%d"))

@@ -37,6 +37,37 @@ pub(crate) fn subject(number: u64, n_vertices: usize) -> [Vec<u8>; 2] {
     meshes.map(|mesh| write_ply(&mesh))
 }
 
+/// A file to upload: its name and what it holds.
+pub(crate) struct Upload {
+    pub name: String,
+    pub bytes: Vec<u8>,
+}
+
+impl Upload {
+    fn ply(bytes: Vec<u8>) -> Self {
+        Self { name: "s.ply".to_owned(), bytes }
+    }
+}
+
+/// A template and subjects of about `n_vertices` each: phantoms, or the files of the folder that
+/// `SERVICE_BENCH_SUBJECTS` names in the order of their names, of which the first is the template.
+pub(crate) fn template_and_subjects(n_subjects: usize, n_vertices: usize) -> (Upload, Vec<Upload>) {
+    let Ok(folder) = std::env::var("SERVICE_BENCH_SUBJECTS") else {
+        let template = subject(0, n_vertices).into_iter().next_back().unwrap();
+        let subjects = (0..n_subjects as u64).map(|number| subject(number, n_vertices).into_iter().next().unwrap());
+        return (Upload::ply(template), subjects.map(Upload::ply).collect());
+    };
+    let mut paths: Vec<_> = std::fs::read_dir(&folder).unwrap().map(|entry| entry.unwrap().path()).collect();
+    paths.sort();
+    assert!(paths.len() > n_subjects, "{folder} has to hold {} files, a template and the subjects", n_subjects + 1);
+    let mut files = paths.into_iter().take(n_subjects + 1).map(|path| Upload {
+        name: path.file_name().unwrap().to_str().unwrap().to_owned(),
+        bytes: std::fs::read(&path).unwrap(),
+    });
+    let template = files.next().unwrap();
+    (template, files.collect())
+}
+
 /// When a job was accepted, started and finished, and how large it was.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Times {
@@ -65,8 +96,13 @@ pub(crate) fn makespan_s(times: &[Times]) -> f64 {
 
 /// Uploads a surface and returns its id.
 pub(crate) async fn upload(client: &mut Client, ply: &[u8]) -> String {
-    let path = "/v1/meshes?file_name=s.ply";
-    let (status, body) = client.request("POST", path, "application/octet-stream", ply).await;
+    upload_file(client, "s.ply", ply).await
+}
+
+/// Uploads a file of this name and returns the id of its surface.
+pub(crate) async fn upload_file(client: &mut Client, name: &str, bytes: &[u8]) -> String {
+    let path = format!("/v1/meshes?file_name={name}");
+    let (status, body) = client.request("POST", &path, "application/octet-stream", bytes).await;
     assert!(status == 200 || status == 201, "{}", String::from_utf8_lossy(&body));
     serde_json::from_slice::<Value>(&body).unwrap()["id"].as_str().unwrap().to_owned()
 }

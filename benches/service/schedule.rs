@@ -3,7 +3,7 @@
 
 use crate::http::Client;
 use crate::node::Node;
-use crate::pairs::{self, Times, makespan_s, parameters, run_batch, upload};
+use crate::pairs::{self, Times, makespan_s, parameters, run_batch, upload, upload_file};
 use crate::place::Place;
 use crate::{Latencies, Scale};
 use serde_json::{Value, json};
@@ -150,28 +150,36 @@ fn row(workload: &Workload, way: &str, times: &[Times], most_mib: f64) {
 pub(crate) async fn template(scale: Scale) {
     let (n_subjects, n_vertices) = (count(scale, 100), scale.pick(SMALL, MIDDLE));
     println!("\n## A template against {n_subjects} subjects\n");
+    let (template, subjects) = pairs::template_and_subjects(n_subjects, n_vertices);
     println!(
-        "Surfaces of about {n_vertices} vertices, uploaded before; one batch with default settings, except that the cache"
+        "{} as template, uploaded with the subjects before; one batch with default settings, except that",
+        template.name
     );
-    println!("of prepared surfaces is off in one row.");
+    println!("the cache of prepared surfaces is off in one row.");
     pairs::say_parameters();
-    println!("| prepared surfaces | seconds | pairs per hour | max MiB |\n|---|---|---|---|");
+    println!(
+        "| prepared surfaces | vertices of a subject | seconds | pairs per hour | max MiB |\n|---|---|---|---|---|"
+    );
     for (way, bytes) in [("not cached", Some("0")), ("cached", None)] {
         let place = Place::sqlite();
         let mut environment = place.environment();
         environment.extend(bytes.map(|n| ("HOMOLOG_PREPARED_BYTES", n.to_owned())));
         let node = Node::program(&environment);
         let mut client = Client::connect(&node.address).await;
-        let mut template = String::new();
-        let mut subjects = Vec::new();
-        for seed in 0..n_subjects as u64 {
-            let [source, target] = pairs::subject(seed, n_vertices);
-            subjects.push(json!({"mesh_id": upload(&mut client, &source).await}));
-            template = upload(&mut client, &target).await;
+        let template_id = upload_file(&mut client, &template.name, &template.bytes).await;
+        let mut ids = Vec::with_capacity(subjects.len());
+        for subject in &subjects {
+            ids.push(json!({"mesh_id": upload_file(&mut client, &subject.name, &subject.bytes).await}));
         }
-        let batch = json!({"template": template, "subjects": subjects, "parameters": parameters()});
-        let seconds = makespan_s(&run_batch(&mut client, &batch).await);
+        let batch = json!({"template": template_id, "subjects": ids, "parameters": parameters()});
+        let times = run_batch(&mut client, &batch).await;
+        let seconds = makespan_s(&times);
         let most = node.status_mib("VmHWM");
-        println!("| {way} | {seconds:.1} | {:.0} | {most:.0} |", n_subjects as f64 / seconds * 3600.0);
+        let sizes = || times.iter().map(|t| t.n_vertices);
+        let (fewest, most_vertices) = (sizes().min().unwrap(), sizes().max().unwrap());
+        println!(
+            "| {way} | {fewest} to {most_vertices} | {seconds:.1} | {:.0} | {most:.0} |",
+            n_subjects as f64 / seconds * 3600.0
+        );
     }
 }

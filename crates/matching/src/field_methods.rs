@@ -13,7 +13,7 @@ use homolog_geometry::hierarchy::coarsen;
 use homolog_mesh::{ClosestPointIndex, SurfaceMesh};
 use homolog_methods::{Frame, MethodError, bcpd, cpd, diffeomorphic, functional_map, medial, nonrigid_icp, spharm};
 use homolog_primitives::observe::Observer;
-use homolog_registration::{RigidTransform, absolute_orientation};
+use homolog_registration::{RigidTransform, absolute_orientation_of};
 use nalgebra::Point3;
 use rayon::prelude::*;
 
@@ -143,7 +143,7 @@ fn answered(
     let no_counterpart = without_counterpart(target, scene.edge_mm, &found);
     let displaced: f64 = source.vertices().iter().zip(&moved).map(|(p, q)| (pose.apply(p) - q).norm_squared()).sum();
     let are_copies = (displaced / moved.len() as f64).sqrt() < COPY_EDGES * scene.edge_mm;
-    let fitted = absolute_orientation(source.vertices(), &moved, Some(&vertex_areas(source)), pose.is_reflection());
+    let fitted = absolute_orientation_of(source.vertices(), &moved, Some(&vertex_areas(source)), pose.is_reflection());
     let confidence = found.iter().zip(&no_counterpart).map(|(i, &alone)| if alone { 0.0 } else { i.confidence });
     Displaced {
         transform: if are_copies { *pose } else { fitted.unwrap_or(*pose) },

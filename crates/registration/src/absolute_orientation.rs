@@ -61,6 +61,24 @@ pub fn absolute_orientation(
     Ok(moments.transform(svd_rotation(&moments.covariance, allow_reflection)?))
 }
 
+/// The same where the handedness is known: the best of the transforms that mirror if `mirrored`, of the others if not.
+///
+/// A surface that bends can be fitted better by a transform of the other handedness, though nothing mirrors it: a flat one whose limbs turn
+/// to its other side.
+///
+/// # Errors
+/// Those of [`absolute_orientation`].
+pub fn absolute_orientation_of(
+    source: &[Point3<f64>],
+    target: &[Point3<f64>],
+    weights: Option<&[f64]>,
+    mirrored: bool,
+) -> Result<RigidTransform, OrientationError> {
+    let moments = Moments::of(source, target, weights)?;
+    let handedness = if mirrored { Handedness::Mirrored } else { Handedness::Kept };
+    Ok(moments.transform(nearest_orthogonal(&moments.covariance, handedness)?))
+}
+
 /// Weighted means and second moments of point pairs.
 pub(super) struct Moments {
     pub source_mean: Vector3<f64>,
@@ -125,11 +143,25 @@ impl Moments {
     }
 }
 
+/// Which orthogonal matrices are looked among.
+enum Handedness {
+    /// Rotations.
+    Kept,
+    /// Reflections.
+    Mirrored,
+    /// Both.
+    Any,
+}
+
 /// The orthogonal `R` with the largest `tr(Rᵀ C)`, `det R = +1` unless a reflection is allowed and fits better.
 pub(super) fn svd_rotation(
     covariance: &Matrix3<f64>,
     allow_reflection: bool,
 ) -> Result<Matrix3<f64>, OrientationError> {
+    nearest_orthogonal(covariance, if allow_reflection { Handedness::Any } else { Handedness::Kept })
+}
+
+fn nearest_orthogonal(covariance: &Matrix3<f64>, handedness: Handedness) -> Result<Matrix3<f64>, OrientationError> {
     let svd = covariance.svd(true, true);
     let (Some(u), Some(v_t)) = (svd.u, svd.v_t) else { return Err(OrientationError::Degenerate) };
     let mut order = [0, 1, 2];
@@ -140,8 +172,14 @@ pub(super) fn svd_rotation(
     }
     let mut signs = Vector3::repeat(1.0);
     let planar = svd.singular_values[last] <= COLLINEAR_RTOL * svd.singular_values[first];
-    // In a plane a rotation fits as well as its mirror image: take the rotation.
-    if (!allow_reflection || planar) && (u * v_t).determinant() < 0.0 {
+    let fits_mirrored = (u * v_t).determinant() < 0.0;
+    let mirrored = match handedness {
+        Handedness::Kept => false,
+        Handedness::Mirrored => true,
+        // In a plane a rotation fits as well as its mirror image: take the rotation.
+        Handedness::Any => fits_mirrored && !planar,
+    };
+    if mirrored != fits_mirrored {
         signs[last] = -1.0;
     }
     Ok(u * Matrix3::from_diagonal(&signs) * v_t)
@@ -204,6 +242,23 @@ mod tests {
         let mirrored: Vec<_> = points.iter().map(|p| Point3::new(-p.x, p.y, p.z)).collect();
         assert!(absolute_orientation(&points, &mirrored, None, true).unwrap().is_reflection());
         assert!(!absolute_orientation(&points, &mirrored, None, false).unwrap().is_reflection());
+    }
+
+    #[test]
+    fn the_handedness_that_is_known_is_kept_whatever_fits_better() {
+        let points = cloud(5, 20);
+        let images = |x: f64| points.iter().map(|p| Point3::new(x * p.x, p.y, p.z)).collect::<Vec<_>>();
+        for (fits, other) in [(images(1.0), false), (images(-1.0), true)].map(|(images, mirrored)| {
+            let fitted = |mirrored| absolute_orientation_of(&points, &images, None, mirrored).unwrap();
+            assert_eq!([false, true].map(|m| fitted(m).is_reflection()), [false, true]);
+            assert_eq!(fitted(mirrored), absolute_orientation(&points, &images, None, true).unwrap());
+            let cost = |t: RigidTransform| -> f64 {
+                points.iter().zip(&images).map(|(s, d)| (t.apply(s) - d).norm_squared()).sum()
+            };
+            (cost(fitted(mirrored)), cost(fitted(!mirrored)))
+        }) {
+            assert!(fits < 1e-18 && other > 1.0, "{fits} {other}");
+        }
     }
 
     #[test]

@@ -26,7 +26,7 @@ mod three_point;
 mod transform;
 mod two_sided;
 
-pub use absolute_orientation::{OrientationError, absolute_orientation};
+pub use absolute_orientation::{OrientationError, absolute_orientation, absolute_orientation_of};
 pub use icp::{ClosestSurfacePoint, IcpMetric, IcpOptions, IcpReport, refine_icp};
 pub use orientation_solvers::{OrientationSolver, solve_orientation};
 pub use pose_search::{PoseSearchOptions, ScoredPose, pose_search, surroundings};

@@ -10,7 +10,7 @@ use faer::Mat;
 use homolog_primitives::observe::checkpoint;
 use homolog_registration::alignment::{AssignmentTarget, OrientedPoints, annealed, assign, misfit};
 use homolog_registration::deformation::fit_field;
-use homolog_registration::{RigidTransform, SAME_POSE_ANGLE, SamePose, absolute_orientation};
+use homolog_registration::{RigidTransform, SAME_POSE_ANGLE, SamePose, absolute_orientation_of};
 use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
 
@@ -114,9 +114,9 @@ impl Displacement<'_> {
             if self.same_place.is_some() {
                 let moved = displaced(&state.base.moved(&source.points, &values), &state.field, &values);
                 let start = poses[pose].pose;
-                let end = absolute_orientation(&source.points, &moved, Some(&source.counted), true);
-                // Of points near a plane either handedness may come out.
-                ends.push((pose, end.ok().filter(|end| end.is_reflection() == start.is_reflection()).unwrap_or(start)));
+                let (weights, mirrored) = (Some(&source.counted[..]), start.is_reflection());
+                let end = absolute_orientation_of(&source.points, &moved, weights, mirrored);
+                ends.push((pose, end.unwrap_or(start)));
             }
             if may_answer(&poses[pose].pose)
                 && compared.iter().all(|j| misfit < j.misfit || !may_answer(&poses[j.pose].pose))

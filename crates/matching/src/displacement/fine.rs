@@ -11,7 +11,7 @@ use crate::robust::{STD_OF_MAD, median};
 use homolog_primitives::observe::checkpoint;
 use homolog_registration::alignment::annealed;
 use homolog_registration::deformation::{FittedField, Observation, fit_field};
-use homolog_registration::{RigidTransform, absolute_orientation};
+use homolog_registration::{RigidTransform, absolute_orientation_of};
 use nalgebra::Point3;
 use rayon::prelude::*;
 
@@ -61,11 +61,11 @@ impl Fine {
 }
 
 impl Displacement<'_> {
-    /// The rigid part of what moves the vertices of the source to `moved`: a start that forgets from where it was reached.
-    /// `fallback` where there is none.
-    pub(super) fn pose_of(&self, moved: &[Point3<f64>], fallback: &RigidTransform) -> RigidTransform {
+    /// The rigid part of what moves the vertices of the source to `moved`: a start that forgets from where it was reached, `pose`, but
+    /// has its handedness. `pose` where there is none.
+    pub(super) fn pose_of(&self, moved: &[Point3<f64>], pose: &RigidTransform) -> RigidTransform {
         let SmoothSurface { mesh, areas, .. } = &*self.source;
-        absolute_orientation(mesh.vertices(), moved, Some(areas), true).unwrap_or(*fallback)
+        absolute_orientation_of(mesh.vertices(), moved, Some(areas), pose.is_reflection()).unwrap_or(*pose)
     }
 
     /// The field after all stages.

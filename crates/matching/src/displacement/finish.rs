@@ -74,7 +74,9 @@ impl<'a> Displacement<'a> {
         // A bent base comes from forms alone.
         let is_of_forms = refined.base.bend.is_some();
         let error = is_of_forms.then(|| along::squared_error(source, &fitted, &agreement, &lengths));
-        let Some(rigid) = self.rigid_part(source, &fitted, target.mean_edge_length(), false)? else { return Ok(None) };
+        // A field keeps the handedness of its pose.
+        let (mirrored, edge_mm) = (refined.base.pose.is_reflection(), target.mean_edge_length());
+        let Some(rigid) = self.rigid_part(source, &fitted, mirrored, edge_mm, false)? else { return Ok(None) };
         // The field of a small surface is fitted on all its vertices.
         let (moved, values) = if source == full_source {
             (fitted, own_values)

@@ -404,7 +404,10 @@ fn deformed(
     let wide = fine.moved();
     // Copies of which a part is missing need no other start and no field, whatever one does to them at their rim.
     let edge_mm = surfaces.target.mean_edge_length();
-    if open && let Some(RigidPart { transform, copies: true }) = forward.rigid_part(source, &wide, edge_mm, open)? {
+    if open
+        && let Some(RigidPart { transform, copies: true }) =
+            forward.rigid_part(source, &wide, pose.is_reflection(), edge_mm, open)?
+    {
         // Another pose is as good if it makes them copies too.
         for other in &mut compared[1..] {
             let is_other = forward.copies_elsewhere(&poses[other.pose].pose, &transform, edge_mm)?;

@@ -20,7 +20,7 @@ use crate::copies::{Aligned, align_shortly};
 use homolog_geometry::curvature::vertex_areas;
 use homolog_mesh::SurfaceMesh;
 use homolog_registration::{
-    IcpMetric, RigidTransform, SurfaceSide, TwoSidedOptions, absolute_orientation, align_both_ways,
+    IcpMetric, RigidTransform, SurfaceSide, TwoSidedOptions, absolute_orientation_of, align_both_ways,
 };
 use nalgebra::Point3;
 
@@ -45,7 +45,7 @@ fn side(surface: &SmoothSurface) -> SurfaceSide<'_> {
 }
 
 impl Displacement<'_> {
-    /// The rigid part of the correspondences `source vertex → image` (mm). With `open`, an alignment of the surfaces decides whether
+    /// The rigid part of the correspondences `source vertex → image` (mm), which mirrors or does not. With `open`, an alignment of the surfaces decides whether
     /// they are copies, which a field does not show at a rim. `None` for collinear ones.
     ///
     /// # Errors
@@ -54,12 +54,13 @@ impl Displacement<'_> {
         &self,
         source: &SurfaceMesh,
         images: &[Point3<f64>],
+        mirrored: bool,
         edge_mm: f64,
         open: bool,
     ) -> Result<Option<RigidPart>, MatchError> {
         let areas = vertex_areas(source);
-        // A field keeps the handedness of its pose.
-        let Ok(fitted) = absolute_orientation(source.vertices(), images, Some(&areas), true) else { return Ok(None) };
+        let fitted = absolute_orientation_of(source.vertices(), images, Some(&areas), mirrored);
+        let Ok(fitted) = fitted else { return Ok(None) };
         let squares: f64 =
             source.vertices().iter().zip(images).map(|(p, q)| (fitted.apply(p) - q).norm_squared()).sum();
         let mut copies = (squares / images.len() as f64).sqrt() < COPY_EDGES * edge_mm;

@@ -15,7 +15,7 @@ use homolog_mesh::{ClosestPointIndex, SurfaceMesh};
 use homolog_methods::medial::{CenterLine, MedialOptions};
 use homolog_primitives::observe::checkpoint;
 use homolog_registration::alignment::OrientedPoints;
-use homolog_registration::{PoseSearchOptions, RigidTransform, absolute_orientation, pose_search};
+use homolog_registration::{PoseSearchOptions, RigidTransform, absolute_orientation_of, pose_search};
 use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
 
@@ -137,17 +137,18 @@ pub(super) fn straightened(
         return Ok(None);
     };
     let own = target.bent(&deformed.moved);
-    let rigid = |images: &[Point3<f64>]| {
+    // What is straightened keeps its handedness.
+    let rigid = |images: &[Point3<f64>], mirrored: bool| {
         let areas = vertex_areas(surfaces.source);
-        absolute_orientation(surfaces.source.vertices(), images, Some(&areas), true).ok()
+        absolute_orientation_of(surfaces.source.vertices(), images, Some(&areas), mirrored).ok()
     };
-    let Some(transform) = rigid(&own) else { return Ok(None) };
+    let Some(transform) = rigid(&own, deformed.transform.is_reflection()) else { return Ok(None) };
     let compared = compared
         .into_iter()
         .map(|compared| {
             let pose = &poses[compared.pose].pose;
             let moved: Vec<Point3<f64>> = source.straight.vertices().iter().map(|p| pose.apply(p)).collect();
-            let bent: RigidTransform = rigid(&target.bent(&moved)).unwrap_or(transform);
+            let bent: RigidTransform = rigid(&target.bent(&moved), pose.is_reflection()).unwrap_or(transform);
             ComparedPose { pose: usize::MAX, of_form: Some(bent), ..compared }
         })
         .collect();

@@ -9,6 +9,8 @@ use homolog_mesh::{CanonicalMesh, ClosestPointIndex, FaceArity, SurfaceMesh, can
 use homolog_primitives::observe::{Observer, Silent};
 use homolog_registration::{RigidTransform, absolute_orientation, principal_axis_poses};
 use nalgebra::{Point3, Rotation3, Vector3};
+use rand_core::{Rng, SeedableRng};
+use rand_xoshiro::Xoshiro256PlusPlus;
 
 /// The displacement of `source` fitted on all its vertices.
 fn displace(
@@ -144,6 +146,34 @@ fn a_rotated_start_and_the_pose_that_was_rotated_are_both_followed_and_one_answe
 }
 
 #[test]
+fn of_a_surface_that_is_round_but_for_noise_a_rotated_start_is_not_kept() {
+    let source = canonicalize(&ellipsoid(Vector3::new(18.0, 6.0, 6.0), 3));
+    let mut draws = Xoshiro256PlusPlus::seed_from_u64(5);
+    let mut uniform = || (draws.next_u64() >> 11) as f64 / (1u64 << 53) as f64;
+    let noisy = |p: &Point3<f64>| p + Vector3::from_fn(|_, _| uniform() - 0.5);
+    let target = source.mesh.with_vertices(source.mesh.vertices().iter().map(noisy).collect()).unwrap();
+    let mut gains = Vec::new();
+    for angle in [-0.6, -0.4, -0.2, 0.2, 0.4, 0.6] {
+        let about = *Rotation3::from_axis_angle(&Vector3::x_axis(), angle).matrix();
+        let rotated = RigidTransform { rotation: about, ..RigidTransform::identity() };
+        let starts =
+            [StartPose::of(RigidTransform::identity()), StartPose { rotation_of: Some(0), ..StartPose::of(rotated) }];
+        let alone = |start| {
+            let found = displace_from(&source.mesh, &target, &[start], &DisplacementOptions::default(), &Silent);
+            found.unwrap().unwrap().compared[0].misfit
+        };
+        gains.push(alone(StartPose::of(RigidTransform::identity())) - alone(StartPose::of(rotated)));
+        let found = displace_from(&source.mesh, &target, &starts, &DisplacementOptions::default(), &Silent);
+        let compared = found.unwrap().unwrap().compared;
+        assert_eq!(compared.iter().map(|start| start.pose).collect::<Vec<_>>(), [0], "{angle}: {compared:?}");
+    }
+    assert!(
+        gains.iter().any(|&gain| gain > 0.0),
+        "no rotation fits better than the pose, so this shows nothing: {gains:?}"
+    );
+}
+
+#[test]
 fn a_mirrored_copy_is_followed_from_a_mirroring_pose() {
     let mirror = RigidTransform {
         rotation: nalgebra::Matrix3::from_diagonal(&Vector3::new(-1.0, 1.0, 1.0)),
@@ -160,6 +190,28 @@ fn a_mirrored_copy_is_followed_from_a_mirroring_pose() {
     for (p, image) in source.mesh.vertices().iter().zip(&found.images) {
         assert!((pose.apply(p) - image.moved).norm() < 0.5 * edge);
     }
+}
+
+#[test]
+fn a_plate_that_bends_to_its_other_side_is_not_mirrored() {
+    let plate = ellipsoid(Vector3::new(18.0, 10.0, 1.5), 4);
+    let bent = |by: f64| {
+        let place = |p: &Point3<f64>| {
+            let u = p.x / 18.0;
+            // Its outline has no axis of symmetry, so no half turn lays one on the other.
+            let y = p.y * (1.0 + 0.5 * u) + 5.0 * u * u;
+            Point3::new(p.x, y, p.z + by * (u * u - 0.3))
+        };
+        canonicalize(&plate.with_vertices(plate.vertices().iter().map(place).collect()).unwrap())
+    };
+    let (source, target) = (bent(4.0), bent(-4.0));
+    let pose = RigidTransform::identity();
+    let found =
+        displace(&source.mesh, &target.mesh, &[pose], &DisplacementOptions::default(), &Silent).unwrap().unwrap();
+    let moved: Vec<Point3<f64>> = found.images.iter().map(|image| image.moved).collect();
+    let either = absolute_orientation(source.mesh.vertices(), &moved, None, true).unwrap();
+    assert!(either.is_reflection(), "the plate did not follow");
+    assert!(!found.transform.is_reflection() && found.transform.angle_to(&pose) < 0.2, "{:?}", found.transform);
 }
 
 #[test]

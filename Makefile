@@ -105,7 +105,7 @@ advisories:
 
 contract:
 	@scripts/setup test
-	@HOMOLOG_EXAMPLES=$(EXAMPLES) CARGO="$(CARGO)" scripts/test contract
+	@CONTRACT_EXAMPLES=$(EXAMPLES) CARGO="$(CARGO)" scripts/test contract
 
 api:
 	@scripts/setup build

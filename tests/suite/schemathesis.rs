@@ -12,7 +12,7 @@ on_both!(needs "needs schemathesis": every_answer_is_one_of_the_document);
 
 async fn every_answer_is_one_of_the_document(backend: Backend) {
     let tool = Path::new(env!("CARGO_MANIFEST_DIR")).join("target/tools/schemathesis/bin/schemathesis");
-    let examples = std::env::var("HOMOLOG_EXAMPLES").unwrap_or_else(|_| "3".to_owned());
+    let examples = std::env::var("CONTRACT_EXAMPLES").unwrap_or_else(|_| "3".to_owned());
     let site = Site::open(backend);
     let mut program = site.program(&["--workers", "1", "--log", "error"]);
     let mut command = Command::new(tool);

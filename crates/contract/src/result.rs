@@ -192,7 +192,7 @@ pub struct ReliabilityDocument {
     pub other_handedness_misfit: Option<f64>,
     /// Correlation of the mean curvatures of corresponding points, in `[−1, 1]`.
     pub curvature_agreement: f64,
-    /// Mean cosine between the normals of corresponding points.
+    /// Mean cosine between the normals of corresponding points, over the area of the source.
     pub normal_agreement: f64,
     /// How far the deformation is from one that keeps angles: the mean over the area of the source of the logarithm of how many
     /// times longer than wide a small circle becomes. 0 for similarities; about 0.2 for two subjects. Absent in results of

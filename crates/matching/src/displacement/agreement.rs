@@ -11,7 +11,7 @@ use rayon::prelude::*;
 pub(crate) struct Agreement {
     /// Correlation of the mean curvatures at the largest scale, in `[−1, 1]`.
     pub curvature: f64,
-    /// Mean cosine between the normals.
+    /// Mean cosine between the normals over the area of the source, however densely a part of it is sampled.
     pub normals: f64,
 }
 
@@ -46,9 +46,13 @@ impl Displacement<'_> {
             Ok(mesh) => mesh.vertex_normals(),
             Err(_) => self.source.normals.clone(),
         };
-        let cosines = corresponding().map(|(i, at)| at.blend(|k| self.target.normals[k].dot(&normals[i])));
+        let (mut cosines, mut area) = (0.0, 0.0);
+        for (i, at) in corresponding() {
+            cosines += self.source.areas[i] * at.blend(|k| self.target.normals[k].dot(&normals[i]));
+            area += self.source.areas[i];
+        }
         // All faces of a mirrored surface are oriented inwards.
-        let mean = cosines.sum::<f64>() / pairs.len().max(1) as f64;
+        let mean = if area > 0.0 { cosines / area } else { 0.0 };
         Agreement { curvature: correlation(&pairs), normals: mean.abs() }
     }
 }

@@ -215,6 +215,38 @@ fn a_plate_that_bends_to_its_other_side_is_not_mirrored() {
 }
 
 #[test]
+fn a_densely_sampled_end_counts_by_its_area_in_the_agreement_of_normals() {
+    let bean = lopsided_bean();
+    let mut draws = Xoshiro256PlusPlus::seed_from_u64(7);
+    let mut uniform = || (draws.next_u64() >> 11) as f64 / (1u64 << 53) as f64;
+    let mut rough = |p: &Point3<f64>| if p.x > 13.0 { p + Vector3::from_fn(|_, _| 3.0 * uniform() - 1.5) } else { *p };
+    let target = canonicalize(&bean.with_vertices(bean.vertices().iter().map(&mut rough).collect()).unwrap());
+    // The same surface with four of five vertices at the end that is rough on the target.
+    let (mut vertices, mut faces) = (bean.vertices().to_vec(), bean.indices().to_vec());
+    for _ in 0..3 {
+        for face in faces.chunks_exact(3).map(<[u32]>::to_vec).collect::<Vec<_>>() {
+            let corners = [0, 1, 2].map(|k| vertices[face[k] as usize]);
+            let middle = Point3::from(corners.iter().map(|p| p.coords).sum::<Vector3<f64>>() / 3.0);
+            if middle.x < 13.0 {
+                continue;
+            }
+            let (at, new) = (faces.chunks_exact(3).position(|other| other == face).unwrap(), vertices.len() as u32);
+            vertices.push(middle);
+            faces[3 * at + 2] = new;
+            faces.extend([face[1], face[2], new, face[2], face[0], new]);
+        }
+    }
+    let dense = SurfaceMesh::new(vertices, FaceArity::Triangle, faces).unwrap();
+    let normals = |source: &SurfaceMesh| {
+        let (source, pose) = (canonicalize(source), RigidTransform::identity());
+        let found = displace(&source.mesh, &target.mesh, &[pose], &DisplacementOptions::default(), &Silent);
+        found.unwrap().unwrap().agreement.normals
+    };
+    let (even, uneven) = (normals(&bean), normals(&dense));
+    assert!(even < 0.98 && (even - uneven).abs() < 0.01, "{even} {uneven}");
+}
+
+#[test]
 fn renumbering_permutes_the_images_and_threads_change_nothing() {
     let (source, target, _) = pair(warped);
     let n = source.mesh.n_vertices();

@@ -43,19 +43,17 @@ pub(crate) struct Upload {
     pub bytes: Vec<u8>,
 }
 
-impl Upload {
-    fn ply(bytes: Vec<u8>) -> Self {
-        Self { name: "s.ply".to_owned(), bytes }
-    }
-}
-
 /// A template and subjects of about `n_vertices` each: phantoms, or the files of the folder that
 /// `SERVICE_BENCH_SUBJECTS` names in the order of their names, of which the first is the template.
 pub(crate) fn template_and_subjects(n_subjects: usize, n_vertices: usize) -> (Upload, Vec<Upload>) {
     let Ok(folder) = std::env::var("SERVICE_BENCH_SUBJECTS") else {
-        let template = subject(0, n_vertices).into_iter().next_back().unwrap();
-        let subjects = (0..n_subjects as u64).map(|number| subject(number, n_vertices).into_iter().next().unwrap());
-        return (Upload::ply(template), subjects.map(Upload::ply).collect());
+        let phantom = |bytes| Upload { name: "phantom.ply".to_owned(), bytes };
+        let [_, template] = subject(0, n_vertices);
+        let subjects = (0..n_subjects as u64).map(|number| {
+            let [source, _] = subject(number, n_vertices);
+            phantom(source)
+        });
+        return (phantom(template), subjects.collect());
     };
     let mut paths: Vec<_> = std::fs::read_dir(&folder).unwrap().map(|entry| entry.unwrap().path()).collect();
     paths.sort();

@@ -125,14 +125,13 @@ fn refined(scene: &Scene<'_>, start: &RigidTransform) -> Result<RigidTransform, 
 
 #[cfg(test)]
 mod tests {
+    use crate::testing::numbers;
     use crate::tests::{bean, motion};
     use crate::{MatchOutcome, match_surfaces};
     use homolog_contract::parameters::resolve;
     use homolog_mesh::SurfaceMesh;
     use homolog_primitives::observe::Silent;
     use nalgebra::{Matrix3, Vector3};
-    use rand_core::{Rng, SeedableRng};
-    use rand_xoshiro::Xoshiro256PlusPlus;
     use serde_json::json;
 
     fn register(source: &SurfaceMesh, target: &SurfaceMesh, registration: serde_json::Value) -> MatchOutcome {
@@ -159,8 +158,7 @@ mod tests {
     fn the_pose_is_found_under_noise_of_two_percent_on_every_vertex() {
         let target = bean().transformed(&motion());
         let (low, high) = target.bounding_box();
-        let mut random = Xoshiro256PlusPlus::seed_from_u64(5);
-        let mut uniform = || (random.next_u64() >> 11) as f64 / (1u64 << 53) as f64;
+        let mut uniform = numbers(5);
         let mut normal = || (0..12).map(|_| uniform()).sum::<f64>() - 6.0;
         let size = 0.02 * (high - low).norm();
         let noisy = target.vertices().iter().map(|p| p + Vector3::from_fn(|_, _| size * normal())).collect();

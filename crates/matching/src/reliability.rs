@@ -27,7 +27,7 @@ const WEIGHT_OF_ENERGY: f64 = 0.3;
 const NEUTRAL_ENERGY: f64 = 5.2;
 const MAX_GAIN_OF_ENERGY: f64 = 0.2;
 /// Mean cosine between normals below which surfaces may show different structures. Right answers on realistic people in two poses,
-/// whose fingers and toes are no thicker than the surface is sampled, have 0.83 and more, with noise or a hole 0.81 (110 answers).
+/// whose fingers and toes are no thicker than the surface is sampled, have 0.83 and more, with noise or a hole 0.81 (104 answers).
 const MIN_NORMAL_AGREEMENT: f64 = 0.8;
 /// They do not if the deformation distorts less than this: the closest points of thin walls are often on their other side. Skulls have
 /// normal agreements of 0.55 to 0.62 at distortions of 0.07 and less, femurs matched with vertebrae 0.53 to 0.71 at 0.87 and more.

@@ -16,8 +16,8 @@ pub(crate) struct Agreement {
 }
 
 /// Agreement below which another start is tried. Its field is softer: tried for pairs of hippocampi too (0.72 and 0.9), it changed
-/// a quarter of their answers, and labels agreed on 0.964 of the vertices instead of 0.966 (30 pairs). Pairs of hippocampi have 0.61 and 0.89 or more, copies and smooth warps more;
-/// bodies in two poses from a rigid start 0.56 to 0.82 between normals.
+/// a quarter of their answers, and labels agreed on 0.964 of the vertices instead of 0.966 (30 pairs). In their answers pairs of hippocampi have 0.78 and 0.95 or more (30 pairs), copies and smooth warps more;
+/// bodies in two poses from a rigid start 0.35 and 0.59 or more (80 pairs): those that agree have limbs, and are tried in any case.
 const DOUBTFUL_CURVATURE: f64 = 0.6;
 const DOUBTFUL_NORMALS: f64 = 0.87;
 

@@ -106,10 +106,9 @@ fn within(radius: f64, offset: f64, scale: f64, radii: &[f64; RADII]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::testing::numbers;
     use homolog_mesh::shapes::ellipsoid;
     use nalgebra::Vector3;
-    use rand_core::{Rng, SeedableRng};
-    use rand_xoshiro::Xoshiro256PlusPlus;
 
     /// An error in a plane that is normal with variances drawn from the inverse gamma distribution whose mixture
     /// is Student's t with this scale.
@@ -122,8 +121,7 @@ mod tests {
 
     #[test]
     fn the_probability_is_that_of_normal_errors_of_uncertain_variance() {
-        let mut generator = Xoshiro256PlusPlus::seed_from_u64(5);
-        let mut number = || (generator.next_u64() >> 11) as f64 / (1u64 << 53) as f64;
+        let mut number = numbers(5);
         let radii = equally_probable_radii();
         let probability = |radius: f64, offset: f64, scale: f64| within(radius, offset, scale, &radii);
         for (offset, scale) in [(0.0, 0.2f64), (0.0, 0.5), (0.4, 0.5), (0.3, 1.0), (0.7, 0.3)] {

@@ -4,13 +4,12 @@ use super::{DisplacementAnswer, DisplacementOptions, StartPose, Surfaces};
 use crate::MatchError;
 use crate::lengths::Lengths;
 use crate::side::Side;
+use crate::testing::numbers;
 use homolog_mesh::shapes::ellipsoid;
 use homolog_mesh::{CanonicalMesh, ClosestPointIndex, FaceArity, SurfaceMesh, canonicalize};
 use homolog_primitives::observe::{Observer, Silent};
 use homolog_registration::{RigidTransform, absolute_orientation, principal_axis_poses};
 use nalgebra::{Point3, Rotation3, Vector3};
-use rand_core::{Rng, SeedableRng};
-use rand_xoshiro::Xoshiro256PlusPlus;
 
 /// The displacement of `source` fitted on all its vertices.
 fn displace(
@@ -148,8 +147,7 @@ fn a_rotated_start_and_the_pose_that_was_rotated_are_both_followed_and_one_answe
 #[test]
 fn of_a_surface_that_is_round_but_for_noise_a_rotated_start_is_not_kept() {
     let source = canonicalize(&ellipsoid(Vector3::new(18.0, 6.0, 6.0), 3));
-    let mut draws = Xoshiro256PlusPlus::seed_from_u64(5);
-    let mut uniform = || (draws.next_u64() >> 11) as f64 / (1u64 << 53) as f64;
+    let mut uniform = numbers(5);
     let noisy = |p: &Point3<f64>| p + Vector3::from_fn(|_, _| uniform() - 0.5);
     let target = source.mesh.with_vertices(source.mesh.vertices().iter().map(noisy).collect()).unwrap();
     let mut gains = Vec::new();
@@ -217,23 +215,22 @@ fn a_plate_that_bends_to_its_other_side_is_not_mirrored() {
 #[test]
 fn a_densely_sampled_end_counts_by_its_area_in_the_agreement_of_normals() {
     let bean = lopsided_bean();
-    let mut draws = Xoshiro256PlusPlus::seed_from_u64(7);
-    let mut uniform = || (draws.next_u64() >> 11) as f64 / (1u64 << 53) as f64;
+    let mut uniform = numbers(7);
     let mut rough = |p: &Point3<f64>| if p.x > 13.0 { p + Vector3::from_fn(|_, _| 3.0 * uniform() - 1.5) } else { *p };
     let target = canonicalize(&bean.with_vertices(bean.vertices().iter().map(&mut rough).collect()).unwrap());
     // The same surface with four of five vertices at the end that is rough on the target.
     let (mut vertices, mut faces) = (bean.vertices().to_vec(), bean.indices().to_vec());
     for _ in 0..3 {
-        for face in faces.chunks_exact(3).map(<[u32]>::to_vec).collect::<Vec<_>>() {
-            let corners = [0, 1, 2].map(|k| vertices[face[k] as usize]);
-            let middle = Point3::from(corners.iter().map(|p| p.coords).sum::<Vector3<f64>>() / 3.0);
-            if middle.x < 13.0 {
-                continue;
+        for at in (0..faces.len()).step_by(3) {
+            let [a, b, c] = [0, 1, 2].map(|k| faces[at + k]);
+            let sum: Vector3<f64> = [a, b, c].iter().map(|&k| vertices[k as usize].coords).sum();
+            let middle = Point3::from(sum / 3.0);
+            if middle.x >= 13.0 {
+                let new = vertices.len() as u32;
+                vertices.push(middle);
+                faces[at + 2] = new;
+                faces.extend([b, c, new, c, a, new]);
             }
-            let (at, new) = (faces.chunks_exact(3).position(|other| other == face).unwrap(), vertices.len() as u32);
-            vertices.push(middle);
-            faces[3 * at + 2] = new;
-            faces.extend([face[1], face[2], new, face[2], face[0], new]);
         }
     }
     let dense = SurfaceMesh::new(vertices, FaceArity::Triangle, faces).unwrap();

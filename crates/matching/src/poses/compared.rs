@@ -1,0 +1,69 @@
+//! Starts of a displacement field, and what is known of them after they were compared.
+
+use crate::starts::start_pose::StartPose;
+use homolog_registration::RigidTransform;
+
+/// Where a start comes from.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Origin {
+    /// A rigid pose, by its index among those that were compared.
+    Pose(usize),
+    /// A correspondence of least energy of near isometries.
+    Isometry {
+        /// Its rigid part.
+        pose: RigidTransform,
+        /// The energy, a mean over the variables.
+        mean_energy: f64,
+    },
+    /// A pose of straightened surfaces; this is the rigid part of what it does to the surfaces themselves.
+    Straightened(RigidTransform),
+}
+
+impl Origin {
+    /// The rigid part of the start, one of `poses` if it is not that of a bent surface.
+    pub(crate) fn rigid(&self, poses: &[StartPose]) -> RigidTransform {
+        match self {
+            Origin::Pose(k) => poses[*k].pose,
+            Origin::Isometry { pose, .. } | Origin::Straightened(pose) => *pose,
+        }
+    }
+
+    /// Whether the start is one of the rigid poses.
+    pub(crate) fn is_pose(&self) -> bool {
+        matches!(self, Origin::Pose(_))
+    }
+
+    /// The same start in the other direction.
+    pub(crate) fn inverse(self) -> Origin {
+        match self {
+            Origin::Pose(k) => Origin::Pose(k),
+            Origin::Isometry { pose, mean_energy } => Origin::Isometry { pose: pose.inverse(), mean_energy },
+            Origin::Straightened(pose) => Origin::Straightened(pose.inverse()),
+        }
+    }
+}
+
+/// The first stage's verdict on one start.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct ComparedPose {
+    pub origin: Origin,
+    /// Whether it mirrors.
+    pub mirrored: bool,
+    /// Misfit after the deformation: mean of `−ln` of the likelihood of the other surface at each point. Lower is better.
+    pub misfit: f64,
+    /// What is known of it beyond this misfit.
+    pub finer: Finer,
+}
+
+/// What a closer look at a start says than the misfit of the first stage.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Finer {
+    /// There was none: the misfit of the first stage has to tell.
+    None,
+    /// It ended where a better one did, in the first stage.
+    Same,
+    /// The energy of near isometries, or the misfit at the scale of the sampling, has decided against it.
+    Outdone,
+    /// It went through all stages, and ends elsewhere with as low a misfit at the scale of the sampling.
+    AsGood,
+}

@@ -9,7 +9,9 @@
 
 mod counting;
 pub(crate) mod images;
+mod inferred;
 pub(crate) mod pose;
+
 mod resized;
 
 use self::images::displaced;

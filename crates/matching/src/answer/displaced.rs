@@ -1,5 +1,6 @@
 //! An image on the target for every source vertex.
 
+use crate::energy::inference::InferenceOutcome;
 use crate::surface::levels::Levels;
 use homolog_contract::result::{PoseDocument, ReliabilityDocument};
 use homolog_mesh::ClosestPoint;
@@ -22,6 +23,8 @@ pub(crate) struct Displaced {
     pub images: Images,
     /// Whether the source was scaled to the area of the target.
     pub resized: bool,
+    /// What the energy of near isometries says of this answer, where it was minimized.
+    pub inference: Option<InferenceOutcome>,
 }
 
 impl Displaced {

@@ -37,6 +37,7 @@ pub(crate) fn answered(
             reliability: Some(reliability),
         }),
         resized: false,
+        inference: None,
     }
 }
 

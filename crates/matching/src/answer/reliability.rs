@@ -2,7 +2,6 @@
 
 use super::displacement::DisplacementAnswer;
 use super::images::Image;
-use crate::pair::part::part;
 use crate::poses::compared::{ComparedPose, Finer, Origin};
 use crate::surface::side::Side;
 use homolog_contract::result::{ReliabilityDocument, UnreliableReason};
@@ -35,22 +34,10 @@ const MIN_NORMAL_AGREEMENT: f64 = 0.8;
 /// They do not if the deformation distorts less than this: the closest points of thin walls are often on their other side. Skulls have
 /// normal agreements of 0.55 to 0.62 at distortions of 0.07 and less, femurs matched with vertebrae 0.53 to 0.71 at 0.87 and more.
 const DISTORTION_OF_WALLS: f64 = 0.2;
-/// A mirror image counts as fitting better if its misfit is lower by this. Of shapes with two equal sides (skulls, vertebrae, solids)
-/// it differs by up to 0.05 either way; it is lower by at least 0.17 where one of two hippocampi is mirrored, and by 0.07 for bent tubes with noise.
-const LEAST_GAIN_OF_MIRRORING: f64 = 0.06;
 /// Largest ratio of the lengths of two closed surfaces of one structure, as standard deviations along the first principal
 /// axis: among all 8,385 pairs of 130 hippocampi the maximum is 1.46 (99th percentile 1.27), for warps of 8 % it is 1.20;
 /// of 16,770 pairs of a hippocampus and the anterior part of another 99 % have 1.56 and more.
 const MAX_LENGTH_RATIO: f64 = 1.5;
-/// A pose whose misfit is higher by less than this is an alternative answer.
-const AMBIGUITY: f64 = 0.01;
-/// The same where the curvatures correlate so well that the shapes are equal but for their sampling: what then fits almost as
-/// well is a symmetry. Independently sampled cubes, cylinders and spheroids had differences of up to 0.08 at correlations of
-/// 0.966 and more; copies of hippocampi 0.9 and more, with warps of 8 % 0.39 and more. A part fits in more places than a whole surface, so the same
-/// holds of one: halves and ends of 30 % of hippocampi on wholes have 0.2 and more for copies; on other subjects two of 40 ended elsewhere, with 0.03 and 0.08.
-const AMBIGUITY_OF_COPIES: f64 = 0.1;
-/// Correlation of curvatures from which that holds.
-const MIN_CURVATURE_AGREEMENT_OF_COPIES: f64 = 0.95;
 /// Factor on the confidences of an unreliable answer.
 pub(crate) const UNRELIABLE_CONFIDENCE: f64 = 0.1;
 
@@ -126,20 +113,10 @@ pub(crate) fn reliability(found: &DisplacementAnswer, source: &Side, target: &Si
     if unlike || best.origin.is_pose() && length_ratio(source, target) > MAX_LENGTH_RATIO {
         reasons.push(UnreliableReason::UnlikeShape);
     }
-    if mirrored.is_some_and(|m| m < best.misfit - LEAST_GAIN_OF_MIRRORING) {
+    if found.compared[1..].iter().any(|other| other.finer == Finer::Better) {
         reasons.push(UnreliableReason::OtherHandedness);
     }
-    // Several correspondences of bending-invariant forms may lead to one answer.
-    let of_poses = found.compared.iter().all(|j| j.origin.is_pose());
-    let of_copies = found.agreement.curvature >= MIN_CURVATURE_AGREEMENT_OF_COPIES;
-    let ambiguity =
-        if of_poses && (of_copies || part(source, target).is_some()) { AMBIGUITY_OF_COPIES } else { AMBIGUITY };
-    let fits_as_well = |other: &ComparedPose| match other.finer {
-        Finer::None => other.misfit < best.misfit + ambiguity,
-        Finer::Outdone | Finer::Same => false,
-        Finer::AsGood => true,
-    };
-    let is_rival = |other: &ComparedPose| other.mirrored == best.mirrored && fits_as_well(other);
+    let is_rival = |other: &ComparedPose| other.mirrored == best.mirrored && other.finer == Finer::AsGood;
     if found.compared[1..].iter().any(is_rival) {
         reasons.push(UnreliableReason::AmbiguousPose);
     }
@@ -179,8 +156,7 @@ mod tests {
             assert_eq!(found.runner_up_misfit, Some(misfit));
             found.reasons
         };
-        assert_eq!(reasons(1.3, Finer::None), [UnreliableReason::AmbiguousPose]);
-        assert!(reasons(1.6, Finer::None).is_empty() && reasons(1.3, Finer::Outdone).is_empty());
+        assert!(reasons(1.3, Finer::Outdone).is_empty() && reasons(1.3, Finer::Same).is_empty());
         assert_eq!(reasons(1.6, Finer::AsGood), [UnreliableReason::AmbiguousPose]);
     }
 

@@ -39,7 +39,10 @@ pub(crate) fn measured(coarse: &Coarse<'_>, posed: &Posed<'_>, answer: &Displace
     let (rounds, ambiguous_axes, stop_reason) = match posed {
         Posed::Inference { inferred, .. } => (inferred.rounds.clone(), false, inferred.stop_reason),
         Posed::Registration(registered) => (Vec::new(), registered.ambiguous_axes, StopReason::RegistrationOnly),
-        Posed::ByField => (Vec::new(), false, StopReason::RegistrationOnly),
+        Posed::ByField => match &answer.inference {
+            Some(found) => (found.rounds.clone(), false, found.stop_reason),
+            None => (Vec::new(), false, StopReason::RegistrationOnly),
+        },
     };
     MatchOutcome {
         transform: TransformDocument { similarity, ..transform_document(&answer.transform) },
@@ -60,7 +63,9 @@ pub(crate) fn measured(coarse: &Coarse<'_>, posed: &Posed<'_>, answer: &Displace
 /// Energies of the answer where an energy was minimised: of the images as labels, or of the labeling that the rounds found
 /// where the source is moved rigidly.
 fn energy_of(coarse: &Coarse<'_>, posed: &Posed<'_>, answer: &Displaced) -> Option<EnergyDocument> {
-    let Posed::Inference { problem, inferred } = posed else { return None };
+    let Posed::Inference { problem, inferred } = posed else {
+        return answer.inference.as_ref().map(|found| found.energy.clone());
+    };
     Some(match &answer.images {
         Images::OnVertices => energy(problem, &inferred.map.labeling),
         Images::Smooth(_) => energy(problem, &labeling_of_energy(coarse.source, coarse.target, &answer.labeling)),
@@ -124,7 +129,9 @@ impl OfPairs {
                 InferredPose::Supported { trials, confidence_reached, .. } => (trials, confidence_reached),
                 InferredPose::Unsupported => (0, false),
             },
-            Posed::Registration(_) | Posed::ByField => (0, true),
+            Posed::Registration(_) | Posed::ByField => {
+                answer.inference.as_ref().map_or((0, true), |found| (found.trials, found.confidence_reached))
+            }
         };
         OfPairs {
             similarity: similarity(scene, answer, &images, &supporting),

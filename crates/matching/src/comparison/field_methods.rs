@@ -158,5 +158,6 @@ fn answered(
             reliability: None,
         }),
         resized: false,
+        inference: None,
     }
 }

@@ -74,7 +74,7 @@ impl<'a> Isometry<'a> {
         let model = MetricModel::new(
             distances,
             unary_potentials(&a, &b, &settings),
-            edges(&places, n, &settings),
+            edges(places.vertices.len(), |i, j| places.distance(i, j), n, &settings),
             settings.truncation,
         );
         Isometry {
@@ -94,19 +94,22 @@ impl<'a> Isometry<'a> {
     }
 }
 
-/// Edges between `places` of the source, for `n_labels` labels.
-fn edges(places: &Places, n_labels: usize, settings: &IsometrySettings) -> Vec<MetricEdge> {
-    let n = places.vertices.len();
+/// Edges between `n` variables that lie so far apart on the source, for `n_labels` labels.
+pub(crate) fn edges(
+    n: usize,
+    distance: impl Fn(usize, usize) -> f64,
+    n_labels: usize,
+    settings: &IsometrySettings,
+) -> Vec<MetricEdge> {
     // Lengths in roots of the area: an area of 1.
     let spacing = 1.0 / (n as f64).sqrt();
     let edge = |i: usize, j: usize| {
-        let length = places.distance(i, j);
+        let length = distance(i, j);
         let weight = 0.5 * settings.pair_weight / variance_of_distance(length, n_labels, settings);
         MetricEdge { ends: [i as u32, j as u32], length: length as f32, weight: weight as f32 }
     };
-    let near = (0..n)
-        .flat_map(|i| (0..i).map(move |j| (i, j)))
-        .filter(|&(i, j)| places.distance(i, j) < settings.near * spacing);
+    let near =
+        (0..n).flat_map(|i| (0..i).map(move |j| (i, j))).filter(|&(i, j)| distance(i, j) < settings.near * spacing);
     // Farthest-point order leaves no trace of where a variable is, so any step leads far away.
     let far = (0..n).flat_map(|i| settings.far_steps.map(|step| (i, (i + step) % n))).filter(|(i, j)| i != j);
     near.chain(far).map(|(i, j)| edge(i, j)).collect()

@@ -41,6 +41,7 @@ impl Base {
 }
 
 /// A field over its base, and the precisions of the features that were estimated with it.
+#[derive(Clone)]
 pub(crate) struct State {
     pub base: Base,
     pub field: FittedField,

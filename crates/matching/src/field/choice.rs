@@ -3,6 +3,7 @@
 use super::base::{Base, State};
 use super::coarse::{coarse_from, screening};
 use super::displacement::Displacement;
+use super::rivals::{Candidate, Chosen, decided};
 use crate::error::MatchError;
 use crate::pair::assignment::displaced;
 use crate::poses::compared::{ComparedPose, Finer, Origin};
@@ -21,15 +22,6 @@ const FOLLOWED: usize = 2;
 /// nearly round copies with noise it was lower by up to 0.006 by chance, and answers were off by 10° to 15°; of 13 beans with warps of 8 %
 /// for which a rotation was followed it was lower by 0.007 to 0.036 in ten.
 const LEAST_GAIN_OF_ROTATION: f64 = 0.01;
-
-/// The pose that the displacement goes on from.
-pub(crate) struct Chosen {
-    pub pose: RigidTransform,
-    /// The field of the first stage over it.
-    pub state: State,
-    /// The starts that were compared, the chosen one first.
-    pub compared: Vec<ComparedPose>,
-}
 
 /// A pose that was followed through the first stage.
 struct Followed {
@@ -85,8 +77,7 @@ pub(crate) fn chosen(
             Ok(coarse_from(displacement, &Base::rigid(poses[pose].pose), &source, &target, &values, schedule))
         })
         .collect::<Result<_, MatchError>>()?;
-    let mut best: Option<State> = None;
-    let mut compared: Vec<Followed> = Vec::new();
+    let mut compared: Vec<(Followed, State)> = Vec::new();
     for (&index, found) in followed.iter().zip(found) {
         let Some((misfit, state)) = found else { return Ok(None) };
         let pose = poses[index];
@@ -97,19 +88,17 @@ pub(crate) fn chosen(
             absolute_orientation_of(&source.points, &moved, weights, mirrored).unwrap_or(pose.pose)
         });
         let may_answer = may_answer(&pose.pose);
-        if may_answer && compared.iter().all(|other| misfit < other.misfit || !other.may_answer) {
-            best = Some(state);
-        }
-        compared.push(Followed { index, pose, misfit, may_answer, end, is_reached: false });
+        compared.push((Followed { index, pose, misfit, may_answer, end, is_reached: false }, state));
     }
-    compared.sort_by(|a, b| {
+    compared.sort_by(|(a, _), (b, _)| {
         (!a.may_answer).cmp(&!b.may_answer).then(a.misfit.total_cmp(&b.misfit)).then(a.index.cmp(&b.index))
     });
     // A start and its rotation are one pose, of which the better is kept.
-    let mut kept: Vec<Followed> = Vec::with_capacity(compared.len());
-    for start in compared {
+    let (mut kept, mut states): (Vec<Followed>, Vec<State>) = (Vec::new(), Vec::new());
+    for (start, state) in compared {
         if !kept.iter().any(|better| better.is_rotation_of(&start) || start.is_rotation_of(better)) {
             kept.push(start);
+            states.push(state);
         }
     }
     for k in 1..kept.len() {
@@ -121,11 +110,15 @@ pub(crate) fn chosen(
         };
         other.is_reached = better.iter().any(is_reached);
     }
-    Ok(best.map(|state| Chosen {
-        pose: kept[0].pose.pose,
-        state,
-        compared: kept.iter().map(Followed::compared).collect(),
-    }))
+    if !kept.first().is_some_and(|best| best.may_answer) {
+        return Ok(None);
+    }
+    let candidates = kept
+        .iter()
+        .zip(states)
+        .map(|(start, state)| Candidate { compared: start.compared(), pose: start.pose.pose, state })
+        .collect();
+    decided(displacement, candidates)
 }
 
 /// The poses to follow, after a few steps on few vertices from each: the best of each handedness, and of a rotation the pose that

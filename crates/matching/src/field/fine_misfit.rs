@@ -8,9 +8,9 @@ use nalgebra::Point3;
 
 /// Width of the assignment by which the ends of two attempts are compared, in roots of the area: that of the sampling of a
 /// surface of about two thousand vertices.
-const COMPARISON_SCALE: f64 = 0.02;
+pub(crate) const COMPARISON_SCALE: f64 = 0.02;
 /// Vertices of the source that are compared.
-const COMPARISON_SAMPLES: usize = 1200;
+pub(crate) const COMPARISON_SAMPLES: usize = 1200;
 
 /// Misfit at the scale of the sampling of the source with its vertices at `moved`, by a pose that may have mirrored it: mean
 /// of `−ln` of the likelihood of the other surface at each point; lower is better.

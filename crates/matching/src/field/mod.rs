@@ -19,6 +19,7 @@ pub(crate) mod local;
 pub(crate) mod options;
 pub(crate) mod refine;
 pub(crate) mod reverse;
+pub(crate) mod rivals;
 pub(crate) mod roundness;
 pub(crate) mod route;
 pub(crate) mod schedule;

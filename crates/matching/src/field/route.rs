@@ -32,7 +32,7 @@
 //! from the tangent plane).
 
 use super::agreement::agreement;
-use super::choice::{Chosen, chosen};
+use super::choice::chosen;
 use super::deformed::Deformed;
 use super::displacement::Displacement;
 use super::fine::fine;
@@ -45,11 +45,12 @@ use super::isometry::{OverForm, bent_starts, best_of_lowest, lowest_energies, re
 use super::options::DisplacementOptions;
 use super::refine::refined_from;
 use super::reverse::{ReverseFit, TWO_SUBJECTS, reverse_fit};
+use super::rivals::Chosen;
 use super::straightened::bent_back;
 use super::trace::FitTrace;
 use crate::error::MatchError;
 use crate::pair::role::Role;
-use crate::pair::smooth_pair::smooth_pair;
+use crate::pair::smooth_pair::SmoothPair;
 use crate::pair::surfaces::{Surfaces, diagonal_mm, differ_in_spread, swapped};
 use crate::poses::compared::{ComparedPose, Finer};
 use crate::poses::rigid_part::RigidPart;
@@ -111,6 +112,7 @@ struct Request<'a> {
 /// that for two subjects.
 pub(crate) fn displace(
     surfaces: &Surfaces<'_>,
+    prepared: SmoothPair,
     poses: &[StartPose],
     allow_reflection: bool,
     options: &DisplacementOptions,
@@ -119,18 +121,24 @@ pub(crate) fn displace(
     let observer = FitTrace::new(observer);
     let request = Request { allow_reflection, options, observer: &observer };
     match surfaces.part {
-        Some(Role::Target) => from_part(surfaces, poses, request),
-        Some(Role::Source) | None => from_source(surfaces, poses, request),
+        Some(Role::Target) => from_part(surfaces, prepared, poses, request),
+        Some(Role::Source) | None => from_source(surfaces, prepared, poses, request),
     }
 }
 
 /// [`from_source`] for a target that is a part of the source: the part is deformed onto the whole, of which a field would have to press
 /// the rest into the part, and the answer is the inverse map.
-fn from_part(surfaces: &Surfaces<'_>, poses: &[StartPose], request: Request<'_>) -> Result<Option<Fitted>, MatchError> {
+fn from_part(
+    surfaces: &Surfaces<'_>,
+    (source, target): SmoothPair,
+    poses: &[StartPose],
+    request: Request<'_>,
+) -> Result<Option<Fitted>, MatchError> {
     let landmarks: Vec<Landmark> = surfaces.landmarks.iter().map(swapped).collect();
     let form_of = |role: Role| (surfaces.form_of)(role.other());
     let poses: Vec<StartPose> = poses.iter().map(|start| StartPose { pose: start.pose.inverse(), ..*start }).collect();
-    let Some(found) = from_source(&surfaces.swapped(&landmarks, &form_of), &poses, request)? else { return Ok(None) };
+    let swapped = surfaces.swapped(&landmarks, &form_of);
+    let Some(found) = from_source(&swapped, (target, source), &poses, request)? else { return Ok(None) };
     let inverse = |start: ComparedPose| ComparedPose { origin: start.origin.inverse(), ..start };
     let compared = found.compared.into_iter().map(inverse).collect();
     let deformed = found.deformed.inverse(surfaces.full_target, surfaces.full_source);
@@ -141,10 +149,11 @@ fn from_part(surfaces: &Surfaces<'_>, poses: &[StartPose], request: Request<'_>)
 /// the answer for straightened tubes, that from a near isometry, the fit in this direction.
 fn from_source(
     surfaces: &Surfaces<'_>,
+    prepared: SmoothPair,
     poses: &[StartPose],
     request: Request<'_>,
 ) -> Result<Option<Fitted>, MatchError> {
-    let Some(forward) = prepared(surfaces, request)? else { return Ok(None) };
+    let Some(forward) = shared(surfaces, prepared, request)? else { return Ok(None) };
     let may_answer = |pose: &RigidTransform| request.allow_reflection || !pose.is_reflection();
     let Some(Chosen { pose, state, mut compared }) = chosen(&forward, poses, may_answer)? else { return Ok(None) };
     let mut reverse = reverse_of_subjects(surfaces, &forward, &pose)?;
@@ -195,9 +204,12 @@ fn from_source(
 }
 
 /// What the stages of the source onto the target share. `None` where a number is not finite.
-fn prepared<'a>(surfaces: &Surfaces<'_>, request: Request<'a>) -> Result<Option<Displacement<'a>>, MatchError> {
-    let Surfaces { source, target, landmarks, part, lengths, .. } = *surfaces;
-    let (smooth_source, smooth_target) = smooth_pair(source, target, lengths.root_mm, part == Some(Role::Source))?;
+fn shared<'a>(
+    surfaces: &Surfaces<'_>,
+    (smooth_source, smooth_target): SmoothPair,
+    request: Request<'a>,
+) -> Result<Option<Displacement<'a>>, MatchError> {
+    let Surfaces { source, landmarks, part, lengths, .. } = *surfaces;
     checkpoint(request.observer)?;
     let Some(functions) = Functions::over(source, &smooth_source, request.options) else { return Ok(None) };
     let guides = Guides::new(landmarks, &functions, lengths.root_mm);
@@ -315,7 +327,8 @@ fn by_tubes(
     // A target that is a part has become the source.
     let poses = tubes.poses(surfaces.part.is_some());
     checkpoint(request.observer)?;
-    let Some(found) = from_source(&tubes.straight(surfaces), &poses, request)? else { return Ok(None) };
+    let straight = tubes.straight(surfaces);
+    let Some(found) = from_source(&straight, straight.smoothed()?, &poses, request)? else { return Ok(None) };
     let found = bent_back(surfaces, &tubes, found.deformed, found.compared, &poses);
     Ok(found.map(|(deformed, compared)| Fitted { deformed, compared }))
 }

@@ -1,5 +1,7 @@
 //! Both surfaces prepared for a displacement field, their curvature features on one scale.
 
+use super::role::Role;
+use super::surfaces::Surfaces;
 use crate::error::MatchError;
 use crate::surface::robust::{STD_OF_MAD, median};
 use crate::surface::smooth::{Flow, N_FEATURES, SmoothSurface};
@@ -17,6 +19,26 @@ const MAX_COARSENING: f64 = 4.0;
 /// Width of the rim of a part that counts less, in roots of the area: `σ` of the assignment in the coarse stage, 4 to 5 % of the diagonal.
 const RIM: f64 = 0.05;
 
+/// Two surfaces prepared for displacement, the source first.
+pub(crate) type SmoothPair = (Arc<SmoothSurface>, Arc<SmoothSurface>);
+
+impl Surfaces<'_> {
+    /// Both surfaces, prepared; a part counts less at its rim.
+    ///
+    /// # Errors
+    /// [`MatchError::ScaleSpace`].
+    pub(crate) fn smoothed(&self) -> Result<SmoothPair, MatchError> {
+        let Surfaces { source, target, lengths, part, .. } = *self;
+        match part {
+            // The part is what is deformed.
+            Some(Role::Target) => {
+                smooth_pair(target, source, lengths.root_mm, true).map(|(target, source)| (source, target))
+            }
+            _ => smooth_pair(source, target, lengths.root_mm, part == Some(Role::Source)),
+        }
+    }
+}
+
 /// Both surfaces, of which the source may show a part of what the target shows; features are brought to the median and the median absolute deviation of both together.
 ///
 /// # Errors
@@ -26,7 +48,7 @@ pub(crate) fn smooth_pair(
     target: &SurfaceMesh,
     root_mm: f64,
     source_is_part: bool,
-) -> Result<(Arc<SmoothSurface>, Arc<SmoothSurface>), MatchError> {
+) -> Result<SmoothPair, MatchError> {
     let (a, b) = rayon::join(|| Flow::new(source, root_mm), || Flow::new(target, root_mm));
     let (a, b) = (a?, b?);
     // One set of scales for both, or the smoother surface would look different.

@@ -1,12 +1,14 @@
 //! The third stage: an image on the target for every source vertex, through a smooth displacement field or rigidly.
 
 use super::counting::Counting;
+use super::inferred::{aligned_shortly, inferred, labels_of};
 use crate::answer::displaced::{Displaced, Images};
 use crate::answer::displacement::DisplacementAnswer;
 use crate::answer::of_field::answered;
 use crate::answer::reliability::reliability;
 use crate::comparison::field_methods::by_method;
 use crate::comparison::registration_only::register;
+use crate::energy::inference::Inferred;
 use crate::error::MatchError;
 use crate::field::options::DisplacementOptions;
 use crate::field::route::displace;
@@ -28,8 +30,8 @@ use std::sync::Mutex;
 
 /// An image for every source vertex of `coarse`, from the pose of `posed`.
 ///
-/// With a displacement field the poses compared are that of `posed`, that of the landmarks and those of a search of all
-/// orientations, mirrored ones too; the one that fits best after the deformation is kept. Where no field can be fitted,
+/// With a displacement field the poses compared are that of `posed`, that of the landmarks, those that the labels of an energy support and,
+/// where these leave a doubt, those of a search of all orientations, mirrored ones too; the one that fits best after the deformation is kept. Where no field can be fitted,
 /// the images are those of the rigid pose, and where `posed` has none, of the first of the other poses. A method of the field
 /// starts from that one pose. Where the pose was left to the field and none can be fitted, the answer is that of registration alone.
 ///
@@ -40,9 +42,8 @@ pub(crate) fn displaced(coarse: &Coarse<'_>, posed: &Posed<'_>) -> Result<Displa
     let starts = match coarse.full.parameters.displacement.mode {
         DisplacementMode::None => Starts::of(own_pose(posed)),
         DisplacementMode::Smooth => {
-            coarse.full.observer.phase(Phase::Displacement);
-            let starts = Starts::with_search(coarse, own_pose(posed));
-            if let Some(found) = by_field(coarse, posed, &starts)? {
+            let mut starts = Starts::known(coarse, own_pose(posed));
+            if let Some(found) = by_field(coarse, posed, &mut starts)? {
                 return Ok(found);
             }
             if matches!(posed, Posed::ByField) {
@@ -53,11 +54,11 @@ pub(crate) fn displaced(coarse: &Coarse<'_>, posed: &Posed<'_>) -> Result<Displa
         }
         _ => {
             coarse.full.observer.phase(Phase::Displacement);
-            let starts = if posed.transform().is_some() {
-                Starts::of(own_pose(posed))
-            } else {
-                Starts::with_search(coarse, own_pose(posed))
-            };
+            let mut starts = Starts::of(own_pose(posed));
+            if starts.poses.is_empty() {
+                starts = Starts::known(coarse, None);
+                starts.add_searched(coarse);
+            }
             if let Some(pose) = starts.first(coarse) {
                 let poses = match posed {
                     Posed::Registration(registered) => registered.poses.clone(),
@@ -99,12 +100,21 @@ fn rigid(coarse: &Coarse<'_>, posed: &Posed<'_>, starts: &Starts) -> Result<Disp
         Posed::Registration(registered) => (VertexMap::nearest(scene, &transform), registered.poses.clone()),
     };
     let VertexMap { labeling, confidence, spread_mm } = map;
-    Ok(Displaced { transform, labeling, confidence, spread_mm, poses, images: Images::OnVertices, resized: false })
+    Ok(Displaced {
+        transform,
+        labeling,
+        confidence,
+        spread_mm,
+        poses,
+        images: Images::OnVertices,
+        resized: false,
+        inference: None,
+    })
 }
 
 /// The images of a smooth displacement field, from the start that fits best after the deformation. `None` if no field
 /// can be fitted.
-fn by_field(coarse: &Coarse<'_>, posed: &Posed<'_>, starts: &Starts) -> Result<Option<Displaced>, MatchError> {
+fn by_field(coarse: &Coarse<'_>, posed: &Posed<'_>, starts: &mut Starts) -> Result<Option<Displaced>, MatchError> {
     let (scene, source, target) = (&coarse.full, coarse.source, coarse.target);
     let observer = scene.observer;
     let (done_before, last_round) = match posed {
@@ -130,12 +140,30 @@ fn by_field(coarse: &Coarse<'_>, posed: &Posed<'_>, starts: &Starts) -> Result<O
             (Bending::NearIsometry, Role::Target) => target.middle.form(),
         },
     };
+    let smoothed = surfaces.smoothed()?;
+    let inferred = match scene.parameters.displacement.bending {
+        Bending::NearIsometry => Some(inferred(coarse, &smoothed, surfaces.lengths.root_mm, &counting)?),
+        Bending::None | Bending::Straightened => None,
+    };
+    if let Some(inferred) = &inferred {
+        let poses: Vec<RigidTransform> = inferred.poses().collect();
+        starts.add_inferred(coarse, &poses, |pose| aligned_shortly(coarse, pose));
+    }
+    // A part has labels that correspond to nothing.
+    if surfaces.open || !inferred.as_ref().is_some_and(Inferred::is_clear) {
+        starts.add_searched(coarse);
+    }
+    observer.phase(Phase::Displacement);
     let poses = starts.with_excess(sameness(&source.middle, &target.middle));
     let options = DisplacementOptions::default();
     let allow_reflection = scene.parameters.registration.allow_reflection;
-    let Some(fitted) = displace(&surfaces, &poses, allow_reflection, &options, &counting)? else { return Ok(None) };
+    let Some(fitted) = displace(&surfaces, smoothed, &poses, allow_reflection, &options, &counting)? else {
+        return Ok(None);
+    };
     let found = DisplacementAnswer::of(fitted, &surfaces);
-    let displaced = answered(scene, &starts.poses, &found, reliability(&found, &source.full, &target.full));
+    let mut displaced = answered(scene, &starts.poses, &found, reliability(&found, &source.full, &target.full));
+    displaced.inference =
+        inferred.map(|inferred| inferred.clamped(labels_of(coarse, &displaced.labeling), &displaced.transform));
     observer.progress(PROGRESS_AT_END);
     Ok(Some(displaced))
 }

@@ -55,15 +55,17 @@ pub(crate) struct ComparedPose {
     pub finer: Finer,
 }
 
-/// What a closer look at a start says than the misfit of the first stage.
+/// How a start fared in later stages.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Finer {
-    /// There was none: the misfit of the first stage has to tell.
+    /// It was not followed.
     None,
-    /// It ended where a better one did, in the first stage.
+    /// It ended where a better one did.
     Same,
-    /// The energy of near isometries, or the misfit at the scale of the sampling, has decided against it.
+    /// It leaves more unexplained, or has a higher energy.
     Outdone,
-    /// It went through all stages, and ends elsewhere with as low a misfit at the scale of the sampling.
+    /// It ends elsewhere and leaves no more unexplained.
     AsGood,
+    /// It is of the other handedness and leaves less unexplained.
+    Better,
 }

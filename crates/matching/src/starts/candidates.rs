@@ -1,7 +1,7 @@
-//! Rigid poses to start from: of an earlier stage, of landmarks, of a search and its rotations.
+//! Rigid poses to start from: of an earlier stage, of landmarks, of the labels of an energy, of a search, and rotations.
 
 use super::landmarks::landmark_pose;
-use super::rotations::rotations_of_best;
+use super::rotations::{others_about_axis, rotations_of_best};
 use super::search::searched;
 use super::start_pose::StartPose;
 use crate::pair::problem::Coarse;
@@ -36,20 +36,46 @@ impl Starts {
         Starts { poses, of_search: Vec::new() }
     }
 
-    /// The pose that an earlier stage found, that of the landmarks, and those of a search of all orientations.
-    pub(crate) fn with_search(coarse: &Coarse<'_>, own: Option<(PoseOrigin, RigidTransform)>) -> Starts {
+    /// The pose that an earlier stage found and that of the landmarks.
+    pub(crate) fn known(coarse: &Coarse<'_>, own: Option<(PoseOrigin, RigidTransform)>) -> Starts {
         let parameters = coarse.full.parameters;
-        let Starts { mut poses, .. } = Starts::of(own);
+        let mut starts = Starts::of(own);
         let of_landmarks = landmark_pose(&parameters.landmarks, parameters.registration.allow_reflection);
-        poses.extend(of_landmarks.map(|pose| Start::new(PoseOrigin::Landmarks, pose)));
-        // Of either handedness, so that a mirrored image is noticed.
-        let of_search = searched(&coarse.source.middle, &coarse.target.middle, true);
-        let first = poses.len();
-        poses.extend(of_search.iter().map(|p| Start::new(PoseOrigin::Search, p.target_from_source)));
-        let rotations = rotations_of_best(&coarse.source.middle, &of_search);
-        let rotation = |(k, pose)| Start { rotation_of: Some(first + k), ..Start::new(PoseOrigin::Search, pose) };
-        poses.extend(rotations.into_iter().map(rotation));
-        Starts { poses, of_search }
+        starts.poses.extend(of_landmarks.map(|pose| Start::new(PoseOrigin::Landmarks, pose)));
+        starts
+    }
+
+    /// Adds the poses that the labels of an energy support, the best of them also after `aligned`, and rotated.
+    pub(crate) fn add_inferred(
+        &mut self,
+        coarse: &Coarse<'_>,
+        found: &[RigidTransform],
+        aligned: impl Fn(&RigidTransform) -> Option<RigidTransform>,
+    ) {
+        let best = self.poses.len();
+        self.add(coarse, PoseOrigin::Inference, found);
+        // Labels lie some edges apart: surfaces that are nearly copies know their pose better.
+        if let Some(pose) = found.first().and_then(aligned) {
+            self.poses.push(Start { rotation_of: Some(best), ..Start::new(PoseOrigin::Inference, pose) });
+        }
+        let others = others_about_axis(&coarse.source.middle, found);
+        self.poses.extend(others.into_iter().map(|pose| Start::new(PoseOrigin::Inference, pose)));
+    }
+
+    /// Adds the poses of a search of all orientations, of either handedness, so that a mirrored image is noticed.
+    pub(crate) fn add_searched(&mut self, coarse: &Coarse<'_>) {
+        self.of_search = searched(&coarse.source.middle, &coarse.target.middle, true);
+        let found: Vec<RigidTransform> = self.of_search.iter().map(|p| p.target_from_source).collect();
+        self.add(coarse, PoseOrigin::Search, &found);
+    }
+
+    /// Adds `found`, the best first, and the best of either handedness rotated a little.
+    fn add(&mut self, coarse: &Coarse<'_>, origin: PoseOrigin, found: &[RigidTransform]) {
+        let first = self.poses.len();
+        self.poses.extend(found.iter().map(|pose| Start::new(origin, *pose)));
+        let rotations = rotations_of_best(&coarse.source.middle, found);
+        let rotation = |(k, pose)| Start { rotation_of: Some(first + k), ..Start::new(origin, pose) };
+        self.poses.extend(rotations.into_iter().map(rotation));
     }
 
     /// The most trusted pose that may be answered.

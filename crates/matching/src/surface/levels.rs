@@ -59,6 +59,23 @@ impl Levels {
         Levels { full, middle, cells_of_middle: cells, coarse_vertices, energy: OnceLock::new() }
     }
 
+    /// The vertex of the middle level in whose cell a vertex lies.
+    pub(crate) fn middle_of(&self, vertex: u32) -> u32 {
+        self.cells_of_middle[vertex as usize]
+    }
+
+    /// For every vertex of the middle level the vertex of the full surface that it is. Cost `O(n)`.
+    pub(crate) fn full_of_middle(&self) -> Vec<u32> {
+        let mut found = vec![0; self.middle.mesh().n_vertices()];
+        for (vertex, &cell) in self.cells_of_middle.iter().enumerate() {
+            let (full, middle) = (&self.full.surface.numbering, &self.middle.surface.numbering);
+            if full.original(vertex as u32) == middle.original(cell) {
+                found[cell as usize] = vertex as u32;
+            }
+        }
+        found
+    }
+
     /// The level that an energy is minimised on, made when a match asks for it.
     pub(crate) fn energy(&self) -> &EnergyLevel {
         self.energy.get_or_init(|| {

@@ -6,5 +6,6 @@ pub(crate) mod light_smoothing;
 pub(crate) mod robust;
 pub(crate) mod round_axis;
 pub(crate) mod side;
+pub(crate) mod sites;
 pub(crate) mod smooth;
 pub(crate) mod surface_index;

@@ -2,6 +2,7 @@
 
 use super::form::BendingInvariantForm;
 use super::light_smoothing::lightly_smoothed;
+use super::sites::Sites;
 use super::surface_index::SurfaceIndex;
 use homolog_geometry::curvature::{default_radius_mm, vertex_areas};
 use homolog_geometry::hierarchy::{CoarseSurface, coarsen};
@@ -35,6 +36,7 @@ pub(crate) struct Side {
     closest: OnceLock<SurfaceIndex>,
     light: OnceLock<LightSide>,
     form: OnceLock<Option<BendingInvariantForm>>,
+    sites: OnceLock<Sites>,
 }
 
 /// A surface smoothed at [`POSITION_SCALE`].
@@ -67,6 +69,7 @@ impl Side {
             closest: OnceLock::new(),
             light: OnceLock::new(),
             form: OnceLock::new(),
+            sites: OnceLock::new(),
         }
     }
 
@@ -89,6 +92,7 @@ impl Side {
                 closest: OnceLock::new(),
                 light: OnceLock::new(),
                 form: OnceLock::new(),
+                sites: OnceLock::new(),
             },
             cells,
         ))
@@ -123,6 +127,11 @@ impl Side {
             .as_ref()
     }
 
+    /// The places between which the energy of near isometries is stated, on the lightly smoothed surface.
+    pub(crate) fn sites(&self) -> &Sites {
+        self.sites.get_or_init(|| Sites::new(&self.light().mesh))
+    }
+
     /// The lightly smoothed surface.
     pub(crate) fn light(&self) -> &LightSide {
         self.light.get_or_init(|| {
@@ -139,6 +148,6 @@ impl Side {
         let sites = self.measured_on().map_or(0, |(_, sites)| size_of_val(sites));
         let index = SurfaceIndex::heap_bytes_over(self.mesh());
         let light = mesh + n * size_of::<f64>() + index;
-        own + sites + index + light
+        own + sites + index + light + Sites::heap_bytes_over(n)
     }
 }

@@ -1,6 +1,7 @@
 //! How well two surfaces agree once one is deformed onto the other.
 
 use super::displacement::Displacement;
+use super::settings::RouteSettings;
 use crate::surface::smooth::{N_FEATURES, SmoothSurface};
 use homolog_mesh::ClosestPoint;
 use nalgebra::Point3;
@@ -15,16 +16,10 @@ pub(crate) struct Agreement {
     pub normals: f64,
 }
 
-/// Agreement below which another start is tried. Its field is softer: tried for pairs of hippocampi too (0.72 and 0.9), it changed
-/// a quarter of their answers, and labels agreed on 0.964 of the vertices instead of 0.966 (30 pairs). In their answers pairs of hippocampi have 0.78 and 0.95 or more (30 pairs), copies and smooth warps more;
-/// bodies in two poses from a rigid start 0.35 and 0.59 or more (80 pairs): those that agree have limbs, and are tried in any case.
-const DOUBTFUL_CURVATURE: f64 = 0.6;
-const DOUBTFUL_NORMALS: f64 = 0.87;
-
 impl Agreement {
     /// Whether the surfaces may agree better from another start.
-    pub(crate) fn is_doubtful(&self) -> bool {
-        self.curvature < DOUBTFUL_CURVATURE || self.normals < DOUBTFUL_NORMALS
+    pub(crate) fn is_doubtful(&self, settings: &RouteSettings) -> bool {
+        self.curvature < settings.doubtful_curvature || self.normals < settings.doubtful_normals
     }
 }
 

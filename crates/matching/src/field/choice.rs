@@ -12,16 +12,6 @@ use homolog_primitives::observe::checkpoint;
 use homolog_registration::{RigidTransform, SAME_POSE_ANGLE, SamePose, absolute_orientation_of};
 use rayon::prelude::*;
 
-/// Of poses of one handedness that are the same within this angle, radians, only the better one is followed: later
-/// stages would lead both to the same pose.
-const SAME_POSE: f64 = std::f64::consts::FRAC_PI_4;
-/// Poses of one handedness that are followed after the screening.
-const FOLLOWED: usize = 2;
-
-/// A rotation about the axis about which the source is most nearly round is better than none only if its misfit is lower by this: of
-/// nearly round copies with noise it was lower by up to 0.006 by chance, and answers were off by 10° to 15°; of 13 beans with warps of 8 %
-/// for which a rotation was followed it was lower by 0.007 to 0.036 in ten.
-const LEAST_GAIN_OF_ROTATION: f64 = 0.01;
 
 /// A pose that was followed through the first stage.
 struct Followed {
@@ -81,7 +71,8 @@ pub(crate) fn chosen(
     for (&index, found) in followed.iter().zip(found) {
         let Some((misfit, state)) = found else { return Ok(None) };
         let pose = poses[index];
-        let misfit = misfit + pose.excess + pose.rotation_of.map_or(0.0, |_| LEAST_GAIN_OF_ROTATION);
+        let misfit =
+            misfit + pose.excess + pose.rotation_of.map_or(0.0, |_| displacement.options.choice.least_gain_of_rotation);
         let end = displacement.same_place.map(|_| {
             let moved = displaced(&state.base.moved(&source.points, &values), &state.field, &values);
             let (weights, mirrored) = (Some(&source.counted[..]), pose.pose.is_reflection());
@@ -138,14 +129,22 @@ fn screened(displacement: &Displacement<'_>, poses: &[StartPose]) -> Result<Opti
     let mut followed: Vec<usize> = Vec::new();
     for (_, k) in screened {
         let alike = |&&other: &&usize| poses[other].pose.is_reflection() == poses[k].pose.is_reflection();
-        let near = |&&other: &&usize| displacement.are_same(&poses[other].pose, &poses[k].pose, SAME_POSE);
+        let near = |&&other: &&usize| {
+            displacement.are_same(&poses[other].pose, &poses[k].pose, displacement.options.choice.same_pose_rad)
+        };
         let same_handedness: Vec<&usize> = followed.iter().filter(alike).collect();
         // Places in one orientation leave room for another orientation.
         let has_orientation_of = |other: usize| {
-            move |&&a: &&usize| SamePose::of_orientation().holds(&poses[a].pose, &poses[other].pose, SAME_POSE)
+            move |&&a: &&usize| {
+                SamePose::of_orientation().holds(
+                    &poses[a].pose,
+                    &poses[other].pose,
+                    displacement.options.choice.same_pose_rad,
+                )
+            }
         };
-        let has_room = same_handedness.len() < FOLLOWED
-            || same_handedness.len() == FOLLOWED
+        let has_room = same_handedness.len() < displacement.options.choice.followed
+            || same_handedness.len() == displacement.options.choice.followed
                 && same_handedness.iter().all(has_orientation_of(*same_handedness[0]))
                 && !same_handedness.iter().any(has_orientation_of(k));
         if has_room && !same_handedness.iter().any(near) {

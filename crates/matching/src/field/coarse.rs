@@ -11,12 +11,6 @@ use homolog_registration::alignment::{AssignmentTarget, OrientedPoints, annealed
 use homolog_registration::deformation::fit_field;
 use nalgebra::{Point3, Vector3};
 
-/// Vertices and steps of the first screening of all poses.
-const SCREENING_SAMPLES: usize = 250;
-const SCREENING_STEPS: u32 = 6;
-/// Steps from a pose that an earlier fit has found.
-const STEPS_FROM_KNOWN_POSE: u32 = 6;
-
 /// The field from one pose alone, which an earlier fit has found.
 pub(crate) fn coarse_alone(displacement: &Displacement<'_>, pose: &RigidTransform) -> Option<State> {
     let n = displacement.options.n_samples[0];
@@ -28,19 +22,19 @@ pub(crate) fn coarse_alone(displacement: &Displacement<'_>, pose: &RigidTransfor
         &source,
         &target,
         &values,
-        displacement.schedule(0, STEPS_FROM_KNOWN_POSE),
+        displacement.schedule(0, displacement.options.choice.steps_from_known_pose),
     );
     found.map(|(_, state)| state)
 }
 
 /// The misfit after a few steps on few vertices from a pose; `None` where a number is not finite.
 pub(crate) fn screening(displacement: &Displacement<'_>) -> impl Fn(&RigidTransform) -> Option<f64> + Sync {
-    let source = displacement.source.thinned(SCREENING_SAMPLES);
-    let target = displacement.target.thinned(SCREENING_SAMPLES).packed();
+    let source = displacement.source.thinned(displacement.options.choice.screening_samples);
+    let target = displacement.target.thinned(displacement.options.choice.screening_samples).packed();
     let values = displacement.guides.below(displacement.functions.values(&source.points));
     move |pose| {
         // An order of the poses needs no field that has settled.
-        let schedule = Schedule::new(SCREENING_STEPS, 0, displacement.lengths.root_mm);
+        let schedule = Schedule::new(displacement.options.choice.screening_steps, 0, displacement.lengths.root_mm);
         coarse_from(displacement, &Base::rigid(*pose), &source, &target, &values, schedule).map(|(misfit, _)| misfit)
     }
 }

@@ -14,25 +14,26 @@ use homolog_registration::deformation::{Observation, fit_field};
 use nalgebra::Point3;
 use rayon::prelude::*;
 
-/// Standard deviation of a point along the normal of the other surface in the fine stage, in sampling distances.
-const ALONG: f64 = 0.34;
-/// Share of the assignment's weight that is kept across the normal in the fine stage. With 0.3 narrow 4 % warps had 0.77 of the vertices within
-/// one edge instead of 0.80, warps of 8 % 0.97 instead of 0.98; with 1 0.69 and 0.91.
-pub(crate) const ACROSS_SHARE: f64 = 0.1;
 /// The field after the middle and fine stages.
 pub(crate) fn fine(displacement: &Displacement<'_>, start: State) -> Result<Option<Fine>, MatchError> {
     fine_in(
         displacement,
         start,
         [displacement.options.steps[1], displacement.options.steps[2]],
-        ACROSS_SHARE,
+        displacement.options.fine.across_share,
         Some(displacement.observer.begin()),
     )
 }
 
 /// [`fine`], left out of the energy trace: for fits side by side that are no answer.
 pub(crate) fn fine_aside(displacement: &Displacement<'_>, start: State) -> Result<Option<Fine>, MatchError> {
-    fine_in(displacement, start, [displacement.options.steps[1], displacement.options.steps[2]], ACROSS_SHARE, None)
+    fine_in(
+        displacement,
+        start,
+        [displacement.options.steps[1], displacement.options.steps[2]],
+        displacement.options.fine.across_share,
+        None,
+    )
 }
 
 /// [`fine`] in so many steps of each, with this share of the assignment's weight across the normals.
@@ -110,7 +111,7 @@ pub(crate) fn followed(
 }
 
 fn along_mm(displacement: &Displacement<'_>) -> f64 {
-    ALONG * displacement.lengths.sampling_mm
+    displacement.options.fine.along * displacement.lengths.sampling_mm
 }
 
 /// Observations of the closest point of the surface along its normals, and weakly of the assigned means across

@@ -7,7 +7,7 @@ use super::deformed::Deformed;
 use super::displacement::Displacement;
 use super::fitted::{Refined, pose_of};
 use super::refine::refined_from;
-use super::reverse::{ReverseFit, TWO_SUBJECTS, returned};
+use super::reverse::{ReverseFit, returned};
 use super::roundness::spread_of_rotations;
 use super::strain::distortion;
 use crate::error::MatchError;
@@ -36,7 +36,10 @@ pub(crate) fn finished(
     let residual_mm = refined.residual_mm;
     let reached = pose_of(displacement, &own, pose);
     // A part that is missing on one surface has no counterpart in a fit back.
-    let returned = if open || refined.base.bend.is_some() || residual_mm < TWO_SUBJECTS * lengths.sampling_mm {
+    let returned = if open
+        || refined.base.bend.is_some()
+        || residual_mm < displacement.options.route.two_subjects * lengths.sampling_mm
+    {
         None
     } else {
         returned(displacement, surfaces, &reached, refined.local)?

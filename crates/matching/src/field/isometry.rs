@@ -14,6 +14,7 @@ use super::fine_misfit::fine_misfit;
 use super::fitted::Refined;
 use super::functions::Functions;
 use super::refine::refined;
+use super::settings::IsometryFitSettings;
 use super::unbending::Unbending;
 use crate::energy::minimize::NearIsometry;
 use crate::energy::model::Isometry;
@@ -32,47 +33,19 @@ use nalgebra::Point3;
 use rayon::prelude::*;
 use std::sync::Arc;
 
-/// Correspondences that are followed, those of the lowest energies.
-const FOLLOWED: usize = 8;
-/// Of them, those that go through all stages at most.
-const REFINED: usize = 3;
-/// Share by which the energy of such a one may be above the lowest. Of bodies in two poses the truth had the lowest energy (40 pairs);
-/// with noise of 0.3 edges or a hole of 2 % of the vertices its energy was up to 0.12 above that of limbs exchanged. Of 106 such
-/// pairs seven were off by 6 to 26 % of the diagonal with 0.03 and six of them by less than 4 % with 0.2; one, off by 1 %, then by 6.5 %.
-const LOW_ENERGY: f64 = 0.2;
-/// Mean distance up to which two correspondences count as one, in roots of the area: less than the distance between sites.
-const SAME: f64 = 0.03;
-/// An energy that is higher by less than this share speaks neither against another answer nor for the mirror image.
-const EQUAL_ENERGY: f64 = 0.03;
-/// Misfits at the scale of the sampling that differ by less than this do not tell two answers apart; nor do they by less than the
-/// second if their energies do not. Answers of hippocampi on ellipsoids, whose symmetries give four, are up to 0.035 apart (12 pairs, all
-/// ambiguous); the right answers on bodies and people stay reliable (66 pairs).
-const EQUAL_MISFIT: f64 = 0.01;
-const EQUAL_MISFIT_OF_EQUAL_ENERGIES: f64 = 0.05;
-/// Width and standard deviation of a second kernel, in diagonals: joints are narrower than the bends of one structure.
-const JOINT_WIDTH: f64 = 0.12;
-const JOINT_AMPLITUDE: f64 = 0.05;
-const N_INDUCING: usize = 250;
-/// Times that all stages are run again from where they ended, at most.
-const PASSES: usize = 6;
-/// Fall of the misfit at the scale of the sampling for which they are run once more.
-const LEAST_GAIN: f64 = 0.005;
-const REBASED_SIGMA: f64 = 0.01;
-/// Standard deviation of a correspondence of the forms, in diagonals of the source.
-const FORM_SIGMA: f64 = 0.02;
 /// Mean distance of points of the same index, mm; 0 of none.
 fn mean_distance(a: &[Point3<f64>], b: &[Point3<f64>]) -> f64 {
     a.iter().zip(b).map(|(p, q)| (p - q).norm()).sum::<f64>() / a.len().max(1) as f64
 }
 
-/// The first [`FOLLOWED`] of `starts` by their energy, the lowest first, without those that are the same correspondence as one before
+/// The first of `starts` by their energy, the lowest first, without those that are the same correspondence as one before
 /// them.
-fn distinct(mut starts: Vec<NearIsometry>, root_mm: f64) -> Vec<NearIsometry> {
+fn distinct(mut starts: Vec<NearIsometry>, root_mm: f64, settings: &IsometryFitSettings) -> Vec<NearIsometry> {
     starts.sort_by(|a, b| a.energy.total_cmp(&b.energy));
     let mut kept: Vec<NearIsometry> = Vec::new();
     for start in starts {
-        if kept.len() < FOLLOWED
-            && kept.iter().all(|other| mean_distance(&start.images, &other.images) > SAME * root_mm)
+        if kept.len() < settings.followed
+            && kept.iter().all(|other| mean_distance(&start.images, &other.images) > settings.same * root_mm)
         {
             kept.push(start);
         }
@@ -89,9 +62,9 @@ pub(crate) struct LowestEnergies<'a> {
 
 impl LowestEnergies<'_> {
     /// Whether the energy is no higher than with the source mirrored; so it is for a body whose left and right are alike.
-    pub(crate) fn are_of_same_handedness(&self) -> bool {
+    pub(crate) fn are_of_same_handedness(&self, settings: &IsometryFitSettings) -> bool {
         let lowest = self.starts.first().map_or(f64::INFINITY, |lowest| lowest.energy);
-        lowest <= (1.0 + EQUAL_ENERGY) * self.isometry.lowest_mirrored(&self.matches)
+        lowest <= (1.0 + settings.equal_energy) * self.isometry.lowest_mirrored(&self.matches)
     }
 }
 
@@ -115,7 +88,7 @@ pub(crate) fn lowest_energies<'a>(
     let starts = isometry.correspondences(&matches);
     let mut fit = observer.begin();
     starts.iter().for_each(|start| observer.trace_labels(&mut fit, start.mean_energy()));
-    let starts = distinct(starts, displacement.lengths.root_mm);
+    let starts = distinct(starts, displacement.lengths.root_mm, &displacement.options.isometry);
     observer.phase(Phase::Displacement);
     checkpoint(observer)?;
     Ok(LowestEnergies { isometry, matches, starts })
@@ -134,14 +107,15 @@ impl<'a> OverForm<'a> {
     /// `displacement` with functions over the `form` of its source. `None` where a number is not finite.
     pub(crate) fn new(displacement: &'a Displacement<'_>, form: &BendingInvariantForm) -> Option<OverForm<'a>> {
         let mesh = &displacement.source.mesh;
+        let settings = &displacement.options.isometry;
         let cells = (mesh.vertices(), &form.site_of[..]);
         let unbending = Arc::new(Unbending::new(&form.places(mesh), &form.points, &form.neighbors, cells));
         let mut prior = displacement.options.prior.of(displacement.diagonal_mm);
         prior.kernels.push(GaussianKernel {
-            width_mm: JOINT_WIDTH * displacement.diagonal_mm,
-            amplitude_mm: JOINT_AMPLITUDE * displacement.diagonal_mm,
+            width_mm: settings.joint_width * displacement.diagonal_mm,
+            amplitude_mm: settings.joint_amplitude * displacement.diagonal_mm,
         });
-        let functions = Functions::new(mesh.vertices(), prior, N_INDUCING, Some(unbending))?;
+        let functions = Functions::new(mesh.vertices(), prior, settings.n_inducing, Some(unbending))?;
         let displacement = displacement.with_functions(functions);
         let n = displacement.options.n_samples[0];
         let (thinned, thinned_target) = (displacement.source.thinned(n), displacement.target.thinned(n).packed());
@@ -212,12 +186,13 @@ pub(crate) struct BestBent {
 /// [`MatchError::Cancelled`].
 pub(crate) fn best_of_lowest(over_form: &OverForm<'_>, starts: Vec<BentStart>) -> Result<Option<BestBent>, MatchError> {
     let displacement = &over_form.displacement;
+    let settings = &displacement.options.isometry;
     let mut compared: Vec<ComparedPose> = starts.iter().map(BentStart::compared).collect();
     let energies: Vec<f64> = starts.iter().map(|bent| bent.start.mean_energy()).collect();
     let mut best: Option<(f64, usize, Refined)> = None;
     let mut ends: Vec<(f64, Vec<Point3<f64>>)> = Vec::new();
-    let low = starts.first().map_or(0.0, |lowest| (1.0 + LOW_ENERGY) * lowest.start.energy);
-    let lowest = starts.into_iter().filter(|bent| bent.start.energy <= low).take(REFINED);
+    let low = starts.first().map_or(0.0, |lowest| (1.0 + settings.low_energy) * lowest.start.energy);
+    let lowest = starts.into_iter().filter(|bent| bent.start.energy <= low).take(settings.refined);
     for (k, BentStart { state, .. }) in lowest.enumerate() {
         let Some(refined) = refined(displacement, state)? else {
             ends.push((f64::INFINITY, Vec::new()));
@@ -232,9 +207,9 @@ pub(crate) fn best_of_lowest(over_form: &OverForm<'_>, starts: Vec<BentStart>) -
     }
     let Some((fine_misfit, chosen, refined)) = best else { return Ok(None) };
     for ((start, energy), (misfit, moved)) in compared.iter_mut().zip(&energies).zip(&ends) {
-        let is_elsewhere = mean_distance(moved, &ends[chosen].1) > SAME * displacement.lengths.root_mm;
-        let has_equal_energy = *energy < (1.0 + EQUAL_ENERGY) * energies[chosen];
-        let equal = if has_equal_energy { EQUAL_MISFIT_OF_EQUAL_ENERGIES } else { EQUAL_MISFIT };
+        let is_elsewhere = mean_distance(moved, &ends[chosen].1) > settings.same * displacement.lengths.root_mm;
+        let has_equal_energy = *energy < (1.0 + settings.equal_energy) * energies[chosen];
+        let equal = if has_equal_energy { settings.equal_misfit_of_equal_energies } else { settings.equal_misfit };
         if is_elsewhere && *misfit <= fine_misfit + equal {
             start.finer = Finer::AsGood;
         }
@@ -250,7 +225,8 @@ pub(crate) fn best_of_lowest(over_form: &OverForm<'_>, starts: Vec<BentStart>) -
 /// [`MatchError::Cancelled`].
 pub(crate) fn repeated(over_form: &OverForm<'_>, mut best: BestBent) -> Result<BestBent, MatchError> {
     let displacement = &over_form.displacement;
-    for _ in 0..PASSES {
+    let settings = &displacement.options.isometry;
+    for _ in 0..settings.passes {
         let Some(base) = rebased(displacement, &best.refined) else { break };
         let Some((_, state)) = over_form.coarse(&base) else { break };
         let Some(next) = refined(displacement, state)? else { break };
@@ -259,7 +235,7 @@ pub(crate) fn repeated(over_form: &OverForm<'_>, mut best: BestBent) -> Result<B
         if gain > 0.0 {
             (best.fine_misfit, best.refined) = (misfit, next);
         }
-        if gain < LEAST_GAIN {
+        if gain < settings.least_gain {
             break;
         }
     }
@@ -269,14 +245,14 @@ pub(crate) fn repeated(over_form: &OverForm<'_>, mut best: BestBent) -> Result<B
 /// The source bent by correspondences, over their rigid part.
 fn bent(displacement: &Displacement<'_>, start: &NearIsometry) -> Option<Base> {
     let pose = absolute_orientation(&start.points, &start.images, None, false).ok()?;
-    let precision = (FORM_SIGMA * displacement.diagonal_mm).powi(-2);
+    let precision = (displacement.options.isometry.form_sigma * displacement.diagonal_mm).powi(-2);
     base_through(displacement, pose, &start.points, &start.images, precision)
 }
 
 /// The source where `refined` moves it, as a base.
 fn rebased(displacement: &Displacement<'_>, refined: &Refined) -> Option<Base> {
     let moved = refined.moved(&displacement.source.mesh).0;
-    let precision = (REBASED_SIGMA * displacement.diagonal_mm).powi(-2);
+    let precision = (displacement.options.isometry.rebased_sigma * displacement.diagonal_mm).powi(-2);
     base_through(displacement, refined.base.pose, displacement.source.mesh.vertices(), &moved, precision)
 }
 

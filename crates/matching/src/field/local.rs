@@ -11,8 +11,9 @@
 
 use super::coarse::coarse_alone;
 use super::displacement::Displacement;
-use super::fine::{ACROSS_SHARE, fine_in, sliding};
+use super::fine::{fine_in, sliding};
 use super::fitted::{Fine, LocalKernel, Refined, pose_of};
+use super::options::DisplacementOptions;
 use super::trace::TracedFit;
 use super::track::{Track, assigned};
 use crate::error::MatchError;
@@ -22,51 +23,14 @@ use homolog_registration::RigidTransform;
 use homolog_registration::deformation::{FittedField, GaussianKernel, KernelEvidence, fit_field, most_probable_kernel};
 use nalgebra::Point3;
 
-/// Widths that are tried, in diagonals of the source. What varies over a shorter distance, two or three voxels of a
-/// hippocampus, is the outline that somebody drew: with 0.05 as well, landmarks on molars were farther off (3.7 % of the
-/// root of the area, against 3.5 %) and so were narrow warps (0.44 edges, against 0.42).
-const WIDTHS: [f64; 4] = [0.07, 0.1, 0.14, 0.2];
-/// Displacement over the amplitude that the heights show: they are distances to the closest points, and a point that is
-/// displaced along the surface as well has a closer one than its counterpart.
-const AMPLITUDE: f64 = 2.0;
-/// Amplitude that the heights show which counts as noise along the normals: shapes of two subjects differ there where nothing
-/// was displaced.
-const OFFSET_SHARE: f64 = 0.7;
-/// Points over which the marginal likelihood is evaluated.
-const EVIDENCE_SAMPLES: usize = 400;
-/// Gain of the logarithm of the marginal likelihood from which a second kernel is added: the Bayesian information criterion for
-/// its width and its variance.
-const LEAST_GAIN: f64 = 6.0;
-/// Least amplitude of a second kernel, in standard deviations of the noise that it leaves: what is lower is taken for noise, whose
-/// neighbors correlate a little. Both are tried in steps of √2. Skulls with an amplitude equal to the noise, a tenth of the sampling,
-/// had landmarks at 0.72 and 0.60 % of the root of the area with that kernel, at 0.60 and 0.49 % without; narrow warps have 1.4 and more.
-const LEAST_AMPLITUDE: f64 = 1.2;
-/// Noise along the normals of surfaces made of voxels (hippocampi with warps, 0.07 to 0.17), in sampling distances. Curvature is the
-/// noisier the noisier the surface, so what it says across the normals counts by the inverse of the noise's variance, against that
-/// of these. Molars (0.03 to 0.05) had landmarks at 4.23 % of the root of the area without this and at 4.05 % with it (10 pairs), 30 other
-/// pairs at 4.32 and 4.21 %.
-const VOXEL_NOISE: f64 = 0.1;
-/// Inducing points of the field with both kernels.
-const N_INDUCING: usize = 200;
-/// Steps of the middle and fine stages of that field, which begin at a pose that is known.
-const STAGE_STEPS: [u32; 2] = [5, 5];
-/// Points and steps of the last fit. With half as many points narrow 4 % warps had 0.73 of the vertices within one edge instead of
-/// 0.78, and bends by 120 degrees 0.90 instead of 0.93.
-const SAMPLES: usize = 2400;
-const STEPS: u32 = 5;
-/// Weight of each of these points: 1 would take the error of the kernel's amplitude for noise of the points. Of 1, 1.5 and 2,
-/// narrow 4 % warps had 0.78, 0.80 and 0.80 of the vertices within one edge, and narrow 2 % warps a mean error of 0.73, 0.73 and
-/// 0.77 % of the diagonal.
-const POINT_WEIGHT: f64 = 1.5;
-
 /// The kernel that counts, and what it leaves, for one that was `found` on surfaces sampled at this distance.
-fn local_kernel(found: &KernelEvidence, sampling_mm: f64) -> LocalKernel {
+fn local_kernel(found: &KernelEvidence, sampling_mm: f64, options: &DisplacementOptions) -> LocalKernel {
     let GaussianKernel { width_mm, amplitude_mm } = found.kernel;
-    let clearness = (VOXEL_NOISE * sampling_mm / found.noise_mm.max(f64::MIN_POSITIVE)).powi(2);
+    let clearness = (options.local.voxel_noise * sampling_mm / found.noise_mm.max(f64::MIN_POSITIVE)).powi(2);
     LocalKernel {
-        across_share: ACROSS_SHARE * clearness.clamp(1.0, 1.0 / ACROSS_SHARE),
-        kernel: GaussianKernel { width_mm, amplitude_mm: AMPLITUDE * amplitude_mm },
-        noise_mm: found.noise_mm.hypot(OFFSET_SHARE * amplitude_mm),
+        across_share: options.fine.across_share * clearness.clamp(1.0, 1.0 / options.fine.across_share),
+        kernel: GaussianKernel { width_mm, amplitude_mm: options.local.amplitude * amplitude_mm },
+        noise_mm: found.noise_mm.hypot(options.local.offset_share * amplitude_mm),
     }
 }
 
@@ -80,12 +44,13 @@ struct Local {
 /// noise.
 pub(crate) fn local(displacement: &Displacement<'_>, fine: &Fine) -> Result<Option<Refined>, MatchError> {
     let moved = fine.moved();
+    let settings = &displacement.options.local;
     let Some(found) = evidence(displacement, &moved) else { return Ok(None) };
-    if found.gain < LEAST_GAIN || found.kernel.amplitude_mm < LEAST_AMPLITUDE * found.noise_mm {
+    if found.gain < settings.least_gain || found.kernel.amplitude_mm < settings.least_amplitude * found.noise_mm {
         return Ok(None);
     }
     checkpoint(displacement.observer)?;
-    let local = local_kernel(&found, displacement.lengths.sampling_mm);
+    let local = local_kernel(&found, displacement.lengths.sampling_mm, displacement.options);
     let Some(joint) = with_kernel(displacement, &local) else { return Ok(None) };
     let base = &fine.track.base;
     // What the wide field took for displacement along the surface is forgotten, where the base allows it.
@@ -131,7 +96,11 @@ fn refined_locally(
 fn with_kernel<'a>(displacement: &'a Displacement<'_>, local: &LocalKernel) -> Option<Displacement<'a>> {
     let mut prior = displacement.options.prior.of(displacement.diagonal_mm);
     prior.kernels.push(local.kernel);
-    let functions = displacement.functions.with_prior(displacement.source.mesh.vertices(), prior, N_INDUCING)?;
+    let functions = displacement.functions.with_prior(
+        displacement.source.mesh.vertices(),
+        prior,
+        displacement.options.local.n_inducing,
+    )?;
     Some(displacement.with_functions(functions))
 }
 
@@ -143,7 +112,10 @@ fn anew(
 ) -> Result<Option<Local>, MatchError> {
     let Some(state) = coarse_alone(displacement, pose) else { return Ok(None) };
     let fit = Some(displacement.observer.begin());
-    let Some(fine) = fine_in(displacement, state, STAGE_STEPS, local.across_share, fit)? else { return Ok(None) };
+    let Some(fine) = fine_in(displacement, state, displacement.options.local.stage_steps, local.across_share, fit)?
+    else {
+        return Ok(None);
+    };
     let moved = fine.moved();
     let fit = fine.fit.unwrap_or_else(|| displacement.observer.begin());
     followed_locally(displacement, fine.track, (moved, fine.feature_precision), fit, local)
@@ -152,7 +124,7 @@ fn anew(
 /// The kernel under which the heights of the source, moved to `moved`, below the target are most probable.
 fn evidence(displacement: &Displacement<'_>, moved: &[Point3<f64>]) -> Option<KernelEvidence> {
     let source = displacement.source.mesh.vertices();
-    let step = source.len().div_ceil(EVIDENCE_SAMPLES);
+    let step = source.len().div_ceil(displacement.options.local.evidence_samples);
     let picked: Vec<usize> = (0..source.len()).step_by(step).collect();
     let mut heights = Vec::with_capacity(picked.len());
     let mut normals = Vec::with_capacity(picked.len());
@@ -164,7 +136,7 @@ fn evidence(displacement: &Displacement<'_>, moved: &[Point3<f64>]) -> Option<Ke
     }
     let points: Vec<Point3<f64>> = picked.iter().map(|&i| source[i]).collect();
     let points = displacement.functions.coordinates(&points);
-    let widths = WIDTHS.map(|w| w * displacement.diagonal_mm);
+    let widths = displacement.options.local.widths.map(|w| w * displacement.diagonal_mm);
     most_probable_kernel(&points, &normals, &heights, &widths)
 }
 
@@ -176,7 +148,8 @@ fn followed_locally(
     mut fit: TracedFit,
     local: &LocalKernel,
 ) -> Result<Option<Local>, MatchError> {
-    let thinned = displacement.source.thinned(SAMPLES);
+    let settings = &displacement.options.local;
+    let thinned = displacement.source.thinned(settings.samples);
     let target = displacement.target.packed();
     let values = displacement.guides.below(track.values(&thinned));
     let starts = track.starts(&thinned);
@@ -184,10 +157,10 @@ fn followed_locally(
 
     let sigma_mm = displacement.diagonal_mm * displacement.options.sigma[3];
     let mean_area = thinned.areas.iter().sum::<f64>() / thinned.areas.len() as f64;
-    let along = POINT_WEIGHT / (mean_area * local.noise_mm * local.noise_mm);
+    let along = settings.point_weight / (mean_area * local.noise_mm * local.noise_mm);
     let across = displacement.density(3, 3, 1.0) / (sigma_mm * sigma_mm);
     let mut fitted: Option<FittedField> = None;
-    for _ in 0..STEPS {
+    for _ in 0..settings.steps {
         checkpoint(displacement.observer)?;
         let kernel = kernel(sigma_mm, precision);
         let Some(assigned) = assigned(displacement, &moved, mirrored, &thinned, &target, &kernel) else {
@@ -196,7 +169,7 @@ fn followed_locally(
         let (observed, _) =
             sliding(displacement, &assigned, &thinned.counted, &starts, along, local.across_share * across);
         if let Some(field) = &fitted {
-            let observations = POINT_WEIGHT * thinned.areas.len() as f64;
+            let observations = settings.point_weight * thinned.areas.len() as f64;
             displacement.observer.trace(&mut fit, assigned.found.misfit, field, observations);
         }
         let Some(next) = fit_field(values.as_ref(), &track.with_guides(observed)) else { return Ok(None) };
@@ -214,12 +187,14 @@ mod tests {
 
     #[test]
     fn the_less_noise_the_more_counts_what_is_assigned_across_the_normals() {
+        let options = DisplacementOptions::default();
+        let across_share = options.fine.across_share;
         let share = |noise_mm: f64| {
             let kernel = GaussianKernel { width_mm: 5.0, amplitude_mm: 1.0 };
-            local_kernel(&KernelEvidence { kernel, noise_mm, gain: 10.0 }, 2.0).across_share
+            local_kernel(&KernelEvidence { kernel, noise_mm, gain: 10.0 }, 2.0, &options).across_share
         };
-        assert_eq!([share(0.4), share(0.2)], [ACROSS_SHARE; 2]);
-        assert!((share(0.1) - 4.0 * ACROSS_SHARE).abs() < 1e-12);
+        assert_eq!([share(0.4), share(0.2)], [across_share; 2]);
+        assert!((share(0.1) - 4.0 * across_share).abs() < 1e-12);
         // Never more than all of it.
         assert_eq!([share(0.01), share(0.0)], [1.0; 2]);
     }

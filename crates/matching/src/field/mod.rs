@@ -23,6 +23,7 @@ pub(crate) mod rivals;
 pub(crate) mod roundness;
 pub(crate) mod route;
 pub(crate) mod schedule;
+pub(crate) mod settings;
 pub(crate) mod settling;
 pub(crate) mod straightened;
 pub(crate) mod strain;

@@ -1,5 +1,6 @@
 //! The settings that all stages of a displacement share.
 
+use super::settings::{ChoiceSettings, FineSettings, IsometryFitSettings, LocalSettings, RouteSettings};
 use crate::pair::prior::PriorOptions;
 
 /// Settings of the displacement. The defaults are round numbers; nearby values gave the same accuracy within its spread. Twice
@@ -18,6 +19,16 @@ pub(crate) struct DisplacementOptions {
     /// Independent observations over a surface at the start and after each of the first three stages; more of them make the
     /// field less stiff.
     pub density: [f64; 4],
+    /// The choice of the pose.
+    pub choice: ChoiceSettings,
+    /// The fine stage and the settling.
+    pub fine: FineSettings,
+    /// The local stage.
+    pub local: LocalSettings,
+    /// The fit from near isometries.
+    pub isometry: IsometryFitSettings,
+    /// What is tried, and what is taken.
+    pub route: RouteSettings,
 }
 
 impl Default for DisplacementOptions {
@@ -28,6 +39,11 @@ impl Default for DisplacementOptions {
             steps: [10, 8, 8, 4],
             sigma: [0.05, 0.04, 0.025, 0.02],
             density: [48.0, 48.0, 160.0, 480.0],
+            choice: ChoiceSettings::default(),
+            fine: FineSettings::default(),
+            local: LocalSettings::default(),
+            isometry: IsometryFitSettings::default(),
+            route: RouteSettings::default(),
         }
     }
 }

@@ -16,11 +16,6 @@ use homolog_registration::RigidTransform;
 use nalgebra::Point3;
 use std::sync::Arc;
 
-/// Residual along the normals, in sampling distances, from which surfaces count as those of two subjects and are fitted in
-/// both directions: warps and copies had 0.09 to 0.11, pairs of subjects 0.20 to 0.33. For one anatomy the fit back only adds its own error:
-/// on ten 8 % warps 96.2 % of the vertices were within one edge with it, 97.6 % without.
-pub(crate) const TWO_SUBJECTS: f64 = 0.17;
-
 /// The pair in the other direction, after the fine stage.
 pub(crate) struct ReverseFit<'a> {
     pub displacement: Displacement<'a>,
@@ -32,12 +27,12 @@ pub(crate) struct ReverseFit<'a> {
 impl ReverseFit<'_> {
     /// Whether these are two subjects.
     pub(crate) fn is_of_two_subjects(&self) -> bool {
-        self.fine.residual_mm >= TWO_SUBJECTS * self.displacement.lengths.sampling_mm
+        self.fine.residual_mm >= self.displacement.options.route.two_subjects * self.displacement.lengths.sampling_mm
     }
 
     /// Whether the surfaces may agree better from another start.
     pub(crate) fn is_doubtful(&self) -> bool {
-        agreement(&self.displacement, &self.fine.moved()).is_doubtful()
+        agreement(&self.displacement, &self.fine.moved()).is_doubtful(&self.displacement.options.route)
     }
 }
 

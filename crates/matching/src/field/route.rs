@@ -44,8 +44,9 @@ use super::guides::Guides;
 use super::isometry::{OverForm, bent_starts, best_of_lowest, lowest_energies, repeated};
 use super::options::DisplacementOptions;
 use super::refine::refined_from;
-use super::reverse::{ReverseFit, TWO_SUBJECTS, reverse_fit};
+use super::reverse::{ReverseFit, reverse_fit};
 use super::rivals::Chosen;
+use super::settings::RouteSettings;
 use super::straightened::bent_back;
 use super::trace::FitTrace;
 use crate::error::MatchError;
@@ -62,23 +63,6 @@ use homolog_geometry::curvature::vertex_areas;
 use homolog_primitives::observe::{Observer, checkpoint};
 use homolog_registration::{RigidTransform, SamePose};
 use nalgebra::Point3;
-
-/// A start from forms is taken if its misfit at the scale of the sampling is lower by this: on bodies in two poses it was lower
-/// by 0.11 to 0.6 than that of a rigid start without the local stage.
-const CLEARLY_BETTER: f64 = 0.1;
-/// The same between surfaces with limbs ([`crate::starts::limbs`]). Where a rigid start ended, local stage and all, with surfaces that agree and a limb
-/// that did not correspond, it was lower by 0.04 to 0.2. Where they did not agree, three of twelve realistic people in two poses had 0.06 to
-/// 0.08, and with 0.1 all twelve were off by 1.54 % of the diagonal instead of 1.44 %. Other shapes gain as much by chance: cubes, which end on one
-/// of their symmetries, 0.034.
-const BETTER_WITH_LIMBS: f64 = 0.03;
-
-/// Difference in the straightness of two center lines from which tubular surfaces that agree are straightened too: bends by 90° are
-/// at 0.18 and more, pairs of hippocampi at 0.14 and less. This saves time; the misfit decides.
-const BENT: f64 = 0.15;
-
-/// An answer by straightened surfaces is taken if one of its starts, mirrored or not, has a misfit that is lower by this than those of
-/// all rigid starts: for bent capsules it is lower by 0.38 to 0.72, for hippocampi with warps and of two subjects by 0.06 at most.
-const STRAIGHT: f64 = 0.2;
 
 /// The source deformed onto the target.
 pub(crate) struct Fitted {
@@ -171,10 +155,10 @@ fn from_source(
         return Ok(Some(Fitted { deformed, compared }));
     }
     compared.retain(|start| start.finer != Finer::Same);
-    let doubtful = evidence.mirror_image_fits_better || agreement(&forward, &wide).is_doubtful();
-    let straightening = Straightening::of(surfaces, &evidence, doubtful, fine.residual_mm);
+    let doubtful = evidence.mirror_image_fits_better || agreement(&forward, &wide).is_doubtful(&request.options.route);
+    let straightening = Straightening::of(surfaces, &evidence, doubtful, fine.residual_mm, &request.options.route);
     if let Some(found) = by_tubes(surfaces, straightening, request)?
-        && least_misfit(&found.compared) < least_misfit(&compared) - STRAIGHT
+        && least_misfit(&found.compared) < least_misfit(&compared) - request.options.route.straight
     {
         return Ok(Some(found));
     }
@@ -294,15 +278,21 @@ enum Straightening {
 }
 
 impl Straightening {
-    fn of(surfaces: &Surfaces<'_>, evidence: &Evidence, doubtful: bool, residual_mm: f64) -> Straightening {
-        let of_one_shape = residual_mm < TWO_SUBJECTS * surfaces.lengths.sampling_mm;
+    fn of(
+        surfaces: &Surfaces<'_>,
+        evidence: &Evidence,
+        doubtful: bool,
+        residual_mm: f64,
+        settings: &RouteSettings,
+    ) -> Straightening {
+        let of_one_shape = residual_mm < settings.two_subjects * surfaces.lengths.sampling_mm;
         if evidence.is_mirrored || surfaces.bending == Bending::None {
             Straightening::Never
         } else if doubtful {
             Straightening::Always
         } else if of_one_shape && differ_in_spread(surfaces) {
             // Of one shape, surfaces that agree may still be bent against each other.
-            Straightening::IfBentBy(BENT)
+            Straightening::IfBentBy(settings.bent)
         } else {
             Straightening::Never
         }
@@ -376,7 +366,8 @@ fn by_isometry(
         RigidEnd::Refined(Some(found)) => found.moved(&forward.source.mesh).0,
         RigidEnd::Refined(None) | RigidEnd::Fine(_) => wide,
     };
-    let better = if branching { BETTER_WITH_LIMBS } else { CLEARLY_BETTER };
+    let settings = &forward.options.route;
+    let better = if branching { settings.better_with_limbs } else { settings.clearly_better };
     let to_beat = fine_misfit(forward, reached, false) - better;
     let lowest = lowest_energies(forward, source, target)?;
     let Some(over_form) = OverForm::new(forward, source) else { return Ok((end, None)) };
@@ -386,7 +377,7 @@ fn by_isometry(
     if best.fine_misfit >= to_beat {
         return Ok((end, None));
     }
-    let is_of_same_handedness = lowest.are_of_same_handedness();
+    let is_of_same_handedness = lowest.are_of_same_handedness(&forward.options.isometry);
     Ok((end, Some(IsometryRoute { refined: best.refined, compared: best.compared, is_of_same_handedness })))
 }
 

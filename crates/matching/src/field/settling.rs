@@ -5,16 +5,12 @@ use super::fine::followed;
 use super::fitted::{Fine, Refined};
 use crate::error::MatchError;
 
-/// Residual along the normals, in sampling distances, below which two surfaces are copies of one anatomy.
-const NOISE: f64 = 0.136;
-/// Observations are weighted by `(noise / residual)` to this power: two for the variance, the rest because larger
-/// residuals are correlated over larger areas.
-const NOISE_POWER: f64 = 6.0;
-
 /// The field after the settling stage.
 pub(crate) fn settled(displacement: &Displacement<'_>, mut fine: Fine) -> Result<Option<Refined>, MatchError> {
     let residual_mm = fine.residual_mm;
-    let weight = (NOISE * displacement.lengths.sampling_mm / residual_mm).powf(NOISE_POWER).min(1.0);
+    let weight = (displacement.options.fine.noise * displacement.lengths.sampling_mm / residual_mm)
+        .powf(displacement.options.fine.noise_power)
+        .min(1.0);
     if !followed(displacement, &mut fine, 3, displacement.options.steps[3], weight)? {
         return Ok(None);
     }

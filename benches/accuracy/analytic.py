@@ -90,7 +90,7 @@ def blob(draws):
 
 
 SHAPES = {"star": [star], "": [bent, blob]}
-"""The part of a set's name that says so, and the shapes that its indices have, in turns after every four."""
+"""The part of a set's name that says so, and the shapes of its indices; eight indices have every width with every shape."""
 KINDS = [
     "_".join(filter(None, ["analytic", shape, str(warp), str(n)]))
     for shape in SHAPES
@@ -125,7 +125,7 @@ def surface_and_warp(shape, warp, index):
     """The function from unit vectors to the surface, in mm, and the warp."""
     draws = np.random.default_rng([83, list(SHAPES).index(shape), index])
     functions = SHAPES[shape]
-    form = functions[index // len(WIDTHS) % len(functions)](draws)
+    form = functions[(index + index // len(WIDTHS)) % len(functions)](draws)
     vertices, faces, _ = resampled.sampled(resampled.Sphere(), form, 1000, draws)
     area = geometry.face_areas(vertices, faces).sum()
     scale = draws.uniform(*MEAN_RADIUS) / np.sqrt(area / (4 * np.pi))

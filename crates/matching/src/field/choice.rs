@@ -12,7 +12,6 @@ use homolog_primitives::observe::checkpoint;
 use homolog_registration::{RigidTransform, SAME_POSE_ANGLE, SamePose, absolute_orientation_of};
 use rayon::prelude::*;
 
-
 /// A pose that was followed through the first stage.
 struct Followed {
     index: usize,

@@ -141,9 +141,12 @@ fn by_field(coarse: &Coarse<'_>, posed: &Posed<'_>, starts: &mut Starts) -> Resu
         },
     };
     let smoothed = surfaces.smoothed()?;
-    let inferred = match scene.parameters.displacement.bending {
-        Bending::NearIsometry => Some(inferred(coarse, &smoothed, surfaces.lengths.root_mm, &counting)?),
-        Bending::None | Bending::Straightened => None,
+    // An energy that the request asks for takes its place.
+    let inferred = match (posed, scene.parameters.displacement.bending) {
+        (Posed::ByField, Bending::NearIsometry) => {
+            Some(inferred(coarse, &smoothed, surfaces.lengths.root_mm, &counting)?)
+        }
+        _ => None,
     };
     if let Some(inferred) = &inferred {
         let poses: Vec<RigidTransform> = inferred.poses().collect();

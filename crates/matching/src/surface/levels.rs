@@ -2,6 +2,7 @@
 
 use super::form::BendingInvariantForm;
 use super::side::Side;
+use super::sites::Sites;
 use homolog_mesh::{Numbering, SurfaceMesh};
 use std::sync::{Arc, OnceLock};
 
@@ -110,7 +111,8 @@ impl Levels {
             |n_sites: u32| 3 * (self.middle.heap_bytes() / n.max(1) + size_of::<u32>()) * n.min(n_sites as usize) / 2;
         let energy = self.coarse_vertices.map_or(0, of_sites);
         let cells = 2 * size_of_val(self.cells_of_middle.as_slice());
-        self.full.heap_bytes() + middle + energy + BendingInvariantForm::heap_bytes_over(n) + cells
+        let once = BendingInvariantForm::heap_bytes_over(n) + Sites::heap_bytes_over(n);
+        self.full.heap_bytes() + middle + energy + once + cells
     }
 }
 

@@ -140,7 +140,7 @@ impl Side {
         })
     }
 
-    /// Memory of this level with all parts that are computed on first use but its form, bytes. A finer surface on which features are
+    /// Memory of this level with all parts that are computed on first use but its form and its [`Sites`], bytes. A finer surface on which features are
     /// measured is not counted.
     pub(crate) fn heap_bytes(&self) -> usize {
         let (n, mesh) = (self.mesh().n_vertices(), self.mesh().heap_bytes());
@@ -148,6 +148,6 @@ impl Side {
         let sites = self.measured_on().map_or(0, |(_, sites)| size_of_val(sites));
         let index = SurfaceIndex::heap_bytes_over(self.mesh());
         let light = mesh + n * size_of::<f64>() + index;
-        own + sites + index + light + Sites::heap_bytes_over(n)
+        own + sites + index + light
     }
 }

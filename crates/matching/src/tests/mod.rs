@@ -205,7 +205,7 @@ fn progress_and_trace_only_go_forward() {
 }
 
 #[test]
-fn the_default_traces_the_fits_of_the_field() {
+fn the_default_traces_belief_propagation_then_ransac_then_the_fits_of_the_field() {
     use homolog_primitives::observe::{Observer, Phase, TracePoint};
     use std::sync::Mutex;
     #[derive(Default)]
@@ -218,7 +218,23 @@ fn the_default_traces_the_fits_of_the_field() {
     let (record, surface) = (Record::default(), bean());
     let outcome = match_surfaces(&surface, &squeezed(&surface), &parameters(json!({})), &record).unwrap();
     let trace = record.0.into_inner().unwrap();
-    assert!(outcome.energy.is_none() && outcome.rounds.is_empty() && trace.len() > 10, "{}", trace.len());
+    let n_inference = trace.iter().take_while(|point| point.phase == Phase::Inference).count();
+    let (inference, rest) = trace.split_at(n_inference);
+    assert!(inference.iter().enumerate().all(|(k, p)| (p.round, p.iteration) == (0, k as u32 + 1)));
+    let (energies, [from_nothing, clamped]) = (outcome.energy.unwrap(), &outcome.rounds[..]) else {
+        panic!("{:?}", outcome.rounds)
+    };
+    assert_eq!(from_nothing.iterations, inference.len() as u32);
+    assert!(!from_nothing.chosen && clamped.chosen && clamped.energy == energies.r#final);
+    assert!(energies.r#final == energies.unary + energies.pairwise && energies.r#final < energies.initial);
+    // Two of three labels from nothing support the pose, and nearly all those of the answer.
+    assert!(3 * from_nothing.support >= 2 * energies.n_variables && 10 * clamped.support >= 9 * energies.n_variables);
+    assert!(outcome.support.trials > 0 && outcome.support.confidence_reached);
+    let registration = &rest[0];
+    assert_eq!((registration.phase, registration.support), (Phase::Registration, Some(from_nothing.support)));
+    assert_eq!(registration.energy, Some(from_nothing.energy));
+    let trace = &rest[1..];
+    assert!(trace.len() > 10, "{}", trace.len());
     for (k, point) in trace.iter().enumerate() {
         assert_eq!(point.phase, Phase::Displacement);
         let [energy, misfit, cost] = [point.energy, point.energy_unary, point.energy_pairwise].map(Option::unwrap);
@@ -277,7 +293,8 @@ fn every_method_registers_a_copy() {
             Method::Foe => assert_eq!(outcome.poses.len(), 4),
             _ => assert!(moved < 0.5, "{}: {moved} mm", method.name()),
         }
-        assert_eq!(outcome.energy.is_some(), preset(method).inference.algorithm != Algorithm::None);
+        let minimizes = preset(method).inference.algorithm != Algorithm::None || method == Method::Balanced;
+        assert_eq!((outcome.energy.is_some(), outcome.rounds.is_empty()), (minimizes, !minimizes));
         let columns = &outcome.correspondences;
         assert!(columns.confidence.iter().all(|c| (0.0..=1.0).contains(c)), "{}", method.name());
         assert!(columns.spread_mm.iter().all(|s| s.is_finite() && *s >= 0.0), "{}", method.name());

@@ -171,8 +171,9 @@ fn from_source(
         (Some(route), _) => {
             // Rigid poses say nothing of the handedness of a surface that bends.
             compared.retain(|rigid| !(rigid.mirrored && route.is_of_same_handedness));
-            // They were outdone by the misfit at the scale of the sampling.
-            compared.iter_mut().for_each(|rigid| rigid.finer = Finer::Outdone);
+            // They were outdone by the misfit at the scale of the sampling; a mirror image that fits better still does.
+            let outdone = |rigid: &&mut ComparedPose| rigid.finer != Finer::Better;
+            compared.iter_mut().filter(outdone).for_each(|rigid| rigid.finer = Finer::Outdone);
             compared = route.compared.into_iter().chain(compared).collect();
             Some(route.refined)
         }

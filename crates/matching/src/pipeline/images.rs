@@ -8,7 +8,6 @@ use crate::answer::of_field::answered;
 use crate::answer::reliability::reliability;
 use crate::comparison::field_methods::by_method;
 use crate::comparison::registration_only::register;
-use crate::energy::inference::Inferred;
 use crate::error::MatchError;
 use crate::field::options::DisplacementOptions;
 use crate::field::route::displace;
@@ -148,13 +147,13 @@ fn by_field(coarse: &Coarse<'_>, posed: &Posed<'_>, starts: &mut Starts) -> Resu
         }
         _ => None,
     };
-    if let Some(inferred) = &inferred {
-        let poses: Vec<RigidTransform> = inferred.poses().collect();
-        starts.add_inferred(coarse, &poses, |pose| aligned_shortly(coarse, pose));
-    }
     // A part has labels that correspond to nothing.
-    if surfaces.open || !inferred.as_ref().is_some_and(Inferred::is_clear) {
-        starts.add_searched(coarse);
+    match inferred.as_ref().filter(|inferred| !surfaces.open && inferred.is_clear()) {
+        Some(inferred) => {
+            let poses: Vec<RigidTransform> = inferred.poses().collect();
+            starts.add_inferred(coarse, &poses, |pose| aligned_shortly(coarse, pose));
+        }
+        None => starts.add_searched(coarse),
     }
     observer.phase(Phase::Displacement);
     let poses = starts.with_excess(sameness(&source.middle, &target.middle));

@@ -26,6 +26,8 @@ pub(crate) struct SmoothSurface {
     pub areas: Vec<f64>,
     /// The area that its displacement counts for: less at the rim of a part.
     counted: Vec<f64>,
+    /// How many times as coarse as those of a surface without noise all scales are.
+    pub coarsening: f64,
     /// `n × N_FEATURES`.
     pub features: Vec<f64>,
     /// Its closest points, once they were asked for.
@@ -88,6 +90,7 @@ impl<'a> Flow<'a> {
             areas,
             features: vec![0.0; mesh.n_vertices() * N_FEATURES],
             closest: OnceLock::new(),
+            coarsening,
             mesh,
         };
         Ok((surface, values))

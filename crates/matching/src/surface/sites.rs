@@ -75,6 +75,6 @@ impl Sites {
     /// Memory of the sites of a surface with so many vertices, bytes.
     pub(crate) fn heap_bytes_over(n_vertices: usize) -> usize {
         let n = n_vertices.min(N_SITES);
-        n * n * size_of::<f32>() + n * (size_of::<f64>() + 8 * size_of::<u32>()) + n_vertices * size_of::<u32>()
+        n * n * size_of::<f32>() + n * (size_of::<f64>() + size_of::<[u32; 8]>()) + n_vertices * size_of::<u32>()
     }
 }

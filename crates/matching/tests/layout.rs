@@ -16,10 +16,10 @@ const LAYERS: &[(&str, &[&str])] = &[
     ("energy", &["surface", "pair", "starts"]),
     ("poses", &["surface", "pair", "starts"]),
     ("field", &["surface", "pair", "starts", "energy", "poses"]),
-    ("answer", &["surface", "pair", "starts", "poses", "field"]),
+    ("answer", &["surface", "pair", "starts", "energy", "poses", "field"]),
     ("thesis", &["surface", "pair", "poses"]),
     ("comparison", &["surface", "pair", "starts", "poses", "answer"]),
-    ("pipeline", &["surface", "pair", "starts", "poses", "field", "answer", "thesis", "comparison"]),
+    ("pipeline", &["surface", "pair", "starts", "energy", "poses", "field", "answer", "thesis", "comparison"]),
 ];
 
 /// Every file of `src` by its module path, without its tests and comments. The crate itself has the empty path.

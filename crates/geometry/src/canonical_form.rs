@@ -15,7 +15,6 @@
 
 use faer::linalg::solvers::Solve;
 use faer::{Mat, Side};
-use homolog_mesh::SurfaceMesh;
 use nalgebra::{Matrix3, Point3, Vector3};
 use rayon::prelude::*;
 
@@ -25,7 +24,7 @@ const STEPS: usize = 30;
 /// Sites of a neighborhood: itself and two rings.
 pub const NEIGHBORS: usize = 13;
 
-/// The form of `mesh` over some of its vertices.
+/// The form of a surface over some places on it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CanonicalForm {
     /// A point for each site, about the origin, mm.
@@ -36,30 +35,27 @@ pub struct CanonicalForm {
     pub stress: f64,
 }
 
-/// The form of `mesh` over its vertices `sites`, from the distances of each of them to all vertices, mm
-/// ([`distances_from`](crate::geodesic::distances_from)). `None` with fewer than four sites or where a number is not finite.
+/// The form of a surface over `sites` on it, from the distances between them along the surface, all in mm. `None` with fewer than four
+/// sites or where a number is not finite.
 ///
 /// # Cost
 /// `O(sites³)`.
-pub fn canonical_form(mesh: &SurfaceMesh, sites: &[u32], rows: &[Vec<f64>]) -> Option<CanonicalForm> {
+pub fn canonical_form(sites: &[Point3<f64>], distance: impl Fn(usize, usize) -> f64) -> Option<CanonicalForm> {
     let n = sites.len();
     if n < 4 {
         return None;
     }
-    let to_sites = |row: &Vec<f64>| sites.iter().map(|&k| row[k as usize]).collect();
-    let distances: Vec<Vec<f64>> = rows.iter().map(to_sites).collect();
-    let largest = distances.iter().flatten().copied().fold(0.0, f64::max);
+    let largest = (0..n).flat_map(|i| (0..n).map(move |j| (i, j))).map(|(i, j)| distance(i, j)).fold(0.0, f64::max);
     if !(largest.is_finite() && largest > 0.0) {
         return None;
     }
     // Without a unit, so that thresholds inside decompositions mean the same for surfaces of any size.
-    let d = Mat::from_fn(n, n, |i, j| 0.5 * (distances[i][j] + distances[j][i]) / largest);
+    let d = Mat::from_fn(n, n, |i, j| 0.5 * (distance(i, j) + distance(j, i)) / largest);
     let start = classical_scaling(&d)?;
     let (points, stress) = majorized(&d, start)?;
     let mut points: Vec<Point3<f64>> = points.iter().map(|x| Point3::from(x * largest)).collect();
-    let own: Vec<Point3<f64>> = sites.iter().map(|&k| mesh.vertices()[k as usize]).collect();
     let neighbors = nearest(&d);
-    if handedness(&own, &points, &neighbors) < 0.0 {
+    if handedness(sites, &points, &neighbors) < 0.0 {
         points.iter_mut().for_each(|p| p.x = -p.x);
     }
     Some(CanonicalForm { points, neighbors, stress })
@@ -150,6 +146,7 @@ fn handedness(points: &[Point3<f64>], images: &[Point3<f64>], neighbors: &[Vec<u
 mod tests {
     use super::*;
     use crate::geodesic::distances_from;
+    use homolog_mesh::SurfaceMesh;
     use homolog_mesh::shapes::ellipsoid;
 
     /// A long and thin surface without symmetry.
@@ -171,9 +168,14 @@ mod tests {
         mesh.with_vertices(mesh.vertices().iter().map(on_arc).collect()).unwrap()
     }
 
+    fn over(mesh: &SurfaceMesh, sites: &[u32]) -> Option<CanonicalForm> {
+        let places: Vec<Point3<f64>> = sites.iter().map(|&k| mesh.vertices()[k as usize]).collect();
+        let rows = distances_from(mesh, sites);
+        canonical_form(&places, |i, j| rows[i][sites[j] as usize])
+    }
+
     fn form(mesh: &SurfaceMesh) -> CanonicalForm {
-        let sites: Vec<u32> = (0..mesh.n_vertices() as u32).step_by(4).collect();
-        canonical_form(mesh, &sites, &distances_from(mesh, &sites)).unwrap()
+        over(mesh, &(0..mesh.n_vertices() as u32).step_by(4).collect::<Vec<u32>>()).unwrap()
     }
 
     /// Root mean square difference between the distances within two sets of points, relative to their root mean square.
@@ -235,7 +237,7 @@ mod tests {
     fn few_sites_have_no_form() {
         for sites in [vec![0, 1, 2], vec![0; 4]] {
             let mesh = straight();
-            assert!(canonical_form(&mesh, &sites, &distances_from(&mesh, &sites)).is_none());
+            assert!(over(&mesh, &sites).is_none());
         }
     }
 }

@@ -82,7 +82,7 @@ impl Case {
     }
 
     fn near_isometry(&self, name: &str) -> Outcome<()> {
-        let Some(found) = near_isometry_model(&self.source, &self.target)? else { return Ok(()) };
+        let found = near_isometry_model(&self.source, &self.target)?;
         let labels: Vec<Point3<f64>> = found.labels.iter().map(|&k| self.target.vertices()[k as usize]).collect();
         let truth: Vec<Point3<f64>> = found.variables.iter().map(|&k| self.truth[k as usize]).collect();
         let of_truth: Labeling = truth.iter().map(|q| nearest(&labels, q)).collect();
@@ -100,16 +100,14 @@ impl Case {
         say("conditional modes from the truth", &relaxed);
         let from_nothing = found.minimised(&[]);
         let mut all = vec![from_nothing.clone()];
-        for (what, biases) in [("form", &found.of_forms), ("extremities", &found.of_extremities)] {
-            let mut labelings: Vec<Labeling> = biases.iter().map(|bias| found.minimised(bias)).collect();
-            all.extend_from_slice(&labelings);
-            labelings.sort_by(|a, b| energy(a).total_cmp(&energy(b)));
-            if let Some(lowest) = labelings.first() {
-                say(&format!("propagation ({what})"), lowest);
-            }
-            for (k, x) in labelings.iter().enumerate() {
-                say(&format!("propagation from {what} {}", k + 1), x);
-            }
+        let mut labelings: Vec<Labeling> = found.of_extremities.iter().map(|bias| found.minimised(bias)).collect();
+        all.extend_from_slice(&labelings);
+        labelings.sort_by(|a, b| energy(a).total_cmp(&energy(b)));
+        if let Some(lowest) = labelings.first() {
+            say("propagation (extremities)", lowest);
+        }
+        for (k, x) in labelings.iter().enumerate() {
+            say(&format!("propagation from extremities {}", k + 1), x);
         }
         say("propagation from nothing", &from_nothing);
         if let Some(fused) = found.fused(&all) {

@@ -11,10 +11,10 @@ const BYTES_PER_VERTEX: u64 = 2048;
 /// differ is not known from the numbers of vertices.
 const BYTES_PER_RESIZED_VERTEX: u64 = 800;
 
-/// Memory of belief propagation over distances along the surface on two threads, bytes: with the forms of both surfaces 45 MiB more were
-/// measured at 2 × 5,000. The messages of a start take 8 MiB (about 1,900 edges in two directions, 512 labels, 32 bits), and each further thread
-/// has one more start at work. Whether surfaces bend is not known from the numbers of vertices.
-const BYTES_OF_NEAR_ISOMETRIES: u64 = 16 << 20;
+/// Memory of belief propagation over distances along the surface on two threads, bytes: 47 and 39 MiB more were measured at 2 × 5,000, with the
+/// forms of both surfaces. The tables of a start take 8 MiB (about 1,900 edges, 32 active labels at either end, 32 bits), and each
+/// further thread has one more start at work. Whether surfaces bend is not known from the numbers of vertices.
+const BYTES_OF_NEAR_ISOMETRIES: u64 = 44 << 20;
 
 /// Peak memory of matching surfaces of these sizes, bytes; accurate to a tenth where messages dominate. `source` is the
 /// number of vertices and faces.

@@ -2,19 +2,18 @@
 
 use super::settings::IsometrySettings;
 use super::variance::variance_of_distance;
-use crate::starts::forms::FormMatch;
-use crate::surface::form::Places;
-use nalgebra::Point3;
+use crate::surface::sites::{Places, Sites};
+use homolog_mrf::Labeling;
 
 /// What `pairs` of a variable and a label, which correspond, add to the unary potentials of all `places` and `labels`: corresponding places
 /// have the same distances from them.
 pub(crate) fn bias_of_pairs(
     pairs: &[(usize, usize)],
-    places: &Places,
-    labels: &Places,
+    places: &Places<'_>,
+    labels: &Places<'_>,
     settings: &IsometrySettings,
 ) -> Vec<f32> {
-    let (n, n_labels) = (places.vertices.len(), labels.vertices.len());
+    let (n, n_labels) = (places.len(), labels.len());
     let bias = |(i, x): (usize, usize)| {
         let squared = pairs.iter().map(|&(j, y)| {
             let distance = places.distance(i, j);
@@ -25,22 +24,17 @@ pub(crate) fn bias_of_pairs(
     (0..n).flat_map(|i| (0..n_labels).map(move |x| (i, x))).map(bias).collect()
 }
 
-/// What `guess` adds to the unary potentials of these `variables`, sites of the form, where belief propagation begins; `places` are the
-/// labels, mm, and `width_mm` the standard deviation of a proposed place.
-pub(crate) fn bias_of_form(
-    guess: &FormMatch,
-    variables: &[u32],
-    places: &[Point3<f64>],
-    width_mm: f64,
-    settings: &IsometrySettings,
-) -> Vec<f32> {
-    let bias = |&k: &u32| {
-        let proposed = guess.images[k as usize];
-        let weight = settings.bias_weight * guess.mass[k as usize].min(1.0);
-        places.iter().map(move |q| {
-            let squared = (q - proposed).norm_squared() / (width_mm * width_mm);
-            (weight * (0.5 * squared).min(settings.bias_truncation)) as f32
-        })
-    };
-    variables.iter().flat_map(bias).collect()
+/// A bias away from `labelings`: what each label near that of a variable in one of them costs it at first, `repulsion` at most, falling off over
+/// `width`, a distance along the surface in roots of its area.
+pub(crate) fn bias_away_from(labelings: &[&Labeling], labels: &Sites, repulsion: f64, width: f64) -> Vec<f32> {
+    let scale = -0.5 / (width * width);
+    let cost = |d: f32| (repulsion * (scale * f64::from(d) * f64::from(d)).exp()) as f32;
+    let n_variables = labelings.first().map_or(0, |labeling| labeling.len());
+    let mut bias = vec![0.0f32; n_variables * labels.len()];
+    for labeling in labelings {
+        for (own, row) in labeling.iter().zip(bias.chunks_exact_mut(labels.len())) {
+            row.iter_mut().zip(labels.row(*own as usize)).for_each(|(sum, &d)| *sum += cost(d));
+        }
+    }
+    bias
 }

@@ -1,10 +1,10 @@
 //! Inference: belief propagation from nothing over the energy of near isometries, of the source and of its mirror image, and RANSAC
 //! over the labels, weighted by beliefs.
 
-use super::model::edges;
+use super::bias::bias_away_from;
+use super::lead::Groups;
+use super::model::{Isometry, Measured};
 use super::settings::IsometrySettings;
-use super::signs::{Signs, unary_potentials};
-use crate::surface::sites::Sites;
 use homolog_contract::result::{
     ConvergenceDocument, ConvergenceStatus, EnergyDocument, Feedback, RoundDocument, StopReason,
 };
@@ -18,8 +18,6 @@ use nalgebra::{Matrix3, Point3, Vector3};
 const CLEAR_SUPPORT: f64 = 0.9;
 /// Standard errors by which labels elsewhere cost more where there is no doubt.
 const DISTINCT: f64 = 3.0;
-/// Groups of neighboring variables over which the costs of two labelings are compared.
-const GROUPS: usize = 40;
 
 /// How the energy is minimized and what supports a pose.
 #[derive(Debug, Clone, PartialEq)]
@@ -39,10 +37,6 @@ pub(crate) struct InferenceSettings {
     /// Confidence and most trials of RANSAC.
     pub confidence: f64,
     pub max_trials: u64,
-    /// A second labeling is looked for where each variable pays for labels near its first one: by so much, falling off over this
-    /// distance along the surface, in roots of the area.
-    pub repulsion: f64,
-    pub repulsion_width: f64,
 }
 
 impl Default for InferenceSettings {
@@ -57,17 +51,8 @@ impl Default for InferenceSettings {
             inlier: 0.1,
             confidence: 0.999,
             max_trials: 4096,
-            repulsion: 6.0,
-            repulsion_width: 0.25,
         }
     }
-}
-
-/// One surface of an inference: its sites, where these lie, mm, and what is measured there.
-pub(crate) struct Measured<'a> {
-    pub sites: &'a Sites,
-    pub signs: Signs,
-    pub places: Vec<Point3<f64>>,
 }
 
 /// A labeling of the energy, and the pose that it supports.
@@ -95,8 +80,7 @@ pub(crate) struct Inferred {
     model: MetricModel,
     /// The energy of the mirrored source.
     of_mirror: MetricModel,
-    /// The group of neighbors that each variable belongs to.
-    groups: Vec<u32>,
+    groups: Groups,
     /// The labels, mm.
     places: Vec<Point3<f64>>,
     tolerance_mm: f64,
@@ -140,15 +124,9 @@ impl Inferred {
             && self.excess(&self.of_mirror, &self.mirrored) > DISTINCT
     }
 
-    /// How much more `other`, a labeling of `model`, costs than the first one: the mean difference over groups of neighboring variables, in
-    /// its standard error.
+    /// How much more `other`, a labeling of `model`, costs than the first one: see [`Groups::lead`].
     fn excess(&self, model: &MetricModel, other: &Labeled) -> f64 {
-        let (own, others) = (self.model.shares(&self.proper.labeling), model.shares(&other.labeling));
-        let mut sums = vec![0.0; GROUPS.min(own.len())];
-        for (i, (own, other)) in own.iter().zip(&others).enumerate() {
-            sums[self.groups[i] as usize] += other - own;
-        }
-        standardized_mean(&sums)
+        self.groups.lead(&self.model.shares(&self.proper.labeling), &model.shares(&other.labeling))
     }
 
     /// Reports the energy after each iteration, and the support of the labels.
@@ -224,14 +202,6 @@ impl Inferred {
     }
 }
 
-/// Mean of `values` in its standard error.
-fn standardized_mean(values: &[f64]) -> f64 {
-    let n = values.len() as f64;
-    let mean = values.iter().sum::<f64>() / n;
-    let variance = values.iter().map(|v| (v - mean).powi(2)).sum::<f64>() / (n - 1.0);
-    mean / (variance / n).sqrt().max(f64::MIN_POSITIVE)
-}
-
 /// Infers the labels of `source` on `target`, whose areas have the root `root_mm`.
 ///
 /// # Errors
@@ -248,14 +218,7 @@ pub(crate) fn infer(
     observer: &dyn Observer,
 ) -> Result<Inferred, Cancelled> {
     let of_energy = IsometrySettings::default();
-    let variables = source.sites.first(of_energy.n_variables);
-    let distance = |i: usize, j: usize| f64::from(source.sites.row(variables[i] as usize)[variables[j] as usize]);
-    let edges = edges(variables.len(), distance, target.sites.len(), &of_energy);
-    let of_variables = source.signs.picked(variables);
-    let unary = |of_source: &Signs| unary_potentials(of_source, &target.signs, &of_energy);
-    let model = MetricModel::new(target.sites.distances.clone(), unary(&of_variables), edges, of_energy.truncation);
-    let of_mirror = model.with_unary(unary(&of_variables.mirrored()));
-    let points: Vec<Point3<f64>> = variables.iter().map(|&k| source.places[k as usize]).collect();
+    let Isometry { model, mirrored: of_mirror, variables, points, .. } = Isometry::new(source, target, of_energy);
     checkpoint(observer)?;
     let labeled = |model: &MetricModel, bias: &[f32], mirrors: bool| {
         labeled(model, bias, (&points, mirrors), target, root_mm, seed, settings)
@@ -264,19 +227,16 @@ pub(crate) fn infer(
         || labeled(&of_mirror, &[], true),
         || {
             let proper = labeled(&model, &[], false);
-            let elsewhere = labeled(&model, &away_from(&proper.labeling, target.sites, settings), false);
+            let away =
+                bias_away_from(&[&proper.labeling], target.sites, of_energy.repulsion, of_energy.repulsion_width);
+            let elsewhere = labeled(&model, &away, false);
             (proper, elsewhere)
         },
     );
     checkpoint(observer)?;
-    let nearest = |&k: &u32| {
-        let row = source.sites.row(k as usize);
-        let distance = |g: &u32| row[variables[*g as usize] as usize];
-        (0..GROUPS.min(variables.len()) as u32).min_by(|a, b| distance(a).total_cmp(&distance(b))).unwrap_or(0)
-    };
     Ok(Inferred {
         initial: model.energy(&model.unary_minimum()),
-        groups: variables.iter().map(nearest).collect(),
+        groups: Groups::new(source.sites, variables),
         places: target.places.clone(),
         tolerance_mm: settings.inlier * root_mm,
         sweeps: settings.sweeps,
@@ -287,13 +247,6 @@ pub(crate) fn infer(
         of_mirror,
         model,
     })
-}
-
-/// A bias away from `labeling`: what each label near that of a variable costs it at first.
-fn away_from(labeling: &[u32], target: &Sites, settings: &InferenceSettings) -> Vec<f32> {
-    let scale = -0.5 / (settings.repulsion_width * settings.repulsion_width);
-    let cost = |&d: &f32| (settings.repulsion * (scale * f64::from(d) * f64::from(d)).exp()) as f32;
-    labeling.iter().flat_map(|&own| target.row(own as usize).iter().map(cost)).collect()
 }
 
 fn labeled(

@@ -1,11 +1,10 @@
 //! The minimization of the energy of near isometries, and the correspondences that labelings are.
 
-use super::bias::bias_of_form;
+use super::bias::bias_away_from;
 use super::model::Isometry;
 use super::settings::IsometrySettings;
-use crate::starts::forms::FormMatch;
 use homolog_mrf::Labeling;
-use homolog_mrf::metric::MetricModel;
+use homolog_mrf::metric::{ActiveOptions, MetricModel, Semiring};
 use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
 
@@ -27,10 +26,15 @@ impl NearIsometry {
     }
 }
 
-/// The labeling to which belief propagation with a bias at first, or with an empty one, and conditional modes lead.
+/// The labeling to which belief propagation over active labels with a bias at first, or with an empty one, and conditional modes lead.
 pub(crate) fn minimized(model: &MetricModel, bias: &[f32], settings: &IsometrySettings) -> Labeling {
-    let iterations = if bias.is_empty() { settings.iterations_from_nothing } else { settings.iterations };
-    model.descend(model.max_product(bias, iterations, settings.damping), settings.sweeps)
+    let options = ActiveOptions {
+        semiring: Semiring::Max,
+        iterations: settings.iterations as u32,
+        damping: settings.damping,
+        tolerance: settings.tolerance,
+    };
+    model.minimized(bias, settings.active_labels, &options, settings.sweeps, |_, _, _| ())
 }
 
 /// The labeling to which fusing `labelings`, and conditional modes, lead; `None` of none.
@@ -39,42 +43,54 @@ pub(crate) fn fused(model: &MetricModel, labelings: &[Labeling], settings: &Isom
 }
 
 impl Isometry<'_> {
-    /// The correspondences to which belief propagation and conditional modes lead from the `guesses`, from extremities and from
-    /// nothing, and the fusion of all of them.
+    /// The labeling to which conditional modes lead from the labels nearest to the images of the variables, mm.
+    pub(crate) fn of_images(&self, images: &[Point3<f64>]) -> Labeling {
+        let nearest = |p: &Point3<f64>| {
+            let squared = |x: &u32| (self.places[*x as usize] - p).norm_squared();
+            (0..self.places.len() as u32).min_by(|x, y| squared(x).total_cmp(&squared(y))).unwrap_or(0)
+        };
+        self.model.descend(images.iter().map(nearest).collect(), self.settings.sweeps)
+    }
+
+    /// The labelings to which belief propagation and conditional modes lead from nothing, from extremities and away from `known`, and the
+    /// fusion of all of them.
     ///
-    /// Cost `O(edges · labels²)` for each start: 0.05 s of one core, measured on people of 5,000 vertices.
-    pub(crate) fn correspondences(&self, guesses: &[FormMatch]) -> Vec<NearIsometry> {
-        let labelings = self.labelings(&self.model, guesses);
-        let fused = fused(&self.model, &labelings, &self.settings);
-        let correspondence = |labeling: &Labeling| NearIsometry {
+    /// Cost `O(iterations · edges · active²)` for each start.
+    pub(crate) fn candidates(&self, known: &Labeling) -> Vec<Labeling> {
+        let mut labelings = self.labelings(&self.model);
+        labelings.extend(fused(&self.model, &labelings, &self.settings));
+        let away = |labelings: &[&Labeling]| {
+            let IsometrySettings { repulsion, repulsion_width, .. } = self.settings;
+            minimized(&self.model, &bias_away_from(labelings, self.labels, repulsion, repulsion_width), &self.settings)
+        };
+        let elsewhere = away(&[known]);
+        let elsewhere_again = away(&[known, &elsewhere]);
+        labelings.extend([elsewhere, elsewhere_again]);
+        labelings
+    }
+
+    /// The correspondences that `labeling` is.
+    pub(crate) fn correspondence(&self, labeling: &Labeling) -> NearIsometry {
+        NearIsometry {
             points: self.points.clone(),
             images: self.images(labeling),
             energy: self.model.energy(labeling).total(),
-        };
-        labelings.iter().chain(&fused).map(correspondence).collect()
+        }
     }
 
-    /// The lowest energy to which the `guesses`, extremities and nothing lead if the source is mirrored.
+    /// The lowest energy to which extremities and nothing lead if the source is mirrored.
     ///
-    /// Cost as that of [`Isometry::correspondences`].
-    pub(crate) fn lowest_mirrored(&self, guesses: &[FormMatch]) -> f64 {
-        let fused = fused(&self.mirrored, &self.labelings(&self.mirrored, guesses), &self.settings);
+    /// Cost as that of [`Isometry::candidates`].
+    pub(crate) fn lowest_mirrored(&self) -> f64 {
+        let fused = fused(&self.mirrored, &self.labelings(&self.mirrored), &self.settings);
         fused.map_or(f64::INFINITY, |labeling| self.mirrored.energy(&labeling).total())
     }
 
-    /// The labelings of `model` from each of the `guesses`, from each assignment of extremities and from nothing.
-    fn labelings(&self, model: &MetricModel, guesses: &[FormMatch]) -> Vec<Labeling> {
-        let of_forms: Vec<Vec<f32>> = guesses.iter().map(|guess| self.bias(guess)).collect();
-        // The longest first.
+    /// The labelings of `model` from nothing and from each assignment of extremities.
+    fn labelings(&self, model: &MetricModel) -> Vec<Labeling> {
         let starts: Vec<&[f32]> =
-            [[].as_slice()].into_iter().chain(of_forms.iter().chain(&self.of_extremities).map(Vec::as_slice)).collect();
+            [[].as_slice()].into_iter().chain(self.of_extremities.iter().map(Vec::as_slice)).collect();
         starts.par_iter().map(|bias| minimized(model, bias, &self.settings)).collect()
-    }
-
-    /// What `guess` adds to the unary potentials where belief propagation begins.
-    pub(crate) fn bias(&self, guess: &FormMatch) -> Vec<f32> {
-        let width_mm = self.settings.bias_width * self.target_root_mm;
-        bias_of_form(guess, &self.variables, &self.places, width_mm, &self.settings)
     }
 
     /// For each variable the mean of the labels about its own, weighted by what they would cost.
@@ -83,10 +99,10 @@ impl Isometry<'_> {
         (0..labeling.len())
             .map(|i| {
                 let own = labeling[i] as usize;
-                let cost = self.model.conditional(i, labeling);
+                let (row, cost) = (self.labels.row(own), self.model.conditional(i, labeling));
                 let (mut total, mut sum) = (0.0, Vector3::zeros());
                 for (x, q) in self.places.iter().enumerate() {
-                    if self.labels.distance(own, x) <= near {
+                    if f64::from(row[x]) <= near {
                         let weight = f64::from(cost[own] - cost[x]).min(0.0).exp();
                         total += weight;
                         sum += q.coords * weight;

@@ -2,6 +2,7 @@
 
 pub(crate) mod bias;
 pub(crate) mod inference;
+pub(crate) mod lead;
 pub(crate) mod minimize;
 pub(crate) mod model;
 pub(crate) mod near_isometry;

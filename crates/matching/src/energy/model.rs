@@ -12,21 +12,33 @@
 //!   the plane of two features, `∫ n · (∇f × ∇g)`. A person's left and right hand have the same distances and curvatures, and
 //!   opposite chirality.
 //!
-//! It starts from the correspondences of the forms and from assignments of extremities ([`crate::starts::extremities`]): each is a bias of
-//! belief propagation, which is then taken away ([`homolog_mrf::metric`]), and it starts from nothing as well. The labelings are
-//! fused, since one is right about the arms and another about the legs. The energy says which labeling is right; `make energies`
-//! measures how often.
+//! It is minimized from nothing, and from assignments of extremities ([`crate::starts::extremities`]): each is a bias of belief propagation, which
+//! is then taken away ([`homolog_mrf::metric`]). The labelings are fused, since one is right about the arms and another about
+//! the legs. The energy says which labeling is right; `make energies` measures how often.
 
 use super::bias::bias_of_pairs;
 use super::settings::IsometrySettings;
 use super::signs::{Signs, unary_potentials};
 use super::variance::variance_of_distance;
 use crate::starts::extremities::assignments;
-use crate::surface::form::{BendingInvariantForm, Places};
+use crate::surface::sites::Sites;
 use crate::surface::smooth::SmoothSurface;
 use homolog_mrf::metric::{MetricEdge, MetricModel};
-use homolog_primitives::points::farthest_points;
 use nalgebra::Point3;
+
+/// One surface of the field: its sites, where these lie, mm, and what is measured there.
+pub(crate) struct Measured<'a> {
+    pub sites: &'a Sites,
+    pub signs: Signs,
+    pub places: Vec<Point3<f64>>,
+}
+
+impl<'a> Measured<'a> {
+    /// The `sites` of `surface`. Cost `O(n + sites · triangles)`.
+    pub(crate) fn of(surface: &SmoothSurface, sites: &'a Sites, settings: &IsometrySettings) -> Measured<'a> {
+        Measured { sites, signs: Signs::at_sites(surface, sites, settings), places: sites.places(&surface.mesh) }
+    }
+}
 
 /// The field between two surfaces.
 pub(crate) struct Isometry<'a> {
@@ -35,61 +47,42 @@ pub(crate) struct Isometry<'a> {
     pub model: MetricModel,
     /// The same for a source that is mirrored: the chirality of its places has the other sign.
     pub mirrored: MetricModel,
-    /// For each assignment of extremities what it adds to the unary potentials at first.
-    pub of_extremities: Vec<Vec<f32>>,
-    /// The sites of the source's form that are variables.
-    pub variables: Vec<u32>,
+    /// The sites of the source that are variables.
+    pub variables: &'a [u32],
     /// The variables on the source, mm.
     pub points: Vec<Point3<f64>>,
-    /// The labels, with their distances along the target.
-    pub labels: &'a Places,
+    /// The sites of the target, which are the labels.
+    pub labels: &'a Sites,
     /// The labels on the target, mm.
     pub places: Vec<Point3<f64>>,
-    /// Root of the area of the target, mm.
-    pub target_root_mm: f64,
+    /// For each assignment of extremities what it adds to the unary potentials at first.
+    pub of_extremities: Vec<Vec<f32>>,
 }
 
 impl<'a> Isometry<'a> {
-    /// The field between two surfaces with their forms.
-    ///
-    /// # Cost
-    /// `O(sites · (vertices of the measured level + variables))`.
-    pub(crate) fn new(
-        (source, of_source): (&SmoothSurface, &BendingInvariantForm),
-        (target, of_target): (&SmoothSurface, &'a BendingInvariantForm),
-        settings: IsometrySettings,
-    ) -> Self {
+    /// The field between two surfaces. Cost `O(variables · labels)`.
+    pub(crate) fn new(source: &Measured<'a>, target: &Measured<'a>, settings: IsometrySettings) -> Self {
         debug_assert_eq!(settings.check(), Ok(()));
-        let sites = of_source.places(&source.mesh);
-        let variables: Vec<u32> = farthest_points(&sites, settings.n_variables).into_iter().map(|k| k as u32).collect();
-        let places = of_source.measured.sites.picked(&variables);
-        let labels = &of_target.measured.labels;
-        let (a, b) = rayon::join(
-            || Signs::of(source, &of_source.measured, &places, &settings),
-            || Signs::of(target, &of_target.measured, labels, &settings),
-        );
-        let n = labels.vertices.len();
-        let distances: Vec<f32> = (0..n).flat_map(|x| (0..n).map(move |y| labels.distance(x, y) as f32)).collect();
-        let place = |&v: &u32| target.mesh.vertices()[of_target.measured.vertices[v as usize] as usize];
-        let model = MetricModel::new(
-            distances,
-            unary_potentials(&a, &b, &settings),
-            edges(places.vertices.len(), |i, j| places.distance(i, j), n, &settings),
-            settings.truncation,
-        );
+        let variables = source.sites.first(settings.n_variables);
+        let places = source.sites.picked(variables);
+        let labels = target.sites;
+        let signs = source.signs.picked(variables);
+        let unary = |signs: &Signs| unary_potentials(signs, &target.signs, &settings);
+        let edges = edges(variables.len(), |i, j| places.distance(i, j), labels.len(), &settings);
+        let model = MetricModel::new(labels.distances.clone(), unary(&signs), edges, settings.truncation);
+        let of_extremities = assignments(&places, &labels.all(), settings.stretch)
+            .iter()
+            .map(|pairs| bias_of_pairs(pairs, &places, &labels.all(), &settings))
+            .collect();
         Isometry {
             settings,
-            of_extremities: assignments(&places, labels, settings.stretch)
-                .iter()
-                .map(|pairs| bias_of_pairs(pairs, &places, labels, &settings))
-                .collect(),
-            mirrored: model.with_unary(unary_potentials(&a.mirrored(), &b, &settings)),
+            of_extremities,
+            mirrored: model.with_unary(unary(&signs.mirrored())),
             model,
-            points: variables.iter().map(|&k| sites[k as usize]).collect(),
+            points: variables.iter().map(|&k| source.places[k as usize]).collect(),
             variables,
-            places: labels.vertices.iter().map(place).collect(),
             labels,
-            target_root_mm: target.mesh.area().sqrt(),
+            places: target.places.clone(),
         }
     }
 }

@@ -1,12 +1,11 @@
 //! The energy of near isometries by itself, for measuring it.
 
 use super::minimize::{fused, minimized};
-use super::model::Isometry;
+use super::model::{Isometry, Measured};
 use super::settings::IsometrySettings;
 use crate::error::MatchError;
 use crate::pair::lengths::Lengths;
 use crate::pair::smooth_pair::smooth_pair;
-use crate::starts::forms::{FormMatchSettings, form_matches};
 use crate::surface::side::Side;
 use homolog_mesh::SurfaceMesh;
 use homolog_mrf::Labeling;
@@ -21,9 +20,7 @@ pub struct NearIsometryModel {
     pub variables: Vec<u32>,
     /// The vertex of the target that each label is.
     pub labels: Vec<u32>,
-    /// For each correspondence of the forms what it adds to the unary potentials at first.
-    pub of_forms: Vec<Vec<f32>>,
-    /// The same for each assignment of extremities.
+    /// For each assignment of extremities what it adds to the unary potentials at first.
     pub of_extremities: Vec<Vec<f32>>,
 }
 
@@ -39,29 +36,24 @@ impl NearIsometryModel {
     }
 }
 
-/// The model of two surfaces in canonical numbering; `None` where one has too few vertices or pieces that no form holds.
+/// The model of two surfaces in canonical numbering.
 ///
 /// # Errors
 /// [`MatchError::ScaleSpace`].
-pub fn near_isometry_model(
-    source: &SurfaceMesh,
-    target: &SurfaceMesh,
-) -> Result<Option<NearIsometryModel>, MatchError> {
+pub fn near_isometry_model(source: &SurfaceMesh, target: &SurfaceMesh) -> Result<NearIsometryModel, MatchError> {
     let (source, target) = (Side::new(source), Side::new(target));
     let root_mm = Lengths::of(&source, &target).root_mm;
     let smooth = smooth_pair(source.mesh(), target.mesh(), root_mm, false)?;
-    let (Some(of_source), Some(of_target)) = (source.form(), target.form()) else { return Ok(None) };
-    let (source, target) = ((&*smooth.0, of_source), (&*smooth.1, of_target));
-    let isometry = Isometry::new(source, target, IsometrySettings::default());
-    let matches = form_matches(source, target, &FormMatchSettings::default());
-    let measured = &of_target.measured;
-    Ok(Some(NearIsometryModel {
-        variables: isometry.variables.iter().map(|&k| of_source.sites[k as usize]).collect(),
-        labels: measured.labels.vertices.iter().map(|&v| measured.vertices[v as usize]).collect(),
-        of_forms: matches.iter().map(|guess| isometry.bias(guess)).collect(),
+    let settings = IsometrySettings::default();
+    let (of_source, of_target) =
+        (Measured::of(&smooth.0, source.sites(), &settings), Measured::of(&smooth.1, target.sites(), &settings));
+    let isometry = Isometry::new(&of_source, &of_target, settings);
+    Ok(NearIsometryModel {
+        variables: isometry.variables.iter().map(|&k| source.sites().vertices[k as usize]).collect(),
+        labels: target.sites().vertices.clone(),
         of_extremities: isometry.of_extremities,
         model: isometry.model,
-    }))
+    })
 }
 
 #[cfg(test)]
@@ -95,7 +87,7 @@ mod tests {
     #[test]
     fn the_truth_has_a_lower_energy_than_its_mirror_image() {
         let mesh = symmetric(0.4);
-        let found = near_isometry_model(&mesh, &mesh).unwrap().unwrap();
+        let found = near_isometry_model(&mesh, &mesh).unwrap();
         let (variables, labels) = (at(&mesh, &found.variables), at(&mesh, &found.labels));
         let truth: Vec<u32> = variables.iter().map(|p| nearest(&labels, *p)).collect();
         let mirrored: Vec<u32> = variables.iter().map(|p| nearest(&labels, Point3::new(p.x, p.y, -p.z))).collect();
@@ -108,7 +100,7 @@ mod tests {
     #[test]
     fn a_collapse_costs_more_than_the_truth() {
         let mesh = symmetric(0.4);
-        let found = near_isometry_model(&mesh, &mesh).unwrap().unwrap();
+        let found = near_isometry_model(&mesh, &mesh).unwrap();
         let (variables, labels) = (at(&mesh, &found.variables), at(&mesh, &found.labels));
         let truth: Vec<u32> = variables.iter().map(|p| nearest(&labels, *p)).collect();
         let energy = |x: &[u32]| found.model.energy(x).total();
@@ -118,9 +110,9 @@ mod tests {
     }
 
     #[test]
-    fn propagation_from_forms_and_from_extremities_ends_as_low_as_the_truth_and_where_it_is() {
+    fn propagation_from_nothing_and_from_extremities_ends_as_low_as_the_truth_and_where_it_is() {
         let (source, target) = (symmetric(0.2), symmetric(1.6));
-        let found = near_isometry_model(&source, &target).unwrap().unwrap();
+        let found = near_isometry_model(&source, &target).unwrap();
         // Where a point of the bent surface lies on the straighter one: the same place along and about the axis.
         let unbent = |p: &Point3<f64>, angle: f64| {
             let radius = 32.0 / angle;
@@ -132,7 +124,7 @@ mod tests {
         let truth: Vec<u32> = variables.iter().map(|p| nearest(&labels, *p)).collect();
         let energy = |x: &[u32]| found.model.energy(x).total();
         let relaxed = energy(&found.model.descend(truth, 50));
-        for starts in [&found.of_forms, &found.of_extremities] {
+        for starts in [&vec![Vec::<f32>::new()], &found.of_extremities] {
             let labelings = starts.iter().map(|bias| found.minimised(bias));
             let best = labelings.min_by(|a, b| energy(a).total_cmp(&energy(b))).unwrap();
             let away = best.iter().zip(&variables).map(|(&x, p)| (labels[x as usize] - p).norm()).sum::<f64>() / 160.0;

@@ -1,7 +1,6 @@
 //! What is measured at the places of a surface, and the unary potentials of two surfaces.
 
 use super::settings::IsometrySettings;
-use crate::surface::form::{Measured, Places};
 use crate::surface::sites::Sites;
 use crate::surface::smooth::{N_FEATURES, SmoothSurface};
 use rayon::prelude::*;
@@ -29,63 +28,6 @@ impl Signs {
         }
     }
 
-    /// At `places` of the measured level of `surface`.
-    pub(crate) fn of(
-        surface: &SmoothSurface,
-        measured: &Measured,
-        places: &Places,
-        settings: &IsometrySettings,
-    ) -> Signs {
-        let n = measured.mesh.n_vertices();
-        // Even samples, so that each counts alike.
-        let all = &measured.labels.rows;
-        let mean_square = |v: usize| all.iter().map(|row| row[v] * row[v]).sum::<f64>() / all.len() as f64;
-        let eccentricity: Vec<f64> = (0..n).map(|v| mean_square(v).sqrt()).collect();
-        let value = |v: u32, f: usize| {
-            if f == N_FEATURES {
-                eccentricity[v as usize]
-            } else {
-                surface.features[measured.vertices[v as usize] as usize * N_FEATURES + f]
-            }
-        };
-        let triangles: Vec<[u32; 3]> = measured.mesh.triangles();
-        let at = |(&own, row): (&u32, &Vec<f64>)| {
-            let weight = |distance: f64, width: f64| (-0.5 * (distance / width).powi(2)).exp();
-            let (mut total, mut features) = (0.0, vec![0.0; N_FEATURES]);
-            for v in 0..n as u32 {
-                let w = weight(row[v as usize], settings.feature_width);
-                total += w;
-                features.iter_mut().enumerate().for_each(|(f, sum)| *sum += w * value(v, f));
-            }
-            features.iter_mut().for_each(|sum| *sum /= total);
-            let mut chirality = vec![0.0; PLANES.len()];
-            for t in &triangles {
-                let distance = t.iter().map(|&v| row[v as usize]).sum::<f64>() / 3.0;
-                if distance > 4.0 * settings.chirality_width {
-                    continue;
-                }
-                let w = weight(distance, settings.chirality_width);
-                for (sum, [f, g]) in chirality.iter_mut().zip(PLANES) {
-                    let [a, b, c] = t.map(|v| [value(v, f), value(v, g)]);
-                    *sum += w * ((b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1]));
-                }
-            }
-            // A product of two features: the root has their spread.
-            chirality.iter_mut().for_each(|x| *x = x.signum() * x.abs().sqrt());
-            (features, chirality, vec![eccentricity[own as usize]])
-        };
-        let found: Vec<_> = places.vertices.par_iter().zip(&places.rows).map(at).collect();
-        let mut signs = Signs { features: Vec::new(), chirality: Vec::new(), eccentricity: Vec::new() };
-        for (features, chirality, eccentricity) in found {
-            signs.features.push(features);
-            signs.chirality.push(chirality);
-            signs.eccentricity.push(eccentricity);
-        }
-        signs
-    }
-}
-
-impl Signs {
     /// At all `sites` of `surface`: features are means over cells, and chirality is summed over the triangles between sites.
     ///
     /// Cost `O(n + sites · triangles)`.

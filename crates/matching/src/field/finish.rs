@@ -104,9 +104,9 @@ pub(crate) fn moved_rigidly(
 /// [`MatchError::Cancelled`].
 pub(crate) fn finished_back(reverse: ReverseFit<'_>, surfaces: &Surfaces<'_>) -> Result<Option<Deformed>, MatchError> {
     let landmarks: Vec<Landmark> = surfaces.landmarks.iter().map(swapped).collect();
-    let form_of = |role: Role| (surfaces.form_of)(role.other());
+    let side_of = |role: Role| (surfaces.side_of)(role.other());
     let ReverseFit { displacement, pose, fine } = reverse;
     let Some(refined) = refined_from(&displacement, fine)? else { return Ok(None) };
-    let found = finished(&displacement, &surfaces.swapped(&landmarks, &form_of), refined, &pose)?;
+    let found = finished(&displacement, &surfaces.swapped(&landmarks, &side_of), refined, &pose)?;
     Ok(found.and_then(|found| found.inverse(surfaces.full_target, surfaces.full_source)))
 }

@@ -1,7 +1,7 @@
 //! The fit from near isometries, where no rigid start leads to surfaces that agree, and between surfaces with limbs.
 //!
-//! Correspondences of the forms ([`crate::starts::forms`]) and of extremities ([`crate::starts::extremities`]) are corrected and ordered
-//! by the energy of near isometries ([`crate::energy`]). Each bends the source onto the target before a field is fitted: bending costs
+//! The labelings of least energy of near isometries ([`crate::energy`]), from nothing and from extremities
+//! ([`crate::starts::extremities`]), are correspondences. Each bends the source onto the target before a field is fitted: bending costs
 //! nothing, and the prior of the field is that of what remains. Its functions are smooth along the surface instead of through space
 //! ([`super::unbending`]), so that a limb moves apart from what it happens to be close to. The stages are those of a rigid
 //! start. Those of the lowest energies go through all stages; of them, that with the lowest misfit at the scale of the
@@ -17,14 +17,15 @@ use super::refine::refined;
 use super::settings::IsometryFitSettings;
 use super::unbending::Unbending;
 use crate::energy::minimize::NearIsometry;
-use crate::energy::model::Isometry;
+use crate::energy::model::{Isometry, Measured};
 use crate::energy::settings::IsometrySettings;
 use crate::error::MatchError;
 use crate::poses::compared::{ComparedPose, Finer, Origin};
-use crate::starts::forms::{FormMatch, FormMatchSettings, form_matches};
 use crate::surface::form::BendingInvariantForm;
+use crate::surface::side::Side;
 use crate::surface::smooth::Thinned;
 use faer::Mat;
+use homolog_mrf::Labeling;
 use homolog_primitives::observe::{Observer, Phase, checkpoint};
 use homolog_registration::alignment::AssignmentTarget;
 use homolog_registration::deformation::{GaussianKernel, Observation, fit_field};
@@ -36,6 +37,60 @@ use std::sync::Arc;
 /// Mean distance of points of the same index, mm; 0 of none.
 fn mean_distance(a: &[Point3<f64>], b: &[Point3<f64>]) -> f64 {
     a.iter().zip(b).map(|(p, q)| (p - q).norm()).sum::<f64>() / a.len().max(1) as f64
+}
+
+/// Correspondences of low energy, that of the present answer among them.
+pub(crate) struct LowEnergies<'a> {
+    isometry: Isometry<'a>,
+    /// The lowest first, each another correspondence.
+    starts: Vec<NearIsometry>,
+    /// Whether none has a lower energy than what the present answer leads to.
+    pub is_answer_lowest: bool,
+}
+
+impl LowEnergies<'_> {
+    /// Whether the energy is no higher than with the source mirrored; so it is for a body whose left and right are alike.
+    pub(crate) fn are_of_same_handedness(&self, settings: &IsometryFitSettings) -> bool {
+        let lowest = self.starts.first().map_or(f64::INFINITY, |lowest| lowest.energy);
+        lowest <= (1.0 + settings.equal_energy) * self.isometry.lowest_mirrored()
+    }
+}
+
+/// The correspondences of low energy between `source` and `target`, the surfaces of `displacement`: from nothing, from extremities, and from an
+/// answer that moves the vertices of the source to `moved`, mm.
+///
+/// # Errors
+/// [`MatchError::Cancelled`].
+pub(crate) fn low_energies<'a>(
+    displacement: &Displacement<'_>,
+    source: &'a Side,
+    target: &'a Side,
+    moved: &[Point3<f64>],
+) -> Result<LowEnergies<'a>, MatchError> {
+    let observer = displacement.observer;
+    let settings = &displacement.options.isometry;
+    checkpoint(observer)?;
+    observer.phase(Phase::Inference);
+    let of_energy = IsometrySettings::default();
+    let (of_source, of_target) = (
+        Measured::of(&displacement.source, source.sites(), &of_energy),
+        Measured::of(&displacement.target, target.sites(), &of_energy),
+    );
+    let isometry = Isometry::new(&of_source, &of_target, of_energy);
+    let image = |&site: &u32| moved[source.sites().vertices[site as usize] as usize];
+    let images: Vec<Point3<f64>> = isometry.variables.iter().map(image).collect();
+    let own = isometry.of_images(&images);
+    let candidates = isometry.candidates(&own);
+    let energy = |labeling: &Labeling| isometry.model.energy(labeling).total();
+    let is_answer_lowest = candidates.iter().all(|other| energy(other) >= energy(&own));
+    let starts: Vec<NearIsometry> =
+        candidates.iter().chain([&own]).map(|labeling| isometry.correspondence(labeling)).collect();
+    let mut fit = observer.begin();
+    starts.iter().for_each(|start| observer.trace_labels(&mut fit, start.mean_energy()));
+    let starts = distinct(starts, displacement.lengths.root_mm, settings);
+    observer.phase(Phase::Displacement);
+    checkpoint(observer)?;
+    Ok(LowEnergies { isometry, starts, is_answer_lowest })
 }
 
 /// The first of `starts` by their energy, the lowest first, without those that are the same correspondence as one before
@@ -53,47 +108,6 @@ fn distinct(mut starts: Vec<NearIsometry>, root_mm: f64, settings: &IsometryFitS
     kept
 }
 
-/// The labelings of least energy, the lowest first.
-pub(crate) struct LowestEnergies<'a> {
-    isometry: Isometry<'a>,
-    matches: Vec<FormMatch>,
-    starts: Vec<NearIsometry>,
-}
-
-impl LowestEnergies<'_> {
-    /// Whether the energy is no higher than with the source mirrored; so it is for a body whose left and right are alike.
-    pub(crate) fn are_of_same_handedness(&self, settings: &IsometryFitSettings) -> bool {
-        let lowest = self.starts.first().map_or(f64::INFINITY, |lowest| lowest.energy);
-        lowest <= (1.0 + settings.equal_energy) * self.isometry.lowest_mirrored(&self.matches)
-    }
-}
-
-/// The correspondences of least energy between both surfaces with their forms.
-///
-/// # Errors
-/// [`MatchError::Cancelled`].
-pub(crate) fn lowest_energies<'a>(
-    displacement: &Displacement<'_>,
-    source: &BendingInvariantForm,
-    target: &'a BendingInvariantForm,
-) -> Result<LowestEnergies<'a>, MatchError> {
-    let observer = displacement.observer;
-    checkpoint(observer)?;
-    let matches =
-        form_matches((&displacement.source, source), (&displacement.target, target), &FormMatchSettings::default());
-    checkpoint(observer)?;
-    observer.phase(Phase::Inference);
-    let isometry =
-        Isometry::new((&displacement.source, source), (&displacement.target, target), IsometrySettings::default());
-    let starts = isometry.correspondences(&matches);
-    let mut fit = observer.begin();
-    starts.iter().for_each(|start| observer.trace_labels(&mut fit, start.mean_energy()));
-    let starts = distinct(starts, displacement.lengths.root_mm, &displacement.options.isometry);
-    observer.phase(Phase::Displacement);
-    checkpoint(observer)?;
-    Ok(LowestEnergies { isometry, matches, starts })
-}
-
 /// A displacement whose functions are smooth over the form of the source, with what its first stage reads.
 pub(crate) struct OverForm<'a> {
     displacement: Displacement<'a>,
@@ -108,7 +122,7 @@ impl<'a> OverForm<'a> {
     pub(crate) fn new(displacement: &'a Displacement<'_>, form: &BendingInvariantForm) -> Option<OverForm<'a>> {
         let mesh = &displacement.source.mesh;
         let settings = &displacement.options.isometry;
-        let cells = (mesh.vertices(), &form.site_of[..]);
+        let cells = (mesh.vertices(), &form.place_of[..]);
         let unbending = Arc::new(Unbending::new(&form.places(mesh), &form.points, &form.neighbors, cells));
         let mut prior = displacement.options.prior.of(displacement.diagonal_mm);
         prior.kernels.push(GaussianKernel {
@@ -157,8 +171,8 @@ impl BentStart {
 ///
 /// # Errors
 /// [`MatchError::Cancelled`].
-pub(crate) fn bent_starts(over_form: &OverForm<'_>, lowest: &LowestEnergies<'_>) -> Result<Vec<BentStart>, MatchError> {
-    let found = lowest
+pub(crate) fn bent_starts(over_form: &OverForm<'_>, low: &LowEnergies<'_>) -> Result<Vec<BentStart>, MatchError> {
+    let found = low
         .starts
         .par_iter()
         .map(|start| {

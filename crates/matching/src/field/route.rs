@@ -41,7 +41,7 @@ use super::finish::{finished, finished_back, moved_rigidly};
 use super::fitted::{Fine, Refined};
 use super::functions::Functions;
 use super::guides::Guides;
-use super::isometry::{OverForm, bent_starts, best_of_lowest, lowest_energies, repeated};
+use super::isometry::{OverForm, bent_starts, best_of_lowest, low_energies, repeated};
 use super::options::DisplacementOptions;
 use super::refine::refined_from;
 use super::reverse::{ReverseFit, reverse_fit};
@@ -119,9 +119,9 @@ fn from_part(
     request: Request<'_>,
 ) -> Result<Option<Fitted>, MatchError> {
     let landmarks: Vec<Landmark> = surfaces.landmarks.iter().map(swapped).collect();
-    let form_of = |role: Role| (surfaces.form_of)(role.other());
+    let side_of = |role: Role| (surfaces.side_of)(role.other());
     let poses: Vec<StartPose> = poses.iter().map(|start| StartPose { pose: start.pose.inverse(), ..*start }).collect();
-    let swapped = surfaces.swapped(&landmarks, &form_of);
+    let swapped = surfaces.swapped(&landmarks, &side_of);
     let Some(found) = from_source(&swapped, (target, source), &poses, request)? else { return Ok(None) };
     let inverse = |start: ComparedPose| ComparedPose { origin: start.origin.inverse(), ..start };
     let compared = found.compared.into_iter().map(inverse).collect();
@@ -358,7 +358,7 @@ fn by_isometry(
     doubtful: bool,
     branching: bool,
 ) -> Result<(RigidEnd, Option<IsometryRoute>), MatchError> {
-    let (Some(source), Some(target)) = ((surfaces.form_of)(Role::Source), (surfaces.form_of)(Role::Target)) else {
+    let (Some(source), Some(target)) = ((surfaces.side_of)(Role::Source), (surfaces.side_of)(Role::Target)) else {
         return Ok((RigidEnd::Fine(fine), None));
     };
     // Surfaces that agree are as close as they come only after the local stage.
@@ -367,18 +367,22 @@ fn by_isometry(
         RigidEnd::Refined(Some(found)) => found.moved(&forward.source.mesh).0,
         RigidEnd::Refined(None) | RigidEnd::Fine(_) => wide,
     };
+    let low = low_energies(forward, source, target, &reached)?;
+    // No other correspondence is likelier; between limbs one along the surface is truer all the same.
+    if low.is_answer_lowest && !branching {
+        return Ok((end, None));
+    }
     let settings = &forward.options.route;
     let better = if branching { settings.better_with_limbs } else { settings.clearly_better };
     let to_beat = fine_misfit(forward, reached, false) - better;
-    let lowest = lowest_energies(forward, source, target)?;
-    let Some(over_form) = OverForm::new(forward, source) else { return Ok((end, None)) };
-    let starts = bent_starts(&over_form, &lowest)?;
+    let Some(over_form) = source.form().and_then(|form| OverForm::new(forward, form)) else { return Ok((end, None)) };
+    let starts = bent_starts(&over_form, &low)?;
     let Some(best) = best_of_lowest(&over_form, starts)? else { return Ok((end, None)) };
     let best = repeated(&over_form, best)?;
     if best.fine_misfit >= to_beat {
         return Ok((end, None));
     }
-    let is_of_same_handedness = lowest.are_of_same_handedness(&forward.options.isometry);
+    let is_of_same_handedness = low.are_of_same_handedness(&forward.options.isometry);
     Ok((end, Some(IsometryRoute { refined: best.refined, compared: best.compared, is_of_same_handedness })))
 }
 

@@ -2,7 +2,7 @@
 
 use super::lengths::Lengths;
 use super::role::Role;
-use crate::surface::form::BendingInvariantForm;
+use crate::surface::side::Side;
 use homolog_contract::parameters::{Bending, Landmark};
 use homolog_geometry::curvature::vertex_areas;
 use homolog_mesh::{ClosestPointIndex, SurfaceMesh};
@@ -35,8 +35,8 @@ pub(crate) struct Surfaces<'a> {
     pub lengths: Lengths,
     /// How surfaces that no rigid motion brings together are matched.
     pub bending: Bending,
-    /// The bending-invariant form of a surface that the fields are fitted on, made when it is asked for.
-    pub form_of: &'a (dyn Fn(Role) -> Option<&'a BendingInvariantForm> + Sync),
+    /// What is known of the surface that the fields are fitted on: sites and form. `None` where these say nothing.
+    pub side_of: &'a (dyn Fn(Role) -> Option<&'a Side> + Sync),
 }
 
 impl Surfaces<'_> {
@@ -51,7 +51,7 @@ impl Surfaces<'_> {
     pub(crate) fn swapped<'b>(
         &'b self,
         landmarks: &'b [Landmark],
-        form_of: &'b (dyn Fn(Role) -> Option<&'b BendingInvariantForm> + Sync),
+        side_of: &'b (dyn Fn(Role) -> Option<&'b Side> + Sync),
     ) -> Surfaces<'b> {
         Surfaces {
             source: self.target,
@@ -61,7 +61,7 @@ impl Surfaces<'_> {
             source_closest: self.target_closest,
             target_closest: self.source_closest,
             landmarks,
-            form_of,
+            side_of,
             open: self.open,
             part: self.part.map(Role::other),
             lengths: self.lengths,

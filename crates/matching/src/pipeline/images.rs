@@ -133,10 +133,10 @@ fn by_field(coarse: &Coarse<'_>, posed: &Posed<'_>, starts: &mut Starts) -> Resu
         part: part(&source.full, &target.full),
         lengths: Lengths::of(&source.middle, &target.middle),
         bending: scene.parameters.displacement.bending,
-        form_of: &|role| match (scene.parameters.displacement.bending, role) {
+        side_of: &|role| match (scene.parameters.displacement.bending, role) {
             (Bending::None | Bending::Straightened, _) => None,
-            (Bending::NearIsometry, Role::Source) => source.middle.form(),
-            (Bending::NearIsometry, Role::Target) => target.middle.form(),
+            (Bending::NearIsometry, Role::Source) => Some(&source.middle),
+            (Bending::NearIsometry, Role::Target) => Some(&target.middle),
         },
     };
     let smoothed = surfaces.smoothed()?;

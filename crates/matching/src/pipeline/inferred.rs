@@ -1,13 +1,12 @@
 //! Inference in the pipeline: the labels of near isometries of a pair of surfaces, and those that an answer names.
 
-use crate::energy::inference::{InferenceSettings, Inferred, Measured, infer};
+use crate::energy::inference::{InferenceSettings, Inferred, infer};
+use crate::energy::model::Measured;
 use crate::energy::settings::IsometrySettings;
-use crate::energy::signs::Signs;
 use crate::error::MatchError;
 use crate::pair::problem::Coarse;
 use crate::pair::smooth_pair::SmoothPair;
 use crate::poses::copies::align_shortly;
-use crate::surface::side::Side;
 use homolog_mrf::Labeling;
 use homolog_primitives::observe::{Observer, Phase};
 use homolog_registration::{RigidTransform, SurfaceSide};
@@ -29,23 +28,13 @@ pub(crate) fn inferred(
     let (source, target) = (&coarse.source.middle, &coarse.target.middle);
     let settings = IsometrySettings::default();
     let (of_source, of_target) = rayon::join(
-        || Signs::at_sites(&smoothed.0, source.sites(), &settings),
-        || Signs::at_sites(&smoothed.1, target.sites(), &settings),
+        || Measured::of(&smoothed.0, source.sites(), &settings),
+        || Measured::of(&smoothed.1, target.sites(), &settings),
     );
-    let found = infer(
-        &measured(source, of_source),
-        &measured(target, of_target),
-        root_mm,
-        coarse.full.parameters.seed,
-        &InferenceSettings::default(),
-        observer,
-    )?;
+    let found =
+        infer(&of_source, &of_target, root_mm, coarse.full.parameters.seed, &InferenceSettings::default(), observer)?;
     found.trace(observer);
     Ok(found)
-}
-
-fn measured(side: &Side, signs: Signs) -> Measured<'_> {
-    Measured { sites: side.sites(), signs, places: side.sites().places(side.mesh()) }
 }
 
 /// The label of each variable that `labeling` names, which has a target vertex for every source vertex.

@@ -19,9 +19,10 @@ use homolog_geometry::curvature::vertex_areas;
 use homolog_mesh::SurfaceMesh;
 use homolog_primitives::observe::Observer;
 use homolog_registration::{RigidTransform, weighted_moments};
-use nalgebra::{Point3, Vector3};
+use nalgebra::{Matrix3, Point3, Vector3};
 
-/// Ratio of the roots of two areas from which that is tried. It saves time: the likeness of the shapes decides.
+/// Ratio of the roots of two areas, and of the distances from the center, from which that is tried. It saves time: the likeness of the
+/// shapes decides.
 const UNLIKE_SIZES: f64 = 1.25;
 
 /// Ratio of the roots of two areas up to which an open surface may be a part of a closed one: a tenth of its area.
@@ -52,7 +53,11 @@ pub(crate) fn resized(
 ) -> Result<Displaced, MatchError> {
     let factor = target.full.root_mm / source.full.root_mm;
     let Some(as_they_are) = likeness(&found) else { return Ok(found) };
-    if !factor.is_finite() || factor.max(1.0 / factor) < UNLIKE_SIZES || is_of_a_part(source, target, factor) {
+    let apart = |ratio: f64| ratio.max(1.0 / ratio);
+    // Noise makes an area larger, and hardly the distances through space; bending changes these and no area.
+    let of_spread = spread_mm(target.full.mesh()) / spread_mm(source.full.mesh());
+    let differ = factor.is_finite() && apart(factor).min(apart(of_spread)) >= UNLIKE_SIZES;
+    if !differ || is_of_a_part(source, target, factor) {
         return Ok(found);
     }
     let mesh = source.full.mesh();
@@ -94,9 +99,20 @@ fn likeness(answer: &Displaced) -> Option<f64> {
 
 /// The mean of the surface over its area, mm.
 fn center(mesh: &SurfaceMesh) -> Vector3<f64> {
+    moments(mesh).map_or_else(Vector3::zeros, |(mean, _)| mean)
+}
+
+/// The root mean square distance of the surface from its mean, mm; 1 where it has no area.
+fn spread_mm(mesh: &SurfaceMesh) -> f64 {
+    moments(mesh).map_or(1.0, |(_, variance)| variance.trace().sqrt())
+}
+
+/// Mean of the surface over its area, mm, and its variance, mm².
+fn moments(mesh: &SurfaceMesh) -> Option<(Vector3<f64>, Matrix3<f64>)> {
     let areas = vertex_areas(mesh);
-    let moments = weighted_moments(mesh.vertices(), &areas, areas.iter().sum());
-    moments.map_or_else(Vector3::zeros, |(mean, _)| mean)
+    let total: f64 = areas.iter().sum();
+    let (mean, scatter) = weighted_moments(mesh.vertices(), &areas, total)?;
+    Some((mean, scatter / total))
 }
 
 /// The rigid transform that rotates as `pose` does and moves `center` to where `pose` moves it after scaling by `factor`.

@@ -8,7 +8,7 @@
 //! Source: Zhang et al., "Deformation-driven shape correspondence", Computer Graphics Forum 27(5), 2008 (a search over the
 //! assignments of extremities, pruned by distances along the surface).
 
-use crate::surface::form::Places;
+use crate::surface::sites::Places;
 
 /// A place is an extremity if within this distance along the surface, in roots of the area, no other has a larger root mean square distance
 /// from all places.
@@ -30,7 +30,7 @@ pub(crate) type Assignment = Vec<(usize, usize)>;
 ///
 /// Cost: that of all partial assignments of [`MOST`] places, cut off where they cost more than those that are kept, and
 /// `O(places²)`.
-pub(crate) fn assignments(source: &Places, target: &Places, stretch: f64) -> Vec<Assignment> {
+pub(crate) fn assignments(source: &Places<'_>, target: &Places<'_>, stretch: f64) -> Vec<Assignment> {
     let (a, b) = (Extremities::of(source), Extremities::of(target));
     let costs = Costs {
         // Each extremity counts once, however many others there are.
@@ -49,7 +49,7 @@ pub(crate) fn assignments(source: &Places, target: &Places, stretch: f64) -> Vec
 
 /// How many extremities a surface has whose root mean square distance from all places is at least `remoteness`, at most [`MOST`]. Cost
 /// `O(places²)`.
-pub(crate) fn number_of_limbs(places: &Places, remoteness: f64) -> usize {
+pub(crate) fn number_of_limbs(places: &Places<'_>, remoteness: f64) -> usize {
     Extremities::of(places).remoteness.iter().filter(|&&r| r >= remoteness).count()
 }
 
@@ -63,8 +63,8 @@ struct Extremities {
 }
 
 impl Extremities {
-    fn of(places: &Places) -> Self {
-        let n = places.vertices.len();
+    fn of(places: &Places<'_>) -> Self {
+        let n = places.len();
         let mean_square = |i: usize| (0..n).map(|j| places.distance(i, j).powi(2)).sum::<f64>() / n as f64;
         let remoteness: Vec<f64> = (0..n).map(|i| mean_square(i).sqrt()).collect();
         // Of places that are equally far out the first.
@@ -149,7 +149,7 @@ mod tests {
     const STRETCH: f64 = 0.15;
 
     /// Places of a star in the plane whose arms have these directions (degrees) and lengths; distances are those along the arms.
-    fn star(arms: &[(f64, f64)]) -> (Places, Vec<usize>) {
+    fn star(arms: &[(f64, f64)]) -> (Vec<f32>, Vec<usize>) {
         const STEPS: usize = 12;
         let mut points = vec![(0, 0.0)];
         let mut tips = Vec::new();
@@ -165,8 +165,11 @@ mod tests {
             };
             if a == b { (r - s).abs() } else { 0.5 * (r + s + (at(a, r) - at(b, s)).norm()) }
         };
-        let rows = points.iter().map(|p| points.iter().map(|q| distance(p, q)).collect()).collect();
-        (Places { vertices: (0..points.len() as u32).collect(), rows }, tips)
+        (points.iter().flat_map(|p| points.iter().map(move |q| distance(p, q) as f32)).collect(), tips)
+    }
+
+    fn places(distances: &[f32]) -> Places<'_> {
+        Places { distances, n_sites: distances.len().isqrt(), which: None }
     }
 
     #[test]
@@ -176,7 +179,7 @@ mod tests {
         let (target, others) = star(&[arms[2], arms[0], arms[3], arms[1]]);
         let mut expected: Assignment =
             vec![(tips[0], others[1]), (tips[1], others[3]), (tips[2], others[0]), (tips[3], others[2])];
-        let found = assignments(&source, &target, STRETCH);
+        let found = assignments(&places(&source), &places(&target), STRETCH);
         let mut first = found[0].clone();
         first.sort_unstable();
         expected.sort_unstable();
@@ -187,7 +190,8 @@ mod tests {
 
     #[test]
     fn limbs_are_the_extremities_that_are_far_out() {
-        let (places, _) = star(&[(0.0, 1.0), (80.0, 0.8), (170.0, 1.3), (250.0, 0.6)]);
+        let (distances, _) = star(&[(0.0, 1.0), (80.0, 0.8), (170.0, 1.3), (250.0, 0.6)]);
+        let places = places(&distances);
         let remoteness = Extremities::of(&places).remoteness;
         assert_eq!(remoteness.len(), 4);
         assert!(remoteness.windows(2).all(|w| w[0] >= w[1]));
@@ -197,7 +201,7 @@ mod tests {
     #[test]
     fn a_symmetry_gives_both_assignments_first() {
         let (source, tips) = star(&[(0.0, 1.3), (100.0, 0.9), (260.0, 0.9)]);
-        let found = assignments(&source, &source, STRETCH);
+        let found = assignments(&places(&source), &places(&source), STRETCH);
         let sorted = |mut pairs: Assignment| {
             pairs.sort_unstable();
             pairs
@@ -211,7 +215,7 @@ mod tests {
     fn the_kept_assignments_are_the_cheapest_of_all() {
         let (source, _) = star(&[(0.0, 1.0), (90.0, 0.8), (200.0, 0.7)]);
         let (target, _) = star(&[(10.0, 0.9), (120.0, 0.9), (215.0, 0.75), (300.0, 0.5)]);
-        let (a, b) = (Extremities::of(&source), Extremities::of(&target));
+        let (a, b) = (Extremities::of(&places(&source)), Extremities::of(&places(&target)));
         let (n, m) = (a.places.len(), b.places.len());
         assert!(n >= 3 && m >= 4);
         let costs = Costs { pair_weight: 1.0 / (n.min(m) - 1) as f64, stretch: STRETCH, a: &a, b: &b };

@@ -24,7 +24,7 @@ const FAR_OUT: f64 = 0.64;
 /// Cost `O(n)` for compact surfaces, otherwise that of their forms.
 pub(crate) fn may_branch(surfaces: &Surfaces<'_>) -> bool {
     let branches = |which: Role| {
-        (surfaces.form_of)(which).is_some_and(|form| number_of_limbs(&form.measured.labels, FAR_OUT) >= FEWEST_LIMBS)
+        (surfaces.side_of)(which).is_some_and(|side| number_of_limbs(&side.sites().all(), FAR_OUT) >= FEWEST_LIMBS)
     };
     surfaces.bending == Bending::NearIsometry
         && !surfaces.open

@@ -2,7 +2,6 @@
 
 pub(crate) mod candidates;
 pub(crate) mod extremities;
-pub(crate) mod forms;
 pub(crate) mod landmarks;
 pub(crate) mod limbs;
 pub(crate) mod rotations;

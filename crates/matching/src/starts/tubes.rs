@@ -118,7 +118,7 @@ impl<'a> Tubes<'a> {
             part: surfaces.part,
             lengths: surfaces.lengths,
             bending: Bending::None,
-            form_of: &|_| None,
+            side_of: &|_| None,
         }
     }
 

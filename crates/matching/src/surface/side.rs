@@ -119,12 +119,7 @@ impl Side {
 
     /// The bending-invariant form of the lightly smoothed surface.
     pub(crate) fn form(&self) -> Option<&BendingInvariantForm> {
-        self.form
-            .get_or_init(|| {
-                let light = self.light();
-                BendingInvariantForm::new(&light.mesh, &self.normals, &light.areas)
-            })
-            .as_ref()
+        self.form.get_or_init(|| BendingInvariantForm::new(&self.light().mesh, self.sites())).as_ref()
     }
 
     /// The places between which the energy of near isometries is stated, on the lightly smoothed surface.

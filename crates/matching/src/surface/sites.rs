@@ -29,6 +29,28 @@ pub(crate) struct Sites {
     pub eccentricity: Vec<f64>,
 }
 
+/// Some places of a surface and the distances along it between them.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Places<'a> {
+    /// Distances between all sites, row by row.
+    pub distances: &'a [f32],
+    pub n_sites: usize,
+    /// The site that each place is; all sites where none are listed.
+    pub which: Option<&'a [u32]>,
+}
+
+impl Places<'_> {
+    pub(crate) fn len(&self) -> usize {
+        self.which.map_or(self.n_sites, <[u32]>::len)
+    }
+
+    /// The distance between two places along the surface, in roots of its area.
+    pub(crate) fn distance(&self, i: usize, j: usize) -> f64 {
+        let [i, j] = [i, j].map(|k| self.which.map_or(k, |which| which[k] as usize));
+        f64::from(self.distances[i * self.n_sites + j])
+    }
+}
+
 impl Sites {
     /// The sites of `mesh`, which is in canonical numbering and smoothed to the scale of its noise. Cost `O(n log n + sites² · 12)` for
     /// each of about ten sweeps.
@@ -65,6 +87,16 @@ impl Sites {
     /// The first `n` sites of [`Self::order`], which cover the surface evenly.
     pub(crate) fn first(&self, n: usize) -> &[u32] {
         &self.order[..n.min(self.len())]
+    }
+
+    /// All sites as places, in the order of their numbers.
+    pub(crate) fn all(&self) -> Places<'_> {
+        Places { distances: &self.distances, n_sites: self.len(), which: None }
+    }
+
+    /// The sites that are listed, as places.
+    pub(crate) fn picked<'a>(&'a self, which: &'a [u32]) -> Places<'a> {
+        Places { distances: &self.distances, n_sites: self.len(), which: Some(which) }
     }
 
     /// Where the sites lie on `mesh`, whose vertices they are, mm.

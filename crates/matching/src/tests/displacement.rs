@@ -47,7 +47,7 @@ fn displace_from(
         open: [source, target].iter().any(|mesh| mesh.boundary_vertices().is_some()),
         lengths: Lengths::of(&Side::new(source), &Side::new(target)),
         bending: homolog_contract::parameters::Bending::None,
-        form_of: &|_| None,
+        side_of: &|_| None,
     };
     let fitted = route::displace(&surfaces, surfaces.smoothed()?, starts, true, options, observer)?;
     Ok(fitted.map(|fitted| DisplacementAnswer::of(fitted, &surfaces)))

@@ -7,10 +7,10 @@
 //! An edge may join any two variables, near or far; its potential is a truncated Gaussian log-likelihood of the distance
 //! `d'` of the two labels, given the distance `ℓ_ij` of the two variables. Where [`crate::MrfModel`] asks neighbors to stay
 //! neighbors, this asks all distances to be kept: variables that collapse on one label pay for it on every edge, and far
-//! edges hold the whole together. The price is a message of `K²` operations instead of `K · k̄`; labels whose cost exceeds
-//! that of the best by the truncation cannot matter and are skipped.
+//! edges hold the whole together. The price is a message of `K²` operations instead of `K · k̄`, so belief
+//! propagation looks at a few active labels of each variable, which its beliefs revise.
 //!
-//! [`MetricModel::max_product`] is belief propagation, [`MetricModel::descend`] iterated conditional modes from a labeling,
+//! [`MetricModel::propagate`] is belief propagation over some labels of each variable, [`MetricModel::descend`] iterated conditional modes from a labeling,
 //! [`MetricModel::fused`] puts two labelings together, variable by variable.
 //!
 //! Sources: Pearl 1988 (max-product); Besag, "On the statistical analysis of dirty pictures", 1986 (conditional modes);
@@ -19,7 +19,6 @@
 
 mod active;
 mod fusion;
-mod propagation;
 #[cfg(test)]
 mod tests;
 

@@ -1,0 +1,46 @@
+//! How clearly one labeling costs less than another.
+
+use crate::surface::sites::Sites;
+
+/// Groups of neighboring variables over which the costs of two labelings are compared.
+const GROUPS: usize = 40;
+
+/// Groups of neighboring variables. What a place has of the energy is correlated with what its neighbors have; means over groups
+/// hardly are.
+#[derive(Debug, Clone)]
+pub(crate) struct Groups {
+    /// The group of each variable.
+    of: Vec<u32>,
+    n: usize,
+}
+
+impl Groups {
+    /// The groups of `variables`, which are `sites` from the first on, each as far as possible from all before it: that of the nearest of
+    /// the first ones.
+    pub(crate) fn new(sites: &Sites, variables: &[u32]) -> Groups {
+        let n = GROUPS.min(variables.len());
+        let nearest = |&site: &u32| {
+            let row = sites.row(site as usize);
+            let distance = |group: &u32| row[variables[*group as usize] as usize];
+            (0..n as u32).min_by(|a, b| distance(a).total_cmp(&distance(b))).unwrap_or(0)
+        };
+        Groups { of: variables.iter().map(nearest).collect(), n }
+    }
+
+    /// How much more `others` cost than `own`, both a number for each variable: the mean difference over groups, in its standard error.
+    pub(crate) fn lead(&self, own: &[f64], others: &[f64]) -> f64 {
+        let mut sums = vec![0.0; self.n];
+        for ((own, other), &group) in own.iter().zip(others).zip(&self.of) {
+            sums[group as usize] += other - own;
+        }
+        standardized_mean(&sums)
+    }
+}
+
+/// Mean of `values` in its standard error.
+fn standardized_mean(values: &[f64]) -> f64 {
+    let n = values.len() as f64;
+    let mean = values.iter().sum::<f64>() / n;
+    let variance = values.iter().map(|v| (v - mean).powi(2)).sum::<f64>() / (n - 1.0);
+    mean / (variance / n).sqrt().max(f64::MIN_POSITIVE)
+}

@@ -45,6 +45,14 @@ export const REASONS: Record<string, { meaning: string; check: string }> = {
     meaning: "A mirrored source fits better.",
     check: "Is one file a left structure and the other a right one, or does an image have a flipped axis?",
   },
+  uncertain_side: {
+    meaning: "A file states two orientations of different handedness: left and right may be exchanged.",
+    check: "Which orientation of the file is right? Write it into both places (sform and qform).",
+  },
+  units_differ: {
+    meaning: "The sizes differ by the ratio of two units of length.",
+    check: "Are both files in millimetres? Scale one of them, or state its unit in the file.",
+  },
   ambiguous_pose: {
     meaning: "A different pose fits as well.",
     check: "Is the shape nearly symmetric? Landmarks resolve it: submit again with a few corresponding points.",
@@ -70,7 +78,7 @@ export function verdict(job: Job): VerdictText {
         tone: "good",
         mark: "✓",
         title: "Reliable",
-        lines: [`No check found a fault. ${distance}`],
+        lines: [`No check found a fault. ${distance}`, ...(job.warnings ?? [])],
         next: "Look for colors that jump in the picture below; if there are none, keep this match.",
       };
     }
@@ -80,7 +88,7 @@ export function verdict(job: Job): VerdictText {
         tone: "bad",
         mark: "✕",
         title: "Not reliable",
-        lines: reasons.map((reason) => reason.meaning),
+        lines: [...reasons.map((reason) => reason.meaning), ...(job.warnings ?? [])],
         next: reasons.map((reason) => reason.check).join(" "),
       };
     }
@@ -88,7 +96,7 @@ export function verdict(job: Job): VerdictText {
       tone: "neutral",
       mark: "?",
       title: "Not checked",
-      lines: ["This method fits no displacement field, which the checks are made of."],
+      lines: ["This method fits no displacement field, which the checks are made of.", ...(job.warnings ?? [])],
       next: "Judge by the picture, or match again with the method balanced.",
     };
   }

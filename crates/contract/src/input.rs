@@ -1,6 +1,7 @@
 //! Reports on an input: its format, its topology, the repairs made, and whether it can be matched.
 
 use crate::parameters::Repair;
+use crate::result::UnreliableReason;
 use homolog_mesh::topology::TopologyReport;
 
 /// Format of an input file.
@@ -137,6 +138,9 @@ pub struct InputReport {
     /// What was done to coordinates or values on reading, and whether the name promises another format: a sentence each.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub notes: Vec<String>,
+    /// What was dropped, joined or filled so that the surface may not be the structure that was meant.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
+    pub warnings: Vec<InputWarning>,
 }
 
 /// A repair that changed the surface.
@@ -147,6 +151,18 @@ pub struct RepairNote {
     /// Which repair.
     pub repair: Repair,
     /// One sentence that says what was changed, with numbers.
+    pub detail: String,
+}
+
+/// What was dropped, joined or filled on the way from a file to its surface, or what the file contradicts itself in.
+#[derive(Debug, Clone, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+pub struct InputWarning {
+    /// The reason for which an answer on this input is not reliable; absent if the warning alone is none.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+    pub reason: Option<UnreliableReason>,
+    /// One sentence that says what was done, with numbers, and what to do if it was not meant.
     pub detail: String,
 }
 
@@ -179,6 +195,9 @@ pub struct Inspection {
     /// What was done to coordinates or values on reading, and whether the name promises another format: a sentence each.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub notes: Vec<String>,
+    /// What was dropped, joined or filled so that the surface may not be the structure that was meant.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
+    pub warnings: Vec<InputWarning>,
     /// Whether a match would accept the input.
     pub suitable: bool,
     /// Why a match would refuse it; absent if it would not.

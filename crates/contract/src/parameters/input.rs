@@ -33,6 +33,10 @@ pub struct InputParameters {
     #[cfg_attr(feature = "serde", serde(default = "half"))]
     #[cfg_attr(feature = "openapi", schema(exclusive_minimum = 0, maximum = 1))]
     pub fraction: f64,
+    /// Whether the coordinate transform that a GIFTI file states is applied to its vertices; `null`: only if it is rigid. An
+    /// affine one, as to Talairach coordinates, changes shape and size. Ignored for other inputs.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub apply_transform: Option<bool>,
     /// A surface of more vertices is simplified to this many before it is matched; `null`: none is. The answer has a row for
     /// every vertex of the upload as ever: that of a dropped vertex is the weighted mean of those around it.
     #[cfg_attr(feature = "serde", serde(default))]

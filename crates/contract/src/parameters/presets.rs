@@ -217,6 +217,7 @@ fn balanced() -> MatchParameters {
             repair: None,
             allow_boundary: true,
             fraction: 0.5,
+            apply_transform: None,
             max_vertices: None,
         },
         features: vec![

@@ -1,5 +1,6 @@
 //! The surface made from an input, before it is accepted or refused.
 
+use super::near;
 use super::split::split;
 use super::{Advice, IntakeError, IntakeLimits, RepairNote, counted};
 use homolog_contract::parameters::{InputParameters, LabelChoice, Repair, SurfaceKind};
@@ -70,8 +71,7 @@ impl Candidate {
         }
         candidate.triangulate(parameters);
         candidate.simplify(parameters);
-        let n_whole = candidate.whole.as_ref().map_or(candidate.mesh.n_vertices(), |(mesh, _)| mesh.n_vertices());
-        let (found, limit) = (n_whole as u64, limits.max_vertices as u64);
+        let (found, limit) = (candidate.mesh.n_vertices() as u64, limits.max_vertices as u64);
         if found > limit {
             return Err(IntakeError::TooLarge { what: "surface vertices", found, limit });
         }
@@ -208,6 +208,13 @@ fn from_mesh(file: &MeshFile, parameters: &InputParameters) -> Result<Candidate,
             repairs.push(RepairNote { repair: Repair::Weld, detail });
         }
     }
+    if weld {
+        let joined = near::weld_near(&current.mesh).map_err(|e: MeshError| IntakeError::Unreadable(e.into()))?;
+        if let Some((welded, detail)) = joined {
+            current = followed(&current, welded);
+            repairs.push(RepairNote { repair: Repair::Weld, detail });
+        }
+    }
     let n_uploaded = file.mesh.n_vertices();
     let mut added: Vec<Point3<f64>> = Vec::new();
     if allowed.contains(&Repair::Split)
@@ -266,7 +273,11 @@ fn from_mesh(file: &MeshFile, parameters: &InputParameters) -> Result<Candidate,
             current = RepairedMesh { mesh: closed.mesh, numbering };
         }
     }
-    let candidate = Candidate::new(current.mesh, current.numbering, topology, repairs, parameters.allow_boundary);
+    let mut candidate = Candidate::new(current.mesh, current.numbering, topology, repairs, parameters.allow_boundary);
+    if let Some(soup) = near::soup(&candidate.repaired) {
+        // Whatever else is wrong with it follows from that.
+        candidate.others.splice(0..0, candidate.fault.replace(soup));
+    }
     Ok(Candidate { added, notes, ..candidate })
 }
 

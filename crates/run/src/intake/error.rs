@@ -18,7 +18,7 @@ pub enum IntakeError {
     #[error(transparent)]
     Unreadable(FormatError),
     /// A limit of the service is exceeded.
-    #[error("the file has {found} {what}, but at most {limit} are accepted; crop it or reduce its resolution")]
+    #[error("the file has {found} {what}, but at most {limit} are accepted; {}", smaller(what))]
     TooLarge {
         /// What is counted, plural.
         what: &'static str,
@@ -133,6 +133,15 @@ impl std::fmt::Display for Advice {
     }
 }
 
+/// How to come below a limit.
+fn smaller(what: &str) -> &'static str {
+    if what.contains("vertices") {
+        "have it simplified (input.max_vertices), crop it or reduce its resolution"
+    } else {
+        "crop it or reduce its resolution"
+    }
+}
+
 /// Further faults, after the first.
 fn also(others: &[SurfaceFault]) -> String {
     others.iter().map(|fault| format!("; also, {fault}")).collect()
@@ -169,6 +178,10 @@ impl IntakeError {
         match self {
             IntakeError::DegenerateFaces { advice, .. } | IntakeError::UnsuitableSurface { advice, .. } => {
                 message.replace(&advice.to_string(), &format!("{advice:#}"))
+            }
+            IntakeError::TooLarge { what, .. } if what.contains("vertices") => {
+                let options = "have it simplified (--simplify N), raise the limit (--max-vertices N)";
+                message.replace("have it simplified (input.max_vertices)", options)
             }
             _ => message,
         }

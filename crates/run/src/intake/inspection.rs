@@ -39,6 +39,7 @@ pub fn inspect(
         repairs: Vec::new(),
         turned_outward: false,
         notes: file.notes.clone(),
+        warnings: file.warnings.clone(),
         suitable: false,
         refusal: None,
     };

@@ -8,6 +8,7 @@
 mod candidate;
 mod error;
 mod inspection;
+mod near;
 mod shown;
 mod split;
 
@@ -21,7 +22,7 @@ use candidate::Candidate;
 use homolog_contract::input::{LabelCount, Refusal, RepairNote, VolumeInspection};
 use homolog_contract::parameters::{InputParameters, Repair};
 pub use homolog_formats::DEFAULT_INFLATION;
-use homolog_formats::{FileContent, FormatError, ReadFile, ReadLimits};
+use homolog_formats::{FileContent, FormatError, ReadFile, ReadLimits, ReadOptions};
 use homolog_mesh::{ClosestPointIndex, Numbering, SurfaceMesh};
 use std::collections::HashSet;
 
@@ -68,9 +69,9 @@ pub struct IntakeLimits {
     pub max_inflated_bytes: usize,
     /// Largest file after decompression, as a multiple of the file as uploaded, above a mebibyte.
     pub max_inflation: usize,
-    /// Most vertices of a surface.
+    /// Most vertices of a surface that is matched: of the simplified one, where `input.max_vertices` is set.
     pub max_vertices: usize,
-    /// Most faces of an uploaded mesh; the surface of a volume is bounded by its vertices.
+    /// Most faces of an uploaded mesh, and most vertices of one that is simplified; the surface of a volume is bounded by its vertices.
     pub max_faces: usize,
     /// Most voxels of the box around a structure: filling and smoothing work on the whole box.
     pub max_voxels: u64,
@@ -122,11 +123,11 @@ pub fn prepare_surface(
     if let Some(refusal) = candidate.refusal(&file, parameters, limits) {
         return Err(refusal);
     }
-    let ReadFile { format, content, space, mut notes, .. } = file;
+    let ReadFile { format, content, space, mut notes, warnings, .. } = file;
     let Candidate { mesh, numbering, added, whole, topology, repairs, turned_outward, notes: of_repairs, .. } =
         candidate;
     notes.extend(of_repairs);
-    let report = InputReport { format, space: Some(space), topology, repairs, turned_outward, notes };
+    let report = InputReport { format, space: Some(space), topology, repairs, turned_outward, notes, warnings };
     let dropped = whole.as_ref().map(|whole| dropped(&mesh, &numbering, whole)).unwrap_or_default();
     // What was there before simplification is what an answer counts.
     let (faces, names) = whole.as_ref().map_or((&mesh, &numbering), |(faces, names)| (faces, names));
@@ -159,9 +160,13 @@ fn read(
     if bytes.is_empty() {
         return Err(IntakeError::Unreadable(FormatError::Empty));
     }
-    let IntakeLimits { max_inflated_bytes, max_inflation, max_vertices, .. } = *limits;
+    let IntakeLimits { max_inflated_bytes, max_inflation, max_vertices, max_faces, .. } = *limits;
+    // A mesh that will be simplified is bounded by its faces alone, of which it has about two for each vertex.
+    let max_vertices = if parameters.max_vertices.is_some() { max_vertices.max(max_faces) } else { max_vertices };
     let read_limits = ReadLimits { max_inflated_bytes, max_inflation, max_vertices };
-    homolog_formats::read_with(bytes, file_name, &read_limits, parameters.fraction).map_err(|error| match error {
+    let InputParameters { fraction, apply_transform, labels, .. } = parameters;
+    let options = ReadOptions { fraction: *fraction, apply_transform: *apply_transform, labels: labels.clone() };
+    homolog_formats::read_with(bytes, file_name, &read_limits, &options).map_err(|error| match error {
         FormatError::UnknownFormat => IntakeError::UnknownFormat,
         FormatError::TooLarge { what, found, limit } => IntakeError::TooLarge { what, found, limit },
         error => IntakeError::Unreadable(error),

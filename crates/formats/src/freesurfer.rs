@@ -44,8 +44,13 @@ pub(super) fn is_freesurfer(bytes: &[u8]) -> bool {
 /// # Cost
 /// Linear in the file's length.
 pub fn read_freesurfer(bytes: &[u8], limits: &ReadLimits) -> Result<MeshFile, FormatError> {
+    let mut trailing = None;
     let polygons = match bytes.first_chunk::<3>() {
-        _ if !bytes.starts_with(&[0xff]) => ascii(bytes, limits)?,
+        _ if !bytes.starts_with(&[0xff]) => {
+            let (polygons, note) = ascii(bytes, limits)?;
+            trailing = note;
+            polygons
+        }
         Some(&TRIANGLES) => triangles(bytes, limits)?,
         Some(&QUADS) if is_curvature(bytes) => {
             return Err(FormatError::Unsupported {
@@ -61,6 +66,7 @@ pub fn read_freesurfer(bytes: &[u8], limits: &ReadLimits) -> Result<MeshFile, Fo
     let note = "coordinates are FreeSurfer's surface RAS (tkregister), as stored; scanner RAS differs by the c_ras of the volume";
     file.space = homolog_contract::input::InputSpace::FreesurferRas;
     file.notes.push(note.to_owned());
+    file.notes.extend(trailing);
     Ok(file)
 }
 
@@ -191,7 +197,7 @@ fn quads(bytes: &[u8], element: Element, scale: f64, limits: &ReadLimits) -> Res
 
 /// A comment, the two counts, then a line for each vertex (three coordinates) and each face (three indices), each with a
 /// further number that says whether it belongs to a patch.
-fn ascii(bytes: &[u8], limits: &ReadLimits) -> Result<Polygons, FormatError> {
+fn ascii(bytes: &[u8], limits: &ReadLimits) -> Result<(Polygons, Option<String>), FormatError> {
     let mut scanner = Scanner::new(bytes);
     if bytes.starts_with(b"#") {
         scanner.text_line();
@@ -217,14 +223,7 @@ fn ascii(bytes: &[u8], limits: &ReadLimits) -> Result<Polygons, FormatError> {
         scanner.real("the patch number of a face")?;
         polygons.push(face)?;
     }
-    let mut n_words = 0;
-    while scanner.word().is_some() {
-        n_words += 1;
-    }
-    if n_words > 0 {
-        // Four numbers for each face.
-        let found = n_faces + n_words / 4;
-        return Err(FormatError::CountMismatch { what: "faces", stated: n_faces, found: found.max(n_faces + 1) });
-    }
-    Ok(polygons)
+    // Four numbers for each face.
+    let note = scanner.check_end("faces", n_faces, 4)?;
+    Ok((polygons, note))
 }

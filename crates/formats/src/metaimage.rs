@@ -111,7 +111,7 @@ pub fn read_metaimage(bytes: &[u8], limits: &ReadLimits) -> Result<LabelFile, Fo
     let mut notes = Vec::new();
     let needed = voxels.bytes_needed(limits.max_inflated_bytes)?;
     let labels = if header.get("BinaryData").eq_ignore_ascii_case("false") {
-        text_labels(&mut scanner, &voxels)?
+        text_labels(&mut scanner, &voxels, &mut notes)?
     } else {
         let stored = scanner.rest();
         let plain: Cow<'_, [u8]> = if is_true("CompressedData") {
@@ -169,17 +169,18 @@ fn axes_of_space(sizes: &[f64]) -> Option<[usize; 3]> {
 }
 
 /// Voxels written as text.
-fn text_labels(scanner: &mut Scanner<'_>, voxels: &Voxels) -> Result<Vec<u32>, FormatError> {
+fn text_labels(
+    scanner: &mut Scanner<'_>,
+    voxels: &Voxels,
+    notes: &mut Vec<String>,
+) -> Result<Vec<u32>, FormatError> {
     let (needed, available) = (voxels.count().saturating_mul(2), scanner.remaining() as u64 + 1);
     if needed > available {
         return Err(FormatError::Truncated { part: "the voxel array", needed, available });
     }
     let n = voxels.count() as usize;
     let labels = (0..n).map(|at| voxels.label(scanner.real("a voxel")?, at)).collect::<Result<_, _>>()?;
-    if scanner.peek().is_some() {
-        let found = std::iter::from_fn(|| scanner.word()).count() + n;
-        return Err(FormatError::CountMismatch { what: "voxels", stated: n as u64, found: found as u64 });
-    }
+    notes.extend(scanner.check_end("voxels", n as u64, 1)?);
     Ok(labels)
 }
 

@@ -10,6 +10,7 @@ use super::element::{ByteOrder, Element, Rest, Voxels};
 use super::label_file::{LabelFile, Overlay};
 use super::text::{Scanner, real, words};
 use super::units::{self, Unit};
+use super::xml::inflate_up_to;
 use super::{FormatError, ReadLimits, gzip, lps};
 use homolog_contract::input::InputSpace;
 use homolog_mesh::volume::LabelVolume;
@@ -58,7 +59,7 @@ pub fn read_nrrd(bytes: &[u8], limits: &ReadLimits) -> Result<LabelFile, FormatE
     }
     let byte_skip = header.skip("byte skip")?;
     let mut notes = Vec::new();
-    let text = |stored: &'_ [u8], n: usize| -> Result<Vec<u32>, FormatError> {
+    let text = |stored: &[u8], n: usize, notes: &mut Vec<String>| -> Result<Vec<u32>, FormatError> {
         let skipped = usize::try_from(byte_skip).unwrap_or(0);
         let stored = stored.get(skipped..).unwrap_or_default();
         let (needed, available) = (2 * n as u64, stored.len() as u64);
@@ -67,23 +68,26 @@ pub fn read_nrrd(bytes: &[u8], limits: &ReadLimits) -> Result<LabelFile, FormatE
         }
         let mut text = Scanner::new(stored);
         let labels = (0..n).map(|at| voxels.label(text.real("a voxel")?, at)).collect::<Result<_, _>>()?;
-        if text.peek().is_some() {
-            let found = std::iter::from_fn(|| text.word()).count() + n;
-            return Err(FormatError::CountMismatch { what: "voxels", stated: n as u64, found: found as u64 });
-        }
+        notes.extend(text.check_end("voxels", n as u64, 1)?);
         Ok(labels)
     };
     let values = match header.get("encoding").to_ascii_lowercase().as_str() {
         "raw" => labels(stored, byte_skip, needed, &voxels, &mut notes)?,
         "gzip" | "gz" => {
-            let plain = gzip::inflate(stored, limits.max_inflated_bytes)?;
+            // Some writers store a bare zlib stream; whatever else is there is damaged.
+            let damaged = FormatError::Payload { format: "NRRD", line: None };
+            let plain = if gzip::is_gzip(stored) {
+                gzip::inflate(stored, limits.max_inflated_bytes)?.into_owned()
+            } else {
+                inflate_up_to(stored, limits.max_inflated_bytes).ok_or(damaged)?
+            };
             labels(&plain, byte_skip, needed, &voxels, &mut notes)?
         }
         "hex" => {
             let plain = hexadecimal(stored).ok_or_else(|| scanner.expected("pairs of hexadecimal digits"))?;
             labels(&plain, byte_skip, needed, &voxels, &mut notes)?
         }
-        "ascii" | "text" | "txt" => text(stored, needed / element.size())?,
+        "ascii" | "text" | "txt" => text(stored, needed / element.size(), &mut notes)?,
         _ => return unsupported("this encoding of a NRRD file", "save it with the encoding raw or gzip"),
     };
     let segments = segments(&header, grid.n_layers);

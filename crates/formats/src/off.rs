@@ -79,21 +79,29 @@ pub fn read_off(bytes: &[u8], limits: &ReadLimits) -> Result<MeshFile, FormatErr
         };
         polygons.push(corners(line).ok_or_else(|| scanner.expected_before(FACE))?)?;
     }
-    // Further faces mean that the count is wrong.
-    let mut n_more = 0;
-    while let Some(line) = significant(&mut scanner) {
-        corners(line).ok_or_else(|| scanner.expected_before("the end of the file after the stated number of faces"))?;
-        n_more += 1;
-    }
-    if n_more > 0 {
-        return Err(FormatError::CountMismatch { what: "faces", stated: n_faces, found: n_faces + n_more });
-    }
     let mut file = polygons.into_mesh()?;
+    file.notes.extend(check_end(&mut scanner, n_faces)?);
     let comments = bytes.split(|&byte| byte == b'\n').filter(|line| line.contains(&b'#'));
     if let Some(unit) = comments.into_iter().find_map(|line| units::stated(&String::from_utf8_lossy(line))) {
         file.scale(unit)?;
     }
     Ok(file)
+}
+
+/// Holds what follows the last face against their number: further lines of faces mean that it is wrong. A note of other bytes.
+fn check_end(scanner: &mut Scanner<'_>, stated: u64) -> Result<Option<String>, FormatError> {
+    let rest = scanner.rest();
+    let (mut n_more, mut is_other) = (0, false);
+    while let Some(line) = significant(scanner) {
+        match corners(line) {
+            Some(_) => n_more += 1,
+            None => is_other |= line.iter().any(|&byte| byte != 0),
+        }
+    }
+    if n_more > 0 {
+        return Err(FormatError::CountMismatch { what: "faces", stated, found: stated + n_more });
+    }
+    Ok(is_other.then(|| super::trailing_note(rest.len())))
 }
 
 const FACE: &str = "the number of corners and a vertex index for each";

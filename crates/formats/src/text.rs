@@ -147,6 +147,24 @@ impl<'a> Scanner<'a> {
         word.and_then(|w| w.parse().ok()).ok_or_else(|| self.expected(expected))
     }
 
+    /// What follows the last of `stated` rows of `width` numbers: nothing but blanks and zeros, or words, of which a note is
+    /// returned.
+    ///
+    /// # Errors
+    /// `CountMismatch` if further numbers follow, of which the count of rows is wrong.
+    pub(super) fn check_end(&mut self, what: &'static str, stated: u64, width: u64) -> Result<Option<String>, FormatError> {
+        let n_bytes = self.rest().iter().filter(|byte| **byte != 0 && !is_blank(**byte)).count();
+        let mut n_numbers = 0;
+        while self.word().and_then(real).is_some() {
+            n_numbers += 1;
+        }
+        if n_numbers > 0 {
+            let found = stated + (n_numbers / width).max(1);
+            return Err(FormatError::CountMismatch { what, stated, found });
+        }
+        Ok((n_bytes > 0).then(|| super::trailing_note(n_bytes)))
+    }
+
     /// The next `n · size` bytes.
     ///
     /// # Errors

@@ -7,7 +7,7 @@
 
 use super::element::{ByteOrder, Element};
 use super::polygons::{MeshFile, Polygons, strip_triangles};
-use super::text::Scanner;
+use super::text::{Scanner, real};
 use super::units::{self, Unit};
 use super::vertex_arrays::{VertexArray, VertexValues, fitting};
 use super::{FormatError, ReadLimits};
@@ -42,6 +42,7 @@ pub fn read_vtk(bytes: &[u8], limits: &ReadLimits) -> Result<MeshFile, FormatErr
     }
     let unit = units::stated(&String::from_utf8_lossy(title));
     let mut reader = VtkReader { scanner, binary, polygons: Polygons::default(), n_cells: 0, unit, limits };
+    let mut trailing = None;
     while let Some(keyword) = reader.scanner.word() {
         match keyword.to_ascii_uppercase().as_slice() {
             b"POINTS" => reader.points()?,
@@ -59,6 +60,12 @@ pub fn read_vtk(bytes: &[u8], limits: &ReadLimits) -> Result<MeshFile, FormatErr
                 reader.check_data("cells, in the section CELL_DATA", reader.n_cells)?;
                 break;
             }
+            word if word.iter().chain(reader.scanner.rest()).all(|&byte| byte == 0) => break,
+            // Numbers, and bytes that are no text, are what a count conceals.
+            word if reader.n_cells > 0 && real(word).is_none() && word.iter().all(u8::is_ascii_graphic) => {
+                trailing = Some(super::trailing_note(word.len() + reader.scanner.remaining()));
+                break;
+            }
             _ => {
                 let expected =
                     "a section of POLYDATA; if numbers are here, the count of the section before is too small";
@@ -67,6 +74,7 @@ pub fn read_vtk(bytes: &[u8], limits: &ReadLimits) -> Result<MeshFile, FormatErr
         }
     }
     let mut file = reader.polygons.into_mesh()?;
+    file.notes.extend(trailing);
     if let Some(unit) = reader.unit {
         file.scale(unit)?;
     }

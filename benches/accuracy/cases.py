@@ -12,6 +12,7 @@ import sys
 import numpy as np
 from scipy.spatial.transform import Rotation
 
+import analytic
 import bodies
 import capsules
 import coarse
@@ -22,9 +23,13 @@ import people
 import scaled
 import solids
 import structures
+import symmetries
 import warped
 
-FAMILIES = [scaled, warped, capsules, bodies, people, solids, structures, coarse, parts, landmarked]
+FAMILIES = [
+    *[scaled, warped, capsules, bodies, people, solids, symmetries, analytic],
+    *[structures, coarse, parts, landmarked],
+]
 """Modules that make further sets: `KINDS`, `names(cases, kind, n)`, `make(cases, kind, index)`, `KEPT`: on disk or not."""
 FAMILY = {kind: family for family in FAMILIES for kind in family.KINDS}
 REAL = ["real_warp4", "real_warp8", "real_cross", "real_resample"]

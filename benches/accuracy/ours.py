@@ -57,7 +57,7 @@ def columns(document):
 
 
 def arrays(document, case):
-    """Transform, target vertex, confidence and, where the document has them, sub-vertex points."""
+    """Transform, target vertex, confidence and, where the document has them, sub-vertex points and their spreads."""
     found = {"matrix": np.array(document["transform"]["matrix"], float).reshape(4, 4)}
     table = columns(document)
     if not table.get("target"):
@@ -69,6 +69,8 @@ def arrays(document, case):
     found["map"] = placed([-1 if j is None else j for j in table["target"]], -1)
     if "confidence" in table:
         found["confidence"] = placed([0.0 if c is None else c for c in table["confidence"]], 0.0)
+    if table.get("spread_mm"):
+        found["spread"] = placed([np.nan if s is None else s for s in table["spread_mm"]], np.nan)
     points = sub_vertex_points(table, case)
     if points is not None:
         found["points"] = placed(points, np.nan)

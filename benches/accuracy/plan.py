@@ -3,11 +3,13 @@
 import json
 import os
 
+import analytic
 import bodies
 import capsules
 import landmarked
 import parts
 import people
+import symmetries
 import warped
 from cases import FAMILY, REAL, ROBUSTNESS, UNLIKE
 from coarse import KINDS as NOISY
@@ -28,6 +30,8 @@ DENSE_PEERS = ["icp", "bcpd"]
 DENSE = ["real_narrow2", "narrow4", *warped.WIDTH_KINDS, *capsules.KINDS, *bodies.KINDS, *landmarked.KINDS]
 """Sets, beside the real ones, on which dense peers run."""
 HALF = [*warped.WIDTH_KINDS, *SYMMETRIC]
+COUNTS = {**{kind: 6 for kind in symmetries.KINDS}, **{kind: 8 for kind in analytic.KINDS}}
+"""The most pairs of these sets: their indices take turns in samplings, or in widths and shapes."""
 ABLATION = {
     "real": ["real_warp4", "real_warp8", "real_cross"],
     "bent": [*bodies.KINDS, "bent_90", "bent_120"],
@@ -68,6 +72,13 @@ def ablated(n, kind):
     return max(n // 2, 1) * MANY.get(kind, 1) if kind in ABLATION["real"] else 2 * n
 
 
+def count_of(kind, n):
+    """How many pairs of a set beside the real ones our default method has."""
+    if kind in COUNTS:
+        return min(COUNTS[kind], n)
+    return max(n // 2, 1) if kind in HALF else n * MANY.get(kind, 1)
+
+
 def tasks(cases, n, with_peers, with_ablation=True):
     """`(method, case name, is timed)` without repetition; the smaller studies take half as many cases."""
     half = max(n // 2, 1)
@@ -85,7 +96,7 @@ def tasks(cases, n, with_peers, with_ablation=True):
         add(ROBUST_OURS, kind, n, False)
     # People need assets that are installed on request.
     for kind in ["real_narrow2", *(kind for kind in FAMILY if kind not in people.KINDS)]:
-        add([DEFAULT], kind, half if kind in HALF else n * MANY.get(kind, 1), False)
+        add([DEFAULT], kind, count_of(kind, n), False)
     for group, variants in read_variants().items() if with_ablation else ():
         for kind in ABLATION[group]:
             add([f"variant: {name}" for name in variants], kind, ablated(n, kind), False)

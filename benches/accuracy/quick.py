@@ -4,6 +4,7 @@ import re
 
 import numpy as np
 
+import roles
 import scores
 import verdicts
 from plan import DEFAULT
@@ -26,6 +27,7 @@ COLUMNS = [
     ("label", 6),
     ("conf.", 6),
     ("ECE", 6),
+    ("> 2 s", 6),
     ("back", 6),
     ("lm %", 6),
     ("rigid %", 7),
@@ -43,17 +45,25 @@ diag %, area %: the same (by target vertex where there are no points), percent o
       root of its area
 <= 5 %: share of the corresponding points within 5 % of the target's diagonal of the truth
 conf., ECE: mean confidence and its expected calibration error
+> 2 s: share of corresponding points that are off by more than two of their stated spreads; {expected:.3f} where they are right
 lm %: mean landmark error, percent of the root of the area; rigid %, floor %: what the best rigid transform of the
       landmarks themselves and the nearest vertices leave
 back: sets swapped_*: share of source vertices that the maps there and back return within one edge
 s: median seconds
 """
 
+TITLES_OF_ROLES = {"fit": "sets on which numbers are fitted", "report": "sets on which nothing is fitted"}
+
 
 def run(runner, cases, chosen, n, methods=(DEFAULT,)):
+    chosen = sorted(chosen, key=roles.role_of)
     width = max(map(len, chosen)) + max(len(m) if m != DEFAULT else 0 for m in methods) + 1
-    print(f"{EXPLANATION}\n{'':{width}} " + " ".join(f"{title:>{w}}" for title, w in COLUMNS))
+    print(f"{EXPLANATION.format(expected=scores.expected_beyond(2))}\n{'':{width}} " + " ".join(f"{title:>{w}}" for title, w in COLUMNS))
+    shown = None
     for kind in chosen:
+        if roles.role_of(kind) != shown:
+            shown = roles.role_of(kind)
+            print(f"-- {TITLES_OF_ROLES[shown]}", flush=True)
         names = cases.first(kind, n)
         wanted = names + [name.removeprefix("swapped_") for name in names if name.startswith("swapped_")]
         runner.run([(method, name, False) for name in wanted for method in methods], quiet=True)
@@ -103,6 +113,7 @@ def line(label, width, records, back):
         mean(values("label")),
         mean(values("mean_confidence")),
         f"{scores.calibration_error(np.sum(bins, axis=0)):.3f}" if bins else "",
+        mean(values("beyond_2_spreads")),
         mean(back),
         mean(values("landmark_pct"), 2),
         mean(of_pairs("landmark_rigid_pct"), 2),

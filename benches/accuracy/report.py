@@ -9,6 +9,7 @@ import numpy as np
 import bodies
 import parts
 import report_sets
+import report_shapes
 from cases import CUT_SHARE, NOISE_SHARE, ROBUSTNESS
 from peers import PEERS
 from plan import ABLATION, DEFAULT, MANY, OURS, ROBUST_OURS, ROBUST_PEERS, ablated, read_variants
@@ -84,6 +85,7 @@ def markdown(found):
         robustness_section(found),
         report_sets.scale_section(found),
         report_sets.deformation_section(found),
+        report_shapes.analytic_section(found),
         report_sets.body_section(found),
         report_sets.landmark_section(found),
         calibration_section(found),
@@ -91,6 +93,7 @@ def markdown(found):
         consistency_section(found),
         unlike_section(found),
         report_sets.verdict_section(found),
+        report_shapes.solid_section(found),
         ablation_section(found),
     ]
     return "\n".join(part for part in parts if part)

@@ -6,10 +6,12 @@ import bodies
 import capsules
 import landmarked
 import scaled
+import scores
 import warped
 from coarse import KINDS as NOISY
 from plan import DEFAULT, DENSE_PEERS
 from reach import to_reach
+from roles import role_of
 from tables import TITLES, failures_text, mean_text, table, title
 from verdicts import EXPECTED, RIGHT_DEG
 
@@ -75,6 +77,7 @@ def deformation_section(found):
                     mean_text(summary["point_err_edges"]),
                     mean_text(summary["err_mm"]),
                     mean_text(summary["mean_confidence"]),
+                    mean_text(summary["beyond_2_spreads"], 3),
                     failures_text(summary),
                 ]
             )
@@ -83,7 +86,8 @@ def deformation_section(found):
     text = (
         "Narrow warps have 60 kernels 0.06 to 0.09 of the diagonal wide, 2 % and 4 % RMS; the series of warps of 4 % "
         "differs in the width of its kernels alone. A capsule is bent along an arc in its middle part; the truth is "
-        "known exactly. Points: before they are rounded to a vertex of the target.\n\n"
+        "known exactly. Points: before they are rounded to a vertex of the target. Beyond two spreads: share of points that are off "
+        f"by more than two of their stated spreads; {scores.expected_beyond(2):.3f} if errors are as the program assumes.\n\n"
     )
     header = [
         "pairs",
@@ -95,6 +99,7 @@ def deformation_section(found):
         "points: error, edges",
         "error, mm",
         "mean confidence",
+        "beyond two spreads",
         "no answer",
     ]
     return "## Deformations\n\n" + text + table(header, rows) + "\n![](width.png)\n"
@@ -193,15 +198,17 @@ def calibration_section(found):
     rows = [
         [TITLES[kind], str(said["calibration"]["n_pairs"]), error(said["calibration"])]
         + [to_reach("calibration", kind), f"{said['calibration']['confidence']:.3f}", f"{said['calibration']['hits']:.3f}"]
+        + [mean_text(found["summaries"][DEFAULT, kind]["beyond_2_spreads"], 3), role_of(kind)]
         for kind, said in found["sets"].items()
         if said["calibration"]
     ]
     if not rows:
         return ""
     header = ["pairs", "number", "expected calibration error", "to reach", "mean confidence", "share within one edge"]
+    header += [f"beyond two spreads ({scores.expected_beyond(2):.3f} expected)", "role"]
     text = (
         "The intervals are over pairs. Vertices of one pair share what their confidences are off by, so few pairs have a calibration "
-        "error even where confidences are right on average.\n\n"
+        "error even where confidences are right on average. Numbers of the program may be fitted on the sets of role fit alone.\n\n"
     )
     return f"### One set at a time, `{DEFAULT}`\n\n" + text + table(header, rows)
 
@@ -227,6 +234,7 @@ def verdict_section(found):
                 str(v["no_answer"]),
                 reason,
                 to_reach("reason", kind),
+                role_of(kind),
             ]
         )
     if not rows:
@@ -234,8 +242,8 @@ def verdict_section(found):
     text = (
         "Whether `reliable` of the default method is true of right answers and false of wrong ones. A copy is right if "
         f"its rotation is within {RIGHT_DEG}°, a deformed pair if half of its vertices are within two edges of the "
-        "truth, a pair of two subjects if its rotation is within 10° of an estimated truth. Symmetric and unlike pairs "
-        "have no right answer; the reason that must be given stands in brackets.\n\n"
+        "truth, a pair of two subjects if its rotation is within 10° of an estimated truth, a solid with a bump if its rotation is "
+        "within 10°. Symmetric and unlike pairs have no right answer; the reason that must be given stands in brackets.\n\n"
     )
     header = [
         "pairs",
@@ -248,6 +256,7 @@ def verdict_section(found):
         "no answer",
         "expected reason given",
         "to reach",
+        "role",
     ]
     return "## Verdicts\n\n" + text + table(header, rows) + noise_text(found)
 

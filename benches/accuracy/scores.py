@@ -10,6 +10,17 @@ N_BINS = 10
 RESAMPLES = 2000
 NEAR_SHARE = 0.05
 """Of the target's diagonal: how near a point must be to count for `within_5_pct`."""
+DEGREES_OF_FREEDOM = 8
+"""Of the errors, as the program assumes them: Student's t in the tangent plane."""
+
+
+def expected_beyond(spreads, degrees=DEGREES_OF_FREEDOM):
+    """The share of errors beyond so many spreads that Student's t in a plane predicts.
+
+    With the scale s along each axis, an error is beyond r with the probability (1 + r² / (ν s²))^(−ν/2). A spread is the root
+    mean square of the error's length, s √(2ν / (ν − 2)).
+    """
+    return (1 + 2 * spreads**2 / (degrees - 2)) ** (-degrees / 2)
 
 
 def of_answer(cases, case, answer):
@@ -40,6 +51,10 @@ def of_answer(cases, case, answer):
         found["point_err_mm"] = float(off.mean())
         found["point_err_edges"] = found["point_err_mm"] / case["edge"]
         found["point_w1"] = float((off <= case["edge"]).mean())
+        # A vertex without a point or a spread says nothing of its error.
+        stated = np.isfinite(points).all(1) & (answer.get("spread", np.zeros(len(points))) > 0)
+        if stated.any():
+            found["beyond_2_spreads"] = float((off[stated] > 2 * answer["spread"][stated]).mean())
     images = points if points is not None or vertex_map is None else case["V2"][vertex_map]
     if images is not None and "gtpos" in case:
         found.update(relative_errors(case, images))

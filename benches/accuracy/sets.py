@@ -1,5 +1,6 @@
 """Names for groups of sets, as `--sets` takes them; any single set can be named as well."""
 
+import analytic
 import bodies
 import capsules
 import coarse
@@ -9,6 +10,7 @@ import people
 import scaled
 import solids
 import structures
+import symmetries
 import warped
 from cases import FAMILY, REAL, ROBUSTNESS, UNLIKE
 
@@ -22,6 +24,11 @@ GROUPS = {
     "bodies": bodies.KINDS,
     "people": people.KINDS,
     "symmetric": solids.KINDS,
+    "solids": symmetries.SYMMETRIC,
+    "bumped": symmetries.BUMPED,
+    **symmetries.BY_GROUP,
+    "analytic": analytic.OTHER,
+    "analytic_star": analytic.STAR,
     "unlike": structures.KINDS,
     "noise": coarse.KINDS,
     "parts": parts.KINDS,

@@ -26,6 +26,7 @@ FIGURES = [
     "err_diag_pct",
     "err_area_pct",
     "within_5_pct",
+    "beyond_2_spreads",
     "landmark_pct",
     "landmark_worst_mm",
     "mean_confidence",

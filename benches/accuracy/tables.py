@@ -1,8 +1,10 @@
 """Cells and tables of the report, in Markdown."""
 
+import analytic
 import capsules
 import scaled
 import solids
+import symmetries
 import warped
 from peers import PEERS
 from plan import DEFAULT
@@ -48,6 +50,9 @@ TITLES = {
     "bodies_build": "two individuals in two poses",
     "bodies_unlike": "two individuals as of two species",
     **{kind: f"{kind.removeprefix('symmetric_')}, sampled twice" for kind in solids.KINDS},
+    **{kind: f"{kind.removeprefix('solid_')} of varied dimensions" for kind in symmetries.SYMMETRIC},
+    **{kind: f"{kind.removeprefix('bumped_')} with a bump" for kind in symmetries.BUMPED},
+    **{kind: analytic.title(kind) for kind in analytic.KINDS},
     **{kind: f"warp 4 %, kernels {kind.removeprefix('width_')} wide" for kind in warped.WIDTH_KINDS},
     **{kind: f"in units of {kind.removeprefix('scale_')}" for kind in scaled.KINDS},
     **{f"swapped_{kind}": f"{name}, exchanged" for kind, name in REAL_TITLES.items()},

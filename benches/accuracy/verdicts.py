@@ -4,9 +4,11 @@ from cases import UNLIKE
 from coarse import KINDS as NOISY
 from solids import KINDS as SYMMETRIC
 from structures import KINDS as STRUCTURES
+from symmetries import BUMPED
+from symmetries import SYMMETRIC as SOLIDS
 
 EXPECTED = {
-    **{kind: "ambiguous_pose" for kind in SYMMETRIC},
+    **{kind: "ambiguous_pose" for kind in [*SYMMETRIC, *SOLIDS]},
     **{kind: "unlike_shape" for kind in STRUCTURES},
     **{kind: None for kind in UNLIKE},
     "mirrored": "other_handedness",
@@ -31,7 +33,8 @@ def is_right(record):
     """Whether an answer is right; None where nothing says so.
 
     Copies: the rotation is within 5 degrees. Deformed pairs: half of the vertices are within two edges of the truth.
-    Two subjects and any other pair with a rigid truth: within 10 degrees, as the rigid truth itself is an estimate. A part and another
+    Two subjects and any other pair with a rigid truth: within 10 degrees, as the rigid truth itself is an estimate. So are solids with
+    a bump, since what is asked is which of the poses of the solid it is. A part and another
     subject's whole: labels agree at four fifths of the vertices, or, without labels, the rotation is within 45 degrees, so that no end is taken
     for the other, as the rigid truth of a part differs from that of the whole.
     """
@@ -40,6 +43,8 @@ def is_right(record):
         return False
     if kind in RIGID or "/real_resample" in record["case"]:
         return found.get("rot_deg", 180) <= RIGHT_DEG
+    if kind in BUMPED:
+        return found.get("rot_deg", 180) <= 2 * RIGHT_DEG
     if kind in PARTS_OF_OTHERS:
         return found["label"] >= RIGHT_LABELS if "label" in found else found.get("rot_deg", 180) <= SAME_END_DEG
     if "w2" in found:

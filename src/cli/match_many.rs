@@ -8,7 +8,6 @@ use super::output::{note, print, print_json};
 use homolog_contract::parameters::MatchParameters;
 use homolog_contract::result::ResultDocument;
 use homolog_run::SurfaceCache;
-use homolog_run::intake::IntakeLimits;
 use serde_json::json;
 use std::collections::BTreeSet;
 use std::fmt::Write as _;

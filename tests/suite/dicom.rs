@@ -135,8 +135,8 @@ async fn objects_are_made_for_the_study_that_a_request_names() {
     }
     // The segmentation lies on the grid of the target and encloses what the surface does.
     let object = bytes(&service, &format!("{job}/warped?format=dicom&{uids}")).await;
-    let read = read(&object, None, &ReadLimits::default()).unwrap();
-    let FileContent::Labels(volume) = read.content else { panic!("labels are expected") };
+    let segmentation = read(&object, None, &ReadLimits::default()).unwrap();
+    let FileContent::Labels(volume) = segmentation.content else { panic!("labels are expected") };
     assert!(volume.spacing_mm().iter().all(|mm| (mm - 2.0).abs() < 1e-6), "{:?}", volume.spacing_mm());
     let warped = bytes(&service, &format!("{job}/warped")).await;
     let FileContent::Mesh(file) = read(&warped, None, &ReadLimits::default()).unwrap().content else {

@@ -169,11 +169,7 @@ fn axes_of_space(sizes: &[f64]) -> Option<[usize; 3]> {
 }
 
 /// Voxels written as text.
-fn text_labels(
-    scanner: &mut Scanner<'_>,
-    voxels: &Voxels,
-    notes: &mut Vec<String>,
-) -> Result<Vec<u32>, FormatError> {
+fn text_labels(scanner: &mut Scanner<'_>, voxels: &Voxels, notes: &mut Vec<String>) -> Result<Vec<u32>, FormatError> {
     let (needed, available) = (voxels.count().saturating_mul(2), scanner.remaining() as u64 + 1);
     if needed > available {
         return Err(FormatError::Truncated { part: "the voxel array", needed, available });

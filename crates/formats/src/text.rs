@@ -152,7 +152,12 @@ impl<'a> Scanner<'a> {
     ///
     /// # Errors
     /// `CountMismatch` if further numbers follow, of which the count of rows is wrong.
-    pub(super) fn check_end(&mut self, what: &'static str, stated: u64, width: u64) -> Result<Option<String>, FormatError> {
+    pub(super) fn check_end(
+        &mut self,
+        what: &'static str,
+        stated: u64,
+        width: u64,
+    ) -> Result<Option<String>, FormatError> {
         let n_bytes = self.rest().iter().filter(|byte| **byte != 0 && !is_blank(**byte)).count();
         let mut n_numbers = 0;
         while self.word().and_then(real).is_some() {

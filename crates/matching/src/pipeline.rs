@@ -7,17 +7,57 @@
 //!    of unlike sizes also with the source [`resized()`];
 //! 4. [`measured()`]: the outcome, with all that is measured on these images.
 
-use super::coarse::coarse;
-use super::displaced::displaced;
-use super::levels::Levels;
-use super::posed::posed;
-use super::report::measured;
-use super::resized::resized;
-use super::{MatchError, MatchOutcome};
+mod counting;
+pub(crate) mod images;
+mod inferred;
+pub(crate) mod pose;
+
+mod resized;
+
+use self::images::displaced;
+use self::pose::posed;
+use self::resized::resized;
+use crate::answer::outcome::MatchOutcome;
+use crate::answer::report::measured;
+use crate::error::MatchError;
+use crate::surface::levels::Levels;
+use crate::thesis::coarse::coarse;
 use homolog_contract::parameters::MatchParameters;
+use homolog_mesh::SurfaceMesh;
 use homolog_primitives::observe::{Observer, Phase};
 
-pub(crate) fn run(
+/// Matches `source` to `target` and registers them. Correspondences use the vertex indices of these two meshes.
+///
+/// `source` is moved onto `target`; both are surfaces of any topology whose faces look outwards, mm. The answer is the same
+/// to the bit for the same surfaces, parameters and seed, on any number of threads, and renumbering the vertices of an input
+/// permutes it. Parameters are taken as they are: [`MatchParameters::check`] says which values are allowed.
+///
+/// # Errors
+/// [`MatchError`].
+///
+/// # Cost
+/// Time `O(iterations · |E→| · n' · k̄)`; memory `1.25·|E→|·n'` numbers of 32 or 16 bits for the messages, for `n'` labels,
+/// `|E→|` directed edges and `k̄` labels within the neighbourhood radius on the level on which the energy is minimised;
+/// and `O(n log n)` for the vertices beside it.
+pub fn match_surfaces(
+    source: &SurfaceMesh,
+    target: &SurfaceMesh,
+    parameters: &MatchParameters,
+    observer: &dyn Observer,
+) -> Result<MatchOutcome, MatchError> {
+    observer.phase(Phase::Features);
+    let coarse = parameters.inference.coarse_vertices;
+    let (source, target) = rayon::join(|| Levels::new(source, coarse), || Levels::new(target, coarse));
+    match_levels(&source, &target, parameters, observer)
+}
+
+/// [`match_surfaces`] from levels that were made before, with the `inference.coarse_vertices` of `parameters`. Gives the same
+/// bits, whatever else these levels were matched with. Every vertex index of the outcome is an original of the numbering
+/// that the levels were made with ([`Levels::numbered`]).
+///
+/// # Errors
+/// [`MatchError`].
+pub fn match_levels(
     source: &Levels,
     target: &Levels,
     parameters: &MatchParameters,

@@ -32,7 +32,7 @@ pub use orientation_solvers::{OrientationSolver, solve_orientation};
 pub use pose_search::{PoseSearchOptions, ScoredPose, pose_search, surroundings};
 pub use principal_axes::{principal_axis_poses, principal_directions, weighted_moments};
 pub use procrustes::{ProcrustesOptions, ProcrustesReport, procrustes};
-pub use ransac::{RansacMethods, RansacOptions, RansacReport, ransac, ransac_with};
+pub use ransac::{RansacMethods, RansacOptions, RansacReport, ransac, ransac_weighted, ransac_with};
 pub use same_pose::{SAME_POSE_ANGLE, SamePose};
 pub use similarity::SimilarityTransform;
 pub use three_point::{MinimalEstimator, TripleError};

@@ -93,11 +93,52 @@ pub fn ransac_with(
     methods: RansacMethods,
     observer: &dyn Observer,
 ) -> Result<Option<RansacReport>, Cancelled> {
-    let n = source.len().min(target.len());
+    search((source, target), None, options, methods, observer)
+}
+
+/// [`ransac()`] with triples of which each pair is drawn with a probability in proportion to its weight: beliefs in the pairs find
+/// a triple of inliers sooner. The support counts pairs. The number of trials is that of even draws, an upper bound where heavy pairs
+/// are inliers more often.
+///
+/// `None` if there are fewer than three pairs of a positive weight, or no trial had a support of three.
+///
+/// # Errors
+/// [`Cancelled`].
+///
+/// # Cost
+/// As [`ransac()`].
+pub fn ransac_weighted(
+    source: &[Point3<f64>],
+    target: &[Point3<f64>],
+    weights: &[f64],
+    options: &RansacOptions,
+    observer: &dyn Observer,
+) -> Result<Option<RansacReport>, Cancelled> {
+    let cumulative: Vec<f64> = weights
+        .iter()
+        .scan(0.0, |sum, weight| {
+            *sum += weight.max(0.0);
+            Some(*sum)
+        })
+        .collect();
+    if !cumulative.last().is_some_and(|total| total.is_finite() && *total > 0.0) {
+        return Ok(None);
+    }
+    search((source, target), Some(&cumulative), options, RansacMethods::default(), observer)
+}
+
+fn search(
+    (source, target): (&[Point3<f64>], &[Point3<f64>]),
+    cumulative_weights: Option<&[f64]>,
+    options: &RansacOptions,
+    methods: RansacMethods,
+    observer: &dyn Observer,
+) -> Result<Option<RansacReport>, Cancelled> {
+    let n = source.len().min(target.len()).min(cumulative_weights.map_or(usize::MAX, <[f64]>::len));
     if n < 3 {
         return Ok(None);
     }
-    let pairs = Pairs { source: &source[..n], target: &target[..n], options, methods };
+    let pairs = Pairs { source: &source[..n], target: &target[..n], cumulative_weights, options, methods };
     let mut best: Option<(usize, RigidTransform)> = None;
     let mut trials = 0;
     let mut needed = options.max_trials;
@@ -150,6 +191,8 @@ fn needed_trials(ratio: f64, confidence: f64) -> u64 {
 struct Pairs<'a> {
     source: &'a [Point3<f64>],
     target: &'a [Point3<f64>],
+    /// Sums of the weights of all pairs up to each; even draws without.
+    cumulative_weights: Option<&'a [f64]>,
     options: &'a RansacOptions,
     methods: RansacMethods,
 }
@@ -158,8 +201,14 @@ impl Pairs<'_> {
     /// Draws a triple, rejects it if its edge lengths disagree, and counts the support of its transform.
     fn evaluate(&self, trial: u64) -> Option<(usize, u64, RigidTransform)> {
         let mut rng = Xoshiro256PlusPlus::seed_from_u64(self.options.seed ^ trial.wrapping_mul(0x9e37_79b9_7f4a_7c15));
-        let n = self.source.len() as u64;
-        let mut draw = || ((u128::from(rng.next_u64()) * u128::from(n)) >> 64) as usize;
+        let n = self.source.len();
+        let mut draw = || match self.cumulative_weights {
+            None => ((u128::from(rng.next_u64()) * n as u128) >> 64) as usize,
+            Some(sums) => {
+                let drawn = (rng.next_u64() >> 11) as f64 / (1u64 << 53) as f64 * sums[n - 1];
+                sums[..n - 1].partition_point(|sum| *sum <= drawn)
+            }
+        };
         let triple = [draw(), draw(), draw()];
         if triple[0] == triple[1] || triple[0] == triple[2] || triple[1] == triple[2] {
             return None;
@@ -272,6 +321,20 @@ mod tests {
                 assert!(apart < 1e-9, "{methods:?}: {apart}");
             }
         }
+    }
+
+    #[test]
+    fn pairs_without_weight_are_never_drawn_and_count_for_the_support() {
+        let (source, truth, wrong) = (cloud(1, 200), pose(2), cloud(3, 200));
+        let target: Vec<_> = (0..200).map(|i| if i < 100 { truth.apply(&source[i]) } else { wrong[i] }).collect();
+        let weights: Vec<f64> = (0..200).map(|i| f64::from(u8::from((80..100).contains(&i)))).collect();
+        let report = ransac_weighted(&source, &target, &weights, &options(9), &Silent).unwrap().unwrap();
+        assert!(report.support >= 100 && report.inlier_mask[..100].iter().all(|&inlier| inlier));
+        // Wrong pairs alone: nothing that many pairs agree with.
+        let weights: Vec<f64> = weights.iter().rev().copied().collect();
+        let report = ransac_weighted(&source, &target, &weights, &options(9), &Silent).unwrap();
+        assert!(report.is_none_or(|report| report.support < 50));
+        assert_eq!(ransac_weighted(&source, &target, &[0.0; 200], &options(9), &Silent).unwrap(), None);
     }
 
     #[test]

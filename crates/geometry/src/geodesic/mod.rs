@@ -12,7 +12,7 @@ mod straight;
 #[cfg(test)]
 mod tests;
 
-pub use paths::distances_from;
+pub use paths::{distances_among, distances_from};
 
 use dijkstra::{Dijkstra, WeightedGraph};
 use homolog_mesh::SurfaceMesh;

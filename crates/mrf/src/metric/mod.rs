@@ -17,10 +17,13 @@
 //! Anguelov et al., "The correlated correspondence algorithm for unsupervised registration of nonrigid surfaces", NIPS 2004
 //! (distances along the surface as pairwise potentials of a correspondence).
 
+mod active;
 mod fusion;
 mod propagation;
 #[cfg(test)]
 mod tests;
+
+pub use active::{ActiveBeliefs, ActiveLabels, ActiveOptions, Semiring};
 
 use crate::{Energy, Labeling};
 
@@ -99,6 +102,27 @@ impl MetricModel {
             f64::from(self.pairwise(edge, self.row(x)[y as usize]))
         };
         Energy { unary, pairwise: self.edges.iter().map(pairwise).sum() }
+    }
+
+    /// What each variable has of the energy: its unary term and half of the terms of its edges. Cost `O(n + edges)`.
+    pub fn shares(&self, labeling: &[u32]) -> Vec<f64> {
+        let mut shares: Vec<f64> =
+            labeling.iter().enumerate().map(|(i, &x)| f64::from(self.unary_row(i)[x as usize])).collect();
+        for edge in &self.edges {
+            let [x, y] = edge.ends.map(|i| labeling[i as usize]);
+            let half = 0.5 * f64::from(self.pairwise(edge, self.row(x)[y as usize]));
+            edge.ends.iter().for_each(|&i| shares[i as usize] += half);
+        }
+        shares
+    }
+
+    /// Number of edges whose distances differ by so much that they cost the truncation.
+    pub fn truncated_edges(&self, labeling: &[u32]) -> usize {
+        let is_truncated = |edge: &&MetricEdge| {
+            let [x, y] = edge.ends.map(|i| labeling[i as usize]);
+            self.pairwise(edge, self.row(x)[y as usize]) >= self.truncation
+        };
+        self.edges.iter().filter(is_truncated).count()
     }
 
     /// What each label would cost `variable` while all others keep theirs. Cost `O(K · degree)`.

@@ -6,7 +6,7 @@ use rand_core::{Rng, SeedableRng};
 use rand_xoshiro::Xoshiro256PlusPlus;
 
 /// Labels at random places of a plane, variables joined by `pairs`.
-fn random_model(seed: u64, n: usize, k: usize, pairs: &[[u32; 2]]) -> MetricModel {
+pub(super) fn random_model(seed: u64, n: usize, k: usize, pairs: &[[u32; 2]]) -> MetricModel {
     let mut rng = Xoshiro256PlusPlus::seed_from_u64(seed);
     let mut uniform = || (rng.next_u32() >> 8) as f32 / (1 << 24) as f32;
     let places: Vec<[f32; 2]> = (0..k).map(|_| [uniform(), uniform()]).collect();
@@ -29,7 +29,7 @@ fn energy_by_definition(model: &MetricModel, x: &[u32]) -> f64 {
     unary + pairwise.sum::<f64>()
 }
 
-fn all_labelings(n: usize, k: usize) -> impl Iterator<Item = Labeling> {
+pub(super) fn all_labelings(n: usize, k: usize) -> impl Iterator<Item = Labeling> {
     (0..k.pow(n as u32)).map(move |code| (0..n).map(|i| (code / k.pow(i as u32) % k) as u32).collect())
 }
 

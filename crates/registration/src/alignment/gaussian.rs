@@ -115,6 +115,31 @@ pub fn misfit(source: &OrientedPoints<'_>, target: &AssignmentTarget, kernel: &A
     misfit_of(source, target, kernel, (&rows, &densities))
 }
 
+/// The terms of [`misfit`]: `−ln` of the density relative to a flat match at each point.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PointMisfits {
+    /// At each point of the source.
+    pub of_source: Vec<f64>,
+    /// At each point of the target.
+    pub of_target: Vec<f64>,
+}
+
+/// The terms whose means over the areas of both surfaces are [`misfit`]. Cost that of [`assign`].
+pub fn point_misfits(
+    source: &OrientedPoints<'_>,
+    target: &AssignmentTarget,
+    kernel: &AssignmentKernel,
+) -> PointMisfits {
+    let affinities = Affinities::new(target, kernel);
+    let rows = affinities.all_rows(source);
+    let flat = flat_density(kernel.sigma_mm);
+    let background = kernel.outlier_share * flat;
+    let densities = affinities.target_densities(&rows, source.areas, background);
+    let of_source = rows.iter().flat_map(|rows| &rows.densities).map(|density| (background + density) / flat);
+    let of_target = densities.as_flattened()[..target.areas.len()].iter().map(|&s| f64::from(s) / flat);
+    PointMisfits { of_source: of_source.map(|d| -d.ln()).collect(), of_target: of_target.map(|d| -d.ln()).collect() }
+}
+
 /// The same from the affinities of the source points and the densities of the target points.
 fn misfit_of(
     source: &OrientedPoints<'_>,

@@ -46,7 +46,7 @@ mod points;
 mod tests;
 
 pub use annealing::{annealed, progress_short_of_end, progress_to_end};
-pub use gaussian::{Assignment, AssignmentKernel, AssignmentTarget, assign, misfit};
+pub use gaussian::{Assignment, AssignmentKernel, AssignmentTarget, PointMisfits, assign, misfit, point_misfits};
 pub use points::OrientedPoints;
 pub(crate) use points::{OrientedPoint, PackedPoints};
 

@@ -1,0 +1,14 @@
+//! The answer: images with their confidence, and all that is measured on them.
+
+pub(crate) mod confidence;
+pub mod consistency;
+pub(crate) mod deformation;
+pub(crate) mod displaced;
+pub(crate) mod displacement;
+pub(crate) mod images;
+pub(crate) mod inverse;
+pub(crate) mod of_field;
+pub(crate) mod outcome;
+pub mod outliers;
+pub(crate) mod reliability;
+pub(crate) mod report;

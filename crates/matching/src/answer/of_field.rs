@@ -1,0 +1,58 @@
+//! The images of a displacement field as an answer.
+
+use super::displaced::{Displaced, Images, SmoothImages};
+use super::displacement::DisplacementAnswer;
+use super::reliability::{UNRELIABLE_CONFIDENCE, without_counterpart};
+use crate::pair::scene::Scene;
+use crate::poses::compared::{ComparedPose, Origin};
+use crate::starts::candidates::Start;
+use homolog_contract::result::{PoseDocument, PoseOrigin, ReliabilityDocument};
+use homolog_registration::RigidTransform;
+
+/// The answer of a displacement field, with confidences lowered where `reliability` is low.
+pub(crate) fn answered(
+    scene: &Scene<'_>,
+    starts: &[Start],
+    found: &DisplacementAnswer,
+    reliability: ReliabilityDocument,
+) -> Displaced {
+    let trust = if reliability.reliable { 1.0 } else { UNRELIABLE_CONFIDENCE };
+    let no_counterpart = without_counterpart(scene.target.mesh(), scene.edge_mm, &found.images);
+    let confidence = found
+        .images
+        .iter()
+        .zip(&no_counterpart)
+        .map(|(image, &alone)| if alone { 0.0 } else { trust * image.confidence })
+        .collect();
+    Displaced {
+        transform: found.transform,
+        labeling: found.images.iter().map(|image| image.label).collect(),
+        confidence,
+        spread_mm: found.images.iter().map(|image| image.spread_mm).collect(),
+        poses: found.compared.iter().map(|compared| document(scene, starts, compared, &found.transform)).collect(),
+        images: Images::Smooth(SmoothImages {
+            points: found.images.iter().map(|image| image.closest).collect(),
+            moved: found.images.iter().map(|image| image.moved).collect(),
+            no_counterpart,
+            reliability: Some(reliability),
+        }),
+        resized: false,
+        inference: None,
+    }
+}
+
+/// A compared start as the result states it.
+fn document(scene: &Scene<'_>, starts: &[Start], compared: &ComparedPose, answered: &RigidTransform) -> PoseDocument {
+    let (origin, pose) = match compared.origin {
+        Origin::Pose(k) => (starts[k].origin, starts[k].pose),
+        Origin::Isometry { pose, .. } | Origin::Straightened(pose) => (PoseOrigin::Form, pose),
+    };
+    PoseDocument {
+        origin,
+        matrix: pose.matrix(),
+        angle_deg: pose.angle_to(answered).to_degrees(),
+        rms_mm: scene.sample_rms_mm(&pose),
+        misfit: Some(compared.misfit),
+        mirrored: compared.mirrored,
+    }
+}

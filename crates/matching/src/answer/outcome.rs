@@ -1,0 +1,35 @@
+//! The result of a match.
+
+use homolog_contract::result::{
+    ConsistencyDocument, Correspondences, DeformationDocument, EnergyDocument, PoseDocument, ReliabilityDocument,
+    RoundDocument, StopReason, SupportDocument, SurfaceDistanceDocument, TransformDocument,
+};
+
+/// The result of [`crate::match_surfaces`]. With timings and provenance it makes a [`homolog_contract::result::ResultDocument`].
+#[derive(Debug, Clone, PartialEq)]
+pub struct MatchOutcome {
+    /// The rigid transform.
+    pub transform: TransformDocument,
+    /// The correspondences that support it.
+    pub support: SupportDocument,
+    /// Distance between the registered surfaces.
+    pub surface_distance: SurfaceDistanceDocument,
+    /// Energies of the answer; `None` where no energy was minimised.
+    pub energy: Option<EnergyDocument>,
+    /// Quality of the map.
+    pub topology: ConsistencyDocument,
+    /// How the map to the corresponding points deforms the source; `None` if no triangle has a counterpart.
+    pub deformation: Option<DeformationDocument>,
+    /// The rounds of inference and registration; empty where no energy was minimised.
+    pub rounds: Vec<RoundDocument>,
+    /// Candidate poses that were compared, the best first.
+    pub poses: Vec<PoseDocument>,
+    /// Whether the answer can be relied on; `None` where no displacement field was fitted.
+    pub reliability: Option<ReliabilityDocument>,
+    /// Whether two semi-axes of a first-order ellipsoid are so nearly equal that the rotation about the third is arbitrary.
+    pub ambiguous_axes: bool,
+    /// The dense correspondence.
+    pub correspondences: Correspondences,
+    /// Why inference ended.
+    pub stop_reason: StopReason,
+}

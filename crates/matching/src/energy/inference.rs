@@ -1,0 +1,373 @@
+//! Inference: belief propagation from nothing over the energy of near isometries, of the source and of its mirror image, and RANSAC
+//! over the labels, weighted by beliefs.
+
+use super::model::edges;
+use super::settings::IsometrySettings;
+use super::signs::{Signs, unary_potentials};
+use crate::surface::sites::Sites;
+use homolog_contract::result::{
+    ConvergenceDocument, ConvergenceStatus, EnergyDocument, Feedback, RoundDocument, StopReason,
+};
+use homolog_mrf::metric::{ActiveBeliefs, ActiveOptions, MetricModel, Semiring};
+use homolog_mrf::{Energy, Labeling};
+use homolog_primitives::observe::{Cancelled, Observer, Phase, Silent, TracePoint, checkpoint};
+use homolog_registration::{RansacOptions, RansacReport, RigidTransform, ransac_weighted};
+use nalgebra::{Matrix3, Point3, Vector3};
+
+/// Share of the labels that support a pose of which there is no doubt.
+const CLEAR_SUPPORT: f64 = 0.9;
+/// Standard errors by which labels elsewhere cost more where there is no doubt.
+const DISTINCT: f64 = 3.0;
+/// Groups of neighboring variables over which the costs of two labelings are compared.
+const GROUPS: usize = 40;
+
+/// How the energy is minimized and what supports a pose.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct InferenceSettings {
+    /// Active labels of a variable. With 32 of 512 the energies of hippocampi are 0 to 2 % above those over all labels.
+    pub active_labels: usize,
+    /// Most iterations of belief propagation, its damping, and the change of a message up to which it has converged.
+    pub iterations: u32,
+    pub damping: f32,
+    pub tolerance: f32,
+    /// Sweeps of conditional modes over all labels afterwards, at most.
+    pub sweeps: usize,
+    /// Labels within so many of their spacings of the best one take part in the image of a variable.
+    pub blended: f64,
+    /// Largest residual of an inlier, in roots of the area: two spacings of the labels, and what two subjects differ in.
+    pub inlier: f64,
+    /// Confidence and most trials of RANSAC.
+    pub confidence: f64,
+    pub max_trials: u64,
+    /// A second labeling is looked for where each variable pays for labels near its first one: by so much, falling off over this
+    /// distance along the surface, in roots of the area.
+    pub repulsion: f64,
+    pub repulsion_width: f64,
+}
+
+impl Default for InferenceSettings {
+    fn default() -> Self {
+        InferenceSettings {
+            active_labels: 32,
+            iterations: 20,
+            damping: 0.4,
+            tolerance: 0.01,
+            sweeps: 8,
+            blended: 1.5,
+            inlier: 0.1,
+            confidence: 0.999,
+            max_trials: 4096,
+            repulsion: 6.0,
+            repulsion_width: 0.25,
+        }
+    }
+}
+
+/// One surface of an inference: its sites, where these lie, mm, and what is measured there.
+pub(crate) struct Measured<'a> {
+    pub sites: &'a Sites,
+    pub signs: Signs,
+    pub places: Vec<Point3<f64>>,
+}
+
+/// A labeling of the energy, and the pose that it supports.
+#[derive(Debug, Clone)]
+pub(crate) struct Labeled {
+    pub labeling: Labeling,
+    pub energy: Energy,
+    pub iterations: u32,
+    pub converged: bool,
+    /// Energy and change of messages after each iteration.
+    pub trace: Vec<(Energy, f32)>,
+    /// `None` where no three labels support a pose.
+    pub ransac: Option<RansacReport>,
+}
+
+impl Labeled {
+    /// The share of the labels that support the pose.
+    pub(crate) fn support(&self) -> f64 {
+        self.ransac.as_ref().map_or(0.0, |found| found.support as f64 / self.labeling.len().max(1) as f64)
+    }
+}
+
+/// What inference from nothing found.
+pub(crate) struct Inferred {
+    model: MetricModel,
+    /// The energy of the mirrored source.
+    of_mirror: MetricModel,
+    /// The group of neighbors that each variable belongs to.
+    groups: Vec<u32>,
+    /// The labels, mm.
+    places: Vec<Point3<f64>>,
+    tolerance_mm: f64,
+    /// Sweeps of conditional modes, at most.
+    sweeps: usize,
+    /// The variables, mm.
+    points: Vec<Point3<f64>>,
+    /// Energy of the labels that cost least by themselves.
+    initial: Energy,
+    pub proper: Labeled,
+    /// The labeling of lowest energy that is found away from it.
+    pub elsewhere: Labeled,
+    /// The labeling of the source mirrored: the chirality of its places has the other sign.
+    pub mirrored: Labeled,
+}
+
+/// What the result says of inference.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct InferenceOutcome {
+    pub energy: EnergyDocument,
+    /// From nothing; then from the answer, which is clamping by feedback of registration.
+    pub rounds: Vec<RoundDocument>,
+    pub stop_reason: StopReason,
+    /// Trials of RANSAC over the labels of the first round.
+    pub trials: u64,
+    pub confidence_reached: bool,
+}
+
+impl Inferred {
+    /// The poses that the labelings support, that of the lowest energy first among those of one handedness.
+    pub(crate) fn poses(&self) -> impl Iterator<Item = RigidTransform> {
+        let found = [&self.proper, &self.elsewhere, &self.mirrored];
+        found.into_iter().filter_map(|labeled| Some(labeled.ransac.as_ref()?.target_from_source))
+    }
+
+    /// Whether the labels leave no doubt about the pose: nearly all of them support it, and labels elsewhere, or of the mirror image, cost
+    /// more in most places. Otherwise further starts are needed.
+    pub(crate) fn is_clear(&self) -> bool {
+        self.proper.support() >= CLEAR_SUPPORT
+            && self.excess(&self.model, &self.elsewhere) > DISTINCT
+            && self.excess(&self.of_mirror, &self.mirrored) > DISTINCT
+    }
+
+    /// How much more `other`, a labeling of `model`, costs than the first one: the mean difference over groups of neighboring variables, in
+    /// its standard error.
+    fn excess(&self, model: &MetricModel, other: &Labeled) -> f64 {
+        let (own, others) = (self.model.shares(&self.proper.labeling), model.shares(&other.labeling));
+        let mut sums = vec![0.0; GROUPS.min(own.len())];
+        for (i, (own, other)) in own.iter().zip(&others).enumerate() {
+            sums[self.groups[i] as usize] += other - own;
+        }
+        standardized_mean(&sums)
+    }
+
+    /// Reports the energy after each iteration, and the support of the labels.
+    pub(crate) fn trace(&self, observer: &dyn Observer) {
+        for (k, (energy, change)) in self.proper.trace.iter().enumerate() {
+            observer.trace(&TracePoint {
+                energy: Some(energy.total()),
+                energy_unary: Some(energy.unary),
+                energy_pairwise: Some(energy.pairwise),
+                message_delta_max: Some(f64::from(*change)),
+                ..TracePoint::new(0, Phase::Inference, k as u32 + 1)
+            });
+        }
+        observer.phase(Phase::Registration);
+        observer.trace(&TracePoint {
+            energy: Some(self.proper.energy.total()),
+            energy_unary: Some(self.proper.energy.unary),
+            energy_pairwise: Some(self.proper.energy.pairwise),
+            support: Some(self.proper.ransac.as_ref().map_or(0, |found| found.support as u32)),
+            ..TracePoint::new(0, Phase::Registration, 1)
+        });
+    }
+
+    /// The outcome for an answer whose images name `labels`, with this rigid part.
+    pub(crate) fn clamped(&self, labels: Labeling, transform: &RigidTransform) -> InferenceOutcome {
+        let mirrors = transform.is_reflection();
+        let (model, from_nothing) =
+            if mirrors { (&self.of_mirror, &self.mirrored) } else { (&self.model, &self.proper) };
+        let labels = model.descend(labels, self.sweeps);
+        let energy = model.energy(&labels);
+        let status = |converged| if converged { ConvergenceStatus::Converged } else { ConvergenceStatus::Slow };
+        let stop_reason = if from_nothing.converged { StopReason::Converged } else { StopReason::MaxIterations };
+        let near = |(p, q): &(&Point3<f64>, &u32)| {
+            (transform.apply(p) - self.places[**q as usize]).norm() <= self.tolerance_mm
+        };
+        let first = RoundDocument {
+            round: 0,
+            feedback: Feedback::None,
+            iterations: from_nothing.iterations,
+            stop_reason,
+            convergence: ConvergenceDocument { status: status(from_nothing.converged), period: None },
+            energy: from_nothing.energy.total(),
+            support: from_nothing.ransac.as_ref().map_or(0, |found| found.support as u32),
+            chosen: false,
+        };
+        let second = RoundDocument {
+            round: 1,
+            feedback: Feedback::Soft,
+            iterations: 1,
+            stop_reason: StopReason::Converged,
+            convergence: ConvergenceDocument { status: ConvergenceStatus::Converged, period: None },
+            energy: energy.total(),
+            support: self.points.iter().zip(&labels).filter(near).count() as u32,
+            chosen: true,
+        };
+        let ransac = from_nothing.ransac.as_ref();
+        InferenceOutcome {
+            energy: EnergyDocument {
+                n_variables: model.n_variables() as u32,
+                n_labels: model.n_labels() as u32,
+                initial: self.initial.total(),
+                r#final: energy.total(),
+                unary: energy.unary,
+                pairwise: energy.pairwise,
+                lower_bound: None,
+                broken_edges: model.truncated_edges(&labels) as u32,
+            },
+            rounds: vec![first, second],
+            stop_reason,
+            trials: ransac.map_or(0, |found| found.trials),
+            confidence_reached: ransac.is_some_and(|found| found.confidence_reached),
+        }
+    }
+}
+
+/// Mean of `values` in its standard error.
+fn standardized_mean(values: &[f64]) -> f64 {
+    let n = values.len() as f64;
+    let mean = values.iter().sum::<f64>() / n;
+    let variance = values.iter().map(|v| (v - mean).powi(2)).sum::<f64>() / (n - 1.0);
+    mean / (variance / n).sqrt().max(f64::MIN_POSITIVE)
+}
+
+/// Infers the labels of `source` on `target`, whose areas have the root `root_mm`.
+///
+/// # Errors
+/// [`Cancelled`].
+///
+/// # Cost
+/// `O(iterations · edges · active²)` for each handedness.
+pub(crate) fn infer(
+    source: &Measured<'_>,
+    target: &Measured<'_>,
+    root_mm: f64,
+    seed: u64,
+    settings: &InferenceSettings,
+    observer: &dyn Observer,
+) -> Result<Inferred, Cancelled> {
+    let of_energy = IsometrySettings::default();
+    let variables = source.sites.first(of_energy.n_variables);
+    let distance = |i: usize, j: usize| f64::from(source.sites.row(variables[i] as usize)[variables[j] as usize]);
+    let edges = edges(variables.len(), distance, target.sites.len(), &of_energy);
+    let of_variables = source.signs.picked(variables);
+    let unary = |of_source: &Signs| unary_potentials(of_source, &target.signs, &of_energy);
+    let model = MetricModel::new(target.sites.distances.clone(), unary(&of_variables), edges, of_energy.truncation);
+    let of_mirror = model.with_unary(unary(&of_variables.mirrored()));
+    let points: Vec<Point3<f64>> = variables.iter().map(|&k| source.places[k as usize]).collect();
+    checkpoint(observer)?;
+    let labeled = |model: &MetricModel, bias: &[f32], mirrors: bool| {
+        labeled(model, bias, (&points, mirrors), target, root_mm, seed, settings)
+    };
+    let (mirrored, (proper, elsewhere)) = rayon::join(
+        || labeled(&of_mirror, &[], true),
+        || {
+            let proper = labeled(&model, &[], false);
+            let elsewhere = labeled(&model, &away_from(&proper.labeling, target.sites, settings), false);
+            (proper, elsewhere)
+        },
+    );
+    checkpoint(observer)?;
+    let nearest = |&k: &u32| {
+        let row = source.sites.row(k as usize);
+        let distance = |g: &u32| row[variables[*g as usize] as usize];
+        (0..GROUPS.min(variables.len()) as u32).min_by(|a, b| distance(a).total_cmp(&distance(b))).unwrap_or(0)
+    };
+    Ok(Inferred {
+        initial: model.energy(&model.unary_minimum()),
+        groups: variables.iter().map(nearest).collect(),
+        places: target.places.clone(),
+        tolerance_mm: settings.inlier * root_mm,
+        sweeps: settings.sweeps,
+        proper,
+        elsewhere,
+        mirrored,
+        points,
+        of_mirror,
+        model,
+    })
+}
+
+/// A bias away from `labeling`: what each label near that of a variable costs it at first.
+fn away_from(labeling: &[u32], target: &Sites, settings: &InferenceSettings) -> Vec<f32> {
+    let scale = -0.5 / (settings.repulsion_width * settings.repulsion_width);
+    let cost = |&d: &f32| (settings.repulsion * (scale * f64::from(d) * f64::from(d)).exp()) as f32;
+    labeling.iter().flat_map(|&own| target.row(own as usize).iter().map(cost)).collect()
+}
+
+fn labeled(
+    model: &MetricModel,
+    bias: &[f32],
+    (points, mirrors): (&[Point3<f64>], bool),
+    target: &Measured<'_>,
+    root_mm: f64,
+    seed: u64,
+    settings: &InferenceSettings,
+) -> Labeled {
+    let options = ActiveOptions {
+        semiring: Semiring::Sum,
+        iterations: settings.iterations,
+        damping: settings.damping,
+        tolerance: settings.tolerance,
+    };
+    let mut trace = Vec::new();
+    let active = model.cheapest(bias, settings.active_labels);
+    let found = model.propagate(&active, bias, &options, |_, energy, change| trace.push((energy, change)));
+    let labeling = model.descend(found.labeling(), settings.sweeps);
+    let images = images(&found, &labeling, target, settings);
+    let beliefs: Vec<f64> = (0..labeling.len()).map(|i| belief(&found, i, labeling[i])).collect();
+    let options = RansacOptions {
+        tolerance_mm: settings.inlier * root_mm,
+        confidence: settings.confidence,
+        max_trials: settings.max_trials,
+        allow_reflection: false,
+        seed,
+    };
+    // Labels of the mirror image support a pose of the mirrored points.
+    let sign = if mirrors { -1.0 } else { 1.0 };
+    let from: Vec<Point3<f64>> = points.iter().map(|p| Point3::new(sign * p.x, p.y, p.z)).collect();
+    // A search of 160 points is over in a millisecond, and cancelled before and after.
+    let mut ransac = ransac_weighted(&from, &images, &beliefs, &options, &Silent).ok().flatten();
+    if let Some(found) = &mut ransac {
+        let mirror = Matrix3::from_diagonal(&Vector3::new(sign, 1.0, 1.0));
+        found.target_from_source.rotation *= mirror;
+    }
+    Labeled {
+        energy: model.energy(&labeling),
+        ransac,
+        converged: found.message_delta_max <= settings.tolerance,
+        iterations: found.iterations,
+        labeling,
+        trace,
+    }
+}
+
+/// The belief in a label; that of one which is not active is below all others.
+fn belief(found: &ActiveBeliefs, variable: usize, label: u32) -> f64 {
+    let at = found.active.of(variable).binary_search(&label);
+    at.map_or(f64::from(f32::MIN_POSITIVE), |at| f64::from(found.of(variable)[at]).max(f64::from(f32::MIN_POSITIVE)))
+}
+
+/// For each variable the mean of the active labels about its own, weighted by their beliefs, mm.
+fn images(
+    found: &ActiveBeliefs,
+    labeling: &[u32],
+    target: &Measured<'_>,
+    settings: &InferenceSettings,
+) -> Vec<Point3<f64>> {
+    let near = (settings.blended / (target.sites.len() as f64).sqrt()) as f32;
+    let image = |(i, &own): (usize, &u32)| {
+        let row = target.sites.row(own as usize);
+        let (mut total, mut sum) = (0.0, Vector3::zeros());
+        for (&label, &belief) in found.active.of(i).iter().zip(found.of(i)) {
+            if row[label as usize] <= near {
+                let belief = f64::from(belief).max(f64::from(f32::MIN_POSITIVE));
+                total += belief;
+                sum += target.places[label as usize].coords * belief;
+            }
+        }
+        if total > 0.0 { Point3::from(sum / total) } else { target.places[own as usize] }
+    };
+    labeling.iter().enumerate().map(image).collect()
+}

@@ -1,0 +1,143 @@
+//! The energy of near isometries by itself, for measuring it.
+
+use super::minimize::{fused, minimized};
+use super::model::Isometry;
+use super::settings::IsometrySettings;
+use crate::error::MatchError;
+use crate::pair::lengths::Lengths;
+use crate::pair::smooth_pair::smooth_pair;
+use crate::starts::forms::{FormMatchSettings, form_matches};
+use crate::surface::side::Side;
+use homolog_mesh::SurfaceMesh;
+use homolog_mrf::Labeling;
+use homolog_mrf::metric::MetricModel;
+
+/// The energy of near isometries between two surfaces, and where its minimization begins: for measuring the energy itself.
+#[derive(Debug, Clone, PartialEq)]
+pub struct NearIsometryModel {
+    /// The energy.
+    pub model: MetricModel,
+    /// The vertex of the source that each variable is.
+    pub variables: Vec<u32>,
+    /// The vertex of the target that each label is.
+    pub labels: Vec<u32>,
+    /// For each correspondence of the forms what it adds to the unary potentials at first.
+    pub of_forms: Vec<Vec<f32>>,
+    /// The same for each assignment of extremities.
+    pub of_extremities: Vec<Vec<f32>>,
+}
+
+impl NearIsometryModel {
+    /// The labeling to which belief propagation with a bias at first, or with an empty one, and conditional modes lead.
+    pub fn minimised(&self, bias: &[f32]) -> Labeling {
+        minimized(&self.model, bias, &IsometrySettings::default())
+    }
+
+    /// The labeling to which fusing `labelings`, and conditional modes, lead; `None` of none.
+    pub fn fused(&self, labelings: &[Labeling]) -> Option<Labeling> {
+        fused(&self.model, labelings, &IsometrySettings::default())
+    }
+}
+
+/// The model of two surfaces in canonical numbering; `None` where one has too few vertices or pieces that no form holds.
+///
+/// # Errors
+/// [`MatchError::ScaleSpace`].
+pub fn near_isometry_model(
+    source: &SurfaceMesh,
+    target: &SurfaceMesh,
+) -> Result<Option<NearIsometryModel>, MatchError> {
+    let (source, target) = (Side::new(source), Side::new(target));
+    let root_mm = Lengths::of(&source, &target).root_mm;
+    let smooth = smooth_pair(source.mesh(), target.mesh(), root_mm, false)?;
+    let (Some(of_source), Some(of_target)) = (source.form(), target.form()) else { return Ok(None) };
+    let (source, target) = ((&*smooth.0, of_source), (&*smooth.1, of_target));
+    let isometry = Isometry::new(source, target, IsometrySettings::default());
+    let matches = form_matches(source, target, &FormMatchSettings::default());
+    let measured = &of_target.measured;
+    Ok(Some(NearIsometryModel {
+        variables: isometry.variables.iter().map(|&k| of_source.sites[k as usize]).collect(),
+        labels: measured.labels.vertices.iter().map(|&v| measured.vertices[v as usize]).collect(),
+        of_forms: matches.iter().map(|guess| isometry.bias(guess)).collect(),
+        of_extremities: isometry.of_extremities,
+        model: isometry.model,
+    }))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use homolog_mesh::canonicalize;
+    use homolog_mesh::shapes::ellipsoid;
+    use nalgebra::{Point3, Vector3};
+
+    /// A surface with one plane of symmetry, `z = 0`, bent by `angle` radians within that plane, in canonical numbering.
+    fn symmetric(angle: f64) -> SurfaceMesh {
+        let mesh = ellipsoid(Vector3::new(16.0, 6.0, 5.0), 4);
+        let radius = 32.0 / angle;
+        let shaped = |p: &Point3<f64>| {
+            let (y, z) = (p.y * (1.0 + 0.02 * p.x) + 0.01 * p.x * p.x, p.z * (1.0 - 0.015 * p.x + 0.02 * p.y));
+            let phi = p.x / radius;
+            Point3::new((radius - y) * phi.sin(), radius - (radius - y) * phi.cos(), z)
+        };
+        canonicalize(&mesh.with_vertices(mesh.vertices().iter().map(shaped).collect()).unwrap()).mesh
+    }
+
+    fn nearest(places: &[Point3<f64>], to: Point3<f64>) -> u32 {
+        let away = |k: &u32| (places[*k as usize] - to).norm();
+        (0..places.len() as u32).min_by(|a, b| away(a).total_cmp(&away(b))).unwrap()
+    }
+
+    fn at(mesh: &SurfaceMesh, vertices: &[u32]) -> Vec<Point3<f64>> {
+        vertices.iter().map(|&k| mesh.vertices()[k as usize]).collect()
+    }
+
+    #[test]
+    fn the_truth_has_a_lower_energy_than_its_mirror_image() {
+        let mesh = symmetric(0.4);
+        let found = near_isometry_model(&mesh, &mesh).unwrap().unwrap();
+        let (variables, labels) = (at(&mesh, &found.variables), at(&mesh, &found.labels));
+        let truth: Vec<u32> = variables.iter().map(|p| nearest(&labels, *p)).collect();
+        let mirrored: Vec<u32> = variables.iter().map(|p| nearest(&labels, Point3::new(p.x, p.y, -p.z))).collect();
+        let [truth, mirrored] = [truth, mirrored].map(|x| found.model.energy(&found.model.descend(x, 20)));
+        assert!(truth.unary + 40.0 < mirrored.unary, "{truth:?} {mirrored:?}");
+        // Distances along the surface are those of the mirror image: what they add is the distance of labels from places.
+        assert!(mirrored.pairwise < 0.5 * mirrored.unary, "{truth:?} {mirrored:?}");
+    }
+
+    #[test]
+    fn a_collapse_costs_more_than_the_truth() {
+        let mesh = symmetric(0.4);
+        let found = near_isometry_model(&mesh, &mesh).unwrap().unwrap();
+        let (variables, labels) = (at(&mesh, &found.variables), at(&mesh, &found.labels));
+        let truth: Vec<u32> = variables.iter().map(|p| nearest(&labels, *p)).collect();
+        let energy = |x: &[u32]| found.model.energy(x).total();
+        for collapsed in [vec![truth[0]; truth.len()], truth.iter().map(|&x| x % 8).collect()] {
+            assert!(energy(&collapsed) > 3.0 * energy(&truth), "{} {}", energy(&collapsed), energy(&truth));
+        }
+    }
+
+    #[test]
+    fn propagation_from_forms_and_from_extremities_ends_as_low_as_the_truth_and_where_it_is() {
+        let (source, target) = (symmetric(0.2), symmetric(1.6));
+        let found = near_isometry_model(&source, &target).unwrap().unwrap();
+        // Where a point of the bent surface lies on the straighter one: the same place along and about the axis.
+        let unbent = |p: &Point3<f64>, angle: f64| {
+            let radius = 32.0 / angle;
+            let phi = p.x.atan2(radius - p.y);
+            Point3::new(phi * radius, radius - (radius - p.y) / phi.cos(), p.z)
+        };
+        let variables: Vec<_> = at(&source, &found.variables).iter().map(|p| unbent(p, 0.2)).collect();
+        let labels: Vec<_> = at(&target, &found.labels).iter().map(|p| unbent(p, 1.6)).collect();
+        let truth: Vec<u32> = variables.iter().map(|p| nearest(&labels, *p)).collect();
+        let energy = |x: &[u32]| found.model.energy(x).total();
+        let relaxed = energy(&found.model.descend(truth, 50));
+        for starts in [&found.of_forms, &found.of_extremities] {
+            let labelings = starts.iter().map(|bias| found.minimised(bias));
+            let best = labelings.min_by(|a, b| energy(a).total_cmp(&energy(b))).unwrap();
+            let away = best.iter().zip(&variables).map(|(&x, p)| (labels[x as usize] - p).norm()).sum::<f64>() / 160.0;
+            assert!(energy(&best) < 1.1 * relaxed, "{} {relaxed}", energy(&best));
+            assert!(away < 2.0, "{away} mm away, of a surface 32 mm long");
+        }
+    }
+}

@@ -1,0 +1,40 @@
+//! Why a match has no result.
+
+use homolog_geometry::harmonics::HarmonicsError;
+use homolog_primitives::observe::Cancelled;
+
+/// Why a match has no result. A minimiser that does not converge is no error: the [`crate::MatchOutcome`] says so.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum MatchError {
+    /// The observer asked to stop.
+    #[error(transparent)]
+    Cancelled(#[from] Cancelled),
+    /// No rigid transform is supported by three labels of the first round, and nothing else can give a pose.
+    ///
+    /// A displacement field can start from the landmarks or from a search of all orientations, and registration alone always
+    /// has a pose. So this is the error of an energy that is minimised without a displacement field (the presets `thesis`,
+    /// `gibbs`, `metropolis` and `las_vegas`), and of a displacement field for which the search found no pose either, as on
+    /// surfaces without area.
+    #[error("no rigid transform is supported by three correspondences within {tolerance_mm} mm")]
+    NoRegistration {
+        /// Tolerance of an inlier, mm.
+        tolerance_mm: f64,
+    },
+    /// A surface has no first-order ellipsoid.
+    #[error("the {surface} has no first-order ellipsoid: {error}")]
+    NoEllipsoid {
+        /// `source` or `target`.
+        surface: &'static str,
+        /// The fault of the parametrization.
+        error: HarmonicsError,
+    },
+    /// The heat flow that smooths the surface could not be solved.
+    #[error("curvature at scale {scale_mm} mm could not be computed: the surface has degenerate faces")]
+    ScaleSpace {
+        /// Scale, mm.
+        scale_mm: f64,
+    },
+    /// The spectrum that a heat or wave kernel signature is made of could not be computed.
+    #[error("the spectrum of the surface could not be computed: it has degenerate faces")]
+    Spectrum,
+}

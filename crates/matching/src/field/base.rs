@@ -1,0 +1,49 @@
+//! Where a surface is before a field moves it, and the field over it.
+
+use faer::Mat;
+use homolog_registration::RigidTransform;
+use homolog_registration::deformation::FittedField;
+use nalgebra::{Point3, Vector3};
+
+/// Where a surface is before the field moves it: after a rigid pose, or bent as well.
+#[derive(Clone)]
+pub(crate) struct Base {
+    pub pose: RigidTransform,
+    /// Coefficients of a field, `M × 3`.
+    pub bend: Option<Mat<f64>>,
+}
+
+impl Base {
+    pub(crate) fn rigid(pose: RigidTransform) -> Self {
+        Base { pose, bend: None }
+    }
+
+    /// `points` of the source, at which the functions of the field have these `values` (more rows may follow).
+    pub(crate) fn moved(&self, points: &[Point3<f64>], values: &Mat<f64>) -> Vec<Point3<f64>> {
+        let posed = points.iter().map(|p| self.pose.apply(p));
+        match &self.bend {
+            None => posed.collect(),
+            Some(bend) => {
+                let u = values * bend;
+                posed.enumerate().map(|(i, p)| p + Vector3::new(u[(i, 0)], u[(i, 1)], u[(i, 2)])).collect()
+            }
+        }
+    }
+
+    /// This base with the displacement of `field` added.
+    pub(crate) fn bent_by(&self, field: &FittedField) -> Self {
+        let bend = match &self.bend {
+            None => field.coefficients.clone(),
+            Some(bend) => bend + &field.coefficients,
+        };
+        Base { pose: self.pose, bend: Some(bend) }
+    }
+}
+
+/// A field over its base, and the precisions of the features that were estimated with it.
+#[derive(Clone)]
+pub(crate) struct State {
+    pub base: Base,
+    pub field: FittedField,
+    pub feature_precision: Vec<f64>,
+}

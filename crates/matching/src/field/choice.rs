@@ -1,0 +1,159 @@
+//! The choice of the rigid pose: those of a search are compared after the first stage of their displacements.
+
+use super::base::{Base, State};
+use super::coarse::{coarse_from, screening};
+use super::displacement::Displacement;
+use super::rivals::{Candidate, Chosen, decided};
+use crate::error::MatchError;
+use crate::pair::assignment::displaced;
+use crate::poses::compared::{ComparedPose, Finer, Origin};
+use crate::starts::start_pose::StartPose;
+use homolog_primitives::observe::checkpoint;
+use homolog_registration::{RigidTransform, SAME_POSE_ANGLE, SamePose, absolute_orientation_of};
+use rayon::prelude::*;
+
+/// A pose that was followed through the first stage.
+struct Followed {
+    index: usize,
+    pose: StartPose,
+    misfit: f64,
+    /// Whether it may be the answer.
+    may_answer: bool,
+    /// The rigid part of where it ended, if places tell poses apart.
+    end: Option<RigidTransform>,
+    /// Whether a better one ended where it did.
+    is_reached: bool,
+}
+
+impl Followed {
+    fn is_rotation_of(&self, other: &Followed) -> bool {
+        self.pose.rotation_of == Some(other.index)
+    }
+
+    fn mirrored(&self) -> bool {
+        self.pose.pose.is_reflection()
+    }
+
+    fn compared(&self) -> ComparedPose {
+        ComparedPose {
+            origin: Origin::Pose(self.index),
+            mirrored: self.mirrored(),
+            misfit: self.misfit,
+            finer: if self.is_reached { Finer::Same } else { Finer::None },
+        }
+    }
+}
+
+/// The best of the `poses` that may be kept. `None` where there is none, or where a number is not finite.
+///
+/// # Errors
+/// [`MatchError::Cancelled`].
+pub(crate) fn chosen(
+    displacement: &Displacement<'_>,
+    poses: &[StartPose],
+    may_answer: impl Fn(&RigidTransform) -> bool,
+) -> Result<Option<Chosen>, MatchError> {
+    let Some(followed) = screened(displacement, poses)? else { return Ok(None) };
+    let n = displacement.options.n_samples[0];
+    let (source, target) = (displacement.source.thinned(n), displacement.target.thinned(n).packed());
+    let values = displacement.guides.below(displacement.functions.values(&source.points));
+    // Each pose alone, so that all cores have work where a step is too short to share.
+    let found: Vec<Option<(f64, State)>> = followed
+        .par_iter()
+        .map(|&pose| {
+            checkpoint(displacement.observer)?;
+            let schedule = displacement.schedule(0, displacement.options.steps[0]);
+            Ok(coarse_from(displacement, &Base::rigid(poses[pose].pose), &source, &target, &values, schedule))
+        })
+        .collect::<Result<_, MatchError>>()?;
+    let mut compared: Vec<(Followed, State)> = Vec::new();
+    for (&index, found) in followed.iter().zip(found) {
+        let Some((misfit, state)) = found else { return Ok(None) };
+        let pose = poses[index];
+        let misfit =
+            misfit + pose.excess + pose.rotation_of.map_or(0.0, |_| displacement.options.choice.least_gain_of_rotation);
+        let end = displacement.same_place.map(|_| {
+            let moved = displaced(&state.base.moved(&source.points, &values), &state.field, &values);
+            let (weights, mirrored) = (Some(&source.counted[..]), pose.pose.is_reflection());
+            absolute_orientation_of(&source.points, &moved, weights, mirrored).unwrap_or(pose.pose)
+        });
+        let may_answer = may_answer(&pose.pose);
+        compared.push((Followed { index, pose, misfit, may_answer, end, is_reached: false }, state));
+    }
+    compared.sort_by(|(a, _), (b, _)| {
+        (!a.may_answer).cmp(&!b.may_answer).then(a.misfit.total_cmp(&b.misfit)).then(a.index.cmp(&b.index))
+    });
+    // A start and its rotation are one pose, of which the better is kept.
+    let (mut kept, mut states): (Vec<Followed>, Vec<State>) = (Vec::new(), Vec::new());
+    for (start, state) in compared {
+        if !kept.iter().any(|better| better.is_rotation_of(&start) || start.is_rotation_of(better)) {
+            kept.push(start);
+            states.push(state);
+        }
+    }
+    for k in 1..kept.len() {
+        let (better, others) = kept.split_at_mut(k);
+        let other = &mut others[0];
+        let is_reached = |better: &Followed| match (&better.end, &other.end) {
+            (Some(a), Some(b)) => better.mirrored() == other.mirrored() && displacement.are_same(a, b, SAME_POSE_ANGLE),
+            _ => false,
+        };
+        other.is_reached = better.iter().any(is_reached);
+    }
+    if !kept.first().is_some_and(|best| best.may_answer) {
+        return Ok(None);
+    }
+    let candidates = kept
+        .iter()
+        .zip(states)
+        .map(|(start, state)| Candidate { compared: start.compared(), pose: start.pose.pose, state })
+        .collect();
+    decided(displacement, candidates)
+}
+
+/// The poses to follow, after a few steps on few vertices from each: the best of each handedness, and of a rotation the pose that
+/// was rotated.
+fn screened(displacement: &Displacement<'_>, poses: &[StartPose]) -> Result<Option<Vec<usize>>, MatchError> {
+    let misfit = screening(displacement);
+    let screened: Vec<Option<(f64, usize)>> = poses
+        .par_iter()
+        .enumerate()
+        .map(|(k, pose)| {
+            checkpoint(displacement.observer)?;
+            Ok(misfit(&pose.pose).map(|misfit| (misfit + pose.excess, k)))
+        })
+        .collect::<Result<_, MatchError>>()?;
+    let Some(mut screened) = screened.into_iter().collect::<Option<Vec<_>>>() else { return Ok(None) };
+    screened.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+    let mut followed: Vec<usize> = Vec::new();
+    for (_, k) in screened {
+        let alike = |&&other: &&usize| poses[other].pose.is_reflection() == poses[k].pose.is_reflection();
+        let near = |&&other: &&usize| {
+            displacement.are_same(&poses[other].pose, &poses[k].pose, displacement.options.choice.same_pose_rad)
+        };
+        let same_handedness: Vec<&usize> = followed.iter().filter(alike).collect();
+        // Places in one orientation leave room for another orientation.
+        let has_orientation_of = |other: usize| {
+            move |&&a: &&usize| {
+                SamePose::of_orientation().holds(
+                    &poses[a].pose,
+                    &poses[other].pose,
+                    displacement.options.choice.same_pose_rad,
+                )
+            }
+        };
+        let has_room = same_handedness.len() < displacement.options.choice.followed
+            || same_handedness.len() == displacement.options.choice.followed
+                && same_handedness.iter().all(has_orientation_of(*same_handedness[0]))
+                && !same_handedness.iter().any(has_orientation_of(k));
+        if has_room && !same_handedness.iter().any(near) {
+            followed.push(k);
+        }
+    }
+    // Few vertices do not show whether a rotation about that axis is better than none, so the pose itself is followed too.
+    for k in followed.clone() {
+        let own = poses[k].rotation_of;
+        followed.extend(own.filter(|own| !followed.contains(own)));
+    }
+    Ok(Some(followed))
+}

@@ -1,0 +1,97 @@
+//! The first stage of a displacement: the field over a base, on thinned surfaces.
+
+use super::base::{Base, State};
+use super::displacement::Displacement;
+use super::schedule::Schedule;
+use crate::pair::assignment::{comparison_kernel, displaced, kernel, observed_means, precision_of_features};
+use crate::surface::smooth::{N_FEATURES, Thinned};
+use faer::Mat;
+use homolog_registration::RigidTransform;
+use homolog_registration::alignment::{AssignmentTarget, OrientedPoints, annealed, assign, misfit};
+use homolog_registration::deformation::fit_field;
+use nalgebra::{Point3, Vector3};
+
+/// The field from one pose alone, which an earlier fit has found.
+pub(crate) fn coarse_alone(displacement: &Displacement<'_>, pose: &RigidTransform) -> Option<State> {
+    let n = displacement.options.n_samples[0];
+    let (source, target) = (displacement.source.thinned(n), displacement.target.thinned(n).packed());
+    let values = displacement.guides.below(displacement.functions.values(&source.points));
+    let found = coarse_from(
+        displacement,
+        &Base::rigid(*pose),
+        &source,
+        &target,
+        &values,
+        displacement.schedule(0, displacement.options.choice.steps_from_known_pose),
+    );
+    found.map(|(_, state)| state)
+}
+
+/// The misfit after a few steps on few vertices from a pose; `None` where a number is not finite.
+pub(crate) fn screening(displacement: &Displacement<'_>) -> impl Fn(&RigidTransform) -> Option<f64> + Sync {
+    let source = displacement.source.thinned(displacement.options.choice.screening_samples);
+    let target = displacement.target.thinned(displacement.options.choice.screening_samples).packed();
+    let values = displacement.guides.below(displacement.functions.values(&source.points));
+    move |pose| {
+        // An order of the poses needs no field that has settled.
+        let schedule = Schedule::new(displacement.options.choice.screening_steps, 0, displacement.lengths.root_mm);
+        coarse_from(displacement, &Base::rigid(*pose), &source, &target, &values, schedule).map(|(misfit, _)| misfit)
+    }
+}
+
+/// The misfit and the field over `base_of` after the steps of `schedule`.
+pub(crate) fn coarse_from(
+    displacement: &Displacement<'_>,
+    base_of: &Base,
+    source: &Thinned,
+    target: &AssignmentTarget,
+    values: &Mat<f64>,
+    mut schedule: Schedule,
+) -> Option<(f64, State)> {
+    let base = base_of.moved(&source.points, values);
+    let guided = displacement.guides.observations(base_of);
+    let mut normals: Vec<Vector3<f64>> = source.normals.iter().map(|n| base_of.pose.rotation * n).collect();
+    // Of a bent base the normals are those of the whole deformed surface; the field over a rigid one hardly turns them.
+    let mut whole = None;
+    if base_of.bend.is_some() {
+        let values = displacement.functions.values(displacement.source.mesh.vertices());
+        let moved = base_of.moved(displacement.source.mesh.vertices(), &values);
+        normals = normals_at(displacement, moved.clone(), source)?;
+        whole = Some((values, moved));
+    }
+    let mut moved = base.clone();
+    let [sigma, last_sigma, ..] = displacement.options.sigma;
+    let mut precision = precision_of_features(&[1.0; N_FEATURES]);
+    let mut field = None;
+    while let Some(at) = schedule.next() {
+        let sigma = annealed(sigma, last_sigma, at);
+        let samples = OrientedPoints { points: &moved, normals: &normals, ..source.samples() };
+        let found = assign(&samples, target, &kernel(sigma * displacement.diagonal_mm, precision));
+        let weight = displacement.density(0, 1, at) / (sigma * displacement.diagonal_mm).powi(2);
+        let observed = [observed_means(&found, &base, &source.counted, weight), guided.clone()].concat();
+        let fitted = fit_field(values.as_ref(), &observed)?;
+        let after = displaced(&base, &fitted, values);
+        schedule.note(&moved, &after);
+        moved = after;
+        if let Some((values, base)) = &whole {
+            normals = normals_at(displacement, displaced(base, &fitted, values), source)?;
+        }
+        precision = precision_of_features(&found.feature_variance);
+        field = Some(fitted);
+    }
+    // The same precisions for all poses: a wrong pose that has come to distrust features must not gain by that.
+    let samples = OrientedPoints { points: &moved, normals: &normals, ..source.samples() };
+    let misfit = misfit(&samples, target, &comparison_kernel(last_sigma * displacement.diagonal_mm))
+        + field.as_ref().map_or(0.0, |field| displacement.guides.misfit(base_of, field));
+    field.map(|field| (misfit, State { base: base_of.clone(), field, feature_precision: precision }))
+}
+
+/// Normals, at `thinned`, of the surface with its vertices at `moved`. `None` where a number is not finite.
+fn normals_at(
+    displacement: &Displacement<'_>,
+    moved: Vec<Point3<f64>>,
+    thinned: &Thinned,
+) -> Option<Vec<Vector3<f64>>> {
+    let normals = displacement.source.mesh.with_vertices(moved).ok()?.vertex_normals();
+    Some(thinned.vertices.iter().map(|&i| normals[i]).collect())
+}

@@ -1,0 +1,60 @@
+//! What the stages of a displacement share.
+
+use super::functions::Functions;
+use super::guides::Guides;
+use super::options::DisplacementOptions;
+use super::schedule::Schedule;
+use super::trace::FitTrace;
+use crate::pair::lengths::Lengths;
+use crate::poses::rigid_part::Alignment;
+use crate::surface::smooth::SmoothSurface;
+use homolog_registration::alignment::annealed;
+use homolog_registration::{RigidTransform, SamePose};
+use std::sync::Arc;
+
+/// What all stages of a displacement share.
+pub(crate) struct Displacement<'a> {
+    pub source: Arc<SmoothSurface>,
+    pub target: Arc<SmoothSurface>,
+    pub functions: Functions,
+    pub guides: Guides,
+    pub diagonal_mm: f64,
+    pub lengths: Lengths,
+    /// When two poses of a source that is a part are the same: it may fit at several places in one orientation.
+    pub same_place: Option<SamePose>,
+    pub options: &'a DisplacementOptions,
+    pub observer: &'a FitTrace<'a>,
+}
+
+impl Displacement<'_> {
+    /// Independent observations for a unit of area, at `progress` between two stages.
+    pub(crate) fn density(&self, from: usize, to: usize, progress: f64) -> f64 {
+        annealed(self.options.density[from], self.options.density[to], progress) / self.lengths.root_mm.powi(2)
+    }
+
+    /// The schedule of a stage in so many steps.
+    pub(crate) fn schedule(&self, stage: usize, steps: u32) -> Schedule {
+        Schedule::of_stage(stage, steps, self.lengths.root_mm)
+    }
+
+    /// Both surfaces for a rigid alignment; `edge_mm` is the mean edge length of the target.
+    pub(crate) fn alignment(&self, edge_mm: f64) -> Alignment<'_> {
+        Alignment { source: &self.source, target: &self.target, edge_mm, observer: self.observer }
+    }
+
+    /// Whether two poses of one handedness are the same within `angle`, radians.
+    pub(crate) fn are_same(&self, a: &RigidTransform, b: &RigidTransform, angle: f64) -> bool {
+        self.same_place.unwrap_or_else(SamePose::of_orientation).holds(a, b, angle)
+    }
+
+    /// The same displacement with other functions.
+    pub(crate) fn with_functions(&self, functions: Functions) -> Displacement<'_> {
+        Displacement {
+            source: self.source.clone(),
+            target: self.target.clone(),
+            guides: self.guides.with_functions(&functions),
+            functions,
+            ..*self
+        }
+    }
+}

@@ -1,0 +1,150 @@
+//! The stages after the pose is chosen: middle and fine.
+
+use super::base::State;
+use super::displacement::Displacement;
+use super::fitted::Fine;
+use super::trace::TracedFit;
+use super::track::{Assigned, Track, assigned};
+use crate::error::MatchError;
+use crate::pair::assignment::{displaced, kernel, observed_means, precision_of_features};
+use crate::surface::robust::{STD_OF_MAD, median};
+use homolog_primitives::observe::checkpoint;
+use homolog_registration::alignment::annealed;
+use homolog_registration::deformation::{Observation, fit_field};
+use nalgebra::Point3;
+use rayon::prelude::*;
+
+/// The field after the middle and fine stages.
+pub(crate) fn fine(displacement: &Displacement<'_>, start: State) -> Result<Option<Fine>, MatchError> {
+    fine_in(
+        displacement,
+        start,
+        [displacement.options.steps[1], displacement.options.steps[2]],
+        displacement.options.fine.across_share,
+        Some(displacement.observer.begin()),
+    )
+}
+
+/// [`fine`], left out of the energy trace: for fits side by side that are no answer.
+pub(crate) fn fine_aside(displacement: &Displacement<'_>, start: State) -> Result<Option<Fine>, MatchError> {
+    fine_in(
+        displacement,
+        start,
+        [displacement.options.steps[1], displacement.options.steps[2]],
+        displacement.options.fine.across_share,
+        None,
+    )
+}
+
+/// [`fine`] in so many steps of each, with this share of the assignment's weight across the normals.
+pub(crate) fn fine_in(
+    displacement: &Displacement<'_>,
+    start: State,
+    steps: [u32; 2],
+    across_share: f64,
+    fit: Option<TracedFit>,
+) -> Result<Option<Fine>, MatchError> {
+    let State { base, field, feature_precision } = start;
+    let track = Track::new(displacement, base);
+    let mut fine = Fine { track, field, feature_precision, residual_mm: 0.0, across_share, fit };
+    for (stage, steps) in [1, 2].into_iter().zip(steps) {
+        if !followed(displacement, &mut fine, stage, steps, 1.0)? {
+            return Ok(None);
+        }
+    }
+    Ok(Some(fine))
+}
+
+/// Follows the field through the steps of a stage, with observations weighted by `weight`. Whether all numbers stayed
+/// finite.
+pub(crate) fn followed(
+    displacement: &Displacement<'_>,
+    fine: &mut Fine,
+    stage: usize,
+    steps: u32,
+    weight: f64,
+) -> Result<bool, MatchError> {
+    let Fine { track, field, feature_precision, residual_mm, across_share, fit } = fine;
+    let thinned = displacement.source.thinned(displacement.options.n_samples[stage]);
+    let target = if stage == 1 {
+        displacement.target.thinned(displacement.options.n_samples[stage]).packed()
+    } else {
+        displacement.target.packed()
+    };
+    let values = displacement.guides.below(track.values(&thinned));
+    let starts = track.starts(&thinned);
+    let mirrored = track.base.pose.is_reflection();
+    // Settling stays where the fine stage ended.
+    let (from, to) = (stage.min(3), (stage + 1).min(3));
+    let mut schedule = displacement.schedule(stage, steps);
+    while let Some(at) = schedule.next() {
+        checkpoint(displacement.observer)?;
+        let sigma_mm =
+            displacement.diagonal_mm * annealed(displacement.options.sigma[from], displacement.options.sigma[to], at);
+        let density = weight * displacement.density(from, to, at);
+        let kernel = kernel(sigma_mm, feature_precision.clone());
+        let Some(assigned) = assigned(displacement, &track.moved(field), mirrored, &thinned, &target, &kernel) else {
+            return Ok(false);
+        };
+        let across = density / (sigma_mm * sigma_mm);
+        let observed = if stage == 1 {
+            observed_means(&assigned.found, &starts, &thinned.counted, across)
+        } else {
+            let along = density / along_mm(displacement).powi(2);
+            let (observed, residual) =
+                sliding(displacement, &assigned, &thinned.counted, &starts, along, *across_share * across);
+            if stage == 2 {
+                *residual_mm = residual;
+            }
+            observed
+        };
+        let Some(fitted) = fit_field(values.as_ref(), &track.with_guides(observed)) else { return Ok(false) };
+        if let Some(fit) = fit {
+            let observations = annealed(displacement.options.density[from], displacement.options.density[to], at);
+            displacement.observer.trace(fit, assigned.found.misfit, field, observations);
+        }
+        schedule.note(&assigned.points, &displaced(&starts, &fitted, &values));
+        *field = fitted;
+        *feature_precision = precision_of_features(&assigned.found.feature_variance);
+    }
+    Ok(true)
+}
+
+fn along_mm(displacement: &Displacement<'_>) -> f64 {
+    displacement.options.fine.along * displacement.lengths.sampling_mm
+}
+
+/// Observations of the closest point of the surface along its normals, and weakly of the assigned means across
+/// them.
+pub(crate) fn sliding(
+    displacement: &Displacement<'_>,
+    assigned: &Assigned,
+    areas: &[f64],
+    starts: &[Point3<f64>],
+    along: f64,
+    across: f64,
+) -> (Vec<Observation>, f64) {
+    let along_mm = along_mm(displacement);
+    let closest = &displacement.target.closest().index;
+    let pairs: Vec<(Observation, f64)> = (0..starts.len())
+        .into_par_iter()
+        .map(|i| {
+            let p = assigned.points[i];
+            let at = closest.closest(&p);
+            let blended = at.blend(|k| displacement.target.normals[k]);
+            let normal = blended.try_normalize(1e-9).unwrap_or(assigned.normals[i]);
+            let to_surface = at.point - p;
+            let to_mean = assigned.found.targets[i] - p;
+            let height = normal.dot(&to_surface);
+            let displacement = (p - starts[i]) + to_mean + normal * (height - normal.dot(&to_mean));
+            // A point that is far away or on the opposite side has no counterpart there (Cauchy's weight).
+            let trust =
+                normal.dot(&assigned.normals[i]).max(0.0) / (1.0 + (to_surface.norm() / (3.0 * along_mm)).powi(2));
+            let area = areas[i];
+            let across = across * area * assigned.found.mass[i];
+            (Observation { displacement, normal, along: along * area * trust, across }, height.abs())
+        })
+        .collect();
+    let mut heights: Vec<f64> = pairs.iter().map(|p| p.1).collect();
+    (pairs.into_iter().map(|p| p.0).collect(), STD_OF_MAD * median(&mut heights))
+}

@@ -1,0 +1,112 @@
+//! From a field to the moved vertices: a fit back for two subjects, the rigid part, variances.
+
+use super::agreement::agreement;
+use super::along;
+use super::both_ways::WayBack;
+use super::deformed::Deformed;
+use super::displacement::Displacement;
+use super::fitted::{Refined, pose_of};
+use super::refine::refined_from;
+use super::reverse::{ReverseFit, returned};
+use super::roundness::spread_of_rotations;
+use super::strain::distortion;
+use crate::error::MatchError;
+use crate::pair::role::Role;
+use crate::pair::surfaces::{Surfaces, swapped};
+use homolog_contract::parameters::Landmark;
+use homolog_mesh::SurfaceMesh;
+use homolog_registration::RigidTransform;
+use nalgebra::Point3;
+
+/// Squared error over the trace of the posterior covariance of a wide field. Fitted with that of sampling (`SAMPLING_VARIANCE` of [`crate::pair::lengths`]) to the
+/// errors on 4 % and 8 % warps and copies, by deciles of the predicted variance.
+const FIELD_SHARE: f64 = 0.25;
+
+/// The source moved by `refined`, of which `pose` is near the rigid part.
+pub(crate) fn finished(
+    displacement: &Displacement<'_>,
+    surfaces: &Surfaces<'_>,
+    refined: Refined,
+    pose: &RigidTransform,
+) -> Result<Option<Deformed>, MatchError> {
+    let Surfaces { source, target, full_source, full_target, target_closest, open, lengths, .. } = *surfaces;
+    // The mean of two fits agrees with any surface better than either does, so agreement is measured before.
+    let (own, own_values) = refined.moved(source);
+    let agreement = agreement(displacement, &own);
+    let residual_mm = refined.residual_mm;
+    let reached = pose_of(displacement, &own, pose);
+    // A part that is missing on one surface has no counterpart in a fit back.
+    let returned = if open
+        || refined.base.bend.is_some()
+        || residual_mm < displacement.options.route.two_subjects * lengths.sampling_mm
+    {
+        None
+    } else {
+        returned(displacement, surfaces, &reached, refined.local)?
+    };
+    let back = returned.and_then(|returned| WayBack::new(full_target, target_closest, returned));
+    let met = |mesh: &SurfaceMesh, points: Vec<Point3<f64>>| match &back {
+        Some(back) => back.met(mesh.vertices(), &points),
+        None => points,
+    };
+    let fitted = met(source, own);
+    let distortion = distortion(source, &fitted);
+    // A bent base comes from forms alone.
+    let is_of_forms = refined.base.bend.is_some();
+    let error = is_of_forms.then(|| along::squared_error(source, &fitted, &agreement, &lengths));
+    // A field keeps the handedness of its pose.
+    let (mirrored, edge_mm) = (refined.base.pose.is_reflection(), target.mean_edge_length());
+    let Some(rigid) = displacement.alignment(edge_mm).rigid_part(source, &fitted, mirrored, false)? else {
+        return Ok(None);
+    };
+    // The field of a small surface is fitted on all its vertices.
+    let (moved, values) = if source == full_source {
+        (fitted, own_values)
+    } else {
+        let (points, values) = refined.moved(full_source);
+        (met(full_source, points), values)
+    };
+    // The covariance of a wide field takes correlated residuals for independent ones of a low density.
+    let share = if refined.local.is_some() { 1.0 } else { FIELD_SHARE };
+    let mut variances: Vec<f64> =
+        refined.field.variances(values.as_ref()).iter().map(|variance| share * variance).collect();
+    // Copies need no deformation from their own pose, and much from others. Bent surfaces have no axis.
+    if !rigid.copies
+        && !is_of_forms
+        && let Some(of_starts) = spread_of_rotations(displacement, full_source.vertices(), &reached)?
+    {
+        variances.iter_mut().zip(of_starts).for_each(|(variance, of_starts)| *variance += of_starts);
+    }
+    if let Some(error) = error {
+        along::raise(&mut variances, error, &lengths);
+    }
+    let transform = rigid.transform;
+    Ok(Some(Deformed { moved, variances, transform, residual_mm, agreement, distortion }))
+}
+
+/// The source moved rigidly onto its copy. A field would pull the part without counterpart towards the rim, and its surroundings
+/// with it.
+pub(crate) fn moved_rigidly(
+    displacement: &Displacement<'_>,
+    surfaces: &Surfaces<'_>,
+    transform: RigidTransform,
+    residual_mm: f64,
+) -> Deformed {
+    let posed = |mesh: &SurfaceMesh| mesh.vertices().iter().map(|p| transform.apply(p)).collect::<Vec<_>>();
+    let moved = posed(surfaces.full_source);
+    let agreement = agreement(displacement, &posed(surfaces.source));
+    Deformed { variances: vec![0.0; moved.len()], moved, transform, residual_mm, agreement, distortion: 0.0 }
+}
+
+/// The inverse of the map from the target to the source. `None` where a number is not finite.
+///
+/// # Errors
+/// [`MatchError::Cancelled`].
+pub(crate) fn finished_back(reverse: ReverseFit<'_>, surfaces: &Surfaces<'_>) -> Result<Option<Deformed>, MatchError> {
+    let landmarks: Vec<Landmark> = surfaces.landmarks.iter().map(swapped).collect();
+    let form_of = |role: Role| (surfaces.form_of)(role.other());
+    let ReverseFit { displacement, pose, fine } = reverse;
+    let Some(refined) = refined_from(&displacement, fine)? else { return Ok(None) };
+    let found = finished(&displacement, &surfaces.swapped(&landmarks, &form_of), refined, &pose)?;
+    Ok(found.and_then(|found| found.inverse(surfaces.full_target, surfaces.full_source)))
+}

@@ -1,0 +1,78 @@
+//! Fields after their stages.
+
+use super::base::Base;
+use super::displacement::Displacement;
+use super::functions::Functions;
+use super::trace::TracedFit;
+use super::track::Track;
+use crate::pair::assignment::displaced;
+use crate::surface::smooth::SmoothSurface;
+use faer::Mat;
+use homolog_mesh::SurfaceMesh;
+use homolog_registration::deformation::{FittedField, GaussianKernel};
+use homolog_registration::{RigidTransform, absolute_orientation_of};
+use nalgebra::Point3;
+
+/// A field after the middle and fine stages.
+pub(crate) struct Fine {
+    pub track: Track,
+    pub field: FittedField,
+    pub feature_precision: Vec<f64>,
+    /// Robust standard deviation of the residual along the normals, mm.
+    pub residual_mm: f64,
+    /// Share of the assignment's weight that is kept across the normals.
+    pub across_share: f64,
+    /// Its place in the energy trace, unless it is left out there.
+    pub fit: Option<TracedFit>,
+}
+
+impl Fine {
+    /// The vertices of the source where the field moves them, mm.
+    pub(crate) fn moved(&self) -> Vec<Point3<f64>> {
+        self.track.moved(&self.field)
+    }
+}
+
+/// A second kernel, and the noise that it leaves.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct LocalKernel {
+    pub kernel: GaussianKernel,
+    /// Standard deviation along the normals, mm.
+    pub noise_mm: f64,
+    /// Share of the assignment's weight that is kept across the normals.
+    pub across_share: f64,
+}
+
+/// A field after all stages.
+pub(crate) struct Refined {
+    /// What the field is added to, in terms of `base_functions`.
+    pub base: Base,
+    pub base_functions: Functions,
+    pub field: FittedField,
+    /// The functions of the field.
+    pub functions: Functions,
+    /// Robust standard deviation of the residual along the normals after the fine stage, mm.
+    pub residual_mm: f64,
+    /// What the local stage found, if it took part: the covariance of the field is then that of all its displacement.
+    pub local: Option<LocalKernel>,
+}
+
+impl Refined {
+    /// The vertices of `mesh` moved by the base and the field, and the functions of the field there.
+    pub(crate) fn moved(&self, mesh: &SurfaceMesh) -> (Vec<Point3<f64>>, Mat<f64>) {
+        let values = self.functions.values(mesh.vertices());
+        let base = if self.local.is_some() && self.base.bend.is_some() {
+            self.base.moved(mesh.vertices(), &self.base_functions.values(mesh.vertices()))
+        } else {
+            self.base.moved(mesh.vertices(), &values)
+        };
+        (displaced(&base, &self.field, &values), values)
+    }
+}
+
+/// The rigid part of what moves the vertices of the source to `moved`: a start that forgets from where it was reached, `pose`, but
+/// has its handedness. `pose` where there is none.
+pub(crate) fn pose_of(displacement: &Displacement<'_>, moved: &[Point3<f64>], pose: &RigidTransform) -> RigidTransform {
+    let SmoothSurface { mesh, areas, .. } = &*displacement.source;
+    absolute_orientation_of(mesh.vertices(), moved, Some(areas), pose.is_reflection()).unwrap_or(*pose)
+}

@@ -1,0 +1,93 @@
+//! Landmarks as observations of a displacement field.
+
+use super::base::Base;
+use super::functions::Functions;
+use faer::Mat;
+use homolog_contract::parameters::Landmark;
+use homolog_registration::deformation::{FittedField, Observation};
+use nalgebra::Point3;
+
+/// Most that one landmark adds to the misfit of a pose, so that a wrong one does not decide alone.
+const CAP: f64 = 10.0;
+/// Poses are compared before the field is fine: landmarks count as no more precise than this, in roots of the area.
+const COARSE: f64 = 0.05;
+
+/// Source points and the target points they should be moved to.
+pub(crate) struct Guides {
+    source: Vec<Point3<f64>>,
+    target: Vec<Point3<f64>>,
+    sigma_mm: Vec<f64>,
+    /// Least standard deviation where poses are compared, mm.
+    coarse_mm: f64,
+    /// Functions of the field at the source points, one row each.
+    values: Mat<f64>,
+}
+
+impl Guides {
+    pub(crate) fn new(landmarks: &[Landmark], functions: &Functions, root_mm: f64) -> Self {
+        let source: Vec<Point3<f64>> = landmarks.iter().map(|l| Point3::from(l.source_mm)).collect();
+        Guides {
+            values: functions.values(&source),
+            source,
+            target: landmarks.iter().map(|l| Point3::from(l.target_mm)).collect(),
+            sigma_mm: landmarks.iter().map(|l| l.sigma_mm).collect(),
+            coarse_mm: COARSE * root_mm,
+        }
+    }
+
+    /// The same points for a field with other functions.
+    pub(crate) fn with_functions(&self, functions: &Functions) -> Self {
+        Guides {
+            values: functions.values(&self.source),
+            source: self.source.clone(),
+            target: self.target.clone(),
+            sigma_mm: self.sigma_mm.clone(),
+            coarse_mm: self.coarse_mm,
+        }
+    }
+
+    /// The same points for a field that moves the target to the source; `functions` are that field's.
+    pub(crate) fn swapped(&self, functions: &Functions) -> Self {
+        Guides {
+            values: functions.values(&self.target),
+            source: self.target.clone(),
+            target: self.source.clone(),
+            sigma_mm: self.sigma_mm.clone(),
+            coarse_mm: self.coarse_mm,
+        }
+    }
+
+    /// `values` with the rows of the guides appended.
+    pub(crate) fn below(&self, values: Mat<f64>) -> Mat<f64> {
+        if self.source.is_empty() {
+            return values;
+        }
+        let n = values.nrows();
+        Mat::from_fn(n + self.source.len(), values.ncols(), |i, k| {
+            if i < n { values[(i, k)] } else { self.values[(i - n, k)] }
+        })
+    }
+
+    /// The displacement that each landmark observes after `base`.
+    pub(crate) fn observations(&self, base: &Base) -> Vec<Observation> {
+        let moved = base.moved(&self.source, &self.values);
+        let observation = |((p, q), sigma): ((&Point3<f64>, &Point3<f64>), &f64)| {
+            Observation::isotropic(q - p, 1.0 / (sigma * sigma))
+        };
+        moved.iter().zip(&self.target).zip(&self.sigma_mm).map(observation).collect()
+    }
+
+    /// Misfit of the guides under `base` and `field`: half the mean squared distance in standard deviations.
+    pub(crate) fn misfit(&self, base: &Base, field: &FittedField) -> f64 {
+        if self.source.is_empty() {
+            return 0.0;
+        }
+        let moved = base.moved(&self.source, &self.values);
+        let displaced = field.displacements(self.values.as_ref());
+        let missed = moved.iter().zip(&self.target).zip(&self.sigma_mm).zip(&displaced).map(|(((p, q), sigma), u)| {
+            let sigma = sigma.max(self.coarse_mm);
+            (0.5 * (p + u - q).norm_squared() / (sigma * sigma)).min(CAP)
+        });
+        missed.sum::<f64>() / self.source.len() as f64
+    }
+}

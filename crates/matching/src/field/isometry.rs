@@ -1,0 +1,271 @@
+//! The fit from near isometries, where no rigid start leads to surfaces that agree, and between surfaces with limbs.
+//!
+//! Correspondences of the forms ([`crate::starts::forms`]) and of extremities ([`crate::starts::extremities`]) are corrected and ordered
+//! by the energy of near isometries ([`crate::energy`]). Each bends the source onto the target before a field is fitted: bending costs
+//! nothing, and the prior of the field is that of what remains. Its functions are smooth along the surface instead of through space
+//! ([`super::unbending`]), so that a limb moves apart from what it happens to be close to. The stages are those of a rigid
+//! start. Those of the lowest energies go through all stages; of them, that with the lowest misfit at the scale of the
+//! sampling is kept.
+
+use super::base::{Base, State};
+use super::coarse::coarse_from;
+use super::displacement::Displacement;
+use super::fine_misfit::fine_misfit;
+use super::fitted::Refined;
+use super::functions::Functions;
+use super::refine::refined;
+use super::settings::IsometryFitSettings;
+use super::unbending::Unbending;
+use crate::energy::minimize::NearIsometry;
+use crate::energy::model::Isometry;
+use crate::energy::settings::IsometrySettings;
+use crate::error::MatchError;
+use crate::poses::compared::{ComparedPose, Finer, Origin};
+use crate::starts::forms::{FormMatch, FormMatchSettings, form_matches};
+use crate::surface::form::BendingInvariantForm;
+use crate::surface::smooth::Thinned;
+use faer::Mat;
+use homolog_primitives::observe::{Observer, Phase, checkpoint};
+use homolog_registration::alignment::AssignmentTarget;
+use homolog_registration::deformation::{GaussianKernel, Observation, fit_field};
+use homolog_registration::{RigidTransform, absolute_orientation};
+use nalgebra::Point3;
+use rayon::prelude::*;
+use std::sync::Arc;
+
+/// Mean distance of points of the same index, mm; 0 of none.
+fn mean_distance(a: &[Point3<f64>], b: &[Point3<f64>]) -> f64 {
+    a.iter().zip(b).map(|(p, q)| (p - q).norm()).sum::<f64>() / a.len().max(1) as f64
+}
+
+/// The first of `starts` by their energy, the lowest first, without those that are the same correspondence as one before
+/// them.
+fn distinct(mut starts: Vec<NearIsometry>, root_mm: f64, settings: &IsometryFitSettings) -> Vec<NearIsometry> {
+    starts.sort_by(|a, b| a.energy.total_cmp(&b.energy));
+    let mut kept: Vec<NearIsometry> = Vec::new();
+    for start in starts {
+        if kept.len() < settings.followed
+            && kept.iter().all(|other| mean_distance(&start.images, &other.images) > settings.same * root_mm)
+        {
+            kept.push(start);
+        }
+    }
+    kept
+}
+
+/// The labelings of least energy, the lowest first.
+pub(crate) struct LowestEnergies<'a> {
+    isometry: Isometry<'a>,
+    matches: Vec<FormMatch>,
+    starts: Vec<NearIsometry>,
+}
+
+impl LowestEnergies<'_> {
+    /// Whether the energy is no higher than with the source mirrored; so it is for a body whose left and right are alike.
+    pub(crate) fn are_of_same_handedness(&self, settings: &IsometryFitSettings) -> bool {
+        let lowest = self.starts.first().map_or(f64::INFINITY, |lowest| lowest.energy);
+        lowest <= (1.0 + settings.equal_energy) * self.isometry.lowest_mirrored(&self.matches)
+    }
+}
+
+/// The correspondences of least energy between both surfaces with their forms.
+///
+/// # Errors
+/// [`MatchError::Cancelled`].
+pub(crate) fn lowest_energies<'a>(
+    displacement: &Displacement<'_>,
+    source: &BendingInvariantForm,
+    target: &'a BendingInvariantForm,
+) -> Result<LowestEnergies<'a>, MatchError> {
+    let observer = displacement.observer;
+    checkpoint(observer)?;
+    let matches =
+        form_matches((&displacement.source, source), (&displacement.target, target), &FormMatchSettings::default());
+    checkpoint(observer)?;
+    observer.phase(Phase::Inference);
+    let isometry =
+        Isometry::new((&displacement.source, source), (&displacement.target, target), IsometrySettings::default());
+    let starts = isometry.correspondences(&matches);
+    let mut fit = observer.begin();
+    starts.iter().for_each(|start| observer.trace_labels(&mut fit, start.mean_energy()));
+    let starts = distinct(starts, displacement.lengths.root_mm, &displacement.options.isometry);
+    observer.phase(Phase::Displacement);
+    checkpoint(observer)?;
+    Ok(LowestEnergies { isometry, matches, starts })
+}
+
+/// A displacement whose functions are smooth over the form of the source, with what its first stage reads.
+pub(crate) struct OverForm<'a> {
+    displacement: Displacement<'a>,
+    thinned: Thinned,
+    thinned_target: AssignmentTarget,
+    /// Every function at the thinned vertices, and at the landmarks.
+    values: Mat<f64>,
+}
+
+impl<'a> OverForm<'a> {
+    /// `displacement` with functions over the `form` of its source. `None` where a number is not finite.
+    pub(crate) fn new(displacement: &'a Displacement<'_>, form: &BendingInvariantForm) -> Option<OverForm<'a>> {
+        let mesh = &displacement.source.mesh;
+        let settings = &displacement.options.isometry;
+        let cells = (mesh.vertices(), &form.site_of[..]);
+        let unbending = Arc::new(Unbending::new(&form.places(mesh), &form.points, &form.neighbors, cells));
+        let mut prior = displacement.options.prior.of(displacement.diagonal_mm);
+        prior.kernels.push(GaussianKernel {
+            width_mm: settings.joint_width * displacement.diagonal_mm,
+            amplitude_mm: settings.joint_amplitude * displacement.diagonal_mm,
+        });
+        let functions = Functions::new(mesh.vertices(), prior, settings.n_inducing, Some(unbending))?;
+        let displacement = displacement.with_functions(functions);
+        let n = displacement.options.n_samples[0];
+        let (thinned, thinned_target) = (displacement.source.thinned(n), displacement.target.thinned(n).packed());
+        let values = displacement.guides.below(displacement.functions.values(&thinned.points));
+        Some(OverForm { displacement, thinned, thinned_target, values })
+    }
+
+    /// The first stage over `base`.
+    fn coarse(&self, base: &Base) -> Option<(f64, State)> {
+        let schedule = self.displacement.schedule(0, self.displacement.options.steps[0]);
+        coarse_from(&self.displacement, base, &self.thinned, &self.thinned_target, &self.values, schedule)
+    }
+
+    /// Where `refined` moves the vertices of the source, mm.
+    fn moved(&self, refined: &Refined) -> Vec<Point3<f64>> {
+        refined.moved(&self.displacement.source.mesh).0
+    }
+}
+
+/// A correspondence that bends the source onto the target, after the first stage.
+pub(crate) struct BentStart {
+    start: NearIsometry,
+    misfit: f64,
+    state: State,
+}
+
+impl BentStart {
+    fn compared(&self) -> ComparedPose {
+        ComparedPose {
+            origin: Origin::Isometry { pose: self.state.base.pose, mean_energy: self.start.mean_energy() },
+            mirrored: false,
+            misfit: self.misfit,
+            finer: Finer::Outdone,
+        }
+    }
+}
+
+/// The first stage from each of the correspondences of least energy for which it is possible.
+///
+/// # Errors
+/// [`MatchError::Cancelled`].
+pub(crate) fn bent_starts(over_form: &OverForm<'_>, lowest: &LowestEnergies<'_>) -> Result<Vec<BentStart>, MatchError> {
+    let found = lowest
+        .starts
+        .par_iter()
+        .map(|start| {
+            checkpoint(over_form.displacement.observer)?;
+            let Some(base) = bent(&over_form.displacement, start) else { return Ok(None) };
+            let coarse = over_form.coarse(&base);
+            Ok(coarse.map(|(misfit, state)| BentStart { start: start.clone(), misfit, state }))
+        })
+        .collect::<Result<Vec<_>, MatchError>>()?;
+    Ok(found.into_iter().flatten().collect())
+}
+
+/// The best fit from the near isometries that were followed.
+pub(crate) struct BestBent {
+    pub refined: Refined,
+    /// Its misfit at the scale of the sampling.
+    pub fine_misfit: f64,
+    /// The correspondences that were compared, the one that was kept first.
+    pub compared: Vec<ComparedPose>,
+}
+
+/// The best of the `starts` after all stages, which those of the lowest energies go through. `None` where none can.
+///
+/// # Errors
+/// [`MatchError::Cancelled`].
+pub(crate) fn best_of_lowest(over_form: &OverForm<'_>, starts: Vec<BentStart>) -> Result<Option<BestBent>, MatchError> {
+    let displacement = &over_form.displacement;
+    let settings = &displacement.options.isometry;
+    let mut compared: Vec<ComparedPose> = starts.iter().map(BentStart::compared).collect();
+    let energies: Vec<f64> = starts.iter().map(|bent| bent.start.mean_energy()).collect();
+    let mut best: Option<(f64, usize, Refined)> = None;
+    let mut ends: Vec<(f64, Vec<Point3<f64>>)> = Vec::new();
+    let low = starts.first().map_or(0.0, |lowest| (1.0 + settings.low_energy) * lowest.start.energy);
+    let lowest = starts.into_iter().filter(|bent| bent.start.energy <= low).take(settings.refined);
+    for (k, BentStart { state, .. }) in lowest.enumerate() {
+        let Some(refined) = refined(displacement, state)? else {
+            ends.push((f64::INFINITY, Vec::new()));
+            continue;
+        };
+        let moved = over_form.moved(&refined);
+        let misfit = fine_misfit(displacement, moved.clone(), false);
+        ends.push((misfit, moved));
+        if best.as_ref().is_none_or(|b| misfit < b.0) {
+            best = Some((misfit, k, refined));
+        }
+    }
+    let Some((fine_misfit, chosen, refined)) = best else { return Ok(None) };
+    for ((start, energy), (misfit, moved)) in compared.iter_mut().zip(&energies).zip(&ends) {
+        let is_elsewhere = mean_distance(moved, &ends[chosen].1) > settings.same * displacement.lengths.root_mm;
+        let has_equal_energy = *energy < (1.0 + settings.equal_energy) * energies[chosen];
+        let equal = if has_equal_energy { settings.equal_misfit_of_equal_energies } else { settings.equal_misfit };
+        if is_elsewhere && *misfit <= fine_misfit + equal {
+            start.finer = Finer::AsGood;
+        }
+    }
+    compared[chosen].finer = Finer::None;
+    compared[..=chosen].rotate_right(1);
+    Ok(Some(BestBent { refined, fine_misfit, compared }))
+}
+
+/// `best` after all stages were run again from where they ended, as long as that lowers its misfit.
+///
+/// # Errors
+/// [`MatchError::Cancelled`].
+pub(crate) fn repeated(over_form: &OverForm<'_>, mut best: BestBent) -> Result<BestBent, MatchError> {
+    let displacement = &over_form.displacement;
+    let settings = &displacement.options.isometry;
+    for _ in 0..settings.passes {
+        let Some(base) = rebased(displacement, &best.refined) else { break };
+        let Some((_, state)) = over_form.coarse(&base) else { break };
+        let Some(next) = refined(displacement, state)? else { break };
+        let misfit = fine_misfit(displacement, over_form.moved(&next), false);
+        let gain = best.fine_misfit - misfit;
+        if gain > 0.0 {
+            (best.fine_misfit, best.refined) = (misfit, next);
+        }
+        if gain < settings.least_gain {
+            break;
+        }
+    }
+    Ok(best)
+}
+
+/// The source bent by correspondences, over their rigid part.
+fn bent(displacement: &Displacement<'_>, start: &NearIsometry) -> Option<Base> {
+    let pose = absolute_orientation(&start.points, &start.images, None, false).ok()?;
+    let precision = (displacement.options.isometry.form_sigma * displacement.diagonal_mm).powi(-2);
+    base_through(displacement, pose, &start.points, &start.images, precision)
+}
+
+/// The source where `refined` moves it, as a base.
+fn rebased(displacement: &Displacement<'_>, refined: &Refined) -> Option<Base> {
+    let moved = refined.moved(&displacement.source.mesh).0;
+    let precision = (displacement.options.isometry.rebased_sigma * displacement.diagonal_mm).powi(-2);
+    base_through(displacement, refined.base.pose, displacement.source.mesh.vertices(), &moved, precision)
+}
+
+/// The base over `pose` that moves `points` to their `images` (mm), each with a precision, 1/mm².
+fn base_through(
+    displacement: &Displacement<'_>,
+    pose: RigidTransform,
+    points: &[Point3<f64>],
+    images: &[Point3<f64>],
+    precision: f64,
+) -> Option<Base> {
+    let observed: Vec<Observation> =
+        points.iter().zip(images).map(|(p, q)| Observation::isotropic(q - pose.apply(p), precision)).collect();
+    let field = fit_field(displacement.functions.values(points).as_ref(), &observed)?;
+    Some(Base::rigid(pose).bent_by(&field))
+}

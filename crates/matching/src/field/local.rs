@@ -1,0 +1,201 @@
+//! The local stage: narrower displacements, where the residual heights show that there are some.
+//!
+//! After the fine stage the wide field has taken up what is smooth over a third of the structure. What remains along the
+//! normals is either the noise of sampling or displacement over shorter distances. Their marginal likelihood decides, and
+//! gives the width and the variance of a second kernel and the noise. The sum of both kernels is then fitted as one field:
+//! normals of different directions within one width determine the displacement along the surface as well, and where they
+//! do not, the posterior covariance says so.
+//!
+//! The wide field alone takes narrow displacements for wide ones and slides along the surface to follow them. So the field of
+//! both kernels is fitted anew, from the rigid pose through all stages.
+
+use super::coarse::coarse_alone;
+use super::displacement::Displacement;
+use super::fine::{fine_in, sliding};
+use super::fitted::{Fine, LocalKernel, Refined, pose_of};
+use super::options::DisplacementOptions;
+use super::trace::TracedFit;
+use super::track::{Track, assigned};
+use crate::error::MatchError;
+use crate::pair::assignment::{kernel, precision_of_features};
+use homolog_primitives::observe::checkpoint;
+use homolog_registration::RigidTransform;
+use homolog_registration::deformation::{FittedField, GaussianKernel, KernelEvidence, fit_field, most_probable_kernel};
+use nalgebra::Point3;
+
+/// The kernel that counts, and what it leaves, for one that was `found` on surfaces sampled at this distance.
+fn local_kernel(found: &KernelEvidence, sampling_mm: f64, options: &DisplacementOptions) -> LocalKernel {
+    let GaussianKernel { width_mm, amplitude_mm } = found.kernel;
+    let clearness = (options.local.voxel_noise * sampling_mm / found.noise_mm.max(f64::MIN_POSITIVE)).powi(2);
+    LocalKernel {
+        across_share: options.fine.across_share * clearness.clamp(1.0, 1.0 / options.fine.across_share),
+        kernel: GaussianKernel { width_mm, amplitude_mm: options.local.amplitude * amplitude_mm },
+        noise_mm: found.noise_mm.hypot(options.local.offset_share * amplitude_mm),
+    }
+}
+
+/// A field of both kernels.
+struct Local {
+    track: Track,
+    field: FittedField,
+}
+
+/// The field with a second, narrower kernel; `None` where the heights over the target that `fine` leaves are no more than
+/// noise.
+pub(crate) fn local(displacement: &Displacement<'_>, fine: &Fine) -> Result<Option<Refined>, MatchError> {
+    let moved = fine.moved();
+    let settings = &displacement.options.local;
+    let Some(found) = evidence(displacement, &moved) else { return Ok(None) };
+    if found.gain < settings.least_gain || found.kernel.amplitude_mm < settings.least_amplitude * found.noise_mm {
+        return Ok(None);
+    }
+    checkpoint(displacement.observer)?;
+    let local = local_kernel(&found, displacement.lengths.sampling_mm, displacement.options);
+    let Some(joint) = with_kernel(displacement, &local) else { return Ok(None) };
+    let base = &fine.track.base;
+    // What the wide field took for displacement along the surface is forgotten, where the base allows it.
+    let found = match base.bend {
+        None => anew(&joint, &pose_of(displacement, &moved, &base.pose), &local)?,
+        Some(_) => {
+            let track = fine.track.with_functions_of(&joint);
+            followed_locally(&joint, track, (moved, fine.feature_precision.clone()), joint.observer.begin(), &local)?
+        }
+    };
+    Ok(found.map(|kept| refined_locally(displacement, &joint, kept, fine.residual_mm, local)))
+}
+
+/// The field with the kernel that was found in the other direction, from `pose`.
+pub(crate) fn locally_from(
+    displacement: &Displacement<'_>,
+    pose: &RigidTransform,
+    local: &LocalKernel,
+) -> Result<Option<Refined>, MatchError> {
+    let Some(joint) = with_kernel(displacement, local) else { return Ok(None) };
+    let Some(kept) = anew(&joint, pose, local)? else { return Ok(None) };
+    Ok(Some(refined_locally(displacement, &joint, kept, 0.0, *local)))
+}
+
+fn refined_locally(
+    displacement: &Displacement<'_>,
+    joint: &Displacement<'_>,
+    kept: Local,
+    residual_mm: f64,
+    local: LocalKernel,
+) -> Refined {
+    Refined {
+        base: kept.track.base,
+        base_functions: displacement.functions.clone(),
+        field: kept.field,
+        functions: joint.functions.clone(),
+        residual_mm,
+        local: Some(local),
+    }
+}
+
+/// This displacement with a second kernel.
+fn with_kernel<'a>(displacement: &'a Displacement<'_>, local: &LocalKernel) -> Option<Displacement<'a>> {
+    let mut prior = displacement.options.prior.of(displacement.diagonal_mm);
+    prior.kernels.push(local.kernel);
+    let functions = displacement.functions.with_prior(
+        displacement.source.mesh.vertices(),
+        prior,
+        displacement.options.local.n_inducing,
+    )?;
+    Some(displacement.with_functions(functions))
+}
+
+/// The field of both kernels through all stages from a rigid base.
+fn anew(
+    displacement: &Displacement<'_>,
+    pose: &RigidTransform,
+    local: &LocalKernel,
+) -> Result<Option<Local>, MatchError> {
+    let Some(state) = coarse_alone(displacement, pose) else { return Ok(None) };
+    let fit = Some(displacement.observer.begin());
+    let Some(fine) = fine_in(displacement, state, displacement.options.local.stage_steps, local.across_share, fit)?
+    else {
+        return Ok(None);
+    };
+    let moved = fine.moved();
+    let fit = fine.fit.unwrap_or_else(|| displacement.observer.begin());
+    followed_locally(displacement, fine.track, (moved, fine.feature_precision), fit, local)
+}
+
+/// The kernel under which the heights of the source, moved to `moved`, below the target are most probable.
+fn evidence(displacement: &Displacement<'_>, moved: &[Point3<f64>]) -> Option<KernelEvidence> {
+    let source = displacement.source.mesh.vertices();
+    let step = source.len().div_ceil(displacement.options.local.evidence_samples);
+    let picked: Vec<usize> = (0..source.len()).step_by(step).collect();
+    let mut heights = Vec::with_capacity(picked.len());
+    let mut normals = Vec::with_capacity(picked.len());
+    for &i in &picked {
+        let at = displacement.target.closest().index.closest(&moved[i]);
+        let normal = at.blend(|k| displacement.target.normals[k]).try_normalize(1e-9)?;
+        heights.push(normal.dot(&(at.point - moved[i])));
+        normals.push(normal);
+    }
+    let points: Vec<Point3<f64>> = picked.iter().map(|&i| source[i]).collect();
+    let points = displacement.functions.coordinates(&points);
+    let widths = displacement.options.local.widths.map(|w| w * displacement.diagonal_mm);
+    most_probable_kernel(&points, &normals, &heights, &widths)
+}
+
+/// The field after some steps of `fit` from `moved`, with the precisions of the features there.
+fn followed_locally(
+    displacement: &Displacement<'_>,
+    track: Track,
+    (mut moved, mut precision): (Vec<Point3<f64>>, Vec<f64>),
+    mut fit: TracedFit,
+    local: &LocalKernel,
+) -> Result<Option<Local>, MatchError> {
+    let settings = &displacement.options.local;
+    let thinned = displacement.source.thinned(settings.samples);
+    let target = displacement.target.packed();
+    let values = displacement.guides.below(track.values(&thinned));
+    let starts = track.starts(&thinned);
+    let mirrored = track.base.pose.is_reflection();
+
+    let sigma_mm = displacement.diagonal_mm * displacement.options.sigma[3];
+    let mean_area = thinned.areas.iter().sum::<f64>() / thinned.areas.len() as f64;
+    let along = settings.point_weight / (mean_area * local.noise_mm * local.noise_mm);
+    let across = displacement.density(3, 3, 1.0) / (sigma_mm * sigma_mm);
+    let mut fitted: Option<FittedField> = None;
+    for _ in 0..settings.steps {
+        checkpoint(displacement.observer)?;
+        let kernel = kernel(sigma_mm, precision);
+        let Some(assigned) = assigned(displacement, &moved, mirrored, &thinned, &target, &kernel) else {
+            return Ok(None);
+        };
+        let (observed, _) =
+            sliding(displacement, &assigned, &thinned.counted, &starts, along, local.across_share * across);
+        if let Some(field) = &fitted {
+            let observations = settings.point_weight * thinned.areas.len() as f64;
+            displacement.observer.trace(&mut fit, assigned.found.misfit, field, observations);
+        }
+        let Some(next) = fit_field(values.as_ref(), &track.with_guides(observed)) else { return Ok(None) };
+        moved = track.moved(&next);
+        precision = precision_of_features(&assigned.found.feature_variance);
+        fitted = Some(next);
+    }
+    let Some(field) = fitted else { return Ok(None) };
+    Ok(Some(Local { track, field }))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_less_noise_the_more_counts_what_is_assigned_across_the_normals() {
+        let options = DisplacementOptions::default();
+        let across_share = options.fine.across_share;
+        let share = |noise_mm: f64| {
+            let kernel = GaussianKernel { width_mm: 5.0, amplitude_mm: 1.0 };
+            local_kernel(&KernelEvidence { kernel, noise_mm, gain: 10.0 }, 2.0, &options).across_share
+        };
+        assert_eq!([share(0.4), share(0.2)], [across_share; 2]);
+        assert!((share(0.1) - 4.0 * across_share).abs() < 1e-12);
+        // Never more than all of it.
+        assert_eq!([share(0.01), share(0.0)], [1.0; 2]);
+    }
+}

@@ -1,0 +1,32 @@
+//! The fit of a smooth displacement field. [`route`] alone calls all stages.
+
+pub(crate) mod agreement;
+pub(crate) mod along;
+pub(crate) mod base;
+pub(crate) mod both_ways;
+pub(crate) mod choice;
+pub(crate) mod coarse;
+pub(crate) mod deformed;
+pub(crate) mod displacement;
+pub(crate) mod fine;
+pub(crate) mod fine_misfit;
+pub(crate) mod finish;
+pub(crate) mod fitted;
+pub(crate) mod functions;
+pub(crate) mod guides;
+pub(crate) mod isometry;
+pub(crate) mod local;
+pub(crate) mod options;
+pub(crate) mod refine;
+pub(crate) mod reverse;
+pub(crate) mod rivals;
+pub(crate) mod roundness;
+pub(crate) mod route;
+pub(crate) mod schedule;
+pub(crate) mod settings;
+pub(crate) mod settling;
+pub(crate) mod straightened;
+pub(crate) mod strain;
+pub(crate) mod trace;
+pub(crate) mod track;
+pub(crate) mod unbending;

@@ -1,0 +1,88 @@
+//! The fit in the other direction: of the target to the source.
+
+use super::agreement::agreement;
+use super::choice::chosen;
+use super::coarse::coarse_alone;
+use super::displacement::Displacement;
+use super::fine::fine;
+use super::fitted::{Fine, LocalKernel};
+use super::functions::Functions;
+use super::local::locally_from;
+use super::refine::refined;
+use crate::error::MatchError;
+use crate::pair::surfaces::{Surfaces, diagonal_mm};
+use crate::starts::start_pose::StartPose;
+use homolog_registration::RigidTransform;
+use nalgebra::Point3;
+use std::sync::Arc;
+
+/// The pair in the other direction, after the fine stage.
+pub(crate) struct ReverseFit<'a> {
+    pub displacement: Displacement<'a>,
+    /// Where it began.
+    pub pose: RigidTransform,
+    pub fine: Fine,
+}
+
+impl ReverseFit<'_> {
+    /// Whether these are two subjects.
+    pub(crate) fn is_of_two_subjects(&self) -> bool {
+        self.fine.residual_mm >= self.displacement.options.route.two_subjects * self.displacement.lengths.sampling_mm
+    }
+
+    /// Whether the surfaces may agree better from another start.
+    pub(crate) fn is_doubtful(&self) -> bool {
+        agreement(&self.displacement, &self.fine.moved()).is_doubtful(&self.displacement.options.route)
+    }
+}
+
+/// The target moved towards the source from the inverse of `pose`. `None` where a number is not finite.
+///
+/// # Errors
+/// [`MatchError::Cancelled`].
+pub(crate) fn reverse_fit<'a>(
+    displacement: &'a Displacement<'_>,
+    surfaces: &Surfaces<'_>,
+    pose: &RigidTransform,
+) -> Result<Option<ReverseFit<'a>>, MatchError> {
+    let Some(back) = backwards(displacement, surfaces) else { return Ok(None) };
+    let pose = pose.inverse();
+    let Some(start) = chosen(&back, &[StartPose::of(pose)], |_| true)? else { return Ok(None) };
+    let fine = fine(&back, start.state)?;
+    Ok(fine.map(|fine| ReverseFit { displacement: back, pose, fine }))
+}
+
+/// The displacement of the target onto the source. `None` where a number is not finite.
+fn backwards<'a>(displacement: &'a Displacement<'_>, surfaces: &Surfaces<'_>) -> Option<Displacement<'a>> {
+    let functions = Functions::over(surfaces.target, &displacement.target, displacement.options)?;
+    Some(Displacement {
+        source: Arc::clone(&displacement.target),
+        target: Arc::clone(&displacement.source),
+        guides: displacement.guides.swapped(&functions),
+        functions,
+        diagonal_mm: diagonal_mm(surfaces.target),
+        ..*displacement
+    })
+}
+
+/// The vertices of the full target moved onto the source by a fit in that direction, from the inverse of `pose`.
+///
+/// # Errors
+/// [`MatchError::Cancelled`].
+pub(crate) fn returned(
+    displacement: &Displacement<'_>,
+    surfaces: &Surfaces<'_>,
+    pose: &RigidTransform,
+    local: Option<LocalKernel>,
+) -> Result<Option<Vec<Point3<f64>>>, MatchError> {
+    let Some(back) = backwards(displacement, surfaces) else { return Ok(None) };
+    let inverse = pose.inverse();
+    let refined = match local {
+        Some(local) => locally_from(&back, &inverse, &local)?,
+        None => match coarse_alone(&back, &inverse) {
+            Some(state) => refined(&back, state)?,
+            None => None,
+        },
+    };
+    Ok(refined.map(|refined| refined.moved(surfaces.full_target).0))
+}

@@ -1,0 +1,247 @@
+//! Rivals: whether another start explains both surfaces as well as the best one, or better.
+//!
+//! Two starts are compared place by place. After the wide field of each, the surfaces fall into patches, about as wide as residuals
+//! are correlated; the mean over a patch of `−ln` of the likelihood is one observation, and the differences between the two starts
+//! over all patches are tested against zero. Where more than one pose is right, they differ by what sampling does, with either sign;
+//! where one is wrong, it is wrong in many patches. So the evidence is measured in its own standard error, whatever the shapes, their
+//! noise and how far they are deformed.
+//!
+//! Source: Student's paired t test; Vuong, "Likelihood ratio tests for model selection and non-nested hypotheses", 1989.
+
+use super::base::State;
+use super::displacement::Displacement;
+use super::fine::fine_aside;
+use super::fine_misfit::{COMPARISON_SAMPLES, COMPARISON_SCALE};
+use super::fitted::{Fine, pose_of};
+use super::track::placed;
+use crate::error::MatchError;
+use crate::pair::assignment::{comparison_kernel, displaced};
+use crate::poses::compared::{ComparedPose, Finer};
+use homolog_primitives::points::FarthestPoints;
+use homolog_registration::alignment::{OrientedPoints, point_misfits};
+use homolog_registration::{RigidTransform, SAME_POSE_ANGLE};
+use nalgebra::{Point3, Vector3};
+use rayon::prelude::*;
+
+/// Patches of each surface.
+const PATCHES: usize = 64;
+/// Standard errors of the mean difference from which one of two starts is better: by chance one of two thousand differs as far.
+const DISTINCT: f64 = 3.5;
+
+/// The same after the coarse stage, beyond which a start is ruled out: a finer stage changes less.
+const RULED_OUT: f64 = 8.0;
+
+/// Difference in misfit, that of the search included, from which a start is worse on noisy surfaces. Symmetric poses of solids differ by up to
+/// 0.08, head and tail of hippocampi with noise of 2 % of the diagonal by 0.27 and more.
+const WORSE_BY_SEARCH: f64 = 0.1;
+
+/// What one start leaves unexplained: the mean of `−ln` of the likelihood over each patch of both surfaces.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Unexplained(Vec<f64>);
+
+/// Which of two starts explains more.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Evidence {
+    /// The first.
+    First,
+    /// The second.
+    Second,
+    /// They differ by no more than chance.
+    Equal,
+}
+
+impl Unexplained {
+    /// Mean difference from `other` in its standard error: positive where `other` explains more.
+    pub(crate) fn excess_over(&self, other: &Unexplained) -> f64 {
+        let differences: Vec<f64> = self.0.iter().zip(&other.0).map(|(a, b)| a - b).collect();
+        let n = differences.len() as f64;
+        let mean = differences.iter().sum::<f64>() / n;
+        let variance = differences.iter().map(|d| (d - mean).powi(2)).sum::<f64>() / (n - 1.0);
+        mean / (variance / n).sqrt().max(f64::MIN_POSITIVE)
+    }
+
+    pub(crate) fn evidence(&self, other: &Unexplained) -> Evidence {
+        let excess = self.excess_over(other);
+        if excess > DISTINCT {
+            Evidence::Second
+        } else if excess < -DISTINCT {
+            Evidence::First
+        } else {
+            Evidence::Equal
+        }
+    }
+}
+
+/// A start with its field after the first stage.
+pub(crate) struct Candidate {
+    pub compared: ComparedPose,
+    pub pose: RigidTransform,
+    pub state: State,
+}
+
+/// The pose that the displacement goes on from.
+pub(crate) struct Chosen {
+    pub pose: RigidTransform,
+    /// The field of the first stage over it.
+    pub state: State,
+    /// The starts that were compared, the chosen one first.
+    pub compared: Vec<ComparedPose>,
+}
+
+/// Decides between the first of `candidates` and the others: another one of its handedness may explain more, or as much, and one of
+/// the other handedness more. The winner comes first. `None` of none.
+///
+/// Cost that of a fine stage for each start that the coarse one does not rule out.
+///
+/// # Errors
+/// [`MatchError::Cancelled`].
+pub(crate) fn decided(
+    displacement: &Displacement<'_>,
+    mut candidates: Vec<Candidate>,
+) -> Result<Option<Chosen>, MatchError> {
+    // A fit with one start, such as that in the other direction, has nothing to decide.
+    let compared = if candidates.len() > 1 { &candidates[..] } else { &[] };
+    let coarse: Vec<Option<Unexplained>> =
+        compared.par_iter().map(|candidate| unexplained_coarsely(displacement, candidate)).collect();
+    let mut chosen = 0;
+    // What the fine stage from the chosen one leaves unexplained, and the pose in which it ends.
+    let mut of_chosen: Option<(Unexplained, RigidTransform)> = None;
+    for k in 1..candidates.len() {
+        let of_other_hand = candidates[k].compared.mirrored != candidates[0].compared.mirrored;
+        if candidates[k].compared.finer != Finer::None {
+            continue;
+        }
+        let (Some(own), Some(other)) = (&coarse[chosen], &coarse[k]) else { continue };
+        // Far beyond what a finer stage changes; and the question about the other handedness is whether it fits better.
+        if other.excess_over(own) > if of_other_hand { 0.0 } else { RULED_OUT } {
+            candidates[k].compared.finer = Finer::Outdone;
+            continue;
+        }
+        if of_chosen.is_none() {
+            of_chosen = unexplained_finely(displacement, &candidates[chosen])?;
+        }
+        let (Some(own), Some(found)) = (&of_chosen, unexplained_finely(displacement, &candidates[k])?) else {
+            continue;
+        };
+        let fate = match (own.0.evidence(&found.0), of_other_hand) {
+            (_, false) if displacement.are_same(&own.1, &found.1, SAME_POSE_ANGLE) => Finer::Same,
+            (Evidence::First, _) | (Evidence::Equal, true) => Finer::Outdone,
+            (Evidence::Equal, false) if is_worse_by_search(displacement, &candidates[chosen], &candidates[k]) => {
+                Finer::Outdone
+            }
+            (Evidence::Equal, false) => Finer::AsGood,
+            (Evidence::Second, true) => Finer::Better,
+            (Evidence::Second, false) => {
+                // What was as good as the one that is now outdone is outdone as well.
+                for candidate in &mut candidates[..k] {
+                    if matches!(candidate.compared.finer, Finer::None | Finer::AsGood) {
+                        candidate.compared.finer = Finer::Outdone;
+                    }
+                }
+                (chosen, of_chosen) = (k, Some(found));
+                Finer::None
+            }
+        };
+        candidates[k].compared.finer = fate;
+    }
+    if candidates.is_empty() {
+        return Ok(None);
+    }
+    candidates[..=chosen].rotate_right(1);
+    let compared = candidates.iter().map(|candidate| candidate.compared).collect();
+    Ok(candidates.into_iter().next().map(|Candidate { pose, state, .. }| Chosen { pose, state, compared }))
+}
+
+/// Whether the surfaces are noisy, so that single points tell little, and the search, which compares means over patches, has found the second
+/// start worse.
+fn is_worse_by_search(displacement: &Displacement<'_>, first: &Candidate, second: &Candidate) -> bool {
+    displacement.source.coarsening > 1.0 && second.compared.misfit > first.compared.misfit + WORSE_BY_SEARCH
+}
+
+/// What the field of the coarse stage leaves unexplained, at the scale at which that stage ends.
+fn unexplained_coarsely(displacement: &Displacement<'_>, candidate: &Candidate) -> Option<Unexplained> {
+    let n = displacement.options.n_samples[0];
+    let (thinned, target) = (displacement.source.thinned(n), displacement.target.thinned(n));
+    let values = displacement.functions.values(&thinned.points);
+    let State { base, field, .. } = &candidate.state;
+    let moved = displaced(&base.moved(&thinned.points, &values), field, &values);
+    let normals: Vec<Vector3<f64>> = thinned.normals.iter().map(|n| candidate.pose.rotation * n).collect();
+    let kernel = comparison_kernel(displacement.options.sigma[1] * displacement.diagonal_mm);
+    let samples = OrientedPoints { points: &moved, normals: &normals, ..thinned.samples() };
+    let found = point_misfits(&samples, &target.packed(), &kernel);
+    let mut patches = patch_means(&thinned.points, &thinned.areas, &found.of_source);
+    patches.extend(patch_means(&target.points, &target.areas, &found.of_target));
+    Some(Unexplained(patches))
+}
+
+/// What a fine stage leaves unexplained, and the pose in which it ends; `None` where a number is not finite.
+fn unexplained_finely(
+    displacement: &Displacement<'_>,
+    candidate: &Candidate,
+) -> Result<Option<(Unexplained, RigidTransform)>, MatchError> {
+    let Some(fine) = fine_aside(displacement, candidate.state.clone())? else { return Ok(None) };
+    let end = pose_of(displacement, &fine.moved(), &candidate.pose);
+    Ok(unexplained(displacement, &fine, candidate.compared.mirrored).map(|unexplained| (unexplained, end)))
+}
+
+fn unexplained(displacement: &Displacement<'_>, fine: &Fine, mirrored: bool) -> Option<Unexplained> {
+    let thinned = displacement.source.thinned(COMPARISON_SAMPLES);
+    // At the scale of the sampling, or of the noise.
+    let scale_mm = COMPARISON_SCALE * displacement.lengths.root_mm * displacement.source.coarsening;
+    let kernel = comparison_kernel(scale_mm);
+    let placed = placed(displacement, &fine.moved(), mirrored, &thinned)?;
+    let samples = OrientedPoints { points: &placed.points, normals: &placed.normals, ..thinned.samples() };
+    let found = point_misfits(&samples, &displacement.target.packed(), &kernel);
+    let (mut of_source, of_target) = rayon::join(
+        || patch_means(&thinned.points, &thinned.areas, &found.of_source),
+        || patch_means(displacement.target.mesh.vertices(), &displacement.target.areas, &found.of_target),
+    );
+    of_source.extend(of_target);
+    Some(Unexplained(of_source))
+}
+
+/// Means of `values` over patches of a surface with these points, weighted by their areas.
+fn patch_means(points: &[Point3<f64>], areas: &[f64], values: &[f64]) -> Vec<f64> {
+    let center = points.iter().fold(Vector3::zeros(), |sum, p| sum + p.coords) / points.len() as f64;
+    let mut sampling = FarthestPoints::new(points, Point3::from(center));
+    sampling.extend_to(PATCHES);
+    let mut sums = vec![[0.0; 2]; PATCHES];
+    for ((patch, area), value) in sampling.nearest_samples().zip(areas).zip(values) {
+        sums[patch][0] += area * value;
+        sums[patch][1] += area;
+    }
+    sums.iter().filter(|[_, area]| *area > 0.0).map(|[sum, area]| sum / area).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::testing::numbers;
+
+    #[test]
+    fn differences_of_either_sign_are_no_evidence_and_differences_of_one_sign_are() {
+        let mut number = numbers(3);
+        let mut drawn = |shift: f64| Unexplained((0..128).map(|_| number() + shift).collect());
+        let mut wrong = 0;
+        for _ in 0..300 {
+            wrong += u32::from(drawn(0.0).evidence(&drawn(0.0)) != Evidence::Equal);
+        }
+        assert!(wrong <= 3, "{wrong} of 300");
+        assert_eq!(drawn(0.5).evidence(&drawn(0.0)), Evidence::Second);
+        assert_eq!(drawn(0.0).evidence(&drawn(0.5)), Evidence::First);
+        // A start compared with itself.
+        let same = drawn(0.0);
+        assert_eq!(same.evidence(&same), Evidence::Equal);
+    }
+
+    #[test]
+    fn means_over_patches_weight_by_area() {
+        let points: Vec<Point3<f64>> = (0..640).map(|k| Point3::new(f64::from(k), 0.0, 0.0)).collect();
+        let values: Vec<f64> = (0..640).map(f64::from).collect();
+        let means = patch_means(&points, &vec![2.0; 640], &values);
+        assert_eq!(means.len(), PATCHES);
+        assert!(means.iter().all(|m| (0.0..640.0).contains(m)));
+        let constant = patch_means(&points, &values, &vec![0.7; 640]);
+        assert!(constant.iter().all(|m| (m - 0.7).abs() < 1e-12));
+    }
+}

@@ -1,0 +1,387 @@
+//! From rigid poses to the source deformed by a smooth displacement field. This file alone calls all stages.
+//!
+//! The source is moved by `T(p) = R p + t + u(p)` with a field `u` of [`homolog_registration::deformation`]: a
+//! translation, a linear part and a Gaussian process of width 0.3 diagonals. Expectation and maximisation alternate as in
+//! coherent point drift: target vertices are softly assigned to moved source vertices by distance, normals and curvature
+//! features, whose variances are estimated in every step; then the field is fitted to the means of the assigned points.
+//!
+//! 1. **Coarse**, on thinned surfaces, `σ` from 5 % to 4 % of the diagonal, from the two best poses of each handedness
+//!    after a few steps from every pose. The pose of the lowest misfit is kept, so that a pose with head and tail
+//!    exchanged, or one that mirrors, is compared after its deformation.
+//! 2. **Middle**, on all vertices, to 2.5 % of the diagonal.
+//! 3. **Fine**: along the normal a vertex is pulled towards the closest point of the target, with the small variance of
+//!    points on surfaces; across the normal a tenth of the assignment's weight is kept. So the surface can slide, driven by
+//!    the smoothness of the field and the pulls along normals all around. Without that freedom the assignment, which
+//!    favours the present place of a vertex, holds every vertex back: in three hard cases of 8 % warps 47 to 89 % of the
+//!    vertices were within one edge of the truth, with it 94 to 96 %.
+//! 4. **Local**: between closed surfaces of two subjects the field stays stiff. Otherwise, where the residual heights show
+//!    displacement over shorter distances, a second kernel is added, of the width and variance under which they are most
+//!    probable ([`super::local`]). On warps with bumps of 0.06 to 0.09 diagonals 0.97 of the vertices are within one edge with it,
+//!    0.81 without. Otherwise:
+//! 5. **Settling**: copies of one anatomy come within the sampling noise of each other. Two subjects do not: what remains is
+//!    individual anatomy, which is correlated over millimetres. The residual along the normals (0.08 to 0.10 mm for
+//!    copies, 0.24 to 0.29 mm for two subjects) sets the weight of the observations.
+//! 6. **Back**: closed surfaces of two subjects are fitted in the other direction as well, and the mean of the two maps is
+//!    the answer ([`super::both_ways`]).
+//!
+//! Where the surfaces do not agree after all that, or where a mirror image fits better, tubular surfaces are matched straightened
+//! ([`super::straightened`]), and the stages are run once more from correspondences of bending-invariant forms ([`super::isometry`]).
+//!
+//! Sources: Myronenko, Song, "Point set registration: coherent point drift", IEEE PAMI 32(12), 2010; Hirose, "A
+//! Bayesian formulation of coherent point drift", IEEE PAMI 43(7), 2021 (prior, weights); Chen, Medioni 1992 (distance
+//! from the tangent plane).
+
+use super::agreement::agreement;
+use super::choice::chosen;
+use super::deformed::Deformed;
+use super::displacement::Displacement;
+use super::fine::fine;
+use super::fine_misfit::fine_misfit;
+use super::finish::{finished, finished_back, moved_rigidly};
+use super::fitted::{Fine, Refined};
+use super::functions::Functions;
+use super::guides::Guides;
+use super::isometry::{OverForm, bent_starts, best_of_lowest, lowest_energies, repeated};
+use super::options::DisplacementOptions;
+use super::refine::refined_from;
+use super::reverse::{ReverseFit, reverse_fit};
+use super::rivals::Chosen;
+use super::settings::RouteSettings;
+use super::straightened::bent_back;
+use super::trace::FitTrace;
+use crate::error::MatchError;
+use crate::pair::role::Role;
+use crate::pair::smooth_pair::SmoothPair;
+use crate::pair::surfaces::{Surfaces, diagonal_mm, differ_in_spread, swapped};
+use crate::poses::compared::{ComparedPose, Finer};
+use crate::poses::rigid_part::RigidPart;
+use crate::starts::limbs::may_branch;
+use crate::starts::start_pose::StartPose;
+use crate::starts::tubes::{Tubes, differ_in_straightness};
+use homolog_contract::parameters::{Bending, Landmark};
+use homolog_geometry::curvature::vertex_areas;
+use homolog_primitives::observe::{Observer, checkpoint};
+use homolog_registration::{RigidTransform, SamePose};
+use nalgebra::Point3;
+
+/// The source deformed onto the target.
+pub(crate) struct Fitted {
+    pub deformed: Deformed,
+    /// The starts that were compared, the one that was kept first.
+    pub compared: Vec<ComparedPose>,
+}
+
+/// What is the same in both directions, and for straightened surfaces.
+#[derive(Clone, Copy)]
+struct Request<'a> {
+    allow_reflection: bool,
+    options: &'a DisplacementOptions,
+    observer: &'a FitTrace<'a>,
+}
+
+/// The source deformed onto the target, from the best of the rigid `poses`. A pose that mirrors takes part in
+/// the comparison, but is kept only with `allow_reflection`.
+///
+/// Closed surfaces of two subjects are fitted from the one that is more spread out, and the map in the other direction is the
+/// inverse of it: there and back is the same place.
+///
+/// `None` if no pose may be kept, or where numbers that are not finite make a fit impossible. The same bits on any number of
+/// threads.
+///
+/// # Errors
+/// [`MatchError::ScaleSpace`]; [`MatchError::Cancelled`].
+///
+/// # Cost
+/// `O(steps · n · (pairs + M²))` for `M` functions of the field, about 30 for the defaults and 140 with a second kernel; twice
+/// that for two subjects.
+pub(crate) fn displace(
+    surfaces: &Surfaces<'_>,
+    prepared: SmoothPair,
+    poses: &[StartPose],
+    allow_reflection: bool,
+    options: &DisplacementOptions,
+    observer: &dyn Observer,
+) -> Result<Option<Fitted>, MatchError> {
+    let observer = FitTrace::new(observer);
+    let request = Request { allow_reflection, options, observer: &observer };
+    match surfaces.part {
+        Some(Role::Target) => from_part(surfaces, prepared, poses, request),
+        Some(Role::Source) | None => from_source(surfaces, prepared, poses, request),
+    }
+}
+
+/// [`from_source`] for a target that is a part of the source: the part is deformed onto the whole, of which a field would have to press
+/// the rest into the part, and the answer is the inverse map.
+fn from_part(
+    surfaces: &Surfaces<'_>,
+    (source, target): SmoothPair,
+    poses: &[StartPose],
+    request: Request<'_>,
+) -> Result<Option<Fitted>, MatchError> {
+    let landmarks: Vec<Landmark> = surfaces.landmarks.iter().map(swapped).collect();
+    let form_of = |role: Role| (surfaces.form_of)(role.other());
+    let poses: Vec<StartPose> = poses.iter().map(|start| StartPose { pose: start.pose.inverse(), ..*start }).collect();
+    let swapped = surfaces.swapped(&landmarks, &form_of);
+    let Some(found) = from_source(&swapped, (target, source), &poses, request)? else { return Ok(None) };
+    let inverse = |start: ComparedPose| ComparedPose { origin: start.origin.inverse(), ..start };
+    let compared = found.compared.into_iter().map(inverse).collect();
+    let deformed = found.deformed.inverse(surfaces.full_target, surfaces.full_source);
+    Ok(deformed.map(|deformed| Fitted { deformed, compared }))
+}
+
+/// The source deformed onto the target by the first of these that may stand: the fit in the other direction, the rigid motion of a copy,
+/// the answer for straightened tubes, that from a near isometry, the fit in this direction.
+fn from_source(
+    surfaces: &Surfaces<'_>,
+    prepared: SmoothPair,
+    poses: &[StartPose],
+    request: Request<'_>,
+) -> Result<Option<Fitted>, MatchError> {
+    let Some(forward) = shared(surfaces, prepared, request)? else { return Ok(None) };
+    let may_answer = |pose: &RigidTransform| request.allow_reflection || !pose.is_reflection();
+    let Some(Chosen { pose, state, mut compared }) = chosen(&forward, poses, may_answer)? else { return Ok(None) };
+    let mut reverse = reverse_of_subjects(surfaces, &forward, &pose)?;
+    let evidence = Evidence::of(&compared, surfaces);
+    // Whether another start is needed shows before a field is narrow enough to hide that it does not lead to the truth.
+    if evidence.may_stand()
+        && let Some(reverse) = reverse.take_if(|reverse| !reverse.is_doubtful())
+    {
+        let deformed = finished_back(reverse, surfaces)?;
+        return Ok(deformed.map(|deformed| Fitted { deformed, compared }));
+    }
+    let Some(fine) = fine(&forward, state)? else { return Ok(None) };
+    let wide = fine.moved();
+    if let Some(deformed) = as_copies(surfaces, &forward, (&pose, poses), (&fine, &wide), &mut compared)? {
+        return Ok(Some(Fitted { deformed, compared }));
+    }
+    compared.retain(|start| start.finer != Finer::Same);
+    let doubtful = evidence.mirror_image_fits_better || agreement(&forward, &wide).is_doubtful(&request.options.route);
+    let straightening = Straightening::of(surfaces, &evidence, doubtful, fine.residual_mm, &request.options.route);
+    if let Some(found) = by_tubes(surfaces, straightening, request)?
+        && least_misfit(&found.compared) < least_misfit(&compared) - request.options.route.straight
+    {
+        return Ok(Some(found));
+    }
+    let (end, route) = if !evidence.is_mirrored && (doubtful || evidence.branching) {
+        by_isometry(surfaces, &forward, (fine, wide), doubtful, evidence.branching)?
+    } else {
+        (RigidEnd::Fine(fine), None)
+    };
+    let refined = match (route, reverse) {
+        (Some(route), _) => {
+            // Rigid poses say nothing of the handedness of a surface that bends.
+            compared.retain(|rigid| !(rigid.mirrored && route.is_of_same_handedness));
+            // They were outdone by the misfit at the scale of the sampling; a mirror image that fits better still does.
+            let outdone = |rigid: &&mut ComparedPose| rigid.finer != Finer::Better;
+            compared.iter_mut().filter(outdone).for_each(|rigid| rigid.finer = Finer::Outdone);
+            compared = route.compared.into_iter().chain(compared).collect();
+            Some(route.refined)
+        }
+        (None, Some(reverse)) => {
+            let deformed = finished_back(reverse, surfaces)?;
+            return Ok(deformed.map(|deformed| Fitted { deformed, compared }));
+        }
+        (None, None) => end.refined(&forward)?,
+    };
+    let Some(refined) = refined else { return Ok(None) };
+    let deformed = finished(&forward, surfaces, refined, &pose)?;
+    Ok(deformed.map(|deformed| Fitted { deformed, compared }))
+}
+
+/// What the stages of the source onto the target share. `None` where a number is not finite.
+fn shared<'a>(
+    surfaces: &Surfaces<'_>,
+    (smooth_source, smooth_target): SmoothPair,
+    request: Request<'a>,
+) -> Result<Option<Displacement<'a>>, MatchError> {
+    let Surfaces { source, landmarks, part, lengths, .. } = *surfaces;
+    checkpoint(request.observer)?;
+    let Some(functions) = Functions::over(source, &smooth_source, request.options) else { return Ok(None) };
+    let guides = Guides::new(landmarks, &functions, lengths.root_mm);
+    Ok(Some(Displacement {
+        source: smooth_source,
+        target: smooth_target,
+        functions,
+        guides,
+        diagonal_mm: diagonal_mm(source),
+        lengths,
+        same_place: part.is_some().then(|| SamePose::of_place(source.vertices(), &vertex_areas(source))),
+        options: request.options,
+        observer: request.observer,
+    }))
+}
+
+/// The fit in the other direction of closed surfaces of two subjects of which the target is more spread out.
+fn reverse_of_subjects<'a>(
+    surfaces: &Surfaces<'_>,
+    forward: &'a Displacement<'_>,
+    pose: &RigidTransform,
+) -> Result<Option<ReverseFit<'a>>, MatchError> {
+    if surfaces.open || !surfaces.is_fitted_backwards() {
+        return Ok(None);
+    }
+    Ok(reverse_fit(forward, surfaces, pose)?.filter(ReverseFit::is_of_two_subjects))
+}
+
+/// What the first stage shows.
+struct Evidence {
+    /// Whether the chosen pose mirrors: neither straightened surfaces nor near isometries are tried for it.
+    is_mirrored: bool,
+    mirror_image_fits_better: bool,
+    /// Whether both surfaces have limbs, and the chosen pose does not mirror.
+    branching: bool,
+}
+
+impl Evidence {
+    fn of(compared: &[ComparedPose], surfaces: &Surfaces<'_>) -> Evidence {
+        let best = &compared[0];
+        Evidence {
+            is_mirrored: best.mirrored,
+            mirror_image_fits_better: compared.iter().any(|c| c.mirrored && c.misfit < best.misfit),
+            branching: !best.mirrored && may_branch(surfaces),
+        }
+    }
+
+    /// Whether an answer from the chosen pose may stand without other starts.
+    fn may_stand(&self) -> bool {
+        !self.mirror_image_fits_better && !self.branching
+    }
+}
+
+/// The source moved rigidly if open surfaces are copies. They need no other start and no field, whatever one does to them at their rim.
+fn as_copies(
+    surfaces: &Surfaces<'_>,
+    forward: &Displacement<'_>,
+    (pose, poses): (&RigidTransform, &[StartPose]),
+    (fine, wide): (&Fine, &[Point3<f64>]),
+    compared: &mut [ComparedPose],
+) -> Result<Option<Deformed>, MatchError> {
+    if !surfaces.open {
+        return Ok(None);
+    }
+    let alignment = forward.alignment(surfaces.target.mean_edge_length());
+    let found = alignment.rigid_part(surfaces.source, wide, pose.is_reflection(), surfaces.open)?;
+    let Some(RigidPart { transform, copies: true }) = found else { return Ok(None) };
+    // Another pose is as good if it makes them copies too.
+    for other in &mut compared[1..] {
+        let is_other = alignment.copies_elsewhere(&other.origin.rigid(poses), &transform)?;
+        other.finer = if is_other { Finer::AsGood } else { Finer::Outdone };
+    }
+    Ok(Some(moved_rigidly(forward, surfaces, transform, fine.residual_mm)))
+}
+
+/// Whether tubular surfaces are straightened.
+enum Straightening {
+    Never,
+    /// If the straightness of their center lines differs by so much.
+    IfBentBy(f64),
+    Always,
+}
+
+impl Straightening {
+    fn of(
+        surfaces: &Surfaces<'_>,
+        evidence: &Evidence,
+        doubtful: bool,
+        residual_mm: f64,
+        settings: &RouteSettings,
+    ) -> Straightening {
+        let of_one_shape = residual_mm < settings.two_subjects * surfaces.lengths.sampling_mm;
+        if evidence.is_mirrored || surfaces.bending == Bending::None {
+            Straightening::Never
+        } else if doubtful {
+            Straightening::Always
+        } else if of_one_shape && differ_in_spread(surfaces) {
+            // Of one shape, surfaces that agree may still be bent against each other.
+            Straightening::IfBentBy(settings.bent)
+        } else {
+            Straightening::Never
+        }
+    }
+}
+
+/// The source deformed onto the target by way of both straightened; `None` if one is not tubular. Search of the pose, field, comparison
+/// with mirror images and fit back are those of the surfaces themselves. Cost: that of a match of both surfaces.
+fn by_tubes(
+    surfaces: &Surfaces<'_>,
+    straightening: Straightening,
+    request: Request<'_>,
+) -> Result<Option<Fitted>, MatchError> {
+    match straightening {
+        Straightening::Never => return Ok(None),
+        Straightening::IfBentBy(by) if !differ_in_straightness(surfaces, by) => return Ok(None),
+        Straightening::IfBentBy(_) | Straightening::Always => (),
+    }
+    let tubes = Tubes::of(surfaces);
+    checkpoint(request.observer)?;
+    let Some(tubes) = tubes else { return Ok(None) };
+    // A target that is a part has become the source.
+    let poses = tubes.poses(surfaces.part.is_some());
+    checkpoint(request.observer)?;
+    let straight = tubes.straight(surfaces);
+    let Some(found) = from_source(&straight, straight.smoothed()?, &poses, request)? else { return Ok(None) };
+    let found = bent_back(surfaces, &tubes, found.deformed, found.compared, &poses);
+    Ok(found.map(|(deformed, compared)| Fitted { deformed, compared }))
+}
+
+/// How far the fit from the chosen pose has come.
+enum RigidEnd {
+    Fine(Fine),
+    /// Through all stages; `None` where a number was not finite.
+    Refined(Option<Refined>),
+}
+
+impl RigidEnd {
+    fn refined(self, forward: &Displacement<'_>) -> Result<Option<Refined>, MatchError> {
+        match self {
+            RigidEnd::Fine(fine) => refined_from(forward, fine),
+            RigidEnd::Refined(refined) => Ok(refined),
+        }
+    }
+}
+
+/// An answer from a near isometry.
+struct IsometryRoute {
+    refined: Refined,
+    /// The correspondences that were compared, the one that was kept first.
+    compared: Vec<ComparedPose>,
+    /// Whether the energy is no higher than with the source mirrored; so it is for a body whose left and right are alike.
+    is_of_same_handedness: bool,
+}
+
+/// The best answer from the forms of both surfaces, if its misfit at the scale of the sampling is clearly lower than where the chosen pose
+/// leads.
+fn by_isometry(
+    surfaces: &Surfaces<'_>,
+    forward: &Displacement<'_>,
+    (fine, wide): (Fine, Vec<Point3<f64>>),
+    doubtful: bool,
+    branching: bool,
+) -> Result<(RigidEnd, Option<IsometryRoute>), MatchError> {
+    let (Some(source), Some(target)) = ((surfaces.form_of)(Role::Source), (surfaces.form_of)(Role::Target)) else {
+        return Ok((RigidEnd::Fine(fine), None));
+    };
+    // Surfaces that agree are as close as they come only after the local stage.
+    let end = if doubtful { RigidEnd::Fine(fine) } else { RigidEnd::Refined(refined_from(forward, fine)?) };
+    let reached = match &end {
+        RigidEnd::Refined(Some(found)) => found.moved(&forward.source.mesh).0,
+        RigidEnd::Refined(None) | RigidEnd::Fine(_) => wide,
+    };
+    let settings = &forward.options.route;
+    let better = if branching { settings.better_with_limbs } else { settings.clearly_better };
+    let to_beat = fine_misfit(forward, reached, false) - better;
+    let lowest = lowest_energies(forward, source, target)?;
+    let Some(over_form) = OverForm::new(forward, source) else { return Ok((end, None)) };
+    let starts = bent_starts(&over_form, &lowest)?;
+    let Some(best) = best_of_lowest(&over_form, starts)? else { return Ok((end, None)) };
+    let best = repeated(&over_form, best)?;
+    if best.fine_misfit >= to_beat {
+        return Ok((end, None));
+    }
+    let is_of_same_handedness = lowest.are_of_same_handedness(&forward.options.isometry);
+    Ok((end, Some(IsometryRoute { refined: best.refined, compared: best.compared, is_of_same_handedness })))
+}
+
+fn least_misfit(compared: &[ComparedPose]) -> f64 {
+    compared.iter().map(|start| start.misfit).fold(f64::INFINITY, f64::min)
+}

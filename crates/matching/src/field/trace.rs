@@ -1,0 +1,59 @@
+//! The fits of a displacement in its energy trace.
+
+use homolog_primitives::observe::{Observer, Phase, TracePoint};
+use homolog_registration::deformation::FittedField;
+use std::sync::atomic::{AtomicU32, Ordering};
+
+/// The observer of a displacement, and how many fits it was told of.
+pub(crate) struct FitTrace<'a> {
+    observer: &'a dyn Observer,
+    n_begun: AtomicU32,
+}
+
+/// A fit in the trace: its number, from 0, and the iterations that it has made.
+#[derive(Debug)]
+pub(crate) struct TracedFit {
+    round: u32,
+    iterations: u32,
+}
+
+impl<'a> FitTrace<'a> {
+    pub(crate) fn new(observer: &'a dyn Observer) -> Self {
+        FitTrace { observer, n_begun: AtomicU32::new(0) }
+    }
+
+    /// The next fit. Not to be called from several threads at a time: the numbers are part of the trace.
+    pub(crate) fn begin(&self) -> TracedFit {
+        TracedFit { round: self.n_begun.fetch_add(1, Ordering::Relaxed), iterations: 0 }
+    }
+
+    /// Traces an iteration of a fit of labels that has this energy.
+    pub(crate) fn trace_labels(&self, fit: &mut TracedFit, energy: f64) {
+        self.observer.trace(&TracePoint { energy: Some(energy), ..fit.next(Phase::Inference) });
+    }
+
+    /// Traces an iteration of a fit of `field`: the `misfit` of the surfaces, moved by it, and half the squared norm of its coefficients for
+    /// each of so many independent `observations`.
+    pub(crate) fn trace(&self, fit: &mut TracedFit, misfit: f64, field: &FittedField, observations: f64) {
+        let cost = 0.5 * field.cost() / observations;
+        self.observer.trace(&TracePoint {
+            energy: Some(misfit + cost),
+            energy_unary: Some(misfit),
+            energy_pairwise: Some(cost),
+            ..fit.next(Phase::Displacement)
+        });
+    }
+}
+
+impl TracedFit {
+    fn next(&mut self, phase: Phase) -> TracePoint {
+        self.iterations += 1;
+        TracePoint::new(self.round, phase, self.iterations)
+    }
+}
+
+impl Observer for FitTrace<'_> {
+    fn inner(&self) -> Option<&dyn Observer> {
+        Some(self.observer)
+    }
+}

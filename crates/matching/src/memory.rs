@@ -1,0 +1,54 @@
+//! The memory of a match, known before it begins.
+
+use crate::comparison::field_methods;
+use crate::surface::form::BendingInvariantForm;
+use homolog_contract::parameters::{Algorithm, Bending, DisplacementMode, MatchParameters};
+
+/// Memory of a match for each vertex of either surface, bytes, without messages: 568 MiB were measured at 2 × 155,000.
+const BYTES_PER_VERTEX: u64 = 2048;
+
+/// Memory for each source vertex of the source at the size of the target, bytes: 69 MB more were measured at 86,709. Whether the sizes
+/// differ is not known from the numbers of vertices.
+const BYTES_PER_RESIZED_VERTEX: u64 = 800;
+
+/// Memory of belief propagation over distances along the surface on two threads, bytes: with the forms of both surfaces 45 MiB more were
+/// measured at 2 × 5,000. The messages of a start take 8 MiB (about 1,900 edges in two directions, 512 labels, 32 bits), and each further thread
+/// has one more start at work. Whether surfaces bend is not known from the numbers of vertices.
+const BYTES_OF_NEAR_ISOMETRIES: u64 = 16 << 20;
+
+/// Peak memory of matching surfaces of these sizes, bytes; accurate to a tenth where messages dominate. `source` is the
+/// number of vertices and faces.
+///
+/// On the level on which the energy is minimised: the messages once and a quarter of them again (those that are read while
+/// they are replaced), in 32 or 16 bits, and two tables of unary potentials in 32; a share for each vertex; and that of a
+/// method of the field for each vertex of the thinned surfaces that it is given, and the bending-invariant forms. A closed
+/// surface of genus 0 has `V + F − 2` edges, whatever its faces.
+pub fn match_memory_bytes(source: (usize, usize), target_vertices: usize, parameters: &MatchParameters) -> u64 {
+    let (mut vertices, faces, mut labels) = (source.0 as u64, source.1 as u64, target_vertices as u64);
+    let of_method = field_methods::limits(parameters.displacement.mode)
+        .map_or(0, |(most, bytes)| bytes * (vertices.min(most as u64) + labels.min(most as u64)));
+    let resized = match parameters.displacement.mode {
+        DisplacementMode::Smooth => BYTES_PER_RESIZED_VERTEX * vertices,
+        _ => 0,
+    };
+    let bent = match (parameters.displacement.mode, parameters.displacement.bending) {
+        (DisplacementMode::Smooth, Bending::NearIsometry) => {
+            let form = |n_vertices: u64| BendingInvariantForm::heap_bytes_over(n_vertices as usize) as u64;
+            form(vertices) + form(labels) + BYTES_OF_NEAR_ISOMETRIES
+        }
+        _ => 0,
+    };
+    let each = BYTES_PER_VERTEX * (vertices + labels) + resized + bent + of_method;
+    if parameters.inference.algorithm == Algorithm::None {
+        return each;
+    }
+    let mut directed_edges = 2 * (vertices + faces).saturating_sub(2);
+    if let Some(coarse) = parameters.inference.coarse_vertices.map(u64::from) {
+        labels = labels.min(coarse);
+        if coarse < vertices {
+            (vertices, directed_edges) = (coarse, 6 * coarse);
+        }
+    }
+    let message_bytes = u64::from(parameters.inference.message_bits) / 8;
+    each + (message_bytes * (directed_edges + directed_edges / 4) + 4 * 2 * vertices) * labels
+}

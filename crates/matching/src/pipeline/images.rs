@@ -1,0 +1,171 @@
+//! The third stage: an image on the target for every source vertex, through a smooth displacement field or rigidly.
+
+use super::counting::Counting;
+use super::inferred::{aligned_shortly, inferred, labels_of};
+use crate::answer::displaced::{Displaced, Images};
+use crate::answer::displacement::DisplacementAnswer;
+use crate::answer::of_field::answered;
+use crate::answer::reliability::reliability;
+use crate::comparison::field_methods::by_method;
+use crate::comparison::registration_only::register;
+use crate::error::MatchError;
+use crate::field::options::DisplacementOptions;
+use crate::field::route::displace;
+use crate::pair::lengths::Lengths;
+use crate::pair::part::part;
+use crate::pair::problem::Coarse;
+use crate::pair::progress::{PROGRESS_AT_END, PROGRESS_BEFORE_DISPLACEMENT, PROGRESS_BEFORE_ROUNDS};
+use crate::pair::role::Role;
+use crate::pair::surfaces::Surfaces;
+use crate::pair::vertex_map::VertexMap;
+use crate::poses::posed::{InferredPose, Posed};
+use crate::starts::candidates::Starts;
+use crate::starts::search::sameness;
+use homolog_contract::parameters::{Bending, DisplacementMode};
+use homolog_contract::result::PoseOrigin;
+use homolog_primitives::observe::Phase;
+use homolog_registration::RigidTransform;
+use std::sync::Mutex;
+
+/// An image for every source vertex of `coarse`, from the pose of `posed`.
+///
+/// With a displacement field the poses compared are that of `posed`, that of the landmarks, those that the labels of an energy support and,
+/// where these leave a doubt, those of a search of all orientations, mirrored ones too; the one that fits best after the deformation is kept. Where no field can be fitted,
+/// the images are those of the rigid pose, and where `posed` has none, of the first of the other poses. A method of the field
+/// starts from that one pose. Where the pose was left to the field and none can be fitted, the answer is that of registration alone.
+///
+/// # Errors
+/// [`MatchError::NoRegistration`] where `posed` has no pose and no other is at hand: without a displacement field, or
+/// where neither landmarks nor the search give one. [`MatchError::ScaleSpace`]; [`MatchError::Cancelled`].
+pub(crate) fn displaced(coarse: &Coarse<'_>, posed: &Posed<'_>) -> Result<Displaced, MatchError> {
+    let starts = match coarse.full.parameters.displacement.mode {
+        DisplacementMode::None => Starts::of(own_pose(posed)),
+        DisplacementMode::Smooth => {
+            let mut starts = Starts::known(coarse, own_pose(posed));
+            if let Some(found) = by_field(coarse, posed, &mut starts)? {
+                return Ok(found);
+            }
+            if matches!(posed, Posed::ByField) {
+                let registered = Posed::Registration(register(&coarse.full)?);
+                return rigid(coarse, &registered, &starts);
+            }
+            starts
+        }
+        _ => {
+            coarse.full.observer.phase(Phase::Displacement);
+            let mut starts = Starts::of(own_pose(posed));
+            if starts.poses.is_empty() {
+                starts = Starts::known(coarse, None);
+                starts.add_searched(coarse);
+            }
+            if let Some(pose) = starts.first(coarse) {
+                let poses = match posed {
+                    Posed::Registration(registered) => registered.poses.clone(),
+                    Posed::Inference { .. } | Posed::ByField => Vec::new(),
+                };
+                if let Some(found) = by_method(coarse, &pose, poses)? {
+                    coarse.full.observer.progress(PROGRESS_AT_END);
+                    return Ok(found);
+                }
+            }
+            starts
+        }
+    };
+    rigid(coarse, posed, &starts)
+}
+
+/// The pose that `posed` has, and where it comes from.
+fn own_pose(posed: &Posed<'_>) -> Option<(PoseOrigin, RigidTransform)> {
+    let origin = match posed {
+        Posed::Inference { .. } => PoseOrigin::Inference,
+        Posed::Registration(_) | Posed::ByField => PoseOrigin::Registration,
+    };
+    posed.transform().map(|pose| (origin, pose))
+}
+
+/// The images of a rigid pose.
+fn rigid(coarse: &Coarse<'_>, posed: &Posed<'_>, starts: &Starts) -> Result<Displaced, MatchError> {
+    let scene = &coarse.full;
+    let found = posed.transform().or_else(|| starts.first(coarse));
+    let transform = found.ok_or(MatchError::NoRegistration { tolerance_mm: scene.tolerance_mm })?;
+    let (map, poses) = match posed {
+        // The labels of an energy of all vertices are the answer.
+        Posed::Inference { inferred, .. }
+            if coarse.is_direct() && matches!(inferred.pose, InferredPose::Supported { .. }) =>
+        {
+            (inferred.map.clone(), Vec::new())
+        }
+        Posed::Inference { .. } | Posed::ByField => (VertexMap::nearest(scene, &transform), Vec::new()),
+        Posed::Registration(registered) => (VertexMap::nearest(scene, &transform), registered.poses.clone()),
+    };
+    let VertexMap { labeling, confidence, spread_mm } = map;
+    Ok(Displaced {
+        transform,
+        labeling,
+        confidence,
+        spread_mm,
+        poses,
+        images: Images::OnVertices,
+        resized: false,
+        inference: None,
+    })
+}
+
+/// The images of a smooth displacement field, from the start that fits best after the deformation. `None` if no field
+/// can be fitted.
+fn by_field(coarse: &Coarse<'_>, posed: &Posed<'_>, starts: &mut Starts) -> Result<Option<Displaced>, MatchError> {
+    let (scene, source, target) = (&coarse.full, coarse.source, coarse.target);
+    let observer = scene.observer;
+    let (done_before, last_round) = match posed {
+        Posed::Inference { inferred, .. } => (PROGRESS_BEFORE_DISPLACEMENT, inferred.rounds.last().map(|r| r.round)),
+        Posed::Registration(_) | Posed::ByField => (PROGRESS_BEFORE_ROUNDS, None),
+    };
+    let counting = Counting { observer, done_before, n_checks: Mutex::default(), last_round };
+    let surfaces = Surfaces {
+        source: source.middle.mesh(),
+        target: target.middle.mesh(),
+        full_source: source.full.mesh(),
+        full_target: target.full.mesh(),
+        source_closest: &source.full.closest().index,
+        target_closest: &scene.closest.index,
+        landmarks: &scene.parameters.landmarks,
+        open: source.full.is_open || target.full.is_open,
+        part: part(&source.full, &target.full),
+        lengths: Lengths::of(&source.middle, &target.middle),
+        bending: scene.parameters.displacement.bending,
+        form_of: &|role| match (scene.parameters.displacement.bending, role) {
+            (Bending::None | Bending::Straightened, _) => None,
+            (Bending::NearIsometry, Role::Source) => source.middle.form(),
+            (Bending::NearIsometry, Role::Target) => target.middle.form(),
+        },
+    };
+    let smoothed = surfaces.smoothed()?;
+    // An energy that the request asks for takes its place.
+    let inferred = match (posed, scene.parameters.displacement.bending) {
+        (Posed::ByField, Bending::NearIsometry) => {
+            Some(inferred(coarse, &smoothed, surfaces.lengths.root_mm, &counting)?)
+        }
+        _ => None,
+    };
+    // A part has labels that correspond to nothing.
+    match inferred.as_ref().filter(|inferred| !surfaces.open && inferred.is_clear()) {
+        Some(inferred) => {
+            let poses: Vec<RigidTransform> = inferred.poses().collect();
+            starts.add_inferred(coarse, &poses, |pose| aligned_shortly(coarse, pose));
+        }
+        None => starts.add_searched(coarse),
+    }
+    observer.phase(Phase::Displacement);
+    let poses = starts.with_excess(sameness(&source.middle, &target.middle));
+    let options = DisplacementOptions::default();
+    let allow_reflection = scene.parameters.registration.allow_reflection;
+    let Some(fitted) = displace(&surfaces, smoothed, &poses, allow_reflection, &options, &counting)? else {
+        return Ok(None);
+    };
+    let found = DisplacementAnswer::of(fitted, &surfaces);
+    let mut displaced = answered(scene, &starts.poses, &found, reliability(&found, &source.full, &target.full));
+    displaced.inference =
+        inferred.map(|inferred| inferred.clamped(labels_of(coarse, &displaced.labeling), &displaced.transform));
+    observer.progress(PROGRESS_AT_END);
+    Ok(Some(displaced))
+}

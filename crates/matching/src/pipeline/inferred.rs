@@ -1,0 +1,72 @@
+//! Inference in the pipeline: the labels of near isometries of a pair of surfaces, and those that an answer names.
+
+use crate::energy::inference::{InferenceSettings, Inferred, Measured, infer};
+use crate::energy::settings::IsometrySettings;
+use crate::energy::signs::Signs;
+use crate::error::MatchError;
+use crate::pair::problem::Coarse;
+use crate::pair::smooth_pair::SmoothPair;
+use crate::poses::copies::align_shortly;
+use crate::surface::side::Side;
+use homolog_mrf::Labeling;
+use homolog_primitives::observe::{Observer, Phase};
+use homolog_registration::{RigidTransform, SurfaceSide};
+
+/// The alignment of a start ends when a step rotates by less, radians, and moves by less, in diagonals.
+const TOLERANCE: f64 = 1e-4;
+
+/// Infers the labels of near isometries between the surfaces of `coarse`, prepared as `smoothed`, and traces their energy.
+///
+/// # Errors
+/// [`MatchError::Cancelled`].
+pub(crate) fn inferred(
+    coarse: &Coarse<'_>,
+    smoothed: &SmoothPair,
+    root_mm: f64,
+    observer: &dyn Observer,
+) -> Result<Inferred, MatchError> {
+    observer.phase(Phase::Inference);
+    let (source, target) = (&coarse.source.middle, &coarse.target.middle);
+    let settings = IsometrySettings::default();
+    let (of_source, of_target) = rayon::join(
+        || Signs::at_sites(&smoothed.0, source.sites(), &settings),
+        || Signs::at_sites(&smoothed.1, target.sites(), &settings),
+    );
+    let found = infer(
+        &measured(source, of_source),
+        &measured(target, of_target),
+        root_mm,
+        coarse.full.parameters.seed,
+        &InferenceSettings::default(),
+        observer,
+    )?;
+    found.trace(observer);
+    Ok(found)
+}
+
+fn measured(side: &Side, signs: Signs) -> Measured<'_> {
+    Measured { sites: side.sites(), signs, places: side.sites().places(side.mesh()) }
+}
+
+/// The label of each variable that `labeling` names, which has a target vertex for every source vertex.
+pub(crate) fn labels_of(coarse: &Coarse<'_>, labeling: &[u32]) -> Labeling {
+    let (source, target) = (coarse.source, coarse.target);
+    let (variables, labels) = (source.middle.sites(), target.middle.sites());
+    let of_full = source.full_of_middle();
+    let label = |&site: &u32| {
+        let vertex = of_full[variables.vertices[site as usize] as usize];
+        labels.cells[target.middle_of(labeling[vertex as usize]) as usize]
+    };
+    variables.first(IsometrySettings::default().n_variables).iter().map(label).collect()
+}
+
+/// `pose` after a few steps of closest points in both directions, on lightly smoothed surfaces; `None` if it was cancelled.
+pub(crate) fn aligned_shortly(coarse: &Coarse<'_>, pose: &RigidTransform) -> Option<RigidTransform> {
+    let [source, target] = [&coarse.source.middle, &coarse.target.middle].map(|side| {
+        let light = side.light();
+        SurfaceSide { points: light.mesh.vertices(), areas: &light.areas, closest: &light.closest }
+    });
+    let edge_mm = coarse.target.middle.mesh().mean_edge_length();
+    let found = align_shortly(&source, &target, pose, (edge_mm, TOLERANCE), coarse.full.observer).ok()?;
+    Some(found.target_from_source)
+}

@@ -1,0 +1,106 @@
+//! Surfaces of unlike sizes: the source is also matched scaled to the area of the target.
+//!
+//! From a rigid pose the field has to shrink or swell one surface before anything fits, and what it finds on the way may hold it.
+//! Between surfaces of equal area there is nothing to swell. That the sizes differ does not say which is right, though: one of the two may
+//! be a part of the other. So both are matched, and the answer under which the shapes are more alike is taken. An open surface that is smaller than a
+//! closed one is a part, at its size.
+
+use super::images::displaced;
+use super::pose::posed;
+use crate::answer::displaced::{Displaced, Images};
+use crate::answer::reliability;
+use crate::error::MatchError;
+use crate::pair::part::part;
+use crate::pair::role::Role;
+use crate::surface::levels::Levels;
+use crate::thesis::coarse::coarse;
+use homolog_contract::parameters::MatchParameters;
+use homolog_geometry::curvature::vertex_areas;
+use homolog_mesh::SurfaceMesh;
+use homolog_primitives::observe::Observer;
+use homolog_registration::{RigidTransform, weighted_moments};
+use nalgebra::{Point3, Vector3};
+
+/// Ratio of the roots of two areas from which that is tried. It saves time: the likeness of the shapes decides.
+const UNLIKE_SIZES: f64 = 1.25;
+
+/// Ratio of the roots of two areas up to which an open surface may be a part of a closed one: a tenth of its area.
+const MOST_OF_PARTS: f64 = 3.2;
+
+/// Passes on nothing but cancellation: phases and progress are those of the match of the surfaces as they are.
+struct Unseen<'a>(&'a dyn Observer);
+
+impl Observer for Unseen<'_> {
+    fn is_cancelled(&self) -> bool {
+        self.0.is_cancelled()
+    }
+}
+
+/// The better of `found` and the answer for `source` scaled to the area of `target`, if their sizes differ that much.
+///
+/// # Errors
+/// As [`displaced()`].
+///
+/// # Cost
+/// That of another match where the sizes differ, else none.
+pub(crate) fn resized(
+    source: &Levels,
+    target: &Levels,
+    parameters: &MatchParameters,
+    found: Displaced,
+    observer: &dyn Observer,
+) -> Result<Displaced, MatchError> {
+    let factor = target.full.root_mm / source.full.root_mm;
+    let Some(as_they_are) = likeness(&found) else { return Ok(found) };
+    if !factor.is_finite() || factor.max(1.0 / factor) < UNLIKE_SIZES || is_of_a_part(source, target, factor) {
+        return Ok(found);
+    }
+    let mesh = source.full.mesh();
+    let Ok(scaled) = mesh.with_vertices(mesh.vertices().iter().map(|p| p * factor).collect()) else {
+        return Ok(found);
+    };
+    let levels = Levels::new(&scaled, parameters.inference.coarse_vertices);
+    let mut parameters = parameters.clone();
+    for landmark in &mut parameters.landmarks {
+        landmark.source_mm = landmark.source_mm.map(|x| x * factor);
+    }
+    let observer = Unseen(observer);
+    let coarse = coarse(&levels, target, &parameters, &observer)?;
+    let posed = posed(&coarse)?;
+    let of_equal_area = displaced(&coarse, &posed)?;
+    if likeness(&of_equal_area).is_none_or(|likeness| likeness <= as_they_are) {
+        return Ok(found);
+    }
+    let center = center(mesh);
+    Ok(of_equal_area.of_original(&levels, |pose| unscaled(pose, factor, &center)))
+}
+
+/// Whether the sizes differ by so much, as a factor from the source to the target, because one surface shows a part of what the other shows.
+fn is_of_a_part(source: &Levels, target: &Levels, factor: f64) -> bool {
+    match part(&source.full, &target.full) {
+        None => false,
+        Some(Role::Source) => (1.0..MOST_OF_PARTS).contains(&factor),
+        Some(Role::Target) => (1.0..MOST_OF_PARTS).contains(&(1.0 / factor)),
+    }
+}
+
+/// How much the shapes are alike in an answer by a smooth field.
+fn likeness(answer: &Displaced) -> Option<f64> {
+    match &answer.images {
+        Images::Smooth(smooth) => smooth.reliability.as_ref().map(reliability::likeness),
+        Images::OnVertices => None,
+    }
+}
+
+/// The mean of the surface over its area, mm.
+fn center(mesh: &SurfaceMesh) -> Vector3<f64> {
+    let areas = vertex_areas(mesh);
+    let moments = weighted_moments(mesh.vertices(), &areas, areas.iter().sum());
+    moments.map_or_else(Vector3::zeros, |(mean, _)| mean)
+}
+
+/// The rigid transform that rotates as `pose` does and moves `center` to where `pose` moves it after scaling by `factor`.
+fn unscaled(pose: &RigidTransform, factor: f64, center: &Vector3<f64>) -> RigidTransform {
+    let at = pose.apply(&Point3::from(center * factor)).coords;
+    RigidTransform { rotation: pose.rotation, translation: at - pose.rotation * center }
+}

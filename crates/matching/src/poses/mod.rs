@@ -1,0 +1,6 @@
+//! Rigid poses: what is known of those that were compared, and the rigid part of a fit.
+
+pub(crate) mod compared;
+pub(crate) mod copies;
+pub(crate) mod posed;
+pub(crate) mod rigid_part;

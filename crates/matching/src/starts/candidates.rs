@@ -1,0 +1,104 @@
+//! Rigid poses to start from: of an earlier stage, of landmarks, of the labels of an energy, of a search, and rotations.
+
+use super::landmarks::landmark_pose;
+use super::rotations::{others_about_axis, rotations_of_best};
+use super::search::searched;
+use super::start_pose::StartPose;
+use crate::pair::problem::Coarse;
+use homolog_contract::result::PoseOrigin;
+use homolog_registration::{RigidTransform, ScoredPose};
+
+/// A rigid pose to start from.
+pub(crate) struct Start {
+    pub origin: PoseOrigin,
+    pub pose: RigidTransform,
+    /// The index of the start that was rotated to give this one.
+    pub rotation_of: Option<usize>,
+}
+
+impl Start {
+    fn new(origin: PoseOrigin, pose: RigidTransform) -> Start {
+        Start { origin, pose, rotation_of: None }
+    }
+}
+
+/// Rigid poses to start from, the most trusted first.
+pub(crate) struct Starts {
+    pub poses: Vec<Start>,
+    /// All that the search found, the best first.
+    of_search: Vec<ScoredPose>,
+}
+
+impl Starts {
+    /// The pose that an earlier stage found, alone.
+    pub(crate) fn of(own: Option<(PoseOrigin, RigidTransform)>) -> Starts {
+        let poses = own.map(|(origin, pose)| Start::new(origin, pose)).into_iter().collect();
+        Starts { poses, of_search: Vec::new() }
+    }
+
+    /// The pose that an earlier stage found and that of the landmarks.
+    pub(crate) fn known(coarse: &Coarse<'_>, own: Option<(PoseOrigin, RigidTransform)>) -> Starts {
+        let parameters = coarse.full.parameters;
+        let mut starts = Starts::of(own);
+        let of_landmarks = landmark_pose(&parameters.landmarks, parameters.registration.allow_reflection);
+        starts.poses.extend(of_landmarks.map(|pose| Start::new(PoseOrigin::Landmarks, pose)));
+        starts
+    }
+
+    /// Adds the poses that the labels of an energy support, the best of them also after `aligned`, and rotated.
+    pub(crate) fn add_inferred(
+        &mut self,
+        coarse: &Coarse<'_>,
+        found: &[RigidTransform],
+        aligned: impl Fn(&RigidTransform) -> Option<RigidTransform>,
+    ) {
+        let best = self.poses.len();
+        self.add(coarse, PoseOrigin::Inference, found);
+        // Labels lie some edges apart: surfaces that are nearly copies know their pose better.
+        if let Some(pose) = found.first().and_then(aligned) {
+            self.poses.push(Start { rotation_of: Some(best), ..Start::new(PoseOrigin::Inference, pose) });
+        }
+        let others = others_about_axis(&coarse.source.middle, found);
+        self.poses.extend(others.into_iter().map(|pose| Start::new(PoseOrigin::Inference, pose)));
+    }
+
+    /// Adds the poses of a search of all orientations, of either handedness, so that a mirrored image is noticed.
+    pub(crate) fn add_searched(&mut self, coarse: &Coarse<'_>) {
+        self.of_search = searched(&coarse.source.middle, &coarse.target.middle, true);
+        let found: Vec<RigidTransform> = self.of_search.iter().map(|p| p.target_from_source).collect();
+        self.add(coarse, PoseOrigin::Search, &found);
+    }
+
+    /// Adds `found`, the best first, and the best of either handedness rotated a little.
+    fn add(&mut self, coarse: &Coarse<'_>, origin: PoseOrigin, found: &[RigidTransform]) {
+        let first = self.poses.len();
+        self.poses.extend(found.iter().map(|pose| Start::new(origin, *pose)));
+        let rotations = rotations_of_best(&coarse.source.middle, found);
+        let rotation = |(k, pose)| Start { rotation_of: Some(first + k), ..Start::new(origin, pose) };
+        self.poses.extend(rotations.into_iter().map(rotation));
+    }
+
+    /// The most trusted pose that may be answered.
+    pub(crate) fn first(&self, coarse: &Coarse<'_>) -> Option<RigidTransform> {
+        let allow_reflection = coarse.full.parameters.registration.allow_reflection;
+        self.poses.iter().map(|start| start.pose).find(|pose| allow_reflection || !pose.is_reflection())
+    }
+
+    /// These poses, each with how much worse than the best the search found it.
+    pub(crate) fn with_excess(&self, are_same: impl Fn(&RigidTransform, &RigidTransform) -> bool) -> Vec<StartPose> {
+        let start_pose = |start: &Start| StartPose {
+            pose: start.pose,
+            excess: self.excess(&start.pose, &are_same),
+            rotation_of: start.rotation_of,
+        };
+        self.poses.iter().map(start_pose).collect()
+    }
+
+    /// How much worse than the best the search found `pose`: as much as the best pose it returned that is the same;
+    /// a pose that it did not return is as bad as its last.
+    fn excess(&self, pose: &RigidTransform, are_same: impl Fn(&RigidTransform, &RigidTransform) -> bool) -> f64 {
+        let alike = self.of_search.iter().filter(|p| are_same(&p.target_from_source, pose));
+        let least = alike.map(|p| p.excess).fold(f64::INFINITY, f64::min);
+        least.min(self.of_search.last().map_or(0.0, |p| p.excess))
+    }
+}

@@ -1,0 +1,11 @@
+//! Where a fit may begin, a file for each kind of start.
+
+pub(crate) mod candidates;
+pub(crate) mod extremities;
+pub(crate) mod forms;
+pub(crate) mod landmarks;
+pub(crate) mod limbs;
+pub(crate) mod rotations;
+pub(crate) mod search;
+pub(crate) mod start_pose;
+pub(crate) mod tubes;

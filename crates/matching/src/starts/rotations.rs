@@ -1,0 +1,38 @@
+//! Poses rotated about the axis about which the source is most nearly round.
+
+use crate::surface::round_axis::RoundAxis;
+use crate::surface::side::Side;
+use homolog_geometry::curvature::vertex_areas;
+use homolog_registration::RigidTransform;
+
+/// Rotations by which the best poses are varied, degrees: less than two poses differ that count as different.
+const VARIED_DEG: [f64; 4] = [-20.0, 20.0, -40.0, 40.0];
+/// Rotations that give other poses, degrees: close enough to each other that a fit finds every pose of a surface that is
+/// symmetric about an axis.
+const OTHERS_DEG: [f64; 5] = [90.0, 135.0, 180.0, 225.0, 270.0];
+
+/// The best of `poses` of either handedness, rotated about the axis about which `source` is most nearly round: a rotation that a rigid
+/// refinement hardly sees. Each with the index of the pose that was rotated; none where a number is not finite.
+pub(crate) fn rotations_of_best(source: &Side, poses: &[RigidTransform]) -> Vec<(usize, RigidTransform)> {
+    rotations(source, poses, &VARIED_DEG, &[false, true])
+}
+
+/// The first of `poses` that does not mirror, rotated about the same axis to other poses.
+pub(crate) fn others_about_axis(source: &Side, poses: &[RigidTransform]) -> Vec<RigidTransform> {
+    rotations(source, poses, &OTHERS_DEG, &[false]).into_iter().map(|(_, pose)| pose).collect()
+}
+
+fn rotations(
+    source: &Side,
+    poses: &[RigidTransform],
+    angles_deg: &[f64],
+    handedness: &[bool],
+) -> Vec<(usize, RigidTransform)> {
+    let Some(axis) = RoundAxis::of(source.mesh().vertices(), &vertex_areas(source.mesh())) else { return Vec::new() };
+    let best = |mirrored: &bool| poses.iter().position(|pose| pose.is_reflection() == *mirrored);
+    let rotated = |k: usize| {
+        let axis = &axis;
+        angles_deg.iter().map(move |angle| (k, axis.rotated(&poses[k], angle.to_radians())))
+    };
+    handedness.iter().filter_map(best).flat_map(rotated).collect()
+}

@@ -1,0 +1,135 @@
+//! Tubular surfaces straightened along their center lines.
+//!
+//! The inner side of a bend is shorter than the outer one, so a bent tube is no near isometry of a straight one. In the
+//! coordinates of its center line ([`homolog_methods::medial`]) it is the same tube again, up to how well the line is known:
+//! capsules bent by 150° then differ from the straight one by 0.6 edges (root mean square), by 0.3 to 0.4 away from the ends.
+
+use super::start_pose::StartPose;
+use crate::pair::surfaces::Surfaces;
+use homolog_contract::parameters::{Bending, Landmark};
+use homolog_geometry::curvature::vertex_areas;
+use homolog_geometry::hierarchy::coarsen;
+use homolog_mesh::{ClosestPointIndex, SurfaceMesh};
+use homolog_methods::medial::{CenterLine, MedialOptions};
+use homolog_registration::alignment::OrientedPoints;
+use homolog_registration::{PoseSearchOptions, pose_search};
+use nalgebra::{Point3, Vector3};
+use rayon::prelude::*;
+
+/// Least length of the center line over the radius of a tubular surface.
+const TUBULAR: f64 = 6.0;
+/// Vertices of the level on which it is first looked how straight a surface is.
+const N_COARSE: usize = 600;
+
+/// A tubular surface and the same straightened.
+pub(crate) struct Tube<'a> {
+    pub surface: &'a SurfaceMesh,
+    pub straight: SurfaceMesh,
+    /// Closest points of the surface and of the straightened one.
+    pub closest: [ClosestPointIndex; 2],
+}
+
+impl<'a> Tube<'a> {
+    /// `None` for a surface that is not tubular.
+    fn new(surface: &'a SurfaceMesh) -> Option<Tube<'a>> {
+        let line = CenterLine::of(surface, &MedialOptions::default())?;
+        line.slenderness().filter(|ratio| *ratio > TUBULAR)?;
+        let straight = surface.with_vertices(line.straight).ok()?;
+        let closest = [ClosestPointIndex::new(surface), ClosestPointIndex::new(&straight)];
+        Some(Tube { surface, straight, closest })
+    }
+
+    fn oriented<'b>(&'b self, normals: &'b [Vector3<f64>], areas: &'b [f64]) -> OrientedPoints<'b> {
+        OrientedPoints { points: self.straight.vertices(), normals, areas, features: &[] }
+    }
+
+    /// A point near the surface, straightened with it.
+    fn straightened(&self, p: &Point3<f64>) -> Point3<f64> {
+        carried(self.surface, &self.closest[0], &self.straight, p)
+    }
+
+    /// A point near the straightened surface, bent back with it.
+    pub(crate) fn bent(&self, points: &[Point3<f64>]) -> Vec<Point3<f64>> {
+        points.par_iter().map(|p| carried(&self.straight, &self.closest[1], self.surface, p)).collect()
+    }
+}
+
+/// A point near `from`, carried along to the place of its closest point on `to`, whose vertices are those of `from` elsewhere.
+pub(crate) fn carried(
+    from: &SurfaceMesh,
+    closest: &ClosestPointIndex,
+    to: &SurfaceMesh,
+    p: &Point3<f64>,
+) -> Point3<f64> {
+    let at = closest.closest(p);
+    let normal = |mesh: &SurfaceMesh| {
+        let [a, b, c] = at.triangle.map(|k| mesh.vertices()[k as usize]);
+        (b - a).cross(&(c - a)).try_normalize(0.0).unwrap_or_default()
+    };
+    let height = normal(from).dot(&(p - at.point));
+    Point3::from(at.blend(|k| to.vertices()[k].coords) + normal(to) * height)
+}
+
+/// Distance of the ends of the center line over its length, on a coarser level.
+fn straightness(surface: &SurfaceMesh) -> Option<f64> {
+    let level = coarsen(surface, N_COARSE);
+    let line = CenterLine::of(level.as_ref().map_or(surface, |level| &level.mesh), &MedialOptions::default());
+    Some(line?.straightness())
+}
+
+/// Whether the straightness of the center lines of two surfaces, between 0 and 1, differs by so much.
+pub(crate) fn differ_in_straightness(surfaces: &Surfaces<'_>, by: f64) -> bool {
+    let (a, b) = rayon::join(|| straightness(surfaces.source), || straightness(surfaces.target));
+    a.zip(b).is_some_and(|(a, b)| (a - b).abs() >= by)
+}
+
+/// Two tubular surfaces.
+pub(crate) struct Tubes<'a> {
+    pub source: Tube<'a>,
+    pub target: Tube<'a>,
+    landmarks: Vec<Landmark>,
+}
+
+impl<'a> Tubes<'a> {
+    /// `None` if one of the surfaces is not tubular. Cost: two sparse factorizations for each.
+    pub(crate) fn of(surfaces: &Surfaces<'a>) -> Option<Tubes<'a>> {
+        let (source, target) = rayon::join(|| Tube::new(surfaces.source), || Tube::new(surfaces.target));
+        let (source, target) = (source?, target?);
+        let straightened = |landmark: &Landmark| Landmark {
+            source_mm: source.straightened(&Point3::from(landmark.source_mm)).into(),
+            target_mm: target.straightened(&Point3::from(landmark.target_mm)).into(),
+            ..landmark.clone()
+        };
+        let landmarks = surfaces.landmarks.iter().map(straightened).collect();
+        Some(Tubes { landmarks, source, target })
+    }
+
+    /// The straightened surfaces of `surfaces`.
+    pub(crate) fn straight<'b>(&'b self, surfaces: &Surfaces<'_>) -> Surfaces<'b> {
+        Surfaces {
+            source: &self.source.straight,
+            target: &self.target.straight,
+            full_source: &self.source.straight,
+            full_target: &self.target.straight,
+            source_closest: &self.source.closest[1],
+            target_closest: &self.target.closest[1],
+            landmarks: &self.landmarks,
+            open: surfaces.open,
+            part: surfaces.part,
+            lengths: surfaces.lengths,
+            bending: Bending::None,
+            form_of: &|_| None,
+        }
+    }
+
+    /// Poses of the straightened source on the straightened target, from a search of all orientations.
+    pub(crate) fn poses(&self, source_is_part: bool) -> Vec<StartPose> {
+        let (source, target) = (&self.source, &self.target);
+        let (normals, other_normals) = (source.straight.vertex_normals(), target.straight.vertex_normals());
+        let (areas, other_areas) = (vertex_areas(&source.straight), vertex_areas(&target.straight));
+        let search = PoseSearchOptions { allow_reflection: true, source_is_part, ..PoseSearchOptions::default() };
+        let found =
+            pose_search(&source.oriented(&normals, &areas), &target.oriented(&other_normals, &other_areas), &search);
+        found.iter().map(|p| StartPose { excess: p.excess, ..StartPose::of(p.target_from_source) }).collect()
+    }
+}

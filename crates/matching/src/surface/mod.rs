@@ -1,0 +1,11 @@
+//! Values of one surface, whatever it is matched with.
+
+pub(crate) mod form;
+pub(crate) mod levels;
+pub(crate) mod light_smoothing;
+pub(crate) mod robust;
+pub(crate) mod round_axis;
+pub(crate) mod side;
+pub(crate) mod sites;
+pub(crate) mod smooth;
+pub(crate) mod surface_index;

@@ -1,0 +1,42 @@
+//! The first stage: what is to be solved, and on which level of the surfaces.
+
+use super::bound::lower_bound;
+use super::prepare::build_model;
+use crate::error::MatchError;
+use crate::pair::problem::{Coarse, EnergyProblem, Problem};
+use crate::pair::progress::PROGRESS_BEFORE_ROUNDS;
+use crate::pair::scene::Scene;
+use crate::surface::levels::Levels;
+use homolog_contract::parameters::{Algorithm, MatchParameters};
+use homolog_primitives::observe::{Observer, checkpoint};
+
+/// Builds the energy that `parameters` ask for, and bounds it from below if they ask for that.
+pub(crate) fn coarse<'a>(
+    source: &'a Levels,
+    target: &'a Levels,
+    parameters: &'a MatchParameters,
+    observer: &'a dyn Observer,
+) -> Result<Coarse<'a>, MatchError> {
+    if parameters.inference.algorithm == Algorithm::None {
+        let full = Scene::new(&source.full, &target.full, parameters, observer);
+        return Ok(Coarse { source, target, full, problem: Problem::Registration });
+    }
+    // The scene's tree of closest points is built on one thread, and both take about as long on fine surfaces.
+    let (full, model) = rayon::join(
+        || Scene::new(&source.full, &target.full, parameters, observer),
+        || {
+            let (source, target) = rayon::join(|| source.energy(), || target.energy());
+            build_model(&source.side, &target.side, parameters)
+        },
+    );
+    let model = model?;
+    checkpoint(observer)?;
+    observer.progress(PROGRESS_BEFORE_ROUNDS);
+    let lower_bound = lower_bound(&model, parameters.inference.lower_bound_iterations, observer)?;
+    let scene = if source.is_direct() && target.is_direct() {
+        full
+    } else {
+        Scene::new(&source.energy().side, &target.energy().side, parameters, observer)
+    };
+    Ok(Coarse { source, target, full, problem: Problem::Energy(EnergyProblem { model, lower_bound, scene }) })
+}

@@ -1,0 +1,13 @@
+//! The energy over curvature: labels of vertices, rounds of inference and registration, clamping.
+
+pub(crate) mod active_labels;
+pub(crate) mod bound;
+pub(crate) mod clamping;
+pub(crate) mod closer_pose;
+pub(crate) mod coarse;
+pub(crate) mod features;
+pub(crate) mod minimiser;
+pub(crate) mod minimisers;
+pub(crate) mod prepare;
+pub(crate) mod propagation;
+pub(crate) mod rounds;

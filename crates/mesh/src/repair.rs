@@ -362,7 +362,7 @@ mod tests {
             let near = |k: &usize| kept[*k] as usize == *k && (vertices[*k] - p).norm() <= tolerance;
             kept.push((0..i).find(near).unwrap_or(i) as u32);
         }
-        assert_eq!(nearest_kept(&mesh), kept);
+        assert_eq!(nearest_kept(&mesh, tolerance, |_| true), kept);
         assert!(kept.iter().enumerate().filter(|&(k, &other)| k == other as usize).count() > 40, "some are apart");
     }
 

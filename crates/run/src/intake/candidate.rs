@@ -208,11 +208,13 @@ fn from_mesh(file: &MeshFile, parameters: &InputParameters) -> Result<Candidate,
             repairs.push(RepairNote { repair: Repair::Weld, detail });
         }
     }
+    let mut joined_in_part = false;
     if weld {
         let joined = near::weld_near(&current.mesh).map_err(|e: MeshError| IntakeError::Unreadable(e.into()))?;
-        if let Some((welded, detail)) = joined {
-            current = followed(&current, welded);
-            repairs.push(RepairNote { repair: Repair::Weld, detail });
+        if let Some(joined) = joined {
+            current = followed(&current, joined.welded);
+            repairs.push(RepairNote { repair: Repair::Weld, detail: joined.detail });
+            joined_in_part = joined.in_part;
         }
     }
     let n_uploaded = file.mesh.n_vertices();
@@ -274,7 +276,8 @@ fn from_mesh(file: &MeshFile, parameters: &InputParameters) -> Result<Candidate,
         }
     }
     let mut candidate = Candidate::new(current.mesh, current.numbering, topology, repairs, parameters.allow_boundary);
-    if let Some(soup) = near::soup(&candidate.repaired) {
+    let in_part = joined_in_part.then(|| near::soup_fault(&candidate.repaired));
+    if let Some(soup) = near::soup(&candidate.repaired).or(in_part) {
         // Whatever else is wrong with it follows from that.
         candidate.others.splice(0..0, candidate.fault.replace(soup));
     }

@@ -8,18 +8,29 @@ use homolog_mesh::{MeshError, SurfaceMesh};
 /// Vertices of boundaries nearer than this share of the median edge are one vertex: far below the detail of any surface, above
 /// the rounding of programs that write few digits.
 const NEAR: f64 = 0.01;
+/// Where vertices that are left on the boundaries of a soup are nearer than this many tolerances, it was joined in part.
+const LEFT_NEAR: f64 = 8.0;
 /// A soup has fewer faces a piece than this. No closed piece has: a tetrahedron has four, but no boundary.
 const FACES_OF_A_PIECE: u32 = 8;
 
-/// `mesh` with the vertices of its boundaries joined that lie nearer to each other than [`NEAR`] median edges, with a sentence
-/// about it; `None` if that closes no boundary.
+/// What [`weld_near`] did.
+pub(super) struct Joined {
+    pub welded: RepairedMesh,
+    /// A sentence about it.
+    pub detail: String,
+    /// Whether corners of a soup are left that are a little farther apart, so that it has holes where none were.
+    pub in_part: bool,
+}
+
+/// `mesh` with the vertices of its boundaries joined that lie nearer to each other than [`NEAR`] median edges; `None` if that
+/// closes no boundary.
 ///
 /// # Errors
 /// [`MeshError::Empty`] if no face is left.
 ///
 /// # Cost
 /// `O(n log n)`.
-pub(super) fn weld_near(mesh: &SurfaceMesh) -> Result<Option<(RepairedMesh, String)>, MeshError> {
+pub(super) fn weld_near(mesh: &SurfaceMesh) -> Result<Option<Joined>, MeshError> {
     let before = topology_report(mesh);
     if before.n_boundary_edges == 0 {
         return Ok(None);
@@ -39,7 +50,10 @@ pub(super) fn weld_near(mesh: &SurfaceMesh) -> Result<Option<(RepairedMesh, Stri
         after.n_boundary_edges,
         n_degenerate + n_duplicate
     );
-    Ok(Some((welded, detail)))
+    let in_part = soup(&before).is_some()
+        && after.n_boundary_edges > 0
+        && weld_boundary(&welded.mesh, LEFT_NEAR * tolerance_mm)?.1.n_merged > 0;
+    Ok(Some(Joined { welded, detail, in_part }))
 }
 
 /// The length of the middle one of all edges of all faces, mm.
@@ -57,5 +71,11 @@ pub(super) fn soup(report: &TopologyReport) -> Option<SurfaceFault> {
     let TopologyReport { n_faces, n_edges, n_boundary_edges, n_components, .. } = *report;
     let is_loose = n_boundary_edges > n_edges / 2 && n_components >= FACES_OF_A_PIECE;
     let is_soup = is_loose && n_faces < n_components.saturating_mul(FACES_OF_A_PIECE);
-    is_soup.then_some(SurfaceFault::Soup { n_faces, n_components, n_edges: n_boundary_edges })
+    is_soup.then(|| soup_fault(report))
+}
+
+/// That the faces of a surface do not hold together.
+pub(super) fn soup_fault(report: &TopologyReport) -> SurfaceFault {
+    let TopologyReport { n_faces, n_components, n_boundary_edges, .. } = *report;
+    SurfaceFault::Soup { n_faces, n_components, n_edges: n_boundary_edges }
 }

@@ -86,7 +86,7 @@ proptest! {
             Err(IntakeError::UnsuitableSurface { fault, .. }) => {
                 // Where a part of the corners is joined, what is left is open.
                 prop_assert!(matches!(fault, SurfaceFault::Soup { .. }), "{}", fault);
-                prop_assert!(jitter > 2e-3 * mean, "refused at a jitter of {jitter} mm, edges of {mean} mm");
+                prop_assert!(jitter > 1e-3 * mean, "refused at a jitter of {jitter} mm, edges of {mean} mm");
             }
             Err(error) => prop_assert!(false, "{error}"),
         }

@@ -184,7 +184,7 @@ fn trilinear(values: &[f64], dims: [usize; 3], at: &Point3<f64>) -> f64 {
 /// Every subject is matched with its volume rotated and sampled again.
 fn check_resampled(subjects: &[Vec<u8>]) {
     for (k, bytes) in subjects.iter().enumerate() {
-        let volume = read_nifti(bytes, &ReadLimits::default()).unwrap();
+        let volume = read_nifti(bytes, &ReadLimits::default()).unwrap().volume;
         let (rotated, motion) = resampled(&volume, &Draw::new(200 + k as u64).pose());
         let output = run(bytes, &write_nifti(&rotated));
         let angle = degrees_between(&found(&output), &motion);

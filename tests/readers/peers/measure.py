@@ -225,7 +225,10 @@ class Peers:
 
 def ours(binary, path):
     """What `homolog inspect` says, and why not."""
-    done = subprocess.run([binary, "inspect", "--json", str(path)], capture_output=True, text=True, timeout=SECONDS)
+    try:
+        done = subprocess.run([binary, "inspect", "--json", str(path)], capture_output=True, text=True, timeout=SECONDS)
+    except subprocess.TimeoutExpired:
+        return None, f"no answer within {SECONDS} s", []
     if done.returncode != 0:
         return None, done.stderr.strip().split(": ", 2)[-1], []
     report = json.loads(done.stdout)

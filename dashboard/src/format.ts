@@ -57,6 +57,22 @@ export const REASONS: Record<string, { meaning: string; check: string }> = {
     meaning: "A different pose fits as well.",
     check: "Is the shape nearly symmetric? Landmarks resolve it: submit again with a few corresponding points.",
   },
+  piece_dropped: {
+    meaning: "A structure is in several pieces, and one that was dropped has 5 % or more of its volume.",
+    check: "Are left and right one label, or several structures? Choose the labels of one, or name the repair largest_component.",
+  },
+  labels_joined: {
+    meaning: "Several labels of one input were joined, and the other input has other labels.",
+    check: "Which labels are the structure? Submit again with them.",
+  },
+  cavity_filled: {
+    meaning: "A structure had cavities of 5 % or more of its volume, or closing them and its tunnels changed as much.",
+    check: "Is the label a wall around something else? Name the repair fill to confirm that the inside belongs to it.",
+  },
+  too_coarse: {
+    meaning: "The voxels are so large for the structure that they leave its rotation uncertain.",
+    check: "Is there a segmentation of smaller voxels? Interpolating this one adds nothing.",
+  },
 };
 
 export type Tone = "good" | "bad" | "wait" | "neutral";

@@ -106,7 +106,7 @@ pub(crate) struct JobDocument {
     /// Why its answer cannot be relied on; the result has more.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub(crate) unreliable_reasons: Option<Vec<UnreliableReason>>,
-    /// What was dropped, joined or filled in its inputs, a sentence each.
+    /// What was found in its inputs and done to them that bears on the answer, a sentence each.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub(crate) warnings: Vec<String>,
     /// Symmetric distance between the registered surfaces.

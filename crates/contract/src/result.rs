@@ -33,7 +33,7 @@ pub struct ResultDocument {
     /// Whether the answer can be relied on; absent where no displacement field was fitted.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub reliability: Option<ReliabilityDocument>,
-    /// What was dropped, joined or filled in the inputs, each sentence with the input before it, and what holds for the pair.
+    /// What was found in the inputs and done to them, each sentence with the input before it, and what holds for the pair.
     /// The reasons among them are in `reliability.reasons` too.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub warnings: Vec<InputWarning>,
@@ -224,6 +224,15 @@ pub enum UnreliableReason {
     UncertainSide,
     /// The sizes differ by the ratio of two units of length, such as 10, 25.4 or 1000.
     UnitsDiffer,
+    /// A piece of at least 5 % of a structure was dropped, without having been asked for.
+    PieceDropped,
+    /// Labels of one input were joined, without having been asked for, and the other input has other labels.
+    LabelsJoined,
+    /// A structure had cavities of at least 5 % of its volume, or closing them and its tunnels changed as much, without having been
+    /// asked for.
+    CavityFilled,
+    /// The voxels are so large for the structure that they leave its rotation uncertain.
+    TooCoarse,
 }
 
 /// Factor on the confidences of an answer that is not reliable.

@@ -15,7 +15,7 @@ pub struct Verdict {
     pub reliable: Option<bool>,
     /// The reasons to doubt it.
     pub reasons: Vec<UnreliableReason>,
-    /// What was dropped, joined or filled in the inputs, a sentence each.
+    /// What was found in the inputs and done to them that bears on the answer, a sentence each.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub warnings: Vec<String>,
     /// Symmetric distance between the registered surfaces.
@@ -112,6 +112,10 @@ impl UnreliableReason {
             UnreliableReason::AmbiguousPose => "ambiguous_pose",
             UnreliableReason::UncertainSide => "uncertain_side",
             UnreliableReason::UnitsDiffer => "units_differ",
+            UnreliableReason::PieceDropped => "piece_dropped",
+            UnreliableReason::LabelsJoined => "labels_joined",
+            UnreliableReason::CavityFilled => "cavity_filled",
+            UnreliableReason::TooCoarse => "too_coarse",
         }
     }
 
@@ -129,6 +133,18 @@ impl UnreliableReason {
             }
             UnreliableReason::UnitsDiffer => {
                 "One surface is larger than the other by the ratio of two units of length, such as 10, 25.4 or 1000."
+            }
+            UnreliableReason::PieceDropped => {
+                "A structure is in several pieces, and one that was dropped has 5 % or more of its volume."
+            }
+            UnreliableReason::LabelsJoined => {
+                "Several labels of one input were joined, because none were chosen, and the other input has other labels."
+            }
+            UnreliableReason::CavityFilled => {
+                "A structure had cavities of 5 % or more of its volume, or closing them and its tunnels changed as much."
+            }
+            UnreliableReason::TooCoarse => {
+                "The voxels are so large for the structure that they leave its rotation uncertain."
             }
         }
     }
@@ -149,6 +165,18 @@ impl UnreliableReason {
             UnreliableReason::UnitsDiffer => {
                 "Are both files in millimetres? Scale one of them, or state its unit in the file."
             }
+            UnreliableReason::PieceDropped => {
+                "Are left and right one label, or several structures? Choose the labels of one (input.labels), or name the \
+                 repair largest_component (input.repair) to confirm that the rest is not meant."
+            }
+            UnreliableReason::LabelsJoined => "Which labels are the structure? Choose them (input.labels).",
+            UnreliableReason::CavityFilled => {
+                "Is the label a wall around something else? Name the repair fill (input.repair) to confirm that the inside \
+                 belongs to the structure."
+            }
+            UnreliableReason::TooCoarse => {
+                "Is there a segmentation of smaller voxels? Interpolating this one adds nothing."
+            }
         }
     }
 }
@@ -159,8 +187,12 @@ mod tests {
 
     #[test]
     fn names_are_those_of_json() {
-        use UnreliableReason::{AmbiguousPose, OtherHandedness, UncertainSide, UnitsDiffer, UnlikeShape};
-        for reason in [UnlikeShape, OtherHandedness, AmbiguousPose, UncertainSide, UnitsDiffer] {
+        use UnreliableReason::{
+            AmbiguousPose, CavityFilled, LabelsJoined, OtherHandedness, PieceDropped, TooCoarse, UncertainSide,
+            UnitsDiffer, UnlikeShape,
+        };
+        let of_inputs = [PieceDropped, LabelsJoined, CavityFilled, TooCoarse, UncertainSide, UnitsDiffer];
+        for reason in [UnlikeShape, OtherHandedness, AmbiguousPose].into_iter().chain(of_inputs) {
             assert_eq!(serde_json::to_value(reason).unwrap(), reason.name());
         }
     }

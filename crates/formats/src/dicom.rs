@@ -106,7 +106,18 @@ pub(super) fn read_file<'a>(
         }
     };
     let mut reader = Reader { bytes, at: 0, explicit };
-    Ok((reader.data_set(bytes.len(), 0)?, pixels))
+    let mut set = DataSet::default();
+    while reader.at < bytes.len() {
+        if set.get(super::dicom_seg::PIXEL_DATA).is_some()
+            && reader.peek_tag().is_none_or(|tag| tag <= super::dicom_seg::PIXEL_DATA)
+        {
+            let rest = &bytes[reader.at..];
+            set.n_trailing = if rest.iter().all(|&byte| byte == 0) { 0 } else { rest.len() };
+            break;
+        }
+        set.elements.push(reader.element(0)?);
+    }
+    Ok((set, pixels))
 }
 
 fn damaged() -> FormatError {
@@ -117,6 +128,8 @@ fn damaged() -> FormatError {
 #[derive(Debug, Default)]
 pub(super) struct DataSet<'a> {
     elements: Vec<DataElement<'a>>,
+    /// Bytes after the pixel data that are no element, since tags ascend, nor zeros.
+    pub(super) n_trailing: usize,
 }
 
 #[derive(Debug)]

@@ -67,6 +67,10 @@ pub fn read_dicom_seg(files: &[&[u8]], limits: &ReadLimits, options: &ReadOption
         return Err(of_different("frames of reference"));
     }
     let mut notes = vec![lps::NOTE.to_owned()];
+    let n_trailing: usize = instances.iter().map(|instance| instance.set.n_trailing).sum();
+    if n_trailing > 0 {
+        notes.push(super::trailing_note(n_trailing));
+    }
     if instances.iter().any(|instance| matches!(instance.frames.kind, Kind::Fractional { .. })) {
         notes.push(format!(
             "the segmentation is fractional: voxels with at least {fraction} of the largest value belong to a segment"

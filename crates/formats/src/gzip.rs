@@ -35,6 +35,24 @@ pub(super) fn inflate(bytes: &[u8], limit: usize) -> Result<Plain<'_>, FormatErr
     inflate_prefix(bytes, usize::MAX, limit).map(|(plain, _)| plain)
 }
 
+/// A gzip stream inside a file, decompressed, and whether bytes other than zeros follow it.
+///
+/// # Errors
+/// `TooLarge` beyond `limit` bytes, `Gzip` if the stream is damaged.
+pub(super) fn inflate_embedded(bytes: &[u8], limit: usize) -> Result<(Vec<u8>, bool), FormatError> {
+    let mut plain = Vec::new();
+    let end = inflate_members(bytes, |piece| {
+        plain.extend_from_slice(piece);
+        if plain.len() > limit { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    });
+    match end {
+        Ok(ControlFlow::Break(())) => Err(too_large(plain.len(), limit)),
+        Ok(ControlFlow::Continue(())) => Ok((plain, false)),
+        Err(FormatError::Gzip { fault: GzipFault::TrailingData, .. }) => Ok((plain, true)),
+        Err(error) => Err(error),
+    }
+}
+
 /// The first `n` bytes after decompression, or as many as there are, and what follows them. The rest of a gzip stream is
 /// inflated too, up to `limit` bytes in all, and dropped: its trailer decides whether those first bytes are what was compressed.
 ///

@@ -76,11 +76,14 @@ pub fn read_nrrd(bytes: &[u8], limits: &ReadLimits) -> Result<LabelFile, FormatE
         "gzip" | "gz" => {
             // Some writers store a bare zlib stream; whatever else is there is damaged.
             let damaged = FormatError::Payload { format: "NRRD", line: None };
-            let plain = if gzip::is_gzip(stored) {
-                gzip::inflate(stored, limits.max_inflated_bytes)?.into_owned()
+            let (plain, is_followed) = if gzip::is_gzip(stored) {
+                gzip::inflate_embedded(stored, limits.max_inflated_bytes)?
             } else {
-                inflate_up_to(stored, limits.max_inflated_bytes).ok_or(damaged)?
+                (inflate_up_to(stored, limits.max_inflated_bytes).ok_or(damaged)?, false)
             };
+            if is_followed {
+                notes.push("bytes after the end of the compressed voxels were not read".to_owned());
+            }
             labels(&plain, byte_skip, needed, &voxels, &mut notes)?
         }
         "hex" => {

@@ -304,15 +304,15 @@ impl<'a> Rows<'a> {
         while let Some(line) = lines.text_line() {
             n_lines += u64::from(!line.is_empty());
         }
-        if n_lines >= n_rows { Rows::Lines(scanner) } else { Rows::Words(scanner, n_lines) }
+        if n_lines >= n_rows { Rows::Lines(scanner) } else { Rows::Words(scanner, n_rows - n_lines) }
     }
 
     fn next(&mut self, element: &ElementRows, row: &mut Row) -> Result<(), FormatError> {
         row.corners.clear();
         match self {
             Rows::Binary(scanner, order) => binary_row(scanner, *order, element, row),
-            Rows::Words(scanner, n_lines) => {
-                let (mut next, found) = (scanner.clone(), *n_lines);
+            Rows::Words(scanner, n_missing) => {
+                let (mut next, found) = (scanner.clone(), element.count.saturating_sub(*n_missing));
                 let mut word = || scanner.word();
                 let ended = || FormatError::CountMismatch { what: element.noun(), stated: element.count, found };
                 match text_row(&mut word, element, row) {

@@ -218,6 +218,7 @@ fn balanced() -> MatchParameters {
             allow_boundary: true,
             fraction: 0.5,
             apply_transform: None,
+            image_is_labels: false,
             max_vertices: None,
         },
         features: vec![

@@ -8,9 +8,11 @@
 mod candidate;
 mod error;
 mod inspection;
+mod label_surface;
 mod near;
 mod shown;
 mod split;
+mod warnings;
 
 pub use error::{Advice, IntakeError};
 pub use homolog_contract::input::{InputFormat, InputKind, InputReport, Inspection};
@@ -19,12 +21,14 @@ pub use shown::shown_surface;
 
 use crate::whole::Dropped;
 use candidate::Candidate;
-use homolog_contract::input::{LabelCount, Refusal, RepairNote, VolumeInspection};
+use homolog_contract::input::{LabelCount, Refusal, RepairNote, SamplingReport, VolumeInspection};
 use homolog_contract::parameters::{InputParameters, Repair};
 pub use homolog_formats::DEFAULT_INFLATION;
 use homolog_formats::{FileContent, FormatError, ReadFile, ReadLimits, ReadOptions};
+use homolog_mesh::volume::Sampling;
 use homolog_mesh::{ClosestPointIndex, Numbering, SurfaceMesh};
 use std::collections::HashSet;
+pub(crate) use warnings::UsedLabels;
 
 /// A surface that is ready to be matched: its faces agree in orientation and look outwards.
 #[derive(Debug, Clone, PartialEq)]
@@ -38,6 +42,8 @@ pub struct PreparedSurface {
     restored: Option<SurfaceMesh>,
     /// Vertices that simplification dropped.
     dropped: Vec<Dropped>,
+    /// The labels of which it was made; `None` for meshes.
+    labels: Option<UsedLabels>,
     /// What the input was and what was done to it.
     pub report: InputReport,
 }
@@ -52,6 +58,10 @@ impl PreparedSurface {
     /// Vertices that simplification dropped, with their places on `mesh`.
     pub(crate) fn dropped(&self) -> &[Dropped] {
         &self.dropped
+    }
+
+    pub(crate) fn labels(&self) -> Option<&UsedLabels> {
+        self.labels.as_ref()
     }
 
     pub(crate) fn heap_bytes(&self) -> usize {
@@ -123,11 +133,26 @@ pub fn prepare_surface(
     if let Some(refusal) = candidate.refusal(&file, parameters, limits) {
         return Err(refusal);
     }
-    let ReadFile { format, content, space, mut notes, warnings, .. } = file;
-    let Candidate { mesh, numbering, added, whole, topology, repairs, turned_outward, notes: of_repairs, .. } =
-        candidate;
+    let ReadFile { format, content, space, mut notes, mut warnings, .. } = file;
+    let Candidate {
+        mesh,
+        numbering,
+        added,
+        whole,
+        topology,
+        repairs,
+        turned_outward,
+        notes: of_repairs,
+        warnings: of_surface,
+        labels,
+        sampling,
+        ..
+    } = candidate;
     notes.extend(of_repairs);
-    let report = InputReport { format, space: Some(space), topology, repairs, turned_outward, notes, warnings };
+    warnings.extend(of_surface);
+    let sampling = sampling.map(sampling_report);
+    let report =
+        InputReport { format, space: Some(space), topology, repairs, turned_outward, notes, warnings, sampling };
     let dropped = whole.as_ref().map(|whole| dropped(&mesh, &numbering, whole)).unwrap_or_default();
     // What was there before simplification is what an answer counts.
     let (faces, names) = whole.as_ref().map_or((&mesh, &numbering), |(faces, names)| (faces, names));
@@ -144,7 +169,7 @@ pub fn prepare_surface(
         }
         _ => whole.map(|(faces, _)| faces),
     };
-    Ok(PreparedSurface { mesh, numbering, restored, dropped, report })
+    Ok(PreparedSurface { mesh, numbering, restored, dropped, labels, report })
 }
 
 fn read(
@@ -171,6 +196,11 @@ fn read(
         FormatError::TooLarge { what, found, limit } => IntakeError::TooLarge { what, found, limit },
         error => IntakeError::Unreadable(error),
     })
+}
+
+/// The same in degrees, with a bound where a rotation is not determined at all.
+fn sampling_report(Sampling { noise_mm, rotation_rad }: Sampling) -> SamplingReport {
+    SamplingReport { noise_mm, rotation_deg: rotation_rad.to_degrees().min(180.0) }
 }
 
 /// Where the vertices that simplification dropped lie on the surface that it left.

@@ -10,3 +10,4 @@ mod intake;
 mod pairs;
 mod progress;
 mod structures;
+mod warnings;

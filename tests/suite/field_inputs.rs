@@ -44,7 +44,12 @@ fn check_said(source: &str, target: &str, sentence: &str, reason: Option<&str>) 
 fn dropped_pieces_coarse_voxels_and_uncertain_sides_are_reasons_everywhere() {
     check_said("n_both.nii.gz", "right_only.nii.gz", "only the largest of 2 pieces was kept", Some("piece_dropped"));
     check_said("hip1mm.nii.gz", "hip3mm.nii.gz", "the voxels leave the rotation uncertain", Some("too_coarse"));
-    check_said("two_sides.nii.gz", "two_sides.nii.gz", "left and right may be exchanged", Some("uncertain_side"));
+    check_said(
+        "two_sides.nii.gz",
+        "two_sides.nii.gz",
+        "what is left by one is right by the other",
+        Some("uncertain_side"),
+    );
 }
 
 #[test]

@@ -10,7 +10,7 @@ use homolog_contract::result::UnreliableReason;
 
 /// Standard deviation of the rotation from which the voxels are too coarse, degrees, of both inputs together. It is a bound for any
 /// method, and answers are off by twice as much: beside a hippocampus of 1 mm, copies with voxels of 1, 2, 3 and 4 mm have 0.15,
-/// 0.4, 1.0 and 2.0, and are off by 0.3, 1.1, 1.7 and 2.3 on average.
+/// 0.4, 1.0 and 2.0, and are off by 0.3, 0.9, 1.7 and 2.3 on average.
 const MAX_ROTATION_DEG: f64 = 1.0;
 
 /// The warnings of both inputs and of the pair, for [`homolog_contract::result::ResultDocument::warn`].

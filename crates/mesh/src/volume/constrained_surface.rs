@@ -47,7 +47,7 @@ const SPREADING: usize = 8;
 /// Distance by which the surface would have to move for its local volume, from which a part is thin, in voxels: between the
 /// standard deviation of that distance for a surface cut by voxels at random (0.29 voxels, averaged over the 20 independent ones
 /// of a neighborhood) and what the filter takes from one side of a plate of one voxel.
-const THIN_VOXELS: f64 = 0.2;
+const THIN_VOXELS: f64 = 0.3;
 
 /// Rounds of fairing, each with the normals that the one before left.
 const FAIRING_ROUNDS: usize = 3;

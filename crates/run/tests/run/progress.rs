@@ -55,7 +55,6 @@ mod real_data {
 
     #[test]
     #[ignore = "needs real data (hippocampus)"]
-    #[ignore = "needs the progress curve measured again for matches that begin with labels"]
     fn what_is_said_to_be_done_is_the_share_of_the_time_within_a_third() {
         for pair in hippocampi(8).chunks(2) {
             // Other programs on the machine slow parts of a run and so only add to the deviation: what is wrong is wrong each time.

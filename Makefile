@@ -26,6 +26,8 @@
 # make energies  the energy of the truth against what each minimizer finds; DATA, EVAL, CASES as for make accuracy
 # make answers compare the answers of this build with tests/answers.tsv, to the bit, on 20 real pairs and eight methods;
 #              DATA=dir: label volumes in dir/hippocampus
+# make peers-read  read what other programs write, mutations of it and test data of PyPI packages with homolog and with nibabel, VTK,
+#              SimpleITK, pynrrd, trimesh and highdicom; writes docs/formats-read.md; ROUNDS=6: mutations of each kind
 # make fuzz    coverage-guided fuzzing of the readers, or of what clients send: PART=json, form, headers, query or token; FOR=600:
 #              seconds; WITHIN=10: seconds that an input may take (2 unless set), for busy machines; needs a nightly toolchain
 # make methods  the methods of the field (docs/methods) beside other programs of the same methods; DATA, EVAL as for make accuracy;
@@ -40,7 +42,7 @@
 SHELL := /usr/bin/env bash
 .SHELLFLAGS := -eu -o pipefail -c
 .DEFAULT_GOAL := help
-.PHONY: help demo test faults fuzz soak memory check sbom advisories contract build api client picture method-pictures experiment accuracy energies methods answers study study-others study-env bench bench-service dashboard screenshots
+.PHONY: help demo test faults fuzz soak memory check sbom advisories contract build api client picture method-pictures experiment accuracy energies methods answers study study-others study-env bench bench-service dashboard screenshots peers-read
 
 CARGO ?= cargo
 SOURCE ?=
@@ -56,6 +58,7 @@ EVAL ?= eval
 CASES ?=
 OURS_ONLY ?=
 PARTS ?=
+ROUNDS ?= 6
 SPLITS ?=
 # The newest accuracy table.
 ACCURACY ?= $(lastword $(sort $(wildcard docs/accuracy/*)))
@@ -93,6 +96,11 @@ check:
 	RUSTDOCFLAGS="-D warnings" $(CARGO) doc --workspace --locked --no-deps --document-private-items
 	target/tools/bin/cargo-machete
 	target/tools/bin/cargo-deny --locked check bans licenses sources
+
+peers-read: build
+	@scripts/setup test
+	target/readers-env/bin/python -W ignore tests/readers/peers/peers_read.py target/release/homolog --cache target/peers --rounds $(ROUNDS) \
+	  --out docs/formats-read.md
 
 sbom:
 	@scripts/setup build

@@ -77,6 +77,7 @@ export interface Job {
   cached: boolean;
   reliable?: boolean | null;
   unreliable_reasons?: string[];
+  warnings?: string[];
   surface_distance?: { mean_mm: number; p95_mm: number; max_mm: number };
   retry_of?: string;
   error?: Problem;

@@ -45,9 +45,33 @@ export const REASONS: Record<string, { meaning: string; check: string }> = {
     meaning: "A mirrored source fits better.",
     check: "Is one file a left structure and the other a right one, or does an image have a flipped axis?",
   },
+  uncertain_side: {
+    meaning: "A file states two orientations of different handedness: left and right may be exchanged.",
+    check: "Which orientation of the file is right? Write it into both places (sform and qform).",
+  },
+  units_differ: {
+    meaning: "The sizes differ by the ratio of two units of length.",
+    check: "Are both files in millimetres? Scale one of them, or state its unit in the file.",
+  },
   ambiguous_pose: {
     meaning: "A different pose fits as well.",
     check: "Is the shape nearly symmetric? Landmarks resolve it: submit again with a few corresponding points.",
+  },
+  piece_dropped: {
+    meaning: "A structure is in several pieces, and one that was dropped has 5 % or more of its volume.",
+    check: "Are left and right one label, or several structures? Choose the labels of one, or name the repair largest_component.",
+  },
+  labels_joined: {
+    meaning: "Several labels of one input were joined, and the other input has other labels.",
+    check: "Which labels are the structure? Submit again with them.",
+  },
+  cavity_filled: {
+    meaning: "A structure had cavities of 5 % or more of its volume, or closing them and its tunnels changed as much.",
+    check: "Is the label a wall around something else? Name the repair fill to confirm that the inside belongs to it.",
+  },
+  too_coarse: {
+    meaning: "The voxels are so large for the structure that they leave its rotation uncertain.",
+    check: "Is there a segmentation of smaller voxels? Interpolating this one adds nothing.",
   },
 };
 
@@ -70,7 +94,7 @@ export function verdict(job: Job): VerdictText {
         tone: "good",
         mark: "✓",
         title: "Reliable",
-        lines: [`No check found a fault. ${distance}`],
+        lines: [`No check found a fault. ${distance}`, ...(job.warnings ?? [])],
         next: "Look for colors that jump in the picture below; if there are none, keep this match.",
       };
     }
@@ -80,7 +104,7 @@ export function verdict(job: Job): VerdictText {
         tone: "bad",
         mark: "✕",
         title: "Not reliable",
-        lines: reasons.map((reason) => reason.meaning),
+        lines: [...reasons.map((reason) => reason.meaning), ...(job.warnings ?? [])],
         next: reasons.map((reason) => reason.check).join(" "),
       };
     }
@@ -88,7 +112,7 @@ export function verdict(job: Job): VerdictText {
       tone: "neutral",
       mark: "?",
       title: "Not checked",
-      lines: ["This method fits no displacement field, which the checks are made of."],
+      lines: ["This method fits no displacement field, which the checks are made of.", ...(job.warnings ?? [])],
       next: "Judge by the picture, or match again with the method balanced.",
     };
   }

@@ -3,9 +3,9 @@
 use super::error::CliError;
 use super::files::{file_name, read_input};
 use super::output::{print, print_json};
-use super::parameters::InputArgs;
+use super::parameters::{InputArgs, LimitArgs};
 use clap::Args;
-use homolog_run::intake::{IntakeLimits, inspect, prepare_surface};
+use homolog_run::intake::{inspect, prepare_surface};
 use serde_json::Value;
 use std::path::PathBuf;
 
@@ -20,6 +20,8 @@ pub(super) struct InspectArgs {
     pub(super) json: bool,
     #[command(flatten)]
     pub(super) parameters: InputArgs,
+    #[command(flatten)]
+    pub(super) limits: LimitArgs,
 }
 
 /// Runs the command.
@@ -27,7 +29,7 @@ pub(super) struct InspectArgs {
 /// # Errors
 /// [`CliError::BadInput`] for a file that cannot be read. A surface that a match would refuse is not an error.
 pub(super) fn run(args: &InspectArgs) -> Result<(), CliError> {
-    let limits = IntakeLimits::default();
+    let limits = args.limits.limits();
     let parameters = args.parameters.resolve()?;
     let bytes = read_input(&args.file, &limits)?;
     let report = inspect(&bytes, file_name(&args.file), &parameters.input, &limits)

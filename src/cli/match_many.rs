@@ -8,7 +8,6 @@ use super::output::{note, print, print_json};
 use homolog_contract::parameters::MatchParameters;
 use homolog_contract::result::ResultDocument;
 use homolog_run::SurfaceCache;
-use homolog_run::intake::IntakeLimits;
 use serde_json::json;
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
@@ -31,7 +30,7 @@ pub(super) fn run(args: &MatchArgs) -> Result<(), CliError> {
     for target in &args.targets {
         std::fs::metadata(target).map_err(|e| CliError::BadInput(format!("cannot read {}: {e}", target.display())))?;
     }
-    let source = read_input(&args.source, &IntakeLimits::default())?;
+    let source = read_input(&args.source, &args.limits.limits())?;
     let folder = args.out.as_deref().map(OutputFolder::create).transpose()?;
     let (surfaces, interrupt) = (SurfaceCache::new(PREPARED_BYTES), Interrupt::listen());
     let n = args.targets.len();
@@ -76,9 +75,10 @@ fn one(
     folder: Option<&Path>,
     (surfaces, parameters, interrupt, title): (&SurfaceCache, &MatchParameters, &Interrupt, &str),
 ) -> Result<ResultDocument, CliError> {
-    let bytes = read_input(target, &IntakeLimits::default())?;
+    let limits = args.limits.limits();
+    let bytes = read_input(target, &limits)?;
     let pair = Pair { source: (&args.source, source), target: (target, &bytes) };
-    let (output, trace) = pair.matched(surfaces, parameters, interrupt, Some(title))?;
+    let (output, trace) = pair.matched(surfaces, (parameters, &limits), interrupt, Some(title))?;
     if let Some(folder) = folder {
         let folder = OutputFolder::create(folder)?;
         pair.write(&folder, &output, &trace, &args.uids())?;

@@ -5,7 +5,7 @@ use super::files::{OutputFolder, check_writable, file_name, read_input, write_fi
 use super::interrupt::Interrupt;
 use super::match_many;
 use super::output::{note, print, print_json};
-use super::parameters::ParameterArgs;
+use super::parameters::{LimitArgs, ParameterArgs};
 use super::progress::{Progress, WithoutTerminal};
 use super::summary::summary;
 use crate::jobs::{GivenUids, Uid};
@@ -47,6 +47,8 @@ pub(super) struct MatchArgs {
     pub(super) targets: Vec<PathBuf>,
     #[command(flatten)]
     pub(super) parameters: ParameterArgs,
+    #[command(flatten)]
+    pub(super) limits: LimitArgs,
     /// Folder for result.json, correspondences.csv, source.ply, target.ply, aligned.ply (moved rigidly), warped.ply, .vtp,
     /// .surf.gii and .csv (the source bent onto the target), transform.tfm, .lta and, for DICOM inputs,
     /// transform.dcm and warped.dcm, and trace.jsonl; with several targets, for a folder with these and a report.html for each,
@@ -76,7 +78,7 @@ pub(super) struct MatchArgs {
 /// [`CliError`].
 pub(super) fn run(args: &MatchArgs) -> Result<(), CliError> {
     let [target] = args.targets.as_slice() else { return match_many::run(args) };
-    let limits = IntakeLimits::default();
+    let limits = args.limits.limits();
     let parameters = args.parameters.resolve()?;
     let source = read_input(&args.source, &limits)?;
     let target_bytes = read_input(target, &limits)?;
@@ -87,7 +89,7 @@ pub(super) fn run(args: &MatchArgs) -> Result<(), CliError> {
         check_writable(folder.unwrap_or(Path::new(".")))?;
     }
     let pair = Pair { source: (&args.source, &source), target: (target, &target_bytes) };
-    let (output, trace) = pair.matched(&SurfaceCache::none(), &parameters, &Interrupt::listen(), None)?;
+    let (output, trace) = pair.matched(&SurfaceCache::none(), (&parameters, &limits), &Interrupt::listen(), None)?;
     if let Some(folder) = &folder {
         pair.write(folder, &output, &trace, &args.uids())?;
     }
@@ -115,14 +117,13 @@ impl Pair<'_> {
     pub(super) fn matched(
         &self,
         surfaces: &SurfaceCache,
-        parameters: &MatchParameters,
+        (parameters, limits): (&MatchParameters, &IntakeLimits),
         interrupt: &Interrupt,
         title: Option<&str>,
     ) -> Result<(RunOutput, Vec<TimedPoint>), CliError> {
         let observer = Watcher::new(interrupt.clone(), title);
         let file = |(path, bytes)| InputFile { bytes, name: file_name(path) };
-        let limits = IntakeLimits::default();
-        let outcome = run_match_with(surfaces, file(self.source), file(self.target), parameters, &limits, &observer);
+        let outcome = run_match_with(surfaces, file(self.source), file(self.target), parameters, limits, &observer);
         let trace = observer.finish();
         let mut output = outcome.map_err(|error| match error {
             RunError::Input { side, error } => {

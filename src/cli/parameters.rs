@@ -26,6 +26,30 @@ pub(super) struct InputArgs {
     /// Repair to allow, in place of those that are allowed by default; may be repeated; none: no repair
     #[arg(long = "repair", value_delimiter = ',', value_name = "REPAIR", value_parser = PossibleValuesParser::new(REPAIRS))]
     pub(super) repair: Vec<String>,
+    /// Simplify surfaces of more vertices than this to so many before they are matched (input.max_vertices)
+    #[arg(long, value_name = "N")]
+    pub(super) simplify: Option<u32>,
+    /// Apply the coordinate transform that a GIFTI file states, or with =false none; default: only a rigid one
+    #[arg(long = "apply-transform", value_name = "BOOL", num_args = 0..=1, require_equals = true, default_missing_value = "true")]
+    pub(super) apply_transform: Option<bool>,
+}
+
+/// Options that set limits on what is read.
+#[derive(Debug, Clone, Default, Args)]
+pub(super) struct LimitArgs {
+    /// Most vertices of a surface that is matched; more are refused unless they are simplified
+    #[arg(long = "max-vertices", value_name = "N", default_value_t = IntakeLimits::default().max_vertices)]
+    max_vertices: usize,
+}
+
+impl LimitArgs {
+    /// Limits of the command line: those of the service, but for those that were set. There are as many faces for each vertex.
+    pub(super) fn limits(&self) -> IntakeLimits {
+        let usual = IntakeLimits::default();
+        let faces_per_vertex = usual.max_faces / usual.max_vertices;
+        let max_faces = usual.max_faces.max(self.max_vertices.saturating_mul(faces_per_vertex));
+        IntakeLimits { max_vertices: self.max_vertices, max_faces, ..usual }
+    }
 }
 
 /// What `--repair` takes: the repairs of [`homolog_contract::parameters::Repair`] that can be asked for.
@@ -79,6 +103,8 @@ impl InputArgs {
             let repairs = self.repair.iter().filter(|name| *name != NO_REPAIR).map(|name| Value::from(name.as_str()));
             settings.push((names("input.repair"), repairs.collect()));
         }
+        settings.extend(self.simplify.map(|n| (names("input.max_vertices"), Value::from(n))));
+        settings.extend(self.apply_transform.map(|apply| (names("input.apply_transform"), Value::from(apply))));
         settings.extend(more);
         // The method first: its preset has the lists that indices such as features.0 refer to.
         settings.sort_by_key(|(path, _)| path.first().is_some_and(|key| key != "method"));
@@ -220,6 +246,8 @@ mod tests {
                 set: vec!["method=balanced".into(), "features.0.scales.0=1".into(), "input.labels=9".into()],
                 labels: vec!["17".into(), "Left Hippocampus".into()],
                 repair: vec!["weld".into(), "fill".into()],
+                simplify: Some(5000),
+                apply_transform: Some(true),
                 ..Default::default()
             },
             target_labels: vec!["53".into()],
@@ -229,7 +257,8 @@ mod tests {
         let stated = args.request().unwrap();
         assert_eq!((&stated["method"], &stated["seed"]), (&json!("thesis"), &json!(7)));
         let expected = json!({
-            "labels": [17, "Left Hippocampus"], "repair": ["weld", "fill"], "target": {"labels": [53]}
+            "labels": [17, "Left Hippocampus"], "repair": ["weld", "fill"], "target": {"labels": [53]},
+            "max_vertices": 5000, "apply_transform": true
         });
         assert_eq!(stated["input"], expected);
         assert_eq!(args.resolve().unwrap().features.len(), 1);

@@ -47,6 +47,11 @@ pub(super) fn summary(result: &ResultDocument) -> String {
         "vertices          {} of the source, {} of the target",
         p.source.n_vertices, p.target.n_vertices
     );
+    for (side, input) in [("source", &p.source), ("target", &p.target)] {
+        for note in &input.report.notes {
+            let _ = writeln!(text, "note on the {side}: {note}");
+        }
+    }
     if let Some(total) = result.timings_ms.get("total") {
         let _ = writeln!(text, "time              {:.2} s", total / 1000.0);
     }
@@ -64,6 +69,9 @@ fn verdict(result: &ResultDocument) -> String {
     if result.ambiguous_axes {
         let _ =
             writeln!(text, "  - Two axes of an ellipsoid are nearly equal: the rotation about the third is arbitrary.");
+    }
+    for warning in &verdict.warnings {
+        let _ = writeln!(text, "  warning: {warning}");
     }
     let _ = writeln!(text, "{}", verdict.distance());
     if let Some(pairs) = &result.correspondences {

@@ -98,6 +98,8 @@ problems! {
         "detail says where the file is invalid; export it again.";
     EmptyStructure = "empty-structure", UNPROCESSABLE_ENTITY, "An input contains no structure to match",
         "Check that the file is not empty and that the volume contains the labels in input.labels.";
+    NotLabels = "not-labels", UNPROCESSABLE_ENTITY, "An input looks like an image, not like labels",
+        "Send a segmentation, or choose labels with input.labels; input.image_is_labels takes the values as labels.";
     UnsuitableSurface = "unsuitable-surface", UNPROCESSABLE_ENTITY, "An input is no surface that can be matched",
         "The topology report says why. Repair the surface, or allow repairs with input.repair.";
     InvalidInput = "invalid-input", UNPROCESSABLE_ENTITY, "An input cannot be matched",

@@ -106,6 +106,9 @@ pub(crate) struct JobDocument {
     /// Why its answer cannot be relied on; the result has more.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub(crate) unreliable_reasons: Option<Vec<UnreliableReason>>,
+    /// What was found in its inputs and done to them that bears on the answer, a sentence each.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub(crate) warnings: Vec<String>,
     /// Symmetric distance between the registered surfaces.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub(crate) surface_distance: Option<SurfaceDistanceDocument>,
@@ -525,6 +528,7 @@ impl From<&Job> for JobDocument {
             cached: job.cached,
             reliable: job.verdict.as_ref().and_then(|verdict| verdict.reliable),
             unreliable_reasons: job.verdict.as_ref().map(|verdict| verdict.reasons.clone()),
+            warnings: job.verdict.as_ref().map(|verdict| verdict.warnings.clone()).unwrap_or_default(),
             surface_distance: job.verdict.as_ref().map(|verdict| verdict.surface_distance.clone()),
             error: job.error.as_ref().map(failure_document),
             links,

@@ -5,7 +5,7 @@ use super::jobs_support::{TestService, problem};
 use super::representations::{bytes, matched};
 use homolog::worker::match_engine::MatchEngine;
 use homolog_formats::segmentation::{SegmentedFiles, write_segmentation};
-use homolog_formats::{DEFAULT_FRACTION, FileContent, ReadLimits, read_with, write_nifti, write_ply, write_zip};
+use homolog_formats::{FileContent, ReadLimits, read, write_nifti, write_ply, write_zip};
 use homolog_mesh::SurfaceMesh;
 use homolog_mesh::shapes::ellipsoid;
 use homolog_mesh::volume::LabelVolume;
@@ -135,11 +135,11 @@ async fn objects_are_made_for_the_study_that_a_request_names() {
     }
     // The segmentation lies on the grid of the target and encloses what the surface does.
     let object = bytes(&service, &format!("{job}/warped?format=dicom&{uids}")).await;
-    let read = read_with(&object, None, &ReadLimits::default(), DEFAULT_FRACTION).unwrap();
-    let FileContent::Labels(volume) = read.content else { panic!("labels are expected") };
+    let segmentation = read(&object, None, &ReadLimits::default()).unwrap();
+    let FileContent::Labels(volume) = segmentation.content else { panic!("labels are expected") };
     assert!(volume.spacing_mm().iter().all(|mm| (mm - 2.0).abs() < 1e-6), "{:?}", volume.spacing_mm());
     let warped = bytes(&service, &format!("{job}/warped")).await;
-    let FileContent::Mesh(file) = read_with(&warped, None, &ReadLimits::default(), 0.5).unwrap().content else {
+    let FileContent::Mesh(file) = read(&warped, None, &ReadLimits::default()).unwrap().content else {
         panic!("a surface is expected")
     };
     let enclosed = volume.labels().iter().filter(|label| **label != 0).count() as f64 * 8.0;

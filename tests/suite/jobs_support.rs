@@ -23,7 +23,12 @@ const KEYS: [&str; 9] = ["points", "step_ms", "fail", "panic", "abort", "deaf", 
 /// The verdict on the answers of the scripted engine.
 pub(crate) fn doubtful() -> Verdict {
     let surface_distance = SurfaceDistanceDocument { mean_mm: 0.5, p95_mm: 1.25, max_mm: 3.0 };
-    Verdict { reliable: Some(false), reasons: vec![UnreliableReason::AmbiguousPose], surface_distance }
+    Verdict {
+        reliable: Some(false),
+        reasons: vec![UnreliableReason::AmbiguousPose],
+        warnings: Vec::new(),
+        surface_distance,
+    }
 }
 
 /// Does what the parameters say.

@@ -15,6 +15,7 @@ mod dicom;
 mod docs;
 mod encryption;
 mod faults;
+mod field_inputs;
 mod field_readers;
 #[path = "../fixtures/mod.rs"]
 #[allow(dead_code, reason = "each test binary uses a part of it")]

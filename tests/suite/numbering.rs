@@ -343,6 +343,9 @@ impl Clean {
         let mut document = found.document.clone();
         document.timings_ms.clone_from(&self.answer.document.timings_ms);
         document.provenance = self.answer.document.provenance.clone();
+        // A mangled file has small pieces, and it is said that they were dropped.
+        assert!(document.warnings.iter().all(|warning| warning.reason.is_none()), "{:?}", document.warnings);
+        document.warnings.clone_from(&self.answer.document.warnings);
         assert_eq!(document, self.answer.document);
 
         let edge_mm = self.surfaces.each_ref().map(SurfaceMesh::mean_edge_length);

@@ -1,6 +1,7 @@
 //! Reports on an input: its format, its topology, the repairs made, and whether it can be matched.
 
 use crate::parameters::Repair;
+use crate::result::UnreliableReason;
 use homolog_mesh::topology::TopologyReport;
 
 /// Format of an input file.
@@ -137,6 +138,12 @@ pub struct InputReport {
     /// What was done to coordinates or values on reading, and whether the name promises another format: a sentence each.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub notes: Vec<String>,
+    /// What the file contradicts itself in, and what was dropped, joined, filled or smoothed away on the way to the surface.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
+    pub warnings: Vec<InputWarning>,
+    /// What the size of the voxels leaves unknown; absent for meshes.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+    pub sampling: Option<SamplingReport>,
 }
 
 /// A repair that changed the surface.
@@ -148,6 +155,29 @@ pub struct RepairNote {
     pub repair: Repair,
     /// One sentence that says what was changed, with numbers.
     pub detail: String,
+}
+
+/// What a file contradicts itself in, or what was dropped, joined, filled or smoothed away on the way to its surface.
+#[derive(Debug, Clone, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+pub struct InputWarning {
+    /// The reason for which an answer on this input is not reliable; absent if the warning alone is none.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+    pub reason: Option<UnreliableReason>,
+    /// One sentence that says what was done, with numbers, and what to do if it was not meant.
+    pub detail: String,
+}
+
+/// What the size of voxels leaves unknown about the surface that was made of them: standard deviations.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+pub struct SamplingReport {
+    /// Of the position of the surface along its normal, mm.
+    pub noise_mm: f64,
+    /// Of the rotation about the axis about which it is known least, by any method; 180 for surfaces that are round about it.
+    pub rotation_deg: f64,
 }
 
 /// The report of an inspection: the contents of an input, the surface that would be made of it, and whether that surface
@@ -179,6 +209,12 @@ pub struct Inspection {
     /// What was done to coordinates or values on reading, and whether the name promises another format: a sentence each.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub notes: Vec<String>,
+    /// What the file contradicts itself in, and what was dropped, joined, filled or smoothed away on the way to the surface.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
+    pub warnings: Vec<InputWarning>,
+    /// What the size of the voxels leaves unknown; absent for meshes.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+    pub sampling: Option<SamplingReport>,
     /// Whether a match would accept the input.
     pub suitable: bool,
     /// Why a match would refuse it; absent if it would not.

@@ -1,7 +1,7 @@
 //! The result document of a match, in the form in which the service and the command line print it.
 
 use super::parameters::MatchParameters;
-use crate::input::InputReport;
+use crate::input::{InputReport, InputWarning};
 use std::fmt::Write;
 
 /// The result of a match. Lengths are in mm; angles are in degrees where the name ends in `_deg`.
@@ -33,6 +33,10 @@ pub struct ResultDocument {
     /// Whether the answer can be relied on; absent where no displacement field was fitted.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub reliability: Option<ReliabilityDocument>,
+    /// What was found in the inputs and done to them, each sentence with the input before it, and what holds for the pair.
+    /// The reasons among them are in `reliability.reasons` too.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
+    pub warnings: Vec<InputWarning>,
     /// Whether two semi-axes of a first-order ellipsoid are so nearly equal that the rotation about the third is arbitrary.
     #[cfg_attr(feature = "serde", serde(default))]
     pub ambiguous_axes: bool,
@@ -216,7 +220,23 @@ pub enum UnreliableReason {
     OtherHandedness,
     /// Another pose fits as well.
     AmbiguousPose,
+    /// An input states two orientations of different handedness: left and right may be exchanged.
+    UncertainSide,
+    /// The sizes differ by the ratio of two units of length, such as 10, 25.4 or 1000.
+    UnitsDiffer,
+    /// A piece of at least 5 % of a structure was dropped, without having been asked for.
+    PieceDropped,
+    /// Labels of one input were joined, without having been asked for, and the other input has other labels.
+    LabelsJoined,
+    /// A structure had cavities of at least 5 % of its volume, or closing them and its tunnels changed as much, without having been
+    /// asked for.
+    CavityFilled,
+    /// The voxels are so large for the structure that they leave its rotation uncertain.
+    TooCoarse,
 }
+
+/// Factor on the confidences of an answer that is not reliable.
+pub const UNRELIABLE_CONFIDENCE: f64 = 0.1;
 
 /// Where a pose comes from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

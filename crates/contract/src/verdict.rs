@@ -1,7 +1,9 @@
 //! Whether an answer can be relied on: in short, for lists of jobs, and in words, for people.
 
+use crate::input::InputWarning;
 use crate::result::{
-    DeformationDocument, ResultDocument, SimilarityDocument, SurfaceDistanceDocument, UnreliableReason,
+    DeformationDocument, ResultDocument, SimilarityDocument, SurfaceDistanceDocument, UNRELIABLE_CONFIDENCE,
+    UnreliableReason,
 };
 
 /// The verdict on an answer, with the distance between the registered surfaces.
@@ -13,18 +15,49 @@ pub struct Verdict {
     pub reliable: Option<bool>,
     /// The reasons to doubt it.
     pub reasons: Vec<UnreliableReason>,
+    /// What was found in the inputs and done to them that bears on the answer, a sentence each.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
+    pub warnings: Vec<String>,
     /// Symmetric distance between the registered surfaces.
     pub surface_distance: SurfaceDistanceDocument,
 }
 
 impl ResultDocument {
-    /// Whether this answer can be relied on.
+    /// Whether this answer can be relied on: what was found by matching, and what was done to the inputs.
     pub fn verdict(&self) -> Verdict {
-        Verdict {
-            reliable: self.reliability.as_ref().map(|found| found.reliable),
-            reasons: self.reliability.as_ref().map(|found| found.reasons.clone()).unwrap_or_default(),
-            surface_distance: self.surface_distance.clone(),
+        let found = self.reliability.as_ref();
+        let mut reasons = found.map(|found| found.reasons.clone()).unwrap_or_default();
+        for reason in self.warnings.iter().filter_map(|warning| warning.reason) {
+            if !reasons.contains(&reason) {
+                reasons.push(reason);
+            }
         }
+        // A method that checks nothing finds nothing to doubt, but a reason is one whichever method matched.
+        let reliable = if reasons.is_empty() { found.map(|found| found.reliable) } else { Some(false) };
+        let warnings = self.warnings.iter().map(|warning| warning.detail.clone()).collect();
+        Verdict { reliable, reasons, warnings, surface_distance: self.surface_distance.clone() }
+    }
+
+    /// Takes note of `warnings`: their reasons make the answer unreliable, and lower its confidences if it was reliable so far.
+    pub fn warn(&mut self, warnings: Vec<InputWarning>) {
+        let reasons = warnings.iter().filter_map(|warning| warning.reason);
+        if let Some(found) = &mut self.reliability {
+            let was_reliable = found.reliable;
+            for reason in reasons {
+                if !found.reasons.contains(&reason) {
+                    found.reasons.push(reason);
+                }
+                found.reliable = false;
+            }
+            if was_reliable && !found.reliable {
+                let mut next = self.correspondences.as_mut();
+                while let Some(columns) = next {
+                    columns.confidence.iter_mut().for_each(|confidence| *confidence *= UNRELIABLE_CONFIDENCE);
+                    next = columns.inverse.as_deref_mut();
+                }
+            }
+        }
+        self.warnings.extend(warnings);
     }
 }
 
@@ -77,6 +110,12 @@ impl UnreliableReason {
             UnreliableReason::UnlikeShape => "unlike_shape",
             UnreliableReason::OtherHandedness => "other_handedness",
             UnreliableReason::AmbiguousPose => "ambiguous_pose",
+            UnreliableReason::UncertainSide => "uncertain_side",
+            UnreliableReason::UnitsDiffer => "units_differ",
+            UnreliableReason::PieceDropped => "piece_dropped",
+            UnreliableReason::LabelsJoined => "labels_joined",
+            UnreliableReason::CavityFilled => "cavity_filled",
+            UnreliableReason::TooCoarse => "too_coarse",
         }
     }
 
@@ -89,6 +128,24 @@ impl UnreliableReason {
             }
             UnreliableReason::OtherHandedness => "A mirror image of the source fits the target better.",
             UnreliableReason::AmbiguousPose => "Another pose, turned by 45 degrees or more, fits as well.",
+            UnreliableReason::UncertainSide => {
+                "A file states two orientations of different handedness: left and right may be exchanged."
+            }
+            UnreliableReason::UnitsDiffer => {
+                "One surface is larger than the other by the ratio of two units of length, such as 10, 25.4 or 1000."
+            }
+            UnreliableReason::PieceDropped => {
+                "A structure is in several pieces, and one that was dropped has 5 % or more of its volume."
+            }
+            UnreliableReason::LabelsJoined => {
+                "Several labels of one input were joined, because none were chosen, and the other input has other labels."
+            }
+            UnreliableReason::CavityFilled => {
+                "A structure had cavities of 5 % or more of its volume, or closing them and its tunnels changed as much."
+            }
+            UnreliableReason::TooCoarse => {
+                "The voxels are so large for the structure that they leave its rotation uncertain."
+            }
         }
     }
 
@@ -102,6 +159,24 @@ impl UnreliableReason {
             UnreliableReason::AmbiguousPose => {
                 "Is the shape nearly symmetric? Landmarks (parameter landmarks) decide between the poses."
             }
+            UnreliableReason::UncertainSide => {
+                "Which orientation of the file is right? Write it into both places (sform and qform)."
+            }
+            UnreliableReason::UnitsDiffer => {
+                "Are both files in millimetres? Scale one of them, or state its unit in the file."
+            }
+            UnreliableReason::PieceDropped => {
+                "Are left and right one label, or several structures? Choose the labels of one (input.labels), or name the \
+                 repair largest_component (input.repair) to confirm that the rest is not meant."
+            }
+            UnreliableReason::LabelsJoined => "Which labels are the structure? Choose them (input.labels).",
+            UnreliableReason::CavityFilled => {
+                "Is the label a wall around something else? Name the repair fill (input.repair) to confirm that the inside \
+                 belongs to the structure."
+            }
+            UnreliableReason::TooCoarse => {
+                "Is there a segmentation of smaller voxels? Interpolating this one adds nothing."
+            }
         }
     }
 }
@@ -112,8 +187,12 @@ mod tests {
 
     #[test]
     fn names_are_those_of_json() {
-        use UnreliableReason::{AmbiguousPose, OtherHandedness, UnlikeShape};
-        for reason in [UnlikeShape, OtherHandedness, AmbiguousPose] {
+        use UnreliableReason::{
+            AmbiguousPose, CavityFilled, LabelsJoined, OtherHandedness, PieceDropped, TooCoarse, UncertainSide,
+            UnitsDiffer, UnlikeShape,
+        };
+        let of_inputs = [PieceDropped, LabelsJoined, CavityFilled, TooCoarse, UncertainSide, UnitsDiffer];
+        for reason in [UnlikeShape, OtherHandedness, AmbiguousPose].into_iter().chain(of_inputs) {
             assert_eq!(serde_json::to_value(reason).unwrap(), reason.name());
         }
     }

@@ -38,11 +38,14 @@ pub(super) fn content<'a>(bytes: &'a [u8], limits: &ReadLimits) -> Result<Conten
     let mut left = limits.max_inflated_bytes;
     let (mut instances, mut others) = (Vec::new(), Vec::new());
     let (mut n_others, mut n_dicom) = (0, 0);
+    let mut document = None;
     for entry in entries(bytes)? {
         let entry = entry?;
         if !entry.is_file() {
             continue;
         }
+        // Formats that are archives by themselves are named by what they must hold.
+        document = document.or_else(|| packed_format(entry.name));
         let inflated = entry.inflated(bytes, left, limits.max_inflated_bytes)?;
         left -= inflated.len();
         let whole = is_dicom(&inflated);
@@ -60,6 +63,9 @@ pub(super) fn content<'a>(bytes: &'a [u8], limits: &ReadLimits) -> Result<Conten
     if !instances.is_empty() {
         return Ok(Content::Instances(instances, n_others));
     }
+    if let Some((what, advice)) = document {
+        return Err(FormatError::Unsupported { what, advice });
+    }
     match others.pop() {
         Some((file, name)) if n_others == 1 => Ok(Content::File(file, name)),
         Some(_) if n_dicom > 0 => Err(FormatError::Unsupported {
@@ -72,6 +78,27 @@ pub(super) fn content<'a>(bytes: &'a [u8], limits: &ReadLimits) -> Result<Conten
         }),
         None => Err(FormatError::Unsupported { what: "a zip archive without files", advice: "send a file" }),
     }
+}
+
+/// The format of which an archive is that has an entry of this name, and what to send instead.
+fn packed_format(name: &[u8]) -> Option<(&'static str, &'static str)> {
+    const IN_MILLIMETRES: &str =
+        "export the surface as STL, PLY or OBJ in millimetres, whatever the unit of the model is";
+    let name = String::from_utf8_lossy(name).to_ascii_lowercase();
+    let ends = |ending: &str| name.ends_with(ending);
+    Some(match name.as_str() {
+        _ if ends(".model") && name.contains("3d/") => ("3MF", IN_MILLIMETRES),
+        _ if ends(".usdc") || ends(".usda") => ("USD", IN_MILLIMETRES),
+        _ if ends(".mrml") => {
+            ("a scene of 3D Slicer (.mrb)", "save the segmentation as .seg.nrrd or the model as .vtp, and send that")
+        }
+        "word/document.xml" | "xl/workbook.xml" | "ppt/presentation.xml" => {
+            ("an office document", "send a surface or a label volume")
+        }
+        _ if ends(".npy") => ("an archive of NumPy (.npz)", "save the labels as NIfTI, with their affine (nibabel)"),
+        ".zattrs" | ".zgroup" => ("Zarr", "save the labels as NIfTI or NRRD"),
+        _ => return None,
+    })
 }
 
 /// The bytes of an input without compression; of an archive of segmentations, one instance, always the

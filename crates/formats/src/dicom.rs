@@ -1,4 +1,5 @@
-//! DICOM data sets: files of part 10 in the explicit, implicit and deflated little-endian encodings.
+//! DICOM data sets: files of part 10 in the explicit, implicit and deflated little-endian encodings, also without their preamble,
+//! and data sets alone, as old programs store them: then the first elements tell the encoding.
 //!
 //! Source: DICOM PS3.5, sections 7 and A, and PS3.10, section 7. Written by hand because a value's length must be held
 //! against the bytes that are there before memory is taken for it. Values stay slices of the file; names are not known.
@@ -17,9 +18,40 @@ pub(super) const SOP_CLASS: u32 = 0x0008_0016;
 pub(super) const SOP_INSTANCE: u32 = 0x0008_0018;
 const TRANSFER_SYNTAX: u32 = 0x0002_0010;
 
-/// Whether these are the first bytes of a file of part 10.
+/// Whether these are the first bytes of a DICOM object: a file of part 10, with its preamble or without, or a data set alone.
 pub(super) fn is_dicom(bytes: &[u8]) -> bool {
-    bytes.get(128..132) == Some(b"DICM")
+    bytes.get(128..132) == Some(MAGIC) || bytes.starts_with(MAGIC) || begins_with_elements(bytes)
+}
+
+const MAGIC: &[u8] = b"DICM";
+/// Elements that are looked at where nothing else says that a file is DICOM.
+const MIN_ELEMENTS: usize = 4;
+
+/// Whether the first elements are those of a file without preamble: of the groups 2 and 8, ascending, with lengths that a file
+/// can have.
+fn begins_with_elements(bytes: &[u8]) -> bool {
+    let mut reader = Reader { bytes, at: 0, explicit: is_explicit(bytes) };
+    let mut last = 0;
+    for k in 0..MIN_ELEMENTS {
+        let Some(tag) = reader.peek_tag() else { return false };
+        let group = tag >> 16;
+        let begins = k > 0 || group == 2 || group == 8;
+        if !begins || ![2, 8, 0x10, 0x18, 0x20, 0x28, 0x62].contains(&group) || tag <= last && k > 0 {
+            return false;
+        }
+        // Elements of the group of meta information are always explicit.
+        reader.explicit = group == 2 || is_explicit(&reader.bytes[reader.at..]);
+        if reader.element(0).is_err() {
+            return false;
+        }
+        last = tag;
+    }
+    true
+}
+
+/// Whether an element states its representation: two capital letters after its tag.
+fn is_explicit(bytes: &[u8]) -> bool {
+    bytes.get(4..6).is_some_and(|letters| letters.iter().all(u8::is_ascii_uppercase))
 }
 
 /// How pixel data are stored.
@@ -37,7 +69,10 @@ pub(super) fn read_file<'a>(
     inflated: &'a mut Vec<u8>,
     limit: usize,
 ) -> Result<(DataSet<'a>, PixelEncoding), FormatError> {
-    let meta_start = bytes.get(132..).unwrap_or_default();
+    let meta_start = match bytes.get(128..132) == Some(MAGIC) {
+        true => &bytes[132..],
+        false => bytes.strip_prefix(MAGIC).unwrap_or(bytes),
+    };
     let mut meta = Reader { bytes: meta_start, at: 0, explicit: true };
     let mut syntax = "";
     // The group of meta information, always explicit and little-endian.
@@ -48,7 +83,10 @@ pub(super) fn read_file<'a>(
         }
     }
     let rest = &meta_start[meta.at..];
+    let unsupported = |what, advice| Err(FormatError::Unsupported { what, advice });
     let (bytes, explicit, pixels) = match syntax {
+        // Not stated.
+        "" => (rest, is_explicit(rest), PixelEncoding::Native),
         "1.2.840.10008.1.2" => (rest, false, PixelEncoding::Native),
         "1.2.840.10008.1.2.1" => (rest, true, PixelEncoding::Native),
         "1.2.840.10008.1.2.5" => (rest, true, PixelEncoding::Rle),
@@ -58,15 +96,28 @@ pub(super) fn read_file<'a>(
             decoder.read_to_end(inflated).map_err(|_| damaged())?;
             (inflated.as_slice(), true, PixelEncoding::Native)
         }
+        "1.2.840.10008.1.2.2" => {
+            let advice = "it is retired; save the object as explicit VR little endian (dcmconv +te)";
+            return unsupported("the big-endian transfer syntax of DICOM", advice);
+        }
         _ => {
-            return Err(FormatError::Unsupported {
-                what: "this DICOM transfer syntax",
-                advice: "save the object as explicit VR little endian, not compressed (dcmdjpeg or gdcmconv --raw)",
-            });
+            let advice = "save the object as explicit VR little endian, not compressed (dcmdjpeg or gdcmconv --raw)";
+            return unsupported("this DICOM transfer syntax", advice);
         }
     };
     let mut reader = Reader { bytes, at: 0, explicit };
-    Ok((reader.data_set(bytes.len(), 0)?, pixels))
+    let mut set = DataSet::default();
+    while reader.at < bytes.len() {
+        if set.get(super::dicom_seg::PIXEL_DATA).is_some()
+            && reader.peek_tag().is_none_or(|tag| tag <= super::dicom_seg::PIXEL_DATA)
+        {
+            let rest = &bytes[reader.at..];
+            set.n_trailing = if rest.iter().all(|&byte| byte == 0) { 0 } else { rest.len() };
+            break;
+        }
+        set.elements.push(reader.element(0)?);
+    }
+    Ok((set, pixels))
 }
 
 fn damaged() -> FormatError {
@@ -77,6 +128,8 @@ fn damaged() -> FormatError {
 #[derive(Debug, Default)]
 pub(super) struct DataSet<'a> {
     elements: Vec<DataElement<'a>>,
+    /// Bytes after the pixel data that are no element, since tags ascend, nor zeros.
+    pub(super) n_trailing: usize,
 }
 
 #[derive(Debug)]
@@ -282,13 +335,19 @@ impl<'a> Reader<'a> {
     }
 }
 
-/// A frame of `n_bytes` bytes of 8-bit samples, from run lengths (PS3.5, annex G). `None` if they are damaged.
-pub(super) fn rle_frame(fragment: &[u8], n_bytes: usize) -> Option<Vec<u8>> {
+/// A frame of `n` samples of `size` bytes, little-endian, from run lengths (PS3.5, annex G), where each byte of the samples has
+/// a segment of its own, the highest first. `None` if they are damaged.
+pub(super) fn rle_frame(fragment: &[u8], n: usize, size: usize) -> Option<Vec<u8>> {
     let word = |at: usize| fragment.get(at..at + 4).map(|b| u32::from_le_bytes([b[0], b[1], b[2], b[3]]) as usize);
-    if word(0)? != 1 {
+    if word(0)? != size {
         return None;
     }
-    let mut rest = fragment.get(word(4)?..)?;
+    let planes: Option<Vec<Vec<u8>>> = (0..size).map(|k| rle_segment(fragment.get(word(4 + 4 * k)?..)?, n)).collect();
+    let planes = planes?;
+    Some((0..n * size).map(|at| planes[size - 1 - at % size][at / size]).collect())
+}
+
+fn rle_segment(mut rest: &[u8], n_bytes: usize) -> Option<Vec<u8>> {
     let mut plain = Vec::new();
     while plain.len() < n_bytes {
         let (&control, after) = rest.split_first()?;

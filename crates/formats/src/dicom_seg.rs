@@ -1,13 +1,14 @@
 //! DICOM segmentations (SEG) in one file or several: binary, fractional and label maps, of one or many segments.
 //!
-//! Source: DICOM PS3.3, sections A.51 and C.8.20. The geometry is that of the functional groups of the frames. A frame that
-//! is missing for one segment but present for another is empty for it, as the standard allows; where the stack of all
-//! frames has a gap, the file is refused, because nothing says whether the structure is absent there or the frame was lost.
-//! Segments may overlap. Coordinates are LPS and are converted to RAS.
+//! Source: DICOM PS3.3, sections A.51 and C.8.20. The geometry is that of the functional groups of the frames. Writers leave
+//! out empty frames, as the standard allows: the frames lie on a regular stack, and where it has no frame of a segment, the
+//! segment is absent. A note says how many slices between the frames of the chosen segments have none, since a lost frame
+//! looks the same. Frames of other segments that lie elsewhere are left out. Segments may overlap. Coordinates are LPS and are
+//! converted to RAS.
 
 use super::dicom::{DataSet, PixelEncoding, SOP_CLASS, SOP_INSTANCE, read_file, rle_frame};
 use super::label_file::{LabelFile, Overlay};
-use super::{FormatError, ReadLimits, lps};
+use super::{FormatError, ReadLimits, ReadOptions, lps};
 use homolog_contract::input::InputSpace;
 use nalgebra::{Matrix4, Vector3};
 use std::borrow::Cow;
@@ -39,16 +40,16 @@ const PLACE_TOLERANCE: f64 = 0.05;
 
 /// Reads a label volume whose labels are the numbers of the segments, from one instance or from several of one grid, such as
 /// the parts of a series. Where instances number different segments alike, those of later ones get new numbers, and a note
-/// says so; parts of one concatenation share their numbers. `fraction` is the share of the largest value from which a voxel
-/// of a fractional segmentation belongs to a segment.
+/// says so; parts of one concatenation share their numbers.
 ///
 /// # Errors
-/// [`FormatError`]; other DICOM objects, segmentations of slides, frames that are not parallel or not equally spaced, and
-/// stacks with gaps are refused.
+/// [`FormatError`]; other DICOM objects, segmentations of slides, and frames of the chosen segments that are not parallel or not
+/// on a regular stack are refused.
 ///
 /// # Cost
 /// Linear in the number of voxels of all frames.
-pub fn read_dicom_seg(files: &[&[u8]], limits: &ReadLimits, fraction: f64) -> Result<LabelFile, FormatError> {
+pub fn read_dicom_seg(files: &[&[u8]], limits: &ReadLimits, options: &ReadOptions) -> Result<LabelFile, FormatError> {
+    let fraction = options.fraction;
     let mut inflated = vec![Vec::new(); files.len()];
     let each = limits.max_inflated_bytes / files.len().max(1);
     let mut instances = Vec::with_capacity(files.len());
@@ -65,21 +66,11 @@ pub fn read_dicom_seg(files: &[&[u8]], limits: &ReadLimits, fraction: f64) -> Re
     if instances.windows(2).any(|pair| frame_of_reference(&pair[0]) != frame_of_reference(&pair[1])) {
         return Err(of_different("frames of reference"));
     }
-    let groups: Vec<_> = instances
-        .iter()
-        .flat_map(|instance| {
-            let shared = instance.set.item(SHARED_GROUPS);
-            instance.set.items(FRAME_GROUPS).iter().map(move |frame| Groups { shared, frame })
-        })
-        .collect();
-    let stack = Stack::new(&groups)?;
-    let dims = [columns, rows, stack.n_frames];
-    let n_voxels = dims.iter().fold(1u64, |n, &d| n.saturating_mul(d as u64));
-    let limit = limits.max_inflated_bytes as u64;
-    if n_voxels.saturating_mul(4) > limit {
-        return Err(FormatError::TooLarge { what: "bytes of voxels", found: n_voxels.saturating_mul(4), limit });
-    }
     let mut notes = vec![lps::NOTE.to_owned()];
+    let n_trailing: usize = instances.iter().map(|instance| instance.set.n_trailing).sum();
+    if n_trailing > 0 {
+        notes.push(super::trailing_note(n_trailing));
+    }
     if instances.iter().any(|instance| matches!(instance.frames.kind, Kind::Fractional { .. })) {
         notes.push(format!(
             "the segmentation is fractional: voxels with at least {fraction} of the largest value belong to a segment"
@@ -98,26 +89,42 @@ pub fn read_dicom_seg(files: &[&[u8]], limits: &ReadLimits, fraction: f64) -> Re
             }
         }
     }
-    let mut overlay = Overlay::new(n_voxels as usize);
-    let mut places = stack.place.iter();
+    let mut placed = Vec::new();
     for instance in &instances {
         let shared = instance.set.item(SHARED_GROUPS);
-        for (k, group) in instance.set.items(FRAME_GROUPS).iter().enumerate() {
-            let first = places.next().copied().unwrap_or(0) * rows * columns;
-            let identification = [Some(group), shared].map(|set| set?.item(SEGMENT_IDENTIFICATION));
-            let segment = identification.into_iter().flatten().find_map(|s| s.short(0x0062_000b)).map(u32::from);
-            let segment = segment.filter(|&n| n > 0);
+        for frame in instance.set.items(FRAME_GROUPS) {
+            let groups = Groups { shared, frame };
+            let segment = groups.segment();
             if segment.is_none() && instance.frames.kind != Kind::LabelMap {
                 return Err(fault("segment of a frame", "missing".to_owned(), "each frame must name its segment"));
             }
+            placed.push((groups, segment.map(|number| numbers.label(&instance.owner, number))));
+        }
+    }
+    let is_chosen = |label: Option<u32>| label.is_none_or(|label| options.asks_for(label, names.get(&label)));
+    let stack = stack_of(&placed, &is_chosen, &mut notes)?;
+    let dims = [columns, rows, stack.n_frames];
+    let n_voxels = dims.iter().fold(1u64, |n, &d| n.saturating_mul(d as u64));
+    let limit = limits.max_inflated_bytes as u64;
+    if n_voxels.saturating_mul(4) > limit {
+        return Err(FormatError::TooLarge { what: "bytes of voxels", found: n_voxels.saturating_mul(4), limit });
+    }
+    let mut overlay = Overlay::new(n_voxels as usize);
+    let mut places = stack.place.iter().zip(&placed);
+    for instance in &instances {
+        for k in 0..instance.set.items(FRAME_GROUPS).len() {
+            let Some((Some(slice), (_, label))) = places.next() else { continue };
+            let first = slice * rows * columns;
             // Pixels of one label follow each other.
             let mut last = (0, 0);
             instance.frames.visit(k, &mut |at, value| {
-                let number = segment.unwrap_or(value);
-                if last.0 != number {
-                    last = (number, numbers.label(&instance.owner, number));
-                }
-                overlay.add(first + at, last.1)
+                let label = label.unwrap_or_else(|| {
+                    if last.0 != value {
+                        last = (value, numbers.label(&instance.owner, value));
+                    }
+                    last.1
+                });
+                overlay.add(first + at, label)
             })?;
         }
     }
@@ -128,7 +135,7 @@ pub fn read_dicom_seg(files: &[&[u8]], limits: &ReadLimits, fraction: f64) -> Re
         ));
     }
     let volume = overlay.volume(dims, lps::affine_to_ras(&stack.affine))?;
-    Ok(LabelFile { volume, space: InputSpace::Lps, names, notes })
+    Ok(LabelFile { volume, space: InputSpace::Lps, names, notes, warnings: Vec::new() })
 }
 
 /// Whether a file of part 10 is a segmentation.
@@ -208,6 +215,13 @@ struct Groups<'s, 'a> {
 }
 
 impl Groups<'_, '_> {
+    /// The number of the segment that the frame belongs to.
+    fn segment(&self) -> Option<u32> {
+        let identification = [Some(self.frame), self.shared].map(|set| set?.item(SEGMENT_IDENTIFICATION));
+        let number = identification.into_iter().flatten().find_map(|s| s.short(0x0062_000b));
+        number.map(u32::from).filter(|&n| n > 0)
+    }
+
     fn numbers(&self, sequence: u32, tag: u32) -> Vec<f64> {
         let own = self.frame.item(sequence).map(|item| item.numbers(tag)).filter(|v| !v.is_empty());
         own.or_else(|| self.shared?.item(sequence).map(|item| item.numbers(tag))).unwrap_or_default()
@@ -248,10 +262,49 @@ fn check_class(set: &DataSet<'_>) -> Result<(), FormatError> {
     Err(FormatError::Unsupported { what, advice })
 }
 
+/// The stack of all frames, or, where they lie on none, of those of the chosen segments, whose labels `is_chosen` knows.
+fn stack_of(
+    placed: &[(Groups<'_, '_>, Option<u32>)],
+    is_chosen: &dyn Fn(Option<u32>) -> bool,
+    notes: &mut Vec<String>,
+) -> Result<Stack, FormatError> {
+    let groups = |only_chosen: bool| -> Vec<_> {
+        placed.iter().filter(|(_, label)| !only_chosen || is_chosen(*label)).map(|(groups, _)| *groups).collect()
+    };
+    let n_chosen = placed.iter().filter(|(_, label)| is_chosen(*label)).count();
+    let stack = match Stack::new(&groups(false)) {
+        Err(_) if (1..placed.len()).contains(&n_chosen) => {
+            let found = Stack::new(&groups(true))?;
+            let n_left_out = placed.len() - n_chosen;
+            notes.push(format!(
+                "the frames of other segments do not lie on the stack of the chosen ones, and were left out: {n_left_out} frames"
+            ));
+            let mut of_chosen = found.place.iter().copied();
+            let place =
+                placed.iter().map(|(_, label)| if is_chosen(*label) { of_chosen.next()? } else { None }).collect();
+            Stack { place, ..found }
+        }
+        found => found?,
+    };
+    let chosen = stack.place.iter().zip(placed).filter(|(_, (_, label))| is_chosen(*label));
+    let slices: BTreeSet<usize> = chosen.filter_map(|(slice, _)| *slice).collect();
+    if let (Some(first), Some(last)) = (slices.first(), slices.last()) {
+        let n_between = last - first + 1;
+        let n_missing = n_between - slices.len();
+        if n_missing > 0 {
+            notes.push(format!(
+                "{n_missing} of the {n_between} slices from the first frame of the chosen segments to the last have no frame; \
+                 they are taken as empty"
+            ));
+        }
+    }
+    Ok(stack)
+}
+
 /// Where the frames lie.
 struct Stack {
-    /// Slice of each frame.
-    place: Vec<usize>,
+    /// Slice of each frame; `None` for frames that are left out.
+    place: Vec<Option<usize>>,
     n_frames: usize,
     /// Voxels to LPS.
     affine: Matrix4<f64>,
@@ -304,43 +357,32 @@ impl Stack {
         let measured = |tag| group(&groups[0], PIXEL_MEASURES, tag).first().copied().filter(|&v| v > 0.0);
         let (between, thickness) = (measured(0x0018_0088), measured(0x0018_0050));
         let nominal = between.or(thickness).unwrap_or(1.0);
-        // Positions are rounded when they are written, so equal ones differ a little.
-        let steps = order.windows(2).map(|w| depth[w[1]] - depth[w[0]]).filter(|&s| s > PLACE_TOLERANCE * nominal);
-        let least = steps.fold(f64::INFINITY, f64::min);
-        let step = between.or(Some(least).filter(|s| s.is_finite())).or(thickness).unwrap_or(1.0);
         let (first, last) = (order[0], order[order.len() - 1]);
-        let mut place = vec![0; depth.len()];
-        let mut previous = 0;
-        for &k in &order {
-            let slices = (depth[k] - depth[first]) / step;
-            let slice = slices.round();
-            if (slices - slice).abs() > PLACE_TOLERANCE.max(1e-4 * slice) {
-                let value = format!("{slices:.2} slices of {step} mm from the first");
-                return Err(fault(
-                    "position of a frame",
-                    value,
-                    "frames must be equally spaced; resample the segmentation",
-                ));
-            }
-            if slice > f64::from(previous) + 1.0 {
-                let missing = slice - f64::from(previous) - 1.0;
-                let from = positions[order[place_index(&order, k) - 1]];
-                let to = positions[k];
-                let value = format!(
-                    "{missing} missing slices of {step} mm between the frames at ({}, {}, {}) and ({}, {}, {}) mm LPS",
-                    from.x, from.y, from.z, to.x, to.y, to.z
-                );
-                let advice = "the stack of frames must have no gap; write empty frames too (dcmqi: --skip 0, highdicom: \
-                              omit_empty_frames=False), or send each piece of the stack by itself";
-                return Err(fault("stack of frames", value, advice));
-            }
-            previous = slice as u32;
-            place[k] = slice as usize;
-        }
+        // Positions are rounded when they are written, so equal ones differ a little.
+        let gaps = order.windows(2).map(|w| depth[w[1]] - depth[w[0]]).filter(|&s| s > PLACE_TOLERANCE * nominal);
+        let gaps: Vec<f64> = gaps.collect();
+        let least = gaps.iter().copied().fold(f64::INFINITY, f64::min);
+        let slice = |step: f64, frame: usize| (depth[frame] - depth[first]) / step;
+        let stray = |step: f64| {
+            let slices = (0..depth.len()).map(|frame| slice(step, frame));
+            slices.into_iter().find(|s| (s - s.round()).abs() > PLACE_TOLERANCE.max(1e-4 * s.round()))
+        };
+        // As stated, else by the frames that are nearest to each other, else by their thickness.
+        let measured = [between, Some(least).filter(|s| s.is_finite()), thickness];
+        let fitting = measured.iter().flatten().copied().find(|&step| stray(step).is_none());
+        let Some(step) = fitting.or(gaps.is_empty().then_some(nominal)) else {
+            let step = measured.iter().flatten().copied().next().unwrap_or(nominal);
+            let value = format!("{:.2} slices of {step} mm from the first", stray(step).unwrap_or(0.0));
+            let advice = "frames must lie on a regular stack; resample the segmentation, or choose segments whose frames do \
+                          (input.labels)";
+            return Err(fault("position of a frame", value, advice));
+        };
+        let place: Vec<usize> = (0..depth.len()).map(|frame| slice(step, frame).round() as usize).collect();
+        let previous = place[last];
+        let n_frames = previous.saturating_add(1);
         // Frames may be sheared against each other, as with a tilted gantry.
-        let n_frames = previous as usize + 1;
         let along_stack =
-            if n_frames > 1 { (positions[last] - positions[first]) / f64::from(previous) } else { normal * step };
+            if n_frames > 1 { (positions[last] - positions[first]) / previous as f64 } else { normal * step };
         let mut affine = Matrix4::identity();
         let columns = [along_row * between_columns, along_column * between_rows, along_stack, positions[first]];
         for (k, column) in columns.iter().enumerate() {
@@ -357,12 +399,8 @@ impl Stack {
                 advice,
             });
         }
-        Ok(Stack { place, n_frames, affine })
+        Ok(Stack { place: place.into_iter().map(Some).collect(), n_frames, affine })
     }
-}
-
-fn place_index(order: &[usize], frame: usize) -> usize {
-    order.iter().position(|&k| k == frame).unwrap_or(1)
 }
 
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -415,7 +453,7 @@ impl<'a> Frames<'a> {
             Kind::Fractional { .. } => bits == 8,
             Kind::LabelMap => [8, 16].contains(&bits),
         };
-        if !valid || encoding == PixelEncoding::Rle && bits != 8 {
+        if !valid || encoding == PixelEncoding::Rle && bits == 1 {
             let advice = "a binary segmentation has 1 bit a pixel, a fractional one 8, a label map 8 or 16";
             return Err(fault("bits allocated", bits.to_string(), advice));
         }
@@ -463,7 +501,7 @@ impl<'a> Frames<'a> {
             FrameData::Native(bytes) => Cow::Borrowed(&bytes[frame * n * size..(frame + 1) * n * size]),
             FrameData::Rle(fragments) => {
                 let damaged = FormatError::Payload { format: "DICOM", line: None };
-                Cow::Owned(rle_frame(fragments[frame], n).ok_or(damaged)?)
+                Cow::Owned(rle_frame(fragments[frame], n, size).ok_or(damaged)?)
             }
         };
         let least = if let Kind::Fractional { threshold } = self.kind { threshold.max(1.0) } else { 1.0 };

@@ -64,6 +64,16 @@ impl Element {
         }
     }
 
+    /// One number as a real number; `raw` has as many bytes as it takes.
+    pub(super) fn real_of(self, raw: &[u8], order: ByteOrder) -> f64 {
+        self.real(little(raw, order))
+    }
+
+    /// One number as a whole number; `raw` has as many bytes as it takes.
+    pub(super) fn whole_of(self, raw: &[u8], order: ByteOrder) -> i64 {
+        self.whole(little(raw, order))
+    }
+
     /// The numbers of `raw` as real numbers; bytes after the last whole number are ignored.
     pub(super) fn reals(self, raw: &[u8], order: ByteOrder) -> Vec<f64> {
         raw.chunks_exact(self.size()).map(|b| self.real(little(b, order))).collect()
@@ -82,6 +92,20 @@ fn little(raw: &[u8], order: ByteOrder) -> [u8; 8] {
         b[..raw.len()].reverse();
     }
     b
+}
+
+/// What follows the part of a file that is read.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Rest {
+    pub(super) n_bytes: usize,
+    /// Whether all of it is zeros, as padding is.
+    pub(super) is_zero: bool,
+}
+
+impl Rest {
+    pub(super) fn of(bytes: &[u8]) -> Self {
+        Rest { n_bytes: bytes.len(), is_zero: bytes.iter().all(|&byte| byte == 0) }
+    }
 }
 
 /// The voxels of a volume as a file stores them: the first index fastest.
@@ -116,6 +140,22 @@ impl Voxels {
             return Err(FormatError::TooLarge { what: "bytes of voxels", found, limit: limit as u64 });
         }
         Ok(self.count() as usize * self.element.size())
+    }
+
+    /// Whether the bytes after those of the voxels may be dropped: they are none, zeros, or fewer than a slice. Else the sizes
+    /// in the header are wrong.
+    ///
+    /// Returns a note where bytes other than zeros are dropped.
+    ///
+    /// # Errors
+    /// `Overlong`.
+    pub(super) fn check_rest(&self, stated: usize, rest: Rest) -> Result<Option<String>, FormatError> {
+        let slice = self.dims[0].saturating_mul(self.dims[1]).saturating_mul(self.element.size());
+        match rest.n_bytes {
+            _ if rest.is_zero => Ok(None),
+            n if n < slice => Ok(Some(super::trailing_note(n))),
+            n => Err(FormatError::Overlong { what: "voxels", stated: stated as u64, found: (stated + n) as u64 }),
+        }
     }
 
     /// The labels of all voxels.

@@ -54,6 +54,41 @@ pub enum FormatError {
         /// Bytes there are.
         available: u64,
     },
+    /// A count of the header disagrees with what the file holds.
+    #[error(
+        "the header states {stated} {what}, but the file holds {found}; one of the two is wrong, so that a part would be lost: \
+         export the file again or repeat the upload"
+    )]
+    CountMismatch {
+        /// What is counted, plural.
+        what: &'static str,
+        /// How many the header states.
+        stated: u64,
+        /// How many there are, by the length of the file.
+        found: u64,
+    },
+    /// The file goes on after everything that its header states.
+    #[error(
+        "the header states {stated} bytes of {what}, but {found} bytes are there, and those beyond are not empty; the sizes in \
+         the header are wrong, or the file holds something else too: export it again"
+    )]
+    Overlong {
+        /// What the header describes.
+        what: &'static str,
+        /// Bytes that the header states.
+        stated: u64,
+        /// Bytes that are there.
+        found: u64,
+    },
+    /// Only the name of the file says which format it has, and the content is not of it.
+    #[error(
+        "the name promises {promised}, but the content is neither that nor another format that can be read; export it again, or \
+         repeat the download that it comes from"
+    )]
+    NotAsNamed {
+        /// The format that the name promises.
+        promised: &'static str,
+    },
     /// A line of text does not follow the format.
     #[error("line {line}: expected {expected}; export the file again with the program that wrote it")]
     Syntax {

@@ -1,7 +1,7 @@
 //! FreeSurfer surfaces (`lh.pial`, `rh.white`, ...): binary triangles, both kinds of binary quads, and ASCII (`.asc`).
 //!
 //! Source: FreeSurfer's `mrisurf_io` and the description of its file formats. Binary files are big-endian; what follows the
-//! faces (the geometry of the volume, the command line) is not read. Coordinates stay as they are: FreeSurfer's surface RAS
+//! faces (the geometry of the volume, the command line) is not read, unless it is further faces: then the count is wrong. Coordinates stay as they are: FreeSurfer's surface RAS
 //! ("tkregister"), whose origin is the center of the conformed volume. The quads of the old format are split as FreeSurfer
 //! splits them, by the parity of their first vertex.
 
@@ -18,12 +18,22 @@ const QUADS: [u8; 3] = [0xff, 0xff, 0xff];
 const NEW_QUADS: [u8; 3] = [0xff, 0xff, 0xfd];
 const ASCII: &[u8] = b"#!ascii";
 
+/// Begin of a list of vertices of a surface, which is no surface.
+const LABEL: &[u8] = b"#!ascii label";
+/// Most bytes of the lines that say who made a file and when.
+const STAMP_BYTES: usize = 4096;
+
+/// Whether this is a label of FreeSurfer: a list of vertices of a surface.
+pub(super) fn is_label(bytes: &[u8]) -> bool {
+    bytes.starts_with(LABEL)
+}
+
 /// Whether these are the first bytes of a surface.
 pub(super) fn is_freesurfer(bytes: &[u8]) -> bool {
     // A patch begins with four such bytes; no surface has as many vertices as its fourth would then mean.
     let is_patch = bytes.starts_with(&[0xff; 4]);
     let is_binary = [&TRIANGLES, &QUADS, &NEW_QUADS].iter().any(|magic| bytes.starts_with(*magic));
-    is_binary && !is_patch || bytes.starts_with(ASCII)
+    is_binary && !is_patch || bytes.starts_with(ASCII) && !is_label(bytes)
 }
 
 /// Reads a mesh of triangles.
@@ -34,8 +44,13 @@ pub(super) fn is_freesurfer(bytes: &[u8]) -> bool {
 /// # Cost
 /// Linear in the file's length.
 pub fn read_freesurfer(bytes: &[u8], limits: &ReadLimits) -> Result<MeshFile, FormatError> {
+    let mut trailing = None;
     let polygons = match bytes.first_chunk::<3>() {
-        _ if bytes.starts_with(ASCII) => ascii(bytes, limits)?,
+        _ if !bytes.starts_with(&[0xff]) => {
+            let (polygons, note) = ascii(bytes, limits)?;
+            trailing = note;
+            polygons
+        }
         Some(&TRIANGLES) => triangles(bytes, limits)?,
         Some(&QUADS) if is_curvature(bytes) => {
             return Err(FormatError::Unsupported {
@@ -51,6 +66,7 @@ pub fn read_freesurfer(bytes: &[u8], limits: &ReadLimits) -> Result<MeshFile, Fo
     let note = "coordinates are FreeSurfer's surface RAS (tkregister), as stored; scanner RAS differs by the c_ras of the volume";
     file.space = homolog_contract::input::InputSpace::FreesurferRas;
     file.notes.push(note.to_owned());
+    file.notes.extend(trailing);
     Ok(file)
 }
 
@@ -64,12 +80,10 @@ fn is_curvature(bytes: &[u8]) -> bool {
 }
 
 fn triangles(bytes: &[u8], limits: &ReadLimits) -> Result<Polygons, FormatError> {
-    let mut scanner = Scanner::new(bytes.get(3..).unwrap_or_default());
-    // Two lines of free text: who made the file and when. Usually the second is empty.
-    scanner.line();
-    scanner.line();
+    let mut scanner = after_stamp(bytes.get(3..).unwrap_or_default())?;
     let counts = Element::I32.wholes(scanner.take(2, 4, "the counts of vertices and faces")?, ByteOrder::Big);
-    let [n_vertices, n_faces] = [counts[0], counts[1]].map(|n| u64::try_from(n).unwrap_or(u64::MAX));
+    let [n_vertices, n_faces] = counts[..2] else { return Err(scanner.expected("the counts of vertices and faces")) };
+    let [n_vertices, n_faces] = checked_counts([n_vertices, n_faces])?;
     Polygons::check_faces(n_faces, limits)?;
     let mut polygons = Polygons::default();
     points(&mut polygons, &mut scanner, n_vertices, Element::F32, 1.0, limits)?;
@@ -77,7 +91,77 @@ fn triangles(bytes: &[u8], limits: &ReadLimits) -> Result<Polygons, FormatError>
     for face in Element::I32.wholes(corners, ByteOrder::Big).chunks_exact(3) {
         polygons.push(face.iter().copied())?;
     }
+    // Further faces mean that the count is wrong.
+    let rest = scanner.rest();
+    let corners = Element::I32.wholes(rest, ByteOrder::Big);
+    let is_face = |face: &&[i64]| face.iter().all(|v| (0..n_vertices as i64).contains(v)) && face[0] != face[1];
+    let n_more = corners.chunks_exact(3).take_while(is_face).count() as u64;
+    if n_more > 0 && !are_tags(rest) {
+        return Err(FormatError::CountMismatch { what: "faces", stated: n_faces, found: n_faces + n_more });
+    }
     Ok(polygons)
+}
+
+/// Whether this is what FreeSurfer writes after the faces: tags, of which some have a length and others are known.
+fn are_tags(mut rest: &[u8]) -> bool {
+    const REAL_RAS: i64 = 2;
+    const GEOMETRY: i64 = 20;
+    loop {
+        // Less than a tag is padding.
+        let Some(tag) = rest.get(..4) else { return true };
+        let tag = Element::I32.whole_of(tag, ByteOrder::Big);
+        let begin = match tag {
+            REAL_RAS => 8,
+            // Text, which further tags may follow.
+            GEOMETRY => return rest[4..].iter().take(64).all(|byte| (b' '..0x7f).contains(byte) || *byte == b'\n'),
+            1..1000 => 12,
+            _ => return rest.iter().all(|&byte| byte == 0),
+        };
+        let length =
+            if begin == 12 { rest.get(4..12).map(|raw| Element::I64.whole_of(raw, ByteOrder::Big)) } else { Some(0) };
+        let after = length.and_then(|n| rest.get(begin + usize::try_from(n).ok()?..));
+        match after {
+            Some(after) => rest = after,
+            None => return false,
+        }
+    }
+}
+
+fn checked_counts(counts: [i64; 2]) -> Result<[u64; 2], FormatError> {
+    let valid = counts.iter().all(|&n| n >= 0);
+    valid.then(|| counts.map(|n| n as u64)).ok_or_else(|| FormatError::Header {
+        field: "counts of vertices and faces",
+        value: format!("{counts:?}"),
+        advice: "they must not be negative; the file is damaged, or no surface",
+    })
+}
+
+/// What follows the free text that says who made the file and when. FreeSurfer writes a line and an empty one, and skips all
+/// white space after the first line when it reads; others take exactly two lines, of which the second may hold text. The
+/// first of these places after which the counts fit the length of the file is taken.
+fn after_stamp(bytes: &[u8]) -> Result<Scanner<'_>, FormatError> {
+    let mut first = Scanner::new(bytes);
+    first.line();
+    let mut second = first.clone();
+    second.line();
+    first.skip_blanks();
+    let mut places = vec![first.clone(), second.clone()];
+    // Further lines of text.
+    while bytes.len() - second.remaining() < STAMP_BYTES && second.peek_line().iter().all(|b| (b' '..0x7f).contains(b))
+    {
+        if second.line().is_none() {
+            break;
+        }
+        places.push(second.clone());
+    }
+    let fits = |place: &&Scanner<'_>| {
+        let Ok(counts) = Scanner::clone(place).take(2, 4, "the counts") else { return false };
+        let counts = Element::I32.wholes(counts, ByteOrder::Big);
+        let needed = counts.iter().map(|&n| u64::try_from(n).unwrap_or(u64::MAX).saturating_mul(12));
+        let needed = needed.fold(8u64, u64::saturating_add);
+        counts.iter().all(|&n| n > 0) && needed <= place.remaining() as u64
+    };
+    Ok(places.iter().find(fits).cloned().unwrap_or(first))
 }
 
 fn points(
@@ -99,7 +183,7 @@ fn quads(bytes: &[u8], element: Element, scale: f64, limits: &ReadLimits) -> Res
     let mut scanner = Scanner::new(bytes.get(3..).unwrap_or_default());
     let three = |b: &[u8]| i64::from(b[0]) << 16 | i64::from(b[1]) << 8 | i64::from(b[2]);
     let counts = scanner.take(2, 3, "the counts of vertices and faces")?;
-    let [n_vertices, n_faces] = [three(counts), three(&counts[3..])];
+    let [n_vertices, n_faces] = checked_counts([three(counts), three(&counts[3..])])?.map(|n| n as i64);
     Polygons::check_faces(n_faces as u64, limits)?;
     let mut polygons = Polygons::default();
     points(&mut polygons, &mut scanner, n_vertices as u64, element, scale, limits)?;
@@ -113,9 +197,11 @@ fn quads(bytes: &[u8], element: Element, scale: f64, limits: &ReadLimits) -> Res
 
 /// A comment, the two counts, then a line for each vertex (three coordinates) and each face (three indices), each with a
 /// further number that says whether it belongs to a patch.
-fn ascii(bytes: &[u8], limits: &ReadLimits) -> Result<Polygons, FormatError> {
+fn ascii(bytes: &[u8], limits: &ReadLimits) -> Result<(Polygons, Option<String>), FormatError> {
     let mut scanner = Scanner::new(bytes);
-    scanner.line();
+    if bytes.starts_with(b"#") {
+        scanner.text_line();
+    }
     let n_vertices: u64 = scanner.number("the number of vertices")?;
     let n_faces: u64 = scanner.number("the number of faces")?;
     Polygons::check_count(n_vertices, limits)?;
@@ -124,9 +210,9 @@ fn ascii(bytes: &[u8], limits: &ReadLimits) -> Result<Polygons, FormatError> {
     for _ in 0..n_vertices {
         let mut p = Point3::origin();
         for c in p.iter_mut() {
-            *c = scanner.number("a coordinate")?;
+            *c = scanner.real("a coordinate")?;
         }
-        scanner.number::<f64>("the patch number of a vertex")?;
+        scanner.real("the patch number of a vertex")?;
         polygons.vertices.push(p);
     }
     for _ in 0..n_faces {
@@ -134,8 +220,10 @@ fn ascii(bytes: &[u8], limits: &ReadLimits) -> Result<Polygons, FormatError> {
         for corner in &mut face {
             *corner = scanner.number("a vertex index")?;
         }
-        scanner.number::<f64>("the patch number of a face")?;
+        scanner.real("the patch number of a face")?;
         polygons.push(face)?;
     }
-    Ok(polygons)
+    // Four numbers for each face.
+    let note = scanner.check_end("faces", n_faces, 4)?;
+    Ok((polygons, note))
 }

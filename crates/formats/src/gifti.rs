@@ -3,18 +3,24 @@
 //! Source: "GIFTI Surface Data Format", version 1.0 (Geometry Data Format Working Group, 2011). `GZipBase64Binary` is,
 //! despite its name, a zlib stream.
 //!
+//! **Names.** Attributes are read as the standard writes them (`Base64Binary`), as the C library names its constants
+//! (`GIFTI_ENCODING_B64BIN`) and, for intents and types, as their numbers in NIfTI; the case of letters does not matter.
+//!
 //! **Coordinates.** A pointset may have a `CoordinateSystemTransformMatrix`. The standard defines the stored numbers as
-//! coordinates in `DataSpace`, and the matrix as the map from there to `TransformedSpace`. A matrix that is not the identity
-//! is applied on reading, so that surfaces are in the space that the file names as its goal, and the report says so. Of
-//! several matrices the first counts. FreeSurfer's geometry of the volume (`VolGeom...` in the metadata) is not applied.
+//! coordinates in `DataSpace`, and the matrix as the map from there to `TransformedSpace`. A rigid matrix is applied on reading,
+//! so that surfaces are in the space that the file names as its goal, and the report says so. Another one, such as the affine map
+//! to Talairach coordinates that FreeSurfer writes, would change shape and size: it is applied only if that is asked for, and
+//! the report says what it is. Of several matrices the first counts. FreeSurfer's geometry of the volume (`VolGeom...` in the
+//! metadata) is not applied.
 //!
 //! **Writing.** The format has triangles and three number types, so quads are split along their first diagonal and real
 //! numbers are written in single precision.
 
 use super::element::{ByteOrder, Element};
 use super::polygons::{MeshFile, Polygons};
+use super::text::{real, words};
 use super::vertex_arrays::{VertexArray, VertexValues, fitting};
-use super::xml::{Node, Tag, Xml, base64, inflate};
+use super::xml::{Node, Tag, Xml, base64, inflate_up_to};
 use super::{FormatError, ReadLimits};
 use ::base64::Engine;
 use ::base64::engine::general_purpose::STANDARD;
@@ -22,10 +28,11 @@ use flate2::Compression;
 use flate2::write::ZlibEncoder;
 use homolog_contract::input::InputSpace;
 use homolog_mesh::SurfaceMesh;
-use nalgebra::{Matrix4, Point3};
+use nalgebra::{Matrix4, Point3, Vector3};
 use std::io::Write;
 
-/// Reads a mesh of triangles.
+/// Reads a mesh of triangles. `apply_transform` says whether the coordinate transform of the file is applied; `None`: if it is
+/// rigid.
 ///
 /// # Errors
 /// [`FormatError`]; files without a surface (`.func.gii`, `.label.gii`), with several, and with data in another file are
@@ -33,20 +40,23 @@ use std::io::Write;
 ///
 /// # Cost
 /// Linear in the inflated size.
-pub fn read_gifti(bytes: &[u8], limits: &ReadLimits) -> Result<MeshFile, FormatError> {
+pub fn read_gifti(bytes: &[u8], limits: &ReadLimits, apply_transform: Option<bool>) -> Result<MeshFile, FormatError> {
     let mut xml = Xml::new(bytes, "GIFTI");
     // Names of the open elements.
     let mut open: Vec<String> = Vec::new();
     let mut array: Option<StoredArray> = None;
     let (mut points, mut triangles) = (None, None);
     let mut matrix = StoredMatrix::default();
+    let (mut n_arrays, mut n_stated) = (0u64, None::<u64>);
     let unsupported = |what, advice| Err(FormatError::Unsupported { what, advice });
     while let Some(node) = xml.next()? {
         match node {
             Node::Start(tag) => {
                 if tag.name == "DataArray" {
-                    let of_surface = ["NIFTI_INTENT_POINTSET", "NIFTI_INTENT_TRIANGLE"].contains(&tag.get("Intent"));
-                    array = of_surface.then(|| StoredArray::new(&tag)).transpose()?;
+                    n_arrays += 1;
+                    array = Intent::of(&tag).map(|intent| StoredArray::new(&tag, intent)).transpose()?;
+                } else if tag.name == "GIFTI" {
+                    n_stated = tag.number("NumberOfDataArrays");
                 } else if tag.name == "CoordinateSystemTransformMatrix" {
                     matrix = StoredMatrix::default();
                 }
@@ -71,7 +81,7 @@ pub fn read_gifti(bytes: &[u8], limits: &ReadLimits) -> Result<MeshFile, FormatE
                 } else if name == "DataArray"
                     && let Some(array) = array.take()
                 {
-                    let slot = if array.is_points { &mut points } else { &mut triangles };
+                    let slot = if array.intent == Intent::Points { &mut points } else { &mut triangles };
                     if slot.is_some() {
                         return unsupported("a GIFTI file with several surfaces", "send one surface a file");
                     }
@@ -80,32 +90,68 @@ pub fn read_gifti(bytes: &[u8], limits: &ReadLimits) -> Result<MeshFile, FormatE
             }
         }
     }
+    if !open.is_empty() {
+        // The file ends within an element: arrays may be missing.
+        return Err(xml.damaged());
+    }
+    if let Some(stated) = n_stated.filter(|&stated| stated > n_arrays) {
+        return Err(FormatError::CountMismatch { what: "data arrays", stated, found: n_arrays });
+    }
     let (Some(points), Some(triangles)) = (points, triangles) else {
         let advice = "values and labels of vertices are no surface; send the file that ends in .surf.gii";
         return unsupported("a GIFTI file without a pointset and triangles", advice);
     };
     let mut polygons = Polygons::of(points.rows());
-    let (mut note, mut space) = (None, InputSpace::Unknown);
-    if let Some(matrix) = &points.matrix {
-        note = matrix.apply(&mut polygons.vertices)?;
-        // Where the matrix is the identity, both spaces are the same.
-        let named = if note.is_some() { &matrix.spaces[1..] } else { &matrix.spaces[..] };
+    let (note, mut space) = (points.matrix.as_ref(), InputSpace::Unknown);
+    let mut notes = Vec::new();
+    if let Some(matrix) = note {
+        let outcome = matrix.apply(&mut polygons.vertices, apply_transform)?;
+        let named = match outcome {
+            // Where the matrix is the identity, both spaces are the same.
+            Applied::Identity => &matrix.spaces[..],
+            Applied::Yes => &matrix.spaces[1..],
+            Applied::No(_) | Applied::Invalid => &matrix.spaces[..1],
+        };
         if named.iter().any(|name| name.trim_ascii() == b"NIFTI_XFORM_SCANNER_ANAT") {
             space = InputSpace::ScannerRas;
         }
+        notes.extend(matrix.note(outcome));
     }
     for triangle in triangles.numbers.chunks_exact(3) {
         polygons.push(triangle.iter().map(|&v| v as i64))?;
     }
     let mut file = polygons.into_mesh()?;
     file.space = space;
-    file.notes.extend(note);
+    file.notes.extend(notes);
     Ok(file)
+}
+
+/// What an array of a surface is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Intent {
+    Points,
+    Triangles,
+}
+
+impl Intent {
+    fn of(tag: &Tag) -> Option<Self> {
+        match constant(tag, "Intent", "NIFTI_INTENT_").as_str() {
+            "POINTSET" | "1008" => Some(Intent::Points),
+            "TRIANGLE" | "1009" => Some(Intent::Triangles),
+            _ => None,
+        }
+    }
+}
+
+/// The value of an attribute that names a constant, in upper case and without the prefix of constants of its kind.
+fn constant(tag: &Tag, name: &str, prefix: &str) -> String {
+    let value = tag.get(name).to_ascii_uppercase();
+    value.strip_prefix(prefix).map_or_else(|| value.clone(), str::to_owned)
 }
 
 /// A data array before its text is decoded.
 struct StoredArray {
-    is_points: bool,
+    intent: Intent,
     element: Element,
     order: ByteOrder,
     column_major: bool,
@@ -135,44 +181,53 @@ impl DecodedArray {
 }
 
 impl StoredArray {
-    fn new(tag: &Tag) -> Result<Self, FormatError> {
+    fn new(tag: &Tag, intent: Intent) -> Result<Self, FormatError> {
         let fault = |field, value: String, advice| Err(FormatError::Header { field, value, advice });
-        let is_points = tag.get("Intent") == "NIFTI_INTENT_POINTSET";
-        let element = match tag.get("DataType") {
-            "NIFTI_TYPE_FLOAT32" => Element::F32,
-            "NIFTI_TYPE_FLOAT64" => Element::F64,
-            "NIFTI_TYPE_INT32" => Element::I32,
-            "NIFTI_TYPE_UINT32" => Element::U32,
-            "NIFTI_TYPE_INT64" => Element::I64,
-            "NIFTI_TYPE_UINT64" => Element::U64,
-            "NIFTI_TYPE_INT16" => Element::I16,
-            "NIFTI_TYPE_UINT16" => Element::U16,
-            "NIFTI_TYPE_INT8" => Element::I8,
-            "NIFTI_TYPE_UINT8" => Element::U8,
+        let element = match constant(tag, "DataType", "NIFTI_TYPE_").as_str() {
+            "FLOAT32" | "16" => Element::F32,
+            "FLOAT64" | "64" => Element::F64,
+            "INT32" | "8" => Element::I32,
+            "UINT32" | "768" => Element::U32,
+            "INT64" | "1024" => Element::I64,
+            "UINT64" | "1280" => Element::U64,
+            "INT16" | "4" => Element::I16,
+            "UINT16" | "512" => Element::U16,
+            "INT8" | "256" => Element::I8,
+            "UINT8" | "2" => Element::U8,
             _ => {
                 let advice = "coordinates must be of type NIFTI_TYPE_FLOAT32, triangles of type NIFTI_TYPE_INT32";
                 return Err(FormatError::Unsupported { what: "this DataType of a GIFTI array", advice });
             }
         };
-        let encoding = match tag.get("Encoding") {
-            "ASCII" => ArrayEncoding::Ascii,
-            "Base64Binary" => ArrayEncoding::Base64,
-            "GZipBase64Binary" => ArrayEncoding::Zlib,
-            _ => {
+        let encoding = match constant(tag, "Encoding", "GIFTI_ENCODING_").as_str() {
+            "ASCII" | "1" => ArrayEncoding::Ascii,
+            "BASE64BINARY" | "B64BIN" | "2" => ArrayEncoding::Base64,
+            "GZIPBASE64BINARY" | "B64GZ" | "3" => ArrayEncoding::Zlib,
+            "EXTERNALFILEBINARY" | "EXTERNAL" | "EXTBIN" | "4" => {
                 let advice = "save the file with its data inside, for example with gifti_tool -mod_gim_atr";
+                return Err(FormatError::Unsupported { what: "a GIFTI array with its data in another file", advice });
+            }
+            _ => {
+                let advice = "the standard knows ASCII, Base64Binary, GZipBase64Binary and ExternalFileBinary";
                 return Err(FormatError::Unsupported { what: "this Encoding of a GIFTI array", advice });
             }
         };
         let dims: Vec<u64> = ["Dim0", "Dim1"].iter().map(|name| tag.number(name).unwrap_or(0)).collect();
         if tag.get("Dimensionality") != "2" || dims[1] != 3 {
-            let field = if is_points { "size of the pointset" } else { "size of the list of triangles" };
+            let field = if intent == Intent::Points { "size of the pointset" } else { "size of the list of triangles" };
             return fault(field, format!("{dims:?}"), "it must have two dimensions, the second of size 3");
         }
         Ok(StoredArray {
-            is_points,
+            intent,
             element,
-            order: if tag.get("Endian") == "BigEndian" { ByteOrder::Big } else { ByteOrder::Little },
-            column_major: tag.get("ArrayIndexingOrder") == "ColumnMajorOrder",
+            order: match constant(tag, "Endian", "GIFTI_ENDIAN_").as_str() {
+                "BIGENDIAN" | "BIG" | "1" => ByteOrder::Big,
+                _ => ByteOrder::Little,
+            },
+            column_major: matches!(
+                constant(tag, "ArrayIndexingOrder", "GIFTI_IND_ORD_").as_str(),
+                "COLUMNMAJORORDER" | "COL_MAJOR" | "2"
+            ),
             encoding,
             rows: dims[0],
             matrix: None,
@@ -181,31 +236,37 @@ impl StoredArray {
     }
 
     fn decoded(self, xml: &Xml<'_>, limits: &ReadLimits) -> Result<DecodedArray, FormatError> {
-        if self.is_points {
+        if self.intent == Intent::Points {
             Polygons::check_count(self.rows, limits)?;
         }
         Polygons::check_faces(self.rows, limits)?;
         let n = self.rows as usize * 3;
         let bytes = n * self.element.size();
-        let part = if self.is_points { "the pointset" } else { "the list of triangles" };
+        let part = if self.intent == Intent::Points { "the pointset" } else { "the list of triangles" };
+        let what = if self.intent == Intent::Points { "coordinates" } else { "vertex indices of triangles" };
         let numbers = if self.encoding == ArrayEncoding::Ascii {
-            let words = self.text.split(u8::is_ascii_whitespace).filter(|w| !w.is_empty());
-            let numbers: Option<Vec<f64>> =
-                words.take(n + 1).map(|w| std::str::from_utf8(w).ok()?.parse().ok()).collect();
+            // One more than there should be tells that there are too many.
+            let numbers: Option<Vec<f64>> = words(&self.text).take(n + 1).map(real).collect();
             numbers.ok_or_else(|| xml.damaged())?
         } else {
             let raw = base64(&self.text).ok_or_else(|| xml.damaged())?;
             let raw = match self.encoding {
-                ArrayEncoding::Zlib => inflate(&raw, bytes).ok_or_else(|| xml.damaged())?,
+                // Enough to tell that there is too much.
+                ArrayEncoding::Zlib => inflate_up_to(&raw, bytes.saturating_mul(2)).ok_or_else(|| xml.damaged())?,
                 _ => raw,
             };
             if raw.len() != bytes {
+                if raw.len() > bytes {
+                    let found = (raw.len() / self.element.size()) as u64;
+                    return Err(FormatError::CountMismatch { what, stated: n as u64, found });
+                }
                 return Err(FormatError::Truncated { part, needed: bytes as u64, available: raw.len() as u64 });
             }
             self.element.reals(&raw, self.order)
         };
         if numbers.len() != n {
-            return Err(xml.damaged());
+            let found = words(&self.text).count() as u64;
+            return Err(FormatError::CountMismatch { what, stated: n as u64, found });
         }
         let rows = self.rows as usize;
         let numbers = if self.column_major { (0..n).map(|k| numbers[k % 3 * rows + k / 3]).collect() } else { numbers };
@@ -221,26 +282,62 @@ struct StoredMatrix {
     numbers: Vec<u8>,
 }
 
+/// How far the scales of a rigid matrix may be from 1: text with four decimals, as most programs write it, is no nearer.
+const RIGID_TOLERANCE: f64 = 1e-3;
+
+/// What was done with the matrix of a file.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Applied {
+    Identity,
+    Yes,
+    /// The least and the largest factor by which it changes lengths.
+    No([f64; 2]),
+    /// It is none.
+    Invalid,
+}
+
 impl StoredMatrix {
-    /// Maps the points, unless the matrix is the identity; a sentence about it.
-    fn apply(&self, points: &mut [Point3<f64>]) -> Result<Option<String>, FormatError> {
-        let words = self.numbers.split(u8::is_ascii_whitespace).filter(|w| !w.is_empty());
-        let numbers: Vec<f64> =
-            words.filter_map(|w| std::str::from_utf8(w).ok()?.parse().ok()).filter(|v: &f64| v.is_finite()).collect();
+    /// Maps the points, unless the matrix is the identity, or is not rigid and that is not asked for.
+    fn apply(&self, points: &mut [Point3<f64>], asked: Option<bool>) -> Result<Applied, FormatError> {
+        let numbers: Vec<f64> = words(&self.numbers).filter_map(real).filter(|v| v.is_finite()).collect();
         let matrix = if numbers.is_empty() { Matrix4::identity() } else { Matrix4::zeros() };
         let matrix = if numbers.len() == 16 { Matrix4::from_row_slice(&numbers) } else { matrix };
-        let is_affine = matrix.row(3) == Matrix4::<f64>::identity().row(3);
-        let linear = matrix.fixed_view::<3, 3>(0, 0).determinant();
-        if !is_affine || linear.abs() < 1e-12 {
+        if matrix == Matrix4::identity() {
+            return Ok(Applied::Identity);
+        }
+        let linear = matrix.fixed_view::<3, 3>(0, 0).into_owned();
+        let is_affine = matrix.row(3) == Matrix4::<f64>::identity().row(3) && linear.determinant().abs() >= 1e-12;
+        let factors = if is_affine { linear.singular_values() } else { Vector3::zeros() };
+        let factors = [factors.min(), factors.max()];
+        let is_rigid = factors.iter().all(|f| (f - 1.0).abs() <= RIGID_TOLERANCE) && linear.determinant() > 0.0;
+        if !asked.unwrap_or(is_rigid) {
+            return Ok(if is_affine { Applied::No(factors) } else { Applied::Invalid });
+        }
+        if !is_affine {
             let advice = "it must be 16 numbers, the last four 0 0 0 1, that can be inverted";
             return Err(FormatError::Header { field: "coordinate transform", value: format!("{numbers:?}"), advice });
         }
-        if matrix == Matrix4::identity() {
-            return Ok(None);
-        }
         points.iter_mut().for_each(|p| *p = matrix.transform_point(p));
+        Ok(Applied::Yes)
+    }
+
+    /// A sentence about what was done.
+    fn note(&self, outcome: Applied) -> Option<String> {
         let [from, to] = [0, 1].map(|k| space_name(&self.spaces[k]));
-        Ok(Some(format!("the file's transform from {from} to {to} coordinates was applied to the vertices")))
+        match outcome {
+            Applied::Identity => None,
+            Applied::Yes => {
+                Some(format!("the file's transform from {from} to {to} coordinates was applied to the vertices"))
+            }
+            Applied::No([least, most]) => Some(format!(
+                "the file's transform from {from} to {to} coordinates, which changes lengths by factors from {least:.3} to \
+                 {most:.3}, was not applied: coordinates are as stored; input.apply_transform applies it"
+            )),
+            Applied::Invalid => Some(
+                "the file's coordinate transform is not 16 numbers that map points to points; coordinates are as stored"
+                    .to_owned(),
+            ),
+        }
     }
 }
 

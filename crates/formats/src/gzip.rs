@@ -7,6 +7,7 @@
 //! Zero bytes after the last member are padding, as for `gzip` and Python. Anything else there is refused: it is either
 //! a member whose header is damaged, or not part of what was compressed.
 
+use super::element::Rest;
 use super::{FormatError, GzipFault, Plain};
 use flate2::{Crc, Decompress, FlushDecompress, Status};
 use std::borrow::Cow;
@@ -31,27 +32,51 @@ pub(super) fn inflate(bytes: &[u8], limit: usize) -> Result<Plain<'_>, FormatErr
         let found = bytes.len();
         return if found > limit { Err(too_large(found, limit)) } else { Ok(Cow::Borrowed(bytes)) };
     }
-    inflate_prefix(bytes, usize::MAX, limit)
+    inflate_prefix(bytes, usize::MAX, limit).map(|(plain, _)| plain)
 }
 
-/// The first `n` bytes after decompression, or as many as there are. The rest of a gzip stream is inflated too, up to
-/// `limit` bytes in all, and dropped: its trailer decides whether those first bytes are what was compressed.
+/// A gzip stream inside a file, decompressed, and whether bytes other than zeros follow it.
+///
+/// # Errors
+/// `TooLarge` beyond `limit` bytes, `Gzip` if the stream is damaged.
+pub(super) fn inflate_embedded(bytes: &[u8], limit: usize) -> Result<(Vec<u8>, bool), FormatError> {
+    let mut plain = Vec::new();
+    let end = inflate_members(bytes, |piece| {
+        plain.extend_from_slice(piece);
+        if plain.len() > limit { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    });
+    match end {
+        Ok(ControlFlow::Break(())) => Err(too_large(plain.len(), limit)),
+        Ok(ControlFlow::Continue(())) => Ok((plain, false)),
+        Err(FormatError::Gzip { fault: GzipFault::TrailingData, .. }) => Ok((plain, true)),
+        Err(error) => Err(error),
+    }
+}
+
+/// The first `n` bytes after decompression, or as many as there are, and what follows them. The rest of a gzip stream is
+/// inflated too, up to `limit` bytes in all, and dropped: its trailer decides whether those first bytes are what was compressed.
 ///
 /// # Errors
 /// `TooLarge` if a gzip stream inflates to more than `limit` bytes, `Gzip` if it is damaged.
-pub(super) fn inflate_prefix(bytes: &[u8], n: usize, limit: usize) -> Result<Plain<'_>, FormatError> {
+pub(super) fn inflate_prefix(bytes: &[u8], n: usize, limit: usize) -> Result<(Plain<'_>, Rest), FormatError> {
     if !is_gzip(bytes) {
-        return Ok(Cow::Borrowed(&bytes[..n.min(bytes.len())]));
+        let (first, rest) = bytes.split_at(n.min(bytes.len()));
+        return Ok((Cow::Borrowed(first), Rest::of(rest)));
     }
-    let (mut kept, mut found) = (Vec::new(), 0usize);
+    let (mut kept, mut found, mut is_zero) = (Vec::new(), 0usize, true);
     let end = inflate_members(bytes, |piece| {
         found = found.saturating_add(piece.len());
-        kept.extend_from_slice(&piece[..piece.len().min(n - kept.len())]);
+        let (first, rest) = piece.split_at(piece.len().min(n - kept.len()));
+        kept.extend_from_slice(first);
+        is_zero &= rest.iter().all(|&byte| byte == 0);
         if found > limit { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     })?;
     match end {
         ControlFlow::Break(()) => Err(too_large(found, limit)),
-        ControlFlow::Continue(()) => Ok(Cow::Owned(kept)),
+        ControlFlow::Continue(()) => {
+            let n_bytes = found - kept.len();
+            Ok((Cow::Owned(kept), Rest { n_bytes, is_zero }))
+        }
     }
 }
 

@@ -73,9 +73,9 @@ fn a_stream_cut_anywhere_is_refused_in_every_format() {
 #[test]
 fn voxels_are_refused_when_only_what_follows_them_is_damaged() {
     let [(name, mut plain), ..] = plain_files();
-    plain.extend([7; 100_000]);
+    plain.extend([0; 100_000]);
     let mut damaged = gzip(&plain);
-    assert!(read_as(name, &damaged).is_ok(), "bytes after the voxels are allowed");
+    assert!(read_as(name, &damaged).is_ok(), "padding after the voxels is allowed");
     let at = damaged.len() - TRAILER_BYTES;
     damaged[at] ^= 1;
     assert_eq!(fault_of(name, &damaged), GzipFault::Checksum);
@@ -150,13 +150,13 @@ fn the_message_says_what_is_wrong_and_what_to_do() {
 fn nothing_beyond_the_limit_is_inflated() {
     let bomb = gzip(&vec![0; 1 << 24]);
     let limit = 1 << 10;
-    for found in [inflate(&bomb, limit), inflate_prefix(&bomb, 100, limit)] {
+    for found in [inflate(&bomb, limit), inflate_prefix(&bomb, 100, limit).map(|(plain, _)| plain)] {
         let Err(FormatError::TooLarge { found, .. }) = found else { panic!("a bomb is refused") };
         assert!(found <= 1 << 17, "{found} bytes were inflated");
     }
     let exactly = gzip(&vec![0; limit]);
     assert_eq!(inflate(&exactly, limit).unwrap().len(), limit);
-    assert_eq!(inflate_prefix(&exactly, 100, limit).unwrap().len(), 100);
+    assert_eq!(inflate_prefix(&exactly, 100, limit).unwrap().0.len(), 100);
 }
 
 proptest! {

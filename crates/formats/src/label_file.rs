@@ -1,7 +1,7 @@
 //! The label volume of a file, with the names of its labels; structures that overlap share voxels.
 
 use super::FormatError;
-use homolog_contract::input::InputSpace;
+use homolog_contract::input::{InputSpace, InputWarning};
 use homolog_mesh::volume::LabelVolume;
 use nalgebra::Matrix4;
 use std::collections::{BTreeMap, HashMap};
@@ -17,12 +17,15 @@ pub struct LabelFile {
     pub names: BTreeMap<u32, String>,
     /// What was done to the coordinates or values: a sentence each, without text of the file.
     pub notes: Vec<String>,
+    /// What the file contradicts itself in, so that what is made of it is in doubt.
+    pub warnings: Vec<InputWarning>,
 }
 
 impl LabelFile {
     /// A volume without names, in scanner RAS.
     pub(super) fn unnamed(volume: LabelVolume) -> Self {
-        LabelFile { volume, space: InputSpace::ScannerRas, names: BTreeMap::new(), notes: Vec::new() }
+        let (names, notes, warnings) = (BTreeMap::new(), Vec::new(), Vec::new());
+        LabelFile { volume, space: InputSpace::ScannerRas, names, notes, warnings }
     }
 }
 

@@ -19,6 +19,9 @@ mod lps;
 mod pairs;
 mod polygons;
 mod text;
+mod two_affines;
+mod units;
+mod unread;
 mod vertex_arrays;
 mod xml;
 
@@ -48,7 +51,8 @@ pub mod vtp;
 
 pub use archive::write_zip;
 pub use error::{FormatError, GzipFault};
-pub use homolog_contract::input::{InputFormat, InputSpace};
+pub use homolog_contract::input::{InputFormat, InputSpace, InputWarning};
+pub use homolog_contract::parameters::LabelChoice;
 pub use label_file::LabelFile;
 pub use nifti::{write_nifti, write_nifti_gz};
 pub use pairs::PairColumns;
@@ -99,6 +103,8 @@ pub struct ReadFile {
     /// What was done to coordinates or values, and whether the name promises another format: a sentence each, without text
     /// of the file.
     pub notes: Vec<String>,
+    /// What the file contradicts itself in, so that what is made of it is in doubt.
+    pub warnings: Vec<InputWarning>,
 }
 
 /// The content of a file.
@@ -113,22 +119,52 @@ pub enum FileContent {
 /// The default of the least share of the largest value from which a voxel of a fractional segmentation belongs to a segment.
 pub const DEFAULT_FRACTION: f64 = 0.5;
 
-/// [`read_with`] at [`DEFAULT_FRACTION`].
+/// What a sender decides where a file leaves a choice.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ReadOptions {
+    /// Share of the largest value from which a voxel of a fractional segmentation belongs to a segment.
+    pub fraction: f64,
+    /// Whether the coordinate transform that a GIFTI file states is applied; `None`: if it is rigid.
+    pub apply_transform: Option<bool>,
+    /// The labels that will be used, where they are known: frames of other segments need not fit on their stack. All labels that
+    /// can be read are read.
+    pub labels: Option<Vec<LabelChoice>>,
+}
+
+impl Default for ReadOptions {
+    fn default() -> Self {
+        ReadOptions { fraction: DEFAULT_FRACTION, apply_transform: None, labels: None }
+    }
+}
+
+impl ReadOptions {
+    /// Whether a label will be used, whose name is that of the file.
+    fn asks_for(&self, label: u32, name: Option<&String>) -> bool {
+        let is_it = |choice: &LabelChoice| match choice {
+            LabelChoice::Number(number) => *number == label,
+            LabelChoice::Name(wanted) => {
+                name.is_some_and(|name| name.trim().to_lowercase() == wanted.trim().to_lowercase())
+            }
+        };
+        self.labels.as_ref().is_none_or(|labels| labels.iter().any(is_it))
+    }
+}
+
+/// [`read_with`] with the defaults of [`ReadOptions`].
 ///
 /// # Errors
 /// Those of [`read_with`].
 pub fn read(bytes: &[u8], file_name: Option<&str>, limits: &ReadLimits) -> Result<ReadFile, FormatError> {
-    read_with(bytes, file_name, limits, DEFAULT_FRACTION)
+    read_with(bytes, file_name, limits, &ReadOptions::default())
 }
 
 /// Reads a file of any of the [`InputFormat`]s, plain, compressed with gzip, or alone in a zip archive; or a zip archive of
 /// DICOM segmentations, as one volume. The format is found from the content; the name decides only where that does not.
-/// `fraction` is the share of the largest value from which a voxel of a fractional segmentation belongs to a segment.
 ///
 /// # Errors
 /// [`FormatError::UnknownFormat`] if it is none of them; [`FormatError::Unsupported`] if it is one that is known and not
-/// read; [`FormatError::Gzip`] or [`FormatError::Zip`] if what is compressed is damaged or incomplete; else those of the
-/// format's reader.
+/// read; [`FormatError::NotAsNamed`] if only the name promises one; [`FormatError::Gzip`] or [`FormatError::Zip`] if what is
+/// compressed is damaged or incomplete; else those of the format's reader.
 ///
 /// # Cost
 /// Linear in the inflated size.
@@ -136,19 +172,18 @@ pub fn read_with(
     bytes: &[u8],
     file_name: Option<&str>,
     limits: &ReadLimits,
-    fraction: f64,
+    options: &ReadOptions,
 ) -> Result<ReadFile, FormatError> {
     let most = bytes.len().max(1 << 20).saturating_mul(limits.max_inflation);
     let limits = &ReadLimits { max_inflated_bytes: limits.max_inflated_bytes.min(most), ..*limits };
     if !archive::is_zip(bytes) {
-        return read_file(bytes, file_name, limits, fraction);
+        return read_file(bytes, file_name, limits, options);
     }
     match archive::content(bytes, limits)? {
-        archive::Content::File(file, name) => read_file(&file, Some(&name), limits, fraction),
+        archive::Content::File(file, name) => read_file(&file, Some(&name), limits, options),
         archive::Content::Instances(instances, n_others) => {
             let files: Vec<&[u8]> = instances.iter().map(|file| &**file).collect();
-            let mut read =
-                ReadFile::labels(InputFormat::DicomSeg, dicom_seg::read_dicom_seg(&files, limits, fraction)?);
+            let mut read = ReadFile::labels(InputFormat::DicomSeg, dicom_seg::read_dicom_seg(&files, limits, options)?);
             read.notes.push(format!(
                 "the archive has {} of DICOM, which were read as one volume, and {} that were not read",
                 if files.len() == 1 { "1 segmentation".to_owned() } else { format!("{} segmentations", files.len()) },
@@ -164,29 +199,29 @@ fn read_file(
     bytes: &[u8],
     file_name: Option<&str>,
     limits: &ReadLimits,
-    fraction: f64,
+    options: &ReadOptions,
 ) -> Result<ReadFile, FormatError> {
     let head = gzip::unverified_prefix(bytes, nifti::HEADER_BYTES)?;
     // A volume need not be inflated as a whole.
-    let inflated =
-        if nifti::is_nifti(&head) { Plain::Borrowed(bytes) } else { gzip::inflate(bytes, limits.max_inflated_bytes)? };
-    let format = if nifti::is_nifti(&head) { InputFormat::Nifti } else { detect::detect(&inflated, file_name)? };
-    let bytes: &[u8] = &inflated;
+    if nifti::is_nifti(&head) {
+        let mut read = ReadFile::labels(InputFormat::Nifti, nifti::read_nifti(bytes, limits)?);
+        read.notes.extend(detect::misnamed(InputFormat::Nifti, file_name));
+        return Ok(read);
+    }
+    let inflated = gzip::inflate(bytes, limits.max_inflated_bytes)?;
+    let (format, bytes) = detect::detect(&inflated, file_name)?;
     use InputFormat::{DicomSeg, MetaImage, Mgh, Nifti, Nrrd};
     if !matches!(format, Nifti | Mgh | Nrrd | MetaImage | DicomSeg) {
         Polygons::check_bytes(bytes.len() as u64, limits)?;
     }
     let mut read = match format {
-        InputFormat::Nifti => {
-            let space = if nifti::states_space(&head) { InputSpace::ScannerRas } else { InputSpace::Unknown };
-            ReadFile::labels(format, LabelFile { space, ..LabelFile::unnamed(nifti::read_nifti(bytes, limits)?) })
-        }
+        InputFormat::Nifti => ReadFile::labels(format, nifti::read_nifti(bytes, limits)?),
         InputFormat::Mgh => ReadFile::labels(format, mgh::read_mgh(bytes, limits)?),
         InputFormat::Nrrd => ReadFile::labels(format, nrrd::read_nrrd(bytes, limits)?),
         InputFormat::MetaImage => ReadFile::labels(format, metaimage::read_metaimage(bytes, limits)?),
-        InputFormat::DicomSeg => ReadFile::labels(format, dicom_seg::read_dicom_seg(&[bytes], limits, fraction)?),
+        InputFormat::DicomSeg => ReadFile::labels(format, dicom_seg::read_dicom_seg(&[bytes], limits, options)?),
         InputFormat::Freesurfer => ReadFile::mesh(format, freesurfer::read_freesurfer(bytes, limits)?),
-        InputFormat::Gifti => ReadFile::mesh(format, gifti::read_gifti(bytes, limits)?),
+        InputFormat::Gifti => ReadFile::mesh(format, gifti::read_gifti(bytes, limits, options.apply_transform)?),
         InputFormat::Ply => ReadFile::declared(format, ply::read_ply(bytes, limits)?, bytes)?,
         InputFormat::Stl => ReadFile::declared(format, stl::read_stl(bytes, limits)?, bytes)?,
         InputFormat::Vtk => ReadFile::declared(format, vtk::read_vtk(bytes, limits)?, bytes)?,
@@ -199,18 +234,24 @@ fn read_file(
     Ok(read)
 }
 
+/// What a report says of bytes after everything that a header states.
+fn trailing_note(n_bytes: usize) -> String {
+    format!("{n_bytes} bytes after the end of what the header states were not read")
+}
+
 /// How much of a file's title, header or first comments is searched for a declared space.
 const DECLARATION_BYTES: usize = 1024;
 
 impl ReadFile {
     fn labels(format: InputFormat, file: LabelFile) -> Self {
-        let LabelFile { volume, space, names, notes } = file;
-        ReadFile { format, content: FileContent::Labels(volume), space, label_names: names, notes }
+        let LabelFile { volume, space, names, notes, warnings } = file;
+        ReadFile { format, content: FileContent::Labels(volume), space, label_names: names, notes, warnings }
     }
 
     fn mesh(format: InputFormat, mut file: MeshFile) -> Self {
         let (space, notes) = (file.space, std::mem::take(&mut file.notes));
-        ReadFile { format, content: FileContent::Mesh(file), space, label_names: BTreeMap::new(), notes }
+        let (label_names, warnings) = (BTreeMap::new(), Vec::new());
+        ReadFile { format, content: FileContent::Mesh(file), space, label_names, notes, warnings }
     }
 
     /// A mesh of a format in which 3D Slicer declares the space of the coordinates in free text.

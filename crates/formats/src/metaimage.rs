@@ -1,13 +1,14 @@
 //! MetaImage of ITK: header and voxels in one file (`.mha`, or `.mhd` with `ElementDataFile = LOCAL`).
 //!
-//! Source: MetaIO documentation and `metaImage.cxx`. Coordinates are LPS, as in ITK, and are converted to RAS;
-//! `AnatomicalOrientation` is a comment on them and is not used. Rows of `TransformMatrix` are the directions of the axes.
+//! Source: MetaIO documentation and `metaImage.cxx`. Fields may have any order; `ElementDataFile` is the last. Coordinates are
+//! LPS, as in ITK, and are converted to RAS and from `DistanceUnits` to millimetres; `AnatomicalOrientation` is a comment on
+//! them and is not used. Rows of `TransformMatrix` are the directions of the axes. Axes of size 1 beyond three may be anywhere.
 
-use super::element::{ByteOrder, Element, Voxels};
+use super::element::{ByteOrder, Element, Rest, Voxels};
 use super::label_file::LabelFile;
-use super::text::Scanner;
-use super::xml::inflate;
-use super::{FormatError, ReadLimits, lps};
+use super::text::{Scanner, real, words};
+use super::xml::inflate_up_to;
+use super::{FormatError, ReadLimits, lps, units};
 use homolog_mesh::volume::LabelVolume;
 use nalgebra::{Matrix3, Matrix4, Vector3};
 use std::borrow::Cow;
@@ -19,8 +20,15 @@ const MAX_HEADER_LINES: usize = 1000;
 /// Whether this text begins as a MetaImage header does.
 pub(super) fn is_metaimage(bytes: &[u8]) -> bool {
     let head = bytes.get(..2048).unwrap_or(bytes);
-    let has = |key: &[u8]| head.windows(key.len()).any(|w| w == key);
-    [b"ObjectType".as_slice(), b"NDims", b"Comment"].iter().any(|key| head.starts_with(key)) && has(b"NDims")
+    let key = |line: &[u8], names: &[&[u8]]| {
+        let name = line.split(|&byte| byte == b'=' || byte == b':').next().unwrap_or_default().trim_ascii();
+        names.contains(&name) && name.len() < line.len()
+    };
+    let mut lines = head.split(|&byte| byte == b'\n').filter(|line| !line.trim_ascii().is_empty());
+    let first = lines.clone().next().unwrap_or_default();
+    let is_field = first.iter().take(64).all(|byte| (b' '..0x7f).contains(byte) || byte.is_ascii_whitespace())
+        && first.contains(&b'=');
+    is_field && lines.any(|line| key(line, &[b"NDims", b"DimSize", b"ElementType"]))
 }
 
 /// Reads a label volume.
@@ -34,10 +42,14 @@ pub fn read_metaimage(bytes: &[u8], limits: &ReadLimits) -> Result<LabelFile, Fo
     let mut scanner = Scanner::new(bytes);
     let mut fields: HashMap<String, String> = HashMap::new();
     loop {
-        let line = scanner.line().filter(|_| fields.len() < MAX_HEADER_LINES);
-        let line = line.ok_or_else(|| scanner.expected("ElementDataFile = LOCAL"))?;
+        let Some(line) = scanner.line().filter(|_| fields.len() < MAX_HEADER_LINES) else {
+            return Err(without_voxels("a MetaImage header without its voxels"));
+        };
+        if line.is_empty() {
+            continue;
+        }
         let text = String::from_utf8_lossy(line);
-        let Some((key, value)) = text.split_once('=') else {
+        let Some((key, value)) = text.split_once(['=', ':']) else {
             return Err(scanner.expected_before("a line of the form key = value"));
         };
         let is_last = key.trim() == "ElementDataFile";
@@ -47,15 +59,18 @@ pub fn read_metaimage(bytes: &[u8], limits: &ReadLimits) -> Result<LabelFile, Fo
         }
     }
     let header = Header { fields: &fields };
-    if !header.get("ElementDataFile").eq_ignore_ascii_case("LOCAL") {
+    if !["", "Image"].contains(&header.get("ObjectType")) {
         return Err(FormatError::Unsupported {
-            what: "a MetaImage header without its voxels",
-            advice: "save header and voxels in one .mha file",
+            what: "an object of MetaIO other than an image",
+            advice: "save a label volume as .mha, or a surface as PLY, STL or VTK",
         });
     }
-    if header.list("NDims")? != [3.0] || !["", "1"].contains(&header.get("ElementNumberOfChannels")) {
+    if !header.get("ElementDataFile").eq_ignore_ascii_case("LOCAL") {
+        return Err(without_voxels("a MetaImage header whose voxels are in another file (.mhd)"));
+    }
+    if !["", "1"].contains(&header.get("ElementNumberOfChannels")) {
         return Err(FormatError::Unsupported {
-            what: "a MetaImage that does not have three dimensions and one channel",
+            what: "a MetaImage of several channels",
             advice: "save one three-dimensional label volume",
         });
     }
@@ -76,49 +91,93 @@ pub fn read_metaimage(bytes: &[u8], limits: &ReadLimits) -> Result<LabelFile, Fo
         }
     };
     let sizes = header.list("DimSize")?;
-    let valid = sizes.len() == 3 && sizes.iter().all(|d| (1.0..=32_767.0).contains(d) && d.fract() == 0.0);
-    if !valid {
-        let advice = "it must be three whole numbers from 1 to 32767";
-        return Err(FormatError::Header { field: "DimSize", value: format!("{sizes:?}"), advice });
-    }
+    let valid = sizes.iter().all(|d| (1.0..=32_767.0).contains(d) && d.fract() == 0.0);
+    let axes = axes_of_space(&sizes).filter(|_| valid && header.list("NDims").is_ok_and(|n| n == [sizes.len() as f64]));
+    let axes = axes.ok_or_else(|| FormatError::Header {
+        field: "DimSize",
+        value: format!("{sizes:?}"),
+        advice: "it must be as many whole numbers as NDims says, from 1 to 32767, of which three may be above 1; send one \
+                 volume of a series",
+    })?;
     let is_true = |key: &str| header.get(key).eq_ignore_ascii_case("true");
     let big = is_true("BinaryDataByteOrderMSB") || is_true("ElementByteOrderMSB");
     let order = if big { ByteOrder::Big } else { ByteOrder::Little };
-    let voxels = Voxels::plain([0, 1, 2].map(|k| sizes[k] as usize), element, order);
+    let dims = axes.map(|k| sizes[k] as usize);
+    let number =
+        |key: &'static str, default: f64| Ok::<_, FormatError>(header.list(key)?.first().copied().unwrap_or(default));
+    let slope = number("ElementToIntensityFunctionSlope", 1.0)?;
+    let intercept = number("ElementToIntensityFunctionOffset", 0.0)?;
+    let voxels = Voxels { slope, intercept, ..Voxels::plain(dims, element, order) };
+    let mut notes = Vec::new();
     let needed = voxels.bytes_needed(limits.max_inflated_bytes)?;
     let labels = if header.get("BinaryData").eq_ignore_ascii_case("false") {
-        text_labels(&mut scanner, &voxels)?
+        text_labels(&mut scanner, &voxels, &mut notes)?
     } else {
-        let stored = scanner.take(scanner.remaining() as u64, 1, "the voxel array")?;
-        let skipped: i64 = header.get("HeaderSize").parse().unwrap_or(0);
-        let start = if skipped < 0 { stored.len().saturating_sub(needed) } else { 0 };
+        let stored = scanner.rest();
         let plain: Cow<'_, [u8]> = if is_true("CompressedData") {
             let damaged = FormatError::Payload { format: "MetaImage", line: None };
-            let length = header.get("CompressedDataSize").parse().unwrap_or(stored.len()).min(stored.len());
-            Cow::Owned(inflate(&stored[..length], needed).ok_or(damaged)?)
+            let length: usize = header.get("CompressedDataSize").parse().unwrap_or(stored.len());
+            let truncated = FormatError::Truncated {
+                part: "the compressed voxel array",
+                needed: length as u64,
+                available: stored.len() as u64,
+            };
+            let compressed = stored.get(..length).ok_or(truncated)?;
+            // Enough to tell that there is too much.
+            Cow::Owned(inflate_up_to(compressed, needed.saturating_mul(2)).ok_or(damaged)?)
         } else {
+            // Counted from the begin of the file; negative: the voxels are at its end.
+            let skipped: i64 = header.get("HeaderSize").parse().unwrap_or(0);
+            let start = match usize::try_from(skipped) {
+                Err(_) => stored.len().saturating_sub(needed),
+                Ok(skipped) => skipped.saturating_sub(bytes.len() - stored.len()).min(stored.len()),
+            };
             Cow::Borrowed(&stored[start..])
         };
-        if plain.len() < needed {
+        let Some((raw, rest)) = plain.split_at_checked(needed) else {
             let (needed, available) = (needed as u64, plain.len() as u64);
             return Err(FormatError::Truncated { part: "the voxel array", needed, available });
-        }
-        voxels.labels(&plain[..needed])?
+        };
+        notes.extend(voxels.check_rest(needed, Rest::of(rest))?);
+        voxels.labels(raw)?
     };
-    let affine = lps::affine_to_ras(&header.affine()?);
+    let mut affine = header.affine(axes, sizes.len())?;
+    if let Some(unit) = units::named(header.get("DistanceUnits")) {
+        affine.fixed_view_mut::<3, 4>(0, 0).scale_mut(unit.mm);
+        notes.extend(unit.note());
+    }
+    let affine = lps::affine_to_ras(&affine);
     let mut file = LabelFile::unnamed(LabelVolume::new(voxels.dims, labels, affine)?);
     file.space = homolog_contract::input::InputSpace::Lps;
     file.notes.push(lps::NOTE.to_owned());
+    file.notes.extend(notes);
     Ok(file)
 }
 
+fn without_voxels(what: &'static str) -> FormatError {
+    FormatError::Unsupported { what, advice: "save header and voxels in one .mha file" }
+}
+
+/// The three axes of space: all but those of size 1, of which the last are left out. `None` if more than three are larger.
+fn axes_of_space(sizes: &[f64]) -> Option<[usize; 3]> {
+    let mut axes: Vec<usize> = (0..sizes.len()).collect();
+    while axes.len() > 3 {
+        let at = axes.iter().rposition(|&k| sizes[k] == 1.0)?;
+        axes.remove(at);
+    }
+    axes.try_into().ok()
+}
+
 /// Voxels written as text.
-fn text_labels(scanner: &mut Scanner<'_>, voxels: &Voxels) -> Result<Vec<u32>, FormatError> {
+fn text_labels(scanner: &mut Scanner<'_>, voxels: &Voxels, notes: &mut Vec<String>) -> Result<Vec<u32>, FormatError> {
     let (needed, available) = (voxels.count().saturating_mul(2), scanner.remaining() as u64 + 1);
     if needed > available {
         return Err(FormatError::Truncated { part: "the voxel array", needed, available });
     }
-    (0..voxels.count() as usize).map(|at| voxels.label(scanner.number("a voxel")?, at)).collect()
+    let n = voxels.count() as usize;
+    let labels = (0..n).map(|at| voxels.label(scanner.real("a voxel")?, at)).collect::<Result<_, _>>()?;
+    notes.extend(scanner.check_end("voxels", n as u64, 1)?);
+    Ok(labels)
 }
 
 struct Header<'a> {
@@ -132,34 +191,46 @@ impl Header<'_> {
 
     /// The numbers of a field; none if it is absent.
     fn list(&self, key: &'static str) -> Result<Vec<f64>, FormatError> {
-        let numbers: Result<Vec<f64>, _> = self.get(key).split_whitespace().map(str::parse).collect();
-        numbers.map_err(|_| FormatError::Header { field: key, value: "no number".to_owned(), advice: "write it again" })
+        let numbers: Option<Vec<f64>> = words(self.get(key).as_bytes()).map(real).collect();
+        numbers.ok_or_else(|| FormatError::Header {
+            field: key,
+            value: "no number".to_owned(),
+            advice: "write it again",
+        })
     }
 
-    /// The first of these fields that has three numbers.
-    fn three(&self, keys: &[&'static str], default: f64) -> Result<Vector3<f64>, FormatError> {
+    /// The numbers of the axes of space in the first of these fields that has a number for each axis.
+    fn three(
+        &self,
+        keys: &[&'static str],
+        axes: [usize; 3],
+        n: usize,
+        default: f64,
+    ) -> Result<Vector3<f64>, FormatError> {
         for key in keys {
             let numbers = self.list(key)?;
-            if let [x, y, z] = numbers[..] {
-                return Ok(Vector3::new(x, y, z));
+            if numbers.len() == n {
+                return Ok(axes.map(|k| numbers[k]).into());
             }
         }
         Ok(Vector3::repeat(default))
     }
 
-    fn affine(&self) -> Result<Matrix4<f64>, FormatError> {
+    /// Voxels of these three of `n` axes to positions in the same three dimensions of space.
+    fn affine(&self, axes: [usize; 3], n: usize) -> Result<Matrix4<f64>, FormatError> {
         let mut directions = Matrix3::identity();
         for key in ["TransformMatrix", "Rotation", "Orientation"] {
             let numbers = self.list(key)?;
-            if numbers.len() == 9 {
-                directions = Matrix3::from_column_slice(&numbers);
+            if numbers.len() == n * n {
+                directions = Matrix3::from_fn(|r, c| numbers[axes[c] * n + axes[r]]);
                 break;
             }
         }
-        let spacing = self.three(&["ElementSpacing", "ElementSize"], 1.0)?;
+        let spacing = self.three(&["ElementSpacing", "ElementSize"], axes, n, 1.0)?;
         let mut affine = Matrix4::identity();
         affine.fixed_view_mut::<3, 3>(0, 0).copy_from(&(directions * Matrix3::from_diagonal(&spacing)));
-        affine.fixed_view_mut::<3, 1>(0, 3).copy_from(&self.three(&["Offset", "Position", "Origin"], 0.0)?);
+        let offset = self.three(&["Offset", "Position", "Origin"], axes, n, 0.0)?;
+        affine.fixed_view_mut::<3, 1>(0, 3).copy_from(&offset);
         Ok(affine)
     }
 }

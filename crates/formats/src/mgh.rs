@@ -1,10 +1,10 @@
 //! FreeSurfer volumes: MGH, and MGZ, which is MGH in gzip.
 //!
 //! Source: FreeSurfer's description of the MGH/MGZ volume format. Big-endian; the header has 284 bytes, and what follows the
-//! voxels (scan parameters, tags) is not read. The affine maps voxels to scanner RAS: `Mdc · diag(voxel sizes)`, with `c_ras`
+//! voxels (scan parameters, tags) is not read, but has to be that: further voxels mean that the sizes are wrong. The affine maps voxels to scanner RAS: `Mdc · diag(voxel sizes)`, with `c_ras`
 //! at the voxel `dimensions / 2`.
 
-use super::element::{ByteOrder, Element, Voxels};
+use super::element::{ByteOrder, Element, Rest, Voxels};
 use super::label_file::LabelFile;
 use super::{FormatError, ReadLimits};
 use homolog_mesh::volume::LabelVolume;
@@ -60,6 +60,8 @@ pub fn read_mgh(bytes: &[u8], limits: &ReadLimits) -> Result<LabelFile, FormatEr
         return Err(FormatError::Truncated { part: "the voxel array", needed: needed as u64, available });
     }
     let labels = voxels.labels(&bytes[HEADER_BYTES..needed])?;
+    let rest = &bytes[needed..];
+    let note = if is_footer(rest) { None } else { voxels.check_rest(needed - HEADER_BYTES, Rest::of(rest))? };
     // Without the flag, FreeSurfer assumes coronal slices of 1 mm around the origin.
     let has_geometry = Element::I16.wholes(&head[28..30], ByteOrder::Big)[0] > 0;
     let g = Element::F32.reals(&head[30..90], ByteOrder::Big);
@@ -79,10 +81,43 @@ pub fn read_mgh(bytes: &[u8], limits: &ReadLimits) -> Result<LabelFile, FormatEr
     affine.fixed_view_mut::<3, 3>(0, 0).copy_from(&linear);
     affine.fixed_view_mut::<3, 1>(0, 3).copy_from(&(center - linear * middle));
     let mut file = LabelFile::unnamed(LabelVolume::new(dims, labels, affine)?);
+    file.notes.extend(note);
     if !has_geometry {
         file.space = homolog_contract::input::InputSpace::Unknown;
         file.notes
             .push("the file has no geometry: 1 mm voxels in coronal slices around the origin are assumed".to_owned());
     }
     Ok(file)
+}
+
+/// Whether this is what FreeSurfer writes after the voxels: four or five scan parameters, then tags, each with its length.
+fn is_footer(rest: &[u8]) -> bool {
+    // Tags of older versions, without a length, and one with a length of four bytes.
+    const WITHOUT_LENGTH: [i64; 3] = [1, 2, 20];
+    const OLD_TRANSFORM: i64 = 30;
+    if rest.len() <= 20 {
+        return true;
+    }
+    [20, 16].iter().any(|&parameters| {
+        let mut tags = &rest[parameters..];
+        loop {
+            // The end, zeros as padding, or the part of a tag of which nothing is known.
+            if tags.len() < 4 || tags.iter().all(|&byte| byte == 0) {
+                return true;
+            }
+            let tag = Element::I32.whole_of(&tags[..4], ByteOrder::Big);
+            if WITHOUT_LENGTH.contains(&tag) {
+                return true;
+            }
+            let kind = if tag == OLD_TRANSFORM { Element::I32 } else { Element::I64 };
+            let begin = 4 + kind.size();
+            let Some(length) = tags.get(4..begin).map(|raw| kind.whole_of(raw, ByteOrder::Big)) else { return false };
+            let valid = (1..1000).contains(&tag);
+            let after = usize::try_from(length).ok().and_then(|n| tags.get(n.checked_add(begin)?..));
+            match after.filter(|_| valid) {
+                Some(after) => tags = after,
+                None => return false,
+            }
+        }
+    })
 }

@@ -49,10 +49,28 @@ pub fn read_mz3(bytes: &[u8], limits: &ReadLimits) -> Result<MeshFile, FormatErr
     scanner.take(skip, 1, "what the MZ3 header says is skipped")?;
     let corners = scanner.take(n_faces.saturating_mul(3), 4, "the list of faces")?;
     let points = Element::F32.reals(scanner.take(n_vertices * 3, 4, "the list of vertices")?, ByteOrder::Little);
+    check_rest(attributes(bytes), n_vertices, scanner.remaining() as u64)?;
     let vertices = points.chunks_exact(3).map(|p| Point3::new(p[0], p[1], p[2])).collect();
     let mut polygons = Polygons::of(vertices);
     for face in Element::I32.wholes(corners, ByteOrder::Little).chunks_exact(3) {
         polygons.push(face.iter().copied())?;
     }
     polygons.into_mesh()
+}
+
+/// Holds what follows the vertices against what the attributes announce: colors of 4 bytes and scalars of 4 or 8 bytes a vertex,
+/// the scalars in any number of layers.
+fn check_rest(attributes: u16, n_vertices: u64, rest: u64) -> Result<(), FormatError> {
+    const HAS_COLORS: u16 = 4;
+    const HAS_SCALARS: u16 = 8 | 16;
+    let colors = if attributes & HAS_COLORS > 0 { 4 * n_vertices } else { 0 };
+    let layers = rest.saturating_sub(colors);
+    let fits = if attributes & HAS_SCALARS > 0 {
+        layers.is_multiple_of((4 * n_vertices).max(1))
+    } else {
+        // Attributes that were defined later may follow.
+        layers == 0 || attributes & !(HAS_FACES | HAS_VERTICES | HAS_COLORS) > 0
+    };
+    let what = "colors and scalars after the vertices";
+    if fits { Ok(()) } else { Err(FormatError::Overlong { what, stated: colors, found: rest }) }
 }

@@ -1,14 +1,20 @@
 //! NIfTI label volumes, versions 1 and 2: single files (`n+1`, `n+2`), either byte order, plain or gzip.
 //!
 //! Source: nifti1.h and nifti2.h of the NIfTI data format working group (2007, 2011). The header is checked against the
-//! length of the file before anything is allocated. The affine is the sform if its code is positive, else the qform, else
-//! the voxel sizes alone ("method 1"), scaled to millimetres. (The `nifti` crate has these as well, but reads all voxels
+//! length of the file before anything is allocated, and what follows the voxels against the header. The affine is the sform if
+//! its code is positive, else the qform, else the voxel sizes alone ("method 1"), scaled to millimetres. Where a file states
+//! two of them that disagree, a note says which was taken and in what they differ ([`super::two_affines`]). (The `nifti` crate has these as well, but reads all voxels
 //! before the header can be checked; tests use it as an independent reader.)
 
 use super::element::{ByteOrder, Element, Voxels};
 use super::gzip::{inflate_prefix, unverified_prefix};
+use super::label_file::LabelFile;
+use super::two_affines::{self, Disagreement};
+use super::units::Unit;
 use super::{FormatError, ReadLimits};
 use flate2::{Compression, GzBuilder};
+use homolog_contract::input::{InputSpace, InputWarning};
+use homolog_contract::result::UnreliableReason;
 use homolog_mesh::volume::LabelVolume;
 use nalgebra::{Matrix4, Quaternion, UnitQuaternion, Vector4};
 use std::io::Write;
@@ -34,20 +40,29 @@ pub(super) fn is_nifti(head: &[u8]) -> bool {
 ///
 /// # Cost
 /// Linear in the inflated size, which `limits` bound; keeps no more of it than the header asks for.
-pub fn read_nifti(bytes: &[u8], limits: &ReadLimits) -> Result<LabelVolume, FormatError> {
+pub fn read_nifti(bytes: &[u8], limits: &ReadLimits) -> Result<LabelFile, FormatError> {
     let head = unverified_prefix(bytes, HEADER_BYTES)?;
-    let Header { voxels, offset, affine } = Header::parse(&head)?;
+    let Header { voxels, offset, affine, space, disagreement, unit } = Header::parse(&head)?;
     let needed = offset.saturating_add(voxels.bytes_needed(limits.max_inflated_bytes)? as u64);
     let limit = limits.max_inflated_bytes as u64;
     if needed > limit {
         return Err(FormatError::TooLarge { what: "bytes of voxels", found: needed, limit });
     }
-    let plain = inflate_prefix(bytes, needed as usize, limits.max_inflated_bytes)?;
+    let (plain, rest) = inflate_prefix(bytes, needed as usize, limits.max_inflated_bytes)?;
     if (plain.len() as u64) < needed {
         return Err(FormatError::Truncated { part: "the voxel array", needed, available: plain.len() as u64 });
     }
     let labels = voxels.labels(&plain[offset as usize..needed as usize])?;
-    Ok(LabelVolume::new(voxels.dims, labels, affine)?)
+    let mut file = LabelFile { space, ..LabelFile::unnamed(LabelVolume::new(voxels.dims, labels, affine)?) };
+    file.notes.extend(unit.note());
+    if let Some(Disagreement { note, sides }) = disagreement {
+        match sides {
+            true => file.warnings.push(InputWarning { reason: Some(UnreliableReason::UncertainSide), detail: note }),
+            false => file.notes.push(note),
+        }
+    }
+    file.notes.extend(voxels.check_rest((needed - offset) as usize, rest)?);
+    Ok(file)
 }
 
 /// The fields of the header that are used, validated.
@@ -57,6 +72,9 @@ struct Header {
     /// Where the voxels begin, bytes.
     offset: u64,
     affine: Matrix4<f64>,
+    space: InputSpace,
+    disagreement: Option<Disagreement>,
+    unit: Unit,
 }
 
 /// The type of a voxel that a code of the header names.
@@ -123,7 +141,12 @@ impl Header {
         let scaled = slope != 0.0 && slope.is_finite() && intercept.is_finite();
         let (slope, intercept) = if scaled { (slope, intercept) } else { (1.0, 0.0) };
         let order = if big_endian { ByteOrder::Big } else { ByteOrder::Little };
-        Ok(Header { voxels: Voxels { dims, element, order, slope, intercept }, offset, affine: f.affine()? })
+        let unit = f.unit();
+        let (affine, disagreement) = f.affine(dims);
+        // A code of 0 says that the form is not set; a negative one is no code.
+        let space = if f.codes().iter().any(|&code| code != 0) { InputSpace::ScannerRas } else { InputSpace::Unknown };
+        let voxels = Voxels { dims, element, order, slope, intercept };
+        Ok(Header { voxels, offset, affine, space, disagreement, unit })
     }
 }
 
@@ -187,27 +210,44 @@ impl Fields<'_> {
         Ok([0, 1, 2].map(|k| used.get(k).map_or(1, |&d| d as usize)))
     }
 
-    fn affine(&self) -> Result<Matrix4<f64>, FormatError> {
-        let (qform, sform) =
-            if self.second { (self.i32(344), self.i32(348)) } else { (self.i16(252).into(), self.i16(254).into()) };
-        let mut affine = if sform > 0 {
-            let row = |r: usize| [0, 1, 2, 3].map(|c| self.real(280, 400, 4 * r + c));
-            let rows = [row(0), row(1), row(2), [0.0, 0.0, 0.0, 1.0]];
-            Matrix4::from_fn(|r, c| rows[r][c])
-        } else if qform > 0 {
-            self.qform()
-        } else {
-            Matrix4::from_diagonal(&self.spacing().push(1.0))
-        };
-        // Bits 0 to 2: 1 metre, 2 millimetre, 3 micrometre; 0 is unknown, in practice millimetre.
+    /// Codes of qform and sform.
+    fn codes(&self) -> [i32; 2] {
+        if self.second { [self.i32(344), self.i32(348)] } else { [self.i16(252).into(), self.i16(254).into()] }
+    }
+
+    /// Bits 0 to 2: 1 metre, 2 millimetre, 3 micrometre; 0 is unknown, in practice millimetre.
+    fn unit(&self) -> Unit {
         let units = if self.second { self.i32(500) as u8 } else { self.bytes[123] };
-        let to_mm = match units & 7 {
+        let mm = match units & 7 {
             1 => 1000.0,
             3 => 0.001,
             _ => 1.0,
         };
-        affine.fixed_view_mut::<3, 4>(0, 0).scale_mut(to_mm);
-        Ok(affine)
+        Unit { mm }
+    }
+
+    /// Voxels to RAS, mm, and how the affines that the header states differ.
+    fn affine(&self, dims: [usize; 3]) -> (Matrix4<f64>, Option<Disagreement>) {
+        let [qform, sform] = self.codes();
+        let to_mm = |mut affine: Matrix4<f64>| {
+            affine.fixed_view_mut::<3, 4>(0, 0).scale_mut(self.unit().mm);
+            affine
+        };
+        let by_quaternion = (qform > 0).then(|| to_mm(self.qform()));
+        let by_rows = (sform > 0).then(|| {
+            let row = |r: usize| [0, 1, 2, 3].map(|c| self.real(280, 400, 4 * r + c));
+            let rows = [row(0), row(1), row(2), [0.0, 0.0, 0.0, 1.0]];
+            to_mm(Matrix4::from_fn(|r, c| rows[r][c]))
+        });
+        match (by_rows, by_quaternion) {
+            (Some(taken), Some(other)) => (taken, two_affines::compare(&taken, &other, dims, ["sform", "qform"])),
+            (Some(taken), None) => {
+                let sizes = self.spacing() * self.unit().mm;
+                (taken, two_affines::compare_sizes(&taken, sizes, ["sform", "pixdim"]))
+            }
+            (None, Some(taken)) => (taken, None),
+            (None, None) => (to_mm(Matrix4::from_diagonal(&self.spacing().push(1.0))), None),
+        }
     }
 
     fn spacing(&self) -> nalgebra::Vector3<f64> {
@@ -226,13 +266,6 @@ impl Fields<'_> {
         affine.set_column(3, &Vector4::new(offset[0], offset[1], offset[2], 1.0));
         affine
     }
-}
-
-/// Whether a header has a code of an orientation, qform or sform, that is not 0, in either byte order.
-pub(super) fn states_space(head: &[u8]) -> bool {
-    let is_second = head.starts_with(&540i32.to_le_bytes()) || head.starts_with(&540i32.to_be_bytes());
-    let codes = if is_second { 344..352 } else { 252..256 };
-    head.get(codes).is_some_and(|codes| codes.iter().any(|&byte| byte != 0))
 }
 
 /// A NIfTI-1 file, little-endian, with the affine as sform (single precision, mm); labels in the narrowest of 8, 16

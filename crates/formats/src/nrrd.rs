@@ -1,17 +1,20 @@
 //! NRRD label volumes in one file (`.nrrd`), and segmentations of 3D Slicer (`.seg.nrrd`) with the names of their segments.
 //!
 //! Source: "Definition of NRRD File Format", Teem; 3D Slicer developer guide, "Segmentation file format". Encodings: raw,
-//! gzip, ASCII. Coordinates are converted from LPS, LAS or RAS to RAS; a file without a space is taken as RAS. Segments of a
-//! `.seg.nrrd` may overlap: then they are in layers, an axis of the kind `list`.
+//! gzip, ASCII, hexadecimal. `line skip` counts lines before what is stored, `byte skip` bytes of the stored or inflated voxels;
+//! a negative one counts from the end. Coordinates are converted from LPS, LAS or RAS to RAS and from `space units` to
+//! millimetres; a file without a space is taken as RAS. Axes of size 1 beyond the three of space may be anywhere. Segments of
+//! a `.seg.nrrd` may overlap: then they are in layers, an axis of the kind `list`.
 
-use super::element::{ByteOrder, Element, Voxels};
+use super::element::{ByteOrder, Element, Rest, Voxels};
 use super::label_file::{LabelFile, Overlay};
-use super::text::Scanner;
+use super::text::{Scanner, real, words};
+use super::units::{self, Unit};
+use super::xml::inflate_up_to;
 use super::{FormatError, ReadLimits, gzip, lps};
 use homolog_contract::input::InputSpace;
 use homolog_mesh::volume::LabelVolume;
 use nalgebra::{Matrix4, Vector4};
-use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 /// Longest header that is looked at.
@@ -33,51 +36,109 @@ pub fn read_nrrd(bytes: &[u8], limits: &ReadLimits) -> Result<LabelFile, FormatE
     let mut scanner = Scanner::new(bytes);
     let header = Header::read(&mut scanner)?;
     let unsupported = |what, advice| Err(FormatError::Unsupported { what, advice });
-    if ["data file", "datafile"].iter().any(|key| header.has(key)) {
-        return unsupported("a NRRD header without its voxels (.nhdr)", "save header and voxels in one .nrrd file");
+    if header.has("data file") {
+        let advice = "send header and voxels in one .nrrd file, for example with unu save -f nrrd";
+        return unsupported("a NRRD header whose voxels are in another file (.nhdr)", advice);
+    }
+    if !header.has_end {
+        let advice = "the file ends within its header; export it again or repeat the upload";
+        return unsupported("a NRRD header without voxels", advice);
     }
     let grid = Grid::new(&header)?;
     let element = element(header.get("type"))?;
     let order = if header.get("endian").eq_ignore_ascii_case("big") { ByteOrder::Big } else { ByteOrder::Little };
     let voxels = Voxels::plain(grid.dims, element, order);
     let needed = voxels.bytes_needed(limits.max_inflated_bytes / grid.n_layers)? * grid.n_layers;
-    let stored = scanner.take(scanner.remaining() as u64, 1, "the voxel array")?;
-    let whole: Result<u64, _> = header.get("byte skip").parse();
-    let stored = stored.get(whole.unwrap_or(0).min(stored.len() as u64) as usize..).unwrap_or_default();
-    let values = match header.get("encoding").to_ascii_lowercase().as_str() {
-        "raw" => labels(stored, needed, &voxels)?,
-        "gzip" | "gz" => labels(&gzip::inflate(stored, limits.max_inflated_bytes)?, needed, &voxels)?,
-        "ascii" | "text" | "txt" => {
-            let n = needed / element.size();
-            if n as u64 > stored.len() as u64 {
-                let (needed, available) = (2 * n as u64, stored.len() as u64);
-                return Err(FormatError::Truncated { part: "the voxel array", needed, available });
-            }
-            let mut text = Scanner::new(stored);
-            (0..n).map(|at| voxels.label(text.number("a voxel")?, at)).collect::<Result<_, _>>()?
+    let mut stored = scanner.rest();
+    for _ in 0..header.skip("line skip")?.max(0) {
+        let Some(end) = stored.iter().position(|&byte| byte == b'\n') else {
+            let value = header.get("line skip").to_owned();
+            return Err(bad("line skip", value, "there are fewer lines after the header"));
+        };
+        stored = &stored[end + 1..];
+    }
+    let byte_skip = header.skip("byte skip")?;
+    let mut notes = Vec::new();
+    let text = |stored: &[u8], n: usize, notes: &mut Vec<String>| -> Result<Vec<u32>, FormatError> {
+        let skipped = usize::try_from(byte_skip).unwrap_or(0);
+        let stored = stored.get(skipped..).unwrap_or_default();
+        let (needed, available) = (2 * n as u64, stored.len() as u64);
+        if n as u64 > available {
+            return Err(FormatError::Truncated { part: "the voxel array", needed, available });
         }
+        let mut text = Scanner::new(stored);
+        let labels = (0..n).map(|at| voxels.label(text.real("a voxel")?, at)).collect::<Result<_, _>>()?;
+        notes.extend(text.check_end("voxels", n as u64, 1)?);
+        Ok(labels)
+    };
+    let values = match header.get("encoding").to_ascii_lowercase().as_str() {
+        "raw" => labels(stored, byte_skip, needed, &voxels, &mut notes)?,
+        "gzip" | "gz" => {
+            // Some writers store a bare zlib stream; whatever else is there is damaged.
+            let damaged = FormatError::Payload { format: "NRRD", line: None };
+            let (plain, is_followed) = if gzip::is_gzip(stored) {
+                gzip::inflate_embedded(stored, limits.max_inflated_bytes)?
+            } else {
+                (inflate_up_to(stored, limits.max_inflated_bytes).ok_or(damaged)?, false)
+            };
+            if is_followed {
+                notes.push("bytes after the end of the compressed voxels were not read".to_owned());
+            }
+            labels(&plain, byte_skip, needed, &voxels, &mut notes)?
+        }
+        "hex" => {
+            let plain = hexadecimal(stored).ok_or_else(|| scanner.expected("pairs of hexadecimal digits"))?;
+            labels(&plain, byte_skip, needed, &voxels, &mut notes)?
+        }
+        "ascii" | "text" | "txt" => text(stored, needed / element.size(), &mut notes)?,
         _ => return unsupported("this encoding of a NRRD file", "save it with the encoding raw or gzip"),
     };
     let segments = segments(&header, grid.n_layers);
-    let mut file = if grid.n_layers > 1 {
-        let (volume, names) = layered(&values, &grid, &segments)?;
-        LabelFile { volume, space: grid.space, names, notes: Vec::new() }
+    let (volume, names) = if grid.n_layers > 1 {
+        layered(&values, &grid, &segments)?
     } else {
         let names = segments.iter().map(|s| (s.value, s.name.clone())).filter(|(_, name)| !name.is_empty()).collect();
-        let volume = LabelVolume::new(grid.dims, values, grid.affine)?;
-        LabelFile { volume, space: grid.space, names, notes: Vec::new() }
+        (LabelVolume::new(grid.dims, values, grid.affine)?, names)
     };
-    file.notes.extend(grid.note);
-    Ok(file)
+    notes.splice(0..0, grid.notes);
+    Ok(LabelFile { volume, space: grid.space, names, notes, warnings: Vec::new() })
 }
 
-fn labels(stored: &[u8], needed: usize, voxels: &Voxels) -> Result<Vec<u32>, FormatError> {
-    let available = stored.len() as u64;
-    let stored: Cow<'_, [u8]> = Cow::Borrowed(stored);
-    let Some(raw) = stored.get(..needed) else {
-        return Err(FormatError::Truncated { part: "the voxel array", needed: needed as u64, available });
+/// The voxels among what is stored: after the bytes to skip or, if these are negative, at the end, before as many bytes as they
+/// are below −1.
+fn labels(
+    stored: &[u8],
+    byte_skip: i64,
+    needed: usize,
+    voxels: &Voxels,
+    notes: &mut Vec<String>,
+) -> Result<Vec<u32>, FormatError> {
+    let truncated = |available: usize| FormatError::Truncated {
+        part: "the voxel array",
+        needed: needed as u64,
+        available: available as u64,
     };
+    let start = if byte_skip >= 0 {
+        usize::try_from(byte_skip).unwrap_or(usize::MAX).min(stored.len())
+    } else {
+        let after = usize::try_from(byte_skip.unsigned_abs() - 1).unwrap_or(usize::MAX);
+        let end = stored.len().saturating_sub(after);
+        end.checked_sub(needed).ok_or_else(|| truncated(end))?
+    };
+    let (raw, rest) = stored[start..].split_at_checked(needed).ok_or_else(|| truncated(stored.len() - start))?;
+    if byte_skip >= 0 {
+        notes.extend(voxels.check_rest(needed, Rest::of(rest))?);
+    }
     voxels.labels(raw)
+}
+
+fn hexadecimal(text: &[u8]) -> Option<Vec<u8>> {
+    let digits: Option<Vec<u8>> = text
+        .iter()
+        .filter(|byte| !byte.is_ascii_whitespace())
+        .map(|&byte| char::from(byte).to_digit(16).map(|digit| digit as u8))
+        .collect();
+    Some(digits?.chunks_exact(2).map(|pair| pair[0] << 4 | pair[1]).collect())
 }
 
 fn element(name: &str) -> Result<Element, FormatError> {
@@ -109,26 +170,30 @@ fn element(name: &str) -> Result<Element, FormatError> {
 struct Header {
     fields: HashMap<String, String>,
     pairs: BTreeMap<String, String>,
+    /// Whether an empty line ends it, before the voxels.
+    has_end: bool,
 }
 
 impl Header {
     fn read(scanner: &mut Scanner<'_>) -> Result<Self, FormatError> {
         scanner.line();
-        let mut header = Header { fields: HashMap::new(), pairs: BTreeMap::new() };
+        let mut header = Header { fields: HashMap::new(), pairs: BTreeMap::new(), has_end: false };
         for _ in 0..MAX_HEADER_LINES {
-            let line = scanner.line().ok_or_else(|| scanner.expected("an empty line between header and voxels"))?;
+            let Some(line) = scanner.line() else { return Ok(header) };
             if line.is_empty() {
+                header.has_end = true;
                 return Ok(header);
             }
             let text = String::from_utf8_lossy(line);
             if text.starts_with('#') {
-            } else if let Some((key, value)) = text.split_once(":=") {
-                header.pairs.insert(key.trim().to_owned(), value.trim().to_owned());
-            } else if let Some((key, value)) = text.split_once(": ") {
-                header.fields.insert(key.trim().to_ascii_lowercase(), value.trim().to_owned());
-            } else {
-                return Err(scanner.expected_before("a line of the form field: value"));
+                continue;
             }
+            let (key, value) =
+                text.split_once(':').ok_or_else(|| scanner.expected_before("a line of the form field: value"))?;
+            match value.strip_prefix('=') {
+                Some(value) => header.pairs.insert(key.trim().to_owned(), value.trim().to_owned()),
+                None => header.fields.insert(field_name(key), value.trim().to_owned()),
+            };
         }
         Err(scanner.expected("an empty line between header and voxels"))
     }
@@ -142,8 +207,36 @@ impl Header {
     }
 
     fn numbers(&self, key: &'static str) -> Result<Vec<f64>, FormatError> {
-        let numbers: Result<Vec<f64>, _> = self.get(key).split_whitespace().map(str::parse).collect();
-        numbers.map_err(|_| bad(key, "no list of numbers".to_owned(), "write the file again"))
+        let numbers: Option<Vec<f64>> = words(self.get(key).as_bytes()).map(real).collect();
+        numbers.ok_or_else(|| bad(key, "no list of numbers".to_owned(), "write the file again"))
+    }
+
+    /// A number of lines or bytes to skip; 0 if there is none.
+    fn skip(&self, key: &'static str) -> Result<i64, FormatError> {
+        let text = self.get(key);
+        let number = if text.is_empty() { Ok(0) } else { text.parse() };
+        number.map_err(|_| bad(key, "no whole number".to_owned(), "write the file again"))
+    }
+
+    /// The units that a field states, each in quotes, or separated by blanks.
+    fn units(&self, key: &str) -> Vec<String> {
+        let text = self.get(key);
+        if text.contains('"') {
+            return text.split('"').skip(1).step_by(2).map(str::to_owned).collect();
+        }
+        text.split_whitespace().map(str::to_owned).collect()
+    }
+}
+
+/// The name of a field in lower case, with the blank that some writers leave out.
+fn field_name(key: &str) -> String {
+    match key.trim().to_ascii_lowercase().as_str() {
+        "datafile" => "data file".to_owned(),
+        "lineskip" => "line skip".to_owned(),
+        "byteskip" => "byte skip".to_owned(),
+        "axismins" => "axis mins".to_owned(),
+        "axismaxs" => "axis maxs".to_owned(),
+        other => other.to_owned(),
     }
 }
 
@@ -161,8 +254,10 @@ fn vectors(text: &str) -> Option<Vec<Option<[f64; 3]>>> {
             rest = after.trim_start();
         } else {
             let (inside, after) = rest.strip_prefix('(')?.split_once(')')?;
-            let numbers: Result<Vec<f64>, _> = inside.split(',').map(|w| w.trim().parse()).collect();
-            vectors.push(Some(numbers.ok()?.try_into().ok()?));
+            let numbers: Option<Vec<f64>> = inside.split(',').map(|w| real(w.trim().as_bytes())).collect();
+            let vector: [f64; 3] = numbers?.try_into().ok()?;
+            // Some writers state no direction by what is no number.
+            vectors.push(vector.iter().all(|c| !c.is_nan()).then_some(vector));
             rest = after.trim_start();
         }
     }
@@ -178,35 +273,52 @@ struct Grid {
     /// To RAS.
     affine: Matrix4<f64>,
     space: InputSpace,
-    note: Option<String>,
+    notes: Vec<String>,
 }
 
 impl Grid {
     fn new(header: &Header) -> Result<Self, FormatError> {
         let sizes = header.numbers("sizes")?;
         let valid = sizes.iter().all(|d| (1.0..=32_767.0).contains(d) && d.fract() == 0.0);
-        if !(3..=4).contains(&sizes.len()) || !valid {
-            let advice = "three dimensions are needed, from 1 to 32767 voxels each, or four with layers of segments";
-            return Err(bad("sizes", format!("{sizes:?}"), advice));
+        let wrong_sizes = |advice| Err(bad("sizes", format!("{sizes:?}"), advice));
+        if sizes.len() < 3 || sizes.len() > 16 || !valid {
+            return wrong_sizes(
+                "three dimensions are needed, from 1 to 32767 voxels each, or four with layers of segments",
+            );
+        }
+        if let Some(stated) = Some(header.skip("dimension")?).filter(|&n| n != 0 && n != sizes.len() as i64) {
+            let value = format!("{stated}, but there are {} sizes", sizes.len());
+            return Err(bad("dimension", value, "a size is needed for each axis"));
         }
         let directions = vectors(header.get("space directions"));
         let directions =
             directions.ok_or_else(|| bad("space directions", "not readable".to_owned(), "write it again"))?;
         let kinds: Vec<&str> = header.get("kinds").split_whitespace().collect();
+        let is_outside_space = |k: usize| {
+            kinds.get(k).is_some_and(|kind| !["domain", "space", "???", "none"].contains(kind))
+                || directions.get(k).is_some_and(Option::is_none)
+        };
         let is_layer = |k: usize| {
             kinds.get(k).is_some_and(|&kind| kind == "list") || directions.get(k).is_some_and(Option::is_none)
         };
-        let layers: Vec<usize> = (0..sizes.len()).filter(|&k| sizes.len() == 4 && is_layer(k)).collect();
-        let layer = match (sizes.len(), layers.as_slice()) {
-            (3, _) => None,
-            (_, [k]) if *k == 0 || *k == 3 => Some(*k),
+        let mut axes: Vec<usize> = (0..sizes.len()).collect();
+        while axes.len() > 3 {
+            // An axis of size 1 adds nothing; first those that are not of space.
+            let of_size_1 =
+                |outside: bool| axes.iter().rposition(|&k| sizes[k] == 1.0 && (!outside || is_outside_space(k)));
+            let Some(at) = of_size_1(true).or_else(|| of_size_1(false)) else { break };
+            axes.remove(at);
+        }
+        let layer = match axes[..] {
+            [_, _, _] => None,
+            [first, _, _, _] if is_layer(first) => Some(axes.remove(0)),
+            [_, _, _, last] if is_layer(last) => axes.pop(),
             _ => {
-                let advice = "only layers of segments may be a fourth dimension; send one volume of the series";
-                return Err(bad("sizes", format!("{sizes:?}"), advice));
+                return wrong_sizes("only layers of segments may be a fourth dimension; send one volume of the series");
             }
         };
-        let axes: Vec<usize> = (0..sizes.len()).filter(|&k| Some(k) != layer).collect();
-        let spacings = header.numbers("spacings").unwrap_or_default();
+        let layers_first = layer.is_some_and(|layer| layer < axes[0]);
+        let spacings = spacings(header, &sizes)?;
         let mut affine = Matrix4::identity();
         for (column, &axis) in axes.iter().enumerate() {
             let mut vector = [0.0; 3];
@@ -222,6 +334,20 @@ impl Grid {
         if let Some([Some([x, y, z])]) = vectors(header.get("space origin")).as_deref() {
             affine.set_column(3, &Vector4::new(*x, *y, *z, 1.0));
         }
+        let mut notes = Vec::new();
+        // Of the directions of space, or of each axis where only spacings are stated.
+        let stated = match directions.is_empty() {
+            false => header.units("space units"),
+            true => {
+                let units = header.units("units");
+                if units.is_empty() {
+                    header.units("space units")
+                } else {
+                    axes.iter().map(|&axis| units.get(axis).cloned().unwrap_or_default()).collect()
+                }
+            }
+        };
+        to_millimetres(&mut affine, &stated, &mut notes);
         let scale = |x, y| Matrix4::from_diagonal(&Vector4::new(x, y, 1.0, 1.0));
         let (affine, space, note) = match header.get("space").to_ascii_lowercase().as_str() {
             "left-posterior-superior" | "lps" => {
@@ -232,8 +358,8 @@ impl Grid {
                 (scale(-1.0, 1.0) * affine, InputSpace::Unknown, Some(note))
             }
             "right-anterior-superior" | "ras" => (affine, InputSpace::ScannerRas, None),
-            "" => {
-                let note = "the file does not state its space; its coordinates are taken as RAS".to_owned();
+            "" | "scanner-xyz" | "3d-right-handed" => {
+                let note = "the file does not state its anatomical space; its coordinates are taken as RAS".to_owned();
                 (affine, InputSpace::Unknown, Some(note))
             }
             _ => {
@@ -241,9 +367,50 @@ impl Grid {
                 return Err(bad("space", "another".to_owned(), advice));
             }
         };
+        notes.splice(0..0, note);
         let dims = [0, 1, 2].map(|k| sizes[axes[k]] as usize);
         let n_layers = layer.map_or(1, |k| sizes[k] as usize);
-        Ok(Grid { dims, n_layers, layers_first: layer == Some(0), affine, space, note })
+        Ok(Grid { dims, n_layers, layers_first, affine, space, notes })
+    }
+}
+
+/// The distance of samples along each axis: as stated, or between the least and the largest position.
+fn spacings(header: &Header, sizes: &[f64]) -> Result<Vec<f64>, FormatError> {
+    let spacings = header.numbers("spacings")?;
+    let (least, most) = (header.numbers("axis mins")?, header.numbers("axis maxs")?);
+    let is_node = |axis: usize| {
+        let centers = ["centers", "centerings"].map(|key| header.get(key).split_whitespace().nth(axis));
+        centers.contains(&Some("node"))
+    };
+    let between = |axis: usize| {
+        let length = most.get(axis)? - least.get(axis)?;
+        Some(length / if is_node(axis) { (sizes[axis] - 1.0).max(1.0) } else { sizes[axis] })
+    };
+    let valid = |s: &f64| s.is_finite() && *s > 0.0;
+    let of_axis =
+        |axis| spacings.get(axis).copied().filter(valid).or_else(|| between(axis).filter(valid)).unwrap_or(1.0);
+    Ok((0..sizes.len()).map(of_axis).collect())
+}
+
+/// Scales each direction of space from its unit.
+fn to_millimetres(affine: &mut Matrix4<f64>, stated: &[String], notes: &mut Vec<String>) {
+    let mut factors = [1.0; 3];
+    for (factor, name) in factors.iter_mut().zip(stated).filter(|(_, name)| !name.trim().is_empty()) {
+        match units::named(name) {
+            Some(Unit { mm }) => *factor = mm,
+            None => {
+                notes
+                    .push("the file states a unit of space that is none of length; millimetres are assumed".to_owned());
+                return;
+            }
+        }
+    }
+    for (row, factor) in factors.into_iter().enumerate() {
+        affine.row_mut(row).scale_mut(factor);
+    }
+    match factors {
+        [x, y, z] if x == y && y == z => notes.extend(Unit { mm: x }.note()),
+        _ => notes.push(format!("the file states units of {factors:?} mm; coordinates were converted to mm")),
     }
 }
 

@@ -1,21 +1,62 @@
 //! Wavefront OBJ: vertices and polygons; normals, textures, groups, lines and materials are skipped.
 //!
 //! Source: "Object Files (.obj)", Advanced Visualizer manual, appendix B1. Indices count from 1, or from the last vertex
-//! backwards if negative. Statements that are not known are skipped, as other readers do. (MNI `.obj` files are another
-//! format under the same ending.)
+//! backwards if negative. A comment begins with `#` and may follow a statement. Statements that are not known are skipped, as
+//! other readers do. A unit that a comment states is applied. (MNI `.obj` files are another format under the same ending.)
 
 use super::polygons::{MeshFile, Polygons};
-use super::text::Scanner;
-use super::{FormatError, ReadLimits};
+use super::text::{Scanner, real, whole, words};
+use super::{FormatError, ReadLimits, units};
 use nalgebra::Point3;
 
-/// Statements with which a file may begin.
-const STATEMENTS: [&[u8]; 10] = [b"v", b"vt", b"vn", b"vp", b"f", b"g", b"o", b"s", b"mtllib", b"usemtl"];
+/// Statements of the format.
+const STATEMENTS: [&[u8]; 40] = [
+    b"v",
+    b"vt",
+    b"vn",
+    b"vp",
+    b"cstype",
+    b"deg",
+    b"bmat",
+    b"step",
+    b"p",
+    b"l",
+    b"f",
+    b"fo",
+    b"curv",
+    b"curv2",
+    b"surf",
+    b"parm",
+    b"trim",
+    b"hole",
+    b"scrv",
+    b"sp",
+    b"end",
+    b"con",
+    b"g",
+    b"s",
+    b"mg",
+    b"o",
+    b"bevel",
+    b"c_interp",
+    b"d_interp",
+    b"lod",
+    b"usemtl",
+    b"mtllib",
+    b"usemap",
+    b"maplib",
+    b"shadow_obj",
+    b"trace_obj",
+    b"ctech",
+    b"stech",
+    b"call",
+    b"csh",
+];
 
 /// Whether this text begins with a statement of the format, after comments.
 pub(super) fn is_obj(bytes: &[u8]) -> bool {
     let mut scanner = Scanner::new(bytes);
-    while let Some(line) = scanner.line() {
+    while let Some(line) = scanner.text_line() {
         if line.contains(&0) {
             return false;
         }
@@ -26,10 +67,6 @@ pub(super) fn is_obj(bytes: &[u8]) -> bool {
         }
     }
     false
-}
-
-fn words(line: &[u8]) -> impl Iterator<Item = &[u8]> {
-    line.split(u8::is_ascii_whitespace).filter(|word| !word.is_empty())
 }
 
 /// Reads a mesh. A file of quads alone gives a quad mesh; otherwise polygons are split into triangles.
@@ -45,23 +82,28 @@ pub fn read_obj(bytes: &[u8], limits: &ReadLimits) -> Result<MeshFile, FormatErr
     let mut faces: Vec<i64> = Vec::new();
     let mut ends = Vec::new();
     let mut joined = Vec::new();
-    while let Some(line) = scanner.line() {
+    let mut unit = None;
+    while let Some(line) = scanner.text_line() {
         joined.clear();
         let mut line = line;
         // A line that ends in a backslash goes on in the next.
         while let Some(part) = line.strip_suffix(b"\\") {
             joined.extend_from_slice(part);
             joined.push(b' ');
-            line = scanner.line().unwrap_or_default();
+            line = scanner.text_line().unwrap_or_default();
         }
         joined.extend_from_slice(line);
-        let mut words = words(&joined);
+        if joined.starts_with(b"#") {
+            unit = unit.or_else(|| units::stated(&String::from_utf8_lossy(&joined)));
+            continue;
+        }
+        let statement = before_comment(&joined);
+        let mut words = words(statement);
         match words.next() {
             Some(b"v") => {
                 let mut p = Point3::origin();
                 for c in p.iter_mut() {
-                    let number = words.next().and_then(|w| std::str::from_utf8(w).ok()).and_then(|w| w.parse().ok());
-                    *c = number.ok_or_else(|| scanner.expected_before("a coordinate"))?;
+                    *c = words.next().and_then(real).ok_or_else(|| scanner.expected_before("a coordinate"))?;
                 }
                 polygons.vertices.push(p);
                 Polygons::check_count(polygons.vertices.len() as u64, limits)?;
@@ -69,11 +111,16 @@ pub fn read_obj(bytes: &[u8], limits: &ReadLimits) -> Result<MeshFile, FormatErr
             Some(b"f") => {
                 for word in words {
                     // vertex/texture/normal
-                    let index = word.split(|&b| b == b'/').next().and_then(|w| std::str::from_utf8(w).ok());
-                    let index: Option<i64> = index.and_then(|w| w.parse().ok()).filter(|&index| index != 0);
+                    let index = word.split(|&b| b == b'/').next().and_then(whole::<i64>).filter(|&index| index != 0);
                     let index = index.ok_or_else(|| scanner.expected_before("a vertex index other than 0"))?;
                     let n = polygons.vertices.len() as i64;
                     faces.push(if index > 0 { index - 1 } else { n.saturating_add(index) });
+                }
+                let n_corners = faces.len() - ends.last().copied().unwrap_or(0);
+                if n_corners < 3 && scanner.remaining() == 0 && !bytes.ends_with(b"\n") && !bytes.ends_with(b"\r") {
+                    return Err(
+                        scanner.expected_before("a face of three corners or more: the file may have been cut off")
+                    );
                 }
                 ends.push(faces.len());
                 Polygons::check_faces(ends.len() as u64, limits)?;
@@ -87,5 +134,16 @@ pub fn read_obj(bytes: &[u8], limits: &ReadLimits) -> Result<MeshFile, FormatErr
         polygons.push(faces[start..end].iter().copied())?;
         start = end;
     }
-    polygons.into_mesh()
+    let mut file = polygons.into_mesh()?;
+    if let Some(unit) = unit {
+        file.scale(unit)?;
+    }
+    Ok(file)
+}
+
+/// What of a line precedes a comment. The `#` of `1.#QNAN`, as older programs write what is no number, begins none.
+fn before_comment(line: &[u8]) -> &[u8] {
+    let begins = |&at: &usize| line[at] == b'#' && !line[..at].ends_with(b"1.");
+    let end = (0..line.len()).find(begins).unwrap_or(line.len());
+    &line[..end]
 }

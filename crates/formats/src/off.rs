@@ -1,10 +1,11 @@
 //! OFF of Geomview, ASCII: positions and polygons; normals, colors and texture coordinates are skipped.
 //!
-//! Source: Geomview manual, "OFF Files". The keyword is optional; comments begin with `#`; a vertex or a face is a line.
+//! Source: Geomview manual, "OFF Files". The keyword is optional; comments begin with `#`; a vertex or a face is a line. Lines
+//! after the last face mean that the counts are wrong.
 
 use super::polygons::{MeshFile, Polygons};
-use super::text::Scanner;
-use super::{FormatError, ReadLimits};
+use super::text::{Scanner, real, whole, words};
+use super::{FormatError, ReadLimits, units};
 use nalgebra::Point3;
 
 /// Whether this text has the keyword of the format, or names it in a comment in its first line.
@@ -23,21 +24,13 @@ fn is_keyword(word: &[u8]) -> bool {
 /// The next line with anything but blanks and a comment, without the comment.
 fn significant<'a>(scanner: &mut Scanner<'a>) -> Option<&'a [u8]> {
     loop {
-        let line = scanner.line()?;
+        let line = scanner.text_line()?;
         let end = line.iter().position(|&b| b == b'#').unwrap_or(line.len());
         let line = line[..end].trim_ascii();
         if !line.is_empty() {
             return Some(line);
         }
     }
-}
-
-fn words(line: &[u8]) -> impl Iterator<Item = &[u8]> {
-    line.split(u8::is_ascii_whitespace).filter(|word| !word.is_empty())
-}
-
-fn number<T: std::str::FromStr>(word: Option<&[u8]>) -> Option<T> {
-    std::str::from_utf8(word?).ok()?.parse().ok()
 }
 
 /// Reads a mesh. A file of quads alone gives a quad mesh; otherwise polygons are split into triangles.
@@ -64,30 +57,59 @@ pub fn read_off(bytes: &[u8], limits: &ReadLimits) -> Result<MeshFile, FormatErr
         };
     }
     let mut counts = words(line);
-    let counts = number::<u64>(counts.next()).zip(number::<u64>(counts.next()));
+    let counts = counts.next().and_then(whole::<u64>).zip(counts.next().and_then(whole::<u64>));
     let (n_vertices, n_faces) = counts.ok_or_else(|| scanner.expected_before("the counts of vertices and faces"))?;
     Polygons::check_count(n_vertices, limits)?;
     Polygons::check_faces(n_faces, limits)?;
     let mut polygons = Polygons::default();
-    for _ in 0..n_vertices {
-        let line = significant(&mut scanner).ok_or_else(|| scanner.expected("a vertex"))?;
-        let mut coordinates = words(line);
+    for found in 0..n_vertices {
         let mut p = Point3::origin();
+        let Some(line) = significant(&mut scanner) else {
+            return Err(FormatError::CountMismatch { what: "vertices", stated: n_vertices, found });
+        };
+        let mut coordinates = words(line).map(real);
         for c in p.iter_mut() {
-            *c = number(coordinates.next()).ok_or_else(|| scanner.expected_before("three coordinates"))?;
+            *c = coordinates.next().flatten().ok_or_else(|| scanner.expected_before("three coordinates"))?;
         }
         polygons.vertices.push(p);
     }
-    for _ in 0..n_faces {
-        let line = significant(&mut scanner).ok_or_else(|| scanner.expected("a face"))?;
-        let mut corners = words(line);
-        let n: usize = number(corners.next()).ok_or_else(|| scanner.expected_before("the number of corners"))?;
-        let mut face = Vec::new();
-        for _ in 0..n {
-            let corner: Option<i64> = number(corners.next());
-            face.push(corner.ok_or_else(|| scanner.expected_before("a vertex index for each corner"))?);
-        }
-        polygons.push(face)?;
+    for found in 0..n_faces {
+        let Some(line) = significant(&mut scanner) else {
+            return Err(FormatError::CountMismatch { what: "faces", stated: n_faces, found });
+        };
+        polygons.push(corners(line).ok_or_else(|| scanner.expected_before(FACE))?)?;
     }
-    polygons.into_mesh()
+    let mut file = polygons.into_mesh()?;
+    file.notes.extend(check_end(&mut scanner, n_faces)?);
+    let comments = bytes.split(|&byte| byte == b'\n').filter(|line| line.contains(&b'#'));
+    if let Some(unit) = comments.into_iter().find_map(|line| units::stated(&String::from_utf8_lossy(line))) {
+        file.scale(unit)?;
+    }
+    Ok(file)
+}
+
+/// Holds what follows the last face against their number: further lines of faces mean that it is wrong. A note of other bytes.
+fn check_end(scanner: &mut Scanner<'_>, stated: u64) -> Result<Option<String>, FormatError> {
+    let rest = scanner.rest();
+    let (mut n_more, mut is_other) = (0, false);
+    while let Some(line) = significant(scanner) {
+        match corners(line) {
+            Some(_) => n_more += 1,
+            None => is_other |= line.iter().any(|&byte| byte != 0),
+        }
+    }
+    if n_more > 0 {
+        return Err(FormatError::CountMismatch { what: "faces", stated, found: stated + n_more });
+    }
+    Ok(is_other.then(|| super::trailing_note(rest.len())))
+}
+
+const FACE: &str = "the number of corners and a vertex index for each";
+
+/// The corners of a face, of which the line states the number; colors may follow.
+fn corners(line: &[u8]) -> Option<Vec<i64>> {
+    let mut words = words(line);
+    let n: usize = whole(words.next()?)?;
+    let corners: Vec<i64> = words.by_ref().take(n).map_while(whole).collect();
+    (corners.len() == n && words.all(|word| real(word).is_some())).then_some(corners)
 }

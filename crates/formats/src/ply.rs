@@ -1,21 +1,22 @@
-//! Stanford PLY: ASCII, binary little- and big-endian, by the parser of `ply-rs-bw`.
+//! Stanford PLY: ASCII, binary little- and big-endian; faces and triangle strips.
 //!
-//! Elements other than `vertex` and `face`, and properties other than positions and vertex lists, are skipped.
+//! Source: G. Turk, "The PLY Polygon File Format", 1994, and what VTK, MeshLab and Blender write. Elements other than `vertex`,
+//! `face` and `tristrips`, and properties other than positions and vertex lists, are skipped. Rows of an ASCII file are lines;
+//! where there are fewer lines than rows, values are taken word by word. What follows the last row is held against the counts:
+//! further rows mean that a count is wrong.
 
-use super::polygons::{MeshFile, Polygons};
+use super::element::{ByteOrder, Element};
+use super::polygons::{MeshFile, Polygons, strip_triangles};
+use super::text::{Scanner, real, whole, words};
 use super::vertex_arrays::{VertexArray, VertexValues, fitting};
-use super::{FormatError, ReadLimits};
+use super::{FormatError, ReadLimits, units};
 use homolog_mesh::SurfaceMesh;
 use nalgebra::Point3;
-use ply_rs_bw::parser::{Parser, Reader};
-use ply_rs_bw::ply::{
-    ElementDef, Encoding, Header, Property, PropertyAccess, PropertyAccessResult, PropertyType, ScalarType,
-};
-use std::io::Cursor;
-use std::panic::{AssertUnwindSafe, catch_unwind};
 
-/// Names of the property that lists the vertices of a face.
+/// Names of the property that lists the vertices of a face or strip.
 const FACE_LISTS: [&str; 2] = ["vertex_indices", "vertex_index"];
+/// Most lines of a header, and most properties of all its elements.
+const MAX_HEADER_LINES: usize = 10_000;
 
 /// Reads a mesh. A file of quads alone gives a quad mesh; otherwise all polygons are split into triangles.
 ///
@@ -25,151 +26,396 @@ const FACE_LISTS: [&str; 2] = ["vertex_indices", "vertex_index"];
 /// # Cost
 /// Linear in the file's length.
 pub fn read_ply(bytes: &[u8], limits: &ReadLimits) -> Result<MeshFile, FormatError> {
-    // A panic of the third-party parser must only reject this file.
-    catch_unwind(AssertUnwindSafe(|| parse(bytes, limits)))
-        .unwrap_or(Err(FormatError::Payload { format: "PLY", line: None }))
+    let mut scanner = Scanner::new(bytes);
+    let header = Header::read(&mut scanner)?;
+    header.check(scanner.remaining(), limits)?;
+    let mut rows = match header.order {
+        Some(order) => Rows::Binary(scanner, order),
+        None => Rows::of_text(scanner, header.n_rows()),
+    };
+    let mut content = Content::default();
+    for element in &header.elements {
+        for _ in 0..element.count {
+            rows.next(element, &mut content.row)?;
+            content.keep(element);
+        }
+    }
+    let trailing = rows.check_end(&header, &content)?;
+    let mut polygons = Polygons::of(content.vertices);
+    let (mut corners, mut start) = (content.corners.as_slice(), 0);
+    for &(end, is_strip) in &content.ends {
+        let (list, rest) = corners.split_at(end - start);
+        (corners, start) = (rest, end);
+        if is_strip {
+            // A negative index ends a strip within a list.
+            for strip in list.split(|&v| v < 0) {
+                strip_triangles(strip).try_for_each(|triangle| polygons.push(triangle))?;
+            }
+        } else {
+            polygons.push(list.iter().copied())?;
+        }
+    }
+    let mut file = polygons.into_mesh()?;
+    file.notes.extend(trailing);
+    if let Some(unit) = header.comments.iter().find_map(|comment| units::stated(comment)) {
+        file.scale(unit)?;
+    }
+    Ok(file)
 }
 
-fn parse(bytes: &[u8], limits: &ReadLimits) -> Result<MeshFile, FormatError> {
-    let damaged = |e: ply_rs_bw::parser::ParseError| FormatError::Payload { format: "PLY", line: e.line() };
-    let mut reader = Reader::new(Cursor::new(bytes));
-    let header = Parser::<Skipped>::new().read_header(&mut reader).map_err(damaged)?;
-    check(&header, bytes.len(), limits)?;
-    let mut polygons = Polygons::default();
-    let mut faces = Vec::new();
-    for (name, element) in &header.elements {
-        match name.as_str() {
+struct Header {
+    /// `None` for ASCII.
+    order: Option<ByteOrder>,
+    elements: Vec<ElementRows>,
+    comments: Vec<String>,
+}
+
+/// An element of the header: a table of the file.
+struct ElementRows {
+    name: String,
+    count: u64,
+    columns: Vec<Column>,
+}
+
+/// A property: a number, or a list that begins with its length.
+struct Column {
+    name: String,
+    element: Element,
+    length: Option<Element>,
+    role: Role,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Role {
+    Skipped,
+    /// Coordinate of a vertex.
+    Coordinate(usize),
+    /// Vertices of a face or strip.
+    Corners,
+}
+
+fn element_of_name(name: &[u8]) -> Option<Element> {
+    Some(match name.to_ascii_lowercase().as_slice() {
+        b"char" | b"int8" => Element::I8,
+        b"uchar" | b"uint8" => Element::U8,
+        b"short" | b"int16" => Element::I16,
+        b"ushort" | b"uint16" => Element::U16,
+        b"int" | b"int32" => Element::I32,
+        b"uint" | b"uint32" => Element::U32,
+        b"int64" => Element::I64,
+        b"uint64" => Element::U64,
+        b"float" | b"float32" => Element::F32,
+        b"double" | b"float64" => Element::F64,
+        _ => return None,
+    })
+}
+
+impl Header {
+    fn read(scanner: &mut Scanner<'_>) -> Result<Self, FormatError> {
+        // The line ends of old Macintosh programs; data may follow that begin with any byte.
+        let end =
+            if scanner.rest().get(3) == Some(&b'\r') && scanner.rest().get(4) != Some(&b'\n') { b'\r' } else { b'\n' };
+        scanner.line_ended_by(end);
+        let mut header = Header { order: None, elements: Vec::new(), comments: Vec::new() };
+        let mut has_format = false;
+        for _ in 0..MAX_HEADER_LINES {
+            let line = scanner.line_ended_by(end).ok_or_else(|| scanner.expected("end_header"))?;
+            let mut words = words(line);
+            match words.next() {
+                None => {}
+                Some(b"format") => {
+                    has_format = true;
+                    header.order = match words.next() {
+                        Some(b"ascii") => None,
+                        Some(b"binary_little_endian") => Some(ByteOrder::Little),
+                        Some(b"binary_big_endian") => Some(ByteOrder::Big),
+                        _ => return Err(scanner.expected_before("ascii, binary_little_endian or binary_big_endian")),
+                    };
+                }
+                Some(b"comment" | b"obj_info") => header.comments.push(String::from_utf8_lossy(line).into_owned()),
+                Some(b"element") => {
+                    let name = words.next().ok_or_else(|| scanner.expected_before("the name of an element"))?;
+                    let count = words.next().and_then(whole);
+                    let count = count.ok_or_else(|| scanner.expected_before("the number of rows of an element"))?;
+                    let name = String::from_utf8_lossy(name).into_owned();
+                    header.elements.push(ElementRows { name, count, columns: Vec::new() });
+                }
+                Some(b"property") => {
+                    let expected = "a property: its type and its name, or list, two types and its name";
+                    let column = Column::of(&mut words).ok_or_else(|| scanner.expected_before(expected))?;
+                    let element = header.elements.last_mut();
+                    element
+                        .ok_or_else(|| scanner.expected_before("an element before its properties"))?
+                        .columns
+                        .push(column);
+                }
+                Some(b"end_header") if has_format => {
+                    header.elements.iter_mut().for_each(ElementRows::find_roles);
+                    return Ok(header);
+                }
+                Some(b"end_header") => return Err(scanner.expected_before("a line that begins with format")),
+                Some(_) => return Err(scanner.expected_before("format, comment, element, property or end_header")),
+            }
+        }
+        Err(scanner.expected("end_header"))
+    }
+
+    fn n_rows(&self) -> u64 {
+        self.elements.iter().fold(0u64, |sum, element| sum.saturating_add(element.count))
+    }
+
+    fn get(&self, name: &str) -> Option<&ElementRows> {
+        self.elements.iter().find(|element| element.name == name)
+    }
+
+    /// Rejects headers without positions or faces, and counts for which the file is too short.
+    fn check(&self, available: usize, limits: &ReadLimits) -> Result<(), FormatError> {
+        let needs = |what: &'static str| FormatError::Unsupported {
+            what,
+            advice: "export a surface with vertices x, y, z and faces",
+        };
+        let vertex = self.get("vertex").ok_or_else(|| needs("a PLY file without vertices"))?;
+        let has = |element: &ElementRows, role| element.columns.iter().any(|column| column.role == role);
+        if !(0..3).all(|k| has(vertex, Role::Coordinate(k))) {
+            return Err(needs("a PLY file whose vertices have no x, y or z"));
+        }
+        let mut faces = [self.get("face"), self.get("tristrips")].into_iter().flatten().peekable();
+        if faces.peek().is_none() {
+            return Err(needs("a PLY file without faces"));
+        }
+        if !faces.any(|element| has(element, Role::Corners)) {
+            return Err(needs("a PLY file whose faces have no list of vertex indices"));
+        }
+        Polygons::check_count(vertex.count, limits)?;
+        let n_faces = self.get("face").map_or(0, |face| face.count);
+        Polygons::check_faces(n_faces, limits)?;
+        for element in &self.elements {
+            let least = match self.order {
+                // A digit and a blank for each value, a line end at least for none.
+                None => 2 * element.columns.len(),
+                Some(_) => element.columns.iter().map(|column| column.length.unwrap_or(column.element).size()).sum(),
+            };
+            let needed = element.count.saturating_mul(least.max(1) as u64);
+            // The last value needs no blank after it.
+            if needed > available as u64 + 1 {
+                return Err(FormatError::Truncated { part: "a PLY element", needed, available: available as u64 });
+            }
+        }
+        Ok(())
+    }
+}
+
+impl Column {
+    fn of<'w>(words: &mut impl Iterator<Item = &'w [u8]>) -> Option<Self> {
+        let is_real = |element: &Element| matches!(element, Element::F32 | Element::F64);
+        let (length, element) = match words.next()? {
+            b"list" => {
+                // A length that is a real number counts nothing.
+                let length = element_of_name(words.next()?).filter(|length| !is_real(length))?;
+                (Some(length), element_of_name(words.next()?)?)
+            }
+            name => (None, element_of_name(name)?),
+        };
+        let name = String::from_utf8_lossy(words.next()?).into_owned();
+        Some(Column { name, element, length, role: Role::Skipped })
+    }
+}
+
+impl ElementRows {
+    fn find_roles(&mut self) {
+        let coordinate = |name: &str| ["x", "y", "z"].iter().position(|known| name.eq_ignore_ascii_case(known));
+        let is_list =
+            |column: &Column| column.length.is_some() && !matches!(column.element, Element::F32 | Element::F64);
+        match self.name.as_str() {
             "vertex" => {
-                let read = Parser::<Vertex>::new().read_payload_for_element(&mut reader, element, &header);
-                polygons.vertices = read.map_err(damaged)?.into_iter().map(|v| v.0).collect();
+                for column in self.columns.iter_mut().filter(|column| column.length.is_none()) {
+                    column.role = coordinate(&column.name).map_or(Role::Skipped, Role::Coordinate);
+                }
             }
-            "face" => {
-                let read = Parser::<Face>::new().read_payload_for_element(&mut reader, element, &header);
-                faces = read.map_err(damaged)?;
+            "face" | "tristrips" => {
+                let named = self.columns.iter().position(|c| is_list(c) && FACE_LISTS.contains(&c.name.as_str()));
+                // A single list can be nothing else.
+                let lists: Vec<usize> = (0..self.columns.len()).filter(|&k| is_list(&self.columns[k])).collect();
+                let only = match lists[..] {
+                    [only] => Some(only),
+                    _ => None,
+                };
+                if let Some(k) = named.or(only) {
+                    self.columns[k].role = Role::Corners;
+                }
             }
-            _ => {
-                Parser::<Skipped>::new().read_payload_for_element(&mut reader, element, &header).map_err(damaged)?;
+            _ => {}
+        }
+    }
+
+    fn noun(&self) -> &'static str {
+        match self.name.as_str() {
+            "vertex" => "vertices",
+            "face" => "faces",
+            "tristrips" => "lists of triangle strips",
+            _ => "rows of the last element",
+        }
+    }
+}
+
+/// The values of a row that are kept.
+#[derive(Default)]
+struct Row {
+    place: [f64; 3],
+    corners: Vec<i64>,
+}
+
+#[derive(Default)]
+struct Content {
+    row: Row,
+    vertices: Vec<Point3<f64>>,
+    corners: Vec<i64>,
+    /// Where each list of corners ends, and whether it is of strips.
+    ends: Vec<(usize, bool)>,
+}
+
+impl Content {
+    fn keep(&mut self, element: &ElementRows) {
+        match element.name.as_str() {
+            "vertex" => self.vertices.push(self.row.place.into()),
+            "face" | "tristrips" => {
+                self.corners.append(&mut self.row.corners);
+                self.ends.push((self.corners.len(), element.name == "tristrips"));
+            }
+            _ => {}
+        }
+    }
+}
+
+/// Where rows come from.
+#[derive(Clone)]
+enum Rows<'a> {
+    Binary(Scanner<'a>, ByteOrder),
+    /// A row is a line.
+    Lines(Scanner<'a>),
+    /// Word by word, with the number of lines.
+    Words(Scanner<'a>, u64),
+}
+
+impl<'a> Rows<'a> {
+    fn of_text(scanner: Scanner<'a>, n_rows: u64) -> Self {
+        let mut lines = scanner.clone();
+        let mut n_lines = 0;
+        while let Some(line) = lines.text_line() {
+            n_lines += u64::from(!line.is_empty());
+        }
+        if n_lines >= n_rows { Rows::Lines(scanner) } else { Rows::Words(scanner, n_rows - n_lines) }
+    }
+
+    fn next(&mut self, element: &ElementRows, row: &mut Row) -> Result<(), FormatError> {
+        row.corners.clear();
+        match self {
+            Rows::Binary(scanner, order) => binary_row(scanner, *order, element, row),
+            Rows::Words(scanner, n_missing) => {
+                let (mut next, found) = (scanner.clone(), element.count.saturating_sub(*n_missing));
+                let mut word = || scanner.word();
+                let ended = || FormatError::CountMismatch { what: element.noun(), stated: element.count, found };
+                match text_row(&mut word, element, row) {
+                    Some(()) => Ok(()),
+                    None if next.word().is_none() || scanner.word().is_none() => Err(ended()),
+                    None => Err(next.expected("the values of a row as the header states them")),
+                }
+            }
+            Rows::Lines(scanner) => {
+                let line = loop {
+                    match scanner.text_line() {
+                        Some([]) => {}
+                        line => break line.unwrap_or_default(),
+                    }
+                };
+                let mut words = words(line);
+                let is_whole = text_row(&mut || words.next(), element, row).is_some() && words.next().is_none();
+                let expected = "a row with as many values as the header states";
+                if is_whole { Ok(()) } else { Err(scanner.expected_before(expected)) }
             }
         }
     }
-    for face in faces {
-        polygons.push(face.0)?;
+
+    /// What follows the last row: nothing but blanks and zeros, further rows, which a count conceals, or something else, of
+    /// which a note is returned.
+    fn check_end(mut self, header: &Header, content: &Content) -> Result<Option<String>, FormatError> {
+        let rest = match &self {
+            Rows::Binary(scanner, _) | Rows::Lines(scanner) | Rows::Words(scanner, _) => scanner.rest(),
+        };
+        if rest.iter().all(|byte| byte.is_ascii_whitespace() || *byte == 0) {
+            return Ok(None);
+        }
+        let Some(last) = header.elements.iter().rfind(|element| !element.columns.is_empty()) else { return Ok(None) };
+        let (mut row, mut n_more) = (Row::default(), 0u64);
+        let n_vertices = content.vertices.len() as i64;
+        let are_rows = loop {
+            let rest = match &self {
+                Rows::Binary(scanner, _) | Rows::Lines(scanner) | Rows::Words(scanner, _) => scanner.rest(),
+            };
+            if rest.is_empty() || rest.iter().all(u8::is_ascii_whitespace) {
+                break n_more > 0;
+            }
+            let is_row = self.next(last, &mut row).is_ok();
+            let fits = row.corners.iter().all(|&v| v < n_vertices) && row.place.iter().all(|c| c.is_finite());
+            if !is_row || !fits {
+                break false;
+            }
+            n_more += 1;
+        };
+        if are_rows {
+            let found = last.count.saturating_add(n_more);
+            return Err(FormatError::CountMismatch { what: last.noun(), stated: last.count, found });
+        }
+        Ok(Some(super::trailing_note(rest.len())))
     }
-    polygons.into_mesh()
 }
 
-/// Rejects headers without positions or faces, and counts for which the file is too short.
-fn check(header: &Header, file_bytes: usize, limits: &ReadLimits) -> Result<(), FormatError> {
-    let needs = |what: &'static str| FormatError::Unsupported {
-        what,
-        advice: "export a surface with vertices x, y, z and faces",
-    };
-    let vertex = header.elements.get("vertex").ok_or_else(|| needs("a PLY file without vertices"))?;
-    let face = header.elements.get("face").ok_or_else(|| needs("a PLY file without faces"))?;
-    let scalar = |e: &ElementDef, name: &str| {
-        e.properties.get(name).is_some_and(|p| matches!(p.data_type, PropertyType::Scalar(_)))
-    };
-    if !["x", "y", "z"].iter().all(|name| scalar(vertex, name)) {
-        return Err(needs("a PLY file whose vertices have no x, y or z"));
-    }
-    let is_list = |name: &&str| {
-        let kind = face.properties.get(*name).map(|p| &p.data_type);
-        matches!(kind, Some(PropertyType::List(_, t)) if !matches!(t, ScalarType::Float | ScalarType::Double))
-    };
-    if !FACE_LISTS.iter().any(is_list) {
-        return Err(needs("a PLY file whose faces have no list of vertex indices"));
-    }
-    Polygons::check_count(vertex.count as u64, limits)?;
-    Polygons::check_faces(face.count as u64, limits)?;
-    for element in header.elements.values() {
-        let least = match header.encoding {
-            // A digit and a blank for each value, a line end at least for none.
-            Encoding::Ascii => (2 * element.properties.len()).max(1),
-            _ => element.properties.values().map(|p| least_bytes(&p.data_type)).sum::<usize>(),
+fn binary_row(
+    scanner: &mut Scanner<'_>,
+    order: ByteOrder,
+    element: &ElementRows,
+    row: &mut Row,
+) -> Result<(), FormatError> {
+    for column in &element.columns {
+        let n = match column.length {
+            None => 1,
+            Some(length) => {
+                let n =
+                    length.whole_of(scanner.take(1, length.size(), "the length of a list of a PLY element")?, order);
+                u64::try_from(n).map_err(|_| scanner.expected("a list that is not of negative length"))?
+            }
         };
-        let needed = (element.count as u64).saturating_mul(least.max(1) as u64);
-        // The last value needs no blank after it.
-        if needed > file_bytes as u64 + 1 {
-            return Err(FormatError::Truncated { part: "a PLY element", needed, available: file_bytes as u64 });
+        let raw = scanner.take(n, column.element.size(), "a row of a PLY element")?;
+        match column.role {
+            Role::Coordinate(k) => row.place[k] = column.element.real_of(raw, order),
+            Role::Corners => {
+                row.corners.extend(raw.chunks_exact(column.element.size()).map(|b| column.element.whole_of(b, order)));
+            }
+            Role::Skipped => {}
         }
     }
     Ok(())
 }
 
-fn least_bytes(kind: &PropertyType) -> usize {
-    let (PropertyType::Scalar(scalar) | PropertyType::List(scalar, _)) = kind;
-    match scalar {
-        ScalarType::Char | ScalarType::UChar => 1,
-        ScalarType::Short | ScalarType::UShort => 2,
-        ScalarType::Int | ScalarType::UInt | ScalarType::Float => 4,
-        ScalarType::Double => 8,
-    }
-}
-
-/// An element whose values are parsed and dropped.
-struct Skipped;
-
-impl PropertyAccess for Skipped {
-    fn new() -> Self {
-        Skipped
-    }
-}
-
-struct Vertex(Point3<f64>);
-
-impl PropertyAccess for Vertex {
-    fn new() -> Self {
-        Vertex(Point3::origin())
-    }
-
-    fn set_property(&mut self, name: &str, property: Property) -> PropertyAccessResult {
-        let slot = match name {
-            "x" => &mut self.0.x,
-            "y" => &mut self.0.y,
-            "z" => &mut self.0.z,
-            _ => return PropertyAccessResult::Ignored,
+/// The values of a row from words; `None` if they are too few or not what they should be.
+fn text_row<'w>(word: &mut dyn FnMut() -> Option<&'w [u8]>, element: &ElementRows, row: &mut Row) -> Option<()> {
+    for column in &element.columns {
+        let n = match column.length {
+            None => 1,
+            Some(_) => whole::<u64>(word()?)?,
         };
-        *slot = match property {
-            Property::Float(v) => v.into(),
-            Property::Double(v) => v,
-            Property::Char(v) => v.into(),
-            Property::UChar(v) => v.into(),
-            Property::Short(v) => v.into(),
-            Property::UShort(v) => v.into(),
-            Property::Int(v) => v.into(),
-            Property::UInt(v) => v.into(),
-            _ => return PropertyAccessResult::UnsupportedType,
-        };
-        PropertyAccessResult::Set
-    }
-}
-
-struct Face(Vec<i64>);
-
-impl PropertyAccess for Face {
-    fn new() -> Self {
-        Face(Vec::new())
-    }
-
-    fn set_property(&mut self, name: &str, property: Property) -> PropertyAccessResult {
-        if !FACE_LISTS.contains(&name) {
-            return PropertyAccessResult::Ignored;
+        for _ in 0..n {
+            let word = word()?;
+            match column.role {
+                Role::Coordinate(k) => row.place[k] = real(word)?,
+                Role::Corners => row.corners.push(whole(word)?),
+                Role::Skipped => {
+                    real(word)?;
+                }
+            }
         }
-        self.0 = match property {
-            Property::ListChar(v) => wide(v),
-            Property::ListUChar(v) => wide(v),
-            Property::ListShort(v) => wide(v),
-            Property::ListUShort(v) => wide(v),
-            Property::ListInt(v) => wide(v),
-            Property::ListUInt(v) => wide(v),
-            _ => return PropertyAccessResult::UnsupportedType,
-        };
-        PropertyAccessResult::Set
     }
-}
-
-fn wide<T: Into<i64>>(list: Vec<T>) -> Vec<i64> {
-    list.into_iter().map(Into::into).collect()
+    Some(())
 }
 
 /// A binary little-endian PLY file, positions in double precision. Reading it back gives the same mesh to the bit.

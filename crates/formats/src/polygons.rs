@@ -1,5 +1,6 @@
 //! From the polygons of a file to a triangle or quad mesh.
 
+use super::units::Unit;
 use super::{FormatError, ReadLimits};
 use homolog_contract::input::InputSpace;
 use homolog_mesh::{FaceArity, MeshError, SurfaceMesh};
@@ -28,6 +29,20 @@ pub struct MeshFile {
     pub space: InputSpace,
     /// What was done to the coordinates, or has to be known about them: a sentence each, without text of the file.
     pub notes: Vec<String>,
+}
+
+impl MeshFile {
+    /// Converts the coordinates from this unit to millimetres, with a note.
+    ///
+    /// # Errors
+    /// [`MeshError`] if a coordinate overflows.
+    pub(super) fn scale(&mut self, unit: Unit) -> Result<(), FormatError> {
+        let Some(note) = unit.note() else { return Ok(()) };
+        let vertices = self.mesh.vertices().iter().map(|p| p * unit.mm).collect();
+        self.mesh = SurfaceMesh::new(vertices, self.mesh.arity(), self.mesh.indices().to_vec())?;
+        self.notes.push(note);
+        Ok(())
+    }
 }
 
 /// Vertices and polygons of any number of corners.
@@ -103,7 +118,8 @@ impl Polygons {
     ///
     /// # Errors
     /// [`MeshError`] if nothing is left or a coordinate is not finite.
-    pub(super) fn into_mesh(self) -> Result<MeshFile, FormatError> {
+    pub(super) fn into_mesh(mut self) -> Result<MeshFile, FormatError> {
+        let notes: Vec<String> = self.place_unused().into_iter().collect();
         let all_quads = self.faces().all(|f| f.len() == 4);
         let arity = if all_quads { FaceArity::Quad } else { FaceArity::Triangle };
         let mut indices = Vec::with_capacity(self.corners.len());
@@ -131,13 +147,26 @@ impl Polygons {
             }
         }
         let mesh = SurfaceMesh::new(self.vertices, arity, indices)?;
-        Ok(MeshFile {
-            mesh,
-            first_degenerate,
-            n_degenerate,
-            welded: false,
-            space: InputSpace::Unknown,
-            notes: Vec::new(),
+        Ok(MeshFile { mesh, first_degenerate, n_degenerate, welded: false, space: InputSpace::Unknown, notes })
+    }
+
+    /// Puts vertices that no face uses and that have no finite coordinates where the first used one is, so that all keep their
+    /// numbers; a note, if there are any.
+    fn place_unused(&mut self) -> Option<String> {
+        let is_finite = |p: &Point3<f64>| p.iter().all(|c| c.is_finite());
+        if self.vertices.iter().all(is_finite) {
+            return None;
+        }
+        let mut used = vec![false; self.vertices.len()];
+        self.corners.iter().for_each(|&v| used[v as usize] = true);
+        let place = *self.vertices.get(*self.corners.first()? as usize)?;
+        let mut n_placed = 0;
+        for (vertex, _) in self.vertices.iter_mut().zip(&used).filter(|(p, used)| !**used && !is_finite(p)) {
+            *vertex = place;
+            n_placed += 1;
+        }
+        (n_placed > 0).then(|| {
+            format!("{n_placed} of the vertices that no face uses have no finite coordinates; they are ignored")
         })
     }
 }

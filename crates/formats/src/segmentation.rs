@@ -7,7 +7,7 @@ use super::dicom::{SOP_CLASS, SOP_INSTANCE, is_dicom, read_file};
 use super::dicom_file::{
     Elements, FRAME_OF_REFERENCE, SERIES, Study, add_study, decimal, file, frame_of_reference, uid_of,
 };
-use super::{DEFAULT_FRACTION, FileContent, FormatError, ReadLimits, archive, lps, read_with};
+use super::{FileContent, FormatError, ReadLimits, archive, lps, read};
 use homolog_mesh::SurfaceMesh;
 use nalgebra::{Matrix4, Point3, Vector3, Vector4};
 
@@ -206,7 +206,7 @@ struct Voxels {
 
 impl Grid {
     fn of(surface: &SurfaceMesh, own: &[u8], limits: &ReadLimits) -> Result<Self, SegmentationError> {
-        if let Ok(read) = read_with(own, None, limits, DEFAULT_FRACTION)
+        if let Ok(read) = read(own, None, limits)
             && let FileContent::Labels(volume) = read.content
         {
             let [columns, rows, _] = volume.dims().map(|d| d as i64);
@@ -358,7 +358,7 @@ mod tests {
     }
 
     fn voxels(bytes: &[u8]) -> LabelVolume {
-        read_dicom_seg(&[bytes], &ReadLimits::default(), 0.5).unwrap().volume
+        read_dicom_seg(&[bytes], &ReadLimits::default(), &Default::default()).unwrap().volume
     }
 
     /// Centers of the voxels of a volume that belong to the segment, and of those that do not.

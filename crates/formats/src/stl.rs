@@ -1,33 +1,64 @@
 //! STL, ASCII and binary. The format has no shared vertices, so they are welded on reading.
 //!
-//! A binary file is recognized by its length (84 bytes, and 50 per facet), since its free text may begin with "solid" too.
+//! Source: StereoLithography Interface Specification, 3D Systems, 1988. A binary file is 80 bytes of free text, a count, and 50
+//! bytes for each facet; its text may begin with "solid" too, so the kind is found from the bytes. Where the count disagrees
+//! with the length, the length decides if it is that of whole facets and the count states fewer, or none: writers that stream
+//! leave it at 0. Where the count states more, or what follows the facets is neither facets nor a short rest, the file is
+//! refused. An ASCII file without `endsolid` is read only if its surface is closed: else it may have been cut off.
 
 use super::polygons::{MeshFile, Polygons};
 use super::text::Scanner;
-use super::{FormatError, ReadLimits};
+use super::{FormatError, ReadLimits, trailing_note, units};
 use homolog_mesh::SurfaceMesh;
 use homolog_mesh::repair::weld;
 use nalgebra::Point3;
 
+const TEXT_BYTES: usize = 80;
 const HEADER_BYTES: usize = 84;
 const FACET_BYTES: usize = 50;
+/// As much of a file as is looked at to tell text from binary.
+const HEAD_BYTES: usize = 1024;
 
-/// Whether these bytes look like STL of either kind.
+/// Whether these bytes are STL of either kind.
 pub(super) fn is_stl(bytes: &[u8]) -> bool {
-    is_binary(bytes) || starts_with_solid(bytes)
+    is_ascii(bytes) || stated_facets(bytes).is_some_and(|n| n > 0 && bytes.len() as u64 == length_of(n))
 }
 
-fn is_binary(bytes: &[u8]) -> bool {
-    n_facets(bytes).is_some_and(|n| n > 0 && bytes.len() as u64 == HEADER_BYTES as u64 + n * FACET_BYTES as u64)
+/// Whether these bytes can be binary STL whose count is wrong: facets that all have finite coordinates. There may be none where the
+/// name of the file says that it is STL.
+pub(super) fn may_be_stl(bytes: &[u8], is_named_so: bool) -> bool {
+    let Some(facets) = bytes.get(HEADER_BYTES..) else { return false };
+    (is_named_so || facets.len() >= FACET_BYTES)
+        && !is_text(bytes)
+        && facets.chunks_exact(FACET_BYTES).all(is_plausible)
 }
 
-fn n_facets(bytes: &[u8]) -> Option<u64> {
-    let count = bytes.get(80..HEADER_BYTES)?.first_chunk::<4>()?;
+fn length_of(n_facets: u64) -> u64 {
+    HEADER_BYTES as u64 + n_facets * FACET_BYTES as u64
+}
+
+/// The count of the header.
+fn stated_facets(bytes: &[u8]) -> Option<u64> {
+    let count = bytes.get(TEXT_BYTES..HEADER_BYTES)?.first_chunk::<4>()?;
     Some(u32::from_le_bytes(*count).into())
 }
 
-fn starts_with_solid(bytes: &[u8]) -> bool {
-    bytes.trim_ascii_start().get(..5).is_some_and(|head| head.eq_ignore_ascii_case(b"solid"))
+/// Whether the begin of a file is text.
+fn is_text(bytes: &[u8]) -> bool {
+    let head = &bytes[..bytes.len().min(HEAD_BYTES)];
+    !head.iter().any(|&byte| byte < b' ' && !byte.is_ascii_whitespace() && byte != 0x0b)
+}
+
+fn is_ascii(bytes: &[u8]) -> bool {
+    let head = super::text::without_preamble(bytes);
+    let begins = |word: &[u8]| head.get(..word.len()).is_some_and(|start| start.eq_ignore_ascii_case(word));
+    let is_keyword = begins(b"solid") && head.get(5).is_none_or(u8::is_ascii_whitespace);
+    (is_keyword || begins(b"facet normal")) && is_text(bytes)
+}
+
+/// Whether a facet has numbers that coordinates can be.
+fn is_plausible(facet: &[u8]) -> bool {
+    corners_of(facet).iter().all(|p| p.iter().all(|c| c.is_finite() && c.abs() < 1e12))
 }
 
 /// Reads a mesh of triangles, welded. Normals are ignored: the order of the corners gives the orientation.
@@ -38,13 +69,20 @@ fn starts_with_solid(bytes: &[u8]) -> bool {
 /// # Cost
 /// Linear in the file's length.
 pub fn read_stl(bytes: &[u8], limits: &ReadLimits) -> Result<MeshFile, FormatError> {
-    let ascii = !is_binary(bytes) && starts_with_solid(bytes);
-    let corners = if ascii { ascii_corners(bytes, limits)? } else { binary_corners(bytes, limits)? };
+    let mut notes = Vec::new();
+    let ascii = is_ascii(bytes);
+    let mut is_complete = true;
+    let corners = if ascii {
+        let (corners, ended) = ascii_corners(bytes, limits)?;
+        is_complete = ended;
+        corners
+    } else {
+        binary_corners(bytes, limits, &mut notes)?
+    };
     if let Some(vertex) = corners.iter().position(|p| !p.iter().all(|c| c.is_finite())) {
         return Err(homolog_mesh::MeshError::NonFinite { vertex }.into());
     }
-    let mut polygons = Polygons::default();
-    polygons.vertices = corners;
+    let mut polygons = Polygons::of(corners);
     for k in (0..polygons.vertices.len() as i64).step_by(3) {
         polygons.push([k, k + 1, k + 2])?;
     }
@@ -52,30 +90,76 @@ pub fn read_stl(bytes: &[u8], limits: &ReadLimits) -> Result<MeshFile, FormatErr
     file.mesh = weld(&file.mesh)?.mesh;
     file.welded = true;
     Polygons::check_count(file.mesh.n_vertices() as u64, limits)?;
+    if !is_complete {
+        if file.mesh.boundary_vertices().is_some() {
+            let line = 1 + bytes.iter().filter(|&&byte| byte == b'\n').count();
+            return Err(FormatError::Syntax {
+                line,
+                expected: "endsolid: the file ends before it and its surface is open",
+            });
+        }
+        notes.push("the file ends without endsolid; its surface is closed".to_owned());
+    }
+    file.notes.extend(notes);
+    let title = if ascii { bytes.split(|&b| b == b'\n').next() } else { bytes.get(..TEXT_BYTES) };
+    if let Some(unit) = title.and_then(|title| units::stated(&String::from_utf8_lossy(title).replace('\0', " "))) {
+        file.scale(unit)?;
+    }
     Ok(file)
 }
 
-fn binary_corners(bytes: &[u8], limits: &ReadLimits) -> Result<Vec<Point3<f64>>, FormatError> {
+fn binary_corners(bytes: &[u8], limits: &ReadLimits, notes: &mut Vec<String>) -> Result<Vec<Point3<f64>>, FormatError> {
     let available = bytes.len() as u64;
-    let n = n_facets(bytes).ok_or(FormatError::Truncated { part: "the STL header", needed: 84, available })?;
-    let needed = HEADER_BYTES as u64 + n * FACET_BYTES as u64;
-    if needed > available {
-        return Err(FormatError::Truncated { part: "the list of STL facets", needed, available });
+    let stated =
+        stated_facets(bytes).ok_or(FormatError::Truncated { part: "the STL header", needed: 84, available })?;
+    let facets = bytes.get(HEADER_BYTES..).unwrap_or_default();
+    let (found, rest) = ((facets.len() / FACET_BYTES) as u64, facets.len() % FACET_BYTES);
+    let is_unstated = stated == 0 || stated == u64::from(u32::MAX);
+    if stated == 0 && found == 0 {
+        return Err(homolog_mesh::MeshError::Empty { n_vertices: 0, n_faces: 0 }.into());
     }
+    let mismatch = FormatError::CountMismatch { what: "facets", stated, found };
+    if stated > found && !is_unstated {
+        return Err(mismatch);
+    }
+    let beyond = if is_unstated { facets } else { &facets[stated as usize * FACET_BYTES..] };
+    let is_zero = !is_unstated && beyond.iter().all(|&byte| byte == 0);
+    let mut each = beyond.chunks_exact(FACET_BYTES);
+    let n = if is_zero {
+        stated
+    } else if rest == 0 && found > 0 && each.clone().all(is_plausible) {
+        notes.push(format!(
+            "the header states {stated} facets, but the length of the file is that of {found}, and {found} were read"
+        ));
+        found
+    } else if is_unstated || each.next().is_some_and(is_plausible) {
+        return Err(mismatch);
+    } else {
+        notes.push(trailing_note(beyond.len()));
+        stated
+    };
     Polygons::check_faces(n, limits)?;
-    let facets = bytes[HEADER_BYTES..needed as usize].chunks_exact(FACET_BYTES);
-    // A facet: normal, three corners, two bytes of attributes.
-    let number = |b: &[u8]| f64::from(f32::from_le_bytes([b[0], b[1], b[2], b[3]]));
-    let corner = |b: &[u8]| Point3::new(number(b), number(&b[4..]), number(&b[8..]));
-    Ok(facets.flat_map(|f| [12, 24, 36].map(|at| corner(&f[at..at + 12]))).collect())
+    let facets = facets[..n as usize * FACET_BYTES].chunks_exact(FACET_BYTES);
+    Ok(facets.flat_map(corners_of).collect())
 }
 
-fn ascii_corners(bytes: &[u8], limits: &ReadLimits) -> Result<Vec<Point3<f64>>, FormatError> {
-    let mut scanner = Scanner::new(bytes);
+/// A facet: normal, three corners, two bytes of attributes.
+fn corners_of(facet: &[u8]) -> [Point3<f64>; 3] {
+    let number = |b: &[u8]| f64::from(f32::from_le_bytes([b[0], b[1], b[2], b[3]]));
+    let corner = |b: &[u8]| Point3::new(number(b), number(&b[4..]), number(&b[8..]));
+    [12, 24, 36].map(|at| corner(&facet[at..at + 12]))
+}
+
+/// The corners of all facets, and whether the last solid has its end.
+fn ascii_corners(bytes: &[u8], limits: &ReadLimits) -> Result<(Vec<Point3<f64>>, bool), FormatError> {
+    let mut scanner = Scanner::new(super::text::without_preamble(bytes));
     let mut corners = Vec::new();
-    // The free text after "solid" may hold any word.
-    scanner.line();
-    let mut in_loop = None;
+    let is_title = scanner.peek().is_some_and(|word| word.eq_ignore_ascii_case(b"solid"));
+    if is_title {
+        // The free text after "solid" may hold any word.
+        scanner.text_line();
+    }
+    let (mut in_loop, mut is_open) = (None, true);
     while let Some(word) = scanner.word() {
         if word.eq_ignore_ascii_case(b"vertex") {
             corner(&mut scanner, &mut corners)?;
@@ -89,7 +173,8 @@ fn ascii_corners(bytes: &[u8], limits: &ReadLimits) -> Result<Vec<Point3<f64>>, 
             in_loop = None;
             Polygons::check_faces(corners.len() as u64 / 3, limits)?;
         } else if word.eq_ignore_ascii_case(b"endsolid") || word.eq_ignore_ascii_case(b"solid") {
-            scanner.line();
+            is_open = word.eq_ignore_ascii_case(b"solid");
+            scanner.text_line();
         } else if in_loop.is_some() {
             return Err(scanner.expected("\"vertex\" or \"endloop\""));
         }
@@ -97,13 +182,13 @@ fn ascii_corners(bytes: &[u8], limits: &ReadLimits) -> Result<Vec<Point3<f64>>, 
     if in_loop.is_some() || !corners.len().is_multiple_of(3) {
         return Err(scanner.expected("the end of a facet"));
     }
-    Ok(corners)
+    Ok((corners, !is_open))
 }
 
 fn corner(scanner: &mut Scanner<'_>, corners: &mut Vec<Point3<f64>>) -> Result<(), FormatError> {
     let mut p = Point3::origin();
     for c in p.iter_mut() {
-        *c = scanner.number("a coordinate")?;
+        *c = scanner.real("a coordinate")?;
     }
     corners.push(p);
     Ok(())

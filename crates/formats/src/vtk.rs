@@ -2,11 +2,13 @@
 //!
 //! Source: "VTK File Formats", The VTK User's Guide, and what VTK 9 writes. Read are `POINTS`, `POLYGONS` (each
 //! face with its count, or since 5.1 `OFFSETS` and `CONNECTIVITY`) and `TRIANGLE_STRIPS`; vertices, lines, fields
-//! and metadata are skipped; reading ends at `POINT_DATA` or `CELL_DATA`.
+//! and metadata are skipped, but for a unit of length that a field of strings, the metadata of the points (`UNITS_LABEL`) or
+//! the title states; reading ends at `POINT_DATA` or `CELL_DATA`, whose counts must be those of the points and cells.
 
 use super::element::{ByteOrder, Element};
 use super::polygons::{MeshFile, Polygons, strip_triangles};
-use super::text::Scanner;
+use super::text::{Scanner, real};
+use super::units::{self, Unit};
 use super::vertex_arrays::{VertexArray, VertexValues, fitting};
 use super::{FormatError, ReadLimits};
 use homolog_mesh::SurfaceMesh;
@@ -23,7 +25,7 @@ pub fn read_vtk(bytes: &[u8], limits: &ReadLimits) -> Result<MeshFile, FormatErr
     let mut scanner = Scanner::new(bytes);
     // Version, then a title of free text, then the encoding.
     scanner.line();
-    scanner.line();
+    let title = scanner.line().unwrap_or_default();
     let encoding = scanner.word().unwrap_or_default();
     let binary = encoding.eq_ignore_ascii_case(b"BINARY");
     if !binary && !encoding.eq_ignore_ascii_case(b"ASCII") {
@@ -38,7 +40,9 @@ pub fn read_vtk(bytes: &[u8], limits: &ReadLimits) -> Result<MeshFile, FormatErr
             advice: "extract its surface and save that as POLYDATA",
         });
     }
-    let mut reader = VtkReader { scanner, binary, polygons: Polygons::default(), limits };
+    let unit = units::stated(&String::from_utf8_lossy(title));
+    let mut reader = VtkReader { scanner, binary, polygons: Polygons::default(), n_cells: 0, unit, limits };
+    let mut trailing = None;
     while let Some(keyword) = reader.scanner.word() {
         match keyword.to_ascii_uppercase().as_slice() {
             b"POINTS" => reader.points()?,
@@ -47,11 +51,34 @@ pub fn read_vtk(bytes: &[u8], limits: &ReadLimits) -> Result<MeshFile, FormatErr
             b"VERTICES" | b"LINES" => reader.cells(Cells::Skipped)?,
             b"FIELD" => reader.field()?,
             b"METADATA" => reader.metadata(),
-            b"POINT_DATA" | b"CELL_DATA" => break,
-            _ => return Err(reader.scanner.expected("a section of POLYDATA")),
+            b"POINT_DATA" => {
+                let n_points = reader.polygons.vertices.len() as u64;
+                reader.check_data("points, in the section POINT_DATA", n_points)?;
+                break;
+            }
+            b"CELL_DATA" => {
+                reader.check_data("cells, in the section CELL_DATA", reader.n_cells)?;
+                break;
+            }
+            word if word.iter().chain(reader.scanner.rest()).all(|&byte| byte == 0) => break,
+            // Numbers, and bytes that are no text, are what a count conceals.
+            word if reader.n_cells > 0 && real(word).is_none() && word.iter().all(u8::is_ascii_graphic) => {
+                trailing = Some(super::trailing_note(word.len() + reader.scanner.remaining()));
+                break;
+            }
+            _ => {
+                let expected =
+                    "a section of POLYDATA; if numbers are here, the count of the section before is too small";
+                return Err(reader.scanner.expected(expected));
+            }
         }
     }
-    reader.polygons.into_mesh()
+    let mut file = reader.polygons.into_mesh()?;
+    file.notes.extend(trailing);
+    if let Some(unit) = reader.unit {
+        file.scale(unit)?;
+    }
+    Ok(file)
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -82,10 +109,13 @@ struct VtkReader<'a> {
     scanner: Scanner<'a>,
     binary: bool,
     polygons: Polygons,
+    /// Cells of all kinds.
+    n_cells: u64,
+    unit: Option<Unit>,
     limits: &'a ReadLimits,
 }
 
-impl VtkReader<'_> {
+impl<'a> VtkReader<'a> {
     fn element(&mut self) -> Result<Element, FormatError> {
         let name = self.scanner.word().unwrap_or_default();
         element_of_name(name).ok_or_else(|| self.scanner.expected("a number type such as float or int"))
@@ -97,6 +127,12 @@ impl VtkReader<'_> {
         let needed = n.saturating_mul(if self.binary { element.size() as u64 } else { 2 });
         let available = self.scanner.remaining() as u64;
         if needed > available + 1 { Err(FormatError::Truncated { part, needed, available }) } else { Ok(()) }
+    }
+
+    /// Holds the count of a section of data against what it describes.
+    fn check_data(&mut self, what: &'static str, found: u64) -> Result<(), FormatError> {
+        let stated: u64 = self.scanner.number("the number of values")?;
+        if stated == found { Ok(()) } else { Err(FormatError::CountMismatch { what, stated, found }) }
     }
 
     /// Ends the line of a keyword: binary data begin right after it.
@@ -118,7 +154,7 @@ impl VtkReader<'_> {
 
     fn reals(&mut self, n: u64, element: Element) -> Result<Vec<f64>, FormatError> {
         if !self.binary {
-            return (0..n).map(|_| self.scanner.number("a coordinate")).collect();
+            return (0..n).map(|_| self.scanner.real("a coordinate")).collect();
         }
         self.end_line();
         let raw = self.scanner.take(n, element.size(), "the list of points")?;
@@ -156,6 +192,11 @@ impl VtkReader<'_> {
             self.cell(kind, cell)?;
             rest = after;
         }
+        self.n_cells += first;
+        if !rest.is_empty() {
+            let (stated, found) = (second - rest.len() as u64, second);
+            return Err(FormatError::CountMismatch { what: "numbers in the list of cells", stated, found });
+        }
         Ok(())
     }
 
@@ -169,6 +210,11 @@ impl VtkReader<'_> {
         }
         let element = self.element()?;
         let corners = self.whole(n_corners, element)?;
+        self.n_cells += n_offsets.saturating_sub(1);
+        if let Some(stated) = offsets.last().map(|&last| last as u64).filter(|&last| last < n_corners) {
+            let what = "corners of cells, by the last of their offsets";
+            return Err(FormatError::CountMismatch { what, stated, found: n_corners });
+        }
         for pair in offsets.windows(2) {
             let range = usize::try_from(pair[0]).ok().zip(usize::try_from(pair[1]).ok());
             let cell = range.and_then(|(start, end)| corners.get(start..end));
@@ -188,10 +234,16 @@ impl VtkReader<'_> {
         }
     }
 
-    /// Skips everything up to an empty line.
+    /// Skips everything up to an empty line, but for the name of a unit.
     fn metadata(&mut self) {
         self.scanner.line();
-        while self.scanner.line().is_some_and(|line| !line.is_empty()) {}
+        let mut is_unit = false;
+        while let Some(line) = self.scanner.line().filter(|line| !line.is_empty()) {
+            match line.strip_prefix(b"DATA ") {
+                Some(value) if is_unit => self.unit = units::named(&String::from_utf8_lossy(value)).or(self.unit),
+                _ => is_unit = line.starts_with(b"NAME UNITS_LABEL"),
+            }
+        }
     }
 
     /// Skips `FIELD name n` with `n` arrays, each of which may be followed by metadata.
@@ -212,7 +264,10 @@ impl VtkReader<'_> {
                 let is_string = kind.eq_ignore_ascii_case(b"string");
                 self.scanner.word();
                 self.scanner.line();
-                self.skip_other(n, is_string)?;
+                let text = self.other(n, is_string)?;
+                if units::is_field(&String::from_utf8_lossy(name)) {
+                    self.unit = units::named(&String::from_utf8_lossy(text)).or(self.unit);
+                }
                 continue;
             }
             let element = self.element()?;
@@ -229,18 +284,19 @@ impl VtkReader<'_> {
         Ok(())
     }
 
-    /// Skips strings or bits. A string in a binary file begins with its length, in 1, 2, 4 or 8 bytes, as the highest two bits
-    /// of the first say.
-    fn skip_other(&mut self, n: u64, is_string: bool) -> Result<(), FormatError> {
+    /// Skips strings or bits; the last string. A string in a binary file begins with its length, in 1, 2, 4 or 8 bytes, as the
+    /// highest two bits of the first say.
+    fn other(&mut self, n: u64, is_string: bool) -> Result<&'a [u8], FormatError> {
         let part = "a field";
         if self.binary && !is_string {
-            return self.scanner.take(n.div_ceil(8), 1, part).map(|_| ());
+            return self.scanner.take(n.div_ceil(8), 1, part);
         }
+        let mut text: &'a [u8] = &[];
         for _ in 0..n {
             if !self.binary {
                 // Strings are a line each, bits words.
                 let rest = if is_string { self.scanner.line() } else { self.scanner.word() };
-                rest.ok_or_else(|| self.scanner.expected("as many values as the array announces"))?;
+                text = rest.ok_or_else(|| self.scanner.expected("as many values as the array announces"))?;
                 continue;
             }
             let first = self.scanner.take(1, 1, part)?[0];
@@ -251,9 +307,9 @@ impl VtkReader<'_> {
                 _ => self.scanner.take(7, 1, part)?,
             };
             let length = further.iter().fold(u64::from(first & 0x3f), |sum, &byte| sum << 8 | u64::from(byte));
-            self.scanner.take(length, 1, part)?;
+            text = self.scanner.take(length, 1, part)?;
         }
-        Ok(())
+        Ok(text)
     }
 }
 

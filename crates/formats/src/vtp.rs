@@ -2,13 +2,15 @@
 //!
 //! Source: "VTK XML Formats", VTK documentation, and what VTK 9 writes. Read are the points, the polygons and the strips of
 //! all pieces; vertices, lines and fields are skipped. A field of the name `SPACE` with the value `LPS`, as 3D Slicer writes
-//! it, is taken as the space of the coordinates.
+//! it, is taken as the space of the coordinates, and a unit of length is applied that a field such as `Units` or the key
+//! `UNITS_LABEL` of the points names. The counts of each piece must be those of its arrays.
 
 use super::element::{ByteOrder, Element};
 use super::polygons::{MeshFile, Polygons, strip_triangles};
+use super::text::{real, words};
 use super::vertex_arrays::{VertexArray, VertexValues, fitting};
 use super::xml::{Node, Tag, Xml, base64, inflate};
-use super::{FormatError, ReadLimits, lps};
+use super::{FormatError, ReadLimits, lps, units};
 use ::base64::Engine;
 use ::base64::engine::general_purpose::STANDARD;
 use homolog_mesh::SurfaceMesh;
@@ -31,6 +33,9 @@ pub fn read_vtp(bytes: &[u8], limits: &ReadLimits) -> Result<MeshFile, FormatErr
                 match tag.name.as_str() {
                     "VTKFile" => file.header = Header::new(&tag)?,
                     "Piece" => file.pieces.push(Piece::new(&tag)),
+                    "InformationKey" => {
+                        file.is_unit = tag.get("name") == "UNITS_LABEL" && open.iter().any(|name| name == "Points");
+                    }
                     "DataArray" | "Array" => {
                         file.array = StoredArray::new(&tag, open.last().map_or("", String::as_str))
                     }
@@ -46,6 +51,9 @@ pub fn read_vtp(bytes: &[u8], limits: &ReadLimits) -> Result<MeshFile, FormatErr
                 open.push(tag.name);
             }
             Node::Text(text) => {
+                if file.is_unit && open.last().is_some_and(|name| name == "InformationKey") {
+                    file.unit_label.extend_from_slice(&text);
+                }
                 if let Some(array) =
                     file.array.as_mut().filter(|_| open.last().is_some_and(|n| n == "DataArray" || n == "Array"))
                 {
@@ -107,6 +115,11 @@ struct VtpFile<'a> {
     array: Option<StoredArray>,
     /// Field of the name `SPACE`.
     space: Option<StoredArray>,
+    /// Field that names a unit.
+    unit: Option<StoredArray>,
+    /// Whether the open key is that of the unit of the points, and its text.
+    is_unit: bool,
+    unit_label: Vec<u8>,
     /// Appended data, and whether they are base64.
     appended: Option<(&'a [u8], bool)>,
 }
@@ -114,6 +127,8 @@ struct VtpFile<'a> {
 #[derive(Default)]
 struct Piece {
     n_points: u64,
+    /// Polygons and strips that the piece states, where it does.
+    n_cells: [Option<u64>; 2],
     points: Option<StoredArray>,
     /// Connectivity and offsets.
     polygons: [Option<StoredArray>; 2],
@@ -122,7 +137,8 @@ struct Piece {
 
 impl Piece {
     fn new(tag: &Tag) -> Self {
-        Piece { n_points: tag.number("NumberOfPoints").unwrap_or(0), ..Piece::default() }
+        let n_cells = ["NumberOfPolys", "NumberOfStrips"].map(|name| tag.number(name));
+        Piece { n_points: tag.number("NumberOfPoints").unwrap_or(0), n_cells, ..Piece::default() }
     }
 }
 
@@ -132,6 +148,7 @@ struct StoredArray {
     /// `None` for types that hold no numbers.
     element: Option<Element>,
     storage: Storage,
+    is_string: bool,
     /// Text of the element.
     text: Vec<u8>,
 }
@@ -142,6 +159,7 @@ enum Place {
     Polygons(usize),
     Strips(usize),
     Space,
+    Unit,
 }
 
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -162,6 +180,7 @@ impl StoredArray {
             "Polys" => Place::Polygons(list?),
             "Strips" => Place::Strips(list?),
             "FieldData" if name == "SPACE" => Place::Space,
+            "FieldData" if units::is_field(name) => Place::Unit,
             _ => return None,
         };
         let element = match tag.get("type") {
@@ -182,7 +201,7 @@ impl StoredArray {
             "ascii" => Storage::Ascii,
             _ => Storage::Inline,
         };
-        Some(StoredArray { place, element, storage, text: Vec::new() })
+        Some(StoredArray { place, element, storage, is_string: tag.get("type") == "String", text: Vec::new() })
     }
 }
 
@@ -192,6 +211,7 @@ impl VtpFile<'_> {
         let piece = self.pieces.last_mut();
         match (array.place, piece) {
             (Place::Space, _) => self.space = Some(array),
+            (Place::Unit, _) => self.unit = Some(array),
             (Place::Points, Some(piece)) => piece.points = Some(array),
             (Place::Polygons(k), Some(piece)) => piece.polygons[k] = Some(array),
             (Place::Strips(k), Some(piece)) => piece.strips[k] = Some(array),
@@ -207,23 +227,32 @@ impl VtpFile<'_> {
             let first = polygons.vertices.len() as i64;
             let numbers = self.numbers(piece.points.as_ref(), xml, limits)?;
             if numbers.len() as u64 != piece.n_points.saturating_mul(3) {
-                let (needed, available) = (piece.n_points.saturating_mul(3), numbers.len() as u64);
-                return Err(FormatError::Truncated { part: "the list of points", needed, available });
+                let (what, found) = ("points of a piece", numbers.len() as u64 / 3);
+                return Err(FormatError::CountMismatch { what, stated: piece.n_points, found });
             }
             polygons.vertices.extend(numbers.chunks_exact(3).map(|p| Point3::new(p[0], p[1], p[2])));
-            for cell in self.cells(&piece.polygons, xml, limits)?.iter() {
+            for cell in self.cells(&piece.polygons, piece.n_cells[0], xml, limits)?.iter() {
                 polygons.push(cell.iter().map(|v| v.saturating_add(first)))?;
             }
-            for cell in self.cells(&piece.strips, xml, limits)?.iter() {
+            for cell in self.cells(&piece.strips, piece.n_cells[1], xml, limits)?.iter() {
                 for triangle in strip_triangles(cell) {
                     polygons.push(triangle.map(|v| v.saturating_add(first)))?;
                 }
             }
         }
-        let space = self.numbers(self.space.as_ref(), xml, limits)?;
+        let string = |array: Option<&StoredArray>| -> Result<String, FormatError> {
+            let letters = self.numbers(array, xml, limits)?;
+            let text: Vec<u8> = letters.iter().map(|&c| c as u8).take_while(|&c| c != 0).collect();
+            Ok(String::from_utf8_lossy(&text).into_owned())
+        };
         let mut file = polygons.into_mesh()?;
-        if space.iter().map(|&c| c as u8).take_while(|&c| c != 0).eq(*b"LPS") {
+        if string(self.space.as_ref())? == "LPS" {
             lps::to_ras(&mut file)?;
+        }
+        let unit = units::named(&String::from_utf8_lossy(&self.unit_label));
+        let of_field = || Ok(units::named(&string(self.unit.as_ref().filter(|array| array.is_string))?));
+        if let Some(unit) = unit.map_or_else(of_field, |unit| Ok::<_, FormatError>(Some(unit)))? {
+            file.scale(unit)?;
         }
         Ok(file)
     }
@@ -231,6 +260,7 @@ impl VtpFile<'_> {
     fn cells(
         &self,
         [corners, ends]: &[Option<StoredArray>; 2],
+        stated: Option<u64>,
         xml: &Xml<'_>,
         limits: &ReadLimits,
     ) -> Result<Cells, FormatError> {
@@ -240,6 +270,15 @@ impl VtpFile<'_> {
         let ascending = ends.windows(2).all(|w| w[0] <= w[1]) && ends.first().is_none_or(|&first| first >= 0);
         if !ascending || ends.last().is_some_and(|&last| last as u64 > corners.len() as u64) {
             return Err(xml.damaged());
+        }
+        if let Some(stated) = stated.filter(|&stated| stated != ends.len() as u64) {
+            let (what, found) = ("polygons or strips of a piece", ends.len() as u64);
+            return Err(FormatError::CountMismatch { what, stated, found });
+        }
+        let (reached, found) = (ends.last().map_or(0, |&last| last as u64), corners.len() as u64);
+        if reached != found {
+            let what = "corners of cells, by the last of their offsets";
+            return Err(FormatError::CountMismatch { what, stated: reached, found });
         }
         Ok(Cells { corners, ends })
     }
@@ -254,9 +293,8 @@ impl VtpFile<'_> {
         let damaged = || xml.damaged();
         let most = Polygons::most_numbers(limits);
         if array.storage == Storage::Ascii {
-            let words = array.text.split(u8::is_ascii_whitespace).filter(|w| !w.is_empty());
-            let numbers: Option<Vec<f64>> =
-                words.take(most.saturating_add(1)).map(|w| std::str::from_utf8(w).ok()?.parse().ok()).collect();
+            let words = words(&array.text);
+            let numbers: Option<Vec<f64>> = words.take(most.saturating_add(1)).map(real).collect();
             let numbers = numbers.ok_or_else(damaged)?;
             Polygons::check_numbers(numbers.len() as u64, limits)?;
             return Ok(numbers);

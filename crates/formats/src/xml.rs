@@ -107,12 +107,15 @@ pub(super) fn base64(text: &[u8]) -> Option<Vec<u8>> {
 /// The bytes of a zlib or gzip stream, of which there must be exactly `n_bytes`. `None` if it is damaged or its length
 /// differs. Memory grows with what is inflated, not with `n_bytes`.
 pub(super) fn inflate(stream: &[u8], n_bytes: usize) -> Option<Vec<u8>> {
-    let mut plain = Vec::new();
+    inflate_up_to(stream, n_bytes).filter(|plain| plain.len() == n_bytes)
+}
+
+/// The bytes of a zlib or gzip stream, or the first of them: one more than `limit` at most. `None` if it is damaged.
+pub(super) fn inflate_up_to(stream: &[u8], limit: usize) -> Option<Vec<u8>> {
     if gzip::is_gzip(stream) {
-        plain = gzip::inflate(stream, n_bytes).ok()?.into_owned();
-    } else {
-        let mut decoder = flate2::read::ZlibDecoder::new(stream).take(n_bytes as u64 + 1);
-        decoder.read_to_end(&mut plain).ok()?;
+        return Some(gzip::inflate(stream, limit).ok()?.into_owned());
     }
-    (plain.len() == n_bytes).then_some(plain)
+    let mut plain = Vec::new();
+    flate2::read::ZlibDecoder::new(stream).take(limit as u64 + 1).read_to_end(&mut plain).ok()?;
+    Some(plain)
 }

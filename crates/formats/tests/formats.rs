@@ -4,7 +4,8 @@
 mod samples;
 
 use homolog_formats::{
-    FileContent, FormatError, InputFormat, InputSpace, ReadFile, ReadLimits, read, read_with, write_zip,
+    FileContent, FormatError, InputFormat, InputSpace, LabelChoice, ReadFile, ReadLimits, ReadOptions, read, read_with,
+    write_zip,
 };
 use homolog_mesh::SurfaceMesh;
 use homolog_mesh::volume::LabelVolume;
@@ -71,16 +72,20 @@ fn one_label_volume_is_the_same_in_every_format() {
 }
 
 #[test]
-fn the_coordinate_transform_of_gifti_is_applied_and_reported() {
-    let matrix = "0 -2 0 5 2 0 0 0 0 0 2 -1 0 0 0 1";
+fn a_rigid_transform_of_gifti_is_applied_and_reported() {
+    let matrix = "0 -1 0 5 1 0 0 0 0 0 1 -1 0 0 0 1";
     let (file, found) = mesh("GIFTI", &gifti("GZipBase64Binary", false, false, "INT32", matrix));
     for (found, stored) in found.vertices().iter().zip(surface().vertices()) {
-        assert_eq!(*found, Point3::new(5.0 - 2.0 * stored.y, 2.0 * stored.x, 2.0 * stored.z - 1.0));
+        assert_eq!(*found, Point3::new(5.0 - stored.y, stored.x, stored.z - 1.0));
     }
     assert!(file.notes.iter().any(|note| note.contains("unknown to Talairach")), "{:?}", file.notes);
     assert_eq!(mesh("GIFTI", &gifti("ASCII", false, false, "INT32", IDENTITY)).0.notes, Vec::<String>::new());
     for singular in ["1 0 0 0 0 1 0 0 0 0 0 0 0 0 0 1", "1 2 3", "1 0 0 0 0 1 0 0 0 0 1 0 0 0 1 1"] {
-        let found = read_file(&gifti("ASCII", false, false, "INT32", singular), None);
+        let bytes = gifti("ASCII", false, false, "INT32", singular);
+        let (file, found) = mesh("GIFTI", &bytes);
+        assert_eq!((found, file.notes.len()), (surface(), 1), "{singular}");
+        let options = ReadOptions { apply_transform: Some(true), ..ReadOptions::default() };
+        let found = read_with(&bytes, None, &ReadLimits::default(), &options);
         assert!(matches!(found, Err(FormatError::Header { .. })), "{singular}: {found:?}");
     }
 }
@@ -160,7 +165,8 @@ fn the_share_from_which_a_fractional_voxel_counts_is_chosen() {
     // Of 200: half at most in slice 0, three quarters in slice 1.
     let bytes = dicom_seg("FRACTIONAL", &[(17, 0), (17, 1)], |_, at| if at < 12 { 100 } else { 150 });
     let voxels = |fraction: f64| {
-        let file = read_with(&bytes, None, &ReadLimits::default(), fraction).unwrap();
+        let options = ReadOptions { fraction, ..ReadOptions::default() };
+        let file = read_with(&bytes, None, &ReadLimits::default(), &options).unwrap();
         assert!(file.notes.iter().any(|note| note.contains(&format!("at least {fraction} of the largest"))));
         let FileContent::Labels(found) = file.content else { panic!("a label volume") };
         found.label_counts().get(&17).copied().unwrap_or(0)
@@ -234,10 +240,19 @@ fn the_space_that_a_file_declares_is_reported() {
 }
 
 #[test]
-fn a_gap_between_the_frames_of_a_segmentation_is_refused_with_its_place() {
-    let gap = dicom_seg("BINARY", &[(17, 0), (17, 1), (17, 4)], |_, _| 1);
-    let error = read_file(&gap, None).unwrap_err().to_string();
-    assert!(error.contains("2 missing slices of 2 mm between the frames at"), "{error}");
+fn frames_off_the_stack_are_refused_unless_they_are_of_segments_that_are_not_chosen() {
+    let mut stray = dicom_seg("BINARY", &[(17, 0), (17, 1), (53, 4)], |_, _| 1);
+    let at = stray.windows(6).position(|w| w == b"\\-0.5\\").unwrap();
+    stray[at..at + 6].copy_from_slice(b"\\-1.3\\");
+    let error = read_file(&stray, None).unwrap_err().to_string();
+    assert!(error.contains("4.40 slices of 2 mm from the first"), "{error}");
+    for choice in [LabelChoice::Number(17), LabelChoice::Name("left hippocampus".to_owned())] {
+        let options = ReadOptions { labels: Some(vec![choice]), ..ReadOptions::default() };
+        let file = read_with(&stray, None, &ReadLimits::default(), &options).unwrap();
+        let FileContent::Labels(volume) = file.content else { panic!("labels are expected") };
+        assert_eq!(volume.dims()[2], 2);
+        assert!(file.notes.iter().any(|note| note.contains("left out: 1 frame")), "{:?}", file.notes);
+    }
 }
 
 #[test]

@@ -56,14 +56,47 @@ pub fn weld(mesh: &SurfaceMesh) -> Result<RepairedMesh, MeshError> {
 /// # Cost
 /// `O(n)` expected.
 pub fn weld_reported(mesh: &SurfaceMesh) -> Result<(RepairedMesh, WeldReport), MeshError> {
-    let kept = nearest_kept(mesh);
+    let (low, high) = mesh.bounding_box();
+    merged(mesh, &nearest_kept(mesh, (high - low).norm() * WELD_RTOL, |_| true))
+}
+
+/// As [`weld_reported`], but merges vertices within `tolerance_mm` of each other, and only vertices of edges with one face: for
+/// surfaces whose faces lie beside each other without sharing vertices.
+///
+/// # Errors
+/// [`MeshError::Empty`] if no face is left.
+///
+/// # Cost
+/// `O(n log n)`; more where many vertices lie within the tolerance.
+pub fn weld_boundary(mesh: &SurfaceMesh, tolerance_mm: f64) -> Result<(RepairedMesh, WeldReport), MeshError> {
+    let on_boundary = on_boundary(mesh);
+    merged(mesh, &nearest_kept(mesh, tolerance_mm, |vertex| on_boundary[vertex]))
+}
+
+/// Which vertices are ends of edges with one face.
+fn on_boundary(mesh: &SurfaceMesh) -> Vec<bool> {
+    let mut edges: Vec<[u32; 2]> = mesh
+        .faces()
+        .flat_map(|face| (0..face.len()).map(move |k| (face[k], face[(k + 1) % face.len()])))
+        .map(|(a, b)| [a.min(b), a.max(b)])
+        .collect();
+    edges.sort_unstable();
+    let mut on_boundary = vec![false; mesh.n_vertices()];
+    for edge in edges.chunk_by(|a, b| a == b).filter(|uses| uses.len() == 1) {
+        edge[0].iter().for_each(|&v| on_boundary[v as usize] = true);
+    }
+    on_boundary
+}
+
+/// The mesh in which each vertex is replaced by the one that `kept` names.
+fn merged(mesh: &SurfaceMesh, kept: &[u32]) -> Result<(RepairedMesh, WeldReport), MeshError> {
     let mut report = WeldReport::default();
     for (at, &other) in kept.iter().enumerate().filter(|&(at, &other)| at != other as usize) {
         report.n_merged += 1;
         let distance = (mesh.vertices()[at] - mesh.vertices()[other as usize]).norm();
         report.largest_mm = report.largest_mm.max(distance);
     }
-    let renamed = |face: &[u32]| Corners::of(face, &kept);
+    let renamed = |face: &[u32]| Corners::of(face, kept);
     let collapsed_quad = mesh.arity() == FaceArity::Quad && mesh.faces().any(|f| renamed(f).repeat());
     let arity = if collapsed_quad { FaceArity::Triangle } else { mesh.arity() };
     let mut seen = HashSet::with_capacity(mesh.n_faces());
@@ -118,10 +151,10 @@ impl Corners {
     }
 }
 
-/// For every vertex the lowest kept vertex within the tolerance; a kept vertex maps to itself.
-fn nearest_kept(mesh: &SurfaceMesh) -> Vec<u32> {
-    let (low, high) = mesh.bounding_box();
-    let tolerance = (high - low).norm() * WELD_RTOL;
+/// For every vertex that `may_merge` the lowest kept one of them within the tolerance, mm; a kept vertex, and one that may not
+/// merge, maps to itself.
+fn nearest_kept(mesh: &SurfaceMesh, tolerance: f64, may_merge: impl Fn(usize) -> bool) -> Vec<u32> {
+    let (low, _) = mesh.bounding_box();
     // Cells much larger than the tolerance: only the few vertices near a cell boundary search a second cell.
     let width = (tolerance * 64.0).max(f64::MIN_POSITIVE);
     let v = mesh.vertices();
@@ -134,6 +167,10 @@ fn nearest_kept(mesh: &SurfaceMesh) -> Vec<u32> {
     // the first: what was added in between has a higher index.
     let mut exact: HashMap<[u64; 3], u32> = HashMap::with_capacity(v.len() / 4);
     for (i, p) in v.iter().enumerate() {
+        if !may_merge(i) {
+            kept.push(i as u32);
+            continue;
+        }
         let position = exact.entry([p.x.to_bits(), p.y.to_bits(), p.z.to_bits()]);
         let place = match position {
             Entry::Occupied(earlier) => {
@@ -325,7 +362,7 @@ mod tests {
             let near = |k: &usize| kept[*k] as usize == *k && (vertices[*k] - p).norm() <= tolerance;
             kept.push((0..i).find(near).unwrap_or(i) as u32);
         }
-        assert_eq!(nearest_kept(&mesh), kept);
+        assert_eq!(nearest_kept(&mesh, tolerance, |_| true), kept);
         assert!(kept.iter().enumerate().filter(|&(k, &other)| k == other as usize).count() > 40, "some are apart");
     }
 

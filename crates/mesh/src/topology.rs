@@ -41,6 +41,19 @@ pub struct TopologyReport {
 /// The first reason, in the order of the variants, why a mesh is not the surface that is demanded.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum SurfaceFault {
+    /// Neighboring faces do not share vertices.
+    #[error(
+        "the faces do not hold together: {n_faces} faces are {n_components} separate pieces with {n_edges} edges that have only \
+         one face, because neighboring faces do not share vertices"
+    )]
+    Soup {
+        /// Faces.
+        n_faces: u32,
+        /// Pieces.
+        n_components: u32,
+        /// Edges with one face.
+        n_edges: u32,
+    },
     /// More than two faces meet at an edge.
     #[error(
         "{n_edges} edges have more than two faces; the first joins vertices {} and {} near {}, with {n_faces} faces",
@@ -168,7 +181,8 @@ impl SurfaceFault {
             | SurfaceFault::NonManifoldVertex { place_mm, .. }
             | SurfaceFault::Misoriented { place_mm, .. }
             | SurfaceFault::Pieces { place_mm, .. } => Some(*place_mm),
-            SurfaceFault::Genus { .. }
+            SurfaceFault::Soup { .. }
+            | SurfaceFault::Genus { .. }
             | SurfaceFault::NoArea { .. }
             | SurfaceFault::NoVolume { .. }
             | SurfaceFault::InsideOut { .. } => None,

@@ -9,11 +9,13 @@
 //! ([`homolog_mesh::Numbering`]).
 
 mod colors;
+mod doubts;
 pub mod intake;
 #[cfg(test)]
 mod numbering_tests;
 pub mod page;
 mod report;
+mod scales;
 mod surfaces;
 #[cfg(test)]
 mod surfaces_tests;
@@ -198,7 +200,7 @@ pub fn run_match_with(
         source: input_provenance(&source),
         target: input_provenance(&target),
     };
-    let document = ResultDocument {
+    let mut document = ResultDocument {
         transform: outcome.transform,
         support: outcome.support,
         surface_distance: outcome.surface_distance,
@@ -208,12 +210,14 @@ pub fn run_match_with(
         rounds: outcome.rounds,
         poses: outcome.poses,
         reliability: outcome.reliability,
+        warnings: Vec::new(),
         ambiguous_axes: outcome.ambiguous_axes,
         correspondences: Some(whole::of_whole(outcome.correspondences, &source.prepared, &target.prepared)),
         stop_reason: outcome.stop_reason,
         timings_ms: timed.finish(),
         provenance,
     };
+    document.warn(doubts::pair_warnings(&source.prepared, &target.prepared));
     let (source, target) = (source.prepared.uploaded().clone(), target.prepared.uploaded().clone());
     Ok(RunOutput { document, source, target })
 }

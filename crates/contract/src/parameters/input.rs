@@ -18,8 +18,8 @@ pub struct InputParameters {
     pub target: SideParameters,
     /// Kind of surface that is made from a label volume.
     pub surface: SurfaceKind,
-    /// Standard deviation of the Gaussian filter that is applied before the smooth surface is extracted, mm; `null`: 0.7
-    /// times the side of a cube with the volume of a voxel.
+    /// Standard deviation of a Gaussian filter over the mask, mm, whose iso-surface is taken for the smooth surface; it takes away
+    /// what is thinner than it is wide. `null`: no filter; the surface keeps every part and the volume of the voxels.
     #[cfg_attr(feature = "openapi", schema(minimum = 0, maximum = 1000))]
     pub smoothing_mm: Option<f64>,
     /// Repairs that are allowed; `null`: `largest_component` and `fill` for label volumes, `weld` and `orient` for meshes.
@@ -33,6 +33,14 @@ pub struct InputParameters {
     #[cfg_attr(feature = "serde", serde(default = "half"))]
     #[cfg_attr(feature = "openapi", schema(exclusive_minimum = 0, maximum = 1))]
     pub fraction: f64,
+    /// Whether the coordinate transform that a GIFTI file states is applied to its vertices; `null`: only if it is rigid. An
+    /// affine one, as to Talairach coordinates, changes shape and size. Ignored for other inputs.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub apply_transform: Option<bool>,
+    /// Whether a volume whose values look like intensities, probabilities or distances is taken for labels all the same. Without
+    /// it such a volume is refused, unless `labels` chooses some of its values.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub image_is_labels: bool,
     /// A surface of more vertices is simplified to this many before it is matched; `null`: none is. The answer has a row for
     /// every vertex of the upload as ever: that of a dropped vertex is the weighted mean of those around it.
     #[cfg_attr(feature = "serde", serde(default))]
@@ -114,7 +122,7 @@ mod one_or_many {
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum SurfaceKind {
-    /// Iso-surface of the Gaussian-filtered mask, triangles.
+    /// Triangles between the centers of the voxels on both sides of each boundary face, as smooth as these allow.
     Smooth,
     /// Boundary faces of the voxel set, quads.
     Voxel,

@@ -217,6 +217,8 @@ fn balanced() -> MatchParameters {
             repair: None,
             allow_boundary: true,
             fraction: 0.5,
+            apply_transform: None,
+            image_is_labels: false,
             max_vertices: None,
         },
         features: vec![

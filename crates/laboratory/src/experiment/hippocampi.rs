@@ -57,7 +57,8 @@ impl Hippocampi {
     /// Reads a volume.
     pub(super) fn volume(&self, index: usize) -> Result<LabelVolume, String> {
         let bytes = fs::read(&self.files[index]).map_err(|e| format!("subject {index} cannot be read: {e}"))?;
-        read_nifti(&bytes, &ReadLimits::default()).map_err(|e| format!("subject {index}: {e}"))
+        let file = read_nifti(&bytes, &ReadLimits::default()).map_err(|e| format!("subject {index}: {e}"))?;
+        Ok(file.volume)
     }
 }
 

@@ -196,6 +196,12 @@ fn euler_number(mask: &VoxelMask) -> i64 {
     sum
 }
 
+/// Voxels outside the set that it encloses, all cavities together. Cost `O(voxels)`.
+pub fn n_enclosed(mask: &VoxelMask) -> usize {
+    // The border of the box is empty, so that the first piece is what lies around the set.
+    components(mask, false).1.iter().skip(1).sum()
+}
+
 /// Number of the component of every voxel of one side (`u32::MAX` on the other) and the components' sizes, numbered
 /// by their first voxel: 6-connected foreground, or 26-connected background.
 pub(super) fn components(mask: &VoxelMask, foreground: bool) -> (Vec<u32>, Vec<usize>) {

@@ -5,14 +5,21 @@
 //! from which [`voxel_surface()`] or [`smooth_surface()`] extract a closed surface.
 
 mod adjacency;
+pub mod constrained_surface;
+mod cubes;
 mod distance;
 pub mod repair;
+mod sampling;
 pub mod smooth_surface;
+mod values;
 pub mod voxel_surface;
 
-pub use adjacency::{BettiNumbers, is_well_composed};
-pub use repair::{Contacts, FillChange, FillOutcome, fill, largest_component};
+pub use adjacency::{BettiNumbers, is_well_composed, n_enclosed};
+pub use constrained_surface::constrained_surface;
+pub use repair::{Contacts, FillChange, FillOutcome, JoinOutcome, fill, join_touching, largest_component};
+pub use sampling::Sampling;
 pub use smooth_surface::{SmoothSurface, smooth_surface};
+pub use values::ValueStatistics;
 pub use voxel_surface::voxel_surface;
 
 use nalgebra::{Matrix4, Point3, Vector3, Vector4};
@@ -215,6 +222,11 @@ impl VoxelMask {
     /// Voxels in the set.
     pub fn n_voxels(&self) -> usize {
         self.voxels.iter().filter(|&&v| v).count()
+    }
+
+    /// Volume of the voxels in the set, mm³.
+    pub fn volume_mm3(&self) -> f64 {
+        self.n_voxels() as f64 * self.affine.fixed_view::<3, 3>(0, 0).determinant().abs()
     }
 
     /// Faces between the set and its complement. Cost `O(voxels)`.

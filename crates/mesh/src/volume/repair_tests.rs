@@ -58,6 +58,18 @@ fn the_largest_component_is_kept() {
     assert_eq!((mask.n_voxels(), n, removed), (3, 2, 2));
 }
 
+#[test]
+fn an_oblique_line_of_voxels_is_one_piece_after_joining() {
+    let oblique = set([8, 8, 8], |[x, y, z]| x == y && z == x / 2);
+    assert_eq!(BettiNumbers::of(&oblique).n_pieces, 8);
+    let joined = join_touching(&oblique).unwrap();
+    assert_eq!((joined.n_joined, joined.n_added), (7, 4 + 2 * 3));
+    assert_eq!(BettiNumbers::of(&joined.mask), BettiNumbers { n_pieces: 1, n_tunnels: 0, n_cavities: 0 });
+    assert!(join_touching(&joined.mask).is_none());
+    let apart = set([5, 1, 1], |p| p[0] != 2);
+    assert!(join_touching(&apart).is_none());
+}
+
 /// Well-composedness and the Euler number agree with those of the voxel surface.
 fn agrees_with_the_surface(mask: &VoxelMask) -> Result<(), TestCaseError> {
     let report = topology_report(&voxel_surface(mask).unwrap());
@@ -73,6 +85,26 @@ fn agrees_with_the_surface(mask: &VoxelMask) -> Result<(), TestCaseError> {
 
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(200))]
+
+    /// Joining adds voxels until no two pieces touch, at most two for each piece less.
+    #[test]
+    fn pieces_that_touch_are_joined(voxels in proptest::collection::vec(proptest::bool::weighted(0.2), 7 * 6 * 6)) {
+        prop_assume!(voxels.contains(&true));
+        let mask = set([7, 6, 6], |[x, y, z]| voxels[x as usize + 7 * y as usize + 42 * z as usize]);
+        // Pieces that touch anywhere are one piece of a background.
+        let inverse = mask.with_voxels(mask.voxels.iter().map(|v| !v).collect());
+        let n_apart = components(&inverse, false).1.len();
+        let n_pieces = components(&mask, true).1.len();
+        match join_touching(&mask) {
+            None => prop_assert_eq!(n_pieces, n_apart),
+            Some(joined) => {
+                prop_assert_eq!(components(&joined.mask, true).1.len(), n_pieces - joined.n_joined);
+                prop_assert!(joined.n_added <= 2 * joined.n_joined);
+                prop_assert!(mask.voxels.iter().zip(&joined.mask.voxels).all(|(was, is)| *is || !was));
+                prop_assert!(n_pieces - joined.n_joined <= n_apart);
+            }
+        }
+    }
 
     #[test]
     fn any_set_is_filled_to_a_ball(

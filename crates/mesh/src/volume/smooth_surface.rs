@@ -4,10 +4,8 @@
 //! the topology of the field: the filter may open a tunnel or break a thin bridge. With `repair`, [`smooth_surface`]
 //! moves single lattice values across 0.5 until the surface is a topological sphere, and reports how many.
 
-mod cubes;
-
 use super::repair::{Contacts, FillChange, fill, largest_component};
-use super::{VoxelMask, spacing_mm};
+use super::{VoxelMask, cubes, spacing_mm};
 use crate::topology::analyze;
 use crate::{MeshError, SurfaceMesh};
 
@@ -82,7 +80,7 @@ pub fn smooth_surface(mask: &VoxelMask, smoothing_mm: f64, repair: FieldRepair) 
 
 /// `mask` as 0 and 1, filtered; zero outside the box. Nothing outside the set's own box can reach the level, so the
 /// empty border of a mask is padding enough.
-fn gaussian_filter(mask: &VoxelMask, smoothing_mm: f64) -> Vec<f64> {
+pub(super) fn gaussian_filter(mask: &VoxelMask, smoothing_mm: f64) -> Vec<f64> {
     let mut field: Vec<f64> = mask.voxels().iter().map(|&v| if v { 1.0 } else { 0.0 }).collect();
     let (dims, strides, spacing) = (mask.dims(), mask.strides(), spacing_mm(mask.affine()));
     let mut line = Vec::new();

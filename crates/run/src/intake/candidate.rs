@@ -1,25 +1,20 @@
 //! The surface made from an input, before it is accepted or refused.
 
+use super::near;
 use super::split::split;
+use super::warnings::{self, UsedLabels};
 use super::{Advice, IntakeError, IntakeLimits, RepairNote, counted};
-use homolog_contract::parameters::{InputParameters, LabelChoice, Repair, SurfaceKind};
+use homolog_contract::input::InputWarning;
+use homolog_contract::parameters::{InputParameters, Repair};
 use homolog_formats::{FileContent, MeshFile, ReadFile};
 use homolog_mesh::orientation::oriented;
 use homolog_mesh::repair::RepairedMesh;
 use homolog_mesh::simplify::{Simplified, simplify};
 use homolog_mesh::topology::{Demand, SurfaceFault, TopologyReport, analyze_with, topology_report};
 use homolog_mesh::tunnels::{ClosedTunnels, close_tunnels, count_tunnels};
-use homolog_mesh::volume::smooth_surface::FieldRepair;
-use homolog_mesh::volume::{self, BettiNumbers, Contacts, FillChange, LabelVolume, VoxelMask};
+use homolog_mesh::volume::Sampling;
 use homolog_mesh::{FaceArity, MeshError, Numbering, SurfaceMesh, repair};
 use nalgebra::Point3;
-use std::collections::BTreeMap;
-
-/// Standard deviation of the filter over a mask, in voxels: the least that removes the steps between voxels.
-const SMOOTHING: f64 = 0.7;
-
-/// Most labels that a refusal lists.
-pub(super) const MAX_NAMED_LABELS: usize = 50;
 
 /// A surface made from an input, with the repairs that were made and the fault that remains, if any.
 #[derive(Debug, Clone, PartialEq)]
@@ -43,6 +38,12 @@ pub(super) struct Candidate {
     pub turned_outward: bool,
     /// Repairs that were asked for and not made, and why.
     pub notes: Vec<String>,
+    /// What may have made another structure of it than was meant.
+    pub warnings: Vec<InputWarning>,
+    /// The labels of which it was made; `None` for meshes.
+    pub labels: Option<UsedLabels>,
+    /// What its voxels leave unknown; `None` for meshes.
+    pub sampling: Option<Sampling>,
 }
 
 impl Candidate {
@@ -52,7 +53,9 @@ impl Candidate {
         limits: &IntakeLimits,
     ) -> Result<Self, IntakeError> {
         let mut candidate = match &file.content {
-            FileContent::Labels(volume) => from_labels(volume, &file.label_names, parameters, limits)?,
+            FileContent::Labels(volume) => {
+                super::label_surface::from_labels(volume, &file.label_names, parameters, limits)?
+            }
             FileContent::Mesh(file) => {
                 // Before repairs, which cost more than reading does.
                 let (found, limit) = (file.mesh.n_faces() as u64, limits.max_faces as u64);
@@ -70,15 +73,14 @@ impl Candidate {
         }
         candidate.triangulate(parameters);
         candidate.simplify(parameters);
-        let n_whole = candidate.whole.as_ref().map_or(candidate.mesh.n_vertices(), |(mesh, _)| mesh.n_vertices());
-        let (found, limit) = (n_whole as u64, limits.max_vertices as u64);
+        let (found, limit) = (candidate.mesh.n_vertices() as u64, limits.max_vertices as u64);
         if found > limit {
             return Err(IntakeError::TooLarge { what: "surface vertices", found, limit });
         }
         Ok(candidate)
     }
 
-    fn new(
+    pub(super) fn new(
         mesh: SurfaceMesh,
         numbering: Numbering,
         topology: TopologyReport,
@@ -102,6 +104,9 @@ impl Candidate {
             repairs,
             turned_outward: false,
             notes: Vec::new(),
+            warnings: Vec::new(),
+            labels: None,
+            sampling: None,
         }
     }
 
@@ -208,6 +213,15 @@ fn from_mesh(file: &MeshFile, parameters: &InputParameters) -> Result<Candidate,
             repairs.push(RepairNote { repair: Repair::Weld, detail });
         }
     }
+    let mut joined_in_part = false;
+    if weld {
+        let joined = near::weld_near(&current.mesh).map_err(|e: MeshError| IntakeError::Unreadable(e.into()))?;
+        if let Some(joined) = joined {
+            current = followed(&current, joined.welded);
+            repairs.push(RepairNote { repair: Repair::Weld, detail: joined.detail });
+            joined_in_part = joined.in_part;
+        }
+    }
     let n_uploaded = file.mesh.n_vertices();
     let mut added: Vec<Point3<f64>> = Vec::new();
     if allowed.contains(&Repair::Split)
@@ -223,6 +237,7 @@ fn from_mesh(file: &MeshFile, parameters: &InputParameters) -> Result<Candidate,
         repairs.push(RepairNote { repair: Repair::Split, detail });
         current = RepairedMesh { mesh: found.mesh, numbering };
     }
+    let mut warnings = Vec::new();
     if allowed.contains(&Repair::LargestComponent) {
         let before = topology_report(&current.mesh);
         if before.n_components > 1 {
@@ -233,6 +248,9 @@ fn from_mesh(file: &MeshFile, parameters: &InputParameters) -> Result<Candidate,
                 current.mesh.n_vertices(),
                 before.n_vertices
             );
+            let share = 1.0 - topology_report(&current.mesh).area_mm2 / before.area_mm2;
+            // A mesh loses pieces only if that was asked for.
+            warnings.push(warnings::piece_dropped(before.n_components as usize, share, "area", true));
             repairs.push(RepairNote { repair: Repair::LargestComponent, detail });
         }
     }
@@ -266,8 +284,13 @@ fn from_mesh(file: &MeshFile, parameters: &InputParameters) -> Result<Candidate,
             current = RepairedMesh { mesh: closed.mesh, numbering };
         }
     }
-    let candidate = Candidate::new(current.mesh, current.numbering, topology, repairs, parameters.allow_boundary);
-    Ok(Candidate { added, notes, ..candidate })
+    let mut candidate = Candidate::new(current.mesh, current.numbering, topology, repairs, parameters.allow_boundary);
+    let in_part = joined_in_part.then(|| near::soup_fault(&candidate.repaired));
+    if let Some(soup) = near::soup(&candidate.repaired).or(in_part) {
+        // Whatever else is wrong with it follows from that.
+        candidate.others.splice(0..0, candidate.fault.replace(soup));
+    }
+    Ok(Candidate { added, notes, warnings, ..candidate })
 }
 
 /// `numbering` with `n_new` further vertices, which are numbered from `first` on.
@@ -289,150 +312,4 @@ fn tunnels_note(closed: &ClosedTunnels) -> String {
 /// `next`, a repair of `current.mesh`, in terms of the mesh of which `current` is a repair.
 fn followed(current: &RepairedMesh, next: RepairedMesh) -> RepairedMesh {
     RepairedMesh { numbering: next.numbering.over(&current.numbering), mesh: next.mesh }
-}
-
-fn from_labels(
-    volume: &LabelVolume,
-    names: &BTreeMap<u32, String>,
-    parameters: &InputParameters,
-    limits: &IntakeLimits,
-) -> Result<Candidate, IntakeError> {
-    let requested = parameters.labels.as_deref().map(|labels| chosen(labels, names)).transpose()?;
-    let Some(mask) = volume.mask(requested.as_deref()) else {
-        let labels: Vec<u32> = volume.label_counts().into_keys().collect();
-        let n_present = labels.len();
-        let present = labels.into_iter().take(MAX_NAMED_LABELS).collect();
-        return Err(IntakeError::EmptyStructure { requested, present, n_present });
-    };
-    let of_all = requested.is_none() && volume.label_counts().len() > 1;
-    check_size(&mask, limits, 2.0, of_all)?;
-    let both = [Repair::LargestComponent, Repair::Fill];
-    let allowed = parameters.repair.as_deref().unwrap_or(&both);
-    let (raw, _) = surface_of(&mask, parameters, FieldRepair::default())?;
-    let topology = topology_report(&raw);
-    drop(raw);
-
-    let mut repairs = Vec::new();
-    let mut repaired = mask;
-    let one_piece = allowed.contains(&Repair::LargestComponent);
-    if one_piece {
-        let (piece, n_pieces, n_dropped) = volume::largest_component(&repaired);
-        if n_pieces > 1 {
-            let n = repaired.n_voxels();
-            let detail = format!("kept the largest of {n_pieces} pieces; {n_dropped} of {n} voxels dropped");
-            repairs.push(RepairNote { repair: Repair::LargestComponent, detail });
-            repaired = piece;
-        }
-    }
-    check_size(&repaired, limits, 1.25, of_all)?;
-    let may_fill = allowed.contains(&Repair::Fill);
-    let field_repair = FieldRepair { largest_component: one_piece, fill: may_fill };
-    // Filling several pieces would join them.
-    if may_fill && (one_piece || volume::largest_component(&repaired).1 == 1) {
-        let contacts = match parameters.surface {
-            SurfaceKind::Smooth => Contacts::Allow,
-            SurfaceKind::Voxel => Contacts::Resolve,
-        };
-        let filled = volume::fill(&repaired, contacts);
-        if filled.change.n_changed() > 0 {
-            let not_again = FieldRepair { fill: false, ..field_repair };
-            let (mesh, notes) = surface_of(&filled.mask, parameters, not_again)?;
-            let notes = [repairs.clone(), vec![fill_note(filled.change, "")], notes].concat();
-            let candidate = unnumbered(mesh, topology.clone(), notes);
-            // Smoothing may bridge a thin gap or break a thin membrane again; then only the smoothed structure is filled.
-            if candidate.repaired.genus == Some(0) {
-                return Ok(candidate);
-            }
-        }
-    }
-    let (mesh, notes) = surface_of(&repaired, parameters, field_repair)?;
-    repairs.extend(notes);
-    Ok(unnumbered(mesh, topology, repairs))
-}
-
-/// The numbers of the labels that a request chooses; a name chooses every label that has it.
-fn chosen(labels: &[LabelChoice], names: &BTreeMap<u32, String>) -> Result<Vec<u32>, IntakeError> {
-    let mut numbers = Vec::new();
-    for (place, label) in labels.iter().enumerate() {
-        match label {
-            LabelChoice::Number(number) => numbers.push(*number),
-            LabelChoice::Name(name) => {
-                let wanted = name.trim().to_lowercase();
-                let before = numbers.len();
-                let named = names.iter().filter(|(_, found)| found.trim().to_lowercase() == wanted);
-                numbers.extend(named.map(|(number, _)| *number));
-                if numbers.len() == before {
-                    return Err(IntakeError::UnknownLabelName { place, named: names.keys().copied().collect() });
-                }
-            }
-        }
-    }
-    Ok(numbers)
-}
-
-/// A surface made from a volume: the upload has no vertices, so answers count those of the surface.
-fn unnumbered(mesh: SurfaceMesh, topology: TopologyReport, repairs: Vec<RepairNote>) -> Candidate {
-    let numbering = Numbering::identity(mesh.n_vertices());
-    Candidate::new(mesh, numbering, topology, repairs, false)
-}
-
-/// Refuses structures whose box or surface would be too large, before any surface is made.
-///
-/// A closed surface has about as many vertices as the structure has boundary faces. `slack` leaves room for what repairs
-/// and smoothing will remove; the vertices of the surface are counted exactly later. `of_all`: no labels were chosen among
-/// several, which is the likely reason.
-fn check_size(mask: &VoxelMask, limits: &IntakeLimits, slack: f64, of_all: bool) -> Result<(), IntakeError> {
-    let found = mask.dims().iter().map(|&d| d as u64).product();
-    let limit = limits.max_voxels;
-    if found > limit {
-        let what = if of_all {
-            "voxels in the box around all its labels (input.labels chooses some)"
-        } else {
-            "voxels in the box around the structure"
-        };
-        return Err(IntakeError::TooLarge { what, found, limit });
-    }
-    let (found, limit) = (mask.n_boundary_faces() as u64, (slack * limits.max_vertices as f64) as u64);
-    if found > limit {
-        let what = if of_all {
-            "boundary faces of all its labels together (input.labels chooses some)"
-        } else {
-            "boundary faces of the structure"
-        };
-        return Err(IntakeError::TooLarge { what, found, limit });
-    }
-    Ok(())
-}
-
-fn surface_of(
-    mask: &VoxelMask,
-    parameters: &InputParameters,
-    field_repair: FieldRepair,
-) -> Result<(SurfaceMesh, Vec<RepairNote>), IntakeError> {
-    let smoothing_mm = parameters.smoothing_mm.unwrap_or(SMOOTHING * mask.voxel_size_mm());
-    let vanished = |_| IntakeError::Vanished { smoothing_mm, n_voxels: mask.n_voxels() as u64 };
-    if parameters.surface == SurfaceKind::Voxel {
-        return Ok((volume::voxel_surface(mask).map_err(vanished)?, Vec::new()));
-    }
-    let surface = volume::smooth_surface(mask, smoothing_mm, field_repair).map_err(vanished)?;
-    let mut notes = Vec::new();
-    if surface.n_dropped > 0 {
-        let detail =
-            format!("smoothing had split the structure; {} voxels of smaller pieces dropped", surface.n_dropped);
-        notes.push(RepairNote { repair: Repair::LargestComponent, detail });
-    }
-    notes.extend(surface.fill.map(|change| fill_note(change, " of the smoothed structure")));
-    Ok((surface.mesh, notes))
-}
-
-fn fill_note(change: FillChange, of_what: &str) -> RepairNote {
-    let BettiNumbers { n_tunnels, n_cavities, .. } = change.before;
-    let what = if n_tunnels + n_cavities > 0 {
-        let tunnels = counted(n_tunnels.into(), "tunnel", "tunnels");
-        format!("closed {tunnels} and {}{of_what}", counted(n_cavities.into(), "cavity", "cavities"))
-    } else {
-        format!("separated or joined voxels{of_what} that touched only along an edge or at a corner")
-    };
-    let detail = format!("{what}; {} voxels added, {} removed", change.n_added, change.n_removed);
-    RepairNote { repair: Repair::Fill, detail }
 }

@@ -18,7 +18,7 @@ pub enum IntakeError {
     #[error(transparent)]
     Unreadable(FormatError),
     /// A limit of the service is exceeded.
-    #[error("the file has {found} {what}, but at most {limit} are accepted; crop it or reduce its resolution")]
+    #[error("the file has {found} {what}, but at most {limit} are accepted; {}", smaller(what))]
     TooLarge {
         /// What is counted, plural.
         what: &'static str,
@@ -48,6 +48,25 @@ pub enum IntakeError {
         place: usize,
         /// The labels that have a name.
         named: Vec<u32>,
+    },
+    /// The values of a volume look like measurements, and nobody confirmed that they are labels.
+    #[error(
+        "the file looks like an image, not like labels: {} of its {n_values} values other than 0 keep together, {:.0} % of \
+         neighboring voxels have equal values, and {:.0} % of the voxels at the border are not 0; send a segmentation of it, \
+         choose labels with input.labels, or set input.image_is_labels to true",
+        if *n_together == 0 { "none".to_owned() } else { format!("only {n_together}") },
+        100.0 * equal_share,
+        100.0 * border_share
+    )]
+    LooksLikeImage {
+        /// Different values other than 0.
+        n_values: usize,
+        /// Those of which most voxels lie beside another of the same value.
+        n_together: usize,
+        /// Share of equal pairs among neighboring voxels other than 0.
+        equal_share: f64,
+        /// Share of voxels other than 0 on the faces of the volume.
+        border_share: f64,
     },
     /// Smoothing removes the whole structure.
     #[error(
@@ -133,6 +152,15 @@ impl std::fmt::Display for Advice {
     }
 }
 
+/// How to come below a limit.
+fn smaller(what: &str) -> &'static str {
+    if what.contains("vertices") {
+        "have it simplified (input.max_vertices), crop it or reduce its resolution"
+    } else {
+        "crop it or reduce its resolution"
+    }
+}
+
 /// Further faults, after the first.
 fn also(others: &[SurfaceFault]) -> String {
     others.iter().map(|fault| format!("; also, {fault}")).collect()
@@ -142,7 +170,7 @@ fn named_labels(named: &[u32]) -> String {
     if named.is_empty() {
         return "the file has no names of labels".to_owned();
     }
-    let listed = &named[..named.len().min(super::candidate::MAX_NAMED_LABELS)];
+    let listed = &named[..named.len().min(super::label_surface::MAX_NAMED_LABELS)];
     format!("the file has names for the labels {listed:?}")
 }
 
@@ -170,12 +198,16 @@ impl IntakeError {
             IntakeError::DegenerateFaces { advice, .. } | IntakeError::UnsuitableSurface { advice, .. } => {
                 message.replace(&advice.to_string(), &format!("{advice:#}"))
             }
+            IntakeError::TooLarge { what, .. } if what.contains("vertices") => {
+                let options = "have it simplified (--simplify N), raise the limit (--max-vertices N)";
+                message.replace("have it simplified (input.max_vertices)", options)
+            }
             _ => message,
         }
     }
 
     /// The stable name of this kind of refusal, used as the problem type in HTTP answers: `unknown-format`,
-    /// `unreadable-file`, `too-large`, `empty-structure` or `unsuitable-surface`.
+    /// `unreadable-file`, `too-large`, `empty-structure`, `not-labels` or `unsuitable-surface`.
     pub fn code(&self) -> &'static str {
         match self {
             IntakeError::UnknownFormat => "unknown-format",
@@ -184,6 +216,7 @@ impl IntakeError {
             IntakeError::EmptyStructure { .. }
             | IntakeError::UnknownLabelName { .. }
             | IntakeError::Vanished { .. } => "empty-structure",
+            IntakeError::LooksLikeImage { .. } => "not-labels",
             IntakeError::DegenerateFaces { .. } | IntakeError::UnsuitableSurface { .. } => "unsuitable-surface",
         }
     }

@@ -1,7 +1,9 @@
 //! What an input is and whether it can be matched: a report where [`super::prepare_surface`] would refuse.
 
 use super::candidate::Candidate;
-use super::{InputKind, Inspection, IntakeError, IntakeLimits, LabelCount, Refusal, VolumeInspection, read};
+use super::{
+    InputKind, Inspection, IntakeError, IntakeLimits, LabelCount, Refusal, VolumeInspection, read, sampling_report,
+};
 use homolog_contract::parameters::InputParameters;
 use homolog_formats::FileContent;
 use homolog_mesh::volume::LabelVolume;
@@ -39,6 +41,8 @@ pub fn inspect(
         repairs: Vec::new(),
         turned_outward: false,
         notes: file.notes.clone(),
+        warnings: file.warnings.clone(),
+        sampling: None,
         suitable: false,
         refusal: None,
     };
@@ -49,6 +53,8 @@ pub fn inspect(
             inspection.repaired_topology = Some(candidate.repaired);
             inspection.repairs = candidate.repairs;
             inspection.notes.extend(candidate.notes);
+            inspection.warnings.extend(candidate.warnings);
+            inspection.sampling = candidate.sampling.map(sampling_report);
             inspection.turned_outward = candidate.turned_outward;
             refusal
         }

@@ -8,8 +8,11 @@
 mod candidate;
 mod error;
 mod inspection;
+mod label_surface;
+mod near;
 mod shown;
 mod split;
+mod warnings;
 
 pub use error::{Advice, IntakeError};
 pub use homolog_contract::input::{InputFormat, InputKind, InputReport, Inspection};
@@ -18,12 +21,14 @@ pub use shown::shown_surface;
 
 use crate::whole::Dropped;
 use candidate::Candidate;
-use homolog_contract::input::{LabelCount, Refusal, RepairNote, VolumeInspection};
+use homolog_contract::input::{LabelCount, Refusal, RepairNote, SamplingReport, VolumeInspection};
 use homolog_contract::parameters::{InputParameters, Repair};
 pub use homolog_formats::DEFAULT_INFLATION;
-use homolog_formats::{FileContent, FormatError, ReadFile, ReadLimits};
+use homolog_formats::{FileContent, FormatError, ReadFile, ReadLimits, ReadOptions};
+use homolog_mesh::volume::Sampling;
 use homolog_mesh::{ClosestPointIndex, Numbering, SurfaceMesh};
 use std::collections::HashSet;
+pub(crate) use warnings::UsedLabels;
 
 /// A surface that is ready to be matched: its faces agree in orientation and look outwards.
 #[derive(Debug, Clone, PartialEq)]
@@ -37,6 +42,8 @@ pub struct PreparedSurface {
     restored: Option<SurfaceMesh>,
     /// Vertices that simplification dropped.
     dropped: Vec<Dropped>,
+    /// The labels of which it was made; `None` for meshes.
+    labels: Option<UsedLabels>,
     /// What the input was and what was done to it.
     pub report: InputReport,
 }
@@ -51,6 +58,10 @@ impl PreparedSurface {
     /// Vertices that simplification dropped, with their places on `mesh`.
     pub(crate) fn dropped(&self) -> &[Dropped] {
         &self.dropped
+    }
+
+    pub(crate) fn labels(&self) -> Option<&UsedLabels> {
+        self.labels.as_ref()
     }
 
     pub(crate) fn heap_bytes(&self) -> usize {
@@ -68,9 +79,9 @@ pub struct IntakeLimits {
     pub max_inflated_bytes: usize,
     /// Largest file after decompression, as a multiple of the file as uploaded, above a mebibyte.
     pub max_inflation: usize,
-    /// Most vertices of a surface.
+    /// Most vertices of a surface that is matched: of the simplified one, where `input.max_vertices` is set.
     pub max_vertices: usize,
-    /// Most faces of an uploaded mesh; the surface of a volume is bounded by its vertices.
+    /// Most faces of an uploaded mesh, and most vertices of one that is simplified; the surface of a volume is bounded by its vertices.
     pub max_faces: usize,
     /// Most voxels of the box around a structure: filling and smoothing work on the whole box.
     pub max_voxels: u64,
@@ -122,11 +133,26 @@ pub fn prepare_surface(
     if let Some(refusal) = candidate.refusal(&file, parameters, limits) {
         return Err(refusal);
     }
-    let ReadFile { format, content, space, mut notes, .. } = file;
-    let Candidate { mesh, numbering, added, whole, topology, repairs, turned_outward, notes: of_repairs, .. } =
-        candidate;
+    let ReadFile { format, content, space, mut notes, mut warnings, .. } = file;
+    let Candidate {
+        mesh,
+        numbering,
+        added,
+        whole,
+        topology,
+        repairs,
+        turned_outward,
+        notes: of_repairs,
+        warnings: of_surface,
+        labels,
+        sampling,
+        ..
+    } = candidate;
     notes.extend(of_repairs);
-    let report = InputReport { format, space: Some(space), topology, repairs, turned_outward, notes };
+    warnings.extend(of_surface);
+    let sampling = sampling.map(sampling_report);
+    let report =
+        InputReport { format, space: Some(space), topology, repairs, turned_outward, notes, warnings, sampling };
     let dropped = whole.as_ref().map(|whole| dropped(&mesh, &numbering, whole)).unwrap_or_default();
     // What was there before simplification is what an answer counts.
     let (faces, names) = whole.as_ref().map_or((&mesh, &numbering), |(faces, names)| (faces, names));
@@ -143,7 +169,7 @@ pub fn prepare_surface(
         }
         _ => whole.map(|(faces, _)| faces),
     };
-    Ok(PreparedSurface { mesh, numbering, restored, dropped, report })
+    Ok(PreparedSurface { mesh, numbering, restored, dropped, labels, report })
 }
 
 fn read(
@@ -159,13 +185,22 @@ fn read(
     if bytes.is_empty() {
         return Err(IntakeError::Unreadable(FormatError::Empty));
     }
-    let IntakeLimits { max_inflated_bytes, max_inflation, max_vertices, .. } = *limits;
+    let IntakeLimits { max_inflated_bytes, max_inflation, max_vertices, max_faces, .. } = *limits;
+    // A mesh that will be simplified is bounded by its faces alone, of which it has about two for each vertex.
+    let max_vertices = if parameters.max_vertices.is_some() { max_vertices.max(max_faces) } else { max_vertices };
     let read_limits = ReadLimits { max_inflated_bytes, max_inflation, max_vertices };
-    homolog_formats::read_with(bytes, file_name, &read_limits, parameters.fraction).map_err(|error| match error {
+    let InputParameters { fraction, apply_transform, labels, .. } = parameters;
+    let options = ReadOptions { fraction: *fraction, apply_transform: *apply_transform, labels: labels.clone() };
+    homolog_formats::read_with(bytes, file_name, &read_limits, &options).map_err(|error| match error {
         FormatError::UnknownFormat => IntakeError::UnknownFormat,
         FormatError::TooLarge { what, found, limit } => IntakeError::TooLarge { what, found, limit },
         error => IntakeError::Unreadable(error),
     })
+}
+
+/// The same in degrees, with a bound where a rotation is not determined at all.
+fn sampling_report(Sampling { noise_mm, rotation_rad }: Sampling) -> SamplingReport {
+    SamplingReport { noise_mm, rotation_deg: rotation_rad.to_degrees().min(180.0) }
 }
 
 /// Where the vertices that simplification dropped lie on the surface that it left.

@@ -76,6 +76,13 @@ fn verdict(inputs: &ReportInputs<'_>) -> String {
         }
         html.push_str("</ul>");
     }
+    if !verdict.warnings.is_empty() {
+        html.push_str("<p>Warnings:</p><ul>");
+        for warning in &verdict.warnings {
+            let _ = write!(html, "<li>{}</li>", escaped(warning));
+        }
+        html.push_str("</ul>");
+    }
     let _ = write!(html, "<p>{}</p>", escaped(&verdict.distance()));
     let missing = inputs.correspondences.outlier.iter().filter(|&&o| o == OutlierReason::NoCounterpart).count();
     if missing > 0 {

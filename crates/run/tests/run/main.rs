@@ -1,6 +1,7 @@
 //! From the bytes of two files to the result: intake, and matches of phantoms and of real data.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::print_stdout)]
 
+mod field_files;
 #[path = "../../../../tests/fixtures/mod.rs"]
 #[allow(dead_code, reason = "each test binary uses a part of it")]
 mod fixtures;
@@ -9,3 +10,4 @@ mod intake;
 mod pairs;
 mod progress;
 mod structures;
+mod warnings;

@@ -184,7 +184,7 @@ fn trilinear(values: &[f64], dims: [usize; 3], at: &Point3<f64>) -> f64 {
 /// Every subject is matched with its volume rotated and sampled again.
 fn check_resampled(subjects: &[Vec<u8>]) {
     for (k, bytes) in subjects.iter().enumerate() {
-        let volume = read_nifti(bytes, &ReadLimits::default()).unwrap();
+        let volume = read_nifti(bytes, &ReadLimits::default()).unwrap().volume;
         let (rotated, motion) = resampled(&volume, &Draw::new(200 + k as u64).pose());
         let output = run(bytes, &write_nifti(&rotated));
         let angle = degrees_between(&found(&output), &motion);
@@ -255,7 +255,7 @@ fn match_different(sources: &[Vec<u8>], targets: &[Vec<u8>]) -> Agreement {
         let (pose, order) = (draw.pose(), draw.permutation(target.n_vertices()));
         let output = run(source_bytes, &write_ply(&moved_and_permuted(&target, &pose, &order)));
         let angle = degrees_between(&found(&output), &pose.after(&reference));
-        let volume = |bytes: &[u8]| read_nifti(bytes, &ReadLimits::default()).unwrap();
+        let volume = |bytes: &[u8]| read_nifti(bytes, &ReadLimits::default()).unwrap().volume;
         let source_labels = vertex_labels(&volume(source_bytes), &output.source);
         let target_labels = vertex_labels(&volume(target_bytes), &target);
         let mut moved_labels = vec![0; target_labels.len()];

@@ -1,0 +1,81 @@
+//! Faces that lie beside each other and share no vertices: where corners differ by rounding they are joined, and where faces
+//! still do not hold together the surface is a soup, which is refused.
+
+use homolog_mesh::repair::{RepairedMesh, WeldReport, weld_boundary};
+use homolog_mesh::topology::{SurfaceFault, TopologyReport, topology_report};
+use homolog_mesh::{MeshError, SurfaceMesh};
+
+/// Vertices of boundaries nearer than this share of the median edge are one vertex: far below the detail of any surface, above
+/// the rounding of programs that write few digits.
+const NEAR: f64 = 0.01;
+/// Where vertices that are left on the boundaries of a soup are nearer than this many tolerances, it was joined in part.
+const LEFT_NEAR: f64 = 8.0;
+/// A soup has fewer faces a piece than this. No closed piece has: a tetrahedron has four, but no boundary.
+const FACES_OF_A_PIECE: u32 = 8;
+
+/// What [`weld_near`] did.
+pub(super) struct Joined {
+    pub welded: RepairedMesh,
+    /// A sentence about it.
+    pub detail: String,
+    /// Whether corners of a soup are left that are a little farther apart, so that it has holes where none were.
+    pub in_part: bool,
+}
+
+/// `mesh` with the vertices of its boundaries joined that lie nearer to each other than [`NEAR`] median edges; `None` if that
+/// closes no boundary.
+///
+/// # Errors
+/// [`MeshError::Empty`] if no face is left.
+///
+/// # Cost
+/// `O(n log n)`.
+pub(super) fn weld_near(mesh: &SurfaceMesh) -> Result<Option<Joined>, MeshError> {
+    let before = topology_report(mesh);
+    if before.n_boundary_edges == 0 {
+        return Ok(None);
+    }
+    let tolerance_mm = NEAR * median_edge(mesh);
+    let (welded, WeldReport { n_merged, largest_mm, n_degenerate, n_duplicate }) = weld_boundary(mesh, tolerance_mm)?;
+    let after = topology_report(&welded.mesh);
+    if n_merged == 0 || after.n_boundary_edges >= before.n_boundary_edges {
+        return Ok(None);
+    }
+    let detail = format!(
+        "{n_merged} of {} vertices joined to another at most {largest_mm:.3e} mm away, where neighboring faces did not share \
+         them (tolerance {tolerance_mm:.3e} mm, 1 % of the median edge); edges with one face: {} before, {} after; {} faces \
+         dropped",
+        before.n_vertices,
+        before.n_boundary_edges,
+        after.n_boundary_edges,
+        n_degenerate + n_duplicate
+    );
+    let in_part = soup(&before).is_some()
+        && after.n_boundary_edges > 0
+        && weld_boundary(&welded.mesh, LEFT_NEAR * tolerance_mm)?.1.n_merged > 0;
+    Ok(Some(Joined { welded, detail, in_part }))
+}
+
+/// The length of the middle one of all edges of all faces, mm.
+fn median_edge(mesh: &SurfaceMesh) -> f64 {
+    let v = mesh.vertices();
+    let edges = mesh.faces().flat_map(|face| (0..face.len()).map(move |k| (face[k], face[(k + 1) % face.len()])));
+    let mut lengths: Vec<f64> = edges.map(|(a, b)| (v[a as usize] - v[b as usize]).norm()).collect();
+    let middle = lengths.len() / 2;
+    let (_, median, _) = lengths.select_nth_unstable_by(middle, f64::total_cmp);
+    *median
+}
+
+/// The fault of a surface whose faces mostly share no edges.
+pub(super) fn soup(report: &TopologyReport) -> Option<SurfaceFault> {
+    let TopologyReport { n_faces, n_edges, n_boundary_edges, n_components, .. } = *report;
+    let is_loose = n_boundary_edges > n_edges / 2 && n_components >= FACES_OF_A_PIECE;
+    let is_soup = is_loose && n_faces < n_components.saturating_mul(FACES_OF_A_PIECE);
+    is_soup.then(|| soup_fault(report))
+}
+
+/// That the faces of a surface do not hold together.
+pub(super) fn soup_fault(report: &TopologyReport) -> SurfaceFault {
+    let TopologyReport { n_faces, n_components, n_boundary_edges, .. } = *report;
+    SurfaceFault::Soup { n_faces, n_components, n_edges: n_boundary_edges }
+}

@@ -16,6 +16,7 @@ async fn every_answer_is_one_of_the_document(backend: Backend) {
     let site = Site::open(backend);
     let mut program = site.program(&["--workers", "1", "--log", "error"]);
     let mut command = Command::new(tool);
+    command.arg("--config-file").arg(Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/suite/schemathesis.toml"));
     command.args(["run", &format!("{}/openapi.json", program.base), "--max-examples", &examples]);
     // The phase `coverage` is left out: this version of schemathesis crashes in it on large documents.
     command.args(["--phases", "examples,fuzzing,stateful", "--suppress-health-check", "all"]);

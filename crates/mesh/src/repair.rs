@@ -69,23 +69,9 @@ pub fn weld_reported(mesh: &SurfaceMesh) -> Result<(RepairedMesh, WeldReport), M
 /// # Cost
 /// `O(n log n)`; more where many vertices lie within the tolerance.
 pub fn weld_boundary(mesh: &SurfaceMesh, tolerance_mm: f64) -> Result<(RepairedMesh, WeldReport), MeshError> {
-    let on_boundary = on_boundary(mesh);
-    merged(mesh, &nearest_kept(mesh, tolerance_mm, |vertex| on_boundary[vertex]))
-}
-
-/// Which vertices are ends of edges with one face.
-fn on_boundary(mesh: &SurfaceMesh) -> Vec<bool> {
-    let mut edges: Vec<[u32; 2]> = mesh
-        .faces()
-        .flat_map(|face| (0..face.len()).map(move |k| (face[k], face[(k + 1) % face.len()])))
-        .map(|(a, b)| [a.min(b), a.max(b)])
-        .collect();
-    edges.sort_unstable();
-    let mut on_boundary = vec![false; mesh.n_vertices()];
-    for edge in edges.chunk_by(|a, b| a == b).filter(|uses| uses.len() == 1) {
-        edge[0].iter().for_each(|&v| on_boundary[v as usize] = true);
-    }
-    on_boundary
+    let on_boundary = mesh.boundary_vertices();
+    let may_merge = |vertex: usize| on_boundary.as_ref().is_some_and(|on_boundary| on_boundary[vertex]);
+    merged(mesh, &nearest_kept(mesh, tolerance_mm, may_merge))
 }
 
 /// The mesh in which each vertex is replaced by the one that `kept` names.

@@ -2,11 +2,11 @@
 
 use super::displaced::{Displaced, Images, SmoothImages};
 use super::displacement::DisplacementAnswer;
-use super::reliability::{UNRELIABLE_CONFIDENCE, without_counterpart};
+use super::reliability::without_counterpart;
 use crate::pair::scene::Scene;
 use crate::poses::compared::{ComparedPose, Origin};
 use crate::starts::candidates::Start;
-use homolog_contract::result::{PoseDocument, PoseOrigin, ReliabilityDocument};
+use homolog_contract::result::{PoseDocument, PoseOrigin, ReliabilityDocument, UNRELIABLE_CONFIDENCE};
 use homolog_registration::RigidTransform;
 
 /// The answer of a displacement field, with confidences lowered where `reliability` is low.

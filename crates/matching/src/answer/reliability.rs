@@ -3,11 +3,10 @@
 use super::displacement::DisplacementAnswer;
 use super::images::Image;
 use crate::poses::compared::{ComparedPose, Finer, Origin};
+use crate::surface::moments::AreaMoments;
 use crate::surface::side::Side;
 use homolog_contract::result::{ReliabilityDocument, UnreliableReason};
-use homolog_geometry::curvature::vertex_areas;
 use homolog_mesh::{ClosestPoint, SurfaceMesh};
-use homolog_registration::weighted_moments;
 
 /// Likeness of the shapes below which they may be of different structures. Correlated curvatures speak for one structure; a
 /// deformation that draws triangles out speaks against it, because a smooth field bends any shape near any other, but only
@@ -38,8 +37,6 @@ const DISTORTION_OF_WALLS: f64 = 0.2;
 /// axis: among all 8,385 pairs of 130 hippocampi the maximum is 1.46 (99th percentile 1.27), for warps of 8 % it is 1.20;
 /// of 16,770 pairs of a hippocampus and the anterior part of another 99 % have 1.56 and more.
 const MAX_LENGTH_RATIO: f64 = 1.5;
-/// Factor on the confidences of an unreliable answer.
-pub(crate) const UNRELIABLE_CONFIDENCE: f64 = 0.1;
 
 /// Distance from the target, in mean target edges, beyond which an image has no counterpart; and the same at a boundary.
 const AWAY_EDGES: f64 = 4.0;
@@ -68,10 +65,7 @@ fn length_ratio(source: &Side, target: &Side) -> f64 {
 
 /// Standard deviation of the area of `mesh` along its first principal axis, mm; 0 where it is no number.
 fn length_mm(mesh: &SurfaceMesh) -> f64 {
-    let areas = vertex_areas(mesh);
-    let total: f64 = areas.iter().sum();
-    let moments = weighted_moments(mesh.vertices(), &areas, total);
-    moments.map_or(0.0, |(_, scatter)| (scatter / total).symmetric_eigenvalues().max().sqrt())
+    AreaMoments::of(mesh).map_or(0.0, |moments| moments.variance().symmetric_eigenvalues().max().sqrt())
 }
 
 /// How much the two shapes are alike by an answer of this reliability: about 1 for copies; see [`MIN_LIKENESS`].

@@ -22,16 +22,12 @@ const DISTINCT: f64 = 3.0;
 /// How the energy is minimized and what supports a pose.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct InferenceSettings {
-    /// Active labels of a variable. With 32 of 512 the energies of hippocampi are 0 to 2 % above those over all labels.
-    pub active_labels: usize,
-    /// Most iterations of belief propagation, its damping, and the change of a message up to which it has converged.
+    /// The energy, and what its minimizers share.
+    pub energy: IsometrySettings,
+    /// Most iterations of belief propagation.
     pub iterations: u32,
-    pub damping: f32,
-    pub tolerance: f32,
     /// Sweeps of conditional modes over all labels afterwards, at most.
     pub sweeps: usize,
-    /// Labels within so many of their spacings of the best one take part in the image of a variable.
-    pub blended: f64,
     /// Largest residual of an inlier, in roots of the area: two spacings of the labels, and what two subjects differ in.
     pub inlier: f64,
     /// Confidence and most trials of RANSAC.
@@ -42,12 +38,9 @@ pub(crate) struct InferenceSettings {
 impl Default for InferenceSettings {
     fn default() -> Self {
         InferenceSettings {
-            active_labels: 32,
+            energy: IsometrySettings::default(),
             iterations: 20,
-            damping: 0.4,
-            tolerance: 0.01,
             sweeps: 8,
-            blended: 1.5,
             inlier: 0.1,
             confidence: 0.999,
             max_trials: 4096,
@@ -217,7 +210,7 @@ pub(crate) fn infer(
     settings: &InferenceSettings,
     observer: &dyn Observer,
 ) -> Result<Inferred, Cancelled> {
-    let of_energy = IsometrySettings::default();
+    let of_energy = settings.energy;
     let Isometry { model, mirrored: of_mirror, variables, points, .. } = Isometry::new(source, target, of_energy);
     checkpoint(observer)?;
     let labeled = |model: &MetricModel, bias: &[f32], mirrors: bool| {
@@ -261,11 +254,11 @@ fn labeled(
     let options = ActiveOptions {
         semiring: Semiring::Sum,
         iterations: settings.iterations,
-        damping: settings.damping,
-        tolerance: settings.tolerance,
+        damping: settings.energy.damping,
+        tolerance: settings.energy.tolerance,
     };
     let mut trace = Vec::new();
-    let active = model.cheapest(bias, settings.active_labels);
+    let active = model.cheapest(bias, settings.energy.active_labels);
     let found = model.propagate(&active, bias, &options, |_, energy, change| trace.push((energy, change)));
     let labeling = model.descend(found.labeling(), settings.sweeps);
     let images = images(&found, &labeling, target, settings);
@@ -289,7 +282,7 @@ fn labeled(
     Labeled {
         energy: model.energy(&labeling),
         ransac,
-        converged: found.message_delta_max <= settings.tolerance,
+        converged: found.message_delta_max <= settings.energy.tolerance,
         iterations: found.iterations,
         labeling,
         trace,
@@ -309,7 +302,7 @@ fn images(
     target: &Measured<'_>,
     settings: &InferenceSettings,
 ) -> Vec<Point3<f64>> {
-    let near = (settings.blended / (target.sites.len() as f64).sqrt()) as f32;
+    let near = (settings.energy.blended / (target.sites.len() as f64).sqrt()) as f32;
     let image = |(i, &own): (usize, &u32)| {
         let row = target.sites.row(own as usize);
         let (mut total, mut sum) = (0.0, Vector3::zeros());

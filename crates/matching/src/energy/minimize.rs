@@ -88,8 +88,7 @@ impl Isometry<'_> {
 
     /// The labelings of `model` from nothing and from each assignment of extremities.
     fn labelings(&self, model: &MetricModel) -> Vec<Labeling> {
-        let starts: Vec<&[f32]> =
-            [[].as_slice()].into_iter().chain(self.of_extremities.iter().map(Vec::as_slice)).collect();
+        let starts: Vec<Vec<f32>> = [Vec::new()].into_iter().chain(self.of_extremities()).collect();
         starts.par_iter().map(|bias| minimized(model, bias, &self.settings)).collect()
     }
 

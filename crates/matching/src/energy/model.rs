@@ -47,7 +47,9 @@ pub(crate) struct Isometry<'a> {
     pub model: MetricModel,
     /// The same for a source that is mirrored: the chirality of its places has the other sign.
     pub mirrored: MetricModel,
-    /// The sites of the source that are variables.
+    /// The sites of the source.
+    source: &'a Sites,
+    /// Those that are variables.
     pub variables: &'a [u32],
     /// The variables on the source, mm.
     pub points: Vec<Point3<f64>>,
@@ -55,8 +57,6 @@ pub(crate) struct Isometry<'a> {
     pub labels: &'a Sites,
     /// The labels on the target, mm.
     pub places: Vec<Point3<f64>>,
-    /// For each assignment of extremities what it adds to the unary potentials at first.
-    pub of_extremities: Vec<Vec<f32>>,
 }
 
 impl<'a> Isometry<'a> {
@@ -70,20 +70,25 @@ impl<'a> Isometry<'a> {
         let unary = |signs: &Signs| unary_potentials(signs, &target.signs, &settings);
         let edges = edges(variables.len(), |i, j| places.distance(i, j), labels.len(), &settings);
         let model = MetricModel::new(labels.distances.clone(), unary(&signs), edges, settings.truncation);
-        let of_extremities = assignments(&places, &labels.all(), settings.stretch)
-            .iter()
-            .map(|pairs| bias_of_pairs(pairs, &places, &labels.all(), &settings))
-            .collect();
         Isometry {
             settings,
-            of_extremities,
             mirrored: model.with_unary(unary(&signs.mirrored())),
             model,
             points: variables.iter().map(|&k| source.places[k as usize]).collect(),
+            source: source.sites,
             variables,
             labels,
             places: target.places.clone(),
         }
+    }
+
+    /// For each assignment of extremities what it adds to the unary potentials at first. Cost `O(assignments · variables · labels)`.
+    pub(crate) fn of_extremities(&self) -> Vec<Vec<f32>> {
+        let (places, labels) = (self.source.picked(self.variables), self.labels.all());
+        assignments(&places, &labels, self.settings.stretch)
+            .iter()
+            .map(|pairs| bias_of_pairs(pairs, &places, &labels, &self.settings))
+            .collect()
     }
 }
 

@@ -51,7 +51,7 @@ pub fn near_isometry_model(source: &SurfaceMesh, target: &SurfaceMesh) -> Result
     Ok(NearIsometryModel {
         variables: isometry.variables.iter().map(|&k| source.sites().vertices[k as usize]).collect(),
         labels: target.sites().vertices.clone(),
-        of_extremities: isometry.of_extremities,
+        of_extremities: isometry.of_extremities(),
         model: isometry.model,
     })
 }

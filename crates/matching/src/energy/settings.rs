@@ -29,7 +29,8 @@ pub(crate) struct IsometrySettings {
     pub bias_weight: f64,
     /// Iterations of belief propagation with a bias.
     pub iterations: usize,
-    /// Active labels of a variable. On 15 pairs of bodies 48 and 96 led to the same correspondences as 32.
+    /// Active labels of a variable. With 32 of 512 the energies of hippocampi are 0 to 2 % above those over all labels; on 15 pairs of bodies 48
+    /// and 96 led to the same correspondences.
     pub active_labels: usize,
     /// Change of a message up to which propagation has converged.
     pub tolerance: f32,

@@ -2,11 +2,10 @@
 
 use super::lengths::Lengths;
 use super::role::Role;
+use crate::surface::moments::AreaMoments;
 use crate::surface::side::Side;
 use homolog_contract::parameters::{Bending, Landmark};
-use homolog_geometry::curvature::vertex_areas;
 use homolog_mesh::{ClosestPointIndex, SurfaceMesh};
-use homolog_registration::weighted_moments;
 
 /// Ratio of the variances of the places of two surfaces from which they differ in spread.
 const UNLIKE_SPREAD: f64 = 1.1;
@@ -78,9 +77,7 @@ pub(crate) fn differ_in_spread(surfaces: &Surfaces<'_>) -> bool {
 
 /// Variance of the places on a surface, over its area.
 fn spread(mesh: &SurfaceMesh) -> f64 {
-    let areas = vertex_areas(mesh);
-    let total: f64 = areas.iter().sum();
-    weighted_moments(mesh.vertices(), &areas, total).map_or(0.0, |(_, scatter)| scatter.trace() / (total * total))
+    AreaMoments::of(mesh).map_or(0.0, |moments| moments.scatter.trace() / (moments.area * moments.area))
 }
 
 /// The landmark of the pair in the other direction.

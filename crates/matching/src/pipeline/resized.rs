@@ -13,13 +13,13 @@ use crate::error::MatchError;
 use crate::pair::part::part;
 use crate::pair::role::Role;
 use crate::surface::levels::Levels;
+use crate::surface::moments::AreaMoments;
 use crate::thesis::coarse::coarse;
 use homolog_contract::parameters::MatchParameters;
-use homolog_geometry::curvature::vertex_areas;
 use homolog_mesh::SurfaceMesh;
 use homolog_primitives::observe::Observer;
-use homolog_registration::{RigidTransform, weighted_moments};
-use nalgebra::{Matrix3, Point3, Vector3};
+use homolog_registration::RigidTransform;
+use nalgebra::{Point3, Vector3};
 
 /// Ratio of the roots of two areas, and of the distances from the center, from which that is tried. It saves time: the likeness of the
 /// shapes decides.
@@ -99,20 +99,12 @@ fn likeness(answer: &Displaced) -> Option<f64> {
 
 /// The mean of the surface over its area, mm.
 fn center(mesh: &SurfaceMesh) -> Vector3<f64> {
-    moments(mesh).map_or_else(Vector3::zeros, |(mean, _)| mean)
+    AreaMoments::of(mesh).map_or_else(Vector3::zeros, |moments| moments.mean)
 }
 
 /// The root mean square distance of the surface from its mean, mm; 1 where it has no area.
 fn spread_mm(mesh: &SurfaceMesh) -> f64 {
-    moments(mesh).map_or(1.0, |(_, variance)| variance.trace().sqrt())
-}
-
-/// Mean of the surface over its area, mm, and its variance, mm².
-fn moments(mesh: &SurfaceMesh) -> Option<(Vector3<f64>, Matrix3<f64>)> {
-    let areas = vertex_areas(mesh);
-    let total: f64 = areas.iter().sum();
-    let (mean, scatter) = weighted_moments(mesh.vertices(), &areas, total)?;
-    Some((mean, scatter / total))
+    AreaMoments::of(mesh).map_or(1.0, |moments| moments.variance().trace().sqrt())
 }
 
 /// The rigid transform that rotates as `pose` does and moves `center` to where `pose` moves it after scaling by `factor`.

@@ -35,18 +35,17 @@ pub(super) fn all_labelings(n: usize, k: usize) -> impl Iterator<Item = Labeling
 
 /// Max-product belief propagation over all labels as it is written, in negative logarithms, from messages of zero: the labels that are preferred
 /// after some iterations, all messages at once.
-pub(super) fn max_product_by_definition(model: &MetricModel, bias: &[f32], iterations: usize) -> Labeling {
+pub(super) fn max_product_by_definition(model: &MetricModel, iterations: usize) -> Labeling {
     let k = model.n_labels;
     let directed: Vec<(usize, usize, &MetricEdge)> = model
         .edges
         .iter()
         .flat_map(|e| [(e.ends[0] as usize, e.ends[1] as usize, e), (e.ends[1] as usize, e.ends[0] as usize, e)])
         .collect();
-    let unary = |i: usize, x: usize| model.unary[i * k + x] + bias.get(i * k + x).copied().unwrap_or(0.0);
     let mut messages = vec![vec![0.0f32; k]; directed.len()];
     let belief = |messages: &[Vec<f32>], i: usize, x: usize, except: Option<usize>| {
         let arrive = |m: &usize| directed[*m].1 == i && except.is_none_or(|from| directed[*m].0 != from);
-        unary(i, x) + (0..directed.len()).filter(arrive).map(|m| messages[m][x]).sum::<f32>()
+        model.unary[i * k + x] + (0..directed.len()).filter(arrive).map(|m| messages[m][x]).sum::<f32>()
     };
     for _ in 0..iterations {
         let sent = |&(from, to, edge): &(usize, usize, &MetricEdge)| {

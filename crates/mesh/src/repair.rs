@@ -28,6 +28,8 @@ pub const WELD_RTOL: f64 = 1e-7;
 pub struct WeldReport {
     /// Vertices that were merged into another.
     pub n_merged: usize,
+    /// Of these, vertices that had a face in common with the one that replaces them: ends of an edge shorter than the tolerance.
+    pub n_collapsed: usize,
     /// Largest distance of a merged vertex from the one that replaces it, mm.
     pub largest_mm: f64,
     /// Faces that were dropped because they used a vertex twice, before or after merging.
@@ -82,6 +84,12 @@ fn merged(mesh: &SurfaceMesh, kept: &[u32]) -> Result<(RepairedMesh, WeldReport)
         let distance = (mesh.vertices()[at] - mesh.vertices()[other as usize]).norm();
         report.largest_mm = report.largest_mm.max(distance);
     }
+    let mut collapsed = vec![false; kept.len()];
+    for face in mesh.faces() {
+        let is_collapsed = |v: u32| kept[v as usize] != v && face.contains(&kept[v as usize]);
+        face.iter().filter(|&&v| is_collapsed(v)).for_each(|&v| collapsed[v as usize] = true);
+    }
+    report.n_collapsed = collapsed.iter().filter(|&&is| is).count();
     let renamed = |face: &[u32]| Corners::of(face, kept);
     let collapsed_quad = mesh.arity() == FaceArity::Quad && mesh.faces().any(|f| renamed(f).repeat());
     let arity = if collapsed_quad { FaceArity::Triangle } else { mesh.arity() };
@@ -307,6 +315,25 @@ mod tests {
         v.extend([0u32, 1, 3, 2].map(|k| corner(k) + nalgebra::Vector3::new(0.0, 0.0, 7.0)));
         let n = v.len() as u32;
         SurfaceMesh::new(v, FaceArity::Quad, (0..n).collect()).unwrap()
+    }
+
+    #[test]
+    fn a_short_edge_of_a_boundary_is_told_from_a_seam() {
+        let at = |points: &[[f64; 2]]| points.iter().map(|p| Point3::new(p[0], p[1], 0.0)).collect::<Vec<_>>();
+        // A sheet of two triangles, one with a short edge on the boundary.
+        let sheet = SurfaceMesh::new(
+            at(&[[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1e-3, 1.0]]),
+            FaceArity::Triangle,
+            vec![0, 1, 2, 1, 3, 2],
+        )
+        .unwrap();
+        let (_, found) = weld_boundary(&sheet, 0.01).unwrap();
+        assert_eq!((found.n_merged, found.n_collapsed), (1, 1));
+        // The same triangles side by side, without common vertices.
+        let seam = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1.001, 0.0], [1.0, 1.0], [0.001, 1.0]];
+        let seam = SurfaceMesh::new(at(&seam), FaceArity::Triangle, (0..6).collect()).unwrap();
+        let (welded, found) = weld_boundary(&seam, 0.01).unwrap();
+        assert_eq!((found.n_merged, found.n_collapsed, welded.mesh.n_vertices()), (2, 0, 4));
     }
 
     #[test]

@@ -36,9 +36,11 @@ pub(super) fn weld_near(mesh: &SurfaceMesh) -> Result<Option<Joined>, MeshError>
         return Ok(None);
     }
     let tolerance_mm = NEAR * median_edge(mesh);
-    let (welded, WeldReport { n_merged, largest_mm, n_degenerate, n_duplicate }) = weld_boundary(mesh, tolerance_mm)?;
+    let (welded, found) = weld_boundary(mesh, tolerance_mm)?;
+    let WeldReport { n_merged, n_collapsed, largest_mm, n_degenerate, n_duplicate } = found;
     let after = topology_report(&welded.mesh);
-    if n_merged == 0 || after.n_boundary_edges >= before.n_boundary_edges {
+    // An edge that is short is detail, not a seam.
+    if n_merged == n_collapsed || after.n_boundary_edges >= before.n_boundary_edges {
         return Ok(None);
     }
     let detail = format!(

@@ -320,7 +320,7 @@ mod real_data {
         ("dicom_seg/seg_image_ct_binary_single_frame.dcm", Labels(DicomSeg, 1, 1832)),
         ("dicom_seg/seg_image_ct_true_fractional.dcm", Labels(DicomSeg, 1, 638)),
         ("dicom_seg/seg_image_sm_control_labelmap.dcm", Refused("microscope slide")),
-        ("dicom_seg/sparse-labelmap-ppv5.dcm", Refused("1 missing slices of 2.5 mm")),
+        ("dicom_seg/sparse-labelmap-ppv5.dcm", Labels(DicomSeg, 1, 630)),
         // All its vertices coincide.
         ("freesurfer/lh.tinysurface", Refused("and 0 faces")),
         ("freesurfer/mricros_lh.pial", Mesh(Freesurfer, 40_962, 81_920, Some(0))),

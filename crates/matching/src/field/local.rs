@@ -18,7 +18,8 @@ use super::trace::TracedFit;
 use super::track::{Track, assigned};
 use crate::error::MatchError;
 use crate::pair::assignment::{kernel, precision_of_features};
-use homolog_primitives::observe::checkpoint;
+use crate::pair::progress::PROGRESS_BEFORE_LOCAL;
+use homolog_primitives::observe::{Observer, checkpoint};
 use homolog_registration::RigidTransform;
 use homolog_registration::deformation::{FittedField, GaussianKernel, KernelEvidence, fit_field, most_probable_kernel};
 use nalgebra::Point3;
@@ -49,6 +50,7 @@ pub(crate) fn local(displacement: &Displacement<'_>, fine: &Fine) -> Result<Opti
     if found.gain < settings.least_gain || found.kernel.amplitude_mm < settings.least_amplitude * found.noise_mm {
         return Ok(None);
     }
+    displacement.observer.progress(PROGRESS_BEFORE_LOCAL);
     checkpoint(displacement.observer)?;
     let local = local_kernel(&found, displacement.lengths.sampling_mm, displacement.options);
     let Some(joint) = with_kernel(displacement, &local) else { return Ok(None) };

@@ -1,13 +1,14 @@
 //! The progress of a displacement, by its checks for cancellation.
 
-use crate::pair::progress::PROGRESS_AT_END;
+use crate::pair::progress::{PROGRESS_AT_END, PROGRESS_BEFORE_LOCAL};
 use homolog_primitives::observe::{Observer, Phase, TracePoint};
 use std::sync::{Mutex, PoisonError};
 
 /// Checks for cancellation, and the share of the processor time of the displacement that has passed at them, in four pairs of hippocampi of
-/// 72 to 117 checks: the second comes before inference, and what remains after the last is the energy of the answer. Other pairs
-/// have fewer checks or more.
-const CURVE: [(f64, f64); 4] = [(0.0, 0.0), (2.0, 0.155), (62.0, 0.528), (117.0, 0.92)];
+/// 83 to 116 checks: the second comes before inference, the local stage begins with the 84th or passes over what did not take place, and
+/// what remains after the last is the energy of the answer.
+const CURVE: [(f64, f64); 6] =
+    [(0.0, 0.0), (2.0, 0.177), (24.0, 0.272), (83.0, 0.591), (84.0, PROGRESS_BEFORE_LOCAL), (118.0, 0.966)];
 
 /// Says how much of a displacement is done, by the number of checks for cancellation: there is one for each step. The rounds of its energy
 /// trace follow those of inference.
@@ -40,6 +41,13 @@ impl Observer for Counting<'_> {
         // Labels of near isometries have another energy than those of the rounds.
         if self.last_round.is_none() || point.phase != Phase::Inference {
             self.observer.trace(&TracePoint { round: self.last_round.unwrap_or(0) + point.round, ..point.clone() });
+        }
+    }
+    /// A stage begins at this share of the displacement: the checks of those before it that did not take place are passed over.
+    fn progress(&self, share: f64) {
+        let mut n_checks = self.n_checks.lock().unwrap_or_else(PoisonError::into_inner);
+        while time_share(f64::from(*n_checks)) < share {
+            *n_checks += 1;
         }
     }
     fn is_cancelled(&self) -> bool {

@@ -134,6 +134,10 @@ fn documents(m: &mut Measurement, outcome: &MatchOutcome) {
             }
         }
     }
+    // The rounds count variables, of which every source vertex is one unless a coarse level was asked for.
+    if let Some((first, energy)) = outcome.rounds.first().zip(outcome.energy.as_ref()) {
+        m.set("first_support_ratio", f64::from(first.support) / f64::from(energy.n_variables));
+    }
     if let Some(triangles) = m.values.get("n_triangles").copied().filter(|n| *n > 0.0) {
         for kind in ["flipped", "degenerate"] {
             if let Some(n) = m.values.get(&format!("{kind}_triangles")).copied() {

@@ -14,6 +14,7 @@ mod products;
 mod ransac;
 mod registration;
 mod scale;
+mod thesis;
 mod topology;
 mod update;
 
@@ -23,7 +24,8 @@ use super::study::{COPIES, REAL, SYNTHETIC, Setting, Study};
 use super::units::Unit;
 
 /// All sections, in the order of the report.
-pub(super) const ALL: [&dyn Experiment; 16] = [
+pub(super) const ALL: [&dyn Experiment; 17] = [
+    &thesis::Thesis,
     &minimisers::Minimisers,
     &products::Products,
     &neighborhood::Neighborhood,

@@ -6,6 +6,7 @@ use super::both_ways::WayBack;
 use super::deformed::Deformed;
 use super::displacement::Displacement;
 use super::fitted::{Refined, pose_of};
+use super::observed;
 use super::refine::refined_from;
 use super::reverse::{ReverseFit, returned};
 use super::roundness::spread_of_rotations;
@@ -18,10 +19,6 @@ use homolog_mesh::SurfaceMesh;
 use homolog_registration::RigidTransform;
 use nalgebra::Point3;
 
-/// Squared error over the trace of the posterior covariance of a wide field. Fitted with that of sampling (`SAMPLING_VARIANCE` of [`crate::pair::lengths`]) to the
-/// errors on 4 % and 8 % warps and copies, by deciles of the predicted variance.
-const FIELD_SHARE: f64 = 0.25;
-
 /// The source moved by `refined`, of which `pose` is near the rigid part.
 pub(crate) fn finished(
     displacement: &Displacement<'_>,
@@ -31,7 +28,7 @@ pub(crate) fn finished(
 ) -> Result<Option<Deformed>, MatchError> {
     let Surfaces { source, target, full_source, full_target, target_closest, open, lengths, .. } = *surfaces;
     // The mean of two fits agrees with any surface better than either does, so agreement is measured before.
-    let (own, own_values) = refined.moved(source);
+    let own = refined.moved(source);
     let agreement = agreement(displacement, &own);
     let residual_mm = refined.residual_mm;
     let reached = pose_of(displacement, &own, pose);
@@ -60,16 +57,10 @@ pub(crate) fn finished(
         return Ok(None);
     };
     // The field of a small surface is fitted on all its vertices.
-    let (moved, values) = if source == full_source {
-        (fitted, own_values)
-    } else {
-        let (points, values) = refined.moved(full_source);
-        (met(full_source, points), values)
+    let moved = if source == full_source { fitted } else { met(full_source, refined.moved(full_source)) };
+    let Some(mut variances) = observed::variances(displacement, &refined, &reached, full_source.vertices()) else {
+        return Ok(None);
     };
-    // The covariance of a wide field takes correlated residuals for independent ones of a low density.
-    let share = if refined.local.is_some() { 1.0 } else { FIELD_SHARE };
-    let mut variances: Vec<f64> =
-        refined.field.variances(values.as_ref()).iter().map(|variance| share * variance).collect();
     // Copies need no deformation from their own pose, and much from others. Bent surfaces have no axis.
     if !rigid.copies
         && !is_of_forms

@@ -58,15 +58,24 @@ pub(crate) struct Refined {
 }
 
 impl Refined {
-    /// The vertices of `mesh` moved by the base and the field, and the functions of the field there.
-    pub(crate) fn moved(&self, mesh: &SurfaceMesh) -> (Vec<Point3<f64>>, Mat<f64>) {
+    /// The vertices of `mesh` moved by the base and the field.
+    pub(crate) fn moved(&self, mesh: &SurfaceMesh) -> Vec<Point3<f64>> {
         let values = self.functions.values(mesh.vertices());
-        let base = if self.local.is_some() && self.base.bend.is_some() {
+        displaced(&self.from_base(mesh, &values), &self.field, &values)
+    }
+
+    /// The vertices of `mesh` moved by the base alone.
+    pub(crate) fn started(&self, mesh: &SurfaceMesh) -> Vec<Point3<f64>> {
+        self.from_base(mesh, &self.functions.values(mesh.vertices()))
+    }
+
+    /// The vertices of `mesh`, where the functions of the field have these `values`, moved by the base.
+    fn from_base(&self, mesh: &SurfaceMesh, values: &Mat<f64>) -> Vec<Point3<f64>> {
+        if self.local.is_some() && self.base.bend.is_some() {
             self.base.moved(mesh.vertices(), &self.base_functions.values(mesh.vertices()))
         } else {
-            self.base.moved(mesh.vertices(), &values)
-        };
-        (displaced(&base, &self.field, &values), values)
+            self.base.moved(mesh.vertices(), values)
+        }
     }
 }
 

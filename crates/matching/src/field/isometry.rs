@@ -145,7 +145,7 @@ impl<'a> OverForm<'a> {
 
     /// Where `refined` moves the vertices of the source, mm.
     fn moved(&self, refined: &Refined) -> Vec<Point3<f64>> {
-        refined.moved(&self.displacement.source.mesh).0
+        refined.moved(&self.displacement.source.mesh)
     }
 }
 
@@ -265,7 +265,7 @@ fn bent(displacement: &Displacement<'_>, start: &NearIsometry) -> Option<Base> {
 
 /// The source where `refined` moves it, as a base.
 fn rebased(displacement: &Displacement<'_>, refined: &Refined) -> Option<Base> {
-    let moved = refined.moved(&displacement.source.mesh).0;
+    let moved = refined.moved(&displacement.source.mesh);
     let precision = (displacement.options.isometry.rebased_sigma * displacement.diagonal_mm).powi(-2);
     base_through(displacement, refined.base.pose, displacement.source.mesh.vertices(), &moved, precision)
 }

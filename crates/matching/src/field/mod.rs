@@ -16,6 +16,7 @@ pub(crate) mod functions;
 pub(crate) mod guides;
 pub(crate) mod isometry;
 pub(crate) mod local;
+mod observed;
 pub(crate) mod options;
 pub(crate) mod refine;
 pub(crate) mod reverse;

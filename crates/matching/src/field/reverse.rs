@@ -84,5 +84,5 @@ pub(crate) fn returned(
             None => None,
         },
     };
-    Ok(refined.map(|refined| refined.moved(surfaces.full_target).0))
+    Ok(refined.map(|refined| refined.moved(surfaces.full_target)))
 }

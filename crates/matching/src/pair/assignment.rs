@@ -9,7 +9,7 @@ use nalgebra::Point3;
 /// `ν` in the assignment's `ν (1 − ⟨n, n'⟩)`.
 pub(crate) const NORMAL_WEIGHT: f64 = 2.0;
 /// Curvatures at several scales are highly correlated: together they count as half an observation.
-const FEATURE_SHARE: f64 = 0.5;
+pub(crate) const FEATURE_SHARE: f64 = 0.5;
 /// Feature variances are taken to be at least this, in squared robust standard deviations.
 const MIN_FEATURE_VARIANCE: f64 = 0.02;
 

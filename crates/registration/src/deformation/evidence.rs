@@ -20,8 +20,9 @@ use faer::{Conj, Mat, Par, Spec};
 use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
 
-/// Ratios `s² / σ²` that are tried: powers of two from 2⁻⁴ to 2¹².
-const RATIOS: std::ops::RangeInclusive<i32> = -4..=12;
+/// Ratios `s² / σ²` that are tried: powers of two from 2⁻⁴ to 2²². Surfaces without noise need the last ones: fields on them are known to a
+/// thousandth of their size.
+const RATIOS: std::ops::RangeInclusive<i32> = -4..=22;
 
 /// The most probable kernel of a displacement field.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -2,7 +2,7 @@
 
 use super::gram::weighted_gram;
 use faer::linalg::matmul::triangular::{BlockStructure, matmul};
-use faer::linalg::solvers::{DenseSolveCore, Llt, Solve};
+use faer::linalg::solvers::Solve;
 use faer::{Accum, Col, Mat, MatRef, Par, Side, unzip, zip};
 use nalgebra::{Matrix3, Vector3};
 
@@ -30,16 +30,14 @@ impl Observation {
     }
 }
 
-/// The posterior of a field: mean and precision of its coefficients.
+/// The posterior mean of a field.
 #[derive(Debug, Clone)]
 pub struct FittedField {
     /// `M × 3`.
     pub coefficients: Mat<f64>,
-    /// Precision of the coefficients: `3M × 3M`, axis by axis, or `M × M` if it is the same for each axis.
-    precision: Llt<f64>,
 }
 
-/// The posterior of the field. `values`: every function at every point, `n × M` (see [`super::FieldBasis::values`]);
+/// The posterior mean of the field. `values`: every function at every point, `n × M` (see [`super::FieldBasis::values`]);
 /// `observations`: one for each point. `None` if the system cannot be solved because a number is not finite.
 ///
 /// # Cost
@@ -63,7 +61,7 @@ pub fn fit_field(values: MatRef<'_, f64>, observations: &[Observation]) -> Optio
             system[(k, k)] += 1.0;
         }
         let factor = system.llt(Side::Lower).ok()?;
-        return Some(FittedField { coefficients: factor.solve(&right_side), precision: factor });
+        return Some(FittedField { coefficients: factor.solve(&right_side) });
     }
     let mut system = weighted_gram(values, &precision);
     for k in 0..3 * m {
@@ -72,7 +70,7 @@ pub fn fit_field(values: MatRef<'_, f64>, observations: &[Observation]) -> Optio
     let factor = system.llt(Side::Lower).ok()?;
     let stacked = Mat::from_fn(3 * m, 1, |k, _| right_side[(k % m, k / m)]);
     let solution = factor.solve(&stacked);
-    Some(FittedField { coefficients: Mat::from_fn(m, 3, |k, a| solution[(a * m + k, 0)]), precision: factor })
+    Some(FittedField { coefficients: Mat::from_fn(m, 3, |k, a| solution[(a * m + k, 0)]) })
 }
 
 impl FittedField {
@@ -80,30 +78,6 @@ impl FittedField {
     pub fn displacements(&self, values: MatRef<'_, f64>) -> Vec<Vector3<f64>> {
         let u = values * &self.coefficients;
         (0..u.nrows()).map(|i| Vector3::new(u[(i, 0)], u[(i, 1)], u[(i, 2)])).collect()
-    }
-
-    /// Posterior variance of the displacement at every point of `values`, mm²: the trace of its covariance. Cost
-    /// `O(n M² + M³)`.
-    pub fn variances(&self, values: MatRef<'_, f64>) -> Vec<f64> {
-        let (n, m) = (values.nrows(), values.ncols());
-        let covariance = self.precision.inverse();
-        let along_axis = |a: usize| {
-            let product = values * covariance.as_ref().submatrix(a * m, a * m, m, m);
-            let mut variances = Col::<f64>::zeros(n);
-            for (product, values) in product.col_iter().zip(values.col_iter()) {
-                zip!(&mut variances, product, values)
-                    .for_each(|unzip!(variance, product, value)| *variance += product * value);
-            }
-            variances.iter().copied().collect()
-        };
-        let mut sums: Vec<f64> = along_axis(0);
-        // Isotropic observations leave the same variance along each axis.
-        let is_shared = covariance.nrows() == m;
-        let others: [Vec<f64>; 2] = [1, 2].map(|a| if is_shared { sums.clone() } else { along_axis(a) });
-        for other in others {
-            sums.iter_mut().zip(other).for_each(|(sum, variance)| *sum += variance);
-        }
-        sums
     }
 
     /// `‖c‖²`: twice the negative logarithm of the field's density under the prior, up to a constant.

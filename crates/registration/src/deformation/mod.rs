@@ -1,14 +1,15 @@
 //! Smooth displacement fields between two sets of points: a Gaussian process prior and its posterior.
 //!
 //! A field `u(p)` is a Gaussian process: a translation, a linear part and smooth parts of stated widths, each with a
-//! variance, independent for each axis ([`SmoothPrior`]). Both bases below are finite: `u(p) = Σ_k φ_k(p) c_k` with
+//! variance, independent for each axis ([`SmoothPrior`]). The bases below are finite: `u(p) = Σ_k φ_k(p) c_k` with
 //! independent standard normal coefficients.
 //!
 //! - [`FieldBasis`]: the Nyström approximation over `m` inducing points that cover the surface evenly
 //!   ([`homolog_primitives::points::farthest_points`]); wide kernels have few functions that matter, so `M` is tens,
 //!   not thousands. Observations are displacements, each with one precision along a normal and another across it
-//!   ([`Observation`]); [`fit_field`] gives the posterior `(I + Φᵀ W Φ) c = Φᵀ W d`, `Cov c = (I + Φᵀ W Φ)⁻¹`, and with
-//!   it the uncertainty of the field at every point. Used by displacement.
+//!   ([`Observation`]); [`fit_field`] gives the posterior mean, `(I + Φᵀ W Φ) c = Φᵀ W d`. Used by displacement.
+//! - [`posterior_variances`]: the uncertainty where single components of displacements are observed ([`Component`]), exact and
+//!   without a basis. Used by confidence.
 //! - `taylor`: one kernel by the first terms of its Taylor series, twenty functions without an eigendecomposition, with
 //!   isotropic observations and no covariance. Used by [`crate::pose_search()`], which fits a field to every candidate
 //!   pose.
@@ -23,6 +24,7 @@ mod evidence;
 mod fit;
 mod gram;
 mod nystrom;
+mod posterior;
 pub(crate) mod taylor;
 #[cfg(test)]
 mod tests;
@@ -30,3 +32,4 @@ mod tests;
 pub use evidence::{KernelEvidence, most_probable_kernel};
 pub use fit::{FittedField, Observation, fit_field};
 pub use nystrom::{FieldBasis, GaussianKernel, SmoothPrior};
+pub use posterior::{Component, posterior_variances};

@@ -41,6 +41,12 @@ impl SmoothPrior {
             .map(|k| k.amplitude_mm.powi(2) * (-squared_distance / (2.0 * k.width_mm * k.width_mm)).exp())
             .sum()
     }
+
+    /// The covariance of the displacements at `p` and `q` along one axis, mm², with the linear part about `center`.
+    pub(super) fn covariance_of(&self, p: &Point3<f64>, q: &Point3<f64>, center: &Point3<f64>) -> f64 {
+        let linear = self.linear * self.linear * (p - center).dot(&(q - center));
+        self.translation_mm * self.translation_mm + linear + self.covariance((p - q).norm_squared())
+    }
 }
 
 /// Functions `φ_1 … φ_M` of position, scaled so that under the prior the coefficients of each axis of

@@ -94,14 +94,11 @@ proptest! {
         let factor = system.llt(Side::Lower).unwrap();
         let seen = Mat::from_fn(3 * n, 1, |a, _| observed[a / 3].displacement[a % 3]);
         let mean = &prior_covariance * factor.solve(&seen);
-        let left = &prior_covariance - &prior_covariance * factor.solve(&prior_covariance);
-        let (found, uncertainty) = (fitted.displacements(values.as_ref()), fitted.variances(values.as_ref()));
+        let found = fitted.displacements(values.as_ref());
         for i in 0..n {
             for a in 0..3 {
                 prop_assert!((found[i][a] - mean[(3 * i + a, 0)]).abs() < 1e-9);
             }
-            let trace: f64 = (0..3).map(|a| left[(3 * i + a, 3 * i + a)]).sum();
-            prop_assert!((uncertainty[i] - trace).abs() < 1e-9);
         }
     }
 

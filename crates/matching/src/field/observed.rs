@@ -1,0 +1,281 @@
+//! How well the surfaces determine a field: the uncertainty of an answer.
+//!
+//! A fit follows what is assigned to it, and its own covariance takes that for observations: on a smooth surface a field may slide along it, and
+//! what it is assigned slides with it. What two surfaces do say of a displacement are its components along the normals, and along the surface
+//! what changes a feature. Each is one scalar observation with the noise that this pair shows, and the posterior of a Gaussian process
+//! under these alone, [`homolog_registration::deformation::posterior_variances`], is the uncertainty.
+//!
+//! All of it is estimated from the pair: the width and the variance of the process are those under which the normal components of the
+//! displacement, without its rigid part, are most probable; noise is what this process leaves along the normals, and the difference of
+//! the features of corresponding points. Residuals of neighbors are correlated, so that a point counts as its share of the area over
+//! which they are.
+
+use super::displacement::Displacement;
+use super::fitted::{Refined, pose_of};
+use crate::pair::assignment::FEATURE_SHARE;
+use crate::surface::smooth::N_FEATURES;
+use homolog_mesh::ClosestPoint;
+use homolog_registration::RigidTransform;
+use homolog_registration::deformation::{
+    Component, GaussianKernel, SmoothPrior, most_probable_kernel, posterior_variances,
+};
+use nalgebra::{Point3, Vector3};
+use rayon::prelude::*;
+
+/// Points of the source at which components are observed, at most. 250 gave the same uncertainties within 5 %.
+const MOST_POINTS: usize = 200;
+/// Features that are observed: those of the largest scale, of which noise changes the gradients least.
+const FEATURES: std::ops::Range<usize> = N_FEATURES - 2..N_FEATURES;
+/// Widths of the process, in diagonals: in steps of √2 from those that the local stage tries to those of a whole structure.
+const WIDTHS: [f64; 7] = [0.075, 0.105, 0.15, 0.21, 0.3, 0.42, 0.6];
+/// Kernels of the process, and how fast their amplitude falls with their width: as that of a Matérn process of smoothness 5/2, the usual choice
+/// (Rasmussen, Williams 2006, section 4.2.1).
+const N_OCTAVES: i32 = 3;
+const SMOOTHNESS: f64 = 2.5;
+/// Bins of the distance in an autocorrelation, and their width in roots of the area.
+const N_BINS: usize = 60;
+const BIN: f64 = 0.02;
+
+/// The points of a sample of the source, and what is observed there.
+struct Sample {
+    points: Vec<Point3<f64>>,
+    /// Area of each, mm².
+    areas: Vec<f64>,
+    /// Unit normals of the target at the images.
+    normals: Vec<Vector3<f64>>,
+    /// Displacement along the normals from the bent base or without its rigid part, with the distance from the target that is left, mm.
+    shifts: Vec<f64>,
+    /// That distance, mm.
+    heights: Vec<f64>,
+    /// For each feature its difference from that of the image, and its gradient on the target, 1/mm.
+    features: Vec<Vec<(f64, Vector3<f64>)>>,
+}
+
+/// The posterior variance of the displacement by `refined` at each of the `points` of the source, mm². `None` where a number is not finite.
+///
+/// # Cost
+/// `O(N³ + N · points)` for the `N` observed components, 600 at most.
+pub(super) fn variances(
+    displacement: &Displacement<'_>,
+    refined: &Refined,
+    pose: &RigidTransform,
+    points: &[Point3<f64>],
+) -> Option<Vec<f64>> {
+    let sample = Sample::of(displacement, refined, pose);
+    let diagonal_mm = displacement.diagonal_mm;
+    let widths = WIDTHS.map(|width| width * diagonal_mm);
+    let at = displacement.functions.coordinates(&sample.points);
+    // Copies are displaced nowhere.
+    let Some(found) = most_probable_kernel(&at, &sample.normals, &sample.shifts, &widths) else {
+        return Some(vec![0.0; points.len()]);
+    };
+    let kernels = octaves(found.kernel).collect();
+    let prior = SmoothPrior { kernels, ..displacement.options.prior.of(diagonal_mm) };
+    let center = Point3::from(at.iter().map(|p| p.coords).sum::<Vector3<f64>>() / at.len().max(1) as f64);
+    let components = sample.components(&at, found.noise_mm, displacement.lengths.root_mm);
+    let of_sample = posterior_variances(&prior, &center, &components, &at)?;
+    Some(sample.spread_to(points, &of_sample))
+}
+
+/// The kernel that was found and the octaves below it. A process with a Gaussian kernel alone has infinitely many derivatives, and one that is
+/// observed without noise is known nearly everywhere from the observed components; warps are not that smooth.
+fn octaves(found: GaussianKernel) -> impl Iterator<Item = GaussianKernel> {
+    (0..N_OCTAVES).map(move |octave| GaussianKernel {
+        width_mm: found.width_mm * 0.5f64.powi(octave),
+        amplitude_mm: found.amplitude_mm * 0.5f64.powf(SMOOTHNESS * f64::from(octave)),
+    })
+}
+
+impl Sample {
+    fn of(displacement: &Displacement<'_>, refined: &Refined, pose: &RigidTransform) -> Sample {
+        let (source, target) = (&displacement.source, &displacement.target);
+        let moved = refined.moved(&source.mesh);
+        let (vertices, closest) = (source.mesh.vertices(), target.closest());
+        let start = match refined.base.bend {
+            // What a bent base takes up is no displacement of the field.
+            Some(_) => refined.started(&source.mesh),
+            None => {
+                let rigid = pose_of(displacement, &moved, pose);
+                vertices.iter().map(|p| rigid.apply(p)).collect()
+            }
+        };
+        let step = moved.len().div_ceil(MOST_POINTS).max(1);
+        let mut sample = Sample {
+            points: Vec::new(),
+            areas: Vec::new(),
+            normals: Vec::new(),
+            shifts: Vec::new(),
+            heights: Vec::new(),
+            features: vec![Vec::new(); FEATURES.len()],
+        };
+        for i in (0..moved.len()).step_by(step) {
+            let image = closest.index.closest(&moved[i]);
+            let normal = image.blend(|k| target.normals[k]).try_normalize(1e-9);
+            // What lies beyond the rim of the target has no counterpart there.
+            let Some(normal) = normal.filter(|_| !closest.is_at_rim(&image)) else { continue };
+            let height = normal.dot(&(image.point - moved[i]));
+            sample.points.push(vertices[i]);
+            sample.areas.push(source.areas[i] * step as f64);
+            sample.normals.push(normal);
+            sample.heights.push(height);
+            sample.shifts.push(normal.dot(&(moved[i] - start[i])) + height);
+            for (feature, observed) in FEATURES.zip(&mut sample.features) {
+                let of_target = |k: usize| target.features[k * N_FEATURES + feature];
+                let difference = source.features[i * N_FEATURES + feature] - image.blend(of_target);
+                observed.push((difference, gradient(target.mesh.vertices(), &image, of_target)));
+            }
+        }
+        sample
+    }
+
+    /// What is observed at these points, along the normals with noise of `noise_mm`.
+    fn components(&self, at: &[Point3<f64>], noise_mm: f64, root_mm: f64) -> Vec<Component> {
+        let component = |k: usize, direction: Vector3<f64>, variance: f64, correlated: f64| {
+            let share = (correlated / self.areas[k]).max(1.0);
+            Component { at: at[k], direction, variance: variance * share }
+        };
+        let correlated = self.correlated_area(&self.heights, root_mm);
+        let mut components: Vec<Component> =
+            (0..at.len()).map(|k| component(k, self.normals[k], noise_mm * noise_mm, correlated)).collect();
+        for observed in &self.features {
+            let differences: Vec<f64> = observed.iter().map(|(difference, _)| *difference).collect();
+            let (variance, correlated) = (self.variance(&differences), self.correlated_area(&differences, root_mm));
+            // A feature without a difference, on planes or between exact copies, has no gradient that could be trusted.
+            if variance > 0.0 {
+                // Features are highly correlated with each other.
+                let variance = variance / FEATURE_SHARE;
+                components.extend((0..at.len()).map(|k| component(k, observed[k].1, variance, correlated)));
+            }
+        }
+        components
+    }
+
+    /// Mean square of residuals over the area.
+    fn variance(&self, residuals: &[f64]) -> f64 {
+        let squares: f64 = residuals.iter().zip(&self.areas).map(|(r, area)| area * r * r).sum();
+        squares / self.areas.iter().sum::<f64>().max(f64::MIN_POSITIVE)
+    }
+
+    /// The area over which residuals are correlated, mm²: the integral of their autocorrelation, as far as it is positive, and at least that of a
+    /// point. Cost `O(points²)`.
+    fn correlated_area(&self, residuals: &[f64], root_mm: f64) -> f64 {
+        let (mut products, mut weights) = ([0.0; N_BINS], [0.0; N_BINS]);
+        for (i, p) in self.points.iter().enumerate() {
+            for (j, q) in self.points.iter().enumerate().skip(i + 1) {
+                let bin = ((p - q).norm() / (BIN * root_mm)) as usize;
+                if bin < N_BINS {
+                    let weight = 2.0 * self.areas[i] * self.areas[j];
+                    weights[bin] += weight;
+                    products[bin] += weight * residuals[i] * residuals[j];
+                }
+            }
+        }
+        let (variance, total) = (self.variance(residuals), self.areas.iter().sum::<f64>());
+        let own = self.areas.iter().map(|area| area * area).sum::<f64>() / total;
+        let positive = (0..N_BINS).filter(|&bin| weights[bin] > 0.0).take_while(|&bin| products[bin] > 0.0);
+        own + positive.map(|bin| products[bin] / (variance * total)).sum::<f64>()
+    }
+
+    /// Values of the sample at `points`: means over the points of the sample, each weighted by its distance.
+    fn spread_to(&self, points: &[Point3<f64>], values: &[f64]) -> Vec<f64> {
+        let spacing = self.areas.iter().sum::<f64>() / self.areas.len().max(1) as f64;
+        let at = |p: &Point3<f64>| {
+            let nearest = self.points.iter().map(|q| (p - q).norm_squared()).fold(f64::INFINITY, f64::min);
+            let (mut sum, mut total) = (0.0, 0.0);
+            for (q, value) in self.points.iter().zip(values) {
+                let weight = (-0.5 * ((p - q).norm_squared() - nearest) / spacing).exp();
+                sum += weight * value;
+                total += weight;
+            }
+            if total > 0.0 { sum / total } else { 0.0 }
+        };
+        points.par_iter().map(at).collect()
+    }
+}
+
+/// The gradient, on the triangle of `at`, of the function that is linear between the values of its corners; 0 on one without area.
+fn gradient(vertices: &[Point3<f64>], at: &ClosestPoint, value: impl Fn(usize) -> f64) -> Vector3<f64> {
+    let corners = at.triangle.map(|k| k as usize);
+    let [a, b, c] = corners.map(|k| vertices[k]);
+    let [fa, fb, fc] = corners.map(value);
+    let (e, f) = (b - a, c - a);
+    let normal = e.cross(&f);
+    let squared = normal.norm_squared();
+    if squared > 0.0 {
+        (f.cross(&normal) * (fb - fa) + normal.cross(&e) * (fc - fa)) / squared
+    } else {
+        Vector3::zeros()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::testing::numbers;
+
+    /// Points of a square grid of one distance, without anything observed.
+    fn grid(side: usize) -> Sample {
+        let points = (0..side * side).map(|k| Point3::new((k % side) as f64, (k / side) as f64, 0.0)).collect();
+        let n = side * side;
+        Sample {
+            points,
+            areas: vec![1.0; n],
+            normals: vec![Vector3::z(); n],
+            shifts: vec![0.0; n],
+            heights: vec![0.0; n],
+            features: vec![vec![(0.0, Vector3::zeros()); n]; FEATURES.len()],
+        }
+    }
+
+    #[test]
+    fn independent_residuals_count_for_a_point_each_and_alike_ones_for_all() {
+        let sample = grid(14);
+        let mut number = numbers(5);
+        let noise: Vec<f64> = sample.points.iter().map(|_| number() - 0.5).collect();
+        let root_mm = 14.0;
+        assert!(sample.correlated_area(&noise, root_mm) < 4.0);
+        let alike = vec![0.3; sample.points.len()];
+        assert!(sample.correlated_area(&alike, root_mm) > 0.9 * 14.0 * 14.0);
+        // Waves of a length of seven points, in between.
+        let wave: Vec<f64> = sample.points.iter().map(|p| (p.x * 0.9).sin() * (p.y * 0.9).cos()).collect();
+        let area = sample.correlated_area(&wave, root_mm);
+        assert!((4.0..60.0).contains(&area), "{area}");
+    }
+
+    #[test]
+    fn a_gradient_is_that_of_the_linear_function_along_the_triangle() {
+        let vertices = [Point3::new(0.0, 0.0, 0.0), Point3::new(3.0, 0.0, 1.0), Point3::new(1.0, 2.0, -1.0)];
+        let slope = Vector3::new(0.4, -1.2, 0.7);
+        let at = ClosestPoint { triangle: [0, 1, 2], ..any_on_triangle() };
+        let found = gradient(&vertices, &at, |k| slope.dot(&vertices[k].coords) + 5.0);
+        for [a, b] in [[0, 1], [1, 2], [2, 0]] {
+            let edge = vertices[b] - vertices[a];
+            assert!((found.dot(&edge) - slope.dot(&edge)).abs() < 1e-12);
+        }
+        let normal = (vertices[1] - vertices[0]).cross(&(vertices[2] - vertices[0]));
+        assert!(found.dot(&normal).abs() < 1e-12);
+        let flat = [vertices[0]; 3];
+        assert_eq!(gradient(&flat, &at, |k| k as f64), Vector3::zeros());
+    }
+
+    fn any_on_triangle() -> ClosestPoint {
+        let mesh = homolog_mesh::shapes::ellipsoid(Vector3::new(2.0, 2.0, 2.0), 1);
+        homolog_mesh::ClosestPointIndex::new(&mesh).closest(&Point3::origin())
+    }
+
+    #[test]
+    fn values_are_spread_to_points_between_and_no_further_than_they_reach() {
+        let sample = grid(5);
+        let values: Vec<f64> = sample.points.iter().map(|p| p.x).collect();
+        let found = sample.spread_to(&[Point3::new(2.0, 2.0, 0.0), Point3::new(-50.0, 2.0, 0.0)], &values);
+        assert!((found[0] - 2.0).abs() < 1e-9 && found[1] < 0.1, "{found:?}");
+        assert!(grid(0).spread_to(&[Point3::origin()], &[]) == [0.0]);
+    }
+
+    #[test]
+    fn octaves_fall_as_those_of_a_process_of_that_smoothness() {
+        let of: Vec<GaussianKernel> = octaves(GaussianKernel { width_mm: 8.0, amplitude_mm: 1.0 }).collect();
+        assert_eq!(of.iter().map(|kernel| kernel.width_mm).collect::<Vec<_>>(), [8.0, 4.0, 2.0]);
+        assert!((of[1].amplitude_mm - 0.5f64.powf(2.5)).abs() < 1e-12);
+    }
+}

@@ -1,0 +1,144 @@
+//! The uncertainty of a displacement field of which single components are observed.
+//!
+//! Distances along normals and differences of features observe one component of a displacement each, `⟨d_i, u(p_i)⟩ + ε_i`. The posterior of a
+//! Gaussian process is exact over so many observations, without a basis: with `G_ij = k(p_i, p_j) ⟨d_i, d_j⟩ + δ_ij σ_i²` and
+//! `c_i(p) = k(p_i, p) d_i` the covariance of `u(p)` is `k(p, p) I − Cᵀ G⁻¹ C`.
+//!
+//! Source: Rasmussen, Williams, "Gaussian Processes for Machine Learning", 2006, section 2.2.
+
+use super::SmoothPrior;
+use faer::linalg::triangular_solve::solve_lower_triangular_in_place;
+use faer::{Mat, Par, Side};
+use nalgebra::{Point3, Vector3};
+
+/// An observed component of a displacement.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Component {
+    /// Where the displacement is, mm.
+    pub at: Point3<f64>,
+    /// What its product with the displacement is: a unit normal for a height in mm, a gradient for the difference of a feature.
+    pub direction: Vector3<f64>,
+    /// Variance of the noise of this product, at least 0.
+    pub variance: f64,
+}
+
+/// The posterior variance of the displacement at each of the `points`, mm²: the trace of its covariance, where these `components` are observed. The
+/// linear part of `prior` is about `center`. `None` where a number is not finite, or observations without noise contradict each other.
+///
+/// # Cost
+/// `O(N³ + N² points)` for `N` components.
+pub fn posterior_variances(
+    prior: &SmoothPrior,
+    center: &Point3<f64>,
+    components: &[Component],
+    points: &[Point3<f64>],
+) -> Option<Vec<f64>> {
+    let n = components.len();
+    let gram = Mat::from_fn(n, n, |i, j| {
+        if i < j {
+            return 0.0;
+        }
+        let (a, b) = (&components[i], &components[j]);
+        let noise = if i == j { a.variance } else { 0.0 };
+        prior.covariance_of(&a.at, &b.at, center) * a.direction.dot(&b.direction) + noise
+    });
+    let factor = gram.llt(Side::Lower).ok()?;
+    let mut whitened = Mat::from_fn(n, 3 * points.len(), |i, k| {
+        let observed = &components[i];
+        prior.covariance_of(&observed.at, &points[k / 3], center) * observed.direction[k % 3]
+    });
+    solve_lower_triangular_in_place(factor.L(), whitened.as_mut(), Par::Seq);
+    let known = |k: usize| -> f64 { (3 * k..3 * k + 3).map(|axis| whitened.col(axis).squared_norm_l2()).sum() };
+    let variances: Vec<f64> = (points.iter().enumerate())
+        .map(|(k, p)| (3.0 * prior.covariance_of(p, p, center) - known(k)).max(0.0))
+        .collect();
+    variances.iter().all(|variance| variance.is_finite()).then_some(variances)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::deformation::GaussianKernel;
+    use crate::testing::{cloud, directions, numbers};
+    use nalgebra::DMatrix;
+    use proptest::prelude::*;
+
+    fn prior(width_mm: f64, amplitude_mm: f64) -> SmoothPrior {
+        SmoothPrior { translation_mm: 0.7, linear: 0.05, kernels: vec![GaussianKernel { width_mm, amplitude_mm }] }
+    }
+
+    fn observed(n: usize, seed: u64, variance: f64) -> Vec<Component> {
+        let points = cloud(seed, n);
+        let normals = directions(seed + 1, n);
+        points.iter().zip(&normals).map(|(p, d)| Component { at: *p, direction: *d, variance }).collect()
+    }
+
+    /// By definition: the covariance of all observations and of the displacement, and its Schur complement.
+    fn slow(prior: &SmoothPrior, center: &Point3<f64>, components: &[Component], p: &Point3<f64>) -> f64 {
+        let n = components.len();
+        let joint = DMatrix::from_fn(n + 3, n + 3, |i, j| {
+            let part = |k: usize| match components.get(k) {
+                Some(c) => (c.at, c.direction),
+                None => (*p, Vector3::ith(k - n, 1.0)),
+            };
+            let ((at, direction), (other, across)) = (part(i), part(j));
+            let noise = if i == j && i < n { components[i].variance } else { 0.0 };
+            prior.covariance_of(&at, &other, center) * direction.dot(&across) + noise
+        });
+        let (g, c) = (joint.view((0, 0), (n, n)).into_owned(), joint.view((0, n), (n, 3)).into_owned());
+        let rest = joint.view((n, n), (3, 3)) - c.transpose() * g.try_inverse().unwrap() * c;
+        rest.trace()
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(32))]
+
+        #[test]
+        fn variances_are_those_of_the_joint_distribution(seed in 0u64..1000, n in 1usize..20, width in 2.0..20.0) {
+            let (prior, components) = (prior(width, 1.3), observed(n, seed, 0.2));
+            let center = Point3::new(0.5, -0.5, 1.0);
+            let points = cloud(seed + 7, 4);
+            let found = posterior_variances(&prior, &center, &components, &points).unwrap();
+            for (p, found) in points.iter().zip(found) {
+                let expected = slow(&prior, &center, &components, p);
+                prop_assert!((found - expected).abs() < 1e-8 * (1.0 + expected), "{} {}", found, expected);
+            }
+        }
+
+        #[test]
+        fn more_observations_and_less_noise_never_raise_a_variance(seed in 0u64..1000, noise in 0.01..1.0) {
+            let (prior, center) = (prior(6.0, 1.0), Point3::origin());
+            let points = cloud(seed + 3, 5);
+            let of = |n: usize, noise: f64| posterior_variances(&prior, &center, &observed(24, seed, noise)[..n], &points).unwrap();
+            let (few, many, clear) = (of(12, noise), of(24, noise), of(24, 0.5 * noise));
+            for k in 0..points.len() {
+                prop_assert!(many[k] <= few[k] + 1e-9 && clear[k] <= many[k] + 1e-9);
+            }
+        }
+    }
+
+    #[test]
+    fn what_no_component_observes_keeps_the_variance_of_the_prior() {
+        // Heights over a plane say nothing of displacement in it, but for that of the linear part.
+        let prior = SmoothPrior { linear: 0.0, ..prior(5.0, 1.0) };
+        let mut number = numbers(3);
+        let components: Vec<Component> = (0..200)
+            .map(|_| {
+                let at = Point3::new(20.0 * number(), 20.0 * number(), 0.0);
+                Component { at, direction: Vector3::z(), variance: 1e-4 }
+            })
+            .collect();
+        let found =
+            posterior_variances(&prior, &Point3::origin(), &components, &[Point3::new(10.0, 10.0, 0.0)]).unwrap();
+        let alone = prior.covariance_of(&Point3::origin(), &Point3::origin(), &Point3::origin());
+        assert!((found[0] - 2.0 * alone).abs() < 0.01 * alone, "{} {alone}", found[0]);
+    }
+
+    #[test]
+    fn without_observations_the_variance_is_that_of_the_prior() {
+        let (prior, p) = (prior(4.0, 2.0), Point3::new(1.0, 2.0, 3.0));
+        let found = posterior_variances(&prior, &Point3::origin(), &[], &[p]).unwrap();
+        let expected = 3.0 * (0.7 * 0.7 + 0.05 * 0.05 * 14.0 + 4.0);
+        assert!((found[0] - expected).abs() < 1e-12);
+    }
+}

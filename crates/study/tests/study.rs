@@ -270,6 +270,78 @@ fn a_subject_without_a_surface_is_listed_first_and_a_scored_one_enters_no_model(
     assert!(listed.lines().nth(1).unwrap().starts_with("broken,failed,no match"), "{listed}");
 }
 
+/// A text that ends a script, and opens another page where it is read as HTML.
+const MARKUP: &str = "</script><meta/http-equiv=refresh/content=0;url=data:,elsewhere>";
+
+/// A study in which every text that a user can set has markup; the folder of its results.
+fn study_with_markup(place: &Path) -> (PathBuf, Findings) {
+    table(place, 6);
+    let mut text = format!("id,file,subject,group{MARKUP}\n");
+    for k in 0..6 {
+        let file = format!("s{k}<svg onload=x>&amp;.ply");
+        std::fs::rename(place.join(format!("s{k}.ply")), place.join(&file)).unwrap();
+        text.push_str(&format!("s{k},{file},p{k}{MARKUP},{}{MARKUP}\n", ["patient", "control"][k % 2]));
+    }
+    std::fs::write(place.join("broken<svg onload=x>.ply"), "ply, but no more").unwrap();
+    text.push_str(&format!("broken,broken<svg onload=x>.ply,,control{MARKUP}\n"));
+    let cohort = Cohort::from_csv(text.as_bytes(), place).unwrap();
+    let name = format!("group{MARKUP}");
+    let sum = format!("{name}:patient{MARKUP}");
+    let analysis = Analysis {
+        effect: Some(name.clone()),
+        reference: vec![(name, format!("control{MARKUP}"))],
+        contrasts: vec![(format!("contrast {MARKUP}"), sum)],
+        measures: vec![Measure::LogArea],
+        permutations: 20,
+        ..Analysis::default()
+    };
+    let made = MadeTemplate { start: Some("s0".to_owned()), subjects: 3, max_rounds: 1, ..MadeTemplate::default() };
+    let settings = Settings { template: TemplateChoice::Made(made), analysis, cycle_subjects: 0, ..settings() };
+    let decisions =
+        [Decision { id: "s1".to_owned(), decision: Verdict::Kept, reason: format!("seen {MARKUP}\u{2028}") }];
+    let out = place.join("out");
+    let (_, found) = again(cohort, settings, &out, 2, &decisions, &Quiet).unwrap();
+    (out, found)
+}
+
+#[test]
+fn texts_of_users_are_no_markup_of_the_report() {
+    let place = tempfile::tempdir().unwrap();
+    let (out, found) = study_with_markup(place.path());
+    let page = std::fs::read_to_string(out.join("report.html")).unwrap();
+    // Its own data and script; nothing that was written by a user begins an element.
+    assert_eq!(page.matches("</script").count(), 2);
+    assert!(!page.contains("<meta/") && !page.contains("<svg onload"));
+    assert_eq!(page.matches("<meta ").count(), 4, "its own");
+    // The texts are there, and the data are what they were.
+    let (_, rest) = page.split_once("id=\"data\">").unwrap();
+    let data: serde_json::Value = serde_json::from_str(rest.split_once("</script>").unwrap().0).unwrap();
+    let contrasts = &found.statistics.as_ref().unwrap().design.contrasts;
+    assert_eq!(contrasts.len(), 2);
+    for (map, contrast) in data["maps"].as_array().unwrap().iter().zip(contrasts) {
+        assert!(contrast.meaning.contains(MARKUP) && map["title"].as_str().unwrap().starts_with(&contrast.meaning));
+    }
+    assert!(page.contains("decided: seen &lt;/script&gt;&lt;meta/http-equiv"), "the reason of the decision");
+}
+
+mod reports {
+    use super::*;
+
+    #[test]
+    #[ignore = "needs Chromium"]
+    fn chromium_stays_on_a_report_whose_texts_are_markup() {
+        let place = tempfile::tempdir().unwrap();
+        let (out, _) = study_with_markup(place.path());
+        let mut browser = std::process::Command::new("chromium");
+        browser.args(["--headless", "--no-sandbox", "--disable-gpu", "--virtual-time-budget=3000", "--dump-dom"]);
+        browser.arg(format!("--user-data-dir={}", place.path().join("profile").display()));
+        let shown = browser.arg(format!("file://{}", out.join("report.html").display())).output().unwrap();
+        let shown = String::from_utf8_lossy(&shown.stdout);
+        assert!(shown.contains("<h1>Study of 7 subjects</h1>"), "another page: {shown}");
+        assert!(!shown.contains("<meta http-equiv=\"refresh\"") && !shown.contains("<svg onload"));
+    }
+}
+
 #[test]
 fn a_template_from_another_start_is_nearly_the_same() {
     let place = tempfile::tempdir().unwrap();

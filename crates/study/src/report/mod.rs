@@ -150,7 +150,7 @@ fn quality(study: &Study, found: &Findings, pictures: &[(usize, usize)]) -> Stri
 /// The view of maps, modes and subjects.
 struct View {
     section: String,
-    data: String,
+    data: Value,
     /// Subjects with a picture, and their places among the shapes.
     pictures: Vec<(usize, usize)>,
 }
@@ -245,7 +245,7 @@ impl View {
              <p class=\"hint\">Drag or use the arrow keys to turn, scroll to zoom. Red is outwards, blue inwards, of modes and \
              subjects along the normal of the mean.</p>\n"
         );
-        Ok(View { section, data: data.to_string(), pictures })
+        Ok(View { section, data, pictures })
     }
 }
 

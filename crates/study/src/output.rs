@@ -10,6 +10,7 @@ use crate::plan::{Round, Study};
 use crate::quality::most_urgent_first;
 use crate::report::page;
 use crate::settings::{Measure, Settings};
+use homolog_formats::csv_cell::text_cell;
 use homolog_formats::gifti::{write_gifti, write_gifti_shape};
 use homolog_formats::nifti::write_nifti_gz;
 use homolog_formats::parquet::{TableColumn, write_parquet_columns};
@@ -299,13 +300,8 @@ pub(crate) fn place_name(place: Place) -> &'static str {
     }
 }
 
-/// A cell of CSV.
-pub(crate) fn quoted(text: &str) -> String {
-    if text.contains([',', '"', '\n', '\r']) { format!("\"{}\"", text.replace('"', "\"\"")) } else { text.to_owned() }
-}
-
 fn csv_table(columns: &[(String, TableColumn)]) -> String {
-    let header: Vec<String> = columns.iter().map(|(name, _)| quoted(name)).collect();
+    let header: Vec<String> = columns.iter().map(|(name, _)| text_cell(name)).collect();
     let mut text = header.join(",") + "\n";
     let n = columns.first().map_or(0, |(_, column)| match column {
         TableColumn::Real(values) => values.len(),
@@ -317,7 +313,7 @@ fn csv_table(columns: &[(String, TableColumn)]) -> String {
             .map(|(_, column)| match column {
                 TableColumn::Real(values) if values[row].is_nan() => String::new(),
                 TableColumn::Real(values) => values[row].to_string(),
-                TableColumn::Text(values) => quoted(&values[row]),
+                TableColumn::Text(values) => text_cell(&values[row]),
             })
             .collect();
         text.push_str(&(cells.join(",") + "\n"));
@@ -351,18 +347,18 @@ fn quality_table(study: &Study, found: &Findings) -> String {
         let _ = writeln!(
             text,
             "{},{},{},{},{},{},{},{},{},{},{},{}",
-            study.cohort.subjects[k].id,
+            text_cell(&study.cohort.subjects[k].id),
             place_name(subject.place),
-            flags.join("; "),
-            facts.reasons.join("; "),
+            text_cell(&flags.join("; ")),
+            text_cell(&facts.reasons.join("; ")),
             facts.residual_mm,
             facts.residual_p95_mm,
             facts.folded,
             facts.confidence,
             subject.unusual_p.map_or(String::new(), |p| p.to_string()),
             decided.map_or("", word),
-            quoted(decided.map_or("", |decision| &decision.reason)),
-            quoted(facts.error.as_deref().unwrap_or_default())
+            text_cell(decided.map_or("", |decision| &decision.reason)),
+            text_cell(facts.error.as_deref().unwrap_or_default())
         );
     }
     text
@@ -377,8 +373,8 @@ fn effect_table(found: &Findings) -> String {
         let _ = writeln!(
             text,
             "{},{},{},{},{low},{high},{},{},{},{g_low},{g_high}",
-            quoted(&whole.variable),
-            whole.contrast,
+            text_cell(&whole.variable),
+            text_cell(&whole.contrast),
             effect.value,
             effect.robust_se,
             effect.t,

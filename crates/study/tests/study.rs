@@ -271,19 +271,23 @@ fn a_subject_without_a_surface_is_listed_first_and_a_scored_one_enters_no_model(
 }
 
 /// A text that ends a script, and opens another page where it is read as HTML.
-const MARKUP: &str = "</script><meta/http-equiv=refresh/content=0;url=data:,elsewhere>";
+const MARKUP: &str = "</script><meta/http-equiv=refresh/content=0;url=about:blank>";
 
-/// A study in which every text that a user can set has markup; the folder of its results.
-fn study_with_markup(place: &Path) -> (PathBuf, Findings) {
+/// Texts that a spreadsheet would compute.
+const FORMULAS: [&str; 6] = ["=HYPERLINK(\"//x\")", "+1", "-x", "@SUM(A1)", "\u{ff1d}1", "=1"];
+
+/// A study in which every text that a user can set has markup or is a formula; the folder of its results.
+fn study_with_odd_texts(place: &Path) -> (PathBuf, Findings) {
     table(place, 6);
-    let mut text = format!("id,file,subject,group{MARKUP}\n");
+    let mut text = format!("id,file,subject,group{MARKUP},=note\n");
     for k in 0..6 {
         let file = format!("s{k}<svg onload=x>&amp;.ply");
         std::fs::rename(place.join(format!("s{k}.ply")), place.join(&file)).unwrap();
-        text.push_str(&format!("s{k},{file},p{k}{MARKUP},{}{MARKUP}\n", ["patient", "control"][k % 2]));
+        let (group, note) = (["patient", "control"][k % 2], FORMULAS[k].replace('"', "\"\""));
+        text.push_str(&format!("s{k},{file},p{k}{MARKUP},{group}{MARKUP},\"{note}\"\n"));
     }
     std::fs::write(place.join("broken<svg onload=x>.ply"), "ply, but no more").unwrap();
-    text.push_str(&format!("broken,broken<svg onload=x>.ply,,control{MARKUP}\n"));
+    text.push_str(&format!("broken,broken<svg onload=x>.ply,,control{MARKUP},\n"));
     let cohort = Cohort::from_csv(text.as_bytes(), place).unwrap();
     let name = format!("group{MARKUP}");
     let sum = format!("{name}:patient{MARKUP}");
@@ -297,17 +301,38 @@ fn study_with_markup(place: &Path) -> (PathBuf, Findings) {
     };
     let made = MadeTemplate { start: Some("s0".to_owned()), subjects: 3, max_rounds: 1, ..MadeTemplate::default() };
     let settings = Settings { template: TemplateChoice::Made(made), analysis, cycle_subjects: 0, ..settings() };
-    let decisions =
-        [Decision { id: "s1".to_owned(), decision: Verdict::Kept, reason: format!("seen {MARKUP}\u{2028}") }];
+    let kept = |id: &str, reason: String| Decision { id: id.to_owned(), decision: Verdict::Kept, reason };
+    let decisions = [kept("s1", format!("seen {MARKUP}\u{2028}")), kept("s2", FORMULAS[0].to_owned())];
     let out = place.join("out");
     let (_, found) = again(cohort, settings, &out, 2, &decisions, &Quiet).unwrap();
     (out, found)
 }
 
 #[test]
+fn texts_of_users_are_no_formulas_of_the_tables() {
+    let place = tempfile::tempdir().unwrap();
+    let (out, _) = study_with_odd_texts(place.path());
+    let mut seen = String::new();
+    for table in ["subjects.csv", "quality.csv", "effects.csv", "model.csv", "decisions.csv"] {
+        let bytes = std::fs::read(out.join(table)).unwrap();
+        let mut rows = csv::ReaderBuilder::new().has_headers(false).from_reader(bytes.as_slice());
+        for row in rows.records().map(Result::unwrap) {
+            for cell in &row {
+                let is_number = cell.parse::<f64>().is_ok();
+                assert!(is_number || !cell.starts_with(['=', '+', '-', '@', '\t', '\u{ff1d}']), "{table}: {cell}");
+                seen.push_str(&format!("{cell}\n"));
+            }
+        }
+    }
+    let formulas = FORMULAS.iter().chain(&["=note"]);
+    formulas.for_each(|formula| assert!(seen.contains(&format!("'{formula}\n")), "{formula} is there as text"));
+    assert_eq!(seen.matches(FORMULAS[0]).count(), 2, "the note, and the reason in quality.csv");
+}
+
+#[test]
 fn texts_of_users_are_no_markup_of_the_report() {
     let place = tempfile::tempdir().unwrap();
-    let (out, found) = study_with_markup(place.path());
+    let (out, found) = study_with_odd_texts(place.path());
     let page = std::fs::read_to_string(out.join("report.html")).unwrap();
     // Its own data and script; nothing that was written by a user begins an element.
     assert_eq!(page.matches("</script").count(), 2);
@@ -331,7 +356,7 @@ mod reports {
     #[ignore = "needs Chromium"]
     fn chromium_stays_on_a_report_whose_texts_are_markup() {
         let place = tempfile::tempdir().unwrap();
-        let (out, _) = study_with_markup(place.path());
+        let (out, _) = study_with_odd_texts(place.path());
         let mut browser = std::process::Command::new("chromium");
         browser.args(["--headless", "--no-sandbox", "--disable-gpu", "--virtual-time-budget=3000", "--dump-dom"]);
         browser.arg(format!("--user-data-dir={}", place.path().join("profile").display()));

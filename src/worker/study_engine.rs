@@ -289,13 +289,13 @@ fn step(material: &Arc<StudyMaterial>, observer: &dyn Observer) -> Result<Vec<Pr
         .collect();
     files.insert("decisions.csv".to_owned(), decisions_table(&decisions).into_bytes());
     let folder = Folder::in_memory(files, Box::new(Uploads { hashes, material: Arc::clone(material) }));
-    let mut study = Study::open(cohort, settings, &[], &folder)?;
-    match study.advance(&folder)? {
+    let watcher = Watched(observer);
+    let mut study = Study::open(cohort, settings, &[], &folder, &watcher)?;
+    match study.advance(&folder, &watcher)? {
         Step::Match { purpose, template, tasks, finished } => {
             planned(&study, &folder, purpose, &template, &tasks, finished)
         }
         Step::Matched(matched) => {
-            let watcher = Watched(observer);
             let found = find(&study, &matched, &folder, &decisions, &watcher)?;
             write(&study, &found, &decisions, &folder, env!("HOMOLOG_COMMIT"), &watcher)?;
             if watcher.is_interrupted() {

@@ -103,7 +103,7 @@ fn again(
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
     pool.install(|| {
         let folder = Folder::create(out)?;
-        let mut study = Study::open(cohort, settings, &[], &folder)?;
+        let mut study = Study::open(cohort, settings, &[], &folder, watcher)?;
         let matched = study.match_all(&folder, threads, watcher)?;
         let found = find(&study, &matched, &folder, decisions, watcher)?;
         write(&study, &found, decisions, &folder, "test", watcher)?;
@@ -238,7 +238,7 @@ fn a_study_finds_the_effect_and_is_the_same_whatever_happens_to_it() {
     // A file that changed under a recorded study is noticed.
     std::fs::write(place.path().join("s2.ply"), subject(9, false)).unwrap();
     let folder = Folder::create(&place.path().join("fourth")).unwrap();
-    let opened = Study::open(study.cohort.clone(), study.settings.clone(), &study.hashes, &folder);
+    let opened = Study::open(study.cohort.clone(), study.settings.clone(), &study.hashes, &folder, &Quiet);
     assert!(matches!(opened, Err(StudyError::Changed { path }) if path.ends_with("s2.ply")));
 }
 

@@ -233,6 +233,10 @@ async fn tokens_with_any_fault_are_refused() {
         ("a key for another algorithm", ed.token("misnamed", &claims(&json!({})))),
         ("an unknown key", ed.token("none", &claims(&json!({})))),
         ("no key named", ed.sign(&json!({"alg": "EdDSA"}), &claims(&json!({})))),
+        (
+            "an extension that must be understood",
+            ed.sign(&json!({"alg": "EdDSA", "kid": "one", "crit": ["exp2"], "exp2": 1}), &claims(&json!({}))),
+        ),
         ("unsigned", unsigned),
         ("signed with the public key", by_public_key),
         ("altered", format!("{header}.{altered}.{signature}")),

@@ -229,7 +229,16 @@ pub fn find(
     }
     let members: Vec<usize> = (0..subjects.len()).filter(|&k| subjects[k].place == Place::Model).collect();
     if members.len() < 3 {
-        let reason = subjects.iter().find_map(|subject| subject.facts.error.clone()).unwrap_or_default();
+        let count = |place: Place| subjects.iter().filter(|subject| subject.place == place).count();
+        let left_out = || {
+            format!(
+                "none; {} are left out by a decision, {} because their match is not reliable, and {} are only compared with the model",
+                count(Place::Dropped),
+                count(Place::Unreliable),
+                count(Place::Scored)
+            )
+        };
+        let reason = subjects.iter().find_map(|subject| subject.facts.error.clone()).unwrap_or_else(left_out);
         let (matched, all) = (members.len(), subjects.len());
         return Err(StudyError::TooFewMatches { matched, all, purpose: "for a shape model", reason });
     }

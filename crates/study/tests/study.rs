@@ -270,6 +270,20 @@ fn a_subject_without_a_surface_is_listed_first_and_a_scored_one_enters_no_model(
     assert!(listed.lines().nth(1).unwrap().starts_with("broken,failed,no match"), "{listed}");
 }
 
+#[test]
+fn a_study_without_a_model_says_why() {
+    let place = tempfile::tempdir().unwrap();
+    let table = table(place.path(), 3);
+    let text = std::fs::read(&table).unwrap();
+    let cohort = Cohort::from_csv(&text, place.path()).unwrap();
+    let made = MadeTemplate { subjects: 3, max_rounds: 1, ..MadeTemplate::default() };
+    let (template, analysis) = (TemplateChoice::Made(made), Analysis::default());
+    let settings = Settings { template, analysis, cycle_subjects: 0, ..settings() };
+    let dropped = [Decision { id: "s1".to_owned(), decision: Verdict::Dropped, reason: "motion".to_owned() }];
+    let error = again(cohort, settings, &place.path().join("out"), 2, &dropped, &Quiet).unwrap_err().to_string();
+    assert!(error.contains("only 2 of 3 subjects") && error.contains("1 are left out by a decision"), "{error}");
+}
+
 /// A text that ends a script, and opens another page where it is read as HTML.
 const MARKUP: &str = "</script><meta/http-equiv=refresh/content=0;url=about:blank>";
 

@@ -255,6 +255,9 @@ pub struct HttpSettings {
     /// Maximum number of event streams and long polls of a tenant at the same time, and of an address
     #[arg(long, env = "HOMOLOG_MAX_STREAMS", default_value_t = 512, value_parser = clap::value_parser!(u32).range(1..), value_name = "N")]
     pub max_streams: u32,
+    /// Longest time after which an open event stream ends when its key was revoked or its token has expired, ms
+    #[arg(long, env = "HOMOLOG_ACCESS_INTERVAL_MS", default_value_t = 30_000, value_parser = clap::value_parser!(u64).range(100..=30_000), value_name = "MS")]
+    pub access_interval_ms: u64,
     /// Number of inputs checked at the same time
     #[arg(long, env = "HOMOLOG_MAX_CHECKS", default_value_t = 2, value_name = "N")]
     pub max_checks: usize,
@@ -497,6 +500,7 @@ impl HttpSettings {
             max_answer_memory_bytes: self.max_answer_memory_bytes,
             least_rate: self.least_rate(),
             max_streams: self.max_streams,
+            access_interval: Duration::from_millis(self.access_interval_ms),
             max_upload_wait: Duration::from_secs(20),
             upload_timeout: Duration::from_secs(self.upload_timeout_s),
             request_timeout: Duration::from_secs(self.request_timeout_s),

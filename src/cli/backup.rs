@@ -64,7 +64,8 @@ pub(super) fn back_up(args: &BackupArgs) -> Result<(), CliError> {
     with_store(&args.service, async |store| {
         // It is a read of everything.
         record(store, "back_up", None, None).await?;
-        let manifest = backup::back_up(store, &args.service.data_dir, &args.dir).await?;
+        let keyring = app::open_keyring(&args.service).map_err(|error| CliError::Failed(error.to_string()))?;
+        let manifest = backup::back_up(store, &args.service.data_dir, &args.dir, keyring).await?;
         let keys = match args.service.encryption_key_file.is_some() || args.service.encryption_key_command.is_some() {
             true => "the encryption keys",
             false => "secret.key",

@@ -7,6 +7,7 @@ use super::match_pair::{MatchArgs, Pair, write_page};
 use super::output::{note, print, print_json};
 use homolog_contract::parameters::MatchParameters;
 use homolog_contract::result::ResultDocument;
+use homolog_formats::csv_cell::text_cell;
 use homolog_run::SurfaceCache;
 use serde_json::json;
 use std::collections::BTreeSet;
@@ -155,10 +156,9 @@ fn table(rows: &[Row]) -> String {
 
 /// The table for programs.
 fn csv(rows: &[Row]) -> String {
-    let quoted = |text: &str| format!("\"{}\"", text.replace('"', "\"\""));
     let mut text = "target,folder,reliable,reasons,mean_mm,p95_mm,max_mm,inliers,error\n".to_owned();
     for Row { target, name, done } in rows {
-        let (target, name) = (quoted(&target.to_string_lossy()), quoted(name));
+        let (target, name) = (text_cell(&target.to_string_lossy()), text_cell(name));
         let _ = match done {
             Ok(document) => {
                 let verdict = document.verdict();
@@ -168,7 +168,7 @@ fn csv(rows: &[Row]) -> String {
                 let numbers = format!("{},{},{},{}", d.mean_mm, d.p95_mm, d.max_mm, document.support.ratio);
                 writeln!(text, "{target},{name},{reliable},{},{numbers},", reasons.join(" "))
             }
-            Err(error) => writeln!(text, "{target},{name},,,,,,,{}", quoted(error)),
+            Err(error) => writeln!(text, "{target},{name},,,,,,,{}", text_cell(error)),
         };
     }
     text
@@ -177,6 +177,17 @@ fn csv(rows: &[Row]) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn names_of_files_are_no_formulas_of_the_table() {
+        let error = "cannot read =1+1, \"no\"".to_owned();
+        let row = Row { target: PathBuf::from("=1+1|x,y.ply"), name: "-rf".to_owned(), done: Err(error) };
+        let failed = Row { target: PathBuf::from("b.ply"), name: "b".to_owned(), done: Err("@SUM(A1)".to_owned()) };
+        let text = csv(&[row, failed]);
+        let mut lines = text.lines().skip(1);
+        assert_eq!(lines.next(), Some("\"'=1+1|x,y.ply\",'-rf,,,,,,,\"cannot read =1+1, \"\"no\"\"\""));
+        assert_eq!(lines.next(), Some("b.ply,b,,,,,,,'@SUM(A1)"));
+    }
 
     #[test]
     fn every_target_has_a_folder_of_its_own() {

@@ -96,7 +96,7 @@ pub(super) fn run(args: &StudyArgs) -> Result<(), CliError> {
     let done = pool.install(|| -> Result<Findings, StudyError> {
         let folder = Folder::create(out.path())?;
         let decisions = decisions(args, &asked, &folder)?;
-        let mut study = Study::open(asked.cohort, asked.settings, &asked.hashes, &folder)?;
+        let mut study = Study::open(asked.cohort, asked.settings, &asked.hashes, &folder, &watcher)?;
         let matched = study.match_all(&folder, threads, &watcher)?;
         let found = find(&study, &matched, &folder, &decisions, &watcher)?;
         write(&study, &found, &decisions, &folder, env!("HOMOLOG_COMMIT"), &watcher)?;

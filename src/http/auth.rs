@@ -1,4 +1,7 @@
 //! Authentication by API key, by a token of an OpenID Connect provider or by a ticket, and authorization by the scopes of either.
+//!
+//! An answer that goes on, a stream of events or a long poll, asks again ([`Rights`]): a key may be revoked meanwhile, and a token
+//! expire.
 
 use super::audit::Caller;
 use super::problem::Problem;
@@ -11,6 +14,13 @@ use crate::jobs::{Role, Scope, SecretKey, Tenant, Ticket};
 use axum::extract::FromRequestParts;
 use axum::http::header;
 use axum::http::request::Parts;
+use std::convert::Infallible;
+use std::time::Duration;
+use tokio::time::{Instant, sleep_until};
+
+/// How long a stream goes on that was opened with a ticket of the owner of a token: the token is not kept, so nobody can say whether it
+/// is still valid.
+const LONGEST_BY_TOKEN: Duration = Duration::from_secs(3_600);
 
 /// Whether requests are authenticated.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
@@ -70,12 +80,7 @@ async fn tenant_with(parts: &Parts, state: &HttpState, scope: Scope) -> Result<T
         state.begin_request(&Tenant::default(), origin)?;
         return Ok(Tenant::default());
     }
-    let sent = parts.headers.get(header::AUTHORIZATION).and_then(|value| value.to_str().ok());
-    let bearer = sent.and_then(|sent| {
-        let (scheme, bearer) = sent.split_once(' ')?;
-        scheme.eq_ignore_ascii_case("bearer").then(|| bearer.trim())
-    });
-    if sent.is_none()
+    if !parts.headers.contains_key(header::AUTHORIZATION)
         && scope == Scope::Read
         && let Some(Ticket { tenant, key_id, .. }) = ticket_of(parts, state).await?
     {
@@ -84,16 +89,94 @@ async fn tenant_with(parts: &Parts, state: &HttpState, scope: Scope) -> Result<T
         return Ok(tenant);
     }
     // The answer does not reveal which part of a key or a token was wrong.
-    let Some(bearer) = bearer else { return Err(Problem::new(ProblemKind::Unauthenticated)) };
+    let Some(bearer) = bearer(parts) else { return Err(Problem::new(ProblemKind::Unauthenticated)) };
     let found = identity(bearer, state).await?;
     caller.is(&found.tenant, Some(&found.id));
     state.begin_request(&found.tenant, origin)?;
-    if !found.scopes.contains(&scope) {
+    found.require(scope)?;
+    Ok(found.tenant)
+}
+
+/// The key or the token of a request.
+fn bearer(parts: &Parts) -> Option<&str> {
+    let (scheme, bearer) = parts.headers.get(header::AUTHORIZATION)?.to_str().ok()?.split_once(' ')?;
+    scheme.eq_ignore_ascii_case("bearer").then(|| bearer.trim())
+}
+
+impl Identity {
+    fn require(&self, scope: Scope) -> Result<(), Problem> {
+        if self.scopes.contains(&scope) {
+            return Ok(());
+        }
         let (scope, role) = (scope.name(), Role::least_with(scope).name());
         let detail = format!("requires an API key with the scope {scope}, such as one with the role {role}");
-        return Err(Problem::new(ProblemKind::ScopeMissing).detail(detail));
+        Err(Problem::new(ProblemKind::ScopeMissing).detail(detail))
     }
-    Ok(found.tenant)
+}
+
+/// By what a request was let in, to be asked again while its answer goes on. Extracting it lets nobody in.
+#[derive(Clone)]
+pub(crate) struct Rights {
+    state: HttpState,
+    bearer: Option<String>,
+    caller: Caller,
+    began: Instant,
+    /// When they are asked again at the latest.
+    due: Instant,
+}
+
+impl FromRequestParts<HttpState> for Rights {
+    type Rejection = Infallible;
+
+    async fn from_request_parts(parts: &mut Parts, state: &HttpState) -> Result<Self, Infallible> {
+        Ok(Rights {
+            state: state.clone(),
+            bearer: bearer(parts).map(str::to_owned),
+            caller: parts.extensions.get::<Caller>().cloned().unwrap_or_default(),
+            began: Instant::now(),
+            due: Instant::now() + state.limits.access_interval,
+        })
+    }
+}
+
+impl Rights {
+    /// Asks whether the caller still has `scope` in the tenant of the request. One query.
+    ///
+    /// # Errors
+    /// As for a new request; `unavailable` if that cannot be found out now.
+    pub(super) async fn ask(&self, scope: Scope) -> Result<(), Problem> {
+        if self.state.auth == AuthMode::None {
+            return Ok(());
+        }
+        let unauthenticated = || Problem::new(ProblemKind::Unauthenticated);
+        if let Some(bearer) = &self.bearer {
+            let found = identity(bearer, &self.state).await?;
+            let is_of_tenant = self.caller.tenant() == Some(found.tenant.name());
+            return if is_of_tenant { found.require(scope) } else { Err(unauthenticated()) };
+        }
+        // A ticket lasts for a minute, in which a stream may begin; what goes on is the right of whoever asked for it.
+        let is_valid = match self.caller.key_id() {
+            None => true,
+            Some(id) if SecretKey::is_id(id) => self.state.service.is_key_valid(id).await?,
+            Some(_) => self.began.elapsed() < LONGEST_BY_TOKEN,
+        };
+        if is_valid { Ok(()) } else { Err(unauthenticated()) }
+    }
+
+    /// Whether a stream of what may be read may go on. A store or a provider that does not answer takes no right away: nothing new is
+    /// read from it either, and the next page asks again.
+    pub(super) async fn last(&mut self) -> bool {
+        self.due = Instant::now() + self.state.limits.access_interval;
+        match self.ask(Scope::Read).await {
+            Ok(()) => true,
+            Err(problem) => problem.kind() == ProblemKind::Unavailable,
+        }
+    }
+
+    /// Returns when a silent stream has to ask again.
+    pub(super) async fn due(&self) {
+        sleep_until(self.due).await;
+    }
 }
 
 macro_rules! extracts {

@@ -66,6 +66,7 @@ fn limits() -> HttpLimits {
         max_answer_memory_bytes: 1 << 20,
         least_rate: LeastRate { bytes_per_s: 1, patience: while_it_lasts },
         max_streams: 1,
+        access_interval: while_it_lasts,
         max_upload_wait: while_it_lasts,
         upload_timeout: while_it_lasts,
         request_timeout: while_it_lasts,

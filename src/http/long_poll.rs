@@ -5,10 +5,12 @@
 //! [`PROGRESS_INTERVAL`] after the request at the earliest, so that a client that asks again after each answer makes one
 //! request a second. What neither part holds, such as the estimated remaining time, is in the body but is no change.
 
+use super::auth::Rights;
 use super::conditional::{not_modified, with_etag};
 use super::problem::Problem;
 use super::query::QueryString;
 use super::router::HttpState;
+use crate::jobs::Scope;
 use crate::jobs::follow::Feed;
 use async_trait::async_trait;
 use axum::body::Body;
@@ -136,6 +138,7 @@ pub(super) trait Resource: Sync {
 pub(super) async fn answer(
     state: &HttpState,
     headers: &HeaderMap,
+    rights: &Rights,
     wait: Duration,
     resource: &impl Resource,
 ) -> Result<Response, Problem> {
@@ -172,6 +175,8 @@ pub(super) async fn answer(
                 _ => {}
             }
         }
+        // A key may have been revoked during the wait.
+        rights.ask(Scope::Read).await?;
         // The feed says when to look, and may lag behind; the answer is what the store says now.
         let snapshot = resource.look().await?;
         let has_changed = known.difference(&snapshot.version) != Difference::None;

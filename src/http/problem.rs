@@ -77,6 +77,11 @@ impl Problem {
         Problem { kind, detail: None, retry_after_s: None, members: Map::new() }
     }
 
+    /// Its kind.
+    pub(super) fn kind(&self) -> ProblemKind {
+        self.kind
+    }
+
     /// Adds what is specific to this occurrence.
     #[must_use]
     pub(crate) fn detail(mut self, detail: impl Into<String>) -> Self {

@@ -55,6 +55,8 @@ pub struct HttpLimits {
     pub least_rate: LeastRate,
     /// Event streams and long polls of a tenant at the same time, and those of an address.
     pub max_streams: u32,
+    /// Longest time between two looks at whether the key of an open stream is still valid.
+    pub access_interval: Duration,
     /// Longest wait for a slot, and for memory.
     pub max_upload_wait: Duration,
     /// Longest time for a submission, its body included.

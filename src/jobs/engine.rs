@@ -54,6 +54,15 @@ pub trait Engine: Send + Sync {
         Err(vec![StudyFault { pointer: String::new(), code: "out_of_range".to_owned(), detail }])
     }
 
+    /// Checks whether the matches and the steps of a study, whose inputs have been checked, fit the limits. Quick.
+    ///
+    /// # Errors
+    /// Why they do not.
+    fn check_study_size(&self, study: &StudyDefinition) -> Result<(), InputRefusal> {
+        let _ = study;
+        Ok(())
+    }
+
     /// A part of a result in another format than the stored one, from its stored blobs in the order in which the part
     /// lists them; for a report, the energy trace as JSON comes last, for DICOM,
     /// [`DicomDetails`](super::uid::DicomDetails). Called on a blocking thread.

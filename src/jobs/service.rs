@@ -153,6 +153,14 @@ impl JobService {
         Ok(stored.filter(|stored| stored.is_valid && key.has_hash(&stored.hash)))
     }
 
+    /// Whether the key with this public part exists, is not revoked and has not expired.
+    ///
+    /// # Errors
+    /// [`JobError`].
+    pub async fn is_key_valid(&self, id: &str) -> Result<bool, JobError> {
+        Ok(self.stores.keys.get_key(id).await?.is_some_and(|key| key.is_valid))
+    }
+
     /// Creates a key of a tenant. `None` if the tenant has `at_most` valid ones already; concurrent requests may exceed that
     /// by their own number.
     ///

@@ -16,7 +16,7 @@ use async_trait::async_trait;
 use jiff::Timestamp;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Debug;
 use std::time::Duration;
 
@@ -213,6 +213,80 @@ pub struct StudyDefinition {
     pub parameters: Value,
     /// What was decided, in the order of the first decision about each subject.
     pub decisions: Vec<SubjectDecision>,
+}
+
+/// How large a study is, as far as the memory and the time of its steps depend on it; numbers alone, so that a job's row can hold it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+pub struct StudySize {
+    /// Subjects.
+    pub subjects: u64,
+    /// Vertices of the template: of the given one, of the subject that it is made from, or of the largest.
+    pub vertices: u64,
+    /// Faces of that surface.
+    pub faces: u64,
+    /// Covariates of all subjects together.
+    pub cells: u64,
+    /// Columns of the design, at most.
+    pub columns: u64,
+    /// Contrasts, at most.
+    pub contrasts: u64,
+    /// Measures that were asked for; `None`: all.
+    pub measures: Option<u64>,
+    /// Permutations of each test; `None`: the default of the engine.
+    pub permutations: Option<u64>,
+    /// Subjects among which consistency is measured.
+    pub ring: u64,
+    /// The largest file, bytes.
+    pub file_bytes: u64,
+    /// Whether a file is a label volume.
+    pub has_volumes: bool,
+}
+
+impl StudyDefinition {
+    /// The surface that the template has the vertices of: the given template, or the largest subject that it may be made from.
+    pub fn template_input(&self) -> Option<&JobInput> {
+        let of_subject = |start: &String| self.subjects.iter().find(|subject| subject.id == *start);
+        match (&self.template, &self.questions.start) {
+            (Some(given), _) => Some(given),
+            (None, Some(start)) => of_subject(start).map(|subject| &subject.input),
+            (None, None) => self.largest_input(),
+        }
+    }
+
+    /// The largest surface of a subject.
+    pub fn largest_input(&self) -> Option<&JobInput> {
+        self.subjects.iter().map(|subject| &subject.input).max_by_key(|input| (input.n_vertices, input.n_faces))
+    }
+
+    /// How large the study is. `O(subjects · covariates · log)`.
+    pub fn size(&self) -> StudySize {
+        let asked = &self.questions;
+        let levels = |name: &String| {
+            let values = self.subjects.iter().filter_map(|subject| subject.covariates.get(name));
+            let is_number = |text: &&String| text.trim().parse::<f64>().is_ok();
+            let is_missing = |text: &str| text.is_empty() || text == "NA" || text.eq_ignore_ascii_case("nan");
+            let words: BTreeSet<&String> = values.filter(|text| !is_missing(text.trim())).collect();
+            if words.iter().all(is_number) { 1 } else { (words.len() as u64).saturating_sub(1).max(1) }
+        };
+        let effect = asked.effect.as_ref().map_or(0, levels);
+        let inputs = || self.subjects.iter().map(|subject| &subject.input).chain(&self.template);
+        let template = self.template_input();
+        // Only volumes have a size of voxels.
+        let is_volume = |input: &JobInput| input.report.get("sampling").is_some_and(|sampling| !sampling.is_null());
+        StudySize {
+            subjects: self.subjects.len() as u64,
+            vertices: template.map_or(0, |input| input.n_vertices.into()),
+            faces: template.map_or(0, |input| input.n_faces.into()),
+            cells: self.subjects.iter().map(|subject| subject.covariates.len() as u64).sum(),
+            columns: 1 + effect + asked.adjust.iter().map(levels).sum::<u64>(),
+            contrasts: effect + asked.contrasts.len() as u64,
+            measures: (!asked.measures.is_empty()).then_some(asked.measures.len() as u64),
+            permutations: asked.permutations.map(u64::from),
+            ring: if asked.cycles < 3 { 0 } else { asked.cycles.into() },
+            file_bytes: inputs().map(|input| input.n_bytes).max().unwrap_or(0),
+            has_volumes: inputs().any(is_volume),
+        }
+    }
 }
 
 /// A fault of a definition.
@@ -469,4 +543,57 @@ pub trait StudyStore: Send + Sync {
 
     /// Removes a study with its jobs and blobs. [`JobError::StudyActive`] before it and its jobs have ended.
     async fn delete_study(&self, tenant: &Tenant, id: StudyId) -> Result<(), JobError>;
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_size_of_a_study_counts_what_its_arrays_depend_on() {
+        let input = |n_vertices: u32| JobInput {
+            hash: String::new(),
+            n_bytes: u64::from(n_vertices),
+            name_hint: None,
+            n_vertices,
+            n_faces: 2 * n_vertices,
+            report: Value::Null,
+        };
+        let subject = |k: u32| StudySubject {
+            id: format!("s{k}"),
+            subject: None,
+            role: SubjectRole::Model,
+            covariates: [("group", format!("g{}", k % 3)), ("age", format!("{}.5", k)), ("visit", "NA".to_owned())]
+                .map(|(name, value)| (name.to_owned(), value))
+                .into(),
+            input: input(100 + k),
+        };
+        let contrasts = BTreeMap::from([("c".to_owned(), "group:g1".to_owned())]);
+        let questions = StudyQuestions {
+            effect: Some("group".to_owned()),
+            adjust: vec!["age".to_owned(), "visit".to_owned()],
+            contrasts,
+            cycles: 4,
+            ..StudyQuestions::default()
+        };
+        let mut definition = StudyDefinition {
+            subjects: (0..10).map(subject).collect(),
+            template: None,
+            questions,
+            parameters: Value::Null,
+            decisions: Vec::new(),
+        };
+        let size = definition.size();
+        assert_eq!((size.subjects, size.vertices, size.faces, size.cells), (10, 109, 218, 30), "the largest");
+        assert_eq!((size.columns, size.contrasts, size.ring, size.file_bytes), (1 + 2 + 1 + 1, 3, 4, 109));
+        definition.questions.start = Some("s2".to_owned());
+        assert_eq!(definition.size().vertices, 102, "of the subject that it is made from");
+        definition.template =
+            Some(JobInput { report: serde_json::json!({"sampling": {"noise_mm": 0.1}}), ..input(7000) });
+        let size = definition.size();
+        assert_eq!((size.vertices, size.file_bytes, size.has_volumes), (7000, 7000, true), "of the given one");
+        // A job's row keeps it.
+        let stored = serde_json::to_value(size).unwrap();
+        assert_eq!(serde_json::from_value::<StudySize>(stored).unwrap(), size);
+    }
 }

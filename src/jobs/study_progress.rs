@@ -130,7 +130,7 @@ impl StudyProgression {
         let job = NewJob {
             method: STEP_METHOD.to_owned(),
             method_version: env!("CARGO_PKG_VERSION").to_owned(),
-            parameters: json!({"method": STEP_METHOD}),
+            parameters: json!({"method": STEP_METHOD, "size": definition.size()}),
             labels: Labels::default(),
             max_run_ms: None,
             ..self.job(study, largest, all)

@@ -165,6 +165,7 @@ impl JobService {
         for (subject, record) in definition.subjects.iter_mut().zip(records) {
             subject.input = record;
         }
+        self.engine.check_study_size(&definition).map_err(SubmitError::Pair)?;
         written.push(Written::of_definition(&tenant, &definition)?);
         let id = StudyId::random();
         let study = NewStudy {
@@ -347,6 +348,7 @@ impl JobService {
         self.edit(tenant, id, written, |definition| {
             definition.subjects.extend(added.iter().cloned());
             self.engine.check_study(definition).map_err(|faults| SubmitError::Study(from_first(faults, first)))?;
+            self.engine.check_study_size(definition).map_err(SubmitError::Pair)?;
             Ok(Some(StudyState::Matching))
         })
         .await

@@ -1,11 +1,13 @@
 //! Back-up and restore of a service on SQLite and a folder of blobs, while the service runs.
 //!
 //! A back-up is a folder: `blobs` as in the data directory, a copy of the database, and `backup.json`, which names that copy and
-//! is replaced last: a back-up that is interrupted leaves the one before it. Blobs never change, so that a further back-up into the
-//! same folder copies only new ones. They are copied before the database and once more after it: then every blob to which the
-//! copied database refers is there.
+//! is replaced last: a back-up that is interrupted leaves the one before it. The content of a blob never changes, but a rotation of
+//! keys writes an encrypted one anew, at the same length; so a further back-up into the same folder copies what is new or differs. Blobs
+//! are copied before the database and once more after it: then every blob to which the copied database refers is there.
+//!
+//! A back-up compares what [`restore`] compares, so that it succeeds only with what can be restored.
 
-use super::artifacts::sealed::{is_sealed_blob, sealed_size};
+use super::artifacts::sealed::{FOOTER, is_sealed_blob, sealed_size};
 use super::artifacts::{FolderArtifacts, SealedArtifacts};
 use super::encryption::Keyring;
 use super::private_files;
@@ -14,7 +16,7 @@ use crate::jobs::{ArtifactKey, ArtifactStore as _, JobError};
 use futures_util::TryStreamExt as _;
 use serde::{Deserialize, Serialize};
 use std::fs::{self, File};
-use std::io::{self, Read as _, Write as _};
+use std::io::{self, Read as _, Seek as _, SeekFrom, Write as _};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -103,31 +105,43 @@ async fn blocking<T: Send + 'static>(
     }
 }
 
-/// Backs up the service of this database and data directory into the folder `to`.
+/// Backs up the service of this database and data directory into the folder `to`. Encrypted blobs are compared with their hashes if
+/// `keyring` is given; without it only with those of the service.
 ///
 /// # Errors
-/// [`BackupError`]; the back-up that was there before is then still valid.
-pub async fn back_up(store: &SqlStore, data_dir: &Path, to: &Path) -> Result<Manifest, BackupError> {
+/// [`BackupError`]; the description of the back-up that was there before is then left.
+///
+/// # Cost
+/// Reads every blob of the back-up, and of the service those that are new or encrypted.
+pub async fn back_up(
+    store: &SqlStore,
+    data_dir: &Path,
+    to: &Path,
+    keyring: Option<Arc<Keyring>>,
+) -> Result<Manifest, BackupError> {
     let (from, to) = (data_dir.join(BLOBS), to.to_owned());
     let folder = to.clone();
     blocking(move || prepare(&folder)).await?;
     let mut tries = 0;
     let (database, counted) = loop {
-        let copy = async || {
+        let copy = async |known: Known| {
             let (from, blobs) = (from.clone(), to.join(BLOBS));
-            blocking(move || copy_blobs(&from, &blobs, false)).await
+            blocking(move || copy_blobs(&from, &blobs, known)).await
         };
-        copy().await?;
+        copy(Known::ByContent).await?;
         let draft = to.join(DRAFT);
         let folder = draft.clone();
         blocking(move || recreate(&folder)).await?;
         store.copy_into(&draft.join(DATABASE)).await?;
-        copy().await?;
+        copy(Known::ByEnd).await?;
         match checked(&draft, &to).await {
             Err(BackupError::Missing { .. }) if tries + 1 < TRIES => tries += 1,
             done => break (draft.join(DATABASE), done?),
         }
     };
+    if keyring.is_some() {
+        check_encrypted(&to.join(DRAFT), &to, keyring).await?;
+    }
     blocking(move || publish(&database, &to, counted)).await
 }
 
@@ -240,7 +254,7 @@ pub async fn restore(from: &Path, data_dir: &Path, keyring: Option<Arc<Keyring>>
             return Err(BackupError::Damaged(database));
         }
         copy_file(&database, &folder.join(DATABASE))?;
-        copy_blobs(&source.join(BLOBS), &data.join(BLOBS), true)?;
+        copy_blobs(&source.join(BLOBS), &data.join(BLOBS), Known::ByContent)?;
         Ok(manifest)
     });
     let manifest = manifest.await?;
@@ -265,7 +279,7 @@ async fn check_encrypted(folder: &Path, data: &Path, keyring: Option<Arc<Keyring
             return Ok(());
         }
         let Some(keyring) = keyring else { return Err(BackupError::Encrypted) };
-        let artifacts = SealedArtifacts::new(Arc::new(FolderArtifacts::open(data)?), keyring);
+        let artifacts = SealedArtifacts::new(Arc::new(FolderArtifacts::of_blobs(data)), keyring);
         let mut after = None;
         loop {
             let page = store.list_blobs(after.take()).await?;
@@ -311,8 +325,18 @@ fn refuse_used(data_dir: &Path) -> Result<(), BackupError> {
     if is_empty { Ok(()) } else { Err(BackupError::NotEmpty(data_dir.to_owned())) }
 }
 
-/// Copies the blobs that are not there yet; `verified`: compares each with the hash that is its name.
-fn copy_blobs(from: &Path, to: &Path, verified: bool) -> Result<(), BackupError> {
+/// By what a blob is known to be in the copy already.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Known {
+    /// Its content: the hash that is its name, or where it is encrypted every byte.
+    ByContent,
+    /// Its length, and where it is encrypted its key, for what was compared by its content before.
+    ByEnd,
+}
+
+/// Copies the blobs that are not there yet, or there with another content; each that is not encrypted is compared with the hash that is
+/// its name. Encrypted ones are compared afterwards, with the keys.
+fn copy_blobs(from: &Path, to: &Path, known: Known) -> Result<(), BackupError> {
     private_files::create_dir_all(to).map_err(at(to))?;
     let entries = match fs::read_dir(from) {
         // Nothing was uploaded yet, or the folder was removed with its last blob.
@@ -325,22 +349,50 @@ fn copy_blobs(from: &Path, to: &Path, verified: bool) -> Result<(), BackupError>
         let (source, target) = (entry.path(), to.join(entry.file_name()));
         let Ok(found) = entry.metadata() else { continue };
         if found.is_dir() {
-            copy_blobs(&source, &target, verified)?;
-        } else if !fs::metadata(&target).is_ok_and(|copy| copy.len() == found.len()) {
-            // Encrypted ones are compared afterwards, with the keys.
-            if verified && !is_encrypted(&source)? && hash_of(&source)? != entry.file_name().to_string_lossy() {
-                return Err(BackupError::Damaged(source));
-            }
-            match copy_file(&source, &target) {
-                // Deleted in the meantime: what the database still refers to is checked afterwards.
-                Err(BackupError::File { error, .. }) if error.kind() == io::ErrorKind::NotFound && !source.exists() => {
-                }
-                copied => copied?,
-            }
-            is_new = true;
+            copy_blobs(&source, &target, known)?;
+            continue;
+        }
+        match copy_blob(&source, &target, known) {
+            // Deleted in the meantime: what the database still refers to is checked afterwards.
+            Err(BackupError::File { error, .. }) if error.kind() == io::ErrorKind::NotFound && !source.exists() => {}
+            copied => is_new |= copied?,
         }
     }
     if is_new { sync_folder(to) } else { Ok(()) }
+}
+
+/// Whether a blob had to be copied.
+fn copy_blob(source: &Path, target: &Path, known: Known) -> Result<bool, BackupError> {
+    let name = source.file_name().unwrap_or_default().to_string_lossy();
+    let is_encrypted = is_encrypted(source)?;
+    let length = |path: &Path| fs::metadata(path).map(|found| found.len());
+    let is_as_long = length(target).is_ok_and(|copy| length(source).is_ok_and(|found| found == copy));
+    let is_there = is_as_long
+        && match (is_encrypted, known) {
+            (false, Known::ByEnd) => true,
+            (false, Known::ByContent) => hash_of(target)? == name,
+            (true, Known::ByEnd) => end_of(source)? == end_of(target)?,
+            (true, Known::ByContent) => hash_of(source)? == hash_of(target)?,
+        };
+    if is_there {
+        return Ok(false);
+    }
+    if !is_encrypted && hash_of(source)? != name {
+        return Err(BackupError::Damaged(source.to_owned()));
+    }
+    copy_file(source, target).map(|()| true)
+}
+
+/// The footer of an encrypted blob, which another key changes.
+fn end_of(path: &Path) -> Result<Vec<u8>, BackupError> {
+    let mut end = Vec::new();
+    let read = File::open(path).and_then(|mut file| {
+        let length = file.metadata()?.len();
+        file.seek(SeekFrom::Start(length.saturating_sub(FOOTER)))?;
+        file.read_to_end(&mut end)
+    });
+    read.map_err(at(path))?;
+    Ok(end)
 }
 
 /// Copies a file, under another name until it is complete.

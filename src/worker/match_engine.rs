@@ -102,7 +102,7 @@ impl Engine for MatchEngine {
 
     fn restore(&self, parameters: &Value) -> Result<Arc<dyn Computation>, Failure> {
         if parameters.get("method").and_then(Value::as_str) == Some(STEP_METHOD) {
-            return Ok(Arc::new(StudyStep));
+            return Ok(Arc::new(StudyStep::restored(parameters)));
         }
         // Effective parameters resolve to themselves, unless another version stored them.
         let parameters = resolve(&without_learned_prior(parameters)).map_err(|faults| {
@@ -114,6 +114,10 @@ impl Engine for MatchEngine {
 
     fn check_study(&self, study: &StudyDefinition) -> Result<(), Vec<StudyFault>> {
         study_engine::check(study)
+    }
+
+    fn check_study_size(&self, study: &StudyDefinition) -> Result<(), InputRefusal> {
+        study_engine::check_size(study, &self.shared.limits)
     }
 
     fn present(&self, part: ResultPart, format: PartFormat, stored: &[&[u8]]) -> Result<Vec<u8>, PresentError> {

@@ -3,14 +3,16 @@
 //! The only module of the service that knows [`homolog_study`], but for the record of a match. A step works on a folder in
 //! memory with the files that `homolog study` has on disk, so that both end with the same bytes.
 
+use super::machine;
 use super::match_engine::file_name;
 use crate::jobs::engine::{Answer, Product};
 use crate::jobs::study::{
-    DecisionVerdict, PlannedMatch, StudyDefinition, StudyFault, StudyMaterial, StudyPlan, SubjectRole, blob,
+    DecisionVerdict, PlannedMatch, StudyDefinition, StudyFault, StudyMaterial, StudyPlan, StudySize as Asked,
+    SubjectRole, blob,
 };
 use crate::jobs::{
     ArtifactKind, Computation, ComputeError, ComputeInputs, Demand, Failure, InputBytes, InputRefusal, InputSummary,
-    Purpose, SurfaceSize,
+    JobInput, Purpose, SurfaceSize,
 };
 use homolog_contract::parameters::{MatchParameters, resolve};
 use homolog_formats::write_zip;
@@ -21,13 +23,15 @@ use homolog_study::cohort::{Cohort, CohortError};
 use homolog_study::findings::find;
 use homolog_study::folder::{Decision, Folder, Verdict, decisions_table, record_name};
 use homolog_study::matching::Watcher;
+use homolog_study::memory::StudySize;
 use homolog_study::output::write;
 use homolog_study::place::Inputs;
 use homolog_study::plan::{Purpose as Matching, Step, Study, Task, Template};
 use homolog_study::record::Record;
 use homolog_study::settings::{Analysis, MadeTemplate, Measure, Settings, Size, TemplateChoice};
 use homolog_study::statistics::design::Design;
-use serde::Serialize;
+use serde::{Deserialize as _, Serialize};
+use serde_json::Value;
 use std::collections::{BTreeMap, BTreeSet};
 use std::io;
 use std::path::{Path, PathBuf};
@@ -37,10 +41,92 @@ use std::sync::Arc;
 const OWN_COLUMNS: [&str; 4] = ["file", "id", "subject", "role"];
 /// Most cores that a step is given.
 const CORES: usize = 8;
+/// What a step takes besides the arrays that depend on its size: stacks of threads, and what the allocator keeps.
+const BESIDES: u64 = 64 << 20;
+
+/// Most values of t that the permutation tests of one study may compute. With 100 subjects a value takes about 0.1 µs of a core, so that
+/// this many take about an hour on two.
+const MOST_TESTS: u64 = 100_000_000_000;
 
 /// A step of a study.
 #[derive(Debug)]
-pub(super) struct StudyStep;
+pub(super) struct StudyStep {
+    /// How large the study is; `None` for a step that an earlier version queued.
+    size: Option<StudySize>,
+}
+
+impl StudyStep {
+    /// The step of stored parameters.
+    pub(super) fn restored(parameters: &Value) -> Self {
+        let size = parameters.get("size").and_then(|size| Asked::deserialize(size).ok());
+        StudyStep { size: size.map(|size| counted(&size)) }
+    }
+}
+
+/// The size of a study for those who compute it.
+fn counted(asked: &Asked) -> StudySize {
+    let Asked { subjects, vertices, faces, cells, columns, contrasts, ring, file_bytes, has_volumes, .. } = *asked;
+    let measures = asked.measures.unwrap_or(Measure::ALL.len() as u64);
+    let permutations = asked.permutations.unwrap_or(Analysis::default().permutations as u64);
+    StudySize {
+        subjects,
+        vertices,
+        faces,
+        cells,
+        columns,
+        contrasts,
+        measures,
+        permutations,
+        ring,
+        file_bytes,
+        has_volumes,
+    }
+}
+
+/// Refuses a study whose largest match or whose steps would take more memory than `limits` allow, or whose tests would take hours.
+///
+/// # Errors
+/// `too-large`, with the numbers.
+pub(super) fn check_size(definition: &StudyDefinition, limits: &IntakeLimits) -> Result<(), InputRefusal> {
+    let refusal =
+        |detail: String| InputRefusal { code: "too-large".to_owned(), detail, topology: None, place_mm: None };
+    let size = counted(&definition.size());
+    let tests = size.tests();
+    if tests > MOST_TESTS {
+        let StudySize { permutations, vertices, measures, contrasts, .. } = size;
+        return Err(refusal(format!(
+            "{permutations} permutations of {vertices} vertices, {measures} measures and {contrasts} contrasts are {tests} tests, of which \
+             a study may have {MOST_TESTS}; ask for fewer permutations, measures or contrasts, or for a smaller template"
+        )));
+    }
+    let (needed, limit) = (size.step_bytes(cores()), limits.max_match_bytes);
+    if needed > limit {
+        let StudySize { subjects, vertices, measures, contrasts, .. } = size;
+        return Err(refusal(format!(
+            "{subjects} subjects with a template of {vertices} vertices, {measures} measures and {contrasts} contrasts would take \
+             {needed} bytes, which exceeds the limit of {limit}; a smaller template or fewer contrasts take less"
+        )));
+    }
+    let parameters = parameters_of(definition).map_err(|error| refusal(error.to_string()))?;
+    let (Some(template), Some(largest)) = (definition.template_input(), definition.largest_input()) else {
+        return Ok(());
+    };
+    let vertices = |input: &JobInput| (input.n_vertices as usize, input.n_faces as usize);
+    let mut pairs = vec![(template, largest)];
+    if size.ring > 0 {
+        pairs.extend([(largest, template), (largest, largest)]);
+    }
+    for (source, target) in pairs {
+        let checked = homolog_run::check_size(vertices(source), vertices(target).0, &parameters, limits);
+        checked.map_err(|error| refusal(format!("the largest match of the study: {error}")))?;
+    }
+    Ok(())
+}
+
+/// Threads that a step may have: a job that is alone on a large machine gets every core.
+fn cores() -> usize {
+    CORES.max(machine::cores())
+}
 
 impl Computation for StudyStep {
     fn check_input(&self, _: &InputBytes<'_>) -> Result<InputSummary, InputRefusal> {
@@ -51,11 +137,21 @@ impl Computation for StudyStep {
         Err(no_match())
     }
 
-    /// `source` is the largest surface; `target` has as many vertices as there are subjects.
+    /// `source` is the largest surface; `target` has as many vertices as there are subjects. Both are used for steps of earlier
+    /// versions, which say nothing else.
     fn demand(&self, source: SurfaceSize, target: SurfaceSize) -> Demand {
-        // Shapes, values of a measure and what is written of a subject, at most at the same time.
-        let bytes = 100 * u64::from(source.n_vertices) * u64::from(target.n_vertices);
-        Demand { cores: (target.n_vertices as usize).clamp(1, CORES), memory_bytes: bytes + (128 << 20) }
+        let of_surfaces = || StudySize {
+            subjects: target.n_vertices.into(),
+            vertices: source.n_vertices.into(),
+            faces: source.n_faces.into(),
+            measures: Measure::ALL.len() as u64,
+            contrasts: 1,
+            permutations: Analysis::default().permutations as u64,
+            ..StudySize::default()
+        };
+        let size = self.size.unwrap_or_else(of_surfaces);
+        let memory_bytes = size.step_bytes(cores()).saturating_add(BESIDES);
+        Demand { cores: (target.n_vertices as usize).clamp(1, CORES), memory_bytes }
     }
 
     fn compute(&self, inputs: &ComputeInputs, observer: &dyn Observer) -> Result<Answer, ComputeError> {
@@ -289,15 +385,17 @@ fn step(material: &Arc<StudyMaterial>, observer: &dyn Observer) -> Result<Vec<Pr
         .collect();
     files.insert("decisions.csv".to_owned(), decisions_table(&decisions).into_bytes());
     let folder = Folder::in_memory(files, Box::new(Uploads { hashes, material: Arc::clone(material) }));
-    let mut study = Study::open(cohort, settings, &[], &folder)?;
-    match study.advance(&folder)? {
+    let watcher = Watched(observer);
+    let mut study = Study::open(cohort, settings, &[], &folder, &watcher)?;
+    match study.advance(&folder, &watcher)? {
         Step::Match { purpose, template, tasks, finished } => {
             planned(&study, &folder, purpose, &template, &tasks, finished)
         }
         Step::Matched(matched) => {
-            let watcher = Watched(observer);
             let found = find(&study, &matched, &folder, &decisions, &watcher)?;
             write(&study, &found, &decisions, &folder, env!("HOMOLOG_COMMIT"), &watcher)?;
+            // Before the archive, which holds every file once more.
+            drop(found);
             if watcher.is_interrupted() {
                 return Err(StudyError::Interrupted);
             }

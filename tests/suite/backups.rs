@@ -146,6 +146,32 @@ async fn a_damaged_or_incomplete_backup_is_not_restored() {
 }
 
 #[tokio::test]
+async fn a_backup_succeeds_only_with_what_can_be_restored() {
+    let service = TestService::start(&[]).await;
+    let id = service.submit(json!({})).await;
+    service.until_final(&id).await;
+    let folder = tempfile::tempdir().unwrap();
+    let backup = folder.path().join("backup");
+    let back_up = async || run(&["backup", backup.to_str().unwrap()], service.folder.path()).await;
+    assert_eq!(back_up().await.0, Some(0));
+    // A copy that was damaged since, at the same length, is replaced.
+    let copy = blobs(&backup).into_iter().next().unwrap();
+    let own = service.folder.path().join(copy.strip_prefix(&backup).unwrap());
+    let stored = fs::read(&own).unwrap();
+    let mut wrong = stored.clone();
+    wrong[0] ^= 1;
+    fs::write(&copy, &wrong).unwrap();
+    assert_eq!(back_up().await.0, Some(0));
+    assert!(fs::read(&copy).unwrap() == stored, "as it was");
+    // One that is damaged in the service cannot be restored, wherever it is copied.
+    fs::write(&own, &wrong).unwrap();
+    fs::remove_file(&copy).unwrap();
+    let (code, _, stderr) = back_up().await;
+    assert!(code == Some(1) && stderr.contains("is damaged"), "{code:?} {stderr}");
+    service.end().await;
+}
+
+#[tokio::test]
 async fn other_folders_and_other_stores_are_refused() {
     let folder = tempfile::tempdir().unwrap();
     let (data, other) = (folder.path().join("data"), folder.path().join("other"));

@@ -231,3 +231,39 @@ async fn an_encrypted_backup_is_restored_with_its_keys_only() {
     let (code, said, stderr) = run(&["restore", backup_text, "--encryption-key-file", &ring], &target).await;
     assert!(code == Some(0), "{said}{stderr}");
 }
+
+#[tokio::test]
+async fn a_backup_into_the_same_folder_after_a_rotation_can_be_restored() {
+    let site = Site::open(Backend::Sqlite);
+    let (old, both, new) = (keys(&site, "old", &[OLD]), keys(&site, "both", &[NEW, OLD]), keys(&site, "new", &[NEW]));
+    let node = site.serve(&["--encryption-key-file", &old]);
+    let mesh = upload(&site.client(&node), &surface()).await;
+    let backup = site.folder.path().join("backup");
+    let backup_text = backup.to_str().unwrap();
+    let back_up =
+        async |ring: &str| run(&["backup", backup_text, "--encryption-key-file", ring], &site.data_dir()).await;
+    assert_eq!(back_up(&old).await.0, Some(0));
+    drop(node);
+    let (code, said) = command(&site, &["encryption", "rotate", "--encryption-key-file", &both]).await;
+    assert!(code == Some(0) && said.contains("with another key before"), "{said}");
+    let (code, said, stderr) = back_up(&new).await;
+    assert!(code == Some(0), "{said}{stderr}");
+    // The old key is gone.
+    let target = site.folder.path().join("restored");
+    let (code, said, stderr) = run(&["restore", backup_text, "--encryption-key-file", &new], &target).await;
+    assert!(code == Some(0), "{said}{stderr}");
+
+    // A copy that was damaged since is replaced, and a blob that is damaged in the service is no success.
+    let hash = mesh.strip_prefix("blake3:").unwrap();
+    let under = |folder: &Path| files_under(folder).into_iter().find(|p| p.to_string_lossy().ends_with(hash)).unwrap();
+    let (copy, own) = (under(&backup), under(&site.data_dir()));
+    let stored = fs::read(&own).unwrap();
+    let mut changed = stored.clone();
+    changed[70_000] ^= 1;
+    fs::write(&copy, &changed).unwrap();
+    assert_eq!(back_up(&new).await.0, Some(0));
+    assert!(fs::read(&copy).unwrap() == stored, "as it was");
+    fs::write(&own, &changed).unwrap();
+    let (code, _, stderr) = back_up(&new).await;
+    assert!(code == Some(1) && stderr.contains("is damaged"), "{code:?} {stderr}");
+}

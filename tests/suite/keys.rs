@@ -5,7 +5,7 @@ use super::jobs_support::{TestService, form, problem};
 use serde_json::{Value, json};
 use std::path::Path;
 
-fn keys(data_dir: &Path, arguments: &[&str]) -> String {
+pub(crate) fn keys(data_dir: &Path, arguments: &[&str]) -> String {
     let mut command = homolog();
     let done = command.arg("keys").args(arguments).arg("--data-dir").arg(data_dir).output().unwrap();
     assert!(done.status.success(), "{}", String::from_utf8_lossy(&done.stderr));

@@ -326,3 +326,55 @@ fn a_study_belongs_to_its_tenant_and_can_be_cancelled() {
     problem(ask("GET", &path, &own, None), 404, "study-not-found");
     assert_eq!(blobs(), 0);
 }
+
+#[test]
+fn a_study_that_does_not_fit_is_refused_like_its_pair() {
+    let site = Site::open(Backend::Sqlite);
+    let service = Service::start(&site, &["--auth", "none", "--workers", "0"]);
+    let upload = |levels: u32| {
+        let mesh = homolog_mesh::shapes::ellipsoid(nalgebra::Vector3::new(12.0, 6.0, 4.0), levels);
+        let file = site.folder.path().join(format!("{levels}.ply"));
+        fs::write(&file, homolog_formats::write_ply(&mesh)).unwrap();
+        service.upload(&file)
+    };
+    let (large, small) = (upload(6), upload(3));
+    let subjects = |mesh: &str| {
+        let one = |k: usize| {
+            let group = ["a", "b"][k % 2];
+            json!({"id": format!("s{k}"), "input": {"mesh_id": mesh}, "covariates": {"group": group}})
+        };
+        (0..8).map(one).collect::<Vec<Value>>()
+    };
+    let refused = |path: &str, body: &Value, status: u16, slug: &str| {
+        let answer = service.post(path, body);
+        assert_eq!(answer.status(), status, "{path}");
+        let document: Value = answer.json().unwrap();
+        assert!(document["type"].as_str().unwrap().ends_with(slug), "{document}");
+        document.to_string()
+    };
+    // 40,962 vertices a side: too much for the energy over curvature, whether a client asks for the pair or for a study of it.
+    let parameters = json!({"method": "thesis"});
+    let pair = json!({"source": {"mesh_id": large}, "target": {"mesh_id": large}, "parameters": parameters});
+    refused("/v1/jobs", &pair, 413, "too-large");
+    let study = json!({"subjects": subjects(&large), "parameters": parameters});
+    let said = refused("/v1/studies", &study, 413, "too-large");
+    assert!(said.contains("the largest match of the study"), "{said}");
+
+    // Names of one sum, each with maps at every vertex.
+    let names = |n: usize| (0..n).map(|k| (format!("c{k}"), json!("group:b"))).collect::<serde_json::Map<_, _>>();
+    let asked = |mesh: &str, contrasts: usize, permutations: u32| json!({"subjects": subjects(mesh), "effect": "group", "contrasts": names(contrasts), "permutations": permutations});
+    let said = refused("/v1/studies", &asked(&small, 1_000, 100), 422, "invalid-request");
+    assert!(said.contains("at most 100"), "{said}");
+    let said = refused("/v1/studies", &asked(&large, 50, 1_000_000), 413, "too-large");
+    assert!(said.contains("1000000 permutations of 40962 vertices, 3 measures and 51 contrasts"), "{said}");
+    // What fits is accepted.
+    let accepted = service.post("/v1/studies", &asked(&small, 3, 1_000));
+    assert_eq!(accepted.status(), 202, "{}", accepted.text().unwrap());
+
+    // The limit is that of one match.
+    drop(service);
+    let service = Service::start(&site, &["--auth", "none", "--workers", "0", "--max-match-bytes", "300000000"]);
+    let answer = service.post("/v1/studies", &asked(&large, 50, 10));
+    let (status, said) = (answer.status().as_u16(), answer.text().unwrap());
+    assert!(status == 413 && said.contains("8 subjects with a template of 40962 vertices"), "{status} {said}");
+}

@@ -165,6 +165,30 @@ async fn tokens_are_accepted_beside_keys_with_their_role_and_tenant() {
 }
 
 #[tokio::test]
+async fn a_stream_ends_when_its_token_expires() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("jwks.json");
+    let ed = Key::ed();
+    write(&file, &[ed.jwk("one")]);
+    let jwks = file.to_str().unwrap();
+    let more = ["--oidc-jwks", jwks, "--workers", "0", "--access-interval-ms", "300"];
+    let service = TestService::start(&[&SETTINGS[..], &more].concat()).await;
+    let open = async |token: String| {
+        let sent = service.client.get(format!("{}/v1/events", service.base)).bearer_auth(token).send().await.unwrap();
+        assert_eq!(sent.status(), 200);
+        sent
+    };
+    // Clocks may differ by 30 s.
+    let mut expires = open(ed.token("one", &claims(&json!({"exp": now() - 26})))).await;
+    let mut goes_on = open(ed.token("one", &claims(&json!({})))).await;
+    let ends = async { while let Ok(Some(_)) = expires.chunk().await {} };
+    tokio::time::timeout(Duration::from_secs(12), ends).await.expect("the stream goes on");
+    let ends = async { while let Ok(Some(_)) = goes_on.chunk().await {} };
+    assert!(tokio::time::timeout(Duration::from_secs(1), ends).await.is_err(), "with a valid token it goes on");
+    service.end().await;
+}
+
+#[tokio::test]
 async fn tokens_with_any_fault_are_refused() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("jwks.json");
@@ -209,6 +233,10 @@ async fn tokens_with_any_fault_are_refused() {
         ("a key for another algorithm", ed.token("misnamed", &claims(&json!({})))),
         ("an unknown key", ed.token("none", &claims(&json!({})))),
         ("no key named", ed.sign(&json!({"alg": "EdDSA"}), &claims(&json!({})))),
+        (
+            "an extension that must be understood",
+            ed.sign(&json!({"alg": "EdDSA", "kid": "one", "crit": ["exp2"], "exp2": 1}), &claims(&json!({}))),
+        ),
         ("unsigned", unsigned),
         ("signed with the public key", by_public_key),
         ("altered", format!("{header}.{altered}.{signature}")),

@@ -128,7 +128,9 @@ pub fn write_zip<B: AsRef<[u8]>>(files: &[(String, B)]) -> std::io::Result<Vec<u
     let options = SimpleFileOptions::default()
         .compression_method(CompressionMethod::Stored)
         .last_modified_time(DateTime::default());
-    let mut archive = ZipWriter::new(Cursor::new(Vec::new()));
+    // Two headers of each file, so that the archive does not move while it grows.
+    let n_bytes = files.iter().map(|(name, bytes)| bytes.as_ref().len() + 2 * name.len() + 128).sum();
+    let mut archive = ZipWriter::new(Cursor::new(Vec::with_capacity(n_bytes)));
     for (name, bytes) in files {
         archive.start_file(name.as_str(), options)?;
         archive.write_all(bytes.as_ref())?;

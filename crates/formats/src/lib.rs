@@ -26,6 +26,7 @@ mod vertex_arrays;
 mod xml;
 
 pub mod arrow;
+pub mod csv_cell;
 pub mod dicom_seg;
 pub mod freesurfer;
 pub mod gifti;

@@ -5,6 +5,7 @@
 #![allow(clippy::print_stdout)]
 
 use faer::Mat;
+use homolog_primitives::observe::Silent;
 use homolog_study::cohort::Role;
 use homolog_study::findings::find;
 use homolog_study::folder::Folder;
@@ -36,7 +37,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let folder = Folder::create(Path::new(folder))?;
     let mut settings = document.settings;
     settings.analysis = Analysis::default();
-    let mut study = Study::open(document.cohort, settings, &document.hashes, &folder)?;
+    let mut study = Study::open(document.cohort, settings, &document.hashes, &folder, &Quiet)?;
     let matched = study.match_all(&folder, 1, &Quiet)?;
     let found = find(&study, &matched, &folder, &document.decisions, &Quiet)?;
     let n = found.members.len();
@@ -50,7 +51,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             let record = folder.get(&matched.keys[k])?.ok_or("a record is missing")?;
             let onto = &found.alignment.onto_mean[row];
             let own = record.points.iter().map(|p| onto.apply(&Point3::from(p.map(f64::from)))).collect();
-            subjects.extend(measured(measure, &found.mean, &found.mean.with_vertices(own)?));
+            subjects.extend(measured(measure, &found.mean, &found.mean.with_vertices(own)?, &Silent)?);
         }
         if subjects.len() < n {
             continue;
@@ -62,7 +63,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             let mut order: Vec<usize> = (0..n).collect();
             (1..n).rev().for_each(|k| order.swap(k, (random.next_u64() % (k as u64 + 1)) as usize));
             let matrix = Mat::from_fn(n, 2, |i, k| f64::from(u8::from(k == 0 || order[i] < n / 2)));
-            let found = test(&LinearModel::new(&matrix), &values, &[0.0, 1.0], &enhancer, permutations, split);
+            let model = LinearModel::new(&matrix);
+            let found = test(&model, &values, &[0.0, 1.0], &enhancer, permutations, split, &Silent)?;
             let any = |p: &[f64]| u32::from(p.iter().any(|&p| p <= 0.05));
             clusters += any(&found.p_tfce);
             single += any(&found.p_fwe);

@@ -9,6 +9,7 @@
 use crate::error::StudyError;
 use crate::settings::Size;
 use homolog_mesh::SurfaceMesh;
+use homolog_primitives::observe::{Observer, checkpoint};
 use homolog_registration::{ProcrustesOptions, SimilarityTransform, procrustes};
 use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
@@ -52,6 +53,30 @@ impl Shapes for Vec<Vec<[f32; 3]>> {
     }
     fn name(&self, shape: usize) -> String {
         format!("number {}", shape + 1)
+    }
+}
+
+/// Shapes whose reading ends once an observer asks to stop, and with it what reads them one after the other.
+pub(crate) struct WatchedShapes<'a> {
+    /// The shapes.
+    pub(crate) shapes: &'a dyn Shapes,
+    /// Asked before every part that is read.
+    pub(crate) observer: &'a dyn Observer,
+}
+
+impl Shapes for WatchedShapes<'_> {
+    fn len(&self) -> usize {
+        self.shapes.len()
+    }
+    fn n_vertices(&self) -> usize {
+        self.shapes.n_vertices()
+    }
+    fn read(&self, shape: usize, vertices: Range<usize>) -> Result<Vec<[f32; 3]>, StudyError> {
+        checkpoint(self.observer)?;
+        self.shapes.read(shape, vertices)
+    }
+    fn name(&self, shape: usize) -> String {
+        self.shapes.name(shape)
     }
 }
 

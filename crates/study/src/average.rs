@@ -13,8 +13,9 @@
 //! hippocampus. Source: Boubekeur, Alexa, *Phong tessellation*, ACM Transactions on Graphics 27(5), 2008.
 
 use crate::align::area_weights;
-use homolog_mesh::{ClosestPoint, ClosestPointIndex, MeshError, SurfaceMesh};
-use homolog_primitives::observe::Silent;
+use crate::error::StudyError;
+use homolog_mesh::{ClosestPoint, ClosestPointIndex, SurfaceMesh};
+use homolog_primitives::observe::{Observer, Silent, checkpoint};
 use homolog_registration::{
     ClosestSurfacePoint, IcpMetric, RigidTransform, SurfaceSide, TwoSidedOptions, align_both_ways,
 };
@@ -101,12 +102,15 @@ impl ClosestSurfacePoint for CurvedSurface<'_> {
 ///
 /// # Cost
 /// `O(n log n)`, up to 60 times for the alignment.
-pub fn surface_distance(a: &SurfaceMesh, b: &SurfaceMesh) -> Result<SurfaceDistance, MeshError> {
-    let moved = moved_onto(a, &CurvedSurface::new(b))?;
+///
+/// # Errors
+/// [`StudyError::Mesh`] if a position is not finite.
+pub fn surface_distance(a: &SurfaceMesh, b: &SurfaceMesh) -> Result<SurfaceDistance, StudyError> {
+    let moved = moved_onto(a, &CurvedSurface::new(b), &Silent)?;
     Ok(between(&CurvedSurface::new(&moved), &CurvedSurface::new(b)))
 }
 
-fn moved_onto(a: &SurfaceMesh, b: &CurvedSurface<'_>) -> Result<SurfaceMesh, MeshError> {
+fn moved_onto(a: &SurfaceMesh, b: &CurvedSurface<'_>, observer: &dyn Observer) -> Result<SurfaceMesh, StudyError> {
     let options = TwoSidedOptions {
         metric: IcpMetric::PointToPlane,
         max_sample: usize::MAX,
@@ -115,9 +119,8 @@ fn moved_onto(a: &SurfaceMesh, b: &CurvedSurface<'_>) -> Result<SurfaceMesh, Mes
         tolerance: ALIGNMENT_TOLERANCE,
     };
     let from = CurvedSurface::new(a);
-    let found = align_both_ways(&from.side(), &b.side(), &RigidTransform::identity(), &options, &Silent);
-    // Nobody cancels.
-    let pose = found.map_or(RigidTransform::identity(), |report| report.target_from_source);
+    let found = align_both_ways(&from.side(), &b.side(), &RigidTransform::identity(), &options, observer)?;
+    let pose = found.target_from_source;
     let moved = a.with_vertices(a.vertices().iter().map(|p| pose.apply(p)).collect())?;
     // About an axis of a body of revolution any rotation fits, and a step along it can be a wild one.
     let nearer = between(&CurvedSurface::new(&moved), b).rms_mm < between(&from, b).rms_mm;
@@ -142,13 +145,17 @@ fn between(a: &CurvedSurface<'_>, b: &CurvedSurface<'_>) -> SurfaceDistance {
 /// or the border would recede.
 ///
 /// # Errors
-/// [`MeshError`] if a position is not finite.
+/// [`StudyError::Mesh`] if a position is not finite; [`StudyError::Interrupted`].
 ///
 /// # Cost
 /// That of [`surface_distance`].
-pub fn next_template(template: &SurfaceMesh, mean: Vec<Point3<f64>>) -> Result<NextTemplate, MeshError> {
+pub fn next_template(
+    template: &SurfaceMesh,
+    mean: Vec<Point3<f64>>,
+    observer: &dyn Observer,
+) -> Result<NextTemplate, StudyError> {
     let last = CurvedSurface::new(template);
-    let mean = moved_onto(&template.with_vertices(mean)?, &last)?;
+    let mean = moved_onto(&template.with_vertices(mean)?, &last, observer)?;
     let surface = CurvedSurface::new(&mean);
     let moved = between(&surface, &last);
     let pairs = || mean.vertices().iter().zip(template.vertices());
@@ -162,6 +169,7 @@ pub fn next_template(template: &SurfaceMesh, mean: Vec<Point3<f64>>) -> Result<N
     let turned_before = turned(&mean, &surface.normals);
     let lost_mm = LOST_SHARE * mean.mean_edge_length();
     for share in PUT_BACK {
+        checkpoint(observer)?;
         let placed: Vec<(Point3<f64>, Vector3<f64>)> = pairs()
             .enumerate()
             .collect::<Vec<_>>()
@@ -247,7 +255,7 @@ mod tests {
             let on_ball = slide * p.coords.component_div(&axes);
             Point3::from(1.02 * on_ball.component_mul(&axes))
         });
-        let next = next_template(&template, slid.collect()).unwrap();
+        let next = next_template(&template, slid.collect(), &Silent).unwrap();
         assert_eq!(next.put_back, 1.0);
         assert!(next.slid_mm > 0.3 * edge, "{} mm, edges {edge} mm", next.slid_mm);
         let growth = 0.02 * 3.0 * template.signed_volume() / template.area();
@@ -262,7 +270,7 @@ mod tests {
         let grown: Vec<f64> = next.mesh.vertices().iter().map(|p| p.coords.component_div(&axes).norm()).collect();
         assert!(grown.iter().all(|r| (1.01..1.03).contains(r)), "{grown:?}");
         // Again with nothing left to do: it stands still.
-        let same = next_template(&next.mesh, next.mesh.vertices().to_vec()).unwrap();
+        let same = next_template(&next.mesh, next.mesh.vertices().to_vec(), &Silent).unwrap();
         assert!(same.moved.rms_mm < 1e-9 && same.slid_mm < 1e-9, "{same:?}");
     }
 
@@ -270,7 +278,7 @@ mod tests {
     fn an_end_that_grew_far_is_not_cut_off() {
         let template = turned_grid(Vector3::new(9.0, 3.0, 3.0), 3, 0.0);
         let longer: Vec<_> = template.vertices().iter().map(|p| Point3::new(1.6 * p.x, p.y, p.z)).collect();
-        let next = next_template(&template, longer).unwrap();
+        let next = next_template(&template, longer, &Silent).unwrap();
         let (low, high) = next.mesh.bounding_box();
         assert!(high.x - low.x > 1.6 * 18.0 - 0.4, "{} mm", high.x - low.x);
         assert!(next.put_back < 1.0, "{}", next.put_back);
@@ -291,7 +299,7 @@ mod tests {
         }
         let sheet = SurfaceMesh::new(points, FaceArity::Triangle, faces).unwrap();
         let wider = sheet.vertices().iter().map(|p| Point3::new(1.05 * p.x, p.y, p.z)).collect();
-        let next = next_template(&sheet, wider).unwrap();
+        let next = next_template(&sheet, wider, &Silent).unwrap();
         let (low, high) = next.mesh.bounding_box();
         assert!((high.x - low.x - 12.6).abs() < 1e-6, "{}", high.x - low.x);
     }

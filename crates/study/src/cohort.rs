@@ -21,7 +21,7 @@ pub enum Role {
 /// One surface or label volume of a study.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Subject {
-    /// Its name in all outputs: letters, digits, `_`, `-` and `.`; unique.
+    /// Its name in all outputs: letters, digits, `_`, `-` and `.`, and no name of a device; unique.
     pub id: String,
     /// Its file, as the table names it.
     pub file: PathBuf,
@@ -134,8 +134,13 @@ impl Cohort {
                 cell(Some(file_at)).ok_or_else(|| wrong("file", "is empty; name the subject's file".to_owned()))?;
             let id = cell(id_at).map_or_else(|| stem(Path::new(file)), str::to_owned);
             let column = if id_at.is_some() { "id" } else { "file" };
-            if id.is_empty() || !id.chars().all(is_plain) || id.starts_with('.') {
-                let fault = "the id names files, so it has only letters, digits, _, - and ., and does not begin with .";
+            if id.is_empty() || !id.chars().all(is_plain) || id.starts_with(['.', '-']) {
+                let fault =
+                    "the id names files, so it has only letters, digits, _, - and ., and does not begin with . or -";
+                return Err(wrong(column, fault.to_owned()));
+            }
+            if is_device(&id) {
+                let fault = "the id names files, and Windows takes it for a device; choose another";
                 return Err(wrong(column, fault.to_owned()));
             }
             if !ids.insert(id.to_lowercase()) {
@@ -190,6 +195,7 @@ impl Cohort {
         let subjects = files.into_iter().map(|file| {
             let id: String = if unique { stem(&file) } else { whole(&file) };
             let id: String = id.chars().map(|c| if is_plain(c) { c } else { '_' }).collect();
+            let id = if id.starts_with('-') || is_device(&id) { format!("_{id}") } else { id };
             Subject { subject: id.clone(), id, file, role: Role::Model }
         });
         Cohort { subjects: subjects.collect(), covariates: Vec::new() }.checked()
@@ -214,6 +220,14 @@ impl Cohort {
 
 fn is_plain(c: char) -> bool {
     c.is_ascii_alphanumeric() || matches!(c, '_' | '-' | '.')
+}
+
+/// Whether Windows takes a name, whatever its ending, for a device: no file there can be called so.
+fn is_device(name: &str) -> bool {
+    let stem = name.split('.').next().unwrap_or_default().to_ascii_uppercase();
+    let port = stem.strip_prefix("COM").or(stem.strip_prefix("LPT"));
+    matches!(stem.as_str(), "CON" | "PRN" | "AUX" | "NUL")
+        || port.is_some_and(|n| matches!(n.as_bytes(), [b'1'..=b'9']))
 }
 
 /// The name of a file up to its first dot.
@@ -272,6 +286,9 @@ mod tests {
             (format!("id,file\n{rows}A,d.ply\n"), vec!["line 5", "column id", "same id"]),
             (format!("id,file\n{rows}d,\n"), vec!["line 5", "column file", "is empty"]),
             (format!("id,file\n{rows}a/b,d.ply\n"), vec!["line 5", "column id", "letters"]),
+            (format!("id,file\n{rows}-rf,d.ply\n"), vec!["line 5", "column id", "begin with . or -"]),
+            (format!("id,file\n{rows}con.1,d.ply\n"), vec!["line 5", "column id", "device"]),
+            (format!("file\n{}Com9.ply\n", "x.ply\ny.ply\nz.ply\n"), vec!["line 5", "column file", "device"]),
             ("file,role\na.ply,model\nb.ply,modle\n".to_owned(), vec!["line 3", "column role", "score"]),
             ("id,file\na,a.ply\nb,b.ply\n".to_owned(), vec!["at least 3", "2"]),
             ("id,file\na,a.ply,1\n".to_owned(), vec!["not CSV", "as many cells"]),
@@ -286,6 +303,9 @@ mod tests {
         let files = ["b.nii.gz", "a.ply", ".hidden", "notes.txt", "c d.vtk"].map(PathBuf::from).to_vec();
         let ids: Vec<_> = Cohort::from_files(files).unwrap().subjects.into_iter().map(|s| s.id).collect();
         assert_eq!(ids, ["a", "b", "c_d"]);
+        let files = ["-rf.ply", "NUL.ply", "comet.ply"].map(PathBuf::from).to_vec();
+        let ids: Vec<_> = Cohort::from_files(files).unwrap().subjects.into_iter().map(|s| s.id).collect();
+        assert_eq!(ids, ["_-rf", "_NUL", "comet"]);
         let files = ["lh.pial", "lh.white", "rh.pial"].map(PathBuf::from).to_vec();
         let ids: Vec<_> = Cohort::from_files(files).unwrap().subjects.into_iter().map(|s| s.id).collect();
         assert_eq!(ids, ["lh.pial", "lh.white", "rh.pial"]);

@@ -11,6 +11,7 @@ use crate::folder::Folder;
 use crate::plan::{Matched, Records, Study};
 use crate::record::Record;
 use homolog_mesh::{ClosestPointIndex, SurfaceMesh};
+use homolog_primitives::observe::{Cancelled, Observer, checkpoint};
 use homolog_run::intake::{IntakeLimits, prepare_surface};
 use nalgebra::Point3;
 use rayon::prelude::*;
@@ -55,8 +56,12 @@ impl SurfaceMap {
         SurfaceMap { from: ClosestPointIndex::new(from), images }
     }
 
-    fn apply(&self, points: &[Point3<f64>]) -> Vec<Point3<f64>> {
-        points.iter().map(|p| Point3::from(self.from.closest(p).blend(|k| self.images[k].coords))).collect()
+    fn apply(&self, points: &[Point3<f64>], observer: &dyn Observer) -> Result<Vec<Point3<f64>>, Cancelled> {
+        let image = |p: &Point3<f64>| {
+            checkpoint(observer)?;
+            Ok(Point3::from(self.from.closest(p).blend(|k| self.images[k].coords)))
+        };
+        points.iter().map(image).collect()
     }
 }
 
@@ -70,8 +75,13 @@ fn distances(mut all: Vec<f64>) -> Distances {
 /// Measures the cycles of a study; `None` if none were asked for, or a match of the ring failed.
 ///
 /// # Errors
-/// Those of reading records and files.
-pub fn consistency(study: &Study, matched: &Matched, folder: &Folder) -> Result<Option<Consistency>, StudyError> {
+/// Those of reading records and files; [`StudyError::Interrupted`].
+pub fn consistency(
+    study: &Study,
+    matched: &Matched,
+    folder: &Folder,
+    observer: &dyn Observer,
+) -> Result<Option<Consistency>, StudyError> {
     let cycles = &matched.cycles;
     if cycles.ring.len() < 3 {
         return Ok(None);
@@ -79,6 +89,7 @@ pub fn consistency(study: &Study, matched: &Matched, folder: &Folder) -> Result<
     let mesh = &matched.making.template.mesh;
     let mut surfaces = Vec::new();
     for &k in &cycles.ring {
+        checkpoint(observer)?;
         let file = &study.cohort.subjects[k].file;
         let bytes = folder.input(file)?;
         let name = file.file_name().and_then(|name| name.to_str());
@@ -119,25 +130,25 @@ pub fn consistency(study: &Study, matched: &Matched, folder: &Folder) -> Result<
         .map(|k| {
             let begin: Vec<Point3<f64>> = used(&surfaces[k]);
             let next = (k + 1) % n;
-            let template = to[k].1.apply(&to[k].0.apply(&begin));
-            let pair_image = out[k].apply(&begin);
-            let pair = back[k].apply(&pair_image);
+            let template = to[k].1.apply(&to[k].0.apply(&begin, observer)?, observer)?;
+            let pair_image = out[k].apply(&begin, observer)?;
+            let pair = back[k].apply(&pair_image, observer)?;
             let (mut by_pairs, mut through) = (begin.clone(), begin.clone());
             for step in 0..n {
                 let at = (k + step) % n;
-                by_pairs = out[at].apply(&by_pairs);
-                through = to[(at + 1) % n].1.apply(&inverse[at].apply(&through));
+                by_pairs = out[at].apply(&by_pairs, observer)?;
+                through = to[(at + 1) % n].1.apply(&inverse[at].apply(&through, observer)?, observer)?;
             }
-            let direct = to[next].1.apply(&inverse[k].apply(&begin));
-            [
+            let direct = to[next].1.apply(&inverse[k].apply(&begin, observer)?, observer)?;
+            Ok([
                 apart(&begin, &template),
                 apart(&begin, &pair),
                 apart(&begin, &by_pairs),
                 apart(&begin, &through),
                 apart(&pair_image, &direct),
-            ]
+            ])
         })
-        .collect();
+        .collect::<Result<_, Cancelled>>()?;
     let all = |which: usize| distances(each.iter().flat_map(|cycles| cycles[which].iter().copied()).collect());
     Ok(Some(Consistency {
         ring: cycles.ring.iter().map(|&k| study.cohort.subjects[k].id.clone()).collect(),

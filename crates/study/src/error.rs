@@ -2,6 +2,7 @@
 
 use crate::cohort::CohortError;
 use homolog_mesh::MeshError;
+use homolog_primitives::observe::Cancelled;
 use homolog_registration::OrientationError;
 use std::path::PathBuf;
 
@@ -77,4 +78,10 @@ pub enum StudyError {
     /// The caller asked to stop. What is finished is kept.
     #[error("the study was interrupted; the same command goes on")]
     Interrupted,
+}
+
+impl From<Cancelled> for StudyError {
+    fn from(_: Cancelled) -> Self {
+        StudyError::Interrupted
+    }
 }

@@ -1,12 +1,12 @@
 //! From matches and decisions to everything that a study finds.
 
-use crate::align::{Alignment, align, centroid_size, onto, points};
+use crate::align::{Alignment, WatchedShapes, align, centroid_size, onto, points};
 use crate::cohort::Role;
 use crate::consistency::{Consistency, consistency};
 use crate::error::StudyError;
 use crate::folder::{Decision, Folder, Verdict};
-use crate::labels::{carried, dice, label_at, voted};
-use crate::matching::Watcher;
+use crate::labels::{carried, dice, labels_at, voted};
+use crate::matching::{Interruption, Watcher};
 use crate::measures::measured;
 use crate::model::ShapeModel;
 use crate::plan::{Matched, Records, Study};
@@ -25,6 +25,7 @@ use homolog_contract::parameters::LabelChoice;
 use homolog_formats::{FileContent, ReadLimits};
 use homolog_mesh::SurfaceMesh;
 use homolog_mesh::volume::LabelVolume;
+use homolog_primitives::observe::{Cancelled, Observer, checkpoint};
 use nalgebra::Point3;
 use rayon::prelude::*;
 use serde::Serialize;
@@ -191,10 +192,12 @@ pub fn find(
     decisions: &[Decision],
     watcher: &dyn Watcher,
 ) -> Result<Findings, StudyError> {
+    let observer = &Interruption(watcher);
     watcher.progress("shape model", 0, 1);
     let (cohort, template) = (&study.cohort, &matched.making.template.mesh);
     let mut subjects = Vec::new();
     for (k, subject) in cohort.subjects.iter().enumerate() {
+        checkpoint(observer)?;
         let Record { mut facts, points: shape } = folder.get(&matched.keys[k])?.unwrap_or(Record {
             facts: Facts { error: Some("the match is missing".to_owned()), ..Facts::default() },
             points: Vec::new(),
@@ -226,14 +229,23 @@ pub fn find(
     }
     let members: Vec<usize> = (0..subjects.len()).filter(|&k| subjects[k].place == Place::Model).collect();
     if members.len() < 3 {
-        let reason = subjects.iter().find_map(|subject| subject.facts.error.clone()).unwrap_or_default();
+        let count = |place: Place| subjects.iter().filter(|subject| subject.place == place).count();
+        let left_out = || {
+            format!(
+                "none; {} are left out by a decision, {} because their match is not reliable, and {} are only compared with the model",
+                count(Place::Dropped),
+                count(Place::Unreliable),
+                count(Place::Scored)
+            )
+        };
+        let reason = subjects.iter().find_map(|subject| subject.facts.error.clone()).unwrap_or_else(left_out);
         let (matched, all) = (members.len(), subjects.len());
         return Err(StudyError::TooFewMatches { matched, all, purpose: "for a shape model", reason });
     }
     let keys = |of: &[usize]| of.iter().map(|&k| (matched.keys[k].clone(), cohort.subjects[k].id.clone())).collect();
     let shapes = folder.shapes(keys(&members), template.n_vertices());
-    let alignment = align(&shapes, template, study.settings.size)?;
-    let model = ShapeModel::new(&shapes, &alignment, study.settings.analysis.seed)?;
+    let alignment = align(&WatchedShapes { shapes: &shapes, observer }, template, study.settings.size)?;
+    let model = ShapeModel::new(&shapes, &alignment, study.settings.analysis.seed, observer)?;
     let mean = template.with_vertices(alignment.mean.clone())?;
     for (row, &k) in members.iter().enumerate() {
         subjects[k].scores.clone_from(&model.scores[row][..model.modes.len()].to_vec());
@@ -243,6 +255,7 @@ pub fn find(
     let others: Vec<usize> =
         (0..subjects.len()).filter(|&k| !matches!(subjects[k].place, Place::Model | Place::Failed)).collect();
     for &k in &others {
+        checkpoint(observer)?;
         let moved = moved(study, matched, folder, &alignment, k)?;
         let (scores, distance) = model.score(&alignment, &moved);
         (subjects[k].scores, subjects[k].distance) = (scores, Some(distance));
@@ -252,6 +265,7 @@ pub fn find(
         .into_par_iter()
         .filter(|&k| subjects[k].place != Place::Failed)
         .map(|k| {
+            checkpoint(observer)?;
             let record = folder.get(&matched.keys[k])?;
             let shape = record.map(|record| points(&record.points)).unwrap_or_default();
             Ok((k, centroid_size(&shape, &alignment.weights)))
@@ -259,11 +273,11 @@ pub fn find(
         .collect::<Result<_, StudyError>>()?;
     sizes.into_iter().for_each(|(k, size)| subjects[k].size_mm = size);
     watcher.progress("labels", 0, 1);
-    let labels = labels(study, matched, folder, &mut subjects)?;
+    let labels = labels(study, matched, folder, &mut subjects, observer)?;
     flags(&mut subjects);
     watcher.progress("statistics", 0, 1);
     let statistics = statistics(study, matched, folder, &alignment, &mean, &subjects, &members, watcher)?;
-    let consistency = consistency(study, matched, folder)?;
+    let consistency = consistency(study, matched, folder, observer)?;
     let matched = matched.clone();
     Ok(Findings { matched, subjects, members, alignment, mean, model, statistics, consistency, labels })
 }
@@ -320,6 +334,7 @@ fn labels(
     matched: &Matched,
     folder: &Folder,
     subjects: &mut [SubjectFindings],
+    observer: &dyn Observer,
 ) -> Result<Option<LabelFindings>, StudyError> {
     let mesh = &matched.making.template.mesh;
     let usable: Vec<usize> = (0..subjects.len()).filter(|&k| subjects[k].place != Place::Failed).collect();
@@ -330,10 +345,11 @@ fn labels(
     let votes: Vec<Option<Voted>> = usable
         .par_iter()
         .map(|&k| {
+            checkpoint(observer)?;
             let Some((volume, labels)) = volume_of(study, folder, k)?.filter(|(_, labels)| labels.len() > 1) else {
                 return Ok(None);
             };
-            let vote = shape(k)?.iter().map(|p| label_at(&volume, &labels, p)).collect();
+            let vote = labels_at(&volume, &labels, &shape(k)?, observer)?;
             Ok(Some((k, labels, vote)))
         })
         .collect::<Result<_, StudyError>>()?;
@@ -342,10 +358,13 @@ fn labels(
         TemplateChoice::Given { file } => {
             let name = file.file_name().and_then(|name| name.to_str());
             let found = volume(&folder.input(file)?, name, &study.settings.parameters.input.of_source().labels);
-            found.filter(|(_, labels)| labels.len() > 1).map(|(volume, labels)| {
-                let of = mesh.vertices().iter().map(|p| label_at(&volume, &labels, p)).collect::<Vec<_>>();
-                (labels, of)
-            })
+            match found.filter(|(_, labels)| labels.len() > 1) {
+                Some((volume, labels)) => {
+                    let of = labels_at(&volume, &labels, mesh.vertices(), observer)?;
+                    Some((labels, of))
+                }
+                None => None,
+            }
         }
         TemplateChoice::Made(_) => None,
     };
@@ -371,6 +390,7 @@ fn labels(
     let found: Vec<Carried> = usable
         .par_iter()
         .map(|&k| {
+            checkpoint(observer)?;
             let bent = mesh.with_vertices(shape(k)?)?;
             let areas = crate::align::vertex_areas(&bent);
             let area = |label: u32| {
@@ -381,14 +401,14 @@ fn labels(
             let mut overlap = None;
             if let Some((volume, structure)) = volume_of(study, folder, k)? {
                 let voxel = volume.affine().fixed_view::<3, 3>(0, 0).determinant().abs();
-                for label in carried(&volume, &structure, &bent, &of_vertex) {
+                for label in carried(&volume, &structure, &bent, &of_vertex, observer)? {
                     if let Some((_, mm3)) = each.get_mut(&label) {
                         *mm3 = Some(mm3.unwrap_or(0.0) + voxel);
                     }
                 }
                 if let Some(row) = rows.get(&k).filter(|_| of_template || votes.len() > 1) {
                     let by = if of_template { &of_vertex } else { &halves[(row + 1) % 2] };
-                    let back = carried(&volume, &structure, &bent, by);
+                    let back = carried(&volume, &structure, &bent, by, observer)?;
                     overlap = Some(dice(&back, volume.labels(), &labels));
                 }
             }
@@ -414,7 +434,7 @@ fn statistics(
     members: &[usize],
     watcher: &dyn Watcher,
 ) -> Result<Option<Statistics>, StudyError> {
-    let analysis = &study.settings.analysis;
+    let (analysis, observer) = (&study.settings.analysis, &Interruption(watcher));
     if analysis.effect.is_none() && analysis.contrasts.is_empty() {
         return Ok(None);
     }
@@ -435,7 +455,7 @@ fn statistics(
             .par_iter()
             .map(|&k| {
                 let own = mean.with_vertices(moved(study, matched, folder, alignment, k)?)?;
-                Ok(measured(measure, mean, &own))
+                Ok(measured(measure, mean, &own, observer)?)
             })
             .collect::<Result<_, StudyError>>()?;
         let Some(of_subjects) = of_subjects.into_iter().collect::<Option<Vec<_>>>() else {
@@ -445,35 +465,38 @@ fn statistics(
         let values = VertexValues::from_subjects(&of_subjects);
         drop(of_subjects);
         for (place, contrast) in design.contrasts.iter().enumerate() {
-            if watcher.is_interrupted() {
-                return Err(StudyError::Interrupted);
-            }
+            checkpoint(observer)?;
             watcher.progress(
                 "statistics",
                 done * design.contrasts.len() + place,
                 analysis.measures.len() * design.contrasts.len(),
             );
             maps.push(if longitudinal {
-                let mixed = mixed.contrast(&values, &contrast.weights);
+                let mixed = mixed.contrast(&values, &contrast.weights, observer)?;
                 let q = false_discovery(&mixed.p);
                 StatisticMap { measure, contrast: place, linear: None, mixed: Some(mixed), q }
             } else {
-                let map = linear.contrast(&values, &contrast.weights);
-                let permuted =
-                    test(&linear, &values, &contrast.weights, &enhancer, analysis.permutations, analysis.seed);
+                let map = linear.contrast(&values, &contrast.weights, observer)?;
+                let (n, seed) = (analysis.permutations, analysis.seed);
+                let permuted = test(&linear, &values, &contrast.weights, &enhancer, n, seed, observer)?;
                 let q = false_discovery(&map.robust_p);
                 StatisticMap { measure, contrast: place, linear: Some((map, permuted)), mixed: None, q }
             });
         }
     }
-    let whole = if longitudinal { Vec::new() } else { whole_effects(&linear, &design, subjects) };
-    let planning = if longitudinal { Vec::new() } else { planning(&linear, &design) };
+    let whole = if longitudinal { Vec::new() } else { whole_effects(&linear, &design, subjects, observer)? };
+    let planning = if longitudinal { Vec::new() } else { planning(&linear, &design, observer)? };
     let degrees = linear.degrees();
     Ok(Some(Statistics { design, longitudinal, degrees, maps, left_out, whole, planning }))
 }
 
 /// Effects in volume, area, size and labels.
-fn whole_effects(linear: &LinearModel, design: &Design, subjects: &[SubjectFindings]) -> Vec<WholeEffect> {
+fn whole_effects(
+    linear: &LinearModel,
+    design: &Design,
+    subjects: &[SubjectFindings],
+    observer: &dyn Observer,
+) -> Result<Vec<WholeEffect>, Cancelled> {
     let rows = || design.rows.iter().map(|&k| &subjects[k]);
     let mut variables: Vec<(String, Vec<f64>)> = Vec::new();
     let mut add = |name: String, values: Option<Vec<f64>>| variables.extend(values.map(|values| (name, values)));
@@ -490,21 +513,22 @@ fn whole_effects(linear: &LinearModel, design: &Design, subjects: &[SubjectFindi
         let values = VertexValues::from_subjects(&values.iter().map(|&value| vec![value]).collect::<Vec<_>>());
         for Contrast { name, weights, .. } in &design.contrasts {
             let length = crate::statistics::linear::norm(&linear.observation_weights(weights));
-            let effect = effect(&linear.contrast(&values, weights), linear.degrees(), length);
+            let effect = effect(&linear.contrast(&values, weights, observer)?, linear.degrees(), length);
             effects.push(WholeEffect { variable: variable.clone(), contrast: name.clone(), effect });
         }
     }
-    effects
+    Ok(effects)
 }
 
-fn planning(linear: &LinearModel, design: &Design) -> Vec<Planning> {
+fn planning(linear: &LinearModel, design: &Design, observer: &dyn Observer) -> Result<Vec<Planning>, Cancelled> {
     let mut planning = Vec::new();
     for contrast in design.contrasts.iter().filter(|contrast| contrast.of_levels) {
         let length = crate::statistics::linear::norm(&linear.observation_weights(&contrast.weights));
         for d in [0.2, 0.5, 0.8] {
+            checkpoint(observer)?;
             let subjects = subjects_needed(d, design.rows.len(), design.columns.len(), length, 0.05, 0.8);
             planning.push(Planning { contrast: contrast.name.clone(), d, subjects });
         }
     }
-    planning
+    Ok(planning)
 }

@@ -8,6 +8,7 @@ use crate::place::{Inputs, Place};
 use crate::plan::{Making, Records, Round, Template, hash};
 use crate::record::{Record, read_points};
 use homolog_formats::ReadLimits;
+use homolog_formats::csv_cell::{text_cell, text_of_cell};
 use homolog_formats::ply::read_ply;
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, BTreeSet};
@@ -260,9 +261,12 @@ pub fn read_decisions(text: &[u8], ids: &BTreeSet<&str>) -> Result<Vec<Decision>
     let mut reader = csv::ReaderBuilder::new().trim(csv::Trim::All).from_reader(text);
     let mut decisions: Vec<Decision> = Vec::new();
     for row in reader.deserialize() {
-        let decision: Decision = row.map_err(|error| {
+        let mut decision: Decision = row.map_err(|error| {
             format!("the decisions are not a table of id, decision (kept or dropped) and reason: {error}")
         })?;
+        for text in [&mut decision.id, &mut decision.reason] {
+            *text = text_of_cell(text).to_owned();
+        }
         if !ids.contains(decision.id.as_str()) {
             return Err(format!("the decisions name {}, which is no subject of the study", decision.id));
         }
@@ -282,7 +286,7 @@ pub fn decisions_table(decisions: &[Decision]) -> String {
             Verdict::Kept => "kept",
             Verdict::Dropped => "dropped",
         };
-        text.push_str(&format!("{id},{word},{}\n", crate::output::quoted(reason)));
+        text.push_str(&format!("{},{word},{}\n", text_cell(id), text_cell(reason)));
     }
     text
 }
@@ -354,6 +358,12 @@ mod tests {
         let found = read("id,decision,reason\na,dropped,\"motion, see scan\"\n").unwrap();
         assert_eq!((found[0].decision, found[0].reason.as_str()), (Verdict::Dropped, "motion, see scan"));
         assert_eq!(read(&decisions_table(&found)).unwrap(), found);
+        // Reasons that a spreadsheet would compute are text there, and come back as they were.
+        for reason in ["=HYPERLINK(\"//x\",\"y\")", "+1", "@SUM(A1)", "'=1", "-1"] {
+            let made = [Decision { id: "b".to_owned(), decision: Verdict::Kept, reason: reason.to_owned() }];
+            assert_eq!(decisions_table(&made).contains('\''), reason != "-1", "{reason}");
+            assert_eq!(read(&decisions_table(&made)).unwrap(), made);
+        }
         assert!(read("id,decision,reason\nx,dropped,\n").unwrap_err().contains("no subject"));
         assert!(read("id,decision,reason\na,drop,\n").unwrap_err().contains("kept or dropped"));
         assert!(read("id,decision,reason\na,kept,\na,dropped,\n").unwrap_err().contains("twice"));

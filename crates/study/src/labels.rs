@@ -2,12 +2,15 @@
 
 use homolog_mesh::volume::LabelVolume;
 use homolog_mesh::{ClosestPointIndex, SurfaceMesh};
+use homolog_primitives::observe::{Cancelled, Observer, checkpoint};
 use nalgebra::{Point3, Vector4};
 use std::collections::BTreeMap;
 
 /// How far from a vertex its label is looked for, voxels along each axis. A smooth surface lies within one voxel of those it
 /// is made of.
 const REACH: i64 = 3;
+/// Voxels or vertices between two looks at the observer: a few milliseconds.
+const AT_ONCE: usize = 4096;
 
 /// The label of the voxel nearest to a point, of those that have one of `labels`; `None` if none is near.
 ///
@@ -36,6 +39,24 @@ pub fn label_at(volume: &LabelVolume, labels: &[u32], point: &Point3<f64>) -> Op
     best.map(|(_, label)| label)
 }
 
+/// [`label_at`] of every point.
+///
+/// # Errors
+/// [`Cancelled`].
+pub fn labels_at(
+    volume: &LabelVolume,
+    labels: &[u32],
+    points: &[Point3<f64>],
+    observer: &dyn Observer,
+) -> Result<Vec<Option<u32>>, Cancelled> {
+    let mut each = Vec::with_capacity(points.len());
+    for some in points.chunks(AT_ONCE) {
+        checkpoint(observer)?;
+        each.extend(some.iter().map(|p| label_at(volume, labels, p)));
+    }
+    Ok(each)
+}
+
 /// The most frequent label of each vertex; of equally frequent ones the lowest. `None` where no subject has one.
 pub fn voted<'a>(votes: impl Iterator<Item = &'a [Option<u32>]>, n_vertices: usize) -> Vec<Option<u32>> {
     let mut counts: Vec<BTreeMap<u32, u32>> = vec![BTreeMap::new(); n_vertices];
@@ -55,14 +76,26 @@ pub fn voted<'a>(votes: impl Iterator<Item = &'a [Option<u32>]>, n_vertices: usi
 /// The volume with the labels of a surface: every voxel that has one of `labels` gets the label of the point of the surface
 /// nearest to it; other voxels get 0. `bent` is the template bent onto the subject, `of_vertex` its labels.
 ///
+/// # Errors
+/// [`Cancelled`].
+///
 /// # Cost
 /// `O(voxels of the structure · log n)`.
-pub fn carried(volume: &LabelVolume, labels: &[u32], bent: &SurfaceMesh, of_vertex: &[Option<u32>]) -> Vec<u32> {
+pub fn carried(
+    volume: &LabelVolume,
+    labels: &[u32],
+    bent: &SurfaceMesh,
+    of_vertex: &[Option<u32>],
+    observer: &dyn Observer,
+) -> Result<Vec<u32>, Cancelled> {
     let index = ClosestPointIndex::new(bent);
     let [nx, ny, _] = volume.dims();
     let each = volume.labels().iter().enumerate().map(|(k, label)| {
+        if k.is_multiple_of(AT_ONCE) {
+            checkpoint(observer)?;
+        }
         if labels.binary_search(label).is_err() {
-            return 0;
+            return Ok(0);
         }
         let (x, y, z) = (k % nx, k / nx % ny, k / (nx * ny));
         let place = volume.affine() * Vector4::new(x as f64, y as f64, z as f64, 1.0);
@@ -80,7 +113,7 @@ pub fn carried(volume: &LabelVolume, labels: &[u32], bent: &SurfaceMesh, of_vert
                 best = (label, weight);
             }
         }
-        best.0
+        Ok(best.0)
     });
     each.collect()
 }
@@ -103,6 +136,7 @@ pub fn dice(a: &[u32], b: &[u32], labels: &[u32]) -> Vec<Option<f64>> {
 mod tests {
     use super::*;
     use homolog_mesh::shapes::ellipsoid;
+    use homolog_primitives::observe::Silent;
     use nalgebra::{Matrix4, Vector3};
 
     /// A ball of two halves, voxels of 1 mm about the origin.
@@ -130,7 +164,7 @@ mod tests {
         let votes: Vec<_> = sphere.vertices().iter().map(|p| label_at(&volume, &[1, 2], p)).collect();
         let labels = voted([votes.as_slice(), votes.as_slice()].into_iter(), votes.len());
         assert_eq!(labels, votes);
-        let back = carried(&volume, &[1, 2], &sphere, &labels);
+        let back = carried(&volume, &[1, 2], &sphere, &labels, &Silent).unwrap();
         let found = dice(&back, volume.labels(), &[1, 2, 3]);
         assert!(found[0].unwrap() > 0.97 && found[1].unwrap() > 0.97 && found[2].is_none(), "{found:?}");
         assert_eq!(back.iter().filter(|&&label| label > 0).count(), volume.labels().iter().filter(|&&l| l > 0).count());

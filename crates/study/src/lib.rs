@@ -15,6 +15,7 @@ pub mod folder;
 pub mod labels;
 pub mod matching;
 pub mod measures;
+pub mod memory;
 pub mod model;
 pub mod output;
 pub mod place;

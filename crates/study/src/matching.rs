@@ -6,7 +6,7 @@ use crate::folder::{Folder, Kept};
 use crate::plan::{Making, Matched, Purpose, Step, Study, Task, Template, hash, spread, surface};
 use crate::record::{Record, compute};
 use crate::settings::{Settings, TemplateChoice};
-use homolog_primitives::observe::Observer;
+use homolog_primitives::observe::{Observer, checkpoint};
 use homolog_run::{InputFile, SurfaceCache};
 use rayon::prelude::*;
 use std::path::Path;
@@ -28,8 +28,8 @@ pub trait Watcher: Sync {
     }
 }
 
-/// Passes an interruption on to a match.
-struct Interruption<'a>(&'a dyn Watcher);
+/// Passes an interruption on to a computation.
+pub(crate) struct Interruption<'a>(pub(crate) &'a dyn Watcher);
 
 impl Observer for Interruption<'_> {
     fn is_cancelled(&self) -> bool {
@@ -48,12 +48,13 @@ impl Study {
     /// `hashes`: what an earlier `study.json` says of the files; empty: nothing.
     ///
     /// # Errors
-    /// [`StudyError`].
+    /// [`StudyError`]; [`StudyError::Interrupted`] if the watcher asked to stop.
     pub fn open(
         cohort: Cohort,
         mut settings: Settings,
         hashes: &[String],
         folder: &Folder,
+        watcher: &dyn Watcher,
     ) -> Result<Self, StudyError> {
         let found: Vec<String> =
             cohort.subjects.par_iter().map(|subject| folder.input_hash(&subject.file)).collect::<Result<_, _>>()?;
@@ -96,7 +97,7 @@ impl Study {
                     let makers = if how.from.is_empty() { spread(&cohort, how.subjects) } else { places(&how.from)? };
                     how.from = ids(&makers);
                     let start = how.start.as_ref().map(by_id).transpose()?;
-                    (start_surface(&cohort, &parameters, start, &makers, folder)?, None, makers)
+                    (start_surface(&cohort, &parameters, start, &makers, folder, watcher)?, None, makers)
                 }
             }
         };
@@ -111,7 +112,7 @@ impl Study {
     pub fn match_all(&mut self, folder: &Folder, threads: usize, watcher: &dyn Watcher) -> Result<Matched, StudyError> {
         let surfaces = SurfaceCache::new(PREPARED_BYTES);
         loop {
-            match self.advance(folder)? {
+            match self.advance(folder, watcher)? {
                 Step::Matched(matched) => return Ok(*matched),
                 Step::Match { purpose, template, tasks, finished } => {
                     let what = match purpose {
@@ -142,8 +143,9 @@ impl Study {
     ///
     /// # Errors
     /// Those of [`Study::next`], and [`StudyError::File`].
-    pub fn advance(&mut self, folder: &Folder) -> Result<Step, StudyError> {
-        let step = self.next(folder)?;
+    pub fn advance(&mut self, folder: &Folder, watcher: &dyn Watcher) -> Result<Step, StudyError> {
+        let observer = Interruption(watcher);
+        let step = self.next(folder, &observer)?;
         if self.kept.is_some() {
             return Ok(step);
         }
@@ -152,7 +154,7 @@ impl Study {
             Step::Match { purpose: Purpose::Template(_), .. } => return Ok(step),
             Step::Match { purpose: Purpose::Subjects, template, .. } => {
                 let given = || Making { template: (**template).clone(), rounds: Vec::new() };
-                self.making(folder)?.unwrap_or_else(given)
+                self.making(folder, &observer)?.unwrap_or_else(given)
             }
         };
         self.keep_making(folder, &making)?;
@@ -229,8 +231,10 @@ fn start_surface(
     start: Option<usize>,
     makers: &[usize],
     folder: &Folder,
+    watcher: &dyn Watcher,
 ) -> Result<Template, StudyError> {
     let of = |k: usize| {
+        checkpoint(&Interruption(watcher))?;
         let file = &cohort.subjects[k].file;
         Ok(surface(&folder.input(file)?, name(file), parameters))
     };

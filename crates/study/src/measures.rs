@@ -3,6 +3,7 @@
 use crate::align::vertex_areas;
 use crate::settings::Measure;
 use homolog_mesh::{ClosestPointIndex, SurfaceMesh};
+use homolog_primitives::observe::{Cancelled, Observer, checkpoint};
 
 /// Steps of a ball that shrinks; it rarely needs more than eight.
 const MAX_STEPS: usize = 40;
@@ -11,8 +12,17 @@ const TOUCHES: f64 = 0.01;
 
 /// One measure at each vertex of a subject: `subject` has the vertices of `mean` and was moved onto it. `None` if it is not
 /// meaningful: thickness of a surface that is not closed.
-pub fn measured(measure: Measure, mean: &SurfaceMesh, subject: &SurfaceMesh) -> Option<Vec<f64>> {
-    match measure {
+///
+/// # Errors
+/// [`Cancelled`].
+pub fn measured(
+    measure: Measure,
+    mean: &SurfaceMesh,
+    subject: &SurfaceMesh,
+    observer: &dyn Observer,
+) -> Result<Option<Vec<f64>>, Cancelled> {
+    checkpoint(observer)?;
+    Ok(match measure {
         Measure::NormalDisplacement => {
             let normals = mean.vertex_normals();
             let pairs = mean.vertices().iter().zip(subject.vertices());
@@ -23,8 +33,9 @@ pub fn measured(measure: Measure, mean: &SurfaceMesh, subject: &SurfaceMesh) -> 
             // A vertex that a map folded away has no area; a thousandth bounds what it weighs.
             Some(own.iter().zip(&mean).map(|(own, mean)| (own / mean).max(1e-3).ln()).collect())
         }
-        Measure::Thickness => subject.boundary_vertices().is_none().then(|| thickness(subject)),
-    }
+        Measure::Thickness if subject.boundary_vertices().is_some() => None,
+        Measure::Thickness => Some(thickness(subject, observer)?),
+    })
 }
 
 /// The radius of the largest ball inside a closed surface that touches it at each vertex, mm: the distance to the medial axis
@@ -36,7 +47,10 @@ pub fn measured(measure: Measure, mean: &SurfaceMesh, subject: &SurfaceMesh) -> 
 ///
 /// Source: Ma, Bae, Choi, *3D medial axis point approximation using nearest neighbors and the normal field*, Visual Computer
 /// 28, 2012.
-pub fn thickness(mesh: &SurfaceMesh) -> Vec<f64> {
+///
+/// # Errors
+/// [`Cancelled`].
+pub fn thickness(mesh: &SurfaceMesh, observer: &dyn Observer) -> Result<Vec<f64>, Cancelled> {
     let index = ClosestPointIndex::new(mesh);
     let (low, high) = mesh.bounding_box();
     let largest = (high - low).norm() / 2.0;
@@ -66,7 +80,11 @@ pub fn thickness(mesh: &SurfaceMesh) -> Vec<f64> {
         }
         radius
     };
-    mesh.vertex_normals().iter().enumerate().map(|(v, normal)| of(v, normal)).collect()
+    let each = mesh.vertex_normals().into_iter().enumerate().map(|(v, normal)| {
+        checkpoint(observer)?;
+        Ok(of(v, &normal))
+    });
+    each.collect()
 }
 
 #[cfg(test)]
@@ -74,13 +92,14 @@ mod tests {
     use super::*;
     use homolog_mesh::FaceArity;
     use homolog_mesh::shapes::{ellipsoid, torus};
+    use homolog_primitives::observe::Silent;
     use nalgebra::Vector3;
 
     #[test]
     fn a_grown_sphere_is_displaced_by_the_difference_of_radii() {
         let mean = ellipsoid(Vector3::repeat(5.0), 4);
         let grown = mean.with_vertices(mean.vertices().iter().map(|p| p * 1.2).collect()).unwrap();
-        let of = |measure| measured(measure, &mean, &grown).unwrap();
+        let of = |measure| measured(measure, &mean, &grown, &Silent).unwrap().unwrap();
         assert!(of(Measure::NormalDisplacement).iter().all(|d| (d - 1.0).abs() < 0.01));
         assert!(of(Measure::LogArea).iter().all(|a| (a - 2.0 * 1.2f64.ln()).abs() < 1e-9));
         assert!(of(Measure::Thickness).iter().all(|r| (r - 6.0).abs() < 0.1));
@@ -89,9 +108,9 @@ mod tests {
     #[test]
     fn the_ball_in_a_torus_is_its_tube_and_an_open_surface_has_no_thickness() {
         let mesh = torus(10.0, 3.0, 60, 30, FaceArity::Triangle);
-        assert!(thickness(&mesh).iter().all(|r| (r - 3.0).abs() < 0.15));
+        assert!(thickness(&mesh, &Silent).unwrap().iter().all(|r| (r - 3.0).abs() < 0.15));
         let open =
             SurfaceMesh::new(mesh.vertices().to_vec(), FaceArity::Triangle, mesh.indices()[3..].to_vec()).unwrap();
-        assert_eq!(measured(Measure::Thickness, &mesh, &open), None);
+        assert_eq!(measured(Measure::Thickness, &mesh, &open, &Silent).unwrap(), None);
     }
 }

@@ -9,10 +9,11 @@
 //! Sources: Cootes et al., *Active shape models*, 1995; Turk, Pentland 1991 (the small matrix); Davies 2002, Styner et al.
 //! 2003 (compactness, generalization, specificity); Tipping, Bishop 1999 (the distance outside the modes).
 
-use crate::align::{Alignment, Shapes, points};
+use crate::align::{Alignment, Shapes, WatchedShapes, points};
 use crate::error::StudyError;
 use faer::linalg::matmul::matmul;
 use faer::{Accum, Mat, MatRef, Par, Side};
+use homolog_primitives::observe::{Cancelled, Observer, checkpoint};
 use nalgebra::{Point3, Vector3};
 use rand_core::Rng;
 use rand_xoshiro::Xoshiro256PlusPlus;
@@ -181,12 +182,18 @@ impl ShapeModel {
     /// The model of aligned shapes. `seed`: of the random shapes of specificity.
     ///
     /// # Errors
-    /// Those of reading; [`StudyError::Decomposition`].
+    /// Those of reading; [`StudyError::Decomposition`]; [`StudyError::Interrupted`].
     ///
     /// # Cost
     /// That of [`gram`], `n` (at most 200; or 20) eigenvalue decompositions of an `n × n` matrix, and one read of all shapes for
     /// the modes.
-    pub fn new(shapes: &dyn Shapes, alignment: &Alignment, seed: u64) -> Result<Self, StudyError> {
+    pub fn new(
+        shapes: &dyn Shapes,
+        alignment: &Alignment,
+        seed: u64,
+        observer: &dyn Observer,
+    ) -> Result<Self, StudyError> {
+        let shapes = &WatchedShapes { shapes, observer };
         let (n, gram) = (shapes.len(), gram(shapes, alignment)?);
         let (values, mut vectors) = components(gram.as_ref(), &(0..n).collect::<Vec<_>>())?;
         // A mode and its opposite are the same; the subject that is furthest along it is on its positive side.
@@ -208,8 +215,11 @@ impl ShapeModel {
         } else {
             (0..FOLDS).map(|fold| (fold..n).step_by(FOLDS).collect()).collect()
         };
-        let folds: Vec<LeftOut> =
-            folds.into_par_iter().map(|left| leave_out(gram.as_ref(), &left)).collect::<Result<_, _>>()?;
+        let left_out = |left: Vec<usize>| {
+            checkpoint(observer)?;
+            leave_out(gram.as_ref(), &left)
+        };
+        let folds: Vec<LeftOut> = folds.into_par_iter().map(left_out).collect::<Result<_, StudyError>>()?;
         let (mut left_out, mut generalization_mm) = (vec![0.0; n], vec![0.0; kept]);
         for fold in &folds {
             for (i, scores, squared_norm) in &fold.subjects {
@@ -223,7 +233,7 @@ impl ShapeModel {
         }
         let whole: f64 = variances.iter().sum();
         let compactness = (1..=kept).map(|k| variances[..k].iter().sum::<f64>() / whole).collect();
-        let specificity_mm = specificity(&scores, &variances, kept, seed);
+        let specificity_mm = specificity(&scores, &variances, kept, seed, observer)?;
         let modes = modes(shapes, alignment, &vectors, &values, kept)?;
         let quality = ModelQuality { compactness, generalization_mm, specificity_mm };
         Ok(ShapeModel { variances, modes, scores, quality, left_out, distance_modes })
@@ -285,11 +295,18 @@ fn modes(
 }
 
 /// Distance of random shapes from the nearest subject for 1, 2, … modes, RMS, mm. Distances need the scores alone.
-fn specificity(scores: &[Vec<f64>], variances: &[f64], kept: usize, seed: u64) -> Vec<f64> {
+fn specificity(
+    scores: &[Vec<f64>],
+    variances: &[f64],
+    kept: usize,
+    seed: u64,
+    observer: &dyn Observer,
+) -> Result<Vec<f64>, Cancelled> {
     let normal = Normal::standard();
     let each: Vec<Vec<f64>> = (0..RANDOM_SHAPES as u64)
         .into_par_iter()
         .map(|k| {
+            checkpoint(observer)?;
             let mut random = Xoshiro256PlusPlus::seed_from_u64(seed ^ (k + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15));
             let shape: Vec<f64> = (0..kept)
                 .map(|k| {
@@ -299,17 +316,18 @@ fn specificity(scores: &[Vec<f64>], variances: &[f64], kept: usize, seed: u64) -
                 .collect();
             let mut distances: Vec<f64> =
                 scores.iter().map(|scores| scores.iter().map(|score| score * score).sum()).collect();
-            (0..kept)
+            let each = (0..kept)
                 .map(|k| {
                     for (distance, scores) in distances.iter_mut().zip(scores) {
                         *distance += (shape[k] - scores[k]).powi(2) - scores[k] * scores[k];
                     }
                     distances.iter().copied().fold(f64::INFINITY, f64::min).max(0.0).sqrt()
                 })
-                .collect()
+                .collect();
+            Ok(each)
         })
-        .collect();
-    (0..kept).map(|k| each.iter().map(|shape| shape[k]).sum::<f64>() / RANDOM_SHAPES as f64).collect()
+        .collect::<Result<_, Cancelled>>()?;
+    Ok((0..kept).map(|k| each.iter().map(|shape| shape[k]).sum::<f64>() / RANDOM_SHAPES as f64).collect())
 }
 
 #[cfg(test)]

@@ -5,11 +5,12 @@ use crate::error::StudyError;
 use crate::findings::{Findings, Place, moved, volume_of};
 use crate::folder::{Decision, Folder, decisions_table, json};
 use crate::labels::carried;
-use crate::matching::Watcher;
+use crate::matching::{Interruption, Watcher};
 use crate::plan::{Round, Study};
 use crate::quality::most_urgent_first;
 use crate::report::page;
 use crate::settings::{Measure, Settings};
+use homolog_formats::csv_cell::text_cell;
 use homolog_formats::gifti::{write_gifti, write_gifti_shape};
 use homolog_formats::nifti::write_nifti_gz;
 use homolog_formats::parquet::{TableColumn, write_parquet_columns};
@@ -17,6 +18,7 @@ use homolog_formats::vtk::{write_vtk, write_vtk_with};
 use homolog_formats::{VertexArray, VertexValues};
 use homolog_mesh::SurfaceMesh;
 use homolog_mesh::volume::LabelVolume;
+use homolog_primitives::observe::{Observer, checkpoint};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeSet;
@@ -74,7 +76,7 @@ pub fn read_document(text: &[u8]) -> Result<StudyDocument, String> {
 /// Writes everything that was found. Files of earlier computations that are no longer true are removed.
 ///
 /// # Errors
-/// [`StudyError::File`], and those of reading records.
+/// [`StudyError::File`], [`StudyError::Interrupted`], and those of reading records.
 pub fn write(
     study: &Study,
     found: &Findings,
@@ -83,6 +85,7 @@ pub fn write(
     commit: &str,
     watcher: &dyn Watcher,
 ) -> Result<(), StudyError> {
+    let observer = &Interruption(watcher);
     watcher.progress("writing", 0, 1);
     let mut written = Written { folder, names: BTreeSet::new() };
     let mesh = &found.matched.making.template.mesh;
@@ -96,6 +99,7 @@ pub fn write(
     folder.write("mean.surf.gii", &write_gifti(&found.mean, &label_arrays))?;
     folder.write("mean.vtk", &write_vtk_with(&found.mean, &label_arrays))?;
     for mode in 0..found.model.modes.len().min(WRITTEN_MODES) {
+        checkpoint(observer)?;
         for (word, sign) in [("minus", -1.0), ("plus", 1.0)] {
             let points = found.model.along(&found.alignment.mean, mode, sign * MODE_DEVIATIONS);
             let surface = found.mean.with_vertices(points)?;
@@ -105,8 +109,8 @@ pub fn write(
         }
     }
     written.finish("modes");
-    surfaces(study, found, &mut written, of_vertex.as_ref())?;
-    maps(found, &mut written)?;
+    surfaces(study, found, &mut written, of_vertex.as_ref(), observer)?;
+    maps(found, &mut written, observer)?;
     folder.write("model.csv", model_table(found).as_bytes())?;
     folder.write("quality.csv", quality_table(study, found).as_bytes())?;
     let columns = subject_columns(study, found);
@@ -116,7 +120,7 @@ pub fn write(
     if folder.read("decisions.csv")?.is_none() {
         folder.write("decisions.csv", decisions_table(&[]).as_bytes())?;
     }
-    folder.write("report.html", page(study, found, folder, commit)?.as_bytes())?;
+    folder.write("report.html", page(study, found, folder, commit, observer)?.as_bytes())?;
     let document = StudyDocument {
         format: FORMAT,
         version: env!("CARGO_PKG_VERSION").to_owned(),
@@ -162,6 +166,7 @@ fn surfaces(
     found: &Findings,
     written: &mut Written<'_>,
     label: Option<&VertexArray>,
+    observer: &dyn Observer,
 ) -> Result<(), StudyError> {
     let folder = written.folder;
     let mesh = &found.matched.making.template.mesh;
@@ -169,6 +174,7 @@ fn surfaces(
     let made: Vec<Vec<String>> = usable
         .par_iter()
         .map(|&k| {
+            checkpoint(observer)?;
             let id = &study.cohort.subjects[k].id;
             let own = crate::plan::Records::get(folder, &found.matched.keys[k])?;
             let own = crate::align::points(&own.map(|record| record.points).unwrap_or_default());
@@ -177,8 +183,8 @@ fn surfaces(
             for (measure, name) in
                 [(Measure::NormalDisplacement, "normal_displacement"), (Measure::LogArea, "log_area")]
             {
-                arrays
-                    .extend(crate::measures::measured(measure, &found.mean, &aligned).map(|values| real(name, values)));
+                let values = crate::measures::measured(measure, &found.mean, &aligned, observer)?;
+                arrays.extend(values.map(|values| real(name, values)));
             }
             arrays.extend(label.cloned());
             let bent = mesh.with_vertices(own)?;
@@ -188,7 +194,7 @@ fn surfaces(
             if let Some(labels) = &found.labels
                 && let Some((volume, structure)) = volume_of(study, folder, k)?
             {
-                let values = carried(&volume, &structure, &bent, &labels.of_vertex);
+                let values = carried(&volume, &structure, &bent, &labels.of_vertex, observer)?;
                 if let Ok(volume) = LabelVolume::new(volume.dims(), values, *volume.affine()) {
                     let name = format!("labels/{id}.nii.gz");
                     folder.write(&name, &write_nifti_gz(&volume))?;
@@ -205,8 +211,9 @@ fn surfaces(
 }
 
 /// The maps of statistics.
-fn maps(found: &Findings, written: &mut Written<'_>) -> Result<(), StudyError> {
+fn maps(found: &Findings, written: &mut Written<'_>, observer: &dyn Observer) -> Result<(), StudyError> {
     for map in found.statistics.iter().flat_map(|statistics| &statistics.maps) {
+        checkpoint(observer)?;
         let contrast =
             &found.statistics.as_ref().map_or(String::new(), |s| s.design.contrasts[map.contrast].name.clone());
         let mut arrays = Vec::new();
@@ -299,13 +306,8 @@ pub(crate) fn place_name(place: Place) -> &'static str {
     }
 }
 
-/// A cell of CSV.
-pub(crate) fn quoted(text: &str) -> String {
-    if text.contains([',', '"', '\n', '\r']) { format!("\"{}\"", text.replace('"', "\"\"")) } else { text.to_owned() }
-}
-
 fn csv_table(columns: &[(String, TableColumn)]) -> String {
-    let header: Vec<String> = columns.iter().map(|(name, _)| quoted(name)).collect();
+    let header: Vec<String> = columns.iter().map(|(name, _)| text_cell(name)).collect();
     let mut text = header.join(",") + "\n";
     let n = columns.first().map_or(0, |(_, column)| match column {
         TableColumn::Real(values) => values.len(),
@@ -317,7 +319,7 @@ fn csv_table(columns: &[(String, TableColumn)]) -> String {
             .map(|(_, column)| match column {
                 TableColumn::Real(values) if values[row].is_nan() => String::new(),
                 TableColumn::Real(values) => values[row].to_string(),
-                TableColumn::Text(values) => quoted(&values[row]),
+                TableColumn::Text(values) => text_cell(&values[row]),
             })
             .collect();
         text.push_str(&(cells.join(",") + "\n"));
@@ -351,18 +353,18 @@ fn quality_table(study: &Study, found: &Findings) -> String {
         let _ = writeln!(
             text,
             "{},{},{},{},{},{},{},{},{},{},{},{}",
-            study.cohort.subjects[k].id,
+            text_cell(&study.cohort.subjects[k].id),
             place_name(subject.place),
-            flags.join("; "),
-            facts.reasons.join("; "),
+            text_cell(&flags.join("; ")),
+            text_cell(&facts.reasons.join("; ")),
             facts.residual_mm,
             facts.residual_p95_mm,
             facts.folded,
             facts.confidence,
             subject.unusual_p.map_or(String::new(), |p| p.to_string()),
             decided.map_or("", word),
-            quoted(decided.map_or("", |decision| &decision.reason)),
-            quoted(facts.error.as_deref().unwrap_or_default())
+            text_cell(decided.map_or("", |decision| &decision.reason)),
+            text_cell(facts.error.as_deref().unwrap_or_default())
         );
     }
     text
@@ -377,8 +379,8 @@ fn effect_table(found: &Findings) -> String {
         let _ = writeln!(
             text,
             "{},{},{},{},{low},{high},{},{},{},{g_low},{g_high}",
-            quoted(&whole.variable),
-            whole.contrast,
+            text_cell(&whole.variable),
+            text_cell(&whole.contrast),
             effect.value,
             effect.robust_se,
             effect.t,

@@ -5,7 +5,7 @@
 //! compute them in any order, on any machine, through any queue. Records are named by what they depend on
 //! ([`Task::key`]), so that nothing is computed twice.
 
-use crate::align::align;
+use crate::align::{WatchedShapes, align};
 use crate::average::{next_template, triangle_quality};
 use crate::cohort::{Cohort, Role};
 use crate::error::StudyError;
@@ -14,6 +14,7 @@ use crate::settings::{MadeTemplate, Settings, Size, TemplateChoice};
 use homolog_contract::parameters::MatchParameters;
 use homolog_formats::ply::write_ply;
 use homolog_mesh::{SurfaceMesh, repair};
+use homolog_primitives::observe::{Observer, checkpoint};
 use homolog_run::intake::{IntakeLimits, prepare_surface};
 use serde::{Deserialize, Serialize};
 
@@ -203,12 +204,12 @@ impl Study {
     /// What is to be done next, from the records that are there.
     ///
     /// # Errors
-    /// [`StudyError::TooFewMatches`] if a template cannot be made; those of reading records.
-    pub fn next(&self, records: &dyn Records) -> Result<Step, StudyError> {
+    /// [`StudyError::TooFewMatches`] if a template cannot be made; those of reading records; [`StudyError::Interrupted`].
+    pub fn next(&self, records: &dyn Records, observer: &dyn Observer) -> Result<Step, StudyError> {
         let making = match (&self.settings.template, &self.kept) {
             (TemplateChoice::Given { .. }, _) => Making { template: self.first.clone(), rounds: Vec::new() },
             (TemplateChoice::Made(_), Some(kept)) => kept.clone(),
-            (TemplateChoice::Made(how), None) => match self.make(how, records)? {
+            (TemplateChoice::Made(how), None) => match self.make(how, records, observer)? {
                 Ok(making) => making,
                 Err(step) => return Ok(step),
             },
@@ -228,15 +229,20 @@ impl Study {
     }
 
     /// The template that is made from the records that are there; `None` if matches are missing for it, or it is given.
-    pub(crate) fn making(&self, records: &dyn Records) -> Result<Option<Making>, StudyError> {
+    pub(crate) fn making(&self, records: &dyn Records, observer: &dyn Observer) -> Result<Option<Making>, StudyError> {
         match &self.settings.template {
             TemplateChoice::Given { .. } => Ok(None),
-            TemplateChoice::Made(how) => Ok(self.make(how, records)?.ok()),
+            TemplateChoice::Made(how) => Ok(self.make(how, records, observer)?.ok()),
         }
     }
 
     /// The template, or the matches that are missing for it.
-    fn make(&self, how: &MadeTemplate, records: &dyn Records) -> Result<Result<Making, Step>, StudyError> {
+    fn make(
+        &self,
+        how: &MadeTemplate,
+        records: &dyn Records,
+        observer: &dyn Observer,
+    ) -> Result<Result<Making, Step>, StudyError> {
         let (mut template, mut rounds) = (self.first.clone(), Vec::new());
         while rounds.len() < how.max_rounds.max(1) {
             let all: Vec<Task> = self.makers.iter().map(|&k| self.task(&template, None, Some(k))).collect();
@@ -246,7 +252,7 @@ impl Study {
                 let purpose = Purpose::Template(rounds.len() + 1);
                 return Ok(Err(Step::Match { purpose, template: Box::new(template), tasks, finished }));
             }
-            let (next, round) = averaged(&template, &all, records)?;
+            let (next, round) = averaged(&template, &all, records, observer)?;
             let is_last = round.moved_share < how.tolerance;
             rounds.push(round);
             template = next;
@@ -280,9 +286,15 @@ impl Study {
 
 /// The next template: the mean of the shapes of a round, in the place of the template. Shapes whose match failed or is
 /// unreliable do not count.
-fn averaged(template: &Template, tasks: &[Task], records: &dyn Records) -> Result<(Template, Round), StudyError> {
+fn averaged(
+    template: &Template,
+    tasks: &[Task],
+    records: &dyn Records,
+    observer: &dyn Observer,
+) -> Result<(Template, Round), StudyError> {
     let (mut shapes, mut reason): (Vec<Vec<[f32; 3]>>, Option<String>) = (Vec::new(), None);
     for task in tasks {
+        checkpoint(observer)?;
         let Some(Record { facts, points }) = records.get(&task.key)? else { continue };
         if facts.error.is_none() && facts.reliable != Some(false) && points.len() == template.mesh.n_vertices() {
             shapes.push(points);
@@ -294,12 +306,12 @@ fn averaged(template: &Template, tasks: &[Task], records: &dyn Records) -> Resul
         let (matched, all, reason) = (shapes.len(), tasks.len(), reason.unwrap_or_default());
         return Err(StudyError::TooFewMatches { matched, all, purpose: "to make a template", reason });
     }
-    let alignment = align(&shapes, &template.mesh, Size::Kept)?;
+    let alignment = align(&WatchedShapes { shapes: &shapes, observer }, &template.mesh, Size::Kept)?;
     let before = template.mesh.vertices();
     let back = crate::align::onto(&alignment.mean, before, &alignment.weights, false)
         .map_err(|error| StudyError::Alignment { id: "mean".to_owned(), error })?;
     let mean = alignment.mean.iter().map(|p| back.apply(p)).collect();
-    let next = next_template(&template.mesh, mean)?;
+    let next = next_template(&template.mesh, mean, observer)?;
     let round = Round {
         subjects: shapes.len(),
         moved_mm: next.moved.rms_mm,

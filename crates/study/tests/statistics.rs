@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::panic)]
 
 use faer::Mat;
+use homolog_primitives::observe::Silent;
 use homolog_study::statistics::VertexValues;
 use homolog_study::statistics::effect::{interval_of_d, noncentral_t_cdf, power, subjects_needed};
 use homolog_study::statistics::linear::LinearModel;
@@ -39,7 +40,7 @@ const CONTRAST: [f64; 3] = [0.0, 1.0, 0.0];
 fn contrasts_robust_errors_and_p_values_are_those_of_statsmodels() {
     let reference = reference();
     let model = LinearModel::new(&matrix(&reference["x"]));
-    let found = model.contrast(&VertexValues::from_subjects(&rows(&reference["y"])), &CONTRAST);
+    let found = model.contrast(&VertexValues::from_subjects(&rows(&reference["y"])), &CONTRAST, &Silent).unwrap();
     for (k, expected) in reference["linear"].as_array().unwrap().iter().enumerate() {
         let theirs = |name: &str| expected[name].as_f64().unwrap();
         near(found.effect[k], theirs("effect"), 1e-10);
@@ -62,7 +63,7 @@ fn permuted_t_is_that_of_freedman_and_lane_step_by_step() {
     let values = VertexValues::from_subjects(&rows(&reference["y"]));
     let orders: Vec<Vec<usize>> =
         rows(&reference["orders"]).iter().map(|order| order.iter().map(|&k| k as usize).collect()).collect();
-    let found = t_of_orders(&model, &values, &CONTRAST, &orders);
+    let found = t_of_orders(&model, &values, &CONTRAST, &orders, &Silent).unwrap();
     for (ours, theirs) in found.iter().zip(rows(&reference["permuted_t"])) {
         ours.iter().zip(theirs).for_each(|(ours, theirs)| near(*ours, theirs, 1e-9));
     }
@@ -73,7 +74,8 @@ fn the_mixed_model_of_visits_is_that_of_statsmodels() {
     let reference = &reference()["visits"];
     let subjects: Vec<usize> = numbers(&reference["subjects"]).iter().map(|&k| k as usize).collect();
     let model = MixedModel::new(&matrix(&reference["x"]), &subjects);
-    let found = model.contrast(&VertexValues::from_subjects(&rows(&reference["y"])), &[0.0, 0.0, 1.0]);
+    let found =
+        model.contrast(&VertexValues::from_subjects(&rows(&reference["y"])), &[0.0, 0.0, 1.0], &Silent).unwrap();
     for (k, expected) in reference["fits"].as_array().unwrap().iter().enumerate() {
         let theirs = |name: &str| expected[name].as_f64().unwrap();
         // Its optimizer stops where the likelihood is flat.

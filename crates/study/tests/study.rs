@@ -103,7 +103,7 @@ fn again(
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
     pool.install(|| {
         let folder = Folder::create(out)?;
-        let mut study = Study::open(cohort, settings, &[], &folder)?;
+        let mut study = Study::open(cohort, settings, &[], &folder, watcher)?;
         let matched = study.match_all(&folder, threads, watcher)?;
         let found = find(&study, &matched, &folder, decisions, watcher)?;
         write(&study, &found, decisions, &folder, "test", watcher)?;
@@ -238,7 +238,7 @@ fn a_study_finds_the_effect_and_is_the_same_whatever_happens_to_it() {
     // A file that changed under a recorded study is noticed.
     std::fs::write(place.path().join("s2.ply"), subject(9, false)).unwrap();
     let folder = Folder::create(&place.path().join("fourth")).unwrap();
-    let opened = Study::open(study.cohort.clone(), study.settings.clone(), &study.hashes, &folder);
+    let opened = Study::open(study.cohort.clone(), study.settings.clone(), &study.hashes, &folder, &Quiet);
     assert!(matches!(opened, Err(StudyError::Changed { path }) if path.ends_with("s2.ply")));
 }
 
@@ -268,6 +268,117 @@ fn a_subject_without_a_surface_is_listed_first_and_a_scored_one_enters_no_model(
     assert!(std::fs::metadata(out.join("maps/log_area.years.shape.gii")).is_ok());
     let listed = std::fs::read_to_string(out.join("quality.csv")).unwrap();
     assert!(listed.lines().nth(1).unwrap().starts_with("broken,failed,no match"), "{listed}");
+}
+
+#[test]
+fn a_study_without_a_model_says_why() {
+    let place = tempfile::tempdir().unwrap();
+    let table = table(place.path(), 3);
+    let text = std::fs::read(&table).unwrap();
+    let cohort = Cohort::from_csv(&text, place.path()).unwrap();
+    let made = MadeTemplate { subjects: 3, max_rounds: 1, ..MadeTemplate::default() };
+    let (template, analysis) = (TemplateChoice::Made(made), Analysis::default());
+    let settings = Settings { template, analysis, cycle_subjects: 0, ..settings() };
+    let dropped = [Decision { id: "s1".to_owned(), decision: Verdict::Dropped, reason: "motion".to_owned() }];
+    let error = again(cohort, settings, &place.path().join("out"), 2, &dropped, &Quiet).unwrap_err().to_string();
+    assert!(error.contains("only 2 of 3 subjects") && error.contains("1 are left out by a decision"), "{error}");
+}
+
+/// A text that ends a script, and opens another page where it is read as HTML.
+const MARKUP: &str = "</script><meta/http-equiv=refresh/content=0;url=about:blank>";
+
+/// Texts that a spreadsheet would compute.
+const FORMULAS: [&str; 6] = ["=HYPERLINK(\"//x\")", "+1", "-x", "@SUM(A1)", "\u{ff1d}1", "=1"];
+
+/// A study in which every text that a user can set has markup or is a formula; the folder of its results.
+fn study_with_odd_texts(place: &Path) -> (PathBuf, Findings) {
+    table(place, 6);
+    let mut text = format!("id,file,subject,group{MARKUP},=note\n");
+    for k in 0..6 {
+        let file = format!("s{k}<svg onload=x>&amp;.ply");
+        std::fs::rename(place.join(format!("s{k}.ply")), place.join(&file)).unwrap();
+        let (group, note) = (["patient", "control"][k % 2], FORMULAS[k].replace('"', "\"\""));
+        text.push_str(&format!("s{k},{file},p{k}{MARKUP},{group}{MARKUP},\"{note}\"\n"));
+    }
+    std::fs::write(place.join("broken<svg onload=x>.ply"), "ply, but no more").unwrap();
+    text.push_str(&format!("broken,broken<svg onload=x>.ply,,control{MARKUP},\n"));
+    let cohort = Cohort::from_csv(text.as_bytes(), place).unwrap();
+    let name = format!("group{MARKUP}");
+    let sum = format!("{name}:patient{MARKUP}");
+    let analysis = Analysis {
+        effect: Some(name.clone()),
+        reference: vec![(name, format!("control{MARKUP}"))],
+        contrasts: vec![(format!("contrast {MARKUP}"), sum)],
+        measures: vec![Measure::LogArea],
+        permutations: 20,
+        ..Analysis::default()
+    };
+    let made = MadeTemplate { start: Some("s0".to_owned()), subjects: 3, max_rounds: 1, ..MadeTemplate::default() };
+    let settings = Settings { template: TemplateChoice::Made(made), analysis, cycle_subjects: 0, ..settings() };
+    let kept = |id: &str, reason: String| Decision { id: id.to_owned(), decision: Verdict::Kept, reason };
+    let decisions = [kept("s1", format!("seen {MARKUP}\u{2028}")), kept("s2", FORMULAS[0].to_owned())];
+    let out = place.join("out");
+    let (_, found) = again(cohort, settings, &out, 2, &decisions, &Quiet).unwrap();
+    (out, found)
+}
+
+#[test]
+fn texts_of_users_are_no_formulas_of_the_tables() {
+    let place = tempfile::tempdir().unwrap();
+    let (out, _) = study_with_odd_texts(place.path());
+    let mut seen = String::new();
+    for table in ["subjects.csv", "quality.csv", "effects.csv", "model.csv", "decisions.csv"] {
+        let bytes = std::fs::read(out.join(table)).unwrap();
+        let mut rows = csv::ReaderBuilder::new().has_headers(false).from_reader(bytes.as_slice());
+        for row in rows.records().map(Result::unwrap) {
+            for cell in &row {
+                let is_number = cell.parse::<f64>().is_ok();
+                assert!(is_number || !cell.starts_with(['=', '+', '-', '@', '\t', '\u{ff1d}']), "{table}: {cell}");
+                seen.push_str(&format!("{cell}\n"));
+            }
+        }
+    }
+    let formulas = FORMULAS.iter().chain(&["=note"]);
+    formulas.for_each(|formula| assert!(seen.contains(&format!("'{formula}\n")), "{formula} is there as text"));
+    assert_eq!(seen.matches(FORMULAS[0]).count(), 2, "the note, and the reason in quality.csv");
+}
+
+#[test]
+fn texts_of_users_are_no_markup_of_the_report() {
+    let place = tempfile::tempdir().unwrap();
+    let (out, found) = study_with_odd_texts(place.path());
+    let page = std::fs::read_to_string(out.join("report.html")).unwrap();
+    // Its own data and script; nothing that was written by a user begins an element.
+    assert_eq!(page.matches("</script").count(), 2);
+    assert!(!page.contains("<meta/") && !page.contains("<svg onload"));
+    assert_eq!(page.matches("<meta ").count(), 4, "its own");
+    // The texts are there, and the data are what they were.
+    let (_, rest) = page.split_once("id=\"data\">").unwrap();
+    let data: serde_json::Value = serde_json::from_str(rest.split_once("</script>").unwrap().0).unwrap();
+    let contrasts = &found.statistics.as_ref().unwrap().design.contrasts;
+    assert_eq!(contrasts.len(), 2);
+    for (map, contrast) in data["maps"].as_array().unwrap().iter().zip(contrasts) {
+        assert!(contrast.meaning.contains(MARKUP) && map["title"].as_str().unwrap().starts_with(&contrast.meaning));
+    }
+    assert!(page.contains("decided: seen &lt;/script&gt;&lt;meta/http-equiv"), "the reason of the decision");
+}
+
+mod reports {
+    use super::*;
+
+    #[test]
+    #[ignore = "needs Chromium"]
+    fn chromium_stays_on_a_report_whose_texts_are_markup() {
+        let place = tempfile::tempdir().unwrap();
+        let (out, _) = study_with_odd_texts(place.path());
+        let mut browser = std::process::Command::new("chromium");
+        browser.args(["--headless", "--no-sandbox", "--disable-gpu", "--virtual-time-budget=3000", "--dump-dom"]);
+        browser.arg(format!("--user-data-dir={}", place.path().join("profile").display()));
+        let shown = browser.arg(format!("file://{}", out.join("report.html").display())).output().unwrap();
+        let shown = String::from_utf8_lossy(&shown.stdout);
+        assert!(shown.contains("<h1>Study of 7 subjects</h1>"), "another page: {shown}");
+        assert!(!shown.contains("<meta http-equiv=\"refresh\"") && !shown.contains("<svg onload"));
+    }
 }
 
 #[test]

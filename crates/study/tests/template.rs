@@ -81,7 +81,7 @@ fn made(folder: &Path, start: usize) -> Making {
     };
     let out = Folder::create(&folder.join(format!("from-{start}"))).unwrap();
     let cohort = Cohort::from_csv(table.as_bytes(), folder).unwrap();
-    let mut study = Study::open(cohort, settings, &[], &out).unwrap();
+    let mut study = Study::open(cohort, settings, &[], &out, &Quiet).unwrap();
     study.match_all(&out, 2, &Quiet).unwrap().making
 }
 

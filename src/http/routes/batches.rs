@@ -2,7 +2,7 @@
 
 use super::jobs::job_list;
 use super::{batch_id, page};
-use crate::http::auth::{Reader, Submitter};
+use crate::http::auth::{Reader, Rights, Submitter};
 use crate::http::fields::Fields;
 use crate::http::long_poll::{Resource, Snapshot, Version, answer, wait_of};
 use crate::http::preferences::{idempotency_key, marked, traceparent};
@@ -300,6 +300,7 @@ pub(crate) async fn list(
 pub(crate) async fn get(
     State(state): State<HttpState>,
     Reader(tenant): Reader,
+    rights: Rights,
     Path(id): Path<String>,
     origin: Origin,
     headers: HeaderMap,
@@ -309,7 +310,7 @@ pub(crate) async fn get(
     query.finish()?;
     let _place = if wait.is_zero() { None } else { Some(state.begin_stream(&tenant, origin)?) };
     let batch = WatchedBatch { service: &state.service, tenant, id: batch_id(&id)? };
-    answer(&state, &headers, wait, &batch).await
+    answer(&state, &headers, &rights, wait, &batch).await
 }
 
 struct WatchedBatch<'a> {

@@ -1,6 +1,6 @@
 //! `/v1/changes`: the feed of state changes.
 
-use crate::http::auth::Reader;
+use crate::http::auth::{Reader, Rights};
 use crate::http::fields::Fields;
 use crate::http::long_poll::wait_of;
 use crate::http::problem::{Problem, ProblemDocument};
@@ -8,6 +8,7 @@ use crate::http::query::QueryString;
 use crate::http::router::HttpState;
 use crate::http::shares::Origin;
 use crate::http::wire::{ChangeDocument, ChangesDocument};
+use crate::jobs::Scope;
 use axum::extract::State;
 use axum::response::Response;
 use std::fmt::Display;
@@ -58,6 +59,7 @@ where
 pub(crate) async fn list(
     State(state): State<HttpState>,
     Reader(tenant): Reader,
+    rights: Rights,
     origin: Origin,
     mut query: QueryString,
 ) -> Result<Response, Problem> {
@@ -82,6 +84,8 @@ pub(crate) async fn list(
             () = tokio::time::sleep_until(until) => {}
             () = state.stop.cancelled() => {}
         }
+        // A key may have been revoked during the wait.
+        rights.ask(Scope::Read).await?;
         page = state.service.changes(&tenant, since, limit).await?;
     }
     fields.answer(&ChangesDocument::from(&page), "changes")

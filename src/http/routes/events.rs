@@ -1,7 +1,7 @@
 //! `/v1/jobs/{id}/events`: the events of a job as they happen.
 
 use super::job_id;
-use crate::http::auth::Reader;
+use crate::http::auth::{Reader, Rights};
 use crate::http::problem::{FieldError, Problem, ProblemDocument};
 use crate::http::problem_table::ProblemKind;
 use crate::http::query::QueryString;
@@ -30,7 +30,8 @@ const LAST_EVENT_ID: HeaderName = HeaderName::from_static("last-event-id");
 /// Server-sent events: `state` (the job, whenever its state changes), `progress`, `trace` (a point) and `done` (the finished
 /// job), after which the stream ends. The `id` of an event is the `seq` of the last trace point up to it, with `-done` after
 /// it for `done`. A client that reconnects with `Last-Event-ID` gets the trace from there on, without gaps or repeats; after
-/// `done` it gets 204, at which an `EventSource` stops. The stream also ends when the service shuts down; reconnect then.
+/// `done` it gets 204, at which an `EventSource` stops. The stream also ends when the service shuts down; reconnect then. It ends
+/// as well when the key that opened it is revoked, or the token has expired.
 #[utoipa::path(
     get, path = "/v1/jobs/{id}/events", tag = "jobs", operation_id = "follow_job",
     params(
@@ -48,6 +49,7 @@ const LAST_EVENT_ID: HeaderName = HeaderName::from_static("last-event-id");
 pub(crate) async fn events(
     State(state): State<HttpState>,
     Reader(tenant): Reader,
+    rights: Rights,
     Path(id): Path<String>,
     origin: Origin,
     headers: HeaderMap,
@@ -61,7 +63,7 @@ pub(crate) async fn events(
     }
     let place = state.begin_stream(&tenant, origin)?;
     let feed = state.service.follow(&tenant, id).await?;
-    let follower = Follower::new(feed, after_seq, state.stop.clone(), place);
+    let follower = Follower::new(feed, after_seq, state.stop.clone(), rights, place);
     Ok(as_stream(follower.into_stream()))
 }
 
@@ -96,6 +98,7 @@ pub(super) fn as_stream(events: impl Stream<Item = Result<Event, Infallible>> + 
 struct Follower {
     seen: watch::Receiver<Arc<Seen>>,
     stop: CancellationToken,
+    rights: Rights,
     last_seq: u64,
     last: Option<Arc<Seen>>,
     waiting: VecDeque<Event>,
@@ -116,12 +119,19 @@ pub(in crate::http) fn parse_id(text: &str) -> Option<(u64, bool)> {
 }
 
 impl Follower {
-    fn new(feed: Arc<Feed<Seen>>, last_seq: u64, stop: CancellationToken, place: [Option<Taken>; 2]) -> Self {
+    fn new(
+        feed: Arc<Feed<Seen>>,
+        last_seq: u64,
+        stop: CancellationToken,
+        rights: Rights,
+        place: [Option<Taken>; 2],
+    ) -> Self {
         let mut seen = feed.seen();
         seen.mark_changed(); // the current state is sent too
         Follower {
             seen,
             stop,
+            rights,
             last_seq,
             last: None,
             waiting: VecDeque::new(),
@@ -146,14 +156,22 @@ impl Follower {
             if self.ended {
                 return None;
             }
-            tokio::select! {
+            let is_new = tokio::select! {
                 changed = self.seen.changed() => {
                     // The reader has ended: the job is finished or was deleted, and everything was sent.
                     if changed.is_err() {
                         return None;
                     }
+                    true
                 }
+                () = self.rights.due() => false,
                 () = self.stop.cancelled() => return None,
+            };
+            if !self.rights.last().await {
+                return None;
+            }
+            if !is_new {
+                continue;
             }
             let seen = Arc::clone(&self.seen.borrow_and_update());
             self.note(seen);

@@ -1,7 +1,7 @@
 //! `/v1/jobs`: submit, list, get, cancel, retry, delete.
 
 use super::{batch_id, job_id, page, small_json, study_id};
-use crate::http::auth::{Reader, Submitter};
+use crate::http::auth::{Reader, Rights, Submitter};
 use crate::http::fields::Fields;
 use crate::http::long_poll::{MAX_WAIT_S, Resource, Snapshot, Version, answer, wait_of};
 use crate::http::preferences::{idempotency_key, marked, traceparent, wanted_wait};
@@ -15,7 +15,8 @@ use crate::http::upload::Tap;
 use crate::http::wire::{BulkCancelDocument, JobDocument, JobListDocument, SubmissionAnswer, ValidationDocument};
 use crate::jobs::follow::{Feed, Seen};
 use crate::jobs::{
-    Accepted, Job, JobFilter, JobId, JobPage, JobService, JobState, Order, PageRequest, Submission, Tenant, Validated,
+    Accepted, Job, JobFilter, JobId, JobPage, JobService, JobState, Order, PageRequest, Scope, Submission, Tenant,
+    Validated,
 };
 use async_trait::async_trait;
 use axum::Json;
@@ -72,6 +73,7 @@ use utoipa::{IntoParams, PartialSchema, ToSchema};
 pub(crate) async fn submit(
     State(state): State<HttpState>,
     Submitter(tenant): Submitter,
+    rights: Rights,
     mut query: QueryString,
     request: Request,
 ) -> Result<Response, Problem> {
@@ -92,7 +94,7 @@ pub(crate) async fn submit(
             let Accepted { made, replayed } = *accepted_now;
             let wait = wanted_wait(&headers, MAX_WAIT_S);
             let response = match wait {
-                Some(wait) => after_wait(&state, &tenant, made, wait).await?,
+                Some(wait) => after_wait(&state, &tenant, &rights, made, wait).await?,
                 None => accepted(&made),
             };
             Ok(marked(response, replayed))
@@ -138,7 +140,13 @@ fn accepted(job: &Job) -> Response {
 }
 
 /// 200 with the job if it finishes in time, else 202.
-async fn after_wait(state: &HttpState, tenant: &Tenant, made: Job, wait: Duration) -> Result<Response, Problem> {
+async fn after_wait(
+    state: &HttpState,
+    tenant: &Tenant,
+    rights: &Rights,
+    made: Job,
+    wait: Duration,
+) -> Result<Response, Problem> {
     let feed = state.service.follow(tenant, made.id).await?;
     let mut seen = feed.seen();
     let ended = seen.wait_for(|seen| seen.job.state.is_final() || seen.removed);
@@ -146,7 +154,8 @@ async fn after_wait(state: &HttpState, tenant: &Tenant, made: Job, wait: Duratio
         ended = tokio::time::timeout(wait, ended) => ended.is_ok(),
         () = state.stop.cancelled() => false,
     };
-    let mut response = if ended {
+    // Whose key was revoked during the wait learns what an answer without one would have said.
+    let mut response = if ended && rights.ask(Scope::Submit).await.is_ok() {
         let job = state.service.get(tenant, made.id).await?;
         let document = JobDocument::from(&job);
         let location = [(header::CONTENT_LOCATION, document.links.job.clone())];
@@ -350,6 +359,7 @@ pub(crate) async fn cancel_many(
 pub(crate) async fn get(
     State(state): State<HttpState>,
     Reader(tenant): Reader,
+    rights: Rights,
     Path(id): Path<String>,
     origin: Origin,
     headers: HeaderMap,
@@ -359,7 +369,7 @@ pub(crate) async fn get(
     query.finish()?;
     let _place = if wait.is_zero() { None } else { Some(state.begin_stream(&tenant, origin)?) };
     let job = WatchedJob { service: &state.service, tenant, id: job_id(&id)? };
-    answer(&state, &headers, wait, &job).await
+    answer(&state, &headers, &rights, wait, &job).await
 }
 
 struct WatchedJob<'a> {

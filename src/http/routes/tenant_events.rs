@@ -1,7 +1,7 @@
 //! `/v1/events`: the changes of all jobs of a tenant as they happen, in one stream.
 
 use super::events::{as_stream, last_event_id};
-use crate::http::auth::Reader;
+use crate::http::auth::{Reader, Rights};
 use crate::http::problem::{Problem, ProblemDocument};
 use crate::http::query::QueryString;
 use crate::http::router::HttpState;
@@ -27,7 +27,8 @@ const PAGE: u32 = 500;
 /// Server-sent events: first `open`, with the number of the last change so far as `next_since`, then `change` for every change of
 /// a job's state, as in `/v1/changes`. The `id` of an event is the number of the change. A client that reconnects with
 /// `Last-Event-ID`, as an `EventSource` does by itself, gets every change since, without gaps or repeats; `since` does the same
-/// for the first connection. The stream ends when the service shuts down; reconnect then.
+/// for the first connection. The stream ends when the service shuts down; reconnect then. It ends as well when the key that opened it
+/// is revoked, or the token has expired.
 #[utoipa::path(
     get, path = "/v1/events", tag = "jobs", operation_id = "follow_jobs",
     params(
@@ -43,6 +44,7 @@ const PAGE: u32 = 500;
 pub(crate) async fn events(
     State(state): State<HttpState>,
     Reader(tenant): Reader,
+    rights: Rights,
     origin: Origin,
     headers: HeaderMap,
     mut query: QueryString,
@@ -61,6 +63,7 @@ pub(crate) async fn events(
         service: Arc::clone(&state.service),
         tenant,
         since,
+        rights,
         stop: state.stop.clone(),
         waiting: opening.into_iter().collect(),
         _place: place,
@@ -74,6 +77,7 @@ struct Follower {
     tenant: Tenant,
     /// Number of the last change that was sent.
     since: u64,
+    rights: Rights,
     stop: CancellationToken,
     waiting: VecDeque<Event>,
     _place: [Option<Taken>; 2],
@@ -92,6 +96,9 @@ impl Follower {
             if let Some(event) = self.waiting.pop_front() {
                 return Some(event);
             }
+            if !self.rights.last().await {
+                return None;
+            }
             // An answer that has begun cannot become an error: a client that reconnects is told what is wrong.
             let page = self.service.changes(&self.tenant, self.since, PAGE).await.ok()?;
             if page.changes.is_empty() {
@@ -100,6 +107,7 @@ impl Follower {
                 tokio::select! {
                     // An error says that the reader has ended; then the store is asked.
                     _ = seen.wait_for(|has_changes| **has_changes) => {}
+                    () = self.rights.due() => {}
                     () = self.stop.cancelled() => return None,
                 }
                 continue;

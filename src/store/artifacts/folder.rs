@@ -45,6 +45,11 @@ impl FolderArtifacts {
         Ok(store)
     }
 
+    /// The blobs under `data_dir`, to be read alone: nothing is created.
+    pub(in crate::store) fn of_blobs(data_dir: &Path) -> Self {
+        FolderArtifacts { blobs: data_dir.join("blobs"), temporary: data_dir.join("incoming") }
+    }
+
     /// The file of a blob. A key has no `..` and no absolute parts, so the path stays in the folder.
     fn path(&self, key: &ArtifactKey) -> PathBuf {
         self.blobs.join(key.tenant.name()).join(key.path())

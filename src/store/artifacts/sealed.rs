@@ -23,7 +23,7 @@ const CHUNK: u64 = 64 << 10;
 /// Length of the tag of a chunk, bytes.
 const TAG: u64 = 16;
 /// Length of the footer, bytes.
-const FOOTER: u64 = (32 + OVERHEAD) as u64;
+pub(crate) const FOOTER: u64 = (32 + OVERHEAD) as u64;
 /// What a reader of a blob has in memory, bytes.
 const PIECE: u64 = 8 * CHUNK;
 

@@ -2,6 +2,7 @@
 
 use super::document::{Cell, Column, Table, with_unit};
 use super::statistics::Summary;
+use homolog_formats::csv_cell::text_cell;
 
 /// A statistic of a summary: its name and its accessor.
 type Part = (&'static str, fn(&Summary) -> f64);
@@ -32,11 +33,11 @@ pub(super) fn csv(table: &Table) -> String {
 
 fn headings(column: &Column, spread: bool) -> Vec<String> {
     if !spread {
-        return vec![column.heading()];
+        return vec![text_cell(&column.heading())];
     }
     let part = |part: &str| {
         let unit = column.unit.as_deref().filter(|_| part != "n");
-        with_unit(&format!("{} {part}", column.name), unit)
+        text_cell(&with_unit(&format!("{} {part}", column.name), unit))
     };
     PARTS.iter().map(|(name, _)| part(name)).collect()
 }
@@ -46,7 +47,7 @@ fn fields(cell: &Cell, spread: bool) -> Vec<String> {
         Cell::Spread(s) => return PARTS.iter().map(|(_, value)| value(s).to_string()).collect(),
         Cell::Count(n) => n.to_string(),
         Cell::Number(value) => value.to_string(),
-        Cell::Text(words) => words.clone(),
+        Cell::Text(words) => text_cell(words),
         Cell::Missing(()) => String::new(),
     };
     let mut fields = vec![one];
@@ -57,18 +58,7 @@ fn fields(cell: &Cell, spread: bool) -> Vec<String> {
 }
 
 fn line(text: &mut String, fields: impl Iterator<Item = String>) {
-    for (k, field) in fields.enumerate() {
-        if k > 0 {
-            text.push(',');
-        }
-        if field.contains([',', '"', '\n', '\r']) {
-            text.push('"');
-            text.push_str(&field.replace('"', "\"\""));
-            text.push('"');
-        } else {
-            text.push_str(&field);
-        }
-    }
+    text.push_str(&fields.collect::<Vec<_>>().join(","));
     text.push_str("\r\n");
 }
 
@@ -84,7 +74,7 @@ mod tests {
             columns: vec![Column::plain("name"), Column::new("error", "mm", 2)],
             rows: vec![
                 vec![Cell::text("a, \"b\""), Cell::spread(Summary::of([1.0, 2.0]))],
-                vec![Cell::text("c"), Cell::Missing(())],
+                vec![Cell::text("=c"), Cell::Missing(())],
             ],
         };
         let text = csv(&table);
@@ -92,6 +82,6 @@ mod tests {
         let heading = "name,error n,error mean (mm),error sd (mm),error q1 (mm),error median (mm),error q3 (mm)";
         assert_eq!(lines.next(), Some(heading));
         assert!(lines.next().unwrap().starts_with("\"a, \"\"b\"\"\",2,1.5,0.707"));
-        assert_eq!(lines.next(), Some("c,,,,,,"));
+        assert_eq!(lines.next(), Some("'=c,,,,,,"));
     }
 }

@@ -14,7 +14,7 @@ use homolog_mesh::SurfaceMesh;
 use homolog_primitives::observe::{Phase, TracePoint};
 use nalgebra::{Matrix3, Point3, Vector3};
 use plot::energy_plot;
-use serde_json::json;
+use serde_json::{Value, json};
 use std::fmt::Write;
 
 use crate::colors::{Colors, ramp_svg};
@@ -96,8 +96,8 @@ fn verdict(inputs: &ReportInputs<'_>) -> String {
 /// The view of both surfaces.
 struct View {
     section: String,
-    /// What the script draws, as JSON.
-    data: String,
+    /// What the script draws.
+    data: Value,
 }
 
 impl View {
@@ -142,7 +142,7 @@ impl View {
             colors.largest_residual_mm,
             ramp = ramp_svg(),
         );
-        Ok(View { section, data: data.to_string() })
+        Ok(View { section, data })
     }
 }
 
@@ -317,7 +317,8 @@ mod tests {
     use crate::intake::IntakeLimits;
     use crate::page::hash;
     use crate::{InputFile, run_match};
-    use homolog_contract::parameters::resolve;
+    use homolog_contract::input::{InputWarning, RepairNote};
+    use homolog_contract::parameters::{LabelChoice, Repair, resolve};
     use homolog_formats::ply::write_ply;
     use homolog_mesh::shapes::ellipsoid;
     use homolog_primitives::observe::Silent;
@@ -363,6 +364,24 @@ mod tests {
             assert_eq!(length(&surface["triangles"]), 12 * output.source.n_faces());
             assert!(surface["colors"].as_array().unwrap().iter().all(|colors| length(colors) == 3 * n));
         }
+        // Texts of people and of files stay texts: names of labels, what readers say, warnings, the program's own.
+        let markup = "</script><img src=x onerror=alert(1)>";
+        let mut document = output.document.clone();
+        let label = LabelChoice::Name(markup.to_owned());
+        document.provenance.parameters.input.labels = Some(vec![label]);
+        let warning = InputWarning { reason: None, detail: markup.to_owned() };
+        document.warn(vec![warning.clone()]);
+        document.provenance.version = markup.to_owned();
+        document.provenance.commit = markup.to_owned();
+        for input in [&mut document.provenance.source, &mut document.provenance.target] {
+            input.hash = markup.to_owned();
+            input.report.notes.push(markup.to_owned());
+            input.report.warnings.push(warning.clone());
+            input.report.repairs.push(RepairNote { repair: Repair::Weld, detail: markup.to_owned() });
+        }
+        let marked = write_report(&ReportInputs { document: &document, ..inputs }).unwrap();
+        assert_eq!((marked.matches("</script").count(), marked.matches("<img").count()), (2, 0));
+        assert!(marked.matches("&lt;img src=x").count() >= 10, "every text is there");
         let other = Correspondences { triangle: vec![[u32::MAX; 3]; n], ..correspondences.clone() };
         assert_eq!(write_report(&ReportInputs { correspondences: &other, ..inputs }), Err(WarpError::OtherSurfaces));
     }

@@ -15,6 +15,7 @@ mod spharm;
 
 use homolog_formats::ply::write_ply;
 use homolog_mesh::{ClosestPointIndex, SurfaceMesh};
+use homolog_primitives::observe::Silent;
 use homolog_registration::{ProcrustesOptions, procrustes};
 use homolog_run::intake::{IntakeLimits, prepare_surface};
 use homolog_study::findings::find;
@@ -44,8 +45,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut settings = document.settings;
     settings.template = TemplateChoice::Given { file: original.join("template/template.ply") };
     let folder = Folder::create(other)?;
-    let mut study = Study::open(document.cohort, settings, &document.hashes, &folder)?;
-    let (template, tasks) = match study.next(&folder)? {
+    let mut study = Study::open(document.cohort, settings, &document.hashes, &folder, &Quiet)?;
+    let (template, tasks) = match study.next(&folder, &Silent)? {
         Step::Match { template, tasks, .. } => (*template, tasks),
         Step::Matched(matched) => (matched.making.template, Vec::new()),
     };

@@ -5,6 +5,7 @@ use crate::align::{align, rms};
 use crate::settings::Size;
 use homolog_mesh::SurfaceMesh;
 use homolog_mesh::shapes::ellipsoid;
+use homolog_primitives::observe::Silent;
 
 /// Ellipsoids that differ in two ways and a little noise.
 fn group(n: usize) -> (SurfaceMesh, Vec<Vec<[f32; 3]>>) {
@@ -35,7 +36,7 @@ fn rows(shapes: &[Vec<[f32; 3]>], alignment: &Alignment) -> Mat<f64> {
 fn components_are_those_of_a_thin_svd_of_all_coordinates() {
     let (mesh, shapes) = group(12);
     let alignment = align(&shapes, &mesh, Size::Kept).unwrap();
-    let model = ShapeModel::new(&shapes, &alignment, 1).unwrap();
+    let model = ShapeModel::new(&shapes, &alignment, 1, &Silent).unwrap();
     let svd = rows(&shapes, &alignment).thin_svd().unwrap();
     let singular = svd.S().column_vector();
     for k in 0..11 {
@@ -65,7 +66,7 @@ fn components_are_those_of_a_thin_svd_of_all_coordinates() {
 fn leaving_out_is_a_model_of_the_others() {
     let (mesh, shapes) = group(9);
     let alignment = align(&shapes, &mesh, Size::Kept).unwrap();
-    let model = ShapeModel::new(&shapes, &alignment, 1).unwrap();
+    let model = ShapeModel::new(&shapes, &alignment, 1, &Silent).unwrap();
     let data = rows(&shapes, &alignment);
     let mut errors = vec![0.0; model.modes.len()];
     for left in 0..9 {
@@ -102,7 +103,7 @@ fn leaving_out_is_a_model_of_the_others() {
 fn an_unusual_shape_is_noticed_and_specificity_is_a_distance_of_shapes() {
     let (mesh, shapes) = group(40);
     let alignment = align(&shapes, &mesh, Size::Kept).unwrap();
-    let model = ShapeModel::new(&shapes, &alignment, 1).unwrap();
+    let model = ShapeModel::new(&shapes, &alignment, 1, &Silent).unwrap();
     let bulge: Vec<_> =
         alignment.mean.iter().map(|p| if p.x > 6.0 { p + Vector3::new(0.0, 0.0, 1.5) } else { *p }).collect();
     let (_, distance) = model.score(&alignment, &bulge);
@@ -144,7 +145,7 @@ fn blocks_and_threads_do_not_matter() {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
         pool.install(|| {
             let alignment = align(&shapes, &mesh, Size::Removed).unwrap();
-            ShapeModel::new(&shapes, &alignment, 3).unwrap()
+            ShapeModel::new(&shapes, &alignment, 3, &Silent).unwrap()
         })
     };
     assert_eq!(with(1), with(4));

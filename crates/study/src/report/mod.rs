@@ -16,6 +16,7 @@ use crate::quality::most_urgent_first;
 use crate::settings::Measure;
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD as BASE64;
+use homolog_primitives::observe::{Observer, checkpoint};
 use homolog_run::page::{Page, escaped};
 use nalgebra::{Matrix3, Point3, Vector3};
 use serde_json::{Value, json};
@@ -34,9 +35,15 @@ const SHOWN_SUBJECTS: usize = 200;
 /// The page as HTML.
 ///
 /// # Errors
-/// Those of reading records.
-pub(crate) fn page(study: &Study, found: &Findings, folder: &Folder, commit: &str) -> Result<String, StudyError> {
-    let view = View::new(study, found, folder)?;
+/// Those of reading records; [`StudyError::Interrupted`].
+pub(crate) fn page(
+    study: &Study,
+    found: &Findings,
+    folder: &Folder,
+    commit: &str,
+    observer: &dyn Observer,
+) -> Result<String, StudyError> {
+    let view = View::new(study, found, folder, observer)?;
     let body = [
         summary(found),
         quality(study, found, &view.pictures),
@@ -150,7 +157,7 @@ fn quality(study: &Study, found: &Findings, pictures: &[(usize, usize)]) -> Stri
 /// The view of maps, modes and subjects.
 struct View {
     section: String,
-    data: String,
+    data: Value,
     /// Subjects with a picture, and their places among the shapes.
     pictures: Vec<(usize, usize)>,
 }
@@ -169,13 +176,14 @@ fn scaled(values: &[f64]) -> (String, f64) {
 }
 
 impl View {
-    fn new(study: &Study, found: &Findings, folder: &Folder) -> Result<View, StudyError> {
+    fn new(study: &Study, found: &Findings, folder: &Folder, observer: &dyn Observer) -> Result<View, StudyError> {
         let mean = &found.mean;
         let (center, radius, turn) = frame(mean.vertices());
         let flat = |points: &[Point3<f64>]| base64(points.iter().flat_map(|p| <[f64; 3]>::from(p - center)));
         let mut maps: Vec<Value> = Vec::new();
         let mut map_options = String::new();
         for map in found.statistics.iter().flat_map(|statistics| &statistics.maps) {
+            checkpoint(observer)?;
             let contrast = found.statistics.as_ref().map(|s| &s.design.contrasts[map.contrast]);
             let (values, largest) = scaled(map.effect());
             let significant: Vec<u8> = map.p_corrected().iter().map(|&p| u8::from(p < 0.05)).collect();
@@ -223,7 +231,7 @@ impl View {
             }
             let own = moved(study, &found.matched, folder, &found.alignment, k)?;
             let surface = mean.with_vertices(own.clone())?;
-            let along = measured(Measure::NormalDisplacement, mean, &surface).unwrap_or_default();
+            let along = measured(Measure::NormalDisplacement, mean, &surface, observer)?.unwrap_or_default();
             let title = format!("subject {}", study.cohort.subjects[k].id);
             let _ = write!(shape_options, "<option value=\"{}\">{}</option>", shapes.len(), escaped(&title));
             pictures.push((k, shapes.len()));
@@ -245,7 +253,7 @@ impl View {
              <p class=\"hint\">Drag or use the arrow keys to turn, scroll to zoom. Red is outwards, blue inwards, of modes and \
              subjects along the normal of the mean.</p>\n"
         );
-        Ok(View { section, data: data.to_string(), pictures })
+        Ok(View { section, data, pictures })
     }
 }
 

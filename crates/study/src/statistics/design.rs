@@ -5,6 +5,9 @@ use crate::settings::Analysis;
 use crate::statistics::linear::independent;
 use faer::Mat;
 
+/// Most contrasts besides those of the effect: each has maps of every measure.
+pub const MAX_CONTRASTS: usize = 100;
+
 /// A design: a row for each subject that has all covariates, a column for the mean, for each number, and for each level of a
 /// factor but its reference.
 #[derive(Debug, Clone, PartialEq)]
@@ -41,6 +44,12 @@ impl Design {
     /// What is wrong with the analysis, in words: a covariate or a level that does not exist, too few subjects, columns of
     /// which one follows from others.
     pub fn new(cohort: &Cohort, subjects: &[usize], analysis: &Analysis) -> Result<Self, String> {
+        if analysis.contrasts.len() > MAX_CONTRASTS {
+            return Err(format!(
+                "{} further contrasts are asked for; a study has at most {MAX_CONTRASTS}, each with a test at every vertex",
+                analysis.contrasts.len()
+            ));
+        }
         let names: Vec<&String> = analysis.effect.iter().chain(&analysis.adjust).collect();
         let mut covariates = Vec::new();
         for (k, name) in names.iter().enumerate() {

@@ -8,6 +8,7 @@
 
 use super::VertexValues;
 use faer::Mat;
+use homolog_primitives::observe::{Cancelled, Observer, checkpoint};
 use rayon::prelude::*;
 use statrs::distribution::{ContinuousCDF, StudentsT};
 
@@ -122,7 +123,15 @@ impl LinearModel {
     }
 
     /// A contrast at every vertex; `O(n p)` each.
-    pub fn contrast(&self, values: &VertexValues, contrast: &[f64]) -> ContrastMap {
+    ///
+    /// # Errors
+    /// [`Cancelled`].
+    pub fn contrast(
+        &self,
+        values: &VertexValues,
+        contrast: &[f64],
+        observer: &dyn Observer,
+    ) -> Result<ContrastMap, Cancelled> {
         let a = self.observation_weights(contrast);
         let (length, degrees) = (norm(&a), self.degrees());
         let student = StudentsT::new(0.0, 1.0, degrees);
@@ -131,24 +140,25 @@ impl LinearModel {
             .collect::<Vec<_>>()
             .into_par_iter()
             .map(|y| {
+                checkpoint(observer)?;
                 let (effect, e) = (dot(&a, y), self.residuals(y));
                 let deviation = norm(&e) / degrees.sqrt();
                 let robust = (0..self.n).map(|i| (a[i] * e[i] / self.free[i]).powi(2)).sum::<f64>().sqrt();
                 let over = |error: f64| if error > 0.0 { effect / error } else { 0.0 };
                 let t = over(robust);
                 let p = student.as_ref().map_or(1.0, |student| 2.0 * student.sf(t.abs()));
-                [effect, robust, over(deviation * length), t, p, over(deviation) * hedges(degrees)]
+                Ok([effect, robust, over(deviation * length), t, p, over(deviation) * hedges(degrees)])
             })
-            .collect();
+            .collect::<Result<_, Cancelled>>()?;
         let column = |k: usize| each.iter().map(|row| row[k]).collect();
-        ContrastMap {
+        Ok(ContrastMap {
             effect: column(0),
             robust_se: column(1),
             t: column(2),
             robust_t: column(3),
             robust_p: column(4),
             g: column(5),
-        }
+        })
     }
 }
 

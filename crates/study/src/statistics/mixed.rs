@@ -9,6 +9,7 @@
 
 use super::VertexValues;
 use faer::Mat;
+use homolog_primitives::observe::{Cancelled, Observer, checkpoint};
 use nalgebra::{DMatrix, DVector};
 use rayon::prelude::*;
 use statrs::distribution::{ContinuousCDF, Normal};
@@ -86,44 +87,55 @@ impl MixedModel {
     }
 
     /// The fit of greatest restricted likelihood.
-    fn best(&self, y: &[f64]) -> Option<(Fit, f64)> {
+    fn best(&self, y: &[f64], observer: &dyn Observer) -> Result<Option<(Fit, f64)>, Cancelled> {
         let y = DVector::from_column_slice(y);
         let product = self.x.transpose() * &y;
         let of_y: Vec<f64> = self.groups.iter().map(|rows| rows.iter().map(|&i| y[i]).sum()).collect();
-        let criterion = |share: f64| self.fit(&y, &product, &of_y, share).map_or(f64::INFINITY, |fit| fit.criterion);
+        let criterion = |share: f64| {
+            checkpoint(observer)?;
+            Ok(self.fit(&y, &product, &of_y, share).map_or(f64::INFINITY, |fit| fit.criterion))
+        };
         let at = |k: usize| MAX_SHARE * k as f64 / COARSE as f64;
-        let values: Vec<f64> = (0..=COARSE).map(|k| criterion(at(k))).collect();
+        let values: Vec<f64> = (0..=COARSE).map(|k| criterion(at(k))).collect::<Result<_, Cancelled>>()?;
         let best = (0..=COARSE).fold(0, |best, k| if values[k] < values[best] { k } else { best });
         let (mut low, mut high) = (at(best.saturating_sub(1)), at((best + 1).min(COARSE)));
         // Golden section.
         let ratio = (5f64.sqrt() - 1.0) / 2.0;
         for _ in 0..FINE {
             let (a, b) = (high - ratio * (high - low), low + ratio * (high - low));
-            if criterion(a) <= criterion(b) { high = b } else { low = a }
+            if criterion(a)? <= criterion(b)? { high = b } else { low = a }
         }
         let mut share = f64::midpoint(low, high);
         // No variance between subjects is an end of the interval, which the section only approaches.
-        if criterion(0.0) <= criterion(share) {
+        if criterion(0.0)? <= criterion(share)? {
             share = 0.0;
         }
-        Some((self.fit(&y, &product, &of_y, share)?, share))
+        Ok(self.fit(&y, &product, &of_y, share).map(|fit| (fit, share)))
     }
 
     /// A contrast at every vertex; about a hundred fits each, `O(subjects · p²)`.
-    pub fn contrast(&self, values: &VertexValues, contrast: &[f64]) -> MixedMap {
+    ///
+    /// # Errors
+    /// [`Cancelled`]; the observer is asked before every fit.
+    pub fn contrast(
+        &self,
+        values: &VertexValues,
+        contrast: &[f64],
+        observer: &dyn Observer,
+    ) -> Result<MixedMap, Cancelled> {
         let (c, normal) = (DVector::from_column_slice(contrast), Normal::standard());
         let each: Vec<[f64; 5]> = values
             .vertices()
             .collect::<Vec<_>>()
             .into_par_iter()
             .map(|y| {
-                let Some((fit, between)) = self.best(y) else { return [0.0, 0.0, 0.0, 1.0, 0.0] };
+                let Some((fit, between)) = self.best(y, observer)? else { return Ok([0.0, 0.0, 0.0, 1.0, 0.0]) };
                 let (effect, se) = (c.dot(&fit.beta), (c.transpose() * &fit.covariance * &c)[0].sqrt());
                 let z = if se > 0.0 { effect / se } else { 0.0 };
-                [effect, se, z, 2.0 * normal.sf(z.abs()), between]
+                Ok([effect, se, z, 2.0 * normal.sf(z.abs()), between])
             })
-            .collect();
+            .collect::<Result<_, Cancelled>>()?;
         let column = |k: usize| each.iter().map(|row| row[k]).collect();
-        MixedMap { effect: column(0), se: column(1), z: column(2), p: column(3), between: column(4) }
+        Ok(MixedMap { effect: column(0), se: column(1), z: column(2), p: column(3), between: column(4) })
     }
 }

@@ -61,16 +61,16 @@ impl Refined {
     /// The vertices of `mesh` moved by the base and the field.
     pub(crate) fn moved(&self, mesh: &SurfaceMesh) -> Vec<Point3<f64>> {
         let values = self.functions.values(mesh.vertices());
-        displaced(&self.from_base(mesh, &values), &self.field, &values)
+        displaced(&self.based(mesh, &values), &self.field, &values)
     }
 
     /// The vertices of `mesh` moved by the base alone.
     pub(crate) fn started(&self, mesh: &SurfaceMesh) -> Vec<Point3<f64>> {
-        self.from_base(mesh, &self.functions.values(mesh.vertices()))
+        self.based(mesh, &self.functions.values(mesh.vertices()))
     }
 
     /// The vertices of `mesh`, where the functions of the field have these `values`, moved by the base.
-    fn from_base(&self, mesh: &SurfaceMesh, values: &Mat<f64>) -> Vec<Point3<f64>> {
+    fn based(&self, mesh: &SurfaceMesh, values: &Mat<f64>) -> Vec<Point3<f64>> {
         if self.local.is_some() && self.base.bend.is_some() {
             self.base.moved(mesh.vertices(), &self.base_functions.values(mesh.vertices()))
         } else {

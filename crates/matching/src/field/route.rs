@@ -364,7 +364,7 @@ fn by_isometry(
     // Surfaces that agree are as close as they come only after the local stage.
     let end = if doubtful { RigidEnd::Fine(fine) } else { RigidEnd::Refined(refined_from(forward, fine)?) };
     let reached = match &end {
-        RigidEnd::Refined(Some(found)) => found.moved(&forward.source.mesh).0,
+        RigidEnd::Refined(Some(found)) => found.moved(&forward.source.mesh),
         RigidEnd::Refined(None) | RigidEnd::Fine(_) => wide,
     };
     let low = low_energies(forward, source, target, &reached)?;

@@ -54,6 +54,70 @@ fn the_table_of_parameters_is_up_to_date() {
     assert!(committed == done.stdout, "docs/parameters.md is not what the program prints; run `make api`");
 }
 
+/// A constant, or a member of the default of a settings struct, as the code writes it.
+fn value_in_code(code: &str, name: &str) -> Option<f64> {
+    let number = |text: &str| text.trim().trim_end_matches([';', ',', '}']).trim().replace('_', "").parse().ok();
+    let lines = || code.lines().map(str::trim);
+    let constant =
+        lines().find_map(|line| line.split_once(&format!("const {name}: "))?.1.split_once(" = ")).map(|at| at.1);
+    let member = || {
+        let of_line = |line: &'_ str| {
+            let begin = format!("{name}: ");
+            let at = line
+                .match_indices(&begin)
+                .find(|(at, _)| !line[..*at].ends_with(|c: char| c.is_alphanumeric() || c == '_'))?
+                .0;
+            line[at + begin.len()..].split([',', '}']).next().map(str::to_owned)
+        };
+        lines().filter_map(of_line).find(|value| number(value).is_some())
+    };
+    constant.map(str::to_owned).or_else(member).and_then(|value| number(&value))
+}
+
+#[test]
+fn the_ledger_has_the_values_of_the_code() {
+    let ledger: toml::Table = fs::read_to_string(root().join("benches/thresholds.toml")).unwrap().parse().unwrap();
+    let thresholds = ledger["threshold"].as_array().unwrap();
+    let mut wrong = Vec::new();
+    let mut names = std::collections::BTreeSet::new();
+    for threshold in thresholds {
+        let text = |key: &str| threshold[key].as_str().unwrap().to_owned();
+        let (name, file) = (text("name"), text("file"));
+        let stated =
+            threshold["value"].as_float().or_else(|| threshold["value"].as_integer().map(|value| value as f64));
+        let found = value_in_code(&fs::read_to_string(root().join(&file)).unwrap_or_default(), &name);
+        if found.is_none() || found != stated {
+            wrong.push(format!("{file}: {name} is {found:?}, the ledger has {stated:?}"));
+        }
+        assert!(text("decides").len() > 10, "{name}");
+        assert!(names.insert((file, name)), "listed twice");
+    }
+    assert!(wrong.is_empty(), "{wrong:#?}");
+    // Every threshold of the route and of the verdict is there.
+    let settings = fs::read_to_string(root().join("crates/matching/src/field/settings.rs")).unwrap();
+    let route = settings.split_once("RouteSettings {\n            ").unwrap().1.split_once('}').unwrap().0;
+    for line in route.lines().filter_map(|line| line.trim().split_once(": ")) {
+        assert!(names.iter().any(|(_, name)| name == line.0), "{} is not in the ledger", line.0);
+    }
+    let verdict = fs::read_to_string(root().join("crates/matching/src/answer/reliability.rs")).unwrap();
+    for name in verdict.lines().filter_map(|line| line.strip_prefix("const ")?.split_once(": f64")).map(|found| found.0)
+    {
+        let counts = name.starts_with("AWAY_") || name == "MAX_LEAD";
+        assert!(counts || names.iter().any(|(_, listed)| listed == name), "{name} is not in the ledger");
+    }
+}
+
+#[test]
+fn values_are_read_as_the_code_writes_them() {
+    let code = "const MOST: f64 = 1_000.5;\nS { noise: 0.136, noise_power: 6.0 }\npub noise: f64,\n    bent: 0.15,\n";
+    let of = |name: &str| value_in_code(code, name);
+    assert_eq!(
+        [of("MOST"), of("noise"), of("noise_power"), of("bent")],
+        [Some(1000.5), Some(0.136), Some(6.0), Some(0.15)]
+    );
+    assert_eq!([of("power"), of("none")], [None, None]);
+}
+
 #[test]
 fn links_between_documents_resolve() {
     let mut n_links = 0;

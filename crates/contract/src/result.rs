@@ -305,6 +305,10 @@ pub struct EnergyDocument {
     pub initial: f64,
     /// Energy of the answered labeling.
     pub r#final: f64,
+    /// The same for each variable, which compares pairs of different sizes. By default about 2 for copies of a hippocampus and 3.5 to 4 for two
+    /// subjects; 0 in results of versions that did not state it.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub per_variable: f64,
     /// Unary part of that energy.
     pub unary: f64,
     /// Pairwise part of that energy.

@@ -12,8 +12,8 @@ use crate::pair::solver::solver;
 use crate::poses::posed::{InferredPose, Posed};
 use crate::surface::side::Side;
 use homolog_contract::result::{
-    ConsistencyDocument, Correspondences, DeformationDocument, EnergyDocument, OutlierReason, SimilarityDocument,
-    StopReason, SupportDocument, SurfaceDistanceDocument, TransformDocument,
+    ConsistencyDocument, Correspondences, DeformationDocument, EnergyDocument, OutlierReason, RoundDocument,
+    SimilarityDocument, StopReason, SupportDocument, SurfaceDistanceDocument, TransformDocument,
 };
 use homolog_mesh::{ClosestPoint, SurfaceDistances, SurfaceMesh};
 use homolog_primitives::graph::{EdgeGraph, Reach};
@@ -177,6 +177,7 @@ fn energy(problem: &EnergyProblem<'_>, labeling: &[u32]) -> EnergyDocument {
         n_labels: model.labels.n_labels() as u32,
         initial: model.energy(&model.unary_minimum()).total(),
         r#final: found.total(),
+        per_variable: found.total() / model.variables.n_vertices() as f64,
         unary: found.unary,
         pairwise: found.pairwise,
         lower_bound: *lower_bound,

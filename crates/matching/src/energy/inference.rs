@@ -182,6 +182,7 @@ impl Inferred {
                 n_labels: model.n_labels() as u32,
                 initial: self.initial.total(),
                 r#final: energy.total(),
+                per_variable: energy.total() / model.n_variables() as f64,
                 unary: energy.unary,
                 pairwise: energy.pairwise,
                 lower_bound: None,

@@ -24,6 +24,10 @@ use homolog_registration::RigidTransform;
 use homolog_registration::deformation::{FittedField, GaussianKernel, KernelEvidence, fit_field, most_probable_kernel};
 use nalgebra::Point3;
 
+/// Largest ratio of the variances of the second kernel and of the noise, as a power of two: less noise than a 64th of the displacement is not
+/// believed.
+const LARGEST_RATIO: i32 = 12;
+
 /// The kernel that counts, and what it leaves, for one that was `found` on surfaces sampled at this distance.
 fn local_kernel(found: &KernelEvidence, sampling_mm: f64, options: &DisplacementOptions) -> LocalKernel {
     let GaussianKernel { width_mm, amplitude_mm } = found.kernel;
@@ -139,7 +143,7 @@ fn evidence(displacement: &Displacement<'_>, moved: &[Point3<f64>]) -> Option<Ke
     let points: Vec<Point3<f64>> = picked.iter().map(|&i| source[i]).collect();
     let points = displacement.functions.coordinates(&points);
     let widths = displacement.options.local.widths.map(|w| w * displacement.diagonal_mm);
-    most_probable_kernel(&points, &normals, &heights, &widths)
+    most_probable_kernel(&points, &normals, &heights, &widths, LARGEST_RATIO)
 }
 
 /// The field after some steps of `fit` from `moved`, with the precisions of the features there.

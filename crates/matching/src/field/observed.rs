@@ -28,6 +28,9 @@ const MOST_POINTS: usize = 200;
 const FEATURES: std::ops::Range<usize> = N_FEATURES - 2..N_FEATURES;
 /// Widths of the process, in diagonals: in steps of √2 from those that the local stage tries to those of a whole structure.
 const WIDTHS: [f64; 7] = [0.075, 0.105, 0.15, 0.21, 0.3, 0.42, 0.6];
+/// Largest ratio of the variances of the process and of the noise, as a power of two: on surfaces without noise a field is known to a thousandth of
+/// its size.
+const LARGEST_RATIO: i32 = 22;
 /// Kernels of the process, and how fast their amplitude falls with their width: as that of a Matérn process of smoothness 5/2, the usual choice
 /// (Rasmussen, Williams 2006, section 4.2.1).
 const N_OCTAVES: i32 = 3;
@@ -66,7 +69,7 @@ pub(super) fn variances(
     let widths = WIDTHS.map(|width| width * diagonal_mm);
     let at = displacement.functions.coordinates(&sample.points);
     // Copies are displaced nowhere.
-    let Some(found) = most_probable_kernel(&at, &sample.normals, &sample.shifts, &widths) else {
+    let Some(found) = most_probable_kernel(&at, &sample.normals, &sample.shifts, &widths, LARGEST_RATIO) else {
         return Some(vec![0.0; points.len()]);
     };
     let kernels = octaves(found.kernel).collect();

@@ -227,6 +227,7 @@ fn the_default_traces_belief_propagation_then_ransac_then_the_fits_of_the_field(
     assert_eq!(from_nothing.iterations, inference.len() as u32);
     assert!(!from_nothing.chosen && clamped.chosen && clamped.energy == energies.r#final);
     assert!(energies.r#final == energies.unary + energies.pairwise && energies.r#final < energies.initial);
+    assert_eq!(energies.per_variable, energies.r#final / f64::from(energies.n_variables));
     // Two of three labels from nothing support the pose, and nearly all those of the answer.
     assert!(3 * from_nothing.support >= 2 * energies.n_variables && 10 * clamped.support >= 9 * energies.n_variables);
     assert!(outcome.support.trials > 0 && outcome.support.confidence_reached);

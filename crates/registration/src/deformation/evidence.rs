@@ -20,9 +20,8 @@ use faer::{Conj, Mat, Par, Spec};
 use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
 
-/// Ratios `s² / σ²` that are tried: powers of two from 2⁻⁴ to 2²². Surfaces without noise need the last ones: fields on them are known to a
-/// thousandth of their size.
-const RATIOS: std::ops::RangeInclusive<i32> = -4..=22;
+/// The least ratio `s² / σ²` that is tried, as a power of two.
+const LEAST_RATIO: i32 = -4;
 
 /// The most probable kernel of a displacement field.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -35,8 +34,8 @@ pub struct KernelEvidence {
     pub gain: f64,
 }
 
-/// The kernel, of the given widths (mm), under which `heights` (mm) along unit `normals` at `points` are most probable.
-/// `None` without points or widths, where all heights are 0, or where a number is not finite.
+/// The kernel, of the given widths (mm), under which `heights` (mm) along unit `normals` at `points` are most probable. Ratios `s² / σ²` up to
+/// two to the power of `largest_ratio` are tried. `None` without points or widths, where all heights are 0, or where a number is not finite.
 ///
 /// # Cost
 /// `O(widths · points³)`; widths on all threads.
@@ -45,6 +44,7 @@ pub fn most_probable_kernel(
     normals: &[Vector3<f64>],
     heights: &[f64],
     widths_mm: &[f64],
+    largest_ratio: i32,
 ) -> Option<KernelEvidence> {
     let n = points.len() as f64;
     let variance = heights.iter().map(|h| h * h).sum::<f64>() / n;
@@ -61,7 +61,8 @@ pub fn most_probable_kernel(
             let gain = 0.5 * (n * (variance / noise_variance).ln() - log_determinant);
             KernelEvidence { kernel, noise_mm: noise_variance.sqrt(), gain }
         };
-        RATIOS.map(of_ratio).filter(|e| e.gain.is_finite()).max_by(|a, b| a.gain.total_cmp(&b.gain))
+        let found = (LEAST_RATIO..=largest_ratio).map(of_ratio).filter(|e| e.gain.is_finite());
+        found.max_by(|a, b| a.gain.total_cmp(&b.gain))
     };
     let found: Vec<Option<KernelEvidence>> = widths_mm.par_iter().map(of_width).collect();
     found.into_iter().flatten().max_by(|a, b| a.gain.total_cmp(&b.gain))
@@ -170,7 +171,7 @@ mod tests {
         let (points, normals) = (cloud(3, 60), directions(4, 60));
         let truth = GaussianKernel { width_mm: 5.0, amplitude_mm: 2.0 };
         let heights = drawn(&with_noise(&points, &normals, truth, 0.5));
-        let found = most_probable_kernel(&points, &normals, &heights, &[5.0]).unwrap();
+        let found = most_probable_kernel(&points, &normals, &heights, &[5.0], 12).unwrap();
         let field = log_density(&with_noise(&points, &normals, found.kernel, found.noise_mm), &heights);
         let variance = heights.iter().map(|h| h * h).sum::<f64>() / 60.0;
         let noise = log_density(&(DMatrix::identity(60, 60) * variance), &heights);
@@ -183,19 +184,19 @@ mod tests {
         let widths = [1.0, 2.0, 4.0, 8.0, 16.0];
         let truth = GaussianKernel { width_mm: 4.0, amplitude_mm: 1.5 };
         let heights = drawn(&with_noise(&points, &normals, truth, 0.2));
-        let found = most_probable_kernel(&points, &normals, &heights, &widths).unwrap();
+        let found = most_probable_kernel(&points, &normals, &heights, &widths, 12).unwrap();
         assert!(found.kernel.width_mm == 4.0 && found.gain > 20.0, "{found:?}");
         assert!((1.0..2.3).contains(&found.kernel.amplitude_mm), "{found:?}");
         let noise = drawn(&(DMatrix::identity(300, 300) * 0.04));
-        let found = most_probable_kernel(&points, &normals, &noise, &widths).unwrap();
+        let found = most_probable_kernel(&points, &normals, &noise, &widths, 12).unwrap();
         assert!(found.gain < 4.0, "{found:?}");
     }
 
     #[test]
     fn no_heights_no_widths_and_numbers_that_are_not_finite_have_no_kernel() {
         let (points, normals) = (cloud(1, 10), directions(2, 10));
-        assert_eq!(most_probable_kernel(&points, &normals, &[0.0; 10], &[1.0]), None);
-        assert_eq!(most_probable_kernel(&points, &normals, &[f64::NAN; 10], &[1.0]), None);
-        assert_eq!(most_probable_kernel(&points, &normals, &[1.0; 10], &[]), None);
+        assert_eq!(most_probable_kernel(&points, &normals, &[0.0; 10], &[1.0], 12), None);
+        assert_eq!(most_probable_kernel(&points, &normals, &[f64::NAN; 10], &[1.0], 12), None);
+        assert_eq!(most_probable_kernel(&points, &normals, &[1.0; 10], &[], 12), None);
     }
 }

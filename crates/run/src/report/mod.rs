@@ -263,10 +263,11 @@ fn energy(inputs: &ReportInputs<'_>) -> String {
         inputs.document.rounds.iter().find(|round| round.chosen).map_or(energy.r#final, |round| round.energy);
     format!(
         "<h2>Energy</h2>\n<p>{:.2} where every vertex takes the label that suits it alone, {minimized:.2} after its \
-         minimization, {:.2} for the answer; {} variables, {} labels, no unit, lower is better. The number of iterations is \
+         minimization, {:.2} for the answer, {:.2} for each of its {} variables; {} labels, no unit, lower is better. The number of iterations is \
          part of the method.</p>\n{}",
         energy.initial,
         energy.r#final,
+        energy.per_variable,
         energy.n_variables,
         energy.n_labels,
         energy_plot(Some(energy.initial), Phase::Inference, inputs.trace).unwrap_or_default()

@@ -12,8 +12,8 @@ use crate::pair::solver::solver;
 use crate::poses::posed::{InferredPose, Posed};
 use crate::surface::side::Side;
 use homolog_contract::result::{
-    ConsistencyDocument, Correspondences, DeformationDocument, EnergyDocument, OutlierReason, RoundDocument,
-    SimilarityDocument, StopReason, SupportDocument, SurfaceDistanceDocument, TransformDocument,
+    ConsistencyDocument, Correspondences, DeformationDocument, EnergyDocument, OutlierReason, SimilarityDocument,
+    StopReason, SupportDocument, SurfaceDistanceDocument, TransformDocument,
 };
 use homolog_mesh::{ClosestPoint, SurfaceDistances, SurfaceMesh};
 use homolog_primitives::graph::{EdgeGraph, Reach};

@@ -158,7 +158,7 @@ fn no_step_of_a_study_takes_more_than_it_is_predicted_to() {
         let (predicted, counted) = step(subjects, levels, contrasts, covariates, permutations);
         let share = predicted as f64 / counted as f64;
         is_fine &= share >= 1.0;
-        // Where arrays decide, and not what is said of each subject, the estimate is no wild guess either.
+        // Where arrays decide, and not what is said of each subject, the estimate is not far too high either.
         is_fine &= share <= 4.0 || predicted < 64 << 20;
         lines.push(format!(
             "{subjects} subjects, level {levels}, {contrasts} contrasts, {covariates} covariates: predicted {predicted}, \

@@ -43,10 +43,13 @@ pub fn posterior_variances(
         prior.covariance_of(&a.at, &b.at, center) * a.direction.dot(&b.direction) + noise
     });
     let factor = gram.llt(Side::Lower).ok()?;
-    let mut whitened = Mat::from_fn(n, 3 * points.len(), |i, k| {
-        let observed = &components[i];
-        prior.covariance_of(&observed.at, &points[k / 3], center) * observed.direction[k % 3]
-    });
+    let mut whitened = Mat::zeros(n, 3 * points.len());
+    for (k, p) in points.iter().enumerate() {
+        for (i, observed) in components.iter().enumerate() {
+            let covariance = prior.covariance_of(&observed.at, p, center);
+            (0..3).for_each(|axis| whitened[(i, 3 * k + axis)] = covariance * observed.direction[axis]);
+        }
+    }
     solve_lower_triangular_in_place(factor.L(), whitened.as_mut(), Par::Seq);
     let known = |k: usize| -> f64 { (3 * k..3 * k + 3).map(|axis| whitened.col(axis).squared_norm_l2()).sum() };
     let variances: Vec<f64> = (points.iter().enumerate())

@@ -69,6 +69,10 @@ export const REASONS: Record<string, { meaning: string; check: string }> = {
     meaning: "A structure had cavities of 5 % or more of its volume, or closing them and its tunnels changed as much.",
     check: "Is the label a wall around something else? Name the repair fill to confirm that the inside belongs to it.",
   },
+  second_opinion: {
+    meaning: "The default method finds another pose for these surfaces, or other corresponding points.",
+    check: "Which of the two answers is right? Submit again with the method balanced, and look at both.",
+  },
   too_coarse: {
     meaning: "The voxels are so large for the structure that they leave its rotation uncertain.",
     check: "Is there a segmentation of smaller voxels? Interpolating this one adds nothing.",

@@ -99,8 +99,8 @@ pub(crate) struct JobDocument {
     pub(crate) worker: Option<String>,
     /// Whether it has the result of an earlier, equal job.
     pub(crate) cached: bool,
-    /// Whether its answer can be relied on. `null` until it has succeeded, for methods that fit no displacement field, and
-    /// for jobs that ended before verdicts were stored.
+    /// Whether its answer can be relied on. `null` until it has succeeded, where no displacement field could be fitted
+    /// to say so, and for jobs that ended before verdicts were stored.
     #[schema(required = true)]
     pub(crate) reliable: Option<bool>,
     /// Why its answer cannot be relied on; the result has more.

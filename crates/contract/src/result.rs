@@ -30,7 +30,7 @@ pub struct ResultDocument {
     /// Candidate poses that were compared, the best first; empty where there was only one.
     #[cfg_attr(feature = "serde", serde(default))]
     pub poses: Vec<PoseDocument>,
-    /// Whether the answer can be relied on; absent where no displacement field was fitted.
+    /// Whether the answer can be relied on; absent where no smooth displacement field could be fitted to say so.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub reliability: Option<ReliabilityDocument>,
     /// What was found in the inputs and done to them, each sentence with the input before it, and what holds for the pair.
@@ -176,7 +176,8 @@ pub struct PoseDocument {
     pub mirrored: bool,
 }
 
-/// Whether an answer can be relied on.
+/// Whether an answer can be relied on. The measures are those of the smooth displacement field: of the answer itself where the method fits one, else of the
+/// answer of the default method, with which it is compared.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
@@ -205,6 +206,21 @@ pub struct ReliabilityDocument {
     pub distortion: Option<f64>,
     /// Robust standard deviation of the distance between the deformed source and the target along the normals, mm.
     pub residual_mm: f64,
+    /// How this answer compares with that of the default method; absent where the method fits the smooth displacement field itself.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+    pub second_opinion: Option<SecondOpinionDocument>,
+}
+
+/// An answer beside that of the default method for the same surfaces.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+pub struct SecondOpinionDocument {
+    /// Angle between the two transforms, degrees; 180 if one of them mirrors.
+    pub angle_deg: f64,
+    /// How far the corresponding points agree: 1 less the mean distance of the two images of a vertex, divided by that of images of
+    /// unrelated vertices. 1 for equal maps, about 0 for unrelated ones.
+    pub agreement: f64,
 }
 
 /// A reason to doubt an answer.
@@ -220,6 +236,8 @@ pub enum UnreliableReason {
     OtherHandedness,
     /// Another pose fits as well.
     AmbiguousPose,
+    /// The default method finds another pose or other corresponding points.
+    SecondOpinion,
     /// An input states two orientations of different handedness: left and right may be exchanged.
     UncertainSide,
     /// The sizes differ by the ratio of two units of length, such as 10, 25.4 or 1000.

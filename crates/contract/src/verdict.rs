@@ -10,8 +10,8 @@ use crate::result::{
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Verdict {
-    /// Whether no reason was found to doubt the answer; `None` for methods that fit no displacement field, on which the
-    /// checks rest.
+    /// Whether no reason was found to doubt the answer; `None` where no smooth displacement field could be fitted,
+    /// on which the checks rest.
     pub reliable: Option<bool>,
     /// The reasons to doubt it.
     pub reasons: Vec<UnreliableReason>,
@@ -89,7 +89,7 @@ impl Verdict {
         match self.reliable {
             Some(true) => "RELIABLE: no reason was found to doubt this answer",
             Some(false) => "NOT RELIABLE: do not use this answer without looking at it",
-            None => "NOT CHECKED: only methods that fit a displacement field check whether an answer is reliable",
+            None => "NOT CHECKED: no displacement field could be fitted that would say whether this answer is reliable",
         }
     }
 
@@ -110,6 +110,7 @@ impl UnreliableReason {
             UnreliableReason::UnlikeShape => "unlike_shape",
             UnreliableReason::OtherHandedness => "other_handedness",
             UnreliableReason::AmbiguousPose => "ambiguous_pose",
+            UnreliableReason::SecondOpinion => "second_opinion",
             UnreliableReason::UncertainSide => "uncertain_side",
             UnreliableReason::UnitsDiffer => "units_differ",
             UnreliableReason::PieceDropped => "piece_dropped",
@@ -128,6 +129,9 @@ impl UnreliableReason {
             }
             UnreliableReason::OtherHandedness => "A mirror image of the source fits the target better.",
             UnreliableReason::AmbiguousPose => "Another pose, turned by 45 degrees or more, fits as well.",
+            UnreliableReason::SecondOpinion => {
+                "The default method finds another pose for these surfaces, or other corresponding points."
+            }
             UnreliableReason::UncertainSide => {
                 "A file states two orientations of different handedness: left and right may be exchanged."
             }
@@ -159,6 +163,9 @@ impl UnreliableReason {
             UnreliableReason::AmbiguousPose => {
                 "Is the shape nearly symmetric? Landmarks (parameter landmarks) decide between the poses."
             }
+            UnreliableReason::SecondOpinion => {
+                "Which of the two answers is right? Match again with the method balanced, and look at both."
+            }
             UnreliableReason::UncertainSide => {
                 "Which orientation of the file is right? Write it into both places (sform and qform)."
             }
@@ -188,11 +195,11 @@ mod tests {
     #[test]
     fn names_are_those_of_json() {
         use UnreliableReason::{
-            AmbiguousPose, CavityFilled, LabelsJoined, OtherHandedness, PieceDropped, TooCoarse, UncertainSide,
-            UnitsDiffer, UnlikeShape,
+            AmbiguousPose, CavityFilled, LabelsJoined, OtherHandedness, PieceDropped, SecondOpinion, TooCoarse,
+            UncertainSide, UnitsDiffer, UnlikeShape,
         };
         let of_inputs = [PieceDropped, LabelsJoined, CavityFilled, TooCoarse, UncertainSide, UnitsDiffer];
-        for reason in [UnlikeShape, OtherHandedness, AmbiguousPose].into_iter().chain(of_inputs) {
+        for reason in [UnlikeShape, OtherHandedness, AmbiguousPose, SecondOpinion].into_iter().chain(of_inputs) {
             assert_eq!(serde_json::to_value(reason).unwrap(), reason.name());
         }
     }

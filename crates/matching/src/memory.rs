@@ -27,18 +27,18 @@ pub fn match_memory_bytes(source: (usize, usize), target_vertices: usize, parame
     let (mut vertices, faces, mut labels) = (source.0 as u64, source.1 as u64, target_vertices as u64);
     let of_method = field_methods::limits(parameters.displacement.mode)
         .map_or(0, |(most, bytes)| bytes * (vertices.min(most as u64) + labels.min(most as u64)));
-    let resized = match parameters.displacement.mode {
-        DisplacementMode::Smooth => BYTES_PER_RESIZED_VERTEX * vertices,
-        _ => 0,
+    let bent = || {
+        let form = |n_vertices: u64| BendingInvariantForm::heap_bytes_over(n_vertices as usize) as u64;
+        form(vertices) + form(labels) + BYTES_OF_NEAR_ISOMETRIES
     };
-    let bent = match (parameters.displacement.mode, parameters.displacement.bending) {
-        (DisplacementMode::Smooth, Bending::NearIsometry) => {
-            let form = |n_vertices: u64| BendingInvariantForm::heap_bytes_over(n_vertices as usize) as u64;
-            form(vertices) + form(labels) + BYTES_OF_NEAR_ISOMETRIES
-        }
-        _ => 0,
-    };
-    let each = BYTES_PER_VERTEX * (vertices + labels) + resized + bent + of_method;
+    let of_field = BYTES_PER_RESIZED_VERTEX * vertices
+        + match (parameters.displacement.mode, parameters.displacement.bending) {
+            (DisplacementMode::Smooth, Bending::NearIsometry) => bent(),
+            (DisplacementMode::Smooth, _) => 0,
+            // The second opinion has levels of its own beside those of the answer.
+            _ => BYTES_PER_VERTEX * (vertices + labels) + bent(),
+        };
+    let each = BYTES_PER_VERTEX * (vertices + labels) + of_field + of_method;
     if parameters.inference.algorithm == Algorithm::None {
         return each;
     }

@@ -4,19 +4,21 @@
 //! 1. [`coarse()`]: the energy of a coarse level, if one is asked for;
 //! 2. [`posed()`]: a rigid transform, from rounds of inference or from registration alone, unless the field searches for it;
 //! 3. [`displaced()`]: an image of every source vertex, through a smooth displacement field if one is asked for; between surfaces
-//!    of unlike sizes also with the source [`resized()`];
+//!    of unlike sizes also with the source [`resized()`]; an answer without one has the verdict of a second opinion;
 //! 4. [`measured()`]: the outcome, with all that is measured on these images.
 
 mod counting;
 pub(crate) mod images;
 mod inferred;
 pub(crate) mod pose;
-
 mod resized;
+mod second_opinion;
+mod unseen;
 
 use self::images::displaced;
 use self::pose::posed;
 use self::resized::resized;
+use self::second_opinion::with_second_opinion;
 use crate::answer::outcome::MatchOutcome;
 use crate::answer::report::measured;
 use crate::error::MatchError;
@@ -69,5 +71,6 @@ pub fn match_levels(
     let displaced = displaced(&coarse, &posed)?;
     let displaced = resized(source, target, parameters, displaced, observer)?;
     observer.phase(Phase::Reporting);
+    let displaced = with_second_opinion(source, target, parameters, displaced, observer)?;
     Ok(measured(&coarse, &posed, &displaced))
 }

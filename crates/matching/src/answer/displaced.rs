@@ -21,6 +21,8 @@ pub(crate) struct Displaced {
     /// Poses that were compared.
     pub poses: Vec<PoseDocument>,
     pub images: Images,
+    /// Whether the answer can be relied on; `None` where no smooth displacement field could be fitted to say so.
+    pub reliability: Option<ReliabilityDocument>,
     /// Whether the source was scaled to the area of the target.
     pub resized: bool,
     /// What the energy of near isometries says of this answer, where it was minimized.
@@ -74,8 +76,6 @@ pub(crate) struct SmoothImages {
     pub moved: Vec<Point3<f64>>,
     /// Whether the target has nothing where a source vertex is moved to.
     pub no_counterpart: Vec<bool>,
-    /// Whether the images can be relied on; known of the smooth displacement field alone.
-    pub reliability: Option<ReliabilityDocument>,
 }
 
 /// `labels` of all source vertices as a labeling of the level on which the energy is.

@@ -34,8 +34,8 @@ pub(crate) fn answered(
             points: found.images.iter().map(|image| image.closest).collect(),
             moved: found.images.iter().map(|image| image.moved).collect(),
             no_counterpart,
-            reliability: Some(reliability),
         }),
+        reliability: Some(reliability),
         resized: false,
         inference: None,
     }

@@ -24,7 +24,7 @@ pub struct MatchOutcome {
     pub rounds: Vec<RoundDocument>,
     /// Candidate poses that were compared, the best first.
     pub poses: Vec<PoseDocument>,
-    /// Whether the answer can be relied on; `None` where no displacement field was fitted.
+    /// Whether the answer can be relied on; `None` where no smooth displacement field could be fitted to say so.
     pub reliability: Option<ReliabilityDocument>,
     /// Whether two semi-axes of a first-order ellipsoid are so nearly equal that the rotation about the third is arbitrary.
     pub ambiguous_axes: bool,

@@ -93,6 +93,7 @@ pub(crate) fn reliability(found: &DisplacementAnswer, source: &Side, target: &Si
         normal_agreement: found.agreement.normals,
         distortion: Some(found.distortion),
         residual_mm: found.residual_mm,
+        second_opinion: None,
     };
     let mut reasons = Vec::new();
     let normals_disagree = found.agreement.normals < MIN_NORMAL_AGREEMENT && found.distortion >= DISTORTION_OF_WALLS;

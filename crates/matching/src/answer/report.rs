@@ -32,10 +32,6 @@ pub(crate) fn measured(coarse: &Coarse<'_>, posed: &Posed<'_>, answer: &Displace
     );
     let OfPairs { similarity, support, topology, deformation, mut correspondences } = of_pairs;
     correspondences.inverse = scene.parameters.both_directions.then(|| inverse(scene, answer)).flatten().map(Box::new);
-    let reliability = match &answer.images {
-        Images::OnVertices => None,
-        Images::Smooth(smooth) => smooth.reliability.clone(),
-    };
     let (rounds, ambiguous_axes, stop_reason) = match posed {
         Posed::Inference { inferred, .. } => (inferred.rounds.clone(), false, inferred.stop_reason),
         Posed::Registration(registered) => (Vec::new(), registered.ambiguous_axes, StopReason::RegistrationOnly),
@@ -53,7 +49,7 @@ pub(crate) fn measured(coarse: &Coarse<'_>, posed: &Posed<'_>, answer: &Displace
         deformation,
         rounds,
         poses: answer.poses.clone(),
-        reliability,
+        reliability: answer.reliability.clone(),
         ambiguous_axes,
         correspondences,
         stop_reason,

@@ -155,8 +155,8 @@ fn answered(
             points: found.iter().map(|image| image.closest).collect(),
             moved,
             no_counterpart,
-            reliability: None,
         }),
+        reliability: None,
         resized: false,
         inference: None,
     }

@@ -106,6 +106,7 @@ fn rigid(coarse: &Coarse<'_>, posed: &Posed<'_>, starts: &Starts) -> Result<Disp
         spread_mm,
         poses,
         images: Images::OnVertices,
+        reliability: None,
         resized: false,
         inference: None,
     })

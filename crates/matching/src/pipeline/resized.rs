@@ -7,7 +7,8 @@
 
 use super::images::displaced;
 use super::pose::posed;
-use crate::answer::displaced::{Displaced, Images};
+use super::unseen::Unseen;
+use crate::answer::displaced::Displaced;
 use crate::answer::reliability;
 use crate::error::MatchError;
 use crate::pair::part::part;
@@ -27,15 +28,6 @@ const UNLIKE_SIZES: f64 = 1.25;
 
 /// Ratio of the roots of two areas up to which an open surface may be a part of a closed one: a tenth of its area.
 const MOST_OF_PARTS: f64 = 3.2;
-
-/// Passes on nothing but cancellation: phases and progress are those of the match of the surfaces as they are.
-struct Unseen<'a>(&'a dyn Observer);
-
-impl Observer for Unseen<'_> {
-    fn is_cancelled(&self) -> bool {
-        self.0.is_cancelled()
-    }
-}
 
 /// The better of `found` and the answer for `source` scaled to the area of `target`, if their sizes differ that much.
 ///
@@ -91,10 +83,7 @@ fn is_of_a_part(source: &Levels, target: &Levels, factor: f64) -> bool {
 
 /// How much the shapes are alike in an answer by a smooth field.
 fn likeness(answer: &Displaced) -> Option<f64> {
-    match &answer.images {
-        Images::Smooth(smooth) => smooth.reliability.as_ref().map(reliability::likeness),
-        Images::OnVertices => None,
-    }
+    answer.reliability.as_ref().map(reliability::likeness)
 }
 
 /// The mean of the surface over its area, mm.

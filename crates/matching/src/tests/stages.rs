@@ -122,7 +122,7 @@ fn a_displacement_field_answers_all_vertices_whatever_level_the_pose_was_found_o
         let n = coarse.full.source.mesh().n_vertices();
         assert_eq!([smooth.points.len(), smooth.moved.len(), smooth.no_counterpart.len()], [n; 3]);
         assert_eq!([displaced.labeling.len(), displaced.confidence.len(), displaced.spread_mm.len()], [n; 3]);
-        assert!(smooth.reliability.as_ref().unwrap().reliable);
+        assert!(displaced.reliability.as_ref().unwrap().reliable);
         assert!(displaced.poses.iter().any(|p| p.origin == PoseOrigin::Search || p.origin == PoseOrigin::Inference));
         let labeling = labeling_of_energy(coarse.source, coarse.target, &displaced.labeling);
         assert_eq!(labeling.len(), problem.model.variables.n_vertices());

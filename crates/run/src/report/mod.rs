@@ -224,6 +224,11 @@ fn numbers(inputs: &ReportInputs<'_>) -> String {
             rows.push(("distortion", format!("small circles become {longer:.0} % longer than wide, on average")));
         }
         rows.push(("residual after bending", format!("{:.3} mm along the normal", found.residual_mm)));
+        if let Some(other) = &found.second_opinion {
+            let text =
+                format!("pose {:.1}° away, corresponding points agree by {:.2} of 1", other.angle_deg, other.agreement);
+            rows.push(("the default method", text));
+        }
     }
     rows.push((
         "map",

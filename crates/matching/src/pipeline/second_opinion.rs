@@ -1,0 +1,143 @@
+//! A second opinion on an answer that has no verdict of its own: that of the default method.
+//!
+//! A labeling, nearest vertices after a rigid registration and the maps of published methods do not tell whether the surfaces show one structure,
+//! or whether another pose fits as well. The default method does. So it matches the same surfaces, and the answer is as reliable as its one if the
+//! two agree on the pose and on the corresponding points, and else not at all.
+
+use super::images::displaced;
+use super::pose::posed;
+use super::resized::resized;
+use super::unseen::Unseen;
+use crate::answer::displaced::{Displaced, Images};
+use crate::error::MatchError;
+use crate::starts::search::sameness;
+use crate::surface::levels::Levels;
+use crate::thesis::coarse::coarse;
+use homolog_contract::parameters::{DisplacementMode, MatchParameters, Method, preset};
+use homolog_contract::result::{SecondOpinionDocument, UNRELIABLE_CONFIDENCE, UnreliableReason};
+use homolog_mesh::SurfaceMesh;
+use homolog_primitives::observe::Observer;
+use homolog_registration::RigidTransform;
+use nalgebra::Point3;
+
+/// Agreement of the corresponding points from which two answers say the same: halfway between any two labelings and equal ones.
+const LEAST_AGREEMENT: f64 = 0.5;
+
+/// `answer` with the verdict of the default method on it, unless it has one or the parameters ask for the field on which verdicts rest.
+///
+/// # Errors
+/// As [`displaced()`], but that no registration was found is an opinion too.
+///
+/// # Cost
+/// That of a match by the default method, without what is measured on its answer.
+pub(crate) fn with_second_opinion(
+    source: &Levels,
+    target: &Levels,
+    parameters: &MatchParameters,
+    mut answer: Displaced,
+    observer: &dyn Observer,
+) -> Result<Displaced, MatchError> {
+    if answer.reliability.is_some() || parameters.displacement.mode == DisplacementMode::Smooth {
+        return Ok(answer);
+    }
+    let parameters = of_default_method(parameters);
+    let levels = |levels: &Levels| Levels::new(levels.full.mesh(), parameters.inference.coarse_vertices);
+    let (from, onto) = rayon::join(|| levels(source), || levels(target));
+    let other = match by_default_method(&from, &onto, &parameters, &Unseen(observer)) {
+        Err(MatchError::NoRegistration { .. }) => return Ok(answer),
+        other => other?,
+    };
+    let Some(mut reliability) = other.reliability.clone() else { return Ok(answer) };
+    // The levels number the vertices of surfaces that are in canonical numbering themselves.
+    let order = from.full.surface.numbering.by_original();
+    let alone: &[bool] = match &other.images {
+        Images::OnVertices => &[],
+        Images::Smooth(smooth) => &smooth.no_counterpart,
+    };
+    let points = other.points(onto.full.mesh());
+    let others = |i: usize| {
+        let k = order[i].1;
+        (!alone.get(k).copied().unwrap_or(false)).then(|| points[k])
+    };
+    let images = answer.points(target.full.mesh());
+    let pairs: Vec<(Point3<f64>, Point3<f64>)> =
+        (0..images.len()).filter_map(|i| Some((images[i], others(i)?))).collect();
+    let agreement = agreement(&pairs);
+    let same_pose = sameness(&source.full, &target.full)(&answer.transform, &other.transform);
+    if !same_pose || agreement < LEAST_AGREEMENT {
+        reliability.reliable = false;
+        reliability.reasons.push(UnreliableReason::SecondOpinion);
+    }
+    reliability.second_opinion =
+        Some(SecondOpinionDocument { angle_deg: angle_deg(&answer.transform, &other.transform), agreement });
+    if !reliability.reliable {
+        answer.confidence.iter_mut().for_each(|confidence| *confidence *= UNRELIABLE_CONFIDENCE);
+    }
+    answer.reliability = Some(reliability);
+    Ok(answer)
+}
+
+/// The parameters of the default method for the pair and what is known of it.
+fn of_default_method(parameters: &MatchParameters) -> MatchParameters {
+    let mut found = preset(Method::Balanced);
+    found.landmarks.clone_from(&parameters.landmarks);
+    found.registration.allow_reflection = parameters.registration.allow_reflection;
+    found.seed = parameters.seed;
+    found
+}
+
+fn by_default_method(
+    source: &Levels,
+    target: &Levels,
+    parameters: &MatchParameters,
+    observer: &dyn Observer,
+) -> Result<Displaced, MatchError> {
+    let coarse = coarse(source, target, parameters, observer)?;
+    let found = displaced(&coarse, &posed(&coarse)?)?;
+    resized(source, target, parameters, found, observer)
+}
+
+/// How far two maps agree, from the two images of each vertex: 1 less the mean distance of the two images of a vertex, divided by that of images of
+/// vertices that have nothing to do with each other. 1 for equal maps, about 0 for unrelated ones; 0 without images.
+fn agreement(pairs: &[(Point3<f64>, Point3<f64>)]) -> f64 {
+    let apart: f64 = pairs.iter().map(|(a, b)| (a - b).norm()).sum();
+    // Vertices that are neighbors in canonical numbering are neighbors in space, and those half of it apart mostly are not.
+    let others = pairs.iter().cycle().skip(pairs.len() / 2);
+    let unrelated: f64 = pairs.iter().zip(others).map(|((a, _), (_, b))| (a - b).norm()).sum();
+    if unrelated > 0.0 { 1.0 - apart / unrelated } else { 0.0 }
+}
+
+/// Angle between two transforms, 180 if one mirrors and the other does not.
+fn angle_deg(a: &RigidTransform, b: &RigidTransform) -> f64 {
+    if a.is_reflection() == b.is_reflection() { a.angle_to(b).to_degrees() } else { 180.0 }
+}
+
+impl Displaced {
+    /// The image of every source vertex on `target`, mm.
+    fn points(&self, target: &SurfaceMesh) -> Vec<Point3<f64>> {
+        match &self.images {
+            Images::OnVertices => self.labeling.iter().map(|&x| target.vertices()[x as usize]).collect(),
+            Images::Smooth(smooth) => smooth.points.iter().map(|at| at.point).collect(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use homolog_mesh::shapes::ellipsoid;
+    use nalgebra::Vector3;
+
+    #[test]
+    fn equal_maps_agree_and_random_ones_do_not() {
+        let points = ellipsoid(Vector3::new(18.0, 8.0, 6.0), 4).vertices().to_vec();
+        let paired = |other: &dyn Fn(usize) -> usize| -> f64 {
+            agreement(&(0..points.len()).map(|i| (points[i], points[other(i)])).collect::<Vec<_>>())
+        };
+        assert_eq!(paired(&|i| i), 1.0);
+        // A stride without a common divisor visits every vertex once, far from where the map began.
+        let stride = points.len() / 2 + 7;
+        assert!(paired(&|i| (i * stride + 13) % points.len()).abs() < 0.2);
+        assert_eq!(agreement(&[]), 0.0);
+    }
+}

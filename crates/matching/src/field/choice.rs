@@ -128,8 +128,11 @@ fn screened(displacement: &Displacement<'_>, poses: &[StartPose]) -> Result<Opti
     let mut followed: Vec<usize> = Vec::new();
     for (_, k) in screened {
         let alike = |&&other: &&usize| poses[other].pose.is_reflection() == poses[k].pose.is_reflection();
+        // Rotations of one pose are that pose, of which the best is kept later: they leave room for another one.
+        let rotated = |index: usize| poses[index].rotation_of.unwrap_or(index);
         let near = |&&other: &&usize| {
-            displacement.are_same(&poses[other].pose, &poses[k].pose, displacement.options.choice.same_pose_rad)
+            rotated(other) == rotated(k)
+                || displacement.are_same(&poses[other].pose, &poses[k].pose, displacement.options.choice.same_pose_rad)
         };
         let same_handedness: Vec<&usize> = followed.iter().filter(alike).collect();
         // Places in one orientation leave room for another orientation.

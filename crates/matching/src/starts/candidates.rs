@@ -1,7 +1,7 @@
 //! Rigid poses to start from: of an earlier stage, of landmarks, of the labels of an energy, of a search, and rotations.
 
 use super::landmarks::landmark_pose;
-use super::rotations::{others_about_axis, rotations_of_best};
+use super::rotations::{rotations_of_best, symmetric_poses};
 use super::search::searched;
 use super::start_pose::StartPose;
 use crate::pair::problem::Coarse;
@@ -58,8 +58,7 @@ impl Starts {
         if let Some(pose) = found.first().and_then(aligned) {
             self.poses.push(Start { rotation_of: Some(best), ..Start::new(PoseOrigin::Inference, pose) });
         }
-        let others = others_about_axis(&coarse.source.middle, found);
-        self.poses.extend(others.into_iter().map(|pose| Start::new(PoseOrigin::Inference, pose)));
+        self.add_symmetric(coarse, PoseOrigin::Inference, found);
     }
 
     /// Adds the poses of a search of all orientations, of either handedness, so that a mirrored image is noticed.
@@ -67,6 +66,13 @@ impl Starts {
         self.of_search = searched(&coarse.source.middle, &coarse.target.middle, true);
         let found: Vec<RigidTransform> = self.of_search.iter().map(|p| p.target_from_source).collect();
         self.add(coarse, PoseOrigin::Search, &found);
+        self.add_symmetric(coarse, PoseOrigin::Search, &found);
+    }
+
+    /// Adds the poses of a symmetric surface that are as good as the best of `found`, so that a symmetry is noticed.
+    fn add_symmetric(&mut self, coarse: &Coarse<'_>, origin: PoseOrigin, found: &[RigidTransform]) {
+        let poses = symmetric_poses(&coarse.source.middle, found);
+        self.poses.extend(poses.into_iter().map(|pose| Start::new(origin, pose)));
     }
 
     /// Adds `found`, the best first, and the best of either handedness rotated a little.

@@ -14,25 +14,19 @@ const OTHERS_DEG: [f64; 5] = [90.0, 135.0, 180.0, 225.0, 270.0];
 /// The best of `poses` of either handedness, rotated about the axis about which `source` is most nearly round: a rotation that a rigid
 /// refinement hardly sees. Each with the index of the pose that was rotated; none where a number is not finite.
 pub(crate) fn rotations_of_best(source: &Side, poses: &[RigidTransform]) -> Vec<(usize, RigidTransform)> {
-    rotations(source, poses, &VARIED_DEG, &[false, true])
-}
-
-/// The first of `poses` that does not mirror, rotated about the same axis to other poses.
-pub(crate) fn others_about_axis(source: &Side, poses: &[RigidTransform]) -> Vec<RigidTransform> {
-    rotations(source, poses, &OTHERS_DEG, &[false]).into_iter().map(|(_, pose)| pose).collect()
-}
-
-fn rotations(
-    source: &Side,
-    poses: &[RigidTransform],
-    angles_deg: &[f64],
-    handedness: &[bool],
-) -> Vec<(usize, RigidTransform)> {
     let Some(axis) = RoundAxis::of(source.mesh().vertices(), &vertex_areas(source.mesh())) else { return Vec::new() };
     let best = |mirrored: &bool| poses.iter().position(|pose| pose.is_reflection() == *mirrored);
     let rotated = |k: usize| {
         let axis = &axis;
-        angles_deg.iter().map(move |angle| (k, axis.rotated(&poses[k], angle.to_radians())))
+        VARIED_DEG.iter().map(move |angle| (k, axis.rotated(&poses[k], angle.to_radians())))
     };
-    handedness.iter().filter_map(best).flat_map(rotated).collect()
+    [false, true].iter().filter_map(best).flat_map(rotated).collect()
+}
+
+/// The poses in which a symmetric surface would lie as well as in the first of `poses` that does not mirror: rotated about the same axis, and half a turn
+/// about either of the other two principal axes. None where a number is not finite.
+pub(crate) fn symmetric_poses(source: &Side, poses: &[RigidTransform]) -> Vec<RigidTransform> {
+    let Some(pose) = poses.iter().find(|pose| !pose.is_reflection()) else { return Vec::new() };
+    let Some(axis) = RoundAxis::of(source.mesh().vertices(), &vertex_areas(source.mesh())) else { return Vec::new() };
+    OTHERS_DEG.iter().map(|angle| axis.rotated(pose, angle.to_radians())).chain(axis.half_turned(pose)).collect()
 }

@@ -2,6 +2,7 @@
 
 use super::displacement::Displacement;
 use super::settings::RouteSettings;
+use crate::surface::robust::correlation;
 use crate::surface::smooth::{N_FEATURES, SmoothSurface};
 use homolog_mesh::ClosestPoint;
 use nalgebra::Point3;
@@ -49,30 +50,4 @@ pub(crate) fn agreement(displacement: &Displacement<'_>, moved: &[Point3<f64>]) 
     // All faces of a mirrored surface are oriented inwards.
     let mean = if area > 0.0 { cosines / area } else { 0.0 };
     Agreement { curvature: correlation(&pairs), normals: mean.abs() }
-}
-
-/// Pearson's correlation; 0 where one side does not vary.
-fn correlation(pairs: &[(f64, f64)]) -> f64 {
-    let n = pairs.len() as f64;
-    let (a, b) = pairs.iter().fold((0.0, 0.0), |(a, b), p| (a + p.0 / n, b + p.1 / n));
-    let (ab, aa, bb) = pairs.iter().fold((0.0, 0.0, 0.0), |(ab, aa, bb), p| {
-        let (x, y) = (p.0 - a, p.1 - b);
-        (ab + x * y, aa + x * x, bb + y * y)
-    });
-    let spread = (aa * bb).sqrt();
-    if spread > 0.0 { ab / spread } else { 0.0 }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::correlation;
-
-    #[test]
-    fn correlation_is_that_of_pearson() {
-        let line: Vec<(f64, f64)> = (0..9).map(|k| (f64::from(k), 3.0 - 2.0 * f64::from(k))).collect();
-        assert!((correlation(&line) + 1.0).abs() < 1e-12);
-        // Hand-computed: x 1 2 3, y 1 3 2.
-        assert!((correlation(&[(1.0, 1.0), (2.0, 3.0), (3.0, 2.0)]) - 0.5).abs() < 1e-12);
-        assert_eq!(correlation(&[(1.0, 2.0), (1.0, 3.0)]), 0.0);
-    }
 }

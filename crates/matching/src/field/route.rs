@@ -31,7 +31,7 @@
 //! Bayesian formulation of coherent point drift", IEEE PAMI 43(7), 2021 (prior, weights); Chen, Medioni 1992 (distance
 //! from the tangent plane).
 
-use super::agreement::agreement;
+use super::agreement::{Agreement, agreement};
 use super::choice::chosen;
 use super::deformed::Deformed;
 use super::displacement::Displacement;
@@ -58,6 +58,7 @@ use crate::poses::rigid_part::RigidPart;
 use crate::starts::limbs::may_branch;
 use crate::starts::start_pose::StartPose;
 use crate::starts::tubes::{Tubes, differ_in_straightness};
+use crate::surface::repeatability::repeatability;
 use homolog_contract::parameters::{Bending, Landmark};
 use homolog_geometry::curvature::vertex_areas;
 use homolog_primitives::observe::{Observer, checkpoint};
@@ -155,7 +156,7 @@ fn from_source(
         return Ok(Some(Fitted { deformed, compared }));
     }
     compared.retain(|start| start.finer != Finer::Same);
-    let doubtful = evidence.mirror_image_fits_better || agreement(&forward, &wide).is_doubtful(&request.options.route);
+    let doubtful = evidence.mirror_image_fits_better || is_doubtful(surfaces, &forward, &wide);
     let straightening = Straightening::of(surfaces, &evidence, doubtful, fine.residual_mm, &request.options.route);
     if let Some(found) = by_tubes(surfaces, straightening, request)?
         && least_misfit(&found.compared) < least_misfit(&compared) - request.options.route.straight
@@ -270,6 +271,22 @@ fn as_copies(
     Ok(Some(moved_rigidly(forward, surfaces, transform, fine.residual_mm)))
 }
 
+/// Whether surfaces of which the source is moved to `moved` may agree better from another start: less than their noise explains.
+fn is_doubtful(surfaces: &Surfaces<'_>, forward: &Displacement<'_>, moved: &[Point3<f64>]) -> bool {
+    let (found, settings) = (agreement(forward, moved), &forward.options.route);
+    if !found.is_doubtful(settings) || forward.source.coarsening <= 1.0 {
+        return found.is_doubtful(settings);
+    }
+    let root_mm = surfaces.lengths.root_mm;
+    let (of_source, of_target) = rayon::join(
+        || repeatability(surfaces.source, &forward.source, root_mm),
+        || repeatability(surfaces.target, &forward.target, root_mm),
+    );
+    // Two noisy surfaces of one shape are correlated by no more than this.
+    let most = (of_source * of_target).sqrt().max(f64::MIN_POSITIVE);
+    Agreement { curvature: found.curvature / most, ..found }.is_doubtful(settings)
+}
+
 /// Whether tubular surfaces are straightened.
 enum Straightening {
     Never,
@@ -287,7 +304,8 @@ impl Straightening {
         settings: &RouteSettings,
     ) -> Straightening {
         let of_one_shape = residual_mm < settings.two_subjects * surfaces.lengths.sampling_mm;
-        if evidence.is_mirrored || surfaces.bending == Bending::None {
+        // What has limbs is no tube.
+        if evidence.is_mirrored || evidence.branching || surfaces.bending == Bending::None {
             Straightening::Never
         } else if doubtful {
             Straightening::Always

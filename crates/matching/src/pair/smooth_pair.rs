@@ -3,13 +3,10 @@
 use super::role::Role;
 use super::surfaces::Surfaces;
 use crate::error::MatchError;
-use crate::surface::robust::{STD_OF_MAD, median};
+use crate::surface::robust::Standard;
 use crate::surface::smooth::{Flow, N_FEATURES, SmoothSurface};
 use homolog_mesh::SurfaceMesh;
 use std::sync::Arc;
-
-/// Features are clamped to this many robust standard deviations from the median.
-const FEATURE_CAP: f64 = 3.0;
 
 /// Median distance by which light smoothing moves the vertices of a surface without noise, in roots of the area: that of
 /// hippocampi made from voxels of 1 mm. A surface that it moves farther is noisy, and all scales are enlarged by that factor.
@@ -56,14 +53,10 @@ pub(crate) fn smooth_pair(
     let (a, b) = rayon::join(|| a.surface(coarsening), || b.surface(coarsening));
     let ((mut a, a_values), (mut b, b_values)) = (a?, b?);
     for (feature, (of_a, of_b)) in a_values.iter().zip(&b_values).enumerate() {
-        let mut all: Vec<f64> = of_a.iter().chain(of_b).copied().collect();
-        let center = median(&mut all);
-        all.iter_mut().for_each(|x| *x = (*x - center).abs());
-        // A sphere has the same curvature everywhere; the floor avoids a division by 0.
-        let scale = (STD_OF_MAD * median(&mut all)).max(f64::MIN_POSITIVE.sqrt());
+        let standard = Standard::of_both(of_a, of_b);
         for (values, side) in [(of_a, &mut a), (of_b, &mut b)] {
             for (i, x) in values.iter().enumerate() {
-                side.features[i * N_FEATURES + feature] = ((x - center) / scale).clamp(-FEATURE_CAP, FEATURE_CAP);
+                side.features[i * N_FEATURES + feature] = standard.score(*x);
             }
         }
     }

@@ -13,7 +13,9 @@ use std::sync::OnceLock;
 
 /// Scales of the features, in roots of the area: finer than those that find the pose, because the poses are close already.
 /// The first is that of the normals as well.
-const FEATURE_SCALES: [f64; 3] = [0.025, 0.05, 0.0875];
+const FEATURE_SCALES: [f64; 3] = [0.025, 0.05, LARGEST_SCALE];
+/// The largest of them.
+pub(crate) const LARGEST_SCALE: f64 = 0.0875;
 /// Gaussian and mean curvature at each scale.
 pub(crate) const N_FEATURES: usize = 2 * FEATURE_SCALES.len();
 /// One surface, prepared.

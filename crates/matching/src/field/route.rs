@@ -78,6 +78,8 @@ struct Request<'a> {
     allow_reflection: bool,
     options: &'a DisplacementOptions,
     observer: &'a FitTrace<'a>,
+    /// The misfit of another answer: no start that has not less is followed to its end.
+    to_beat: f64,
 }
 
 /// The source deformed onto the target, from the best of the rigid `poses`. A pose that mirrors takes part in
@@ -104,7 +106,7 @@ pub(crate) fn displace(
     observer: &dyn Observer,
 ) -> Result<Option<Fitted>, MatchError> {
     let observer = FitTrace::new(observer);
-    let request = Request { allow_reflection, options, observer: &observer };
+    let request = Request { allow_reflection, options, observer: &observer, to_beat: f64::INFINITY };
     match surfaces.part {
         Some(Role::Target) => from_part(surfaces, prepared, poses, request),
         Some(Role::Source) | None => from_source(surfaces, prepared, poses, request),
@@ -131,7 +133,7 @@ fn from_part(
 }
 
 /// The source deformed onto the target by the first of these that may stand: the fit in the other direction, the rigid motion of a copy,
-/// the answer for straightened tubes, that from a near isometry, the fit in this direction.
+/// the answer for straightened tubes, that from a near isometry, the fit in this direction. `None` too where no pose beats the misfit that `request` states.
 fn from_source(
     surfaces: &Surfaces<'_>,
     prepared: SmoothPair,
@@ -141,6 +143,9 @@ fn from_source(
     let Some(forward) = shared(surfaces, prepared, request)? else { return Ok(None) };
     let may_answer = |pose: &RigidTransform| request.allow_reflection || !pose.is_reflection();
     let Some(Chosen { pose, state, mut compared }) = chosen(&forward, poses, may_answer)? else { return Ok(None) };
+    if least_misfit(&compared) >= request.to_beat {
+        return Ok(None);
+    }
     let mut reverse = reverse_of_subjects(surfaces, &forward, &pose)?;
     let evidence = Evidence::of(&compared, surfaces);
     // Whether another start is needed shows before a field is narrow enough to hide that it does not lead to the truth.
@@ -158,8 +163,9 @@ fn from_source(
     compared.retain(|start| start.finer != Finer::Same);
     let doubtful = evidence.mirror_image_fits_better || is_doubtful(surfaces, &forward, &wide);
     let straightening = Straightening::of(surfaces, &evidence, doubtful, fine.residual_mm, &request.options.route);
-    if let Some(found) = by_tubes(surfaces, straightening, request)?
-        && least_misfit(&found.compared) < least_misfit(&compared) - request.options.route.straight
+    let to_beat = least_misfit(&compared) - request.options.route.straight;
+    if let Some(found) = by_tubes(surfaces, straightening, Request { to_beat, ..request })?
+        && least_misfit(&found.compared) < to_beat
     {
         return Ok(Some(found));
     }

@@ -10,6 +10,7 @@ use super::SmoothPrior;
 use faer::linalg::triangular_solve::solve_lower_triangular_in_place;
 use faer::{Mat, Par, Side};
 use nalgebra::{Point3, Vector3};
+use std::collections::HashMap;
 
 /// An observed component of a displacement.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -26,7 +27,7 @@ pub struct Component {
 /// linear part of `prior` is about `center`. `None` where a number is not finite, or observations without noise contradict each other.
 ///
 /// # Cost
-/// `O(N³ + N² points)` for `N` components.
+/// `O(N³ + N² points)` for `N` components; `O(M² + M points)` exponentials for the `M` places where they are observed.
 pub fn posterior_variances(
     prior: &SmoothPrior,
     center: &Point3<f64>,
@@ -34,19 +35,23 @@ pub fn posterior_variances(
     points: &[Point3<f64>],
 ) -> Option<Vec<f64>> {
     let n = components.len();
+    // Several components are observed at one place, and covariances are those of places: most of the time would go into their exponentials.
+    let (places, place_of) = places(components);
+    let among = Mat::from_fn(places.len(), places.len(), |i, j| prior.covariance_of(&places[i], &places[j], center));
     let gram = Mat::from_fn(n, n, |i, j| {
         if i < j {
             return 0.0;
         }
         let (a, b) = (&components[i], &components[j]);
         let noise = if i == j { a.variance } else { 0.0 };
-        prior.covariance_of(&a.at, &b.at, center) * a.direction.dot(&b.direction) + noise
+        among[(place_of[i], place_of[j])] * a.direction.dot(&b.direction) + noise
     });
     let factor = gram.llt(Side::Lower).ok()?;
     let mut whitened = Mat::zeros(n, 3 * points.len());
     for (k, p) in points.iter().enumerate() {
+        let covariances: Vec<f64> = places.iter().map(|place| prior.covariance_of(place, p, center)).collect();
         for (i, observed) in components.iter().enumerate() {
-            let covariance = prior.covariance_of(&observed.at, p, center);
+            let covariance = covariances[place_of[i]];
             (0..3).for_each(|axis| whitened[(i, 3 * k + axis)] = covariance * observed.direction[axis]);
         }
     }
@@ -56,6 +61,20 @@ pub fn posterior_variances(
         .map(|(k, p)| (3.0 * prior.covariance_of(p, p, center) - known(k)).max(0.0))
         .collect();
     variances.iter().all(|variance| variance.is_finite()).then_some(variances)
+}
+
+/// The different places of `components`, and the index of the place of each.
+fn places(components: &[Component]) -> (Vec<Point3<f64>>, Vec<usize>) {
+    let mut places = Vec::new();
+    let mut known = HashMap::new();
+    let place_of = components.iter().map(|component| {
+        *known.entry(component.at.coords.map(f64::to_bits)).or_insert_with(|| {
+            places.push(component.at);
+            places.len() - 1
+        })
+    });
+    let place_of = place_of.collect();
+    (places, place_of)
 }
 
 #[cfg(test)]
@@ -73,7 +92,9 @@ mod tests {
     fn observed(n: usize, seed: u64, variance: f64) -> Vec<Component> {
         let points = cloud(seed, n);
         let normals = directions(seed + 1, n);
-        points.iter().zip(&normals).map(|(p, d)| Component { at: *p, direction: *d, variance }).collect()
+        // Two components at a place, as of a height and of a feature.
+        let at = |i: usize| points[i - i % 2];
+        normals.iter().enumerate().map(|(i, d)| Component { at: at(i), direction: *d, variance }).collect()
     }
 
     /// By definition: the covariance of all observations and of the displacement, and its Schur complement.

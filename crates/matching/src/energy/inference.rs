@@ -117,6 +117,11 @@ impl Inferred {
             && self.excess(&self.of_mirror, &self.mirrored) > DISTINCT
     }
 
+    /// Whether the labels of the mirror image cost less, beyond doubt, and support one pose: the target is the source mirrored, and not only bent.
+    pub(crate) fn is_of_other_handedness(&self) -> bool {
+        self.mirrored.support() >= CLEAR_SUPPORT && self.excess(&self.of_mirror, &self.mirrored) < -DISTINCT
+    }
+
     /// How much more `other`, a labeling of `model`, costs than the first one: see [`Groups::lead`].
     fn excess(&self, model: &MetricModel, other: &Labeled) -> f64 {
         self.groups.lead(&self.model.shares(&self.proper.labeling), &model.shares(&other.labeling))

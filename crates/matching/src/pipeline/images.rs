@@ -157,6 +157,13 @@ fn by_field(coarse: &Coarse<'_>, posed: &Posed<'_>, starts: &mut Starts) -> Resu
         None => starts.add_searched(coarse),
     }
     observer.phase(Phase::Displacement);
+    // However the source bends, it does not become its mirror image.
+    let surfaces = match &inferred {
+        Some(inferred) if inferred.is_of_other_handedness() => {
+            Surfaces { bending: Bending::None, side_of: &|_| None, ..surfaces }
+        }
+        _ => surfaces,
+    };
     let poses = starts.with_excess(sameness(&source.middle, &target.middle));
     let options = DisplacementOptions::default();
     let allow_reflection = scene.parameters.registration.allow_reflection;

@@ -6,6 +6,7 @@
 //! leave it at 0. Where the count states more, or what follows the facets is neither facets nor a short rest, the file is
 //! refused. An ASCII file without `endsolid` is read only if its surface is closed: else it may have been cut off.
 
+use super::budget::Budget;
 use super::polygons::{MeshFile, Polygons};
 use super::text::Scanner;
 use super::{FormatError, ReadLimits, trailing_note, units};
@@ -16,6 +17,8 @@ use nalgebra::Point3;
 const TEXT_BYTES: usize = 80;
 const HEADER_BYTES: usize = 84;
 const FACET_BYTES: usize = 50;
+/// Bytes that joining takes for each corner.
+const WELD_BYTES: usize = 224;
 /// As much of a file as is looked at to tell text from binary.
 const HEAD_BYTES: usize = 1024;
 
@@ -69,20 +72,23 @@ fn is_plausible(facet: &[u8]) -> bool {
 /// # Cost
 /// Linear in the file's length.
 pub fn read_stl(bytes: &[u8], limits: &ReadLimits) -> Result<MeshFile, FormatError> {
+    let budget = Budget::of(limits);
     let mut notes = Vec::new();
     let ascii = is_ascii(bytes);
     let mut is_complete = true;
     let corners = if ascii {
-        let (corners, ended) = ascii_corners(bytes, limits)?;
+        let (corners, ended) = ascii_corners(bytes, limits, &budget)?;
         is_complete = ended;
         corners
     } else {
-        binary_corners(bytes, limits, &mut notes)?
+        binary_corners(bytes, limits, &budget, &mut notes)?
     };
     if let Some(vertex) = corners.iter().position(|p| !p.iter().all(|c| c.is_finite())) {
         return Err(homolog_mesh::MeshError::NonFinite { vertex }.into());
     }
-    let mut polygons = Polygons::of(corners);
+    // Tables of places and faces while equal corners are joined.
+    budget.charge(corners.len().saturating_mul(WELD_BYTES))?;
+    let mut polygons = Polygons::of(corners, &budget);
     for k in (0..polygons.vertices.len() as i64).step_by(3) {
         polygons.push([k, k + 1, k + 2])?;
     }
@@ -108,7 +114,12 @@ pub fn read_stl(bytes: &[u8], limits: &ReadLimits) -> Result<MeshFile, FormatErr
     Ok(file)
 }
 
-fn binary_corners(bytes: &[u8], limits: &ReadLimits, notes: &mut Vec<String>) -> Result<Vec<Point3<f64>>, FormatError> {
+fn binary_corners(
+    bytes: &[u8],
+    limits: &ReadLimits,
+    budget: &Budget,
+    notes: &mut Vec<String>,
+) -> Result<Vec<Point3<f64>>, FormatError> {
     let available = bytes.len() as u64;
     let stated =
         stated_facets(bytes).ok_or(FormatError::Truncated { part: "the STL header", needed: 84, available })?;
@@ -140,7 +151,10 @@ fn binary_corners(bytes: &[u8], limits: &ReadLimits, notes: &mut Vec<String>) ->
     };
     Polygons::check_faces(n, limits)?;
     let facets = facets[..n as usize * FACET_BYTES].chunks_exact(FACET_BYTES);
-    Ok(facets.flat_map(corners_of).collect())
+    let mut corners = Vec::new();
+    budget.reserve(&mut corners, 3 * n as usize)?;
+    corners.extend(facets.flat_map(corners_of));
+    Ok(corners)
 }
 
 /// A facet: normal, three corners, two bytes of attributes.
@@ -151,7 +165,7 @@ fn corners_of(facet: &[u8]) -> [Point3<f64>; 3] {
 }
 
 /// The corners of all facets, and whether the last solid has its end.
-fn ascii_corners(bytes: &[u8], limits: &ReadLimits) -> Result<(Vec<Point3<f64>>, bool), FormatError> {
+fn ascii_corners(bytes: &[u8], limits: &ReadLimits, budget: &Budget) -> Result<(Vec<Point3<f64>>, bool), FormatError> {
     let mut scanner = Scanner::new(super::text::without_preamble(bytes));
     let mut corners = Vec::new();
     let is_title = scanner.peek().is_some_and(|word| word.eq_ignore_ascii_case(b"solid"));
@@ -162,7 +176,7 @@ fn ascii_corners(bytes: &[u8], limits: &ReadLimits) -> Result<(Vec<Point3<f64>>,
     let (mut in_loop, mut is_open) = (None, true);
     while let Some(word) = scanner.word() {
         if word.eq_ignore_ascii_case(b"vertex") {
-            corner(&mut scanner, &mut corners)?;
+            budget.push(&mut corners, corner(&mut scanner)?)?;
             in_loop = in_loop.map(|n| n + 1);
         } else if word.eq_ignore_ascii_case(b"loop") {
             in_loop = Some(0);
@@ -185,13 +199,12 @@ fn ascii_corners(bytes: &[u8], limits: &ReadLimits) -> Result<(Vec<Point3<f64>>,
     Ok((corners, !is_open))
 }
 
-fn corner(scanner: &mut Scanner<'_>, corners: &mut Vec<Point3<f64>>) -> Result<(), FormatError> {
+fn corner(scanner: &mut Scanner<'_>) -> Result<Point3<f64>, FormatError> {
     let mut p = Point3::origin();
     for c in p.iter_mut() {
         *c = scanner.real("a coordinate")?;
     }
-    corners.push(p);
-    Ok(())
+    Ok(p)
 }
 
 /// A binary STL file, single precision; quads are split along their first diagonal.

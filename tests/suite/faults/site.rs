@@ -2,7 +2,7 @@
 //! to both for checks.
 
 use super::client::Client;
-use super::node::{Node, NotStarted, Starting};
+use super::node::{Node, NotStarted, Starting, peak_memory_bytes};
 use super::postgres::Cluster;
 use super::s3::S3Server;
 use super::witness::Database;
@@ -39,6 +39,11 @@ pub(crate) struct Program {
 }
 
 impl Program {
+    /// The most memory that it has had at a time so far, bytes.
+    pub(crate) fn peak_memory_bytes(&self) -> u64 {
+        peak_memory_bytes(self.process.id())
+    }
+
     /// Whether it runs.
     pub(crate) fn is_running(&mut self) -> bool {
         self.process.try_wait().unwrap().is_none()

@@ -155,8 +155,7 @@ pub(super) fn is_segmentation(bytes: &[u8], n_bytes: usize) -> bool {
     let mut inflated = Vec::new();
     // What is inflated here is looked at once more when it is read.
     let limits = ReadLimits { max_inflated_bytes: bytes.len().saturating_mul(32), ..ReadLimits::default() };
-    let found = read_file(bytes, &mut inflated, &limits, &Budget::new(n_bytes)).is_ok_and(|(set, _)| is_class(&set));
-    found
+    read_file(bytes, &mut inflated, &limits, &Budget::new(n_bytes)).is_ok_and(|(set, _)| is_class(&set))
 }
 
 fn of_different(what: &'static str) -> FormatError {

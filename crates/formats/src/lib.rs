@@ -231,6 +231,7 @@ fn read_file(
         budget.grant(declared_voxels(bytes)?.min(limits.max_inflated_bytes));
     }
     let inflated = gzip::inflate(bytes, limits.max_inflated_bytes, &budget)?;
+    let before = limits;
     let limits = &ReadLimits { max_memory: budget.left(), ..*limits };
     let (format, bytes) = detect::detect(&inflated, file_name)?;
     use InputFormat::{DicomSeg, MetaImage, Mgh, Nifti, Nrrd};
@@ -246,7 +247,12 @@ fn read_file(
         InputFormat::Freesurfer => ReadFile::mesh(format, freesurfer::read_freesurfer(bytes, limits)?),
         InputFormat::Gifti => ReadFile::mesh(format, gifti::read_gifti(bytes, limits, options.apply_transform)?),
         InputFormat::Ply => ReadFile::declared(format, ply::read_ply(bytes, limits)?, bytes)?,
-        InputFormat::Stl => ReadFile::declared(format, stl::read_stl(bytes, limits)?, bytes)?,
+        InputFormat::Stl => {
+            let (soup, head) = (stl::read_soup(bytes, limits)?, bytes[..bytes.len().min(DECLARATION_BYTES)].to_vec());
+            // Text of facets is by far the largest part of what joining them takes.
+            drop(inflated);
+            ReadFile::declared(format, soup.joined(before)?, &head)?
+        }
         InputFormat::Vtk => ReadFile::declared(format, vtk::read_vtk(bytes, limits)?, bytes)?,
         InputFormat::Vtp => ReadFile::mesh(format, vtp::read_vtp(bytes, limits)?),
         InputFormat::Obj => ReadFile::declared(format, obj::read_obj(bytes, limits)?, bytes)?,

@@ -90,13 +90,13 @@ pub fn read_obj(bytes: &[u8], limits: &ReadLimits) -> Result<MeshFile, FormatErr
         let mut line = line;
         // A line that ends in a backslash goes on in the next.
         while let Some(part) = line.strip_suffix(b"\\") {
-            joined.extend_from_slice(part);
-            joined.push(b' ');
+            budget.extend(&mut joined, part)?;
+            budget.push(&mut joined, b' ')?;
             line = scanner.text_line().unwrap_or_default();
         }
-        joined.extend_from_slice(line);
+        budget.extend(&mut joined, line)?;
         if joined.starts_with(b"#") {
-            unit = unit.or_else(|| units::stated(&String::from_utf8_lossy(&joined)));
+            unit = unit.or_else(|| units::stated_in(&joined));
             continue;
         }
         let statement = before_comment(&joined);

@@ -143,9 +143,9 @@ impl<'b> Polygons<'b> {
         let all_quads = self.faces().all(|f| f.len() == 4);
         let arity = if all_quads { FaceArity::Quad } else { FaceArity::Triangle };
         let n_indices: usize = self.faces().map(|f| if all_quads { 4 } else { 3 * f.len().saturating_sub(2) }).sum();
-        // The mesh, a copy of it in other units or in RAS, and the corners of the largest face in order.
-        self.budget.charge_of::<u32>(2 * n_indices + self.corners.len())?;
-        self.budget.charge_of::<Point3<f64>>(self.vertices.len())?;
+        let largest = self.faces().map(<[u32]>::len).max().unwrap_or(0);
+        // The faces of the mesh, and the corners of the largest one in order.
+        self.budget.charge_of::<u32>(n_indices + largest)?;
         let mut indices = Vec::with_capacity(n_indices);
         let (mut first_degenerate, mut n_degenerate) = (None, 0);
         for (at, face) in self.faces().enumerate() {
@@ -170,6 +170,11 @@ impl<'b> Polygons<'b> {
                 }
             }
         }
+        self.budget.release(size_of::<u32>() * self.corners.capacity() + size_of::<usize>() * self.ends.capacity());
+        drop((self.corners, self.ends));
+        // A copy in other units, or in RAS.
+        self.budget.charge_of::<u32>(indices.len())?;
+        self.budget.charge_of::<Point3<f64>>(self.vertices.len())?;
         let mesh = SurfaceMesh::new(self.vertices, arity, indices)?;
         Ok(MeshFile { mesh, first_degenerate, n_degenerate, welded: false, space: InputSpace::Unknown, notes })
     }

@@ -40,7 +40,7 @@ pub fn read_vtk(bytes: &[u8], limits: &ReadLimits) -> Result<MeshFile, FormatErr
             advice: "extract its surface and save that as POLYDATA",
         });
     }
-    let unit = units::stated(&String::from_utf8_lossy(title));
+    let unit = units::stated_in(title);
     let budget = Budget::of(limits);
     let polygons = Polygons::new(&budget);
     let mut reader = VtkReader { scanner, binary, polygons, n_cells: 0, unit, limits, budget: &budget };

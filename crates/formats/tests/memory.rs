@@ -380,3 +380,57 @@ fn volumes_of_background_are_read_however_well_they_compress() {
         held(name, &bytes, 4 * voxels).unwrap_or_else(|error| panic!("{name}: {error}"));
     }
 }
+
+/// The surface of the voxels of a ball, as programs write it, which compresses as well as surfaces do.
+#[test]
+fn surfaces_of_voxels_are_read_however_well_they_compress() {
+    const N: i64 = 48;
+    let inside = |p: [i64; 3]| p.iter().map(|c| (2 * c - N).pow(2)).sum::<i64>() < (N - 4).pow(2);
+    let mut corners: Vec<[f64; 3]> = Vec::new();
+    for at in 0..N * N * N {
+        let p = [at % N, at / N % N, at / N / N];
+        for (axis, way) in (0..3).flat_map(|axis| [(axis, 1), (axis, -1)]) {
+            let mut beside = p;
+            beside[axis] += way;
+            if inside(p) && !inside(beside) {
+                let (mut u, mut v) = ((axis + 1) % 3, (axis + 2) % 3);
+                if way < 0 {
+                    (u, v) = (v, u);
+                }
+                let corner = |a: i64, b: i64| {
+                    let mut q = p;
+                    q[axis] += i64::from(way > 0);
+                    q[u] += a;
+                    q[v] += b;
+                    q.map(|c| c as f64 * 0.7)
+                };
+                corners.extend([(0, 0), (1, 0), (1, 1), (0, 0), (1, 1), (0, 1)].map(|(a, b)| corner(a, b)));
+            }
+        }
+    }
+    let mut ascii = "solid x\n".to_owned();
+    let mut binary = [vec![0; 80], (corners.len() as u32 / 3).to_le_bytes().to_vec()].concat();
+    let (mut points, mut faces) = (String::new(), String::new());
+    for (k, facet) in corners.chunks(3).enumerate() {
+        ascii.push_str("facet normal 0.000000e+00 0.000000e+00 0.000000e+00\n  outer loop\n");
+        binary.extend([0; 12]);
+        for [x, y, z] in facet {
+            writeln!(ascii, "    vertex {x:.6e} {y:.6e} {z:.6e}").unwrap();
+            writeln!(points, "v {x:.6} {y:.6} {z:.6}").unwrap();
+            binary.extend([x, y, z].iter().flat_map(|&&c| (c as f32).to_le_bytes()));
+        }
+        ascii.push_str("  endloop\nendfacet\n");
+        binary.extend([0, 0]);
+        writeln!(faces, "f {} {} {}", 3 * k + 1, 3 * k + 2, 3 * k + 3).unwrap();
+    }
+    ascii.push_str("endsolid x\n");
+    for (name, plain) in
+        [("ascii.stl", ascii.into_bytes()), ("binary.stl", binary), ("a.obj", (points + &faces).into_bytes())]
+    {
+        held(name, &plain, 0).unwrap_or_else(|error| panic!("{name}: {error}"));
+        for (name, packed) in [("gz", gzip(&plain)), ("zip", zip(name, &plain, 1))] {
+            let ratio = plain.len() / packed.len();
+            held(name, &packed, 0).unwrap_or_else(|error| panic!("{name}, {ratio} times: {error}"));
+        }
+    }
+}

@@ -88,7 +88,7 @@ pub fn read_off(bytes: &[u8], limits: &ReadLimits) -> Result<MeshFile, FormatErr
     let mut file = polygons.into_mesh()?;
     file.notes.extend(check_end(&mut scanner, n_faces, &budget)?);
     let comments = bytes.split(|&byte| byte == b'\n').filter(|line| line.contains(&b'#'));
-    if let Some(unit) = comments.into_iter().find_map(|line| units::stated_in(line)) {
+    if let Some(unit) = comments.into_iter().find_map(units::stated_in) {
         file.scale(unit)?;
     }
     Ok(file)

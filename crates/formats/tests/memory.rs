@@ -203,9 +203,9 @@ fn no_format_has_a_bomb() {
     let stl = [vec![0; 80], 190_000u32.to_le_bytes().to_vec(), [0, 0, 1, 2, 3, 4, 5, 6, 7, 8].repeat(950_000)].concat();
     let nrrd = "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 2 2 2\nencoding: raw\n";
     let mut keys = nrrd.to_owned();
-    (0..90_000).for_each(|k| write!(keys, "{k:x}:=\n").unwrap());
+    (0..90_000).for_each(|k| writeln!(keys, "{k:x}:=").unwrap());
     let mut fields = nrrd.to_owned();
-    (0..90_000).for_each(|k| write!(fields, "{k:x}: \n").unwrap());
+    (0..90_000).for_each(|k| writeln!(fields, "{k:x}: ").unwrap());
     let mha = "ObjectType = Image\nNDims = 3\nDimSize = 2 2 2\nElementType = MET_UCHAR\n";
     let triangles = {
         let counts = [3i32.to_be_bytes(), 1_500_000i32.to_be_bytes()].concat();

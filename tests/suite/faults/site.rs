@@ -192,7 +192,7 @@ impl Site {
         }
     }
 
-    /// The names of all stored blobs, sorted.
+    /// The names of all stored blobs, sorted, but for the mark of the store.
     pub(crate) fn blobs(&self) -> Vec<String> {
         let root = match &self.s3 {
             None => self.data_dir().join("blobs"),
@@ -209,7 +209,7 @@ fn names_under(folder: &Path, into: &mut Vec<String>) {
     for entry in std::fs::read_dir(folder).into_iter().flatten().flatten() {
         if entry.path().is_dir() {
             names_under(&entry.path(), into);
-        } else {
+        } else if !std::fs::read(entry.path()).is_ok_and(|bytes| bytes.starts_with(b"blob store of homolog ")) {
             into.push(entry.file_name().to_string_lossy().into_owned());
         }
     }

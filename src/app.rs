@@ -4,12 +4,14 @@ use crate::config::{HttpSettings, ServiceSettings};
 use crate::http::{AuthMode, CorsOrigins, HttpState, Served, Tokens, probe_router, router, serve};
 use crate::jobs::audit::Recorder;
 use crate::jobs::{
-    ArtifactStore, Engine, JobError, JobService, JobStore, Processes, Signals, Stores, StudyProgression, WorkerId,
+    ArtifactKey, ArtifactStore, Engine, JobError, JobService, JobStore, KeyStore as _, Processes, Signals, Stores,
+    StudyProgression, Tenant, WorkerId,
 };
 use crate::store::artifacts::{FolderArtifacts, S3Artifacts, SealedArtifacts, StoredBlobs};
 use crate::store::encryption::Keyring;
 use crate::store::private_files;
 use crate::store::processes::{ProcessRecord, ServeLock};
+use crate::store::reserve;
 use crate::store::seal::Seal;
 use crate::store::sql::{SqlStore, StoreSettings};
 use crate::telemetry;
@@ -29,6 +31,8 @@ use tokio_util::sync::CancellationToken;
 
 /// How long a new `serve` waits for its predecessor to release the data directory.
 const TAKEOVER_TIMEOUT: Duration = Duration::from_secs(10);
+/// Database connections for the probes of supervisors.
+const PROBE_CONNECTIONS: u32 = 1;
 /// Database connections for heartbeats.
 const HEARTBEAT_CONNECTIONS: u32 = 2;
 /// The file in the data directory with the key that seals secrets.
@@ -71,6 +75,12 @@ pub enum AppError {
         /// Why, with its causes.
         error: String,
     },
+    /// The blob store is not that of the other processes that use the database.
+    #[error(
+        "the blob store is not the one that this database belongs to: its mark is missing. Processes that share a database share one \
+         blob store: give all of them the same --artifacts-url, or the same --data-dir on storage that they share"
+    )]
+    OtherBlobs,
     /// The file with the key of secrets cannot be used.
     #[error("cannot use the key of secrets in {}: {error}", path.display())]
     SecretKey {
@@ -203,6 +213,9 @@ impl App {
         // Heartbeats have connections of their own, so that they never wait for other work of this process.
         let heartbeat_store = SqlStore::open(&settings.database(HEARTBEAT_CONNECTIONS)).await.map_err(database)?;
         let stored = open_stored(settings)?;
+        if is_shared {
+            require_shared_blobs(&store, stored.as_ref()).await?;
+        }
         let artifacts: Arc<dyn ArtifactStore> = match keyring {
             Some(keyring) => Arc::new(SealedArtifacts::new(stored, keyring)),
             None => stored,
@@ -278,7 +291,16 @@ impl App {
                  delete everything"
             );
         }
-        let state = self.http_state(&http, &service, auth, shutdown);
+        if auth == AuthMode::None {
+            match self.stores[0].list_keys().await {
+                Ok(keys) if keys.iter().any(|key| key.is_valid) => tracing::warn!(
+                    "API keys exist, and are not asked for: every client is let in, with or without one; --auth keys requires them"
+                ),
+                Ok(_) => {}
+                Err(error) => tracing::warn!(%error, "whether API keys exist is not known"),
+            }
+        }
+        let state = self.http_state(&self.stores[0], &http, &service, auth, shutdown);
         let webhooks = WebhookDelivery::new(Arc::new(self.stores[0].clone()), http.webhook_delivery_settings());
         let webhooks = webhooks.inspect_err(|error| tracing::error!(%error, "webhooks are not delivered")).ok();
         let recorder = Arc::clone(state.service.recorder());
@@ -292,48 +314,78 @@ impl App {
             }
         };
         let limits = http.connection_limits();
-        let mut servers = vec![Served { listener, router: router(state.clone()), limits, tls }];
-        servers.extend(probes.map(|listener| probe_server(listener, state, &http)));
+        let servers = vec![Served { listener, router: router(state), limits, tls }];
+        let probes = probes.map(|listener| self.start_probes(listener, &http, &service, auth, shutdown));
         self.run_with(servers, webhooks, Some(recorder), shutdown).await;
+        end_probes(probes).await;
     }
 
     /// Runs jobs, and answers the probes of supervisors on `listener`, until `shutdown`.
     pub async fn run_with_probes(self, listener: TcpListener, service: &ServiceSettings, shutdown: &Shutdown) {
         let http = HttpSettings::default();
-        let state = self.http_state(&http, service, AuthMode::Keys, shutdown);
-        self.run_with(vec![probe_server(listener, state, &http)], None, None, shutdown).await;
+        let probes = Some(self.start_probes(listener, &http, service, AuthMode::Keys, shutdown));
+        self.run_with(Vec::new(), None, None, shutdown).await;
+        end_probes(probes).await;
+    }
+
+    /// Answers the probes of supervisors on a thread of their own, with connections of their own to the database: whatever
+    /// keeps the other threads busy delays no probe.
+    fn start_probes(
+        &self,
+        listener: TcpListener,
+        http: &HttpSettings,
+        service: &ServiceSettings,
+        auth: AuthMode,
+        shutdown: &Shutdown,
+    ) -> Option<std::thread::JoinHandle<()>> {
+        let state = self.http_state(&self.stores[0], http, service, auth, shutdown);
+        let of_store = {
+            let (parts, main) = (self.parts.clone(), self.stores[0].clone());
+            let (http, service, shutdown) = (http.clone(), service.clone(), shutdown.clone());
+            move |store: SqlStore| state_over(&parts, [&store.beside(&main), &main], &http, &service, auth, &shutdown)
+        };
+        let (database, limits, stop) =
+            (service.database(PROBE_CONNECTIONS), http.probe_limits(), shutdown.stop.clone());
+        let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build();
+        let listener = listener.into_std();
+        let (Ok(runtime), Ok(listener)) = (runtime, listener) else {
+            tracing::error!("probes are not answered: no thread for them");
+            return None;
+        };
+        let serving = move || {
+            runtime.block_on(async move {
+                let Ok(listener) = TcpListener::from_std(listener) else { return };
+                let own = SqlStore::open(&database).await;
+                let own = own.inspect_err(|error| tracing::warn!(%error, "probes have no connections of their own"));
+                let (state, own) = match own {
+                    Ok(own) => (of_store(own.clone()), Some(own)),
+                    Err(_) => (state, None),
+                };
+                let served = Served { listener, router: probe_router(state), limits, tls: None };
+                let serving = serve(served, stop.clone());
+                tokio::pin!(serving);
+                tokio::select! {
+                    _ = &mut serving => {}
+                    () = stop.cancelled() => drop(tokio::time::timeout(DRAIN_TIMEOUT, &mut serving).await),
+                }
+                if let Some(own) = own {
+                    own.close().await;
+                }
+            });
+        };
+        let thread = std::thread::Builder::new().name("probes".to_owned()).spawn(serving);
+        thread.inspect_err(|error| tracing::error!(%error, "probes are not answered")).ok()
     }
 
     fn http_state(
         &self,
+        store: &SqlStore,
         http: &HttpSettings,
         service: &ServiceSettings,
         auth: AuthMode,
         shutdown: &Shutdown,
     ) -> HttpState {
-        let own = Arc::new(self.stores[0].clone());
-        let stores = Stores {
-            jobs: Arc::clone(&self.parts.store),
-            meshes: own.clone(),
-            keys: own.clone(),
-            webhooks: own.clone(),
-            studies: own.clone(),
-            audit: own,
-            artifacts: Arc::clone(&self.parts.artifacts),
-        };
-        let store = self.stores[0].clone();
-        let metrics = move || {
-            store.gauge_connections();
-            telemetry::metrics_text()
-        };
-        let (engine, signals) = (Arc::clone(&self.parts.engine), Arc::clone(&self.parts.signals));
-        let use_cases = JobService::new(stores, engine, http.submission_limits(service), signals);
-        HttpState::new(Arc::new(use_cases), http.http_limits(service), auth, shutdown.stop.clone())
-            .with_metrics(metrics)
-            // Checked before the address was bound; if the file is gone since, tokens are refused.
-            .with_tokens(open_tokens(http).ok().flatten())
-            .for_hosts(http.hosts())
-            .for_origins(CorsOrigins::new(&http.cors_origins))
+        state_over(&self.parts, [store, store], http, service, auth, shutdown)
     }
 
     async fn run_with(
@@ -379,6 +431,47 @@ impl App {
     }
 }
 
+/// What requests are answered from, over a store; metrics state the connections of `main`.
+fn state_over(
+    parts: &PoolParts,
+    [store, main]: [&SqlStore; 2],
+    http: &HttpSettings,
+    service: &ServiceSettings,
+    auth: AuthMode,
+    shutdown: &Shutdown,
+) -> HttpState {
+    let own = Arc::new(store.clone());
+    let stores = Stores {
+        jobs: own.clone(),
+        meshes: own.clone(),
+        keys: own.clone(),
+        webhooks: own.clone(),
+        studies: own.clone(),
+        audit: own,
+        artifacts: Arc::clone(&parts.artifacts),
+    };
+    let main = main.clone();
+    let metrics = move || {
+        main.gauge_connections();
+        telemetry::metrics_text()
+    };
+    let (engine, signals) = (Arc::clone(&parts.engine), Arc::clone(&parts.signals));
+    let use_cases = JobService::new(stores, engine, http.submission_limits(service), signals);
+    HttpState::new(Arc::new(use_cases), http.http_limits(service), auth, shutdown.stop.clone())
+        .with_metrics(metrics)
+        // Checked before the address was bound; if the file is gone since, tokens are refused.
+        .with_tokens(open_tokens(http).ok().flatten())
+        .for_hosts(http.hosts())
+        .for_origins(CorsOrigins::new(&http.cors_origins))
+}
+
+/// Waits until the thread of the probes has ended.
+async fn end_probes(thread: Option<Option<std::thread::JoinHandle<()>>>) {
+    if let Some(thread) = thread.flatten() {
+        let _ = tokio::task::spawn_blocking(move || thread.join()).await;
+    }
+}
+
 /// Creates the data directory, which only this user can enter.
 ///
 /// # Errors
@@ -393,6 +486,10 @@ pub fn create_data_dir(settings: &ServiceSettings) -> Result<(), AppError> {
 /// # Errors
 /// [`AppError::Store`].
 pub async fn open_database(settings: &ServiceSettings) -> Result<SqlStore, AppError> {
+    // What frees space needs a little of it, and so does a service that is to say that the disk is full.
+    if settings.database_url.is_none() && settings.data_dir.is_dir() && reserve::give_up_if_full(&settings.data_dir) {
+        tracing::warn!("the disk of the data directory is full; the space that is kept for this is used");
+    }
     let opened = SqlStore::open(&settings.database(settings.database_connections)).await;
     let opened = opened.map_err(|e| store_error("the database", &e))?;
     let keyring = open_keyring(settings)?;
@@ -463,6 +560,35 @@ pub(crate) async fn require_keys(store: &SqlStore, keyring: Option<&Keyring>, dr
     }
 }
 
+/// Refuses to run with another blob store than the processes that share the database: their inputs would not be found. The first
+/// process puts a blob with a random mark into its store and the mark into the database; the others must find it.
+///
+/// # Errors
+/// [`AppError::OtherBlobs`], [`AppError::Store`].
+pub(crate) async fn require_shared_blobs(store: &SqlStore, blobs: &dyn StoredBlobs) -> Result<(), AppError> {
+    let database = |e: JobError| store_error("the database", &e);
+    let marked = |mark: &str| bytes::Bytes::from(format!("blob store of homolog {mark}\n"));
+    let key_of = |mark: &str| ArtifactKey::of(&Tenant::default(), &marked(mark));
+    let noted = store.blob_store_mark().await.map_err(database)?;
+    let mark = match noted {
+        Some(mark) => mark,
+        None => {
+            let own = uuid::Uuid::new_v4().to_string();
+            // Stored before it is noted: whoever reads the note finds the blob.
+            blobs.put(&key_of(&own), marked(&own)).await.map_err(|e| store_error("the blob store", &e))?;
+            match store.set_blob_store_mark(&own).await.map_err(database)? {
+                true => own,
+                false => store.blob_store_mark().await.map_err(database)?.ok_or(AppError::OtherBlobs)?,
+            }
+        }
+    };
+    match blobs.stored(&key_of(&mark)).await {
+        Ok(found) if found == marked(&mark) => Ok(()),
+        Ok(_) | Err(JobError::Corrupt { .. }) => Err(AppError::OtherBlobs),
+        Err(error) => Err(store_error("the blob store", &error)),
+    }
+}
+
 /// Opens the blob store of the settings.
 ///
 /// # Errors
@@ -511,11 +637,6 @@ pub async fn listen(http: &HttpSettings) -> Result<TcpListener, AppError> {
 fn open_tls(http: &HttpSettings) -> Result<Option<Arc<ServerTls>>, AppError> {
     let files = http.tls_files().map_err(AppError::Tls)?;
     files.map(ServerTls::open).transpose().map_err(AppError::Tls)
-}
-
-/// What answers supervisors: always without TLS.
-fn probe_server(listener: TcpListener, state: HttpState, http: &HttpSettings) -> Served {
-    Served { listener, router: probe_router(state), limits: http.probe_limits(), tls: None }
 }
 
 /// What verifies tokens, by the settings; `None`: no tokens are accepted.

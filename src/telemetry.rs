@@ -52,6 +52,7 @@ const METRICS: &[(&str, Kind, &str)] = &[
     ("homolog_jobs", Kind::Gauge, "Jobs that are queued or running, of the whole service"),
     ("homolog_queue_oldest_age_seconds", Kind::Gauge, "How long the oldest queued job has waited"),
     ("homolog_job_store_up", Kind::Gauge, "Whether the database answered when the metrics were read"),
+    ("homolog_clock_jumped", Kind::Gauge, "Whether the database's clock is not believed, because it was set by days"),
     ("homolog_jobs_finished_total", Kind::Counter, "Runs of jobs in this process, by how they ended"),
     ("homolog_job_seconds", Kind::Histogram, "Duration of a run of a job in this process"),
     ("homolog_jobs_dead_total", Kind::Counter, "Jobs that lost their workers too often"),

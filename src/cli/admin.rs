@@ -9,8 +9,8 @@ use super::serve::in_runtime;
 use crate::app;
 use crate::config::ServiceSettings;
 use crate::jobs::{
-    ApiKey, AuditEvent, AuditStore as _, BlobHolds as _, Housekeeping as _, JobError, JobStore as _, KeyStore as _,
-    Purged, Role, Scope, SecretKey, Tenant,
+    ApiKey, AuditEvent, AuditStore as _, BlobHolds as _, ClockState, Housekeeping as _, JobError, JobStore as _,
+    KeyStore as _, Purged, Role, Scope, SecretKey, Tenant,
 };
 use crate::store::sql::SqlStore;
 use std::time::{Duration, Instant};
@@ -80,6 +80,9 @@ pub(super) struct PurgeArgs {
     /// Only count what would be deleted
     #[arg(long)]
     dry_run: bool,
+    /// Believe the clock of the database although it has jumped since the service last saw it, from now on
+    #[arg(long)]
+    trust_clock: bool,
     #[command(flatten)]
     service: ServiceSettings,
 }
@@ -181,7 +184,17 @@ pub(super) fn purge(args: &PurgeArgs) -> Result<(), CliError> {
     require_database(&args.service)?;
     let artifacts = app::open_artifacts(&args.service).map_err(|error| CliError::Failed(error.to_string()))?;
     let (retention, dry_run) = (args.service.retention(), args.dry_run);
+    let trusted = args.trust_clock && !dry_run;
     with_store(&args.service, async |store| {
+        if let ClockState::Jumped { by_ms } = store.check_clock(trusted).await?
+            && !dry_run
+        {
+            let hours = by_ms / 3_600_000;
+            return Err(CliError::BadInput(format!(
+                "the clock of the database is {hours} hours from the last time that the service saw, so that what is removed may be \
+                 removed too early; if the clock is right, say so with --trust-clock"
+            )));
+        }
         let mut total = Purged::default();
         loop {
             let purged = store.purge(&retention, PURGED_AT_ONCE, dry_run).await?;

@@ -2,6 +2,7 @@
 //! that no handler has answered.
 
 use super::audit::{Caller, Recording};
+use super::auth::AuthMode;
 use super::preferences::{TRACEPARENT, trace_id, traceparent};
 use super::problem::{PROBLEM_JSON, Problem};
 use super::problem_table::ProblemKind;
@@ -16,6 +17,9 @@ use tracing::Instrument;
 
 /// The header that carries the id of a request.
 pub(crate) const REQUEST_ID: HeaderName = HeaderName::from_static("x-request-id");
+
+/// The header that tells who sends a key where none is asked for that it was not looked at.
+pub(crate) const AUTHENTICATION: HeaderName = HeaderName::from_static("homolog-authentication");
 
 tokio::task_local! {
     static CURRENT: String;
@@ -54,7 +58,8 @@ fn method_label(method: &Method) -> &'static str {
 /// The outermost layer: gives the request an id, logs and counts its answer, and turns errors of other layers into problems.
 pub(crate) async fn surround(State(state): State<HttpState>, mut request: Request, next: Next) -> Response {
     let id = accepted_id(request.headers());
-    let header = HeaderValue::from_str(&id).ok();
+    let sends_key = request.headers().contains_key(header::AUTHORIZATION);
+    let request_id = HeaderValue::from_str(&id).ok();
     let route = request.extensions().get::<MatchedPath>().map(|p| p.as_str().to_owned());
     let method = method_label(request.method());
     let route = route.unwrap_or_else(|| UNMATCHED.to_owned());
@@ -109,8 +114,11 @@ pub(crate) async fn surround(State(state): State<HttpState>, mut request: Reques
     if response.status().is_server_error() {
         sent.fail();
     }
-    if let Some(value) = header {
+    if let Some(value) = request_id {
         response.headers_mut().insert(REQUEST_ID, value);
+    }
+    if state.auth == AuthMode::None && sends_key {
+        response.headers_mut().insert(AUTHENTICATION, HeaderValue::from_static("none"));
     }
     response
 }

@@ -162,6 +162,8 @@ problems! {
         "Submit smaller surfaces or fewer iterations, increase max_run_s, or ask the operator for a higher limit.";
     CrashLimitReached = "crash-limit-reached", UNPROCESSABLE_ENTITY, "The workers of the job crashed too often",
         "Tell the operator. The job is not run again.";
+    InputMissing = "input-missing", UNPROCESSABLE_ENTITY, "An input of the job is not in the blob store",
+        "Tell the operator: the processes of the service may not share one blob store, or a blob was lost. Submit the files again.";
     StudyFailed = "study-failed", UNPROCESSABLE_ENTITY, "The study cannot be computed",
         "detail says why. Add subjects, or drop one with a decision, and the study goes on.";
     StorageFull = "storage-full", INSUFFICIENT_STORAGE, "The service is out of storage space",

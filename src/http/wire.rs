@@ -261,7 +261,7 @@ pub(crate) struct ResultLinks {
 pub(crate) struct ReadinessDocument {
     /// `ready` or `not_ready`.
     pub(crate) status: String,
-    /// `ok`, `full` or `failing` for each dependency.
+    /// `ok`, `full` or `failing` for each dependency; `ok` or `jumped` for the `clock`.
     pub(crate) dependencies: BTreeMap<String, String>,
 }
 

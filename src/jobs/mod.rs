@@ -55,8 +55,8 @@ pub use key::{ApiKey, KeyPage, KeyStore, Role, Scope, SecretKey};
 pub use lease::{Lease, LeaseStatus, LeasedJob, Recovered, WorkerId};
 pub use mesh::{CheckOutcome, Mesh, MeshPage, MeshStore};
 pub use ports::{
-    ArtifactKey, ArtifactKind, ArtifactRef, ArtifactStore, ArtifactWriter, BlobHolds, BlobStream, DepartedProcess,
-    Housekeeping, JobQueue, JobReader, JobStore, JobWriter, Load, Outcome, Processes,
+    ArtifactKey, ArtifactKind, ArtifactRef, ArtifactStore, ArtifactWriter, BlobHolds, BlobStream, ClockState,
+    DepartedProcess, Housekeeping, JobQueue, JobReader, JobStore, JobWriter, Load, Outcome, Processes,
 };
 pub use presentation::{PartFormat, PresentError, Presentation, Presented, ResultPart, WarpDirection, WarpSpace};
 pub(crate) use retention::Concerned;

@@ -324,6 +324,18 @@ pub trait BlobHolds: Send + Sync {
     async fn remove_unreferenced_blobs(&self, artifacts: &dyn ArtifactStore) -> Result<u32, JobError>;
 }
 
+/// Whether the database's clock can be believed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ClockState {
+    /// It follows on the last time that was seen.
+    Plausible,
+    /// It was set by days.
+    Jumped {
+        /// How far it is ahead of the last time that was seen, ms; negative: behind.
+        by_ms: i64,
+    },
+}
+
 /// What every process does from time to time.
 #[async_trait]
 pub trait Housekeeping: Send + Sync {
@@ -340,6 +352,16 @@ pub trait Housekeeping: Send + Sync {
     /// Overwrites what deletions have left in the files of the database, if there were any since the last call. What cannot
     /// be overwritten now, because somebody reads it, stays for the next call. Returns whether nothing stays.
     async fn overwrite_deleted(&self) -> Result<bool, JobError>;
+
+    /// Holds the database's clock against the last time that was seen. A plausible one is noted; another is not believed, by
+    /// any process, until it is plausible again or somebody calls this with `trusted`.
+    async fn check_clock(&self, trusted: bool) -> Result<ClockState, JobError>;
+
+    /// Whether the database's clock was set since the last call of this process.
+    async fn clock_was_set(&self) -> Result<bool, JobError>;
+
+    /// Whether the clock was not plausible when this process last looked at it.
+    fn clock_has_jumped(&self) -> bool;
 
     /// Removes what has outlived the retention of its tenant, at most `limit` jobs of each retention at once; as a dry run it only counts.
     async fn purge(&self, retention: &Retentions, limit: u32, dry_run: bool) -> Result<Purged, JobError>;

@@ -27,7 +27,7 @@ use std::time::Duration;
 use tokio::sync::Semaphore;
 
 /// Time limit of a readiness check of a dependency, shorter than the time limit of a supervisor.
-const READINESS_TIMEOUT: Duration = Duration::from_secs(3);
+const READINESS_TIMEOUT: Duration = Duration::from_millis(900);
 
 /// Number of parts of results that are read and converted at the same time.
 const MAX_PRESENTATIONS: usize = 4;
@@ -411,6 +411,11 @@ impl JobService {
     /// The available methods.
     pub fn methods(&self) -> Vec<MethodDescription> {
         self.engine.methods()
+    }
+
+    /// Whether the clock of the job store is not believed, because it was set by days.
+    pub fn has_clock_jumped(&self) -> bool {
+        self.stores.jobs.clock_has_jumped()
     }
 
     /// Whether the job store and the blob store answer.

@@ -298,5 +298,8 @@ pub async fn read_definition(
     let blobs = studies.study_blobs(tenant, id).await?;
     let found = blobs.iter().find(|found| found.name == blob::DEFINITION).ok_or(JobError::Gone)?;
     let bytes = artifacts.get(&found.key).await?;
-    serde_json::from_slice(&bytes).map_err(|error| JobError::corrupt("the definition of a study", error))
+    // Megabytes take a while, for which this thread has others to serve.
+    let parsed = tokio::task::spawn_blocking(move || serde_json::from_slice(&bytes)).await;
+    let parsed = parsed.map_err(|join| JobError::Unavailable(Box::new(join)))?;
+    parsed.map_err(|error| JobError::corrupt("the definition of a study", error))
 }

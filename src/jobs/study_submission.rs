@@ -255,6 +255,16 @@ impl JobService {
         self.stores.studies.get_study(tenant, id).await
     }
 
+    /// Bytes of the stored definition of a study, which is a small part of what it takes when it is read; 0 if it has outlived
+    /// its retention.
+    ///
+    /// # Errors
+    /// [`JobError::StudyNotFound`], and those of the store.
+    pub async fn study_definition_bytes(&self, tenant: &Tenant, id: StudyId) -> Result<u64, JobError> {
+        let blobs = self.stores.studies.study_blobs(tenant, id).await?;
+        Ok(blobs.iter().find(|found| found.name == blob::DEFINITION).map_or(0, |found| found.n_bytes))
+    }
+
     /// Who is in a study, and what is asked; `None` if that has outlived its retention.
     ///
     /// # Errors
@@ -398,15 +408,18 @@ impl JobService {
             let study = self.study(tenant, id).await?;
             let mut definition = self.study_definition(tenant, id).await?.ok_or(JobError::Gone)?;
             let Some(state) = edit(&mut definition)? else { return Ok(study) };
+            let n_subjects = u32::try_from(definition.subjects.len()).unwrap_or(u32::MAX);
             let holder = format!("study:{id}:{}", uuid::Uuid::new_v4());
-            let definition_blob = Written::of_definition(tenant, &definition)?;
+            let owner = tenant.clone();
+            let made = tokio::task::spawn_blocking(move || Written::of_definition(&owner, &definition)).await;
+            let definition_blob = made.map_err(|join| JobError::Unavailable(Box::new(join)))??;
             let mut blobs: Vec<StudyBlob> = written.iter().map(|written| written.blob.clone()).collect();
             blobs.push(definition_blob.blob.clone());
             let change = StudyChange {
                 // One that is at work finishes what runs, and then goes on with the new definition.
                 state: if study.state.is_final() { state } else { study.state },
                 step: None,
-                n_subjects: u32::try_from(definition.subjects.len()).unwrap_or(u32::MAX),
+                n_subjects,
                 error: None,
                 blobs,
                 holder: Some(holder.clone()),

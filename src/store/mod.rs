@@ -4,13 +4,14 @@
 //! [`backup`] copies a database and a folder while they are used,
 //! [`processes`] records which processes of one machine are alive. [`seal`] encrypts secrets, [`encryption`] has the keys for
 //! blobs and secrets and their rotation, `private_files` keeps files from
-//! other users, `space` remembers that a store was full.
+//! other users, `space` remembers that a store was full, and `reserve` keeps a little for that case.
 
 pub mod artifacts;
 pub mod backup;
 pub mod encryption;
 pub(crate) mod private_files;
 pub(crate) mod processes;
+pub(crate) mod reserve;
 pub mod seal;
 mod space;
 pub mod sql;

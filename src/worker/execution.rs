@@ -9,8 +9,8 @@ use super::priority::lower_priority;
 use super::study_material;
 use crate::jobs::engine::{Answer, Product};
 use crate::jobs::{
-    ArtifactKey, ArtifactRef, Computation, ComputeError, ComputeInputs, Failure, Job, JobError, JobInput, Lease,
-    LeasedJob, Outcome, Purpose, TraceChunk,
+    ArtifactKey, ArtifactKind, ArtifactRef, Computation, ComputeError, ComputeInputs, Failure, Job, JobError, JobInput,
+    Lease, LeasedJob, Outcome, Purpose, TraceChunk,
 };
 use crate::spans::{Fact, Span};
 use std::future::Future;
@@ -124,7 +124,8 @@ async fn run(
             tracing::error!(job_id = %lease.job_id, error = %with_sources(&error), "the inputs could not be read");
             // An unavailable store is no fault of the job; content that is unreadable is so for every worker.
             if !is_transient(&error) {
-                return (settle(parts, lease, [None, None], Ending::Fail(internal_error())).await, None);
+                let failure = missing_input(parts, lease, job).await.unwrap_or_else(internal_error);
+                return (settle(parts, lease, [None, None], Ending::Fail(failure)).await, None);
             }
             let end = settle(parts, lease, [None, None], Ending::Release).await;
             sleep(AFTER_OUTAGE).await;
@@ -146,9 +147,28 @@ async fn run(
     let is_running = outcome.is_none();
     let ending = decide(outcome, control.cause());
     observer.end_phase();
+    if let Ending::Publish(answer) = &ending
+        && let Some(energy) = energy_of(answer)
+    {
+        observer.settle_energy(energy);
+    }
     let _storing = Span::part("store result", context.as_deref());
     let end = settle(parts, lease, [unsaved, observer.take()], ending).await;
     (end, is_running.then_some(computed))
+}
+
+/// The energy that the result document states.
+fn energy_of(answer: &Answer) -> Option<f64> {
+    #[derive(serde::Deserialize)]
+    struct Energy {
+        total: f64,
+    }
+    #[derive(serde::Deserialize)]
+    struct Document {
+        energy: Option<Energy>,
+    }
+    let document = answer.products.iter().find(|product| product.kind == ArtifactKind::Result)?;
+    serde_json::from_slice::<Document>(&document.bytes).ok()?.energy.map(|energy| energy.total)
 }
 
 async fn read_inputs(parts: &PoolParts, lease: &Lease, job: &Job) -> Result<ComputeInputs, JobError> {
@@ -159,6 +179,18 @@ async fn read_inputs(parts: &PoolParts, lease: &Lease, job: &Job) -> Result<Comp
         target_hint: job.target.name_hint.clone(),
         purpose: if job.study_id.is_some() { Purpose::Record } else { Purpose::Result },
     })
+}
+
+/// Which input the blob store does not hold, or holds damaged, by its place and its hash; `None` for what else went wrong.
+async fn missing_input(parts: &PoolParts, lease: &Lease, job: &Job) -> Option<Failure> {
+    for (name, input) in [("source", &job.source), ("target", &job.target)] {
+        if let Err(JobError::Corrupt { what, .. }) = read_input(parts, lease, input).await {
+            let hash = &input.hash;
+            let detail = format!("the blob store has {what} for the {name}, the upload with the BLAKE3 hash {hash}");
+            return Some(Failure::new("input-missing", detail));
+        }
+    }
+    None
 }
 
 async fn read_input(parts: &PoolParts, lease: &Lease, input: &JobInput) -> Result<Vec<u8>, JobError> {

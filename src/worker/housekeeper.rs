@@ -1,7 +1,9 @@
 //! Periodic work of every process: jobs of lost workers return to the queue, studies go on, and unreferenced blobs are removed.
 
 use super::pool::with_sources;
-use crate::jobs::{ArtifactStore, AuditEvent, AuditStore, JobError, JobStore, Processes, Retentions, StudyProgression};
+use crate::jobs::{
+    ArtifactStore, AuditEvent, AuditStore, ClockState, JobError, JobStore, Processes, Retentions, StudyProgression,
+};
 use std::sync::Arc;
 use std::time::Duration;
 use tokio_util::sync::CancellationToken;
@@ -12,6 +14,8 @@ const ROUND: Duration = Duration::from_secs(1);
 const ROUNDS_BETWEEN_SWEEPS: u64 = 600;
 /// Rounds between two purges of what has outlived its retention.
 const ROUNDS_BETWEEN_PURGES: u64 = 60;
+/// Rounds for which nothing expires after the clock was set, so that whoever holds a lease can renew it by the new one.
+const ROUNDS_AFTER_SET: u64 = 60;
 /// Jobs purged in one round.
 const PURGED_AT_ONCE: u32 = 1000;
 /// How long a job may exceed its run time before it is taken from the worker that should have ended it.
@@ -85,8 +89,9 @@ impl Housekeeper {
 
     /// Runs until `stop` is cancelled.
     pub(crate) async fn run(self, stop: CancellationToken) {
+        let mut expires_from = 0;
         for round in 0u64.. {
-            if let Err(error) = self.round(round).await {
+            if let Err(error) = self.round(round, &mut expires_from).await {
                 tracing::warn!(error = %with_sources(&error), "housekeeping is put off");
             }
             tokio::select! {
@@ -96,17 +101,42 @@ impl Housekeeper {
         }
     }
 
-    async fn round(&self, round: u64) -> Result<(), JobError> {
-        self.recover().await?;
-        let overdue = self.store.end_overdue(OVERDUE_TOLERANCE).await?;
-        if overdue.expired + overdue.stuck > 0 {
-            tracing::warn!(?overdue, "jobs whose time was over are ended");
+    /// Holds the clock against the last time that was seen. Says whether it can be believed.
+    async fn believes_clock(&self) -> Result<bool, JobError> {
+        let state = self.store.check_clock(false).await?;
+        metrics::gauge!("homolog_clock_jumped").set(if state == ClockState::Plausible { 0.0 } else { 1.0 });
+        if let ClockState::Jumped { by_ms } = state {
+            tracing::error!(
+                by_s = by_ms / 1000,
+                "the clock has jumped since the last time that was seen: nothing is removed and no deadline counts until it is                  right again, or until `homolog purge --trust-clock` says that it is"
+            );
+        }
+        Ok(state == ClockState::Plausible)
+    }
+
+    /// One round; nothing expires before the round `expires_from`.
+    async fn round(&self, round: u64, expires_from: &mut u64) -> Result<(), JobError> {
+        if self.store.clock_was_set().await? {
+            tracing::warn!("the clock was set; nothing expires for a minute");
+            *expires_from = round + ROUNDS_AFTER_SET;
+            self.believes_clock().await?;
+        }
+        if round >= *expires_from {
+            self.recover().await?;
+        }
+        if round >= *expires_from && !self.store.clock_has_jumped() {
+            let overdue = self.store.end_overdue(OVERDUE_TOLERANCE).await?;
+            if overdue.expired + overdue.stuck > 0 {
+                tracing::warn!(?overdue, "jobs whose time was over are ended");
+            }
         }
         if let Err(error) = self.studies.advance_studies().await {
             // One study that cannot go on keeps nothing else from being done.
             tracing::warn!(error = %with_sources(&error), "a study goes on later");
         }
-        if round.is_multiple_of(ROUNDS_BETWEEN_PURGES) {
+        // What is removed is gone: a clock that was set wrong must not decide about it.
+        let is_due = round.is_multiple_of(ROUNDS_BETWEEN_PURGES);
+        if is_due && self.believes_clock().await? {
             let purged = self.store.purge(&self.retention, PURGED_AT_ONCE, false).await?;
             if !purged.is_nothing() {
                 tracing::info!(?purged, "what outlived its retention is removed");
@@ -114,6 +144,9 @@ impl Housekeeper {
             if purged.results + purged.jobs + purged.studies + purged.meshes > 0 {
                 self.audit.append_audit(&[purge_event()]).await?;
             }
+        }
+        if self.store.clock_has_jumped() {
+            return Ok(());
         }
         self.store.remove_unreferenced_blobs(self.artifacts.as_ref()).await?;
         self.store.overwrite_deleted().await?;

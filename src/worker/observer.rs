@@ -40,6 +40,13 @@ impl JobObserver {
         self.lock().phase_span = Span::default();
     }
 
+    /// The energy of the result, which may be another than that of the last point of the trace.
+    pub(crate) fn settle_energy(&self, energy: f64) {
+        let mut observed = self.lock();
+        observed.progress.energy_latest = Some(energy);
+        observed.changed = true;
+    }
+
     /// What was observed since the last call; `None` if nothing was.
     pub(crate) fn take(&self) -> Option<TraceChunk> {
         let mut observed = self.lock();

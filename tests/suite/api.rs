@@ -57,6 +57,20 @@ async fn a_submission_becomes_a_result() {
 }
 
 #[tokio::test]
+async fn the_energy_of_a_finished_job_is_that_of_its_result() {
+    let service = TestService::start(&[]).await;
+    let id = service.submit(json!({"points": 3, "energy": 42})).await;
+    let job = service.until_final(&id).await;
+    let result = service.json(&format!("/v1/jobs/{id}/result")).await;
+    let trace = service.json(&format!("/v1/jobs/{id}/trace")).await;
+    assert_eq!((&result["energy"]["total"], trace["points"].as_array().unwrap().len()), (&json!(42), 3));
+    for job in [&job, &service.json("/v1/jobs").await["jobs"][0]] {
+        assert_eq!(job["energy_latest"], 42.0);
+    }
+    service.end().await;
+}
+
+#[tokio::test]
 async fn correspondences_come_as_json_and_as_csv() {
     let service = TestService::start(&[]).await;
     let id = service.submit(json!({})).await;
@@ -365,7 +379,7 @@ async fn the_service_describes_itself() {
     let service = TestService::start(&[]).await;
     assert_eq!(service.json("/healthz").await["status"], "alive");
     let ready = service.json("/readyz").await;
-    assert_eq!(ready["dependencies"], json!({"job_store": "ok", "artifact_store": "ok"}));
+    assert_eq!(ready["dependencies"], json!({"job_store": "ok", "artifact_store": "ok", "clock": "ok"}));
     assert_eq!(service.json("/openapi.json").await["openapi"], "3.1.0");
     assert_eq!(service.json("/v1/methods").await["methods"][0]["name"], "scripted");
     assert_eq!(service.json("/v1/methods/scripted").await["version"], "1");
@@ -380,7 +394,7 @@ async fn readiness_names_the_failing_dependency() {
     let service = TestService::start(&["--workers", "0"]).await;
     std::fs::remove_dir(service.folder.path().join("blobs")).unwrap();
     let body = problem(service.get("/readyz").await, 503, "unavailable").await;
-    assert_eq!(body["dependencies"], json!({"job_store": "ok", "artifact_store": "failing"}));
+    assert_eq!(body["dependencies"], json!({"job_store": "ok", "artifact_store": "failing", "clock": "ok"}));
     assert_eq!(service.get("/healthz").await.status(), 200);
     service.end().await;
 }

@@ -18,7 +18,7 @@ use std::sync::atomic::{AtomicU32, Ordering};
 use std::time::{Duration, Instant};
 
 /// Numbers that a job's parameters may set: points of the trace, ms between them, and switches (not 0 = on).
-const KEYS: [&str; 9] = ["points", "step_ms", "fail", "panic", "abort", "deaf", "sign", "seed", "cores"];
+const KEYS: [&str; 10] = ["points", "step_ms", "fail", "panic", "abort", "deaf", "sign", "seed", "cores", "energy"];
 
 /// The verdict on the answers of the scripted engine.
 pub(crate) fn doubtful() -> Verdict {
@@ -162,6 +162,9 @@ impl Computation for Obedience {
         if number("sign") != 0 {
             result["process"] = json!(std::process::id());
             result["n_threads"] = json!(rayon::current_num_threads());
+        }
+        if number("energy") != 0 {
+            result["energy"] = json!({"total": number("energy")});
         }
         let product = |kind, text: String| Product { kind, bytes: text.into_bytes() };
         let columns = json!({"source": [0, 1], "target": [1, 0], "confidence": [0.5, 0.25], "inlier": [true, false]});

@@ -13,6 +13,24 @@ pub(crate) fn keys(data_dir: &Path, arguments: &[&str]) -> String {
 }
 
 #[tokio::test]
+async fn where_no_key_is_asked_for_the_answer_says_that_it_was_not_looked_at() {
+    let service = TestService::start(&["--workers", "0"]).await;
+    let get = service.client.get(format!("{}/v1/jobs", service.base));
+    let nonsense = get.try_clone().unwrap().bearer_auth("nonsense").send().await.unwrap();
+    assert_eq!(
+        (nonsense.status().as_u16(), &nonsense.headers()["homolog-authentication"]),
+        (200, &"none".parse().unwrap())
+    );
+    assert!(!get.send().await.unwrap().headers().contains_key("homolog-authentication"));
+    service.end().await;
+    let service = TestService::start(&["--auth", "keys", "--workers", "0"]).await;
+    let refused = service.client.get(format!("{}/v1/jobs", service.base)).bearer_auth("nonsense").send().await.unwrap();
+    assert!(!refused.headers().contains_key("homolog-authentication"));
+    problem(refused, 401, "unauthenticated").await;
+    service.end().await;
+}
+
+#[tokio::test]
 async fn keys_grant_their_scopes_within_their_tenant() {
     let service = TestService::start(&["--auth", "keys", "--workers", "0"]).await;
     let folder = service.folder.path().to_owned();

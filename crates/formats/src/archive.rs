@@ -3,6 +3,7 @@
 //! Source: PKWARE, APPNOTE.TXT 6.3.10. Read by hand because a library reserves memory for as many entries as an archive
 //! claims to have. Entries are stored or deflated; ZIP64 and encryption are refused by name.
 
+use super::budget::Budget;
 use super::dicom::is_dicom;
 use super::{FormatError, ReadLimits, dicom_seg, gzip};
 use flate2::{Crc, Decompress, FlushDecompress, Status};
@@ -33,8 +34,8 @@ pub(super) enum Content<'a> {
 /// Chooses the segmentations of an archive, or its only file.
 ///
 /// # Errors
-/// `TooLarge` beyond [`ReadLimits::max_inflated_bytes`] in all; `Zip` if it is damaged; `Unsupported` if it holds neither.
-pub(super) fn content<'a>(bytes: &'a [u8], limits: &ReadLimits) -> Result<Content<'a>, FormatError> {
+/// `TooLarge` beyond [`ReadLimits::max_inflated_bytes`] in all or beyond the budget; `Zip` if it is damaged; `Unsupported` if it holds neither.
+pub(super) fn content<'a>(bytes: &'a [u8], limits: &ReadLimits, budget: &Budget) -> Result<Content<'a>, FormatError> {
     let mut left = limits.max_inflated_bytes;
     let (mut instances, mut others) = (Vec::new(), Vec::new());
     let (mut n_others, mut n_dicom) = (0, 0);
@@ -46,17 +47,19 @@ pub(super) fn content<'a>(bytes: &'a [u8], limits: &ReadLimits) -> Result<Conten
         }
         // Formats that are archives by themselves are named by what they must hold.
         document = document.or_else(|| packed_format(entry.name));
-        let inflated = entry.inflated(bytes, left, limits.max_inflated_bytes)?;
+        let inflated = entry.inflated(bytes, left, limits.max_inflated_bytes, budget)?;
         left -= inflated.len();
         let whole = is_dicom(&inflated);
         n_dicom += usize::from(whole);
-        if whole && dicom_seg::is_segmentation(&inflated) {
-            instances.push(inflated);
+        if whole && dicom_seg::is_segmentation(&inflated, budget.left()) {
+            budget.push(&mut instances, inflated)?;
         } else {
             n_others += 1;
             // One is enough to say what is there, or to be read.
             if others.is_empty() {
                 others.push((inflated, entry.name()));
+            } else if let Cow::Owned(dropped) = inflated {
+                budget.release(dropped.capacity());
             }
         }
     }
@@ -107,10 +110,12 @@ fn packed_format(name: &[u8]) -> Option<(&'static str, &'static str)> {
 /// # Errors
 /// As [`content`], and of gzip.
 pub(super) fn dicom_or_plain<'a>(bytes: &'a [u8], limits: &ReadLimits) -> Result<Cow<'a, [u8]>, FormatError> {
+    let budget = Budget::new(super::budget::for_file(bytes.len()));
     if !is_zip(bytes) {
-        return gzip::inflate(bytes, limits.max_inflated_bytes);
+        budget.grant(super::declared_voxels(bytes)?.min(limits.max_inflated_bytes));
+        return gzip::inflate(bytes, limits.max_inflated_bytes, &budget);
     }
-    match content(bytes, limits)? {
+    match content(bytes, limits, &budget)? {
         Content::Instances(instances, _) => {
             // The order of files in an archive says nothing.
             let first = instances.into_iter().min_by(|a, b| a.cmp(b));
@@ -211,7 +216,13 @@ impl Entry<'_> {
     }
 
     /// The bytes of the file: at most `left`, of a whole of `limit`.
-    fn inflated<'a>(&self, archive: &'a [u8], left: usize, limit: usize) -> Result<Cow<'a, [u8]>, FormatError> {
+    fn inflated<'a>(
+        &self,
+        archive: &'a [u8],
+        left: usize,
+        limit: usize,
+        budget: &Budget,
+    ) -> Result<Cow<'a, [u8]>, FormatError> {
         let advice = "pack the files again, with the usual compression and without a password";
         if self.flags & 1 != 0 {
             return Err(FormatError::Unsupported { what: "an encrypted zip archive", advice });
@@ -231,7 +242,14 @@ impl Entry<'_> {
         let packed = packed.ok_or_else(|| damaged("ends within a file"))?;
         let inflated = match self.method {
             0 => Cow::Borrowed(packed),
-            8 => Cow::Owned(deflated(packed, size).ok_or_else(|| damaged("has damaged compressed data"))?),
+            8 => {
+                let head = deflated(packed, super::HEAD_BYTES, true, &Budget::new(4 * super::HEAD_BYTES))?;
+                let head = head.ok_or_else(|| damaged("has damaged compressed data"))?;
+                budget.grant(super::declared_voxels(&head)?.min(size));
+                drop(head);
+                let plain = deflated(packed, size, false, budget)?;
+                Cow::Owned(plain.ok_or_else(|| damaged("has damaged compressed data"))?)
+            }
             _ => return Err(FormatError::Unsupported { what: "this compression of a zip archive", advice }),
         };
         let mut crc = Crc::new();
@@ -243,22 +261,28 @@ impl Entry<'_> {
     }
 }
 
-/// A deflate stream of `size` bytes; `None` if it is damaged or longer.
-fn deflated(mut packed: &[u8], size: usize) -> Option<Vec<u8>> {
+/// A deflate stream of `size` bytes, or, for its head, of at least as many; `Ok(None)` if it is damaged or longer.
+///
+/// # Errors
+/// `TooLarge` beyond the budget.
+fn deflated(mut packed: &[u8], size: usize, is_head: bool, budget: &Budget) -> Result<Option<Vec<u8>>, FormatError> {
     let mut stream = Decompress::new(false);
     let mut buffer = vec![0u8; 1 << 16];
-    let mut inflated = Vec::new();
+    let mut inflated = budget.for_inflated(packed.len(), size)?;
     loop {
         let (read, written) = (stream.total_in(), stream.total_out());
-        let status = stream.decompress(packed, &mut buffer, FlushDecompress::None).ok()?;
+        let Ok(status) = stream.decompress(packed, &mut buffer, FlushDecompress::None) else { return Ok(None) };
         packed = &packed[(stream.total_in() - read) as usize..];
         let piece = &buffer[..(stream.total_out() - written) as usize];
-        inflated.extend_from_slice(piece);
+        if is_head && inflated.len() + piece.len() > size {
+            return Ok(Some(inflated));
+        }
+        budget.extend(&mut inflated, piece)?;
         if inflated.len() > size || piece.is_empty() && stream.total_in() == read && status != Status::StreamEnd {
-            return None;
+            return Ok(None);
         }
         if status == Status::StreamEnd {
-            return Some(inflated);
+            return Ok(Some(inflated));
         }
     }
 }
@@ -291,7 +315,7 @@ mod tests {
 
     fn only_file(archive: &[u8], limit: usize) -> Result<(Vec<u8>, String), FormatError> {
         let limits = ReadLimits { max_inflated_bytes: limit, ..ReadLimits::default() };
-        match content(archive, &limits)? {
+        match content(archive, &limits, &Budget::new(1 << 30))? {
             Content::File(file, name) => Ok((file.into_owned(), name)),
             Content::Instances(..) => panic!("no instances"),
         }

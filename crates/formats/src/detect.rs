@@ -35,7 +35,8 @@ pub(super) fn detect<'a>(bytes: &'a [u8], file_name: Option<&str>) -> Result<(In
     }
 }
 
-fn by_content(bytes: &[u8]) -> Option<InputFormat> {
+/// The format that the content alone tells.
+pub(super) fn by_content(bytes: &[u8]) -> Option<InputFormat> {
     let starts = |magic: &str| bytes.get(..magic.len()).is_some_and(|head| head.eq_ignore_ascii_case(magic.as_bytes()));
     let is_ply = starts("ply") && bytes.get(3).is_some_and(u8::is_ascii_whitespace);
     let formats = [

@@ -4,7 +4,9 @@
 //! Source: DICOM PS3.5, sections 7 and A, and PS3.10, section 7. Written by hand because a value's length must be held
 //! against the bytes that are there before memory is taken for it. Values stay slices of the file; names are not known.
 
-use super::FormatError;
+use super::budget::Budget;
+use super::xml::read_charged;
+use super::{FormatError, ReadLimits};
 
 /// How deep sequences may be nested.
 const MAX_DEPTH: usize = 16;
@@ -17,6 +19,10 @@ const SEQUENCE_END: u32 = 0xfffe_e0dd;
 pub(super) const SOP_CLASS: u32 = 0x0008_0016;
 pub(super) const SOP_INSTANCE: u32 = 0x0008_0018;
 const TRANSFER_SYNTAX: u32 = 0x0002_0010;
+pub(super) const N_FRAMES: u32 = 0x0028_0008;
+pub(super) const ROWS: u32 = 0x0028_0010;
+pub(super) const COLUMNS: u32 = 0x0028_0011;
+pub(super) const BITS_ALLOCATED: u32 = 0x0028_0100;
 
 /// Whether these are the first bytes of a DICOM object: a file of part 10, with its preamble or without, or a data set alone.
 pub(super) fn is_dicom(bytes: &[u8]) -> bool {
@@ -26,11 +32,17 @@ pub(super) fn is_dicom(bytes: &[u8]) -> bool {
 const MAGIC: &[u8] = b"DICM";
 /// Elements that are looked at where nothing else says that a file is DICOM.
 const MIN_ELEMENTS: usize = 4;
+/// Memory for a look at the first elements.
+const LOOK_BYTES: usize = 1 << 20;
+/// As much of a data set as is looked at for the size of its pixel data, which is stated before them.
+pub(super) const HEAD_BYTES: usize = 1 << 20;
 
 /// Whether the first elements are those of a file without preamble: of the groups 2 and 8, ascending, with lengths that a file
 /// can have.
 fn begins_with_elements(bytes: &[u8]) -> bool {
-    let mut reader = Reader { bytes, at: 0, explicit: is_explicit(bytes) };
+    // Whoever sends four elements of millions of items is asked for nothing more.
+    let budget = Budget::new(LOOK_BYTES);
+    let mut reader = Reader { bytes, at: 0, explicit: is_explicit(bytes), budget: &budget };
     let mut last = 0;
     for k in 0..MIN_ELEMENTS {
         let Some(tag) = reader.peek_tag() else { return false };
@@ -63,17 +75,46 @@ pub(super) enum PixelEncoding {
     Rle,
 }
 
-/// A file: its data set may have to be inflated first, into `inflated`.
-pub(super) fn read_file<'a>(
-    bytes: &'a [u8],
-    inflated: &'a mut Vec<u8>,
-    limit: usize,
-) -> Result<(DataSet<'a>, PixelEncoding), FormatError> {
-    let meta_start = match bytes.get(128..132) == Some(MAGIC) {
+/// Bytes that the pixel data of a segmentation take, in memory or in the file, by what the first elements of a data set state; 0 if
+/// they do not.
+fn declared_by(bytes: &[u8], explicit: bool) -> usize {
+    let budget = Budget::new(LOOK_BYTES);
+    let mut reader = Reader { bytes, at: 0, explicit, budget: &budget };
+    let mut set = DataSet::default();
+    let wanted = [N_FRAMES, ROWS, COLUMNS, BITS_ALLOCATED];
+    while reader.peek_tag().is_some_and(|tag| tag <= BITS_ALLOCATED) {
+        let Ok(element) = reader.element(0) else { break };
+        if wanted.contains(&element.tag) && budget.push(&mut set.elements, element).is_err() {
+            break;
+        }
+        budget.release(LOOK_BYTES);
+    }
+    set.elements.sort_by_key(|element| element.tag);
+    let [rows, columns, bits] = [ROWS, COLUMNS, BITS_ALLOCATED].map(|tag| set.short(tag).map_or(0, u64::from));
+    let n_frames: u64 = set.text(N_FRAMES).parse().unwrap_or(1);
+    let n_bits = (rows * columns).saturating_mul(n_frames).saturating_mul(bits);
+    usize::try_from(n_bits.div_ceil(8)).unwrap_or(usize::MAX)
+}
+
+/// Bytes that the pixel data take by what the first bytes of a file state; 0 if they do not, or if it is deflated by itself.
+pub(super) fn declared_pixels(head: &[u8]) -> usize {
+    let budget = Budget::new(LOOK_BYTES);
+    match after_meta(head, &budget) {
+        Ok((_, DEFLATED)) | Err(_) => 0,
+        Ok((rest, syntax)) => declared_by(rest, syntax != IMPLICIT && is_explicit(rest)),
+    }
+}
+
+const IMPLICIT: &str = "1.2.840.10008.1.2";
+const DEFLATED: &str = "1.2.840.10008.1.2.1.99";
+
+/// What follows the meta information, and the transfer syntax; empty if it is not stated.
+fn after_meta<'a>(bytes: &'a [u8], budget: &Budget) -> Result<(&'a [u8], &'a str), FormatError> {
+    let start = match bytes.get(128..132) == Some(MAGIC) {
         true => &bytes[132..],
         false => bytes.strip_prefix(MAGIC).unwrap_or(bytes),
     };
-    let mut meta = Reader { bytes: meta_start, at: 0, explicit: true };
+    let mut meta = Reader { bytes: start, at: 0, explicit: true, budget };
     let mut syntax = "";
     // The group of meta information, always explicit and little-endian.
     while meta.peek_tag().is_some_and(|tag| tag >> 16 == 2) {
@@ -82,18 +123,42 @@ pub(super) fn read_file<'a>(
             syntax = element.text();
         }
     }
-    let rest = &meta_start[meta.at..];
+    Ok((&start[meta.at..], syntax))
+}
+
+/// A file: its data set may have to be inflated first, into `inflated`. What is inflated, and every element, item and fragment, is
+/// charged to the budget; pixel data are granted by the size that the data set states for them.
+pub(super) fn read_file<'a>(
+    bytes: &'a [u8],
+    inflated: &'a mut Vec<u8>,
+    limits: &ReadLimits,
+    budget: &Budget,
+) -> Result<(DataSet<'a>, PixelEncoding), FormatError> {
+    let (rest, syntax) = after_meta(bytes, budget)?;
     let unsupported = |what, advice| Err(FormatError::Unsupported { what, advice });
     let (bytes, explicit, pixels) = match syntax {
         // Not stated.
         "" => (rest, is_explicit(rest), PixelEncoding::Native),
-        "1.2.840.10008.1.2" => (rest, false, PixelEncoding::Native),
+        IMPLICIT => (rest, false, PixelEncoding::Native),
         "1.2.840.10008.1.2.1" => (rest, true, PixelEncoding::Native),
         "1.2.840.10008.1.2.5" => (rest, true, PixelEncoding::Rle),
-        "1.2.840.10008.1.2.1.99" => {
+        DEFLATED => {
             use std::io::Read;
-            let mut decoder = flate2::read::DeflateDecoder::new(rest).take(limit as u64);
-            decoder.read_to_end(inflated).map_err(|_| damaged())?;
+            let stream = || flate2::read::DeflateDecoder::new(rest);
+            let mut head = Vec::with_capacity(HEAD_BYTES);
+            // A stream that is damaged is so below, too.
+            let _ = stream().take(HEAD_BYTES as u64).read_to_end(&mut head);
+            let declared = declared_by(&head, true).min(limits.max_inflated_bytes);
+            drop(head);
+            budget.grant(declared);
+            let room = budget.for_inflated(rest.len(), declared)?;
+            let limit = limits.max_inflated_bytes;
+            let plain = read_charged(stream().take(limit as u64 + 1), room, budget)?;
+            *inflated = plain.ok_or_else(damaged)?;
+            if inflated.len() > limit {
+                let found = inflated.len() as u64;
+                return Err(FormatError::TooLarge { what: "bytes", found, limit: limit as u64 });
+            }
             (inflated.as_slice(), true, PixelEncoding::Native)
         }
         "1.2.840.10008.1.2.2" => {
@@ -105,18 +170,20 @@ pub(super) fn read_file<'a>(
             return unsupported("this DICOM transfer syntax", advice);
         }
     };
-    let mut reader = Reader { bytes, at: 0, explicit };
+    let mut reader = Reader { bytes, at: 0, explicit, budget };
     let mut set = DataSet::default();
+    let mut has_pixels = false;
     while reader.at < bytes.len() {
-        if set.get(super::dicom_seg::PIXEL_DATA).is_some()
-            && reader.peek_tag().is_none_or(|tag| tag <= super::dicom_seg::PIXEL_DATA)
-        {
+        if has_pixels && reader.peek_tag().is_none_or(|tag| tag <= super::dicom_seg::PIXEL_DATA) {
             let rest = &bytes[reader.at..];
             set.n_trailing = if rest.iter().all(|&byte| byte == 0) { 0 } else { rest.len() };
             break;
         }
-        set.elements.push(reader.element(0)?);
+        let element = reader.element(0)?;
+        has_pixels |= element.tag == super::dicom_seg::PIXEL_DATA;
+        budget.push(&mut set.elements, element)?;
     }
+    set.sort(budget)?;
     Ok((set, pixels))
 }
 
@@ -161,8 +228,21 @@ impl<'a> DataElement<'a> {
 }
 
 impl<'a> DataSet<'a> {
+    /// Puts the elements into the order of their tags, in which a file of the standard has them; of equal tags the first stays
+    /// first. A set of millions is then searched as fast as any.
+    fn sort(&mut self, budget: &Budget) -> Result<(), FormatError> {
+        if !self.elements.is_sorted_by_key(|element| element.tag) {
+            let n_bytes = size_of_val(self.elements.as_slice());
+            budget.charge(n_bytes)?;
+            self.elements.sort_by_key(|element| element.tag);
+            budget.release(n_bytes);
+        }
+        Ok(())
+    }
+
     fn get(&self, tag: u32) -> Option<&DataElement<'a>> {
-        self.elements.iter().find(|element| element.tag == tag)
+        let first = self.elements.partition_point(|element| element.tag < tag);
+        self.elements.get(first).filter(|element| element.tag == tag)
     }
 
     pub(super) fn bytes(&self, tag: u32) -> &'a [u8] {
@@ -207,13 +287,14 @@ impl<'a> DataSet<'a> {
     }
 }
 
-struct Reader<'a> {
+struct Reader<'a, 'b> {
     bytes: &'a [u8],
     at: usize,
     explicit: bool,
+    budget: &'b Budget,
 }
 
-impl<'a> Reader<'a> {
+impl<'a> Reader<'a, '_> {
     fn take(&mut self, n: usize) -> Result<&'a [u8], FormatError> {
         let taken = self.bytes.get(self.at..).and_then(|rest| rest.get(..n));
         let taken = taken.ok_or_else(|| FormatError::Truncated {
@@ -248,8 +329,10 @@ impl<'a> Reader<'a> {
                 self.take(8)?;
                 break;
             }
-            set.elements.push(self.element(depth)?);
+            let element = self.element(depth)?;
+            self.budget.push(&mut set.elements, element)?;
         }
+        set.sort(self.budget)?;
         Ok(set)
     }
 
@@ -300,7 +383,8 @@ impl<'a> Reader<'a> {
             match tag {
                 ITEM => {
                     let end = self.end_of(length)?;
-                    items.push(self.data_set(end, depth + 1)?);
+                    let item = self.data_set(end, depth + 1)?;
+                    self.budget.push(&mut items, item)?;
                 }
                 SEQUENCE_END => break,
                 _ => return Err(damaged()),
@@ -327,7 +411,10 @@ impl<'a> Reader<'a> {
             let tag = self.tag()?;
             let length = self.u32()?;
             match tag {
-                ITEM => fragments.push(self.take(length as usize)?),
+                ITEM => {
+                    let fragment = self.take(length as usize)?;
+                    self.budget.push(&mut fragments, fragment)?;
+                }
                 SEQUENCE_END => return Ok(fragments),
                 _ => return Err(damaged()),
             }
@@ -348,7 +435,8 @@ pub(super) fn rle_frame(fragment: &[u8], n: usize, size: usize) -> Option<Vec<u8
 }
 
 fn rle_segment(mut rest: &[u8], n_bytes: usize) -> Option<Vec<u8>> {
-    let mut plain = Vec::new();
+    // A byte is repeated 128 times at most.
+    let mut plain = Vec::with_capacity(n_bytes.saturating_add(128).min(rest.len().saturating_mul(64)));
     while plain.len() < n_bytes {
         let (&control, after) = rest.split_first()?;
         let control = control as i8;

@@ -6,7 +6,10 @@
 //! looks the same. Frames of other segments that lie elsewhere are left out. Segments may overlap. Coordinates are LPS and are
 //! converted to RAS.
 
-use super::dicom::{DataSet, PixelEncoding, SOP_CLASS, SOP_INSTANCE, read_file, rle_frame};
+use super::budget::Budget;
+use super::dicom::{
+    BITS_ALLOCATED, COLUMNS, DataSet, N_FRAMES, PixelEncoding, ROWS, SOP_CLASS, SOP_INSTANCE, read_file, rle_frame,
+};
 use super::label_file::{LabelFile, Overlay};
 use super::{FormatError, ReadLimits, ReadOptions, lps};
 use homolog_contract::input::InputSpace;
@@ -35,6 +38,8 @@ pub(super) const SEQUENCES: [u32; 8] = [
     SEGMENTS,
 ];
 
+/// Bytes that are held for each frame beside its pixels.
+const FRAME_BYTES: usize = 160;
 /// How far a frame may be from its place in the stack, in frames.
 const PLACE_TOLERANCE: f64 = 0.05;
 
@@ -51,10 +56,11 @@ const PLACE_TOLERANCE: f64 = 0.05;
 pub fn read_dicom_seg(files: &[&[u8]], limits: &ReadLimits, options: &ReadOptions) -> Result<LabelFile, FormatError> {
     let fraction = options.fraction;
     let mut inflated = vec![Vec::new(); files.len()];
-    let each = limits.max_inflated_bytes / files.len().max(1);
+    let budget = Budget::of(limits);
+    let each = ReadLimits { max_inflated_bytes: limits.max_inflated_bytes / files.len().max(1), ..*limits };
     let mut instances = Vec::with_capacity(files.len());
     for (bytes, inflated) in files.iter().zip(&mut inflated) {
-        instances.push(Instance::new(read_file(bytes, inflated, each)?, fraction)?);
+        instances.push(Instance::new(read_file(bytes, inflated, &each, &budget)?, fraction, &budget)?);
     }
     instances.sort_by_cached_key(Instance::order);
     let size = instances.first().map_or((0, 0), |first| (first.rows, first.columns));
@@ -77,12 +83,17 @@ pub fn read_dicom_seg(files: &[&[u8]], limits: &ReadLimits, options: &ReadOption
         ));
     }
     let mut numbers = Numbers::default();
+    for instance in &mut instances {
+        let concatenation = instance.set.text(0x0020_9161);
+        let of_own = || instance.set.text(SOP_INSTANCE);
+        instance.owner = numbers.owner(if concatenation.is_empty() { of_own() } else { concatenation });
+    }
     let mut names = BTreeMap::new();
     for instance in &instances {
         for segment in instance.set.items(SEGMENTS) {
             let (number, name) = (segment.short(0x0062_0004).unwrap_or(0), segment.text(0x0062_0005));
             if number > 0 {
-                let label = numbers.label(&instance.owner, number.into());
+                let label = numbers.label(instance.owner, number.into());
                 if !name.is_empty() {
                     names.insert(label, name);
                 }
@@ -98,7 +109,7 @@ pub fn read_dicom_seg(files: &[&[u8]], limits: &ReadLimits, options: &ReadOption
             if segment.is_none() && instance.frames.kind != Kind::LabelMap {
                 return Err(fault("segment of a frame", "missing".to_owned(), "each frame must name its segment"));
             }
-            placed.push((groups, segment.map(|number| numbers.label(&instance.owner, number))));
+            budget.push(&mut placed, (groups, segment.map(|number| numbers.label(instance.owner, number))))?;
         }
     }
     let is_chosen = |label: Option<u32>| label.is_none_or(|label| options.asks_for(label, names.get(&label)));
@@ -109,7 +120,8 @@ pub fn read_dicom_seg(files: &[&[u8]], limits: &ReadLimits, options: &ReadOption
     if n_voxels.saturating_mul(4) > limit {
         return Err(FormatError::TooLarge { what: "bytes of voxels", found: n_voxels.saturating_mul(4), limit });
     }
-    let mut overlay = Overlay::new(n_voxels as usize);
+    budget.grant_voxels(4 * n_voxels as usize);
+    let mut overlay = Overlay::new(n_voxels as usize, &budget)?;
     let mut places = stack.place.iter().zip(&placed);
     for instance in &instances {
         for k in 0..instance.set.items(FRAME_GROUPS).len() {
@@ -120,7 +132,7 @@ pub fn read_dicom_seg(files: &[&[u8]], limits: &ReadLimits, options: &ReadOption
             instance.frames.visit(k, &mut |at, value| {
                 let label = label.unwrap_or_else(|| {
                     if last.0 != value {
-                        last = (value, numbers.label(&instance.owner, value));
+                        last = (value, numbers.label(instance.owner, value));
                     }
                     last.1
                 });
@@ -138,11 +150,12 @@ pub fn read_dicom_seg(files: &[&[u8]], limits: &ReadLimits, options: &ReadOption
     Ok(LabelFile { volume, space: InputSpace::Lps, names, notes, warnings: Vec::new() })
 }
 
-/// Whether a file of part 10 is a segmentation.
-pub(super) fn is_segmentation(bytes: &[u8]) -> bool {
+/// Whether a file of part 10 is a segmentation, within so many bytes of memory.
+pub(super) fn is_segmentation(bytes: &[u8], n_bytes: usize) -> bool {
     let mut inflated = Vec::new();
     // What is inflated here is looked at once more when it is read.
-    read_file(bytes, &mut inflated, bytes.len().saturating_mul(32)).is_ok_and(|(set, _)| is_class(&set))
+    let limits = ReadLimits { max_inflated_bytes: bytes.len().saturating_mul(32), ..ReadLimits::default() };
+    read_file(bytes, &mut inflated, &limits, &Budget::new(n_bytes)).is_ok_and(|(set, _)| is_class(&set))
 }
 
 fn of_different(what: &'static str) -> FormatError {
@@ -156,25 +169,25 @@ struct Instance<'a> {
     rows: usize,
     columns: usize,
     frames: Frames<'a>,
-    /// Parts of one concatenation share the numbers of their segments.
-    owner: String,
+    /// Parts of one concatenation share the numbers of their segments, and thus their owner.
+    owner: usize,
 }
 
 impl<'a> Instance<'a> {
-    fn new((set, encoding): (DataSet<'a>, PixelEncoding), fraction: f64) -> Result<Self, FormatError> {
+    fn new((set, encoding): (DataSet<'a>, PixelEncoding), fraction: f64, budget: &Budget) -> Result<Self, FormatError> {
         check_class(&set)?;
         let size = |tag| set.short(tag).map_or(0, usize::from);
-        let (rows, columns) = (size(0x0028_0010), size(0x0028_0011));
+        let (rows, columns) = (size(ROWS), size(COLUMNS));
         let n_frames = set.items(FRAME_GROUPS).len();
-        let stated: usize = set.text(0x0028_0008).parse().unwrap_or(1);
+        let stated: usize = set.text(N_FRAMES).parse().unwrap_or(1);
         if rows == 0 || columns == 0 || n_frames == 0 || stated != n_frames {
             let value = format!("{rows} rows, {columns} columns, {stated} frames, functional groups of {n_frames}");
             return Err(fault("size", value, "each frame needs functional groups; export the segmentation again"));
         }
+        // The list of fragments, and places and numbers of each frame while they are compared.
+        budget.charge(n_frames.saturating_mul(FRAME_BYTES))?;
         let frames = Frames::new(&set, encoding, rows * columns, n_frames, fraction)?;
-        let concatenation = set.text(0x0020_9161);
-        let owner = if concatenation.is_empty() { set.text(SOP_INSTANCE) } else { concatenation };
-        Ok(Instance { set, rows, columns, frames, owner })
+        Ok(Instance { set, rows, columns, frames, owner: 0 })
     }
 
     /// Where it belongs among others: by instance number, number in the concatenation, and identifier.
@@ -187,14 +200,23 @@ impl<'a> Instance<'a> {
 /// Labels for the segments of all instances.
 #[derive(Default)]
 struct Numbers {
-    labels: BTreeMap<(String, u32), u32>,
+    /// Those whose numbers are the same, each once: an identifier may be long, and labels many.
+    owners: Vec<String>,
+    labels: BTreeMap<(usize, u32), u32>,
     taken: BTreeSet<u32>,
     n_changed: usize,
 }
 
 impl Numbers {
-    fn label(&mut self, owner: &str, number: u32) -> u32 {
-        let key = (owner.to_owned(), number);
+    fn owner(&mut self, name: String) -> usize {
+        self.owners.iter().position(|known| *known == name).unwrap_or_else(|| {
+            self.owners.push(name);
+            self.owners.len() - 1
+        })
+    }
+
+    fn label(&mut self, owner: usize, number: u32) -> u32 {
+        let key = (owner, number);
         if let Some(&label) = self.labels.get(&key) {
             return label;
         }
@@ -435,7 +457,7 @@ impl<'a> Frames<'a> {
         n_frames: usize,
         fraction: f64,
     ) -> Result<Self, FormatError> {
-        let bits = set.short(0x0028_0100).unwrap_or(0);
+        let bits = set.short(BITS_ALLOCATED).unwrap_or(0);
         let kind = match set.text(0x0062_0001).as_str() {
             "BINARY" => Kind::Binary,
             "FRACTIONAL" => {

@@ -1,6 +1,7 @@
 //! The number types of binary arrays, and their values as real numbers, whole numbers or labels.
 
 use super::FormatError;
+use super::budget::Budget;
 
 /// How far a value may be from an integer and still count as a label: rounding of scaled single-precision values.
 const LABEL_TOLERANCE: f64 = 1e-3;
@@ -77,6 +78,24 @@ impl Element {
     /// The numbers of `raw` as real numbers; bytes after the last whole number are ignored.
     pub(super) fn reals(self, raw: &[u8], order: ByteOrder) -> Vec<f64> {
         raw.chunks_exact(self.size()).map(|b| self.real(little(b, order))).collect()
+    }
+
+    /// The same within a budget.
+    ///
+    /// # Errors
+    /// `TooLarge` beyond the budget.
+    pub(super) fn charged_reals(self, raw: &[u8], order: ByteOrder, budget: &Budget) -> Result<Vec<f64>, FormatError> {
+        budget.charge_of::<f64>(raw.len() / self.size())?;
+        Ok(self.reals(raw, order))
+    }
+
+    /// [`Element::wholes`] within a budget.
+    ///
+    /// # Errors
+    /// `TooLarge` beyond the budget.
+    pub(super) fn charged_wholes(self, raw: &[u8], order: ByteOrder, budget: &Budget) -> Result<Vec<i64>, FormatError> {
+        budget.charge_of::<i64>(raw.len() / self.size())?;
+        Ok(self.wholes(raw, order))
     }
 
     /// The numbers of `raw` as whole numbers; bytes after the last whole number are ignored.
@@ -158,12 +177,23 @@ impl Voxels {
         }
     }
 
+    /// Bytes of all voxels as they are stored.
+    pub(super) fn stored(&self) -> usize {
+        usize::try_from(self.count().saturating_mul(self.element.size() as u64)).unwrap_or(usize::MAX)
+    }
+
+    /// Bytes of all voxels at four bytes each, or at more if they are stored as more: what a volume counts for.
+    pub(super) fn declared(&self) -> usize {
+        usize::try_from(self.count().saturating_mul(self.element.size().max(4) as u64)).unwrap_or(usize::MAX)
+    }
+
     /// The labels of all voxels.
     ///
     /// # Errors
-    /// `NotALabel` if a value is not a whole number from 0 to 4294967295.
-    pub(super) fn labels(&self, raw: &[u8]) -> Result<Vec<u32>, FormatError> {
+    /// `TooLarge` beyond the budget; `NotALabel` if a value is not a whole number from 0 to 4294967295.
+    pub(super) fn labels(&self, raw: &[u8], budget: &Budget) -> Result<Vec<u32>, FormatError> {
         let size = self.element.size();
+        budget.charge_of::<u32>(raw.len() / size)?;
         let mut labels = Vec::with_capacity(raw.len() / size);
         let mut previous: Option<(&[u8], u32)> = None;
         for voxel in raw.chunks_exact(size) {

@@ -5,6 +5,7 @@
 //! ("tkregister"), whose origin is the center of the conformed volume. The quads of the old format are split as FreeSurfer
 //! splits them, by the parity of their first vertex.
 
+use super::budget::Budget;
 use super::element::{ByteOrder, Element};
 use super::polygons::{MeshFile, Polygons};
 use super::text::Scanner;
@@ -44,22 +45,23 @@ pub(super) fn is_freesurfer(bytes: &[u8]) -> bool {
 /// # Cost
 /// Linear in the file's length.
 pub fn read_freesurfer(bytes: &[u8], limits: &ReadLimits) -> Result<MeshFile, FormatError> {
+    let budget = &Budget::of(limits);
     let mut trailing = None;
     let polygons = match bytes.first_chunk::<3>() {
         _ if !bytes.starts_with(&[0xff]) => {
-            let (polygons, note) = ascii(bytes, limits)?;
+            let (polygons, note) = ascii(bytes, limits, budget)?;
             trailing = note;
             polygons
         }
-        Some(&TRIANGLES) => triangles(bytes, limits)?,
+        Some(&TRIANGLES) => triangles(bytes, limits, budget)?,
         Some(&QUADS) if is_curvature(bytes) => {
             return Err(FormatError::Unsupported {
                 what: "a FreeSurfer file of per-vertex values",
                 advice: "send the surface to which they belong, such as lh.pial or lh.white",
             });
         }
-        Some(&QUADS) => quads(bytes, Element::I16, 0.01, limits)?,
-        Some(&NEW_QUADS) => quads(bytes, Element::F32, 1.0, limits)?,
+        Some(&QUADS) => quads(bytes, Element::I16, 0.01, limits, budget)?,
+        Some(&NEW_QUADS) => quads(bytes, Element::F32, 1.0, limits, budget)?,
         _ => return Err(FormatError::Payload { format: "FreeSurfer", line: None }),
     };
     let mut file = polygons.into_mesh()?;
@@ -79,23 +81,25 @@ fn is_curvature(bytes: &[u8]) -> bool {
     scanner.remaining() as u64 == (counts[0] as u64).saturating_mul(counts[2] as u64).saturating_mul(4)
 }
 
-fn triangles(bytes: &[u8], limits: &ReadLimits) -> Result<Polygons, FormatError> {
+fn triangles<'b>(bytes: &[u8], limits: &ReadLimits, budget: &'b Budget) -> Result<Polygons<'b>, FormatError> {
     let mut scanner = after_stamp(bytes.get(3..).unwrap_or_default())?;
     let counts = Element::I32.wholes(scanner.take(2, 4, "the counts of vertices and faces")?, ByteOrder::Big);
     let [n_vertices, n_faces] = counts[..2] else { return Err(scanner.expected("the counts of vertices and faces")) };
     let [n_vertices, n_faces] = checked_counts([n_vertices, n_faces])?;
     Polygons::check_faces(n_faces, limits)?;
-    let mut polygons = Polygons::default();
+    let mut polygons = Polygons::new(budget);
     points(&mut polygons, &mut scanner, n_vertices, Element::F32, 1.0, limits)?;
     let corners = scanner.take(n_faces.saturating_mul(3), 4, "the list of faces")?;
-    for face in Element::I32.wholes(corners, ByteOrder::Big).chunks_exact(3) {
+    for face in Element::I32.charged_wholes(corners, ByteOrder::Big, budget)?.chunks_exact(3) {
         polygons.push(face.iter().copied())?;
     }
     // Further faces mean that the count is wrong.
     let rest = scanner.rest();
-    let corners = Element::I32.wholes(rest, ByteOrder::Big);
-    let is_face = |face: &&[i64]| face.iter().all(|v| (0..n_vertices as i64).contains(v)) && face[0] != face[1];
-    let n_more = corners.chunks_exact(3).take_while(is_face).count() as u64;
+    let is_face = |face: &&[u8]| {
+        let face = [0, 4, 8].map(|at| Element::I32.whole_of(&face[at..at + 4], ByteOrder::Big));
+        face.iter().all(|v| (0..n_vertices as i64).contains(v)) && face[0] != face[1]
+    };
+    let n_more = rest.chunks_exact(12).take_while(is_face).count() as u64;
     if n_more > 0 && !are_tags(rest) {
         return Err(FormatError::CountMismatch { what: "faces", stated: n_faces, found: n_faces + n_more });
     }
@@ -165,7 +169,7 @@ fn after_stamp(bytes: &[u8]) -> Result<Scanner<'_>, FormatError> {
 }
 
 fn points(
-    polygons: &mut Polygons,
+    polygons: &mut Polygons<'_>,
     scanner: &mut Scanner<'_>,
     n: u64,
     element: Element,
@@ -174,18 +178,26 @@ fn points(
 ) -> Result<(), FormatError> {
     let raw = scanner.take(n.saturating_mul(3), element.size(), "the list of vertices")?;
     Polygons::check_count(n, limits)?;
-    let numbers = element.reals(raw, ByteOrder::Big);
-    polygons.vertices = numbers.chunks_exact(3).map(|p| Point3::new(p[0], p[1], p[2]) * scale).collect();
+    for p in raw.chunks_exact(3 * element.size()) {
+        let number = |k: usize| element.real_of(&p[k * element.size()..(k + 1) * element.size()], ByteOrder::Big);
+        polygons.vertex(Point3::new(number(0), number(1), number(2)) * scale)?;
+    }
     Ok(())
 }
 
-fn quads(bytes: &[u8], element: Element, scale: f64, limits: &ReadLimits) -> Result<Polygons, FormatError> {
+fn quads<'b>(
+    bytes: &[u8],
+    element: Element,
+    scale: f64,
+    limits: &ReadLimits,
+    budget: &'b Budget,
+) -> Result<Polygons<'b>, FormatError> {
     let mut scanner = Scanner::new(bytes.get(3..).unwrap_or_default());
     let three = |b: &[u8]| i64::from(b[0]) << 16 | i64::from(b[1]) << 8 | i64::from(b[2]);
     let counts = scanner.take(2, 3, "the counts of vertices and faces")?;
     let [n_vertices, n_faces] = checked_counts([three(counts), three(&counts[3..])])?.map(|n| n as i64);
     Polygons::check_faces(n_faces as u64, limits)?;
-    let mut polygons = Polygons::default();
+    let mut polygons = Polygons::new(budget);
     points(&mut polygons, &mut scanner, n_vertices as u64, element, scale, limits)?;
     for quad in scanner.take(n_faces as u64, 12, "the list of faces")?.chunks_exact(12) {
         let [a, b, c, d] = [0, 3, 6, 9].map(|at| three(&quad[at..]));
@@ -197,7 +209,11 @@ fn quads(bytes: &[u8], element: Element, scale: f64, limits: &ReadLimits) -> Res
 
 /// A comment, the two counts, then a line for each vertex (three coordinates) and each face (three indices), each with a
 /// further number that says whether it belongs to a patch.
-fn ascii(bytes: &[u8], limits: &ReadLimits) -> Result<(Polygons, Option<String>), FormatError> {
+fn ascii<'b>(
+    bytes: &[u8],
+    limits: &ReadLimits,
+    budget: &'b Budget,
+) -> Result<(Polygons<'b>, Option<String>), FormatError> {
     let mut scanner = Scanner::new(bytes);
     if bytes.starts_with(b"#") {
         scanner.text_line();
@@ -206,14 +222,14 @@ fn ascii(bytes: &[u8], limits: &ReadLimits) -> Result<(Polygons, Option<String>)
     let n_faces: u64 = scanner.number("the number of faces")?;
     Polygons::check_count(n_vertices, limits)?;
     Polygons::check_faces(n_faces, limits)?;
-    let mut polygons = Polygons::default();
+    let mut polygons = Polygons::new(budget);
     for _ in 0..n_vertices {
         let mut p = Point3::origin();
         for c in p.iter_mut() {
             *c = scanner.real("a coordinate")?;
         }
         scanner.real("the patch number of a vertex")?;
-        polygons.vertices.push(p);
+        polygons.vertex(p)?;
     }
     for _ in 0..n_faces {
         let mut face = [0i64; 3];

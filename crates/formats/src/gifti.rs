@@ -16,8 +16,9 @@
 //! **Writing.** The format has triangles and three number types, so quads are split along their first diagonal and real
 //! numbers are written in single precision.
 
+use super::budget::Budget;
 use super::element::{ByteOrder, Element};
-use super::polygons::{MeshFile, Polygons};
+use super::polygons::{MeshFile, Polygons, points_of};
 use super::text::{real, words};
 use super::vertex_arrays::{VertexArray, VertexValues, fitting};
 use super::xml::{Node, Tag, Xml, base64, inflate_up_to};
@@ -41,6 +42,7 @@ use std::io::Write;
 /// # Cost
 /// Linear in the inflated size.
 pub fn read_gifti(bytes: &[u8], limits: &ReadLimits, apply_transform: Option<bool>) -> Result<MeshFile, FormatError> {
+    let budget = Budget::of(limits);
     let mut xml = Xml::new(bytes, "GIFTI");
     // Names of the open elements.
     let mut open: Vec<String> = Vec::new();
@@ -65,10 +67,10 @@ pub fn read_gifti(bytes: &[u8], limits: &ReadLimits, apply_transform: Option<boo
             Node::Text(text) => {
                 let Some(array) = &mut array else { continue };
                 match open.last().map(String::as_str) {
-                    Some("Data") => array.text.extend_from_slice(&text),
-                    Some("MatrixData") => matrix.numbers.extend_from_slice(&text),
-                    Some("DataSpace") => matrix.spaces[0].extend_from_slice(&text),
-                    Some("TransformedSpace") => matrix.spaces[1].extend_from_slice(&text),
+                    Some("Data") => budget.extend(&mut array.text, &text)?,
+                    Some("MatrixData") => budget.extend(&mut matrix.numbers, &text)?,
+                    Some("DataSpace") => budget.extend(&mut matrix.spaces[0], &text)?,
+                    Some("TransformedSpace") => budget.extend(&mut matrix.spaces[1], &text)?,
                     _ => {}
                 }
             }
@@ -85,7 +87,7 @@ pub fn read_gifti(bytes: &[u8], limits: &ReadLimits, apply_transform: Option<boo
                     if slot.is_some() {
                         return unsupported("a GIFTI file with several surfaces", "send one surface a file");
                     }
-                    *slot = Some(array.decoded(&xml, limits)?);
+                    *slot = Some(array.decoded(&xml, limits, &budget)?);
                 }
             }
         }
@@ -101,7 +103,7 @@ pub fn read_gifti(bytes: &[u8], limits: &ReadLimits, apply_transform: Option<boo
         let advice = "values and labels of vertices are no surface; send the file that ends in .surf.gii";
         return unsupported("a GIFTI file without a pointset and triangles", advice);
     };
-    let mut polygons = Polygons::of(points.rows());
+    let mut polygons = Polygons::of(points_of(&points.numbers, &budget)?, &budget);
     let (note, mut space) = (points.matrix.as_ref(), InputSpace::Unknown);
     let mut notes = Vec::new();
     if let Some(matrix) = note {
@@ -174,12 +176,6 @@ struct DecodedArray {
     matrix: Option<StoredMatrix>,
 }
 
-impl DecodedArray {
-    fn rows(&self) -> Vec<Point3<f64>> {
-        self.numbers.chunks_exact(3).map(|p| Point3::new(p[0], p[1], p[2])).collect()
-    }
-}
-
 impl StoredArray {
     fn new(tag: &Tag, intent: Intent) -> Result<Self, FormatError> {
         let fault = |field, value: String, advice| Err(FormatError::Header { field, value, advice });
@@ -235,7 +231,7 @@ impl StoredArray {
         })
     }
 
-    fn decoded(self, xml: &Xml<'_>, limits: &ReadLimits) -> Result<DecodedArray, FormatError> {
+    fn decoded(self, xml: &Xml<'_>, limits: &ReadLimits, budget: &Budget) -> Result<DecodedArray, FormatError> {
         if self.intent == Intent::Points {
             Polygons::check_count(self.rows, limits)?;
         }
@@ -246,13 +242,15 @@ impl StoredArray {
         let what = if self.intent == Intent::Points { "coordinates" } else { "vertex indices of triangles" };
         let numbers = if self.encoding == ArrayEncoding::Ascii {
             // One more than there should be tells that there are too many.
-            let numbers: Option<Vec<f64>> = words(&self.text).take(n + 1).map(real).collect();
-            numbers.ok_or_else(|| xml.damaged())?
+            budget.collect(words(&self.text).take(n + 1).map(|word| real(word).ok_or_else(|| xml.damaged())))?
         } else {
-            let raw = base64(&self.text).ok_or_else(|| xml.damaged())?;
+            let raw = base64(&self.text, budget)?.ok_or_else(|| xml.damaged())?;
             let raw = match self.encoding {
                 // Enough to tell that there is too much.
-                ArrayEncoding::Zlib => inflate_up_to(&raw, bytes.saturating_mul(2)).ok_or_else(|| xml.damaged())?,
+                ArrayEncoding::Zlib => {
+                    let most = bytes.saturating_mul(2);
+                    inflate_up_to(&raw, most, bytes, budget)?.ok_or_else(|| xml.damaged())?
+                }
                 _ => raw,
             };
             if raw.len() != bytes {
@@ -262,13 +260,14 @@ impl StoredArray {
                 }
                 return Err(FormatError::Truncated { part, needed: bytes as u64, available: raw.len() as u64 });
             }
-            self.element.reals(&raw, self.order)
+            self.element.charged_reals(&raw, self.order, budget)?
         };
         if numbers.len() != n {
             let found = words(&self.text).count() as u64;
             return Err(FormatError::CountMismatch { what, stated: n as u64, found });
         }
         let rows = self.rows as usize;
+        budget.charge_of::<f64>(if self.column_major { n } else { 0 })?;
         let numbers = if self.column_major { (0..n).map(|k| numbers[k % 3 * rows + k / 3]).collect() } else { numbers };
         Ok(DecodedArray { numbers, matrix: self.matrix })
     }

@@ -7,6 +7,7 @@
 //! Zero bytes after the last member are padding, as for `gzip` and Python. Anything else there is refused: it is either
 //! a member whose header is damaged, or not part of what was compressed.
 
+use super::budget::Budget;
 use super::element::Rest;
 use super::{FormatError, GzipFault, Plain};
 use flate2::{Crc, Decompress, FlushDecompress, Status};
@@ -26,28 +27,47 @@ pub(super) fn is_gzip(bytes: &[u8]) -> bool {
 /// `bytes` decompressed if they are a gzip stream, else as they are.
 ///
 /// # Errors
-/// `TooLarge` beyond `limit` bytes (found after inflating little more than that), `Gzip` if the stream is damaged.
-pub(super) fn inflate(bytes: &[u8], limit: usize) -> Result<Plain<'_>, FormatError> {
+/// `TooLarge` beyond `limit` bytes (found after inflating little more than that) or beyond the budget, `Gzip` if the stream is
+/// damaged.
+pub(super) fn inflate<'a>(bytes: &'a [u8], limit: usize, budget: &Budget) -> Result<Plain<'a>, FormatError> {
     if !is_gzip(bytes) {
         let found = bytes.len();
         return if found > limit { Err(too_large(found, limit)) } else { Ok(Cow::Borrowed(bytes)) };
     }
-    inflate_prefix(bytes, usize::MAX, limit).map(|(plain, _)| plain)
+    // The last bytes state the length; they decide nothing but how often memory is moved.
+    let stated = bytes.last_chunk::<4>().map_or(0, |b| u32::from_le_bytes(*b) as usize);
+    let mut plain = budget.for_inflated(bytes.len(), stated.min(limit))?;
+    let end = inflate_members(bytes, |piece| {
+        if plain.len() + piece.len() > limit {
+            return Err(too_large(plain.len() + piece.len(), limit));
+        }
+        budget.extend(&mut plain, piece)?;
+        Ok(ControlFlow::Continue(()))
+    })?;
+    debug_assert!(end.is_continue(), "nothing breaks");
+    Ok(Cow::Owned(plain))
 }
 
-/// A gzip stream inside a file, decompressed, and whether bytes other than zeros follow it.
+/// A gzip stream inside a file, of which `expected` bytes are used, decompressed, and whether bytes other than zeros follow it.
 ///
 /// # Errors
-/// `TooLarge` beyond `limit` bytes, `Gzip` if the stream is damaged.
-pub(super) fn inflate_embedded(bytes: &[u8], limit: usize) -> Result<(Vec<u8>, bool), FormatError> {
-    let mut plain = Vec::new();
+/// `TooLarge` beyond `limit` bytes or beyond the budget, `Gzip` if the stream is damaged.
+pub(super) fn inflate_embedded(
+    bytes: &[u8],
+    limit: usize,
+    expected: usize,
+    budget: &Budget,
+) -> Result<(Vec<u8>, bool), FormatError> {
+    let mut plain = budget.for_inflated(bytes.len(), expected)?;
     let end = inflate_members(bytes, |piece| {
-        plain.extend_from_slice(piece);
-        if plain.len() > limit { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        if plain.len() + piece.len() > limit {
+            return Err(too_large(plain.len() + piece.len(), limit));
+        }
+        budget.extend(&mut plain, piece)?;
+        Ok(ControlFlow::Continue(()))
     });
     match end {
-        Ok(ControlFlow::Break(())) => Err(too_large(plain.len(), limit)),
-        Ok(ControlFlow::Continue(())) => Ok((plain, false)),
+        Ok(_) => Ok((plain, false)),
         Err(FormatError::Gzip { fault: GzipFault::TrailingData, .. }) => Ok((plain, true)),
         Err(error) => Err(error),
     }
@@ -58,26 +78,27 @@ pub(super) fn inflate_embedded(bytes: &[u8], limit: usize) -> Result<(Vec<u8>, b
 ///
 /// # Errors
 /// `TooLarge` if a gzip stream inflates to more than `limit` bytes, `Gzip` if it is damaged.
-pub(super) fn inflate_prefix(bytes: &[u8], n: usize, limit: usize) -> Result<(Plain<'_>, Rest), FormatError> {
+pub(super) fn inflate_prefix<'a>(
+    bytes: &'a [u8],
+    n: usize,
+    limit: usize,
+    budget: &Budget,
+) -> Result<(Plain<'a>, Rest), FormatError> {
     if !is_gzip(bytes) {
         let (first, rest) = bytes.split_at(n.min(bytes.len()));
         return Ok((Cow::Borrowed(first), Rest::of(rest)));
     }
-    let (mut kept, mut found, mut is_zero) = (Vec::new(), 0usize, true);
+    let (mut kept, mut found, mut is_zero) = (budget.for_inflated(bytes.len(), n)?, 0usize, true);
     let end = inflate_members(bytes, |piece| {
         found = found.saturating_add(piece.len());
         let (first, rest) = piece.split_at(piece.len().min(n - kept.len()));
-        kept.extend_from_slice(first);
+        budget.extend(&mut kept, first)?;
         is_zero &= rest.iter().all(|&byte| byte == 0);
-        if found > limit { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        if found > limit { Err(too_large(found, limit)) } else { Ok(ControlFlow::Continue(())) }
     })?;
-    match end {
-        ControlFlow::Break(()) => Err(too_large(found, limit)),
-        ControlFlow::Continue(()) => {
-            let n_bytes = found - kept.len();
-            Ok((Cow::Owned(kept), Rest { n_bytes, is_zero }))
-        }
-    }
+    debug_assert!(end.is_continue(), "nothing breaks");
+    let n_bytes = found - kept.len();
+    Ok((Cow::Owned(kept), Rest { n_bytes, is_zero }))
 }
 
 /// The first `n` bytes after decompression, or as many as there are, for a look at the header: nothing after them is
@@ -92,7 +113,7 @@ pub(super) fn unverified_prefix(bytes: &[u8], n: usize) -> Result<Plain<'_>, For
     let mut kept = Vec::new();
     let _ = inflate_members(bytes, |piece| {
         kept.extend_from_slice(&piece[..piece.len().min(n - kept.len())]);
-        if kept.len() < n { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+        Ok(if kept.len() < n { ControlFlow::Continue(()) } else { ControlFlow::Break(()) })
     })?;
     Ok(Cow::Owned(kept))
 }
@@ -101,10 +122,10 @@ fn too_large(found: usize, limit: usize) -> FormatError {
     FormatError::TooLarge { what: "bytes", found: found as u64, limit: limit as u64 }
 }
 
-/// Hands the inflated bytes to `take` piece by piece, in order, until it breaks or every member has been verified.
+/// Hands the inflated bytes to `take` piece by piece, in order, until it breaks or fails, or every member has been verified.
 fn inflate_members(
     mut rest: &[u8],
-    mut take: impl FnMut(&[u8]) -> ControlFlow<()>,
+    mut take: impl FnMut(&[u8]) -> Result<ControlFlow<()>, FormatError>,
 ) -> Result<ControlFlow<()>, FormatError> {
     let mut n_bytes = 0usize;
     let mut buffer = vec![0u8; 1 << 16];
@@ -121,7 +142,7 @@ fn inflate_members(
             let piece = &buffer[..(deflate.total_out() - written) as usize];
             crc.update(piece);
             n_bytes += piece.len();
-            if take(piece).is_break() {
+            if take(piece)?.is_break() {
                 return Ok(ControlFlow::Break(()));
             }
             if status == Status::StreamEnd {

@@ -11,6 +11,11 @@ use std::io::{Read, Write};
 
 const TRAILER_BYTES: usize = 8;
 
+/// A budget that no test spends.
+fn ample() -> Budget {
+    Budget::new(1 << 30)
+}
+
 fn gzip(bytes: &[u8]) -> Vec<u8> {
     let mut encoder = GzBuilder::new().write(Vec::new(), Compression::default());
     encoder.write_all(bytes).unwrap();
@@ -150,13 +155,14 @@ fn the_message_says_what_is_wrong_and_what_to_do() {
 fn nothing_beyond_the_limit_is_inflated() {
     let bomb = gzip(&vec![0; 1 << 24]);
     let limit = 1 << 10;
-    for found in [inflate(&bomb, limit), inflate_prefix(&bomb, 100, limit).map(|(plain, _)| plain)] {
+    for found in [inflate(&bomb, limit, &ample()), inflate_prefix(&bomb, 100, limit, &ample()).map(|(plain, _)| plain)]
+    {
         let Err(FormatError::TooLarge { found, .. }) = found else { panic!("a bomb is refused") };
         assert!(found <= 1 << 17, "{found} bytes were inflated");
     }
     let exactly = gzip(&vec![0; limit]);
-    assert_eq!(inflate(&exactly, limit).unwrap().len(), limit);
-    assert_eq!(inflate_prefix(&exactly, 100, limit).unwrap().0.len(), 100);
+    assert_eq!(inflate(&exactly, limit, &ample()).unwrap().len(), limit);
+    assert_eq!(inflate_prefix(&exactly, 100, limit, &ample()).unwrap().0.len(), 100);
 }
 
 proptest! {
@@ -180,7 +186,7 @@ proptest! {
         }
         let mut expected = Vec::new();
         let oracle = MultiGzDecoder::new(stream.as_slice()).read_to_end(&mut expected);
-        let ours = inflate(&stream, 1 << 20);
+        let ours = inflate(&stream, 1 << 20, &ample());
         match oracle {
             Ok(_) if ours.is_ok() => prop_assert_eq!(&ours.unwrap()[..], &expected[..]),
             // Flags that RFC 1952 reserves are only refused here.

@@ -1,6 +1,7 @@
 //! The label volume of a file, with the names of its labels; structures that overlap share voxels.
 
 use super::FormatError;
+use super::budget::Budget;
 use homolog_contract::input::{InputSpace, InputWarning};
 use homolog_mesh::volume::LabelVolume;
 use nalgebra::Matrix4;
@@ -35,7 +36,7 @@ const MAX_SETS: usize = 1 << 14;
 
 /// Labels to which structures are added one by one. A voxel of several gets a value that stands for their set.
 #[derive(Debug)]
-pub(super) struct Overlay {
+pub(super) struct Overlay<'b> {
     labels: Vec<u32>,
     /// The value of a set.
     values: HashMap<Vec<u32>, u32>,
@@ -43,18 +44,24 @@ pub(super) struct Overlay {
     sets: BTreeMap<u32, Vec<u32>>,
     /// The value for a value and one further label.
     joined: HashMap<(u32, u32), u32>,
+    budget: &'b Budget,
 }
 
-impl Overlay {
-    pub(super) fn new(n_voxels: usize) -> Self {
+impl<'b> Overlay<'b> {
+    /// No structures.
+    ///
+    /// # Errors
+    /// `TooLarge` beyond the budget.
+    pub(super) fn new(n_voxels: usize, budget: &'b Budget) -> Result<Self, FormatError> {
+        budget.charge_of::<u32>(n_voxels)?;
         let (values, sets, joined) = (HashMap::new(), BTreeMap::new(), HashMap::new());
-        Overlay { labels: vec![0; n_voxels], values, sets, joined }
+        Ok(Overlay { labels: vec![0; n_voxels], values, sets, joined, budget })
     }
 
     /// Adds the voxel `at` to the structure `label`, which is not 0. A voxel may be added twice.
     ///
     /// # Errors
-    /// `TooLarge` if the structures overlap in too many ways.
+    /// `TooLarge` if the structures overlap in too many ways, or beyond the budget.
     pub(super) fn add(&mut self, at: usize, label: u32) -> Result<(), FormatError> {
         let before = self.labels[at];
         if before == 0 {
@@ -69,11 +76,15 @@ impl Overlay {
     }
 
     fn join(&mut self, before: u32, label: u32) -> Result<u32, FormatError> {
+        // An entry of a table that grows, and the labels of a set, twice.
+        const ENTRY_BYTES: usize = 48;
+        self.budget.charge(ENTRY_BYTES)?;
         let mut set = self.sets.get(&before).cloned().unwrap_or_else(|| vec![before]);
         let value = if set.contains(&label) {
             before
         } else {
             set.push(label);
+            self.budget.charge(4 * ENTRY_BYTES + 2 * size_of_val(set.as_slice()))?;
             // The same set may be reached in another order.
             set.sort_unstable();
             let next = u32::MAX - self.sets.len() as u32;

@@ -2,12 +2,13 @@
 //! vertices as tables ([`npy`], [`arrow`]), per-vertex values with their mesh, and transforms ([`transform`]).
 //!
 //! Input is untrusted. Readers take the whole file as a slice, and [`ReadLimits`]; counts in a header are checked against
-//! the length of the file before anything is allocated, so a small file cannot cause a large allocation or a long
-//! computation. Compressed files are decompressed to their end, and every checksum is verified. [`read`] detects the format
+//! the length of the file before anything is allocated, and every list that grows with the content is charged to a budget of
+//! memory (`budget`), so a small file cannot cause a large allocation or a long computation, whatever it inflates to. Compressed files are decompressed to their end, and every checksum is verified. [`read`] detects the format
 //! from the bytes and uses the file's name only where they do not decide. Errors carry positions (lines, vertices,
 //! voxels), never text of the file, which may name a patient.
 
 mod archive;
+mod budget;
 mod detect;
 mod dicom;
 mod dicom_file;
@@ -51,6 +52,7 @@ pub mod vtk;
 pub mod vtp;
 
 pub use archive::write_zip;
+use budget::Budget;
 pub use error::{FormatError, GzipFault};
 pub use homolog_contract::input::{InputFormat, InputSpace, InputWarning};
 pub use homolog_contract::parameters::LabelChoice;
@@ -78,6 +80,9 @@ pub struct ReadLimits {
     pub max_inflation: usize,
     /// Most vertices of a mesh.
     pub max_vertices: usize,
+    /// Most memory that reading may take beside the voxels that a header declares, bytes. [`read_with`] takes less: 64 times what was
+    /// received, and 16 MiB.
+    pub max_memory: usize,
 }
 
 /// The default of [`ReadLimits::max_inflation`]: deflate itself reaches 1032, so only archives that name the same bytes
@@ -86,7 +91,12 @@ pub const DEFAULT_INFLATION: usize = 1100;
 
 impl Default for ReadLimits {
     fn default() -> Self {
-        ReadLimits { max_inflated_bytes: 1 << 30, max_inflation: DEFAULT_INFLATION, max_vertices: 200_000 }
+        ReadLimits {
+            max_inflated_bytes: 1 << 30,
+            max_inflation: DEFAULT_INFLATION,
+            max_vertices: 200_000,
+            max_memory: usize::MAX,
+        }
     }
 }
 
@@ -176,11 +186,18 @@ pub fn read_with(
     options: &ReadOptions,
 ) -> Result<ReadFile, FormatError> {
     let most = bytes.len().max(1 << 20).saturating_mul(limits.max_inflation);
-    let limits = &ReadLimits { max_inflated_bytes: limits.max_inflated_bytes.min(most), ..*limits };
+    let limits = &ReadLimits {
+        max_inflated_bytes: limits.max_inflated_bytes.min(most),
+        max_memory: limits.max_memory.min(budget::for_file(bytes.len())),
+        ..*limits
+    };
     if !archive::is_zip(bytes) {
         return read_file(bytes, file_name, limits, options);
     }
-    match archive::content(bytes, limits)? {
+    let budget = Budget::of(limits);
+    let content = archive::content(bytes, limits, &budget)?;
+    let limits = &ReadLimits { max_memory: budget.left(), ..*limits };
+    match content {
         archive::Content::File(file, name) => read_file(&file, Some(&name), limits, options),
         archive::Content::Instances(instances, n_others) => {
             let files: Vec<&[u8]> = instances.iter().map(|file| &**file).collect();
@@ -209,7 +226,13 @@ fn read_file(
         read.notes.extend(detect::misnamed(InputFormat::Nifti, file_name));
         return Ok(read);
     }
-    let inflated = gzip::inflate(bytes, limits.max_inflated_bytes)?;
+    let budget = Budget::of(limits);
+    if gzip::is_gzip(bytes) {
+        budget.grant(declared_voxels(bytes)?.min(limits.max_inflated_bytes));
+    }
+    let inflated = gzip::inflate(bytes, limits.max_inflated_bytes, &budget)?;
+    let before = limits;
+    let limits = &ReadLimits { max_memory: budget.left(), ..*limits };
     let (format, bytes) = detect::detect(&inflated, file_name)?;
     use InputFormat::{DicomSeg, MetaImage, Mgh, Nifti, Nrrd};
     if !matches!(format, Nifti | Mgh | Nrrd | MetaImage | DicomSeg) {
@@ -224,7 +247,12 @@ fn read_file(
         InputFormat::Freesurfer => ReadFile::mesh(format, freesurfer::read_freesurfer(bytes, limits)?),
         InputFormat::Gifti => ReadFile::mesh(format, gifti::read_gifti(bytes, limits, options.apply_transform)?),
         InputFormat::Ply => ReadFile::declared(format, ply::read_ply(bytes, limits)?, bytes)?,
-        InputFormat::Stl => ReadFile::declared(format, stl::read_stl(bytes, limits)?, bytes)?,
+        InputFormat::Stl => {
+            let (soup, head) = (stl::read_soup(bytes, limits)?, bytes[..bytes.len().min(DECLARATION_BYTES)].to_vec());
+            // Text of facets is by far the largest part of what joining them takes.
+            drop(inflated);
+            ReadFile::declared(format, soup.joined(before)?, &head)?
+        }
         InputFormat::Vtk => ReadFile::declared(format, vtk::read_vtk(bytes, limits)?, bytes)?,
         InputFormat::Vtp => ReadFile::mesh(format, vtp::read_vtp(bytes, limits)?),
         InputFormat::Obj => ReadFile::declared(format, obj::read_obj(bytes, limits)?, bytes)?,
@@ -233,6 +261,25 @@ fn read_file(
     };
     read.notes.extend(detect::misnamed(format, file_name));
     Ok(read)
+}
+
+/// As much of a file as is looked at for the size of its volume.
+const HEAD_BYTES: usize = dicom::HEAD_BYTES;
+
+/// Bytes of the voxels that the header of a volume declares, as they are stored; 0 for other files.
+///
+/// # Errors
+/// `Gzip` if the stream is damaged where it begins.
+fn declared_voxels(bytes: &[u8]) -> Result<usize, FormatError> {
+    let head = gzip::unverified_prefix(bytes, HEAD_BYTES)?;
+    Ok(match detect::by_content(&head) {
+        Some(InputFormat::Nifti) => nifti::declared(&head),
+        Some(InputFormat::Mgh) => mgh::declared(&head),
+        Some(InputFormat::Nrrd) => nrrd::declared(&head),
+        Some(InputFormat::MetaImage) => metaimage::declared(&head),
+        Some(InputFormat::DicomSeg) => dicom::declared_pixels(&head),
+        _ => 0,
+    })
 }
 
 /// What a report says of bytes after everything that a header states.

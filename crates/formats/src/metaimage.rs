@@ -4,6 +4,7 @@
 //! LPS, as in ITK, and are converted to RAS and from `DistanceUnits` to millimetres; `AnatomicalOrientation` is a comment on
 //! them and is not used. Rows of `TransformMatrix` are the directions of the axes. Axes of size 1 beyond three may be anywhere.
 
+use super::budget::Budget;
 use super::element::{ByteOrder, Element, Rest, Voxels};
 use super::label_file::LabelFile;
 use super::text::{Scanner, real, words};
@@ -16,6 +17,8 @@ use std::collections::HashMap;
 
 /// Longest header that is looked at.
 const MAX_HEADER_LINES: usize = 1000;
+/// Bytes that are held for each byte of a line of the header.
+const LINE_BYTES_PER_BYTE: usize = 48;
 
 /// Whether this text begins as a MetaImage header does.
 pub(super) fn is_metaimage(bytes: &[u8]) -> bool {
@@ -39,25 +42,9 @@ pub(super) fn is_metaimage(bytes: &[u8]) -> bool {
 /// # Cost
 /// Linear in the inflated size.
 pub fn read_metaimage(bytes: &[u8], limits: &ReadLimits) -> Result<LabelFile, FormatError> {
+    let budget = Budget::of(limits);
     let mut scanner = Scanner::new(bytes);
-    let mut fields: HashMap<String, String> = HashMap::new();
-    loop {
-        let Some(line) = scanner.line().filter(|_| fields.len() < MAX_HEADER_LINES) else {
-            return Err(without_voxels("a MetaImage header without its voxels"));
-        };
-        if line.is_empty() {
-            continue;
-        }
-        let text = String::from_utf8_lossy(line);
-        let Some((key, value)) = text.split_once(['=', ':']) else {
-            return Err(scanner.expected_before("a line of the form key = value"));
-        };
-        let is_last = key.trim() == "ElementDataFile";
-        fields.insert(key.trim().to_owned(), value.trim().to_owned());
-        if is_last {
-            break;
-        }
-    }
+    let fields = fields_of(&mut scanner, &budget)?;
     let header = Header { fields: &fields };
     if !["", "Image"].contains(&header.get("ObjectType")) {
         return Err(FormatError::Unsupported {
@@ -74,22 +61,10 @@ pub fn read_metaimage(bytes: &[u8], limits: &ReadLimits) -> Result<LabelFile, Fo
             advice: "save one three-dimensional label volume",
         });
     }
-    let element = match header.get("ElementType") {
-        "MET_CHAR" => Element::I8,
-        "MET_UCHAR" => Element::U8,
-        "MET_SHORT" => Element::I16,
-        "MET_USHORT" => Element::U16,
-        "MET_INT" | "MET_LONG" => Element::I32,
-        "MET_UINT" | "MET_ULONG" => Element::U32,
-        "MET_LONG_LONG" => Element::I64,
-        "MET_ULONG_LONG" => Element::U64,
-        "MET_FLOAT" => Element::F32,
-        "MET_DOUBLE" => Element::F64,
-        _ => {
-            let advice = "save the labels as integers or real numbers";
-            return Err(FormatError::Unsupported { what: "this ElementType of a MetaImage", advice });
-        }
-    };
+    let element = element_of_name(header.get("ElementType")).ok_or(FormatError::Unsupported {
+        what: "this ElementType of a MetaImage",
+        advice: "save the labels as integers or real numbers",
+    })?;
     let sizes = header.list("DimSize")?;
     let valid = sizes.iter().all(|d| (1.0..=32_767.0).contains(d) && d.fract() == 0.0);
     let axes = axes_of_space(&sizes).filter(|_| valid && header.list("NDims").is_ok_and(|n| n == [sizes.len() as f64]));
@@ -110,8 +85,9 @@ pub fn read_metaimage(bytes: &[u8], limits: &ReadLimits) -> Result<LabelFile, Fo
     let voxels = Voxels { slope, intercept, ..Voxels::plain(dims, element, order) };
     let mut notes = Vec::new();
     let needed = voxels.bytes_needed(limits.max_inflated_bytes)?;
+    budget.grant_voxels(voxels.declared());
     let labels = if header.get("BinaryData").eq_ignore_ascii_case("false") {
-        text_labels(&mut scanner, &voxels, &mut notes)?
+        text_labels(&mut scanner, &voxels, &budget, &mut notes)?
     } else {
         let stored = scanner.rest();
         let plain: Cow<'_, [u8]> = if is_true("CompressedData") {
@@ -124,7 +100,7 @@ pub fn read_metaimage(bytes: &[u8], limits: &ReadLimits) -> Result<LabelFile, Fo
             };
             let compressed = stored.get(..length).ok_or(truncated)?;
             // Enough to tell that there is too much.
-            Cow::Owned(inflate_up_to(compressed, needed.saturating_mul(2)).ok_or(damaged)?)
+            Cow::Owned(inflate_up_to(compressed, needed.saturating_mul(2), needed, &budget)?.ok_or(damaged)?)
         } else {
             // Counted from the begin of the file; negative: the voxels are at its end.
             let skipped: i64 = header.get("HeaderSize").parse().unwrap_or(0);
@@ -139,7 +115,7 @@ pub fn read_metaimage(bytes: &[u8], limits: &ReadLimits) -> Result<LabelFile, Fo
             return Err(FormatError::Truncated { part: "the voxel array", needed, available });
         };
         notes.extend(voxels.check_rest(needed, Rest::of(rest))?);
-        voxels.labels(raw)?
+        voxels.labels(raw, &budget)?
     };
     let mut affine = header.affine(axes, sizes.len())?;
     if let Some(unit) = units::named(header.get("DistanceUnits")) {
@@ -152,6 +128,59 @@ pub fn read_metaimage(bytes: &[u8], limits: &ReadLimits) -> Result<LabelFile, Fo
     file.notes.push(lps::NOTE.to_owned());
     file.notes.extend(notes);
     Ok(file)
+}
+
+/// The fields of a header, to the last, which says where the voxels are.
+fn fields_of(scanner: &mut Scanner<'_>, budget: &Budget) -> Result<HashMap<String, String>, FormatError> {
+    let mut fields: HashMap<String, String> = HashMap::new();
+    loop {
+        let Some(line) = scanner.line().filter(|_| fields.len() < MAX_HEADER_LINES) else {
+            return Err(without_voxels("a MetaImage header without its voxels"));
+        };
+        if line.is_empty() {
+            continue;
+        }
+        // Keys and values are kept, and lists of numbers made of them.
+        budget.charge(line.len().saturating_mul(LINE_BYTES_PER_BYTE))?;
+        let text = String::from_utf8_lossy(line);
+        let Some((key, value)) = text.split_once(['=', ':']) else {
+            return Err(scanner.expected_before("a line of the form key = value"));
+        };
+        let is_last = key.trim() == "ElementDataFile";
+        fields.insert(key.trim().to_owned(), value.trim().to_owned());
+        if is_last {
+            return Ok(fields);
+        }
+    }
+}
+
+/// Bytes of the voxels that a header declares; 0 if it is not valid.
+pub(super) fn declared(head: &[u8]) -> usize {
+    let mut scanner = Scanner::new(head);
+    let Ok(fields) = fields_of(&mut scanner, &Budget::new(2 * super::HEAD_BYTES)) else { return 0 };
+    let header = Header { fields: &fields };
+    let Ok(sizes) = header.list("DimSize") else { return 0 };
+    let Some(element) = element_of_name(header.get("ElementType")) else { return 0 };
+    let n_bytes = sizes.iter().product::<f64>() * element.size() as f64;
+    // A number that is none, or negative, is 0.
+    n_bytes as usize
+}
+
+/// The type of a voxel that a name of the header means.
+fn element_of_name(name: &str) -> Option<Element> {
+    Some(match name {
+        "MET_CHAR" => Element::I8,
+        "MET_UCHAR" => Element::U8,
+        "MET_SHORT" => Element::I16,
+        "MET_USHORT" => Element::U16,
+        "MET_INT" | "MET_LONG" => Element::I32,
+        "MET_UINT" | "MET_ULONG" => Element::U32,
+        "MET_LONG_LONG" => Element::I64,
+        "MET_ULONG_LONG" => Element::U64,
+        "MET_FLOAT" => Element::F32,
+        "MET_DOUBLE" => Element::F64,
+        _ => return None,
+    })
 }
 
 fn without_voxels(what: &'static str) -> FormatError {
@@ -169,13 +198,18 @@ fn axes_of_space(sizes: &[f64]) -> Option<[usize; 3]> {
 }
 
 /// Voxels written as text.
-fn text_labels(scanner: &mut Scanner<'_>, voxels: &Voxels, notes: &mut Vec<String>) -> Result<Vec<u32>, FormatError> {
+fn text_labels(
+    scanner: &mut Scanner<'_>,
+    voxels: &Voxels,
+    budget: &Budget,
+    notes: &mut Vec<String>,
+) -> Result<Vec<u32>, FormatError> {
     let (needed, available) = (voxels.count().saturating_mul(2), scanner.remaining() as u64 + 1);
     if needed > available {
         return Err(FormatError::Truncated { part: "the voxel array", needed, available });
     }
     let n = voxels.count() as usize;
-    let labels = (0..n).map(|at| voxels.label(scanner.real("a voxel")?, at)).collect::<Result<_, _>>()?;
+    let labels = budget.collect((0..n).map(|at| voxels.label(scanner.real("a voxel")?, at)))?;
     notes.extend(scanner.check_end("voxels", n as u64, 1)?);
     Ok(labels)
 }

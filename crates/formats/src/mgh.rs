@@ -4,6 +4,7 @@
 //! voxels (scan parameters, tags) is not read, but has to be that: further voxels mean that the sizes are wrong. The affine maps voxels to scanner RAS: `Mdc · diag(voxel sizes)`, with `c_ras`
 //! at the voxel `dimensions / 2`.
 
+use super::budget::Budget;
 use super::element::{ByteOrder, Element, Rest, Voxels};
 use super::label_file::LabelFile;
 use super::{FormatError, ReadLimits};
@@ -21,16 +22,15 @@ pub(super) fn is_mgh(bytes: &[u8]) -> bool {
     is_version && fields[1..5].iter().all(|&d| (1..=1 << 20).contains(&d)) && (0..=11).contains(&fields[5])
 }
 
-/// Reads a label volume.
-///
-/// # Errors
-/// [`FormatError`]; several frames, and element types other than numbers, are not supported.
-///
-/// # Cost
-/// Linear in the file's length.
-pub fn read_mgh(bytes: &[u8], limits: &ReadLimits) -> Result<LabelFile, FormatError> {
-    let available = bytes.len() as u64;
+/// Bytes of the voxels that a header declares; 0 if it is not valid.
+pub(super) fn declared(head: &[u8]) -> usize {
+    voxels_of(head).map_or(0, |voxels| voxels.stored())
+}
+
+/// The voxels that a header declares.
+fn voxels_of(bytes: &[u8]) -> Result<Voxels, FormatError> {
     let Some(head) = bytes.get(..HEADER_BYTES) else {
+        let available = bytes.len() as u64;
         return Err(FormatError::Truncated { part: "the MGH header", needed: HEADER_BYTES as u64, available });
     };
     let counts = Element::I32.wholes(&head[4..24], ByteOrder::Big);
@@ -54,12 +54,27 @@ pub fn read_mgh(bytes: &[u8], limits: &ReadLimits) -> Result<LabelFile, FormatEr
         }
     };
     let dims = [0, 1, 2].map(|k| counts[k] as usize);
-    let voxels = Voxels::plain(dims, element, ByteOrder::Big);
+    Ok(Voxels::plain(dims, element, ByteOrder::Big))
+}
+
+/// Reads a label volume.
+///
+/// # Errors
+/// [`FormatError`]; several frames, and element types other than numbers, are not supported.
+///
+/// # Cost
+/// Linear in the file's length.
+pub fn read_mgh(bytes: &[u8], limits: &ReadLimits) -> Result<LabelFile, FormatError> {
+    let available = bytes.len() as u64;
+    let voxels = voxels_of(bytes)?;
+    let (dims, head) = (voxels.dims, &bytes[..HEADER_BYTES]);
     let needed = HEADER_BYTES + voxels.bytes_needed(limits.max_inflated_bytes)?;
     if bytes.len() < needed {
         return Err(FormatError::Truncated { part: "the voxel array", needed: needed as u64, available });
     }
-    let labels = voxels.labels(&bytes[HEADER_BYTES..needed])?;
+    let budget = Budget::of(limits);
+    budget.grant_voxels(voxels.declared());
+    let labels = voxels.labels(&bytes[HEADER_BYTES..needed], &budget)?;
     let rest = &bytes[needed..];
     let note = if is_footer(rest) { None } else { voxels.check_rest(needed - HEADER_BYTES, Rest::of(rest))? };
     // Without the flag, FreeSurfer assumes coronal slices of 1 mm around the origin.

@@ -2,11 +2,11 @@
 //!
 //! Source: the description of the format in the repository of Surf Ice. Colors, scalars and further layers are skipped.
 
+use super::budget::Budget;
 use super::element::{ByteOrder, Element};
-use super::polygons::{MeshFile, Polygons};
+use super::polygons::{MeshFile, Polygons, points_of};
 use super::text::Scanner;
 use super::{FormatError, ReadLimits};
-use nalgebra::Point3;
 
 const HEADER_BYTES: usize = 16;
 const HAS_FACES: u16 = 1;
@@ -48,11 +48,12 @@ pub fn read_mz3(bytes: &[u8], limits: &ReadLimits) -> Result<MeshFile, FormatErr
     Polygons::check_faces(n_faces, limits)?;
     scanner.take(skip, 1, "what the MZ3 header says is skipped")?;
     let corners = scanner.take(n_faces.saturating_mul(3), 4, "the list of faces")?;
-    let points = Element::F32.reals(scanner.take(n_vertices * 3, 4, "the list of vertices")?, ByteOrder::Little);
+    let budget = Budget::of(limits);
+    let points = scanner.take(n_vertices * 3, 4, "the list of vertices")?;
+    let points = Element::F32.charged_reals(points, ByteOrder::Little, &budget)?;
     check_rest(attributes(bytes), n_vertices, scanner.remaining() as u64)?;
-    let vertices = points.chunks_exact(3).map(|p| Point3::new(p[0], p[1], p[2])).collect();
-    let mut polygons = Polygons::of(vertices);
-    for face in Element::I32.wholes(corners, ByteOrder::Little).chunks_exact(3) {
+    let mut polygons = Polygons::of(points_of(&points, &budget)?, &budget);
+    for face in Element::I32.charged_wholes(corners, ByteOrder::Little, &budget)?.chunks_exact(3) {
         polygons.push(face.iter().copied())?;
     }
     polygons.into_mesh()

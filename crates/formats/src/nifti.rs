@@ -6,6 +6,7 @@
 //! two of them that disagree, a note says which was taken and in what they differ ([`super::two_affines`]). (The `nifti` crate has these as well, but reads all voxels
 //! before the header can be checked; tests use it as an independent reader.)
 
+use super::budget::Budget;
 use super::element::{ByteOrder, Element, Voxels};
 use super::gzip::{inflate_prefix, unverified_prefix};
 use super::label_file::LabelFile;
@@ -48,11 +49,13 @@ pub fn read_nifti(bytes: &[u8], limits: &ReadLimits) -> Result<LabelFile, Format
     if needed > limit {
         return Err(FormatError::TooLarge { what: "bytes of voxels", found: needed, limit });
     }
-    let (plain, rest) = inflate_prefix(bytes, needed as usize, limits.max_inflated_bytes)?;
+    let budget = Budget::of(limits);
+    budget.grant_voxels(voxels.declared());
+    let (plain, rest) = inflate_prefix(bytes, needed as usize, limits.max_inflated_bytes, &budget)?;
     if (plain.len() as u64) < needed {
         return Err(FormatError::Truncated { part: "the voxel array", needed, available: plain.len() as u64 });
     }
-    let labels = voxels.labels(&plain[offset as usize..needed as usize])?;
+    let labels = voxels.labels(&plain[offset as usize..needed as usize], &budget)?;
     let mut file = LabelFile { space, ..LabelFile::unnamed(LabelVolume::new(voxels.dims, labels, affine)?) };
     file.notes.extend(unit.note());
     if let Some(Disagreement { note, sides }) = disagreement {
@@ -63,6 +66,11 @@ pub fn read_nifti(bytes: &[u8], limits: &ReadLimits) -> Result<LabelFile, Format
     }
     file.notes.extend(voxels.check_rest((needed - offset) as usize, rest)?);
     Ok(file)
+}
+
+/// Bytes of the voxels that a header declares; 0 if it is not valid.
+pub(super) fn declared(head: &[u8]) -> usize {
+    Header::parse(head).map_or(0, |header| header.voxels.stored())
 }
 
 /// The fields of the header that are used, validated.

@@ -6,6 +6,7 @@
 //! millimetres; a file without a space is taken as RAS. Axes of size 1 beyond the three of space may be anywhere. Segments of
 //! a `.seg.nrrd` may overlap: then they are in layers, an axis of the kind `list`.
 
+use super::budget::Budget;
 use super::element::{ByteOrder, Element, Rest, Voxels};
 use super::label_file::{LabelFile, Overlay};
 use super::text::{Scanner, real, words};
@@ -19,6 +20,9 @@ use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 /// Longest header that is looked at.
 const MAX_HEADER_LINES: usize = 100_000;
+/// Bytes that are held for each byte of a line of the header, and for the line.
+const LINE_BYTES_PER_BYTE: usize = 40;
+const LINE_BYTES: usize = 200;
 
 /// Whether these are the first bytes of a NRRD file.
 pub(super) fn is_nrrd(bytes: &[u8]) -> bool {
@@ -34,7 +38,8 @@ pub(super) fn is_nrrd(bytes: &[u8]) -> bool {
 /// Linear in the inflated size.
 pub fn read_nrrd(bytes: &[u8], limits: &ReadLimits) -> Result<LabelFile, FormatError> {
     let mut scanner = Scanner::new(bytes);
-    let header = Header::read(&mut scanner)?;
+    let budget = Budget::of(limits);
+    let header = Header::read(&mut scanner, &budget)?;
     let unsupported = |what, advice| Err(FormatError::Unsupported { what, advice });
     if header.has("data file") {
         let advice = "send header and voxels in one .nrrd file, for example with unu save -f nrrd";
@@ -49,6 +54,7 @@ pub fn read_nrrd(bytes: &[u8], limits: &ReadLimits) -> Result<LabelFile, FormatE
     let order = if header.get("endian").eq_ignore_ascii_case("big") { ByteOrder::Big } else { ByteOrder::Little };
     let voxels = Voxels::plain(grid.dims, element, order);
     let needed = voxels.bytes_needed(limits.max_inflated_bytes / grid.n_layers)? * grid.n_layers;
+    budget.grant_voxels(voxels.declared() * grid.n_layers);
     let mut stored = scanner.rest();
     for _ in 0..header.skip("line skip")?.max(0) {
         let Some(end) = stored.iter().position(|&byte| byte == b'\n') else {
@@ -67,41 +73,51 @@ pub fn read_nrrd(bytes: &[u8], limits: &ReadLimits) -> Result<LabelFile, FormatE
             return Err(FormatError::Truncated { part: "the voxel array", needed, available });
         }
         let mut text = Scanner::new(stored);
-        let labels = (0..n).map(|at| voxels.label(text.real("a voxel")?, at)).collect::<Result<_, _>>()?;
+        let labels = budget.collect((0..n).map(|at| voxels.label(text.real("a voxel")?, at)))?;
         notes.extend(text.check_end("voxels", n as u64, 1)?);
         Ok(labels)
     };
     let values = match header.get("encoding").to_ascii_lowercase().as_str() {
-        "raw" => labels(stored, byte_skip, needed, &voxels, &mut notes)?,
+        "raw" => labels(stored, byte_skip, needed, &voxels, &budget, &mut notes)?,
         "gzip" | "gz" => {
             // Some writers store a bare zlib stream; whatever else is there is damaged.
             let damaged = FormatError::Payload { format: "NRRD", line: None };
             let (plain, is_followed) = if gzip::is_gzip(stored) {
-                gzip::inflate_embedded(stored, limits.max_inflated_bytes)?
+                gzip::inflate_embedded(stored, limits.max_inflated_bytes, needed, &budget)?
             } else {
-                (inflate_up_to(stored, limits.max_inflated_bytes).ok_or(damaged)?, false)
+                (inflate_up_to(stored, limits.max_inflated_bytes, needed, &budget)?.ok_or(damaged)?, false)
             };
             if is_followed {
                 notes.push("bytes after the end of the compressed voxels were not read".to_owned());
             }
-            labels(&plain, byte_skip, needed, &voxels, &mut notes)?
+            labels(&plain, byte_skip, needed, &voxels, &budget, &mut notes)?
         }
         "hex" => {
+            budget.charge(4 * stored.len())?;
             let plain = hexadecimal(stored).ok_or_else(|| scanner.expected("pairs of hexadecimal digits"))?;
-            labels(&plain, byte_skip, needed, &voxels, &mut notes)?
+            labels(&plain, byte_skip, needed, &voxels, &budget, &mut notes)?
         }
         "ascii" | "text" | "txt" => text(stored, needed / element.size(), &mut notes)?,
         _ => return unsupported("this encoding of a NRRD file", "save it with the encoding raw or gzip"),
     };
     let segments = segments(&header, grid.n_layers);
     let (volume, names) = if grid.n_layers > 1 {
-        layered(&values, &grid, &segments)?
+        layered(&values, &grid, &segments, &budget)?
     } else {
         let names = segments.iter().map(|s| (s.value, s.name.clone())).filter(|(_, name)| !name.is_empty()).collect();
         (LabelVolume::new(grid.dims, values, grid.affine)?, names)
     };
     notes.splice(0..0, grid.notes);
     Ok(LabelFile { volume, space: grid.space, names, notes, warnings: Vec::new() })
+}
+
+/// Bytes of the voxels that a header declares; 0 if it is not valid.
+pub(super) fn declared(head: &[u8]) -> usize {
+    let mut scanner = Scanner::new(head);
+    let Ok(header) = Header::read(&mut scanner, &Budget::new(2 * super::HEAD_BYTES)) else { return 0 };
+    let Ok(element) = element(header.get("type")) else { return 0 };
+    let Ok(grid) = Grid::new(&header) else { return 0 };
+    Voxels::plain(grid.dims, element, ByteOrder::Little).stored().saturating_mul(grid.n_layers)
 }
 
 /// The voxels among what is stored: after the bytes to skip or, if these are negative, at the end, before as many bytes as they
@@ -111,6 +127,7 @@ fn labels(
     byte_skip: i64,
     needed: usize,
     voxels: &Voxels,
+    budget: &Budget,
     notes: &mut Vec<String>,
 ) -> Result<Vec<u32>, FormatError> {
     let truncated = |available: usize| FormatError::Truncated {
@@ -129,7 +146,7 @@ fn labels(
     if byte_skip >= 0 {
         notes.extend(voxels.check_rest(needed, Rest::of(rest))?);
     }
-    voxels.labels(raw)
+    voxels.labels(raw, budget)
 }
 
 fn hexadecimal(text: &[u8]) -> Option<Vec<u8>> {
@@ -175,7 +192,7 @@ struct Header {
 }
 
 impl Header {
-    fn read(scanner: &mut Scanner<'_>) -> Result<Self, FormatError> {
+    fn read(scanner: &mut Scanner<'_>, budget: &Budget) -> Result<Self, FormatError> {
         scanner.line();
         let mut header = Header { fields: HashMap::new(), pairs: BTreeMap::new(), has_end: false };
         for _ in 0..MAX_HEADER_LINES {
@@ -184,6 +201,8 @@ impl Header {
                 header.has_end = true;
                 return Ok(header);
             }
+            // Names and values are kept, and lists of numbers and words made of them.
+            budget.charge(line.len().saturating_mul(LINE_BYTES_PER_BYTE) + LINE_BYTES)?;
             let text = String::from_utf8_lossy(line);
             if text.starts_with('#') {
                 continue;
@@ -444,6 +463,7 @@ fn layered(
     values: &[u32],
     grid: &Grid,
     segments: &[Segment],
+    budget: &Budget,
 ) -> Result<(LabelVolume, BTreeMap<u32, String>), FormatError> {
     let different = segments.iter().map(|s| s.value).collect::<BTreeSet<_>>().len() == segments.len();
     let mut label_of = HashMap::new();
@@ -456,7 +476,7 @@ fn layered(
         }
     }
     let n = grid.dims.iter().product::<usize>();
-    let mut overlay = Overlay::new(n);
+    let mut overlay = Overlay::new(n, budget)?;
     for layer in 0..grid.n_layers {
         for at in 0..n {
             let value = values[if grid.layers_first { at * grid.n_layers + layer } else { layer * n + at }];

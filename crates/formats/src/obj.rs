@@ -4,6 +4,7 @@
 //! backwards if negative. A comment begins with `#` and may follow a statement. Statements that are not known are skipped, as
 //! other readers do. A unit that a comment states is applied. (MNI `.obj` files are another format under the same ending.)
 
+use super::budget::Budget;
 use super::polygons::{MeshFile, Polygons};
 use super::text::{Scanner, real, whole, words};
 use super::{FormatError, ReadLimits, units};
@@ -78,7 +79,8 @@ pub(super) fn is_obj(bytes: &[u8]) -> bool {
 /// Linear in the file's length.
 pub fn read_obj(bytes: &[u8], limits: &ReadLimits) -> Result<MeshFile, FormatError> {
     let mut scanner = Scanner::new(bytes);
-    let mut polygons = Polygons::default();
+    let budget = Budget::of(limits);
+    let mut polygons = Polygons::new(&budget);
     let mut faces: Vec<i64> = Vec::new();
     let mut ends = Vec::new();
     let mut joined = Vec::new();
@@ -88,13 +90,13 @@ pub fn read_obj(bytes: &[u8], limits: &ReadLimits) -> Result<MeshFile, FormatErr
         let mut line = line;
         // A line that ends in a backslash goes on in the next.
         while let Some(part) = line.strip_suffix(b"\\") {
-            joined.extend_from_slice(part);
-            joined.push(b' ');
+            budget.extend(&mut joined, part)?;
+            budget.push(&mut joined, b' ')?;
             line = scanner.text_line().unwrap_or_default();
         }
-        joined.extend_from_slice(line);
+        budget.extend(&mut joined, line)?;
         if joined.starts_with(b"#") {
-            unit = unit.or_else(|| units::stated(&String::from_utf8_lossy(&joined)));
+            unit = unit.or_else(|| units::stated_in(&joined));
             continue;
         }
         let statement = before_comment(&joined);
@@ -105,7 +107,7 @@ pub fn read_obj(bytes: &[u8], limits: &ReadLimits) -> Result<MeshFile, FormatErr
                 for c in p.iter_mut() {
                     *c = words.next().and_then(real).ok_or_else(|| scanner.expected_before("a coordinate"))?;
                 }
-                polygons.vertices.push(p);
+                polygons.vertex(p)?;
                 Polygons::check_count(polygons.vertices.len() as u64, limits)?;
             }
             Some(b"f") => {
@@ -114,7 +116,7 @@ pub fn read_obj(bytes: &[u8], limits: &ReadLimits) -> Result<MeshFile, FormatErr
                     let index = word.split(|&b| b == b'/').next().and_then(whole::<i64>).filter(|&index| index != 0);
                     let index = index.ok_or_else(|| scanner.expected_before("a vertex index other than 0"))?;
                     let n = polygons.vertices.len() as i64;
-                    faces.push(if index > 0 { index - 1 } else { n.saturating_add(index) });
+                    budget.push(&mut faces, if index > 0 { index - 1 } else { n.saturating_add(index) })?;
                 }
                 let n_corners = faces.len() - ends.last().copied().unwrap_or(0);
                 if n_corners < 3 && scanner.remaining() == 0 && !bytes.ends_with(b"\n") && !bytes.ends_with(b"\r") {
@@ -122,7 +124,7 @@ pub fn read_obj(bytes: &[u8], limits: &ReadLimits) -> Result<MeshFile, FormatErr
                         scanner.expected_before("a face of three corners or more: the file may have been cut off")
                     );
                 }
-                ends.push(faces.len());
+                budget.push(&mut ends, faces.len())?;
                 Polygons::check_faces(ends.len() as u64, limits)?;
             }
             _ => {}

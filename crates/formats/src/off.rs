@@ -3,6 +3,7 @@
 //! Source: Geomview manual, "OFF Files". The keyword is optional; comments begin with `#`; a vertex or a face is a line. Lines
 //! after the last face mean that the counts are wrong.
 
+use super::budget::Budget;
 use super::polygons::{MeshFile, Polygons};
 use super::text::{Scanner, real, whole, words};
 use super::{FormatError, ReadLimits, units};
@@ -61,7 +62,8 @@ pub fn read_off(bytes: &[u8], limits: &ReadLimits) -> Result<MeshFile, FormatErr
     let (n_vertices, n_faces) = counts.ok_or_else(|| scanner.expected_before("the counts of vertices and faces"))?;
     Polygons::check_count(n_vertices, limits)?;
     Polygons::check_faces(n_faces, limits)?;
-    let mut polygons = Polygons::default();
+    let budget = Budget::of(limits);
+    let mut polygons = Polygons::new(&budget);
     for found in 0..n_vertices {
         let mut p = Point3::origin();
         let Some(line) = significant(&mut scanner) else {
@@ -71,32 +73,38 @@ pub fn read_off(bytes: &[u8], limits: &ReadLimits) -> Result<MeshFile, FormatErr
         for c in p.iter_mut() {
             *c = coordinates.next().flatten().ok_or_else(|| scanner.expected_before("three coordinates"))?;
         }
-        polygons.vertices.push(p);
+        polygons.vertex(p)?;
     }
     for found in 0..n_faces {
         let Some(line) = significant(&mut scanner) else {
             return Err(FormatError::CountMismatch { what: "faces", stated: n_faces, found });
         };
+        // A digit and a blank for each corner, while the list of the line grows.
+        let n_bytes = 12 * line.len();
+        budget.charge(n_bytes)?;
         polygons.push(corners(line).ok_or_else(|| scanner.expected_before(FACE))?)?;
+        budget.release(n_bytes);
     }
     let mut file = polygons.into_mesh()?;
-    file.notes.extend(check_end(&mut scanner, n_faces)?);
+    file.notes.extend(check_end(&mut scanner, n_faces, &budget)?);
     let comments = bytes.split(|&byte| byte == b'\n').filter(|line| line.contains(&b'#'));
-    if let Some(unit) = comments.into_iter().find_map(|line| units::stated(&String::from_utf8_lossy(line))) {
+    if let Some(unit) = comments.into_iter().find_map(units::stated_in) {
         file.scale(unit)?;
     }
     Ok(file)
 }
 
 /// Holds what follows the last face against their number: further lines of faces mean that it is wrong. A note of other bytes.
-fn check_end(scanner: &mut Scanner<'_>, stated: u64) -> Result<Option<String>, FormatError> {
+fn check_end(scanner: &mut Scanner<'_>, stated: u64, budget: &Budget) -> Result<Option<String>, FormatError> {
     let rest = scanner.rest();
     let (mut n_more, mut is_other) = (0, false);
     while let Some(line) = significant(scanner) {
+        budget.charge(12 * line.len())?;
         match corners(line) {
             Some(_) => n_more += 1,
             None => is_other |= line.iter().any(|&byte| byte != 0),
         }
+        budget.release(12 * line.len());
     }
     if n_more > 0 {
         return Err(FormatError::CountMismatch { what: "faces", stated, found: stated + n_more });

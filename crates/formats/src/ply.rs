@@ -5,6 +5,7 @@
 //! where there are fewer lines than rows, values are taken word by word. What follows the last row is held against the counts:
 //! further rows mean that a count is wrong.
 
+use super::budget::Budget;
 use super::element::{ByteOrder, Element};
 use super::polygons::{MeshFile, Polygons, strip_triangles};
 use super::text::{Scanner, real, whole, words};
@@ -27,7 +28,8 @@ const MAX_HEADER_LINES: usize = 10_000;
 /// Linear in the file's length.
 pub fn read_ply(bytes: &[u8], limits: &ReadLimits) -> Result<MeshFile, FormatError> {
     let mut scanner = Scanner::new(bytes);
-    let header = Header::read(&mut scanner)?;
+    let budget = Budget::of(limits);
+    let header = Header::read(&mut scanner, &budget)?;
     header.check(scanner.remaining(), limits)?;
     let mut rows = match header.order {
         Some(order) => Rows::Binary(scanner, order),
@@ -36,12 +38,12 @@ pub fn read_ply(bytes: &[u8], limits: &ReadLimits) -> Result<MeshFile, FormatErr
     let mut content = Content::default();
     for element in &header.elements {
         for _ in 0..element.count {
-            rows.next(element, &mut content.row)?;
-            content.keep(element);
+            rows.next(element, &mut content.row, &budget)?;
+            content.keep(element, &budget)?;
         }
     }
-    let trailing = rows.check_end(&header, &content)?;
-    let mut polygons = Polygons::of(content.vertices);
+    let trailing = rows.check_end(&header, &content, &budget)?;
+    let mut polygons = Polygons::of(content.vertices, &budget);
     let (mut corners, mut start) = (content.corners.as_slice(), 0);
     for &(end, is_strip) in &content.ends {
         let (list, rest) = corners.split_at(end - start);
@@ -111,7 +113,7 @@ fn element_of_name(name: &[u8]) -> Option<Element> {
 }
 
 impl Header {
-    fn read(scanner: &mut Scanner<'_>) -> Result<Self, FormatError> {
+    fn read(scanner: &mut Scanner<'_>, budget: &Budget) -> Result<Self, FormatError> {
         // The line ends of old Macintosh programs; data may follow that begin with any byte.
         let end =
             if scanner.rest().get(3) == Some(&b'\r') && scanner.rest().get(4) != Some(&b'\n') { b'\r' } else { b'\n' };
@@ -120,6 +122,8 @@ impl Header {
         let mut has_format = false;
         for _ in 0..MAX_HEADER_LINES {
             let line = scanner.line_ended_by(end).ok_or_else(|| scanner.expected("end_header"))?;
+            // A comment is kept, a name is; an element and its list of properties take more than their line.
+            budget.charge(4 * line.len() + 512)?;
             let mut words = words(line);
             match words.next() {
                 None => {}
@@ -275,14 +279,15 @@ struct Content {
 }
 
 impl Content {
-    fn keep(&mut self, element: &ElementRows) {
+    fn keep(&mut self, element: &ElementRows, budget: &Budget) -> Result<(), FormatError> {
         match element.name.as_str() {
-            "vertex" => self.vertices.push(self.row.place.into()),
+            "vertex" => budget.push(&mut self.vertices, self.row.place.into()),
             "face" | "tristrips" => {
-                self.corners.append(&mut self.row.corners);
-                self.ends.push((self.corners.len(), element.name == "tristrips"));
+                budget.extend(&mut self.corners, &self.row.corners)?;
+                self.row.corners.clear();
+                budget.push(&mut self.ends, (self.corners.len(), element.name == "tristrips"))
             }
-            _ => {}
+            _ => Ok(()),
         }
     }
 }
@@ -307,15 +312,15 @@ impl<'a> Rows<'a> {
         if n_lines >= n_rows { Rows::Lines(scanner) } else { Rows::Words(scanner, n_rows - n_lines) }
     }
 
-    fn next(&mut self, element: &ElementRows, row: &mut Row) -> Result<(), FormatError> {
+    fn next(&mut self, element: &ElementRows, row: &mut Row, budget: &Budget) -> Result<(), FormatError> {
         row.corners.clear();
         match self {
-            Rows::Binary(scanner, order) => binary_row(scanner, *order, element, row),
+            Rows::Binary(scanner, order) => binary_row(scanner, *order, element, row, budget),
             Rows::Words(scanner, n_missing) => {
                 let (mut next, found) = (scanner.clone(), element.count.saturating_sub(*n_missing));
                 let mut word = || scanner.word();
                 let ended = || FormatError::CountMismatch { what: element.noun(), stated: element.count, found };
-                match text_row(&mut word, element, row) {
+                match text_row(&mut word, element, row, budget)? {
                     Some(()) => Ok(()),
                     None if next.word().is_none() || scanner.word().is_none() => Err(ended()),
                     None => Err(next.expected("the values of a row as the header states them")),
@@ -329,7 +334,8 @@ impl<'a> Rows<'a> {
                     }
                 };
                 let mut words = words(line);
-                let is_whole = text_row(&mut || words.next(), element, row).is_some() && words.next().is_none();
+                let is_read = text_row(&mut || words.next(), element, row, budget)?.is_some();
+                let is_whole = is_read && words.next().is_none();
                 let expected = "a row with as many values as the header states";
                 if is_whole { Ok(()) } else { Err(scanner.expected_before(expected)) }
             }
@@ -338,7 +344,7 @@ impl<'a> Rows<'a> {
 
     /// What follows the last row: nothing but blanks and zeros, further rows, which a count conceals, or something else, of
     /// which a note is returned.
-    fn check_end(mut self, header: &Header, content: &Content) -> Result<Option<String>, FormatError> {
+    fn check_end(mut self, header: &Header, content: &Content, budget: &Budget) -> Result<Option<String>, FormatError> {
         let rest = match &self {
             Rows::Binary(scanner, _) | Rows::Lines(scanner) | Rows::Words(scanner, _) => scanner.rest(),
         };
@@ -355,7 +361,7 @@ impl<'a> Rows<'a> {
             if rest.is_empty() || rest.iter().all(u8::is_ascii_whitespace) {
                 break n_more > 0;
             }
-            let is_row = self.next(last, &mut row).is_ok();
+            let is_row = self.next(last, &mut row, budget).is_ok();
             let fits = row.corners.iter().all(|&v| v < n_vertices) && row.place.iter().all(|c| c.is_finite());
             if !is_row || !fits {
                 break false;
@@ -375,6 +381,7 @@ fn binary_row(
     order: ByteOrder,
     element: &ElementRows,
     row: &mut Row,
+    budget: &Budget,
 ) -> Result<(), FormatError> {
     for column in &element.columns {
         let n = match column.length {
@@ -389,6 +396,7 @@ fn binary_row(
         match column.role {
             Role::Coordinate(k) => row.place[k] = column.element.real_of(raw, order),
             Role::Corners => {
+                budget.reserve(&mut row.corners, raw.len() / column.element.size())?;
                 row.corners.extend(raw.chunks_exact(column.element.size()).map(|b| column.element.whole_of(b, order)));
             }
             Role::Skipped => {}
@@ -397,25 +405,37 @@ fn binary_row(
     Ok(())
 }
 
-/// The values of a row from words; `None` if they are too few or not what they should be.
-fn text_row<'w>(word: &mut dyn FnMut() -> Option<&'w [u8]>, element: &ElementRows, row: &mut Row) -> Option<()> {
+/// The values of a row from words; `Ok(None)` if they are too few or not what they should be.
+fn text_row<'w>(
+    word: &mut dyn FnMut() -> Option<&'w [u8]>,
+    element: &ElementRows,
+    row: &mut Row,
+    budget: &Budget,
+) -> Result<Option<()>, FormatError> {
     for column in &element.columns {
         let n = match column.length {
             None => 1,
-            Some(_) => whole::<u64>(word()?)?,
+            Some(_) => match word().and_then(whole::<u64>) {
+                Some(n) => n,
+                None => return Ok(None),
+            },
         };
         for _ in 0..n {
-            let word = word()?;
-            match column.role {
-                Role::Coordinate(k) => row.place[k] = real(word)?,
-                Role::Corners => row.corners.push(whole(word)?),
-                Role::Skipped => {
-                    real(word)?;
-                }
+            let Some(word) = word() else { return Ok(None) };
+            let is_read = match column.role {
+                Role::Coordinate(k) => real(word).map(|value| row.place[k] = value).is_some(),
+                Role::Corners => match whole(word) {
+                    Some(corner) => budget.push(&mut row.corners, corner).map(|()| true)?,
+                    None => false,
+                },
+                Role::Skipped => real(word).is_some(),
+            };
+            if !is_read {
+                return Ok(None);
             }
         }
     }
-    Some(())
+    Ok(Some(()))
 }
 
 /// A binary little-endian PLY file, positions in double precision. Reading it back gives the same mesh to the bit.

@@ -1,5 +1,6 @@
 //! From the polygons of a file to a triangle or quad mesh.
 
+use super::budget::Budget;
 use super::units::Unit;
 use super::{FormatError, ReadLimits};
 use homolog_contract::input::InputSpace;
@@ -46,17 +47,37 @@ impl MeshFile {
 }
 
 /// Vertices and polygons of any number of corners.
-#[derive(Debug, Default)]
-pub(super) struct Polygons {
+#[derive(Debug)]
+pub(super) struct Polygons<'b> {
     pub(super) vertices: Vec<Point3<f64>>,
     corners: Vec<u32>,
     ends: Vec<usize>,
+    budget: &'b Budget,
 }
 
-impl Polygons {
+/// The vertices whose coordinates these are.
+pub(super) fn points_of(numbers: &[f64], budget: &Budget) -> Result<Vec<Point3<f64>>, FormatError> {
+    budget.charge_of::<f64>(numbers.len())?;
+    Ok(numbers.chunks_exact(3).map(|p| Point3::new(p[0], p[1], p[2])).collect())
+}
+
+impl<'b> Polygons<'b> {
+    /// No vertices and no polygons.
+    pub(super) fn new(budget: &'b Budget) -> Self {
+        Polygons::of(Vec::new(), budget)
+    }
+
     /// No polygons over these vertices.
-    pub(super) fn of(vertices: Vec<Point3<f64>>) -> Self {
-        Polygons { vertices, ..Polygons::default() }
+    pub(super) fn of(vertices: Vec<Point3<f64>>, budget: &'b Budget) -> Self {
+        Polygons { vertices, corners: Vec::new(), ends: Vec::new(), budget }
+    }
+
+    /// Adds a vertex.
+    ///
+    /// # Errors
+    /// `TooLarge` beyond the budget.
+    pub(super) fn vertex(&mut self, place: Point3<f64>) -> Result<(), FormatError> {
+        self.budget.push(&mut self.vertices, place)
     }
 
     /// Rejects more vertices than the limit allows, before they are read.
@@ -92,7 +113,7 @@ impl Polygons {
     /// Adds a face; its vertices must have been added before.
     ///
     /// # Errors
-    /// A corner that refers to no vertex.
+    /// A corner that refers to no vertex; `TooLarge` beyond the budget.
     pub(super) fn push(&mut self, face: impl IntoIterator<Item = i64>) -> Result<(), FormatError> {
         let n_vertices = self.vertices.len();
         for vertex in face {
@@ -103,10 +124,9 @@ impl Polygons {
             if vertex as u64 >= n_vertices as u64 {
                 return Err(MeshError::IndexOutOfRange { face, vertex: vertex as u64, n_vertices }.into());
             }
-            self.corners.push(vertex as u32);
+            self.budget.push(&mut self.corners, vertex as u32)?;
         }
-        self.ends.push(self.corners.len());
-        Ok(())
+        self.budget.push(&mut self.ends, self.corners.len())
     }
 
     fn faces(&self) -> impl Iterator<Item = &[u32]> {
@@ -117,12 +137,16 @@ impl Polygons {
     /// A quad mesh if every face is a quad; else triangles, larger polygons split into fans from their first corner.
     ///
     /// # Errors
-    /// [`MeshError`] if nothing is left or a coordinate is not finite.
+    /// [`MeshError`] if nothing is left or a coordinate is not finite; `TooLarge` beyond the budget.
     pub(super) fn into_mesh(mut self) -> Result<MeshFile, FormatError> {
         let notes: Vec<String> = self.place_unused().into_iter().collect();
         let all_quads = self.faces().all(|f| f.len() == 4);
         let arity = if all_quads { FaceArity::Quad } else { FaceArity::Triangle };
-        let mut indices = Vec::with_capacity(self.corners.len());
+        let n_indices: usize = self.faces().map(|f| if all_quads { 4 } else { 3 * f.len().saturating_sub(2) }).sum();
+        let largest = self.faces().map(<[u32]>::len).max().unwrap_or(0);
+        // The faces of the mesh, and the corners of the largest one in order.
+        self.budget.charge_of::<u32>(n_indices + largest)?;
+        let mut indices = Vec::with_capacity(n_indices);
         let (mut first_degenerate, mut n_degenerate) = (None, 0);
         for (at, face) in self.faces().enumerate() {
             // Fewer than three corners enclose nothing: VTK writes such "polygons" for points and lines.
@@ -146,6 +170,11 @@ impl Polygons {
                 }
             }
         }
+        self.budget.release(size_of::<u32>() * self.corners.capacity() + size_of::<usize>() * self.ends.capacity());
+        drop((self.corners, self.ends));
+        // A copy in other units, or in RAS.
+        self.budget.charge_of::<u32>(indices.len())?;
+        self.budget.charge_of::<Point3<f64>>(self.vertices.len())?;
         let mesh = SurfaceMesh::new(self.vertices, arity, indices)?;
         Ok(MeshFile { mesh, first_degenerate, n_degenerate, welded: false, space: InputSpace::Unknown, notes })
     }

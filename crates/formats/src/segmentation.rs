@@ -3,6 +3,7 @@
 //!
 //! Source: DICOM PS3.3, sections A.51 (Segmentation) and C.8.20, C.7.6.16 (functional groups) and C.7.6.17 (dimensions).
 
+use super::budget::{self, Budget};
 use super::dicom::{SOP_CLASS, SOP_INSTANCE, is_dicom, read_file};
 use super::dicom_file::{
     Elements, FRAME_OF_REFERENCE, SERIES, Study, add_study, decimal, file, frame_of_reference, uid_of,
@@ -69,7 +70,8 @@ pub fn write_segmentation(
     let mut sets = [None, None];
     for ((set, bytes), inflated) in sets.iter_mut().zip(&plain).zip([&mut first, &mut second]) {
         if is_dicom(bytes) {
-            *set = Some(read_file(bytes, inflated, files.max_inflated_bytes)?.0);
+            let budget = Budget::new(budget::for_file(bytes.len()));
+            *set = Some(read_file(bytes, inflated, &limits, &budget)?.0);
         }
     }
     let [own, other] = &sets;
@@ -414,7 +416,7 @@ mod tests {
         let ball = ellipsoid(Vector3::repeat(4.0), 3);
         let read = |bytes: &[u8]| {
             let mut inflated = Vec::new();
-            let (set, _) = read_file(bytes, &mut inflated, 1 << 20).unwrap();
+            let (set, _) = read_file(bytes, &mut inflated, &ReadLimits::default(), &Budget::new(1 << 20)).unwrap();
             [0x0010_0010, 0x0020_000d, FRAME_OF_REFERENCE, 0x0008_0060].map(|tag| set.text(tag))
         };
         let of_own = read(&segmented(&ball, &patient(), b"ply").unwrap());

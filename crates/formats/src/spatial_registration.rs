@@ -9,6 +9,7 @@
 //! for it, or one named by its content: the same template has the same one.
 //! Equal inputs give an object with the same UID.
 
+use super::budget::{self, Budget};
 use super::dicom::{DataSet, SOP_CLASS, SOP_INSTANCE, is_dicom, read_file};
 use super::dicom_file::{
     Elements, FRAME_OF_REFERENCE, SERIES, STUDY, Study, add_study, decimal, file, frame_of_reference, uid_of,
@@ -49,8 +50,8 @@ pub fn write_spatial_registration(
     let plain = [archive::dicom_or_plain(files.source, &limits)?, archive::dicom_or_plain(files.target, &limits)?];
     let mut inflated = [Vec::new(), Vec::new()];
     let [of_source, of_target] = &mut inflated;
-    let source = data_set(&plain[0], of_source, limit)?;
-    let target = data_set(&plain[1], of_target, limit)?;
+    let source = data_set(&plain[0], of_source, &limits)?;
+    let target = data_set(&plain[1], of_target, &limits)?;
     let of_input = source.as_ref().or(target.as_ref()).map(Study::Of);
     let Some(study) = of_input.or_else(|| files.study_uid.map(Study::Named)) else { return Ok(None) };
     let frames = [
@@ -101,8 +102,13 @@ pub fn write_spatial_registration(
 }
 
 /// The data set of a DICOM file; `None` if it is no such file.
-fn data_set<'a>(bytes: &'a [u8], inflated: &'a mut Vec<u8>, limit: usize) -> Result<Option<DataSet<'a>>, FormatError> {
-    if is_dicom(bytes) { read_file(bytes, inflated, limit).map(|(set, _)| Some(set)) } else { Ok(None) }
+fn data_set<'a>(
+    bytes: &'a [u8],
+    inflated: &'a mut Vec<u8>,
+    limits: &ReadLimits,
+) -> Result<Option<DataSet<'a>>, FormatError> {
+    let budget = Budget::new(budget::for_file(bytes.len()));
+    if is_dicom(bytes) { read_file(bytes, inflated, limits, &budget).map(|(set, _)| Some(set)) } else { Ok(None) }
 }
 
 /// `F · M · F` with `F = diag(−1, −1, 1, 1)`: the same map in LPS.
@@ -216,7 +222,7 @@ mod tests {
         let bytes = written(&source, &target).unwrap();
         assert_eq!(written(&source, &target).unwrap(), bytes, "equal inputs give equal bytes");
         let mut inflated = Vec::new();
-        let set = read_file(&bytes, &mut inflated, 1 << 20).unwrap().0;
+        let set = read_file(&bytes, &mut inflated, &ReadLimits::default(), &Budget::new(1 << 20)).unwrap().0;
         assert_eq!((set.text(0x0010_0010).as_str(), set.text(STUDY).as_str()), ("Doe^Jane", "1.2.3"));
         assert_eq!((set.text(SOP_CLASS).as_str(), set.text(FRAME_OF_REFERENCE).as_str()), (CLASS, "1.2.6"));
         assert_eq!((set.text(0x0008_0023).as_str(), set.text(0x0008_0033).as_str()), ("20261122", "201500"));
@@ -236,7 +242,10 @@ mod tests {
         let frame = |template: &[u8]| {
             let bytes = written(&source, template).unwrap();
             let mut inflated = Vec::new();
-            read_file(&bytes, &mut inflated, 1 << 20).unwrap().0.text(FRAME_OF_REFERENCE)
+            read_file(&bytes, &mut inflated, &ReadLimits::default(), &Budget::new(1 << 20))
+                .unwrap()
+                .0
+                .text(FRAME_OF_REFERENCE)
         };
         assert_eq!(frame(b"ply one"), frame(b"ply one"));
         assert_ne!(frame(b"ply one"), frame(b"ply two"));
@@ -248,7 +257,7 @@ mod tests {
     fn given_uids_name_the_study_and_frames_of_files_that_have_none() {
         let texts = |bytes: Option<Vec<u8>>| {
             let (bytes, mut inflated) = (bytes.unwrap(), Vec::new());
-            let set = read_file(&bytes, &mut inflated, 1 << 20).unwrap().0;
+            let set = read_file(&bytes, &mut inflated, &ReadLimits::default(), &Budget::new(1 << 20)).unwrap().0;
             let frames = [0, 1].map(|k| set.items(0x0070_0308)[k].text(FRAME_OF_REFERENCE));
             ([0x0010_0010, STUDY, SOP_INSTANCE].map(|tag| set.text(tag)), frames)
         };

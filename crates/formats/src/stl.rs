@@ -6,16 +6,22 @@
 //! leave it at 0. Where the count states more, or what follows the facets is neither facets nor a short rest, the file is
 //! refused. An ASCII file without `endsolid` is read only if its surface is closed: else it may have been cut off.
 
+use super::budget::Budget;
 use super::polygons::{MeshFile, Polygons};
 use super::text::Scanner;
-use super::{FormatError, ReadLimits, trailing_note, units};
+use super::units::{self, Unit};
+use super::{FormatError, ReadLimits, trailing_note};
 use homolog_mesh::SurfaceMesh;
 use homolog_mesh::repair::weld;
 use nalgebra::Point3;
+use std::hash::{DefaultHasher, Hasher as _};
 
 const TEXT_BYTES: usize = 80;
 const HEADER_BYTES: usize = 84;
 const FACET_BYTES: usize = 50;
+/// Bytes that joining takes for each corner and for each place of corners.
+const CORNER_BYTES: usize = 32;
+const PLACE_BYTES: usize = 240;
 /// As much of a file as is looked at to tell text from binary.
 const HEAD_BYTES: usize = 1024;
 
@@ -69,46 +75,103 @@ fn is_plausible(facet: &[u8]) -> bool {
 /// # Cost
 /// Linear in the file's length.
 pub fn read_stl(bytes: &[u8], limits: &ReadLimits) -> Result<MeshFile, FormatError> {
+    read_soup(bytes, limits)?.joined(limits)
+}
+
+/// What a file holds: three corners for each facet. It is many times smaller than a file of text, which need not be held while
+/// equal corners are joined.
+pub(super) struct Soup {
+    corners: Vec<Point3<f64>>,
+    notes: Vec<String>,
+    unit: Option<Unit>,
+    /// The number of lines of text that ends before its solid does.
+    cut_off_at: Option<usize>,
+}
+
+/// Reads the facets.
+///
+/// # Errors
+/// [`FormatError`].
+pub(super) fn read_soup(bytes: &[u8], limits: &ReadLimits) -> Result<Soup, FormatError> {
+    let budget = Budget::of(limits);
     let mut notes = Vec::new();
     let ascii = is_ascii(bytes);
-    let mut is_complete = true;
+    let mut cut_off_at = None;
     let corners = if ascii {
-        let (corners, ended) = ascii_corners(bytes, limits)?;
-        is_complete = ended;
+        let (corners, ended) = ascii_corners(bytes, limits, &budget)?;
+        let n_lines = || 1 + bytes.iter().filter(|&&byte| byte == b'\n').count();
+        cut_off_at = (!ended).then(n_lines);
         corners
     } else {
-        binary_corners(bytes, limits, &mut notes)?
+        binary_corners(bytes, limits, &budget, &mut notes)?
     };
     if let Some(vertex) = corners.iter().position(|p| !p.iter().all(|c| c.is_finite())) {
         return Err(homolog_mesh::MeshError::NonFinite { vertex }.into());
     }
-    let mut polygons = Polygons::of(corners);
-    for k in (0..polygons.vertices.len() as i64).step_by(3) {
-        polygons.push([k, k + 1, k + 2])?;
-    }
-    let mut file = polygons.into_mesh()?;
-    file.mesh = weld(&file.mesh)?.mesh;
-    file.welded = true;
-    Polygons::check_count(file.mesh.n_vertices() as u64, limits)?;
-    if !is_complete {
-        if file.mesh.boundary_vertices().is_some() {
-            let line = 1 + bytes.iter().filter(|&&byte| byte == b'\n').count();
-            return Err(FormatError::Syntax {
-                line,
-                expected: "endsolid: the file ends before it and its surface is open",
-            });
-        }
-        notes.push("the file ends without endsolid; its surface is closed".to_owned());
-    }
-    file.notes.extend(notes);
     let title = if ascii { bytes.split(|&b| b == b'\n').next() } else { bytes.get(..TEXT_BYTES) };
-    if let Some(unit) = title.and_then(|title| units::stated(&String::from_utf8_lossy(title).replace('\0', " "))) {
-        file.scale(unit)?;
-    }
-    Ok(file)
+    let unit = title.and_then(units::stated_in);
+    Ok(Soup { corners, notes, unit, cut_off_at })
 }
 
-fn binary_corners(bytes: &[u8], limits: &ReadLimits, notes: &mut Vec<String>) -> Result<Vec<Point3<f64>>, FormatError> {
+impl Soup {
+    /// The surface, with equal corners joined.
+    ///
+    /// # Errors
+    /// [`FormatError`].
+    pub(super) fn joined(self, limits: &ReadLimits) -> Result<MeshFile, FormatError> {
+        let Soup { corners, notes, unit, cut_off_at } = self;
+        let budget = Budget::of(limits);
+        budget.charge_of::<Point3<f64>>(corners.capacity())?;
+        let n_corners = corners.len();
+        let n_distinct = distinct(&corners, &budget)?;
+        let mut polygons = Polygons::of(corners, &budget);
+        for k in (0..n_corners as i64).step_by(3) {
+            polygons.push([k, k + 1, k + 2])?;
+        }
+        let mut file = polygons.into_mesh()?;
+        // Tables of corners and faces, and of places, while equal corners are joined.
+        budget.charge(n_corners * CORNER_BYTES + n_distinct * PLACE_BYTES)?;
+        file.mesh = weld(&file.mesh)?.mesh;
+        file.welded = true;
+        Polygons::check_count(file.mesh.n_vertices() as u64, limits)?;
+        if let Some(line) = cut_off_at {
+            if file.mesh.boundary_vertices().is_some() {
+                let expected = "endsolid: the file ends before it and its surface is open";
+                return Err(FormatError::Syntax { line, expected });
+            }
+            file.notes.push("the file ends without endsolid; its surface is closed".to_owned());
+        }
+        file.notes.extend(notes);
+        if let Some(unit) = unit {
+            file.scale(unit)?;
+        }
+        Ok(file)
+    }
+}
+
+/// How many of these places differ, but for places of one hash.
+fn distinct(corners: &[Point3<f64>], budget: &Budget) -> Result<usize, FormatError> {
+    budget.charge_of::<u64>(corners.len())?;
+    let mut hashes: Vec<u64> = corners
+        .iter()
+        .map(|p| {
+            let mut hasher = DefaultHasher::new();
+            p.iter().for_each(|c| hasher.write_u64(c.to_bits()));
+            hasher.finish()
+        })
+        .collect();
+    hashes.sort_unstable();
+    hashes.dedup();
+    budget.release(size_of::<u64>() * corners.len());
+    Ok(hashes.len())
+}
+
+fn binary_corners(
+    bytes: &[u8],
+    limits: &ReadLimits,
+    budget: &Budget,
+    notes: &mut Vec<String>,
+) -> Result<Vec<Point3<f64>>, FormatError> {
     let available = bytes.len() as u64;
     let stated =
         stated_facets(bytes).ok_or(FormatError::Truncated { part: "the STL header", needed: 84, available })?;
@@ -140,7 +203,10 @@ fn binary_corners(bytes: &[u8], limits: &ReadLimits, notes: &mut Vec<String>) ->
     };
     Polygons::check_faces(n, limits)?;
     let facets = facets[..n as usize * FACET_BYTES].chunks_exact(FACET_BYTES);
-    Ok(facets.flat_map(corners_of).collect())
+    let mut corners = Vec::new();
+    budget.reserve(&mut corners, 3 * n as usize)?;
+    corners.extend(facets.flat_map(corners_of));
+    Ok(corners)
 }
 
 /// A facet: normal, three corners, two bytes of attributes.
@@ -151,7 +217,7 @@ fn corners_of(facet: &[u8]) -> [Point3<f64>; 3] {
 }
 
 /// The corners of all facets, and whether the last solid has its end.
-fn ascii_corners(bytes: &[u8], limits: &ReadLimits) -> Result<(Vec<Point3<f64>>, bool), FormatError> {
+fn ascii_corners(bytes: &[u8], limits: &ReadLimits, budget: &Budget) -> Result<(Vec<Point3<f64>>, bool), FormatError> {
     let mut scanner = Scanner::new(super::text::without_preamble(bytes));
     let mut corners = Vec::new();
     let is_title = scanner.peek().is_some_and(|word| word.eq_ignore_ascii_case(b"solid"));
@@ -162,7 +228,7 @@ fn ascii_corners(bytes: &[u8], limits: &ReadLimits) -> Result<(Vec<Point3<f64>>,
     let (mut in_loop, mut is_open) = (None, true);
     while let Some(word) = scanner.word() {
         if word.eq_ignore_ascii_case(b"vertex") {
-            corner(&mut scanner, &mut corners)?;
+            budget.push(&mut corners, corner(&mut scanner)?)?;
             in_loop = in_loop.map(|n| n + 1);
         } else if word.eq_ignore_ascii_case(b"loop") {
             in_loop = Some(0);
@@ -185,13 +251,12 @@ fn ascii_corners(bytes: &[u8], limits: &ReadLimits) -> Result<(Vec<Point3<f64>>,
     Ok((corners, !is_open))
 }
 
-fn corner(scanner: &mut Scanner<'_>, corners: &mut Vec<Point3<f64>>) -> Result<(), FormatError> {
+fn corner(scanner: &mut Scanner<'_>) -> Result<Point3<f64>, FormatError> {
     let mut p = Point3::origin();
     for c in p.iter_mut() {
         *c = scanner.real("a coordinate")?;
     }
-    corners.push(p);
-    Ok(())
+    Ok(p)
 }
 
 /// A binary STL file, single precision; quads are split along their first diagonal.

@@ -82,10 +82,18 @@ fn word(text: &str) -> Word {
     }
 }
 
+/// The longest line that is searched for a unit, bytes.
+const MAX_LINE_BYTES: usize = 1000;
+
+/// [`stated`] of a line as it is in the file, of which no copy is made if it is long.
+pub(super) fn stated_in(line: &[u8]) -> Option<Unit> {
+    if line.len() > MAX_LINE_BYTES { None } else { stated(&String::from_utf8_lossy(line).replace('\0', " ")) }
+}
+
 /// The unit that a line of free text states; `None` if it states none.
 pub(super) fn stated(line: &str) -> Option<Unit> {
     // Most comments end here.
-    if !line.is_ascii() && !line.contains(['µ', 'μ']) || line.len() > 1000 {
+    if !line.is_ascii() && !line.contains(['µ', 'μ']) || line.len() > MAX_LINE_BYTES {
         return None;
     }
     let separators = |c: char| c.is_whitespace() || "=:,;()[]\"'#/".contains(c);

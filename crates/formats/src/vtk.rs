@@ -5,14 +5,14 @@
 //! and metadata are skipped, but for a unit of length that a field of strings, the metadata of the points (`UNITS_LABEL`) or
 //! the title states; reading ends at `POINT_DATA` or `CELL_DATA`, whose counts must be those of the points and cells.
 
+use super::budget::Budget;
 use super::element::{ByteOrder, Element};
-use super::polygons::{MeshFile, Polygons, strip_triangles};
+use super::polygons::{MeshFile, Polygons, points_of, strip_triangles};
 use super::text::{Scanner, real};
 use super::units::{self, Unit};
 use super::vertex_arrays::{VertexArray, VertexValues, fitting};
 use super::{FormatError, ReadLimits};
 use homolog_mesh::SurfaceMesh;
-use nalgebra::Point3;
 
 /// Reads a mesh. A file of quads alone gives a quad mesh; otherwise strips and polygons are split into triangles.
 ///
@@ -40,8 +40,10 @@ pub fn read_vtk(bytes: &[u8], limits: &ReadLimits) -> Result<MeshFile, FormatErr
             advice: "extract its surface and save that as POLYDATA",
         });
     }
-    let unit = units::stated(&String::from_utf8_lossy(title));
-    let mut reader = VtkReader { scanner, binary, polygons: Polygons::default(), n_cells: 0, unit, limits };
+    let unit = units::stated_in(title);
+    let budget = Budget::of(limits);
+    let polygons = Polygons::new(&budget);
+    let mut reader = VtkReader { scanner, binary, polygons, n_cells: 0, unit, limits, budget: &budget };
     let mut trailing = None;
     while let Some(keyword) = reader.scanner.word() {
         match keyword.to_ascii_uppercase().as_slice() {
@@ -108,11 +110,12 @@ fn element_of_name(name: &[u8]) -> Option<Element> {
 struct VtkReader<'a> {
     scanner: Scanner<'a>,
     binary: bool,
-    polygons: Polygons,
+    polygons: Polygons<'a>,
     /// Cells of all kinds.
     n_cells: u64,
     unit: Option<Unit>,
     limits: &'a ReadLimits,
+    budget: &'a Budget,
 }
 
 impl<'a> VtkReader<'a> {
@@ -148,28 +151,28 @@ impl<'a> VtkReader<'a> {
         Polygons::check_count(n, self.limits)?;
         self.check(n.saturating_mul(3), element, "the list of points")?;
         let numbers = self.reals(n * 3, element)?;
-        self.polygons.vertices = numbers.chunks_exact(3).map(|p| Point3::new(p[0], p[1], p[2])).collect();
+        self.polygons.vertices = points_of(&numbers, self.budget)?;
         Ok(())
     }
 
     fn reals(&mut self, n: u64, element: Element) -> Result<Vec<f64>, FormatError> {
         if !self.binary {
-            return (0..n).map(|_| self.scanner.real("a coordinate")).collect();
+            return self.budget.collect((0..n).map(|_| self.scanner.real("a coordinate")));
         }
         self.end_line();
         let raw = self.scanner.take(n, element.size(), "the list of points")?;
-        Ok(element.reals(raw, ByteOrder::Big))
+        element.charged_reals(raw, ByteOrder::Big, self.budget)
     }
 
     fn whole(&mut self, n: u64, element: Element) -> Result<Vec<i64>, FormatError> {
         Polygons::check_numbers(n, self.limits)?;
         self.check(n, element, "a list of cells")?;
         if !self.binary {
-            return (0..n).map(|_| self.scanner.number("a vertex index")).collect();
+            return self.budget.collect((0..n).map(|_| self.scanner.number("a vertex index")));
         }
         self.end_line();
         let raw = self.scanner.take(n, element.size(), "a list of cells")?;
-        Ok(element.wholes(raw, ByteOrder::Big))
+        element.charged_wholes(raw, ByteOrder::Big, self.budget)
     }
 
     fn cells(&mut self, kind: Cells) -> Result<(), FormatError> {

@@ -5,6 +5,7 @@
 //! it, is taken as the space of the coordinates, and a unit of length is applied that a field such as `Units` or the key
 //! `UNITS_LABEL` of the points names. The counts of each piece must be those of its arrays.
 
+use super::budget::Budget;
 use super::element::{ByteOrder, Element};
 use super::polygons::{MeshFile, Polygons, strip_triangles};
 use super::text::{real, words};
@@ -25,14 +26,15 @@ use nalgebra::Point3;
 /// Linear in the inflated size.
 pub fn read_vtp(bytes: &[u8], limits: &ReadLimits) -> Result<MeshFile, FormatError> {
     let mut xml = Xml::new(bytes, "VTP");
-    let mut file = VtpFile::default();
+    let budget = Budget::of(limits);
+    let mut file = VtpFile::new(&budget);
     let mut open: Vec<String> = Vec::new();
     while let Some(node) = xml.next()? {
         match node {
             Node::Start(tag) => {
                 match tag.name.as_str() {
                     "VTKFile" => file.header = Header::new(&tag)?,
-                    "Piece" => file.pieces.push(Piece::new(&tag)),
+                    "Piece" => budget.push(&mut file.pieces, Piece::new(&tag))?,
                     "InformationKey" => {
                         file.is_unit = tag.get("name") == "UNITS_LABEL" && open.iter().any(|name| name == "Points");
                     }
@@ -52,12 +54,12 @@ pub fn read_vtp(bytes: &[u8], limits: &ReadLimits) -> Result<MeshFile, FormatErr
             }
             Node::Text(text) => {
                 if file.is_unit && open.last().is_some_and(|name| name == "InformationKey") {
-                    file.unit_label.extend_from_slice(&text);
+                    budget.extend(&mut file.unit_label, &text)?;
                 }
                 if let Some(array) =
                     file.array.as_mut().filter(|_| open.last().is_some_and(|n| n == "DataArray" || n == "Array"))
                 {
-                    array.text.extend_from_slice(&text);
+                    budget.extend(&mut array.text, &text)?;
                 }
             }
             Node::End => {
@@ -107,7 +109,6 @@ impl Header {
     }
 }
 
-#[derive(Default)]
 struct VtpFile<'a> {
     header: Header,
     pieces: Vec<Piece>,
@@ -122,6 +123,7 @@ struct VtpFile<'a> {
     unit_label: Vec<u8>,
     /// Appended data, and whether they are base64.
     appended: Option<(&'a [u8], bool)>,
+    budget: &'a Budget,
 }
 
 #[derive(Default)]
@@ -205,7 +207,13 @@ impl StoredArray {
     }
 }
 
-impl VtpFile<'_> {
+impl<'a> VtpFile<'a> {
+    fn new(budget: &'a Budget) -> Self {
+        let (header, pieces, unit_label) = (Header::default(), Vec::new(), Vec::new());
+        let (array, space, unit, is_unit, appended) = (None, None, None, false, None);
+        VtpFile { header, pieces, array, space, unit, is_unit, unit_label, appended, budget }
+    }
+
     fn close_array(&mut self) {
         let Some(array) = self.array.take() else { return };
         let piece = self.pieces.last_mut();
@@ -222,7 +230,7 @@ impl VtpFile<'_> {
     fn mesh(&self, xml: &Xml<'_>, limits: &ReadLimits) -> Result<MeshFile, FormatError> {
         let total = self.pieces.iter().fold(0u64, |sum, piece| sum.saturating_add(piece.n_points));
         Polygons::check_count(total, limits)?;
-        let mut polygons = Polygons::default();
+        let mut polygons = Polygons::new(self.budget);
         for piece in &self.pieces {
             let first = polygons.vertices.len() as i64;
             let numbers = self.numbers(piece.points.as_ref(), xml, limits)?;
@@ -230,7 +238,7 @@ impl VtpFile<'_> {
                 let (what, found) = ("points of a piece", numbers.len() as u64 / 3);
                 return Err(FormatError::CountMismatch { what, stated: piece.n_points, found });
             }
-            polygons.vertices.extend(numbers.chunks_exact(3).map(|p| Point3::new(p[0], p[1], p[2])));
+            numbers.chunks_exact(3).try_for_each(|p| polygons.vertex(Point3::new(p[0], p[1], p[2])))?;
             for cell in self.cells(&piece.polygons, piece.n_cells[0], xml, limits)?.iter() {
                 polygons.push(cell.iter().map(|v| v.saturating_add(first)))?;
             }
@@ -294,8 +302,8 @@ impl VtpFile<'_> {
         let most = Polygons::most_numbers(limits);
         if array.storage == Storage::Ascii {
             let words = words(&array.text);
-            let numbers: Option<Vec<f64>> = words.take(most.saturating_add(1)).map(real).collect();
-            let numbers = numbers.ok_or_else(damaged)?;
+            let numbers = words.take(most.saturating_add(1)).map(|word| real(word).ok_or_else(damaged));
+            let numbers = self.budget.collect(numbers)?;
             Polygons::check_numbers(numbers.len() as u64, limits)?;
             return Ok(numbers);
         }
@@ -306,8 +314,8 @@ impl VtpFile<'_> {
             _ => (array.text.as_slice(), true),
         };
         let most_bytes = most.saturating_mul(element.size()).min(limits.max_inflated_bytes);
-        let raw = self.header.block(data, is_text, most_bytes).ok_or_else(damaged)?;
-        Ok(element.reals(&raw, self.header.order))
+        let raw = self.header.block(data, is_text, most_bytes, self.budget)?.ok_or_else(damaged)?;
+        element.charged_reals(&raw, self.header.order, self.budget)
     }
 }
 
@@ -325,49 +333,78 @@ impl Cells {
 }
 
 impl Header {
-    /// The data of an array: its lengths, then the data themselves. `None` if they are damaged.
-    fn block(self, data: &[u8], is_text: bool, limit: usize) -> Option<Vec<u8>> {
-        let trimmed = if is_text { data.trim_ascii_start() } else { data };
+    /// The data of an array: its lengths, then the data themselves. `Ok(None)` if they are damaged.
+    ///
+    /// # Errors
+    /// `TooLarge` beyond the budget.
+    fn block(self, data: &[u8], is_text: bool, limit: usize, budget: &Budget) -> Result<Option<Vec<u8>>, FormatError> {
+        let data = Data { bytes: if is_text { data.trim_ascii_start() } else { data }, is_text, budget };
         let size = self.lengths.size();
         if !self.compressed {
-            let head = piece(trimmed, 0, size, is_text)?;
-            let n = usize::try_from(*self.lengths.wholes(&head, self.order).first()?).ok()?;
-            return Some(piece(trimmed, 0, size.checked_add(n)?, is_text)?.split_off(size));
+            let Some(head) = data.piece(0, size)? else { return Ok(None) };
+            let n = self.lengths.wholes(&head, self.order).first().and_then(|&n| usize::try_from(n).ok());
+            let Some(n_bytes) = n.and_then(|n| size.checked_add(n)) else { return Ok(None) };
+            let Some(mut block) = data.piece(0, n_bytes)? else { return Ok(None) };
+            block.drain(..size);
+            return Ok(Some(block));
         }
         // Number of blocks, size of a block, size of the last block if it is smaller, then the compressed size of each.
-        let head = self.lengths.wholes(&piece(trimmed, 0, 3 * size, is_text)?, self.order);
-        let n_blocks = usize::try_from(head[0]).ok()?;
+        let Some(head) = data.piece(0, 3 * size)? else { return Ok(None) };
+        let head = self.lengths.wholes(&head, self.order);
         let [whole, last] = [head[1], head[2]].map(|n| usize::try_from(n).unwrap_or(usize::MAX));
-        let head_bytes = n_blocks.checked_add(3)?.checked_mul(size)?;
-        let sizes = piece(trimmed, 0, head_bytes, is_text)?.split_off(3 * size);
-        let sizes = self.lengths.wholes(&sizes, self.order);
+        let n_blocks = usize::try_from(head[0]).ok();
+        let head_bytes = n_blocks.and_then(|n| n.checked_add(3)?.checked_mul(size));
+        let Some((n_blocks, head_bytes)) = n_blocks.zip(head_bytes) else { return Ok(None) };
+        let Some(sizes) = data.piece(0, head_bytes)? else { return Ok(None) };
+        let sizes = self.lengths.charged_wholes(&sizes[3 * size..], self.order, budget)?;
         // Lengths and data are encoded one after the other, each with its own padding.
-        let begin = if is_text { encoded_bytes(head_bytes)? } else { head_bytes };
-        let stored = sizes.iter().try_fold(0usize, |sum, &n| sum.checked_add(usize::try_from(n).ok()?))?;
-        let blocks = piece(trimmed, begin, stored, is_text)?;
+        let begin = if is_text { encoded_bytes(head_bytes) } else { Some(head_bytes) };
+        let stored = sizes.iter().try_fold(0usize, |sum, &n| sum.checked_add(usize::try_from(n).ok()?));
+        let Some((begin, stored)) = begin.zip(stored) else { return Ok(None) };
+        let Some(blocks) = data.piece(begin, stored)? else { return Ok(None) };
         let (mut plain, mut rest) = (Vec::new(), blocks.as_slice());
         for (k, &n) in sizes.iter().enumerate() {
-            let (block, after) = rest.split_at_checked(n as usize)?;
+            let Some((block, after)) = rest.split_at_checked(n as usize) else { return Ok(None) };
             let expected = if k + 1 == n_blocks && last > 0 { last } else { whole };
-            if plain.len().checked_add(expected)? > limit {
-                return None;
+            if plain.len().saturating_add(expected) > limit {
+                return Ok(None);
             }
-            plain.extend(inflate(block, expected)?);
+            let Some(inflated) = inflate(block, expected, budget)? else { return Ok(None) };
+            budget.extend(&mut plain, &inflated)?;
+            budget.release(inflated.capacity());
             rest = after;
         }
-        Some(plain)
+        Ok(Some(plain))
     }
 }
 
-/// `n` bytes at a position, which counts characters where the data are text.
-fn piece(data: &[u8], at: usize, n: usize, is_text: bool) -> Option<Vec<u8>> {
-    if !is_text {
-        return Some(data.get(at..at.checked_add(n)?)?.to_vec());
+/// Data of arrays, as bytes or as their text.
+struct Data<'a> {
+    bytes: &'a [u8],
+    is_text: bool,
+    budget: &'a Budget,
+}
+
+impl Data<'_> {
+    /// `n` bytes at a position, which counts characters where the data are text. `Ok(None)` if they are not there.
+    ///
+    /// # Errors
+    /// `TooLarge` beyond the budget.
+    fn piece(&self, at: usize, n: usize) -> Result<Option<Vec<u8>>, FormatError> {
+        let length = if self.is_text { encoded_bytes(n) } else { Some(n) };
+        let found = length.and_then(|length| self.bytes.get(at..at.checked_add(length)?));
+        let Some(found) = found else { return Ok(None) };
+        if !self.is_text {
+            let mut plain = Vec::new();
+            self.budget.extend(&mut plain, found)?;
+            return Ok(Some(plain));
+        }
+        let decoded = base64(found, self.budget)?;
+        Ok(decoded.filter(|plain| plain.len() >= n).map(|mut plain| {
+            plain.truncate(n);
+            plain
+        }))
     }
-    let text = data.get(at..at.checked_add(encoded_bytes(n)?)?)?;
-    let mut plain = base64(text)?;
-    plain.truncate(n);
-    (plain.len() == n).then_some(plain)
 }
 
 /// Characters of `n` bytes in base64.

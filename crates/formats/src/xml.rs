@@ -1,6 +1,7 @@
 //! The elements of an XML file, one by one, and the binary data that XML formats hold: base64 and zlib.
 
 use super::FormatError;
+use super::budget::Budget;
 use super::gzip;
 use base64::Engine;
 use base64::alphabet;
@@ -17,6 +18,10 @@ const BASE64: GeneralPurpose = GeneralPurpose::new(
         .with_decode_padding_mode(DecodePaddingMode::Indifferent)
         .with_decode_allow_trailing_bits(true),
 );
+
+/// How deep elements may be nested, and the longest start tag: both are held while they are read.
+const MAX_DEPTH: usize = 256;
+const MAX_TAG_BYTES: usize = 1 << 16;
 
 /// A start tag, text, or an end tag. Comments, declarations and processing instructions are skipped.
 #[derive(Debug)]
@@ -59,26 +64,36 @@ pub(super) struct Xml<'a> {
     bytes: &'a [u8],
     reader: Reader<&'a [u8]>,
     format: &'static str,
+    depth: usize,
 }
 
 impl<'a> Xml<'a> {
     pub(super) fn new(bytes: &'a [u8], format: &'static str) -> Self {
         let mut reader = Reader::from_reader(bytes);
         reader.config_mut().expand_empty_elements = true;
-        Xml { bytes, reader, format }
+        Xml { bytes, reader, format, depth: 0 }
     }
 
     /// The next node; `None` at the end of the file.
     ///
     /// # Errors
-    /// `Payload` if this is no well-formed XML.
+    /// `Payload` if this is no well-formed XML, or nested deeper than any file of these formats.
     pub(super) fn next(&mut self) -> Result<Option<Node<'a>>, FormatError> {
         loop {
             return match self.reader.read_event() {
-                Ok(Event::Start(tag) | Event::Empty(tag)) => Ok(Some(Node::Start(Tag::new(&tag)))),
+                Ok(Event::Start(tag) | Event::Empty(tag)) => {
+                    self.depth += 1;
+                    if self.depth > MAX_DEPTH || tag.len() > MAX_TAG_BYTES {
+                        return Err(self.damaged());
+                    }
+                    Ok(Some(Node::Start(Tag::new(&tag))))
+                }
                 Ok(Event::Text(text)) => Ok(Some(Node::Text(text.into_inner()))),
                 Ok(Event::CData(text)) => Ok(Some(Node::Text(text.into_inner()))),
-                Ok(Event::End(_)) => Ok(Some(Node::End)),
+                Ok(Event::End(_)) => {
+                    self.depth = self.depth.saturating_sub(1);
+                    Ok(Some(Node::End))
+                }
                 Ok(Event::Eof) => Ok(None),
                 Ok(_) => continue,
                 Err(_) => Err(self.damaged()),
@@ -98,24 +113,68 @@ impl<'a> Xml<'a> {
     }
 }
 
-/// The bytes that base64 text means; blanks and line ends are skipped. `None` if it is no base64.
-pub(super) fn base64(text: &[u8]) -> Option<Vec<u8>> {
-    let dense: Vec<u8> = text.iter().copied().filter(|b| !b.is_ascii_whitespace()).collect();
-    BASE64.decode(dense).ok()
+/// The bytes that base64 text means; blanks and line ends are skipped. `Ok(None)` if it is no base64.
+///
+/// # Errors
+/// `TooLarge` beyond the budget.
+pub(super) fn base64(text: &[u8], budget: &Budget) -> Result<Option<Vec<u8>>, FormatError> {
+    budget.charge(2 * text.len())?;
+    let mut dense = Vec::with_capacity(text.len());
+    dense.extend(text.iter().copied().filter(|b| !b.is_ascii_whitespace()));
+    let decoded = BASE64.decode(dense).ok();
+    budget.release(text.len());
+    Ok(decoded)
 }
 
-/// The bytes of a zlib or gzip stream, of which there must be exactly `n_bytes`. `None` if it is damaged or its length
-/// differs. Memory grows with what is inflated, not with `n_bytes`.
-pub(super) fn inflate(stream: &[u8], n_bytes: usize) -> Option<Vec<u8>> {
-    inflate_up_to(stream, n_bytes).filter(|plain| plain.len() == n_bytes)
+/// The bytes of a zlib or gzip stream, of which there must be exactly `n_bytes`. `Ok(None)` if it is damaged or its length
+/// differs.
+///
+/// # Errors
+/// `TooLarge` beyond the budget.
+pub(super) fn inflate(stream: &[u8], n_bytes: usize, budget: &Budget) -> Result<Option<Vec<u8>>, FormatError> {
+    Ok(inflate_up_to(stream, n_bytes, n_bytes, budget)?.filter(|plain| plain.len() == n_bytes))
 }
 
-/// The bytes of a zlib or gzip stream, or the first of them: one more than `limit` at most. `None` if it is damaged.
-pub(super) fn inflate_up_to(stream: &[u8], limit: usize) -> Option<Vec<u8>> {
+/// The bytes of a zlib or gzip stream of which `expected` are used, or the first of them: one more than `limit` at most.
+/// `Ok(None)` if it is damaged.
+///
+/// # Errors
+/// `TooLarge` beyond the budget.
+pub(super) fn inflate_up_to(
+    stream: &[u8],
+    limit: usize,
+    expected: usize,
+    budget: &Budget,
+) -> Result<Option<Vec<u8>>, FormatError> {
     if gzip::is_gzip(stream) {
-        return Some(gzip::inflate(stream, limit).ok()?.into_owned());
+        return match gzip::inflate(stream, limit, budget) {
+            Ok(plain) => Ok(Some(plain.into_owned())),
+            Err(FormatError::TooLarge { what, found, limit: most }) if most != limit as u64 => {
+                Err(FormatError::TooLarge { what, found, limit: most })
+            }
+            Err(_) => Ok(None),
+        };
     }
-    let mut plain = Vec::new();
-    flate2::read::ZlibDecoder::new(stream).take(limit as u64 + 1).read_to_end(&mut plain).ok()?;
-    Some(plain)
+    let plain = budget.for_inflated(stream.len(), expected.saturating_add(1).min(limit.saturating_add(1)))?;
+    read_charged(flate2::read::ZlibDecoder::new(stream).take(limit as u64 + 1), plain, budget)
+}
+
+/// What a decoder gives, after what is there already. `Ok(None)` if it is damaged.
+///
+/// # Errors
+/// `TooLarge` beyond the budget.
+pub(super) fn read_charged(
+    mut decoder: impl Read,
+    mut plain: Vec<u8>,
+    budget: &Budget,
+) -> Result<Option<Vec<u8>>, FormatError> {
+    let mut buffer = vec![0u8; 1 << 16];
+    loop {
+        match decoder.read(&mut buffer) {
+            Ok(0) => return Ok(Some(plain)),
+            Ok(n) => budget.extend(&mut plain, &buffer[..n])?,
+            Err(error) if error.kind() == std::io::ErrorKind::Interrupted => {}
+            Err(_) => return Ok(None),
+        }
+    }
 }

@@ -17,6 +17,7 @@ use homolog_mesh::{SurfaceMesh, repair};
 use homolog_primitives::observe::{Observer, checkpoint};
 use homolog_run::intake::{IntakeLimits, prepare_surface};
 use serde::{Deserialize, Serialize};
+use std::collections::HashSet;
 
 /// A surface to which subjects are matched.
 #[derive(Debug, Clone, PartialEq)]
@@ -219,6 +220,7 @@ impl Study {
             (0..self.cohort.subjects.len()).map(|k| self.task(template, None, Some(k))).collect();
         let keys = tasks.iter().map(|task| task.key.clone()).collect();
         let cycles = self.cycles(template, &mut tasks);
+        let mut tasks = distinct(tasks);
         let n = tasks.len();
         tasks.retain(|task| !records.has(&task.key));
         if tasks.is_empty() {
@@ -246,9 +248,11 @@ impl Study {
         let (mut template, mut rounds) = (self.first.clone(), Vec::new());
         while rounds.len() < how.max_rounds.max(1) {
             let all: Vec<Task> = self.makers.iter().map(|&k| self.task(&template, None, Some(k))).collect();
-            let tasks: Vec<Task> = all.iter().filter(|task| !records.has(&task.key)).cloned().collect();
+            let mut tasks = distinct(all.clone());
+            let n = tasks.len();
+            tasks.retain(|task| !records.has(&task.key));
             if !tasks.is_empty() {
-                let finished = all.len() - tasks.len();
+                let finished = n - tasks.len();
                 let purpose = Purpose::Template(rounds.len() + 1);
                 return Ok(Err(Step::Match { purpose, template: Box::new(template), tasks, finished }));
             }
@@ -282,6 +286,13 @@ impl Study {
         let backward = (0..ring.len()).map(|k| add(Some(next(k)), Some(ring[k]))).collect();
         Cycles { ring, to_template, forward, backward }
     }
+}
+
+/// The tasks, each once: subjects whose files are equal share a record.
+fn distinct(mut tasks: Vec<Task>) -> Vec<Task> {
+    let mut seen = HashSet::new();
+    tasks.retain(|task| seen.insert(task.key.clone()));
+    tasks
 }
 
 /// The next template: the mean of the shapes of a round, in the place of the template. Shapes whose match failed or is

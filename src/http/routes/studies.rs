@@ -2,7 +2,7 @@
 
 use super::{page, small_json, study_id};
 use crate::http::auth::{Reader, Submitter};
-use crate::http::content::{Wanted, streamed, wanted};
+use crate::http::content::{Counted, Wanted, streamed, wanted};
 use crate::http::fields::Fields;
 use crate::http::preferences::{idempotency_key, marked, traceparent};
 use crate::http::problem::{FieldError, Problem, ProblemDocument};
@@ -10,7 +10,7 @@ use crate::http::problem_table::ProblemKind;
 use crate::http::query::QueryString;
 use crate::http::representation::PAGE_POLICY;
 use crate::http::router::{HttpState, IN_MEMORY};
-use crate::http::shares::Origin;
+use crate::http::shares::{Origin, Taken};
 use crate::http::study_wire::{
     AddedSubjectsDocument, DecisionDocument, StudyDocument, StudyListDocument, StudyResultDocument,
     StudySubjectDocument, StudySubmissionDocument,
@@ -18,11 +18,13 @@ use crate::http::study_wire::{
 use crate::http::submission::{SentDetails, check_details, media_type, read_json, study_input};
 use crate::http::upload::Tap;
 use crate::jobs::study_submission::{StudySubmission, SubmittedSubject};
-use crate::jobs::{Accepted, ArtifactKind, Study, Tenant};
+use crate::jobs::{Accepted, ArtifactKind, Study, StudyId, Tenant};
 use axum::Json;
+use axum::body::Body;
 use axum::extract::{Path, Request, State};
 use axum::http::{HeaderMap, HeaderValue, Method, StatusCode, header};
 use axum::response::{IntoResponse, Response};
+use bytes::Bytes;
 use serde::de::DeserializeOwned;
 
 /// Longest reason of a decision, bytes.
@@ -214,14 +216,32 @@ pub(crate) async fn list(
 pub(crate) async fn get(
     State(state): State<HttpState>,
     Reader(tenant): Reader,
+    origin: Origin,
     Path(id): Path<String>,
     query: QueryString,
-) -> Result<Json<StudyDocument>, Problem> {
+) -> Result<Response, Problem> {
     query.finish()?;
     let id = study_id(&id)?;
+    let memory = definition_memory(&state, &tenant, origin, id).await?;
     let study = state.service.study(&tenant, id).await?;
     let definition = state.service.study_definition(&tenant, id).await?;
-    Ok(Json(StudyDocument::of(&study, definition.as_ref())))
+    // Megabytes take a while, for which this thread has others to serve.
+    let written = tokio::task::spawn_blocking(move || {
+        serde_json::to_vec(&StudyDocument::of(&study, definition.as_ref())).map(Bytes::from)
+    });
+    let bytes = written.await.map_err(|join| Problem::internal(&join))?.map_err(|error| Problem::internal(&error))?;
+    let headers = [(header::CONTENT_TYPE, "application/json")];
+    Ok((headers, Body::new(Counted::new(bytes, memory))).into_response())
+}
+
+/// What a definition takes of memory for each byte that is stored of it: names, numbers and texts of covariates have places of their
+/// own, and a change holds it twice.
+const DEFINITION_MEMORY: u64 = 64;
+
+/// Memory for reading the definition of a study, taken before it is read.
+async fn definition_memory(state: &HttpState, tenant: &Tenant, origin: Origin, id: StudyId) -> Result<Taken, Problem> {
+    let n_bytes = state.service.study_definition_bytes(tenant, id).await?.saturating_mul(DEFINITION_MEMORY);
+    state.answer_memory(tenant, origin, usize::try_from(n_bytes).unwrap_or(usize::MAX)).await
 }
 
 /// Delete a study
@@ -298,6 +318,7 @@ pub(crate) async fn add_subjects(
     query: QueryString,
     request: Request,
 ) -> Result<Response, Problem> {
+    let origin = Origin::of(request.extensions());
     let (request, tap) = Tap::on(request, state.limits.max_body_bytes());
     let taken = async {
         query.finish()?;
@@ -308,6 +329,7 @@ pub(crate) async fn add_subjects(
             return Err(Problem::new(ProblemKind::InvalidRequest).errors(&[fault]));
         }
         let subjects = checked(subjects, &state, Vec::new())?;
+        let _memory = definition_memory(&state, &tenant, origin, id).await?;
         Ok(state.service.add_subjects(&tenant, id, subjects).await?)
     };
     let taken = taken.await;
@@ -335,6 +357,7 @@ pub(crate) async fn add_subjects(
 pub(crate) async fn decide(
     State(state): State<HttpState>,
     Submitter(tenant): Submitter,
+    origin: Origin,
     Path((id, subject)): Path<(String, String)>,
     query: QueryString,
     request: Request,
@@ -345,7 +368,9 @@ pub(crate) async fn decide(
         let fault = FieldError::new("/reason", "out_of_range", detail);
         return Err(Problem::new(ProblemKind::InvalidRequest).errors(&[fault]));
     }
-    let study = state.service.decide(&tenant, study_id(&id)?, &subject, Some((decision, reason))).await?;
+    let id = study_id(&id)?;
+    let _memory = definition_memory(&state, &tenant, origin, id).await?;
+    let study = state.service.decide(&tenant, id, &subject, Some((decision, reason))).await?;
     Ok(accepted(&study))
 }
 
@@ -365,11 +390,14 @@ pub(crate) async fn decide(
 pub(crate) async fn undecide(
     State(state): State<HttpState>,
     Submitter(tenant): Submitter,
+    origin: Origin,
     Path((id, subject)): Path<(String, String)>,
     query: QueryString,
 ) -> Result<Response, Problem> {
     query.finish()?;
-    Ok(accepted(&state.service.decide(&tenant, study_id(&id)?, &subject, None).await?))
+    let id = study_id(&id)?;
+    let _memory = definition_memory(&state, &tenant, origin, id).await?;
+    Ok(accepted(&state.service.decide(&tenant, id, &subject, None).await?))
 }
 
 /// Get the result of a study

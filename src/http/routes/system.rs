@@ -44,6 +44,9 @@ pub(crate) async fn readyz(State(state): State<HttpState>) -> Response {
         };
         dependencies.insert(name.to_owned(), word.to_owned());
     }
+    // No reason to send clients elsewhere: what is kept is kept longer, and no deadline counts.
+    let clock = if state.service.has_clock_jumped() { "jumped" } else { "ok" };
+    dependencies.insert("clock".to_owned(), clock.to_owned());
     if ready {
         return Json(ReadinessDocument { status: "ready".to_owned(), dependencies }).into_response();
     }

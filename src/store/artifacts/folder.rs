@@ -3,10 +3,11 @@
 //! A blob is written to a temporary file, flushed to disk and renamed into place, and the folders of its path are
 //! flushed too; so a blob under its final name is complete and survives a loss of power. Equal content is stored once.
 
+use super::NOT_THERE;
 use super::pieces::in_pieces;
 use super::sealed::StoredBlobs;
 use crate::jobs::{ArtifactKey, ArtifactStore, ArtifactWriter, BlobStream, JobError, Tenant};
-use crate::store::private_files;
+use crate::store::{private_files, reserve};
 use async_trait::async_trait;
 use bytes::Bytes;
 use std::fs::{self, File};
@@ -157,7 +158,9 @@ impl ArtifactStore for FolderArtifacts {
                 file.sync_data()
             });
             let _ = fs::remove_file(&temporary);
-            written
+            written?;
+            // Until there is room for it again, there is too little for submissions.
+            temporary.parent().and_then(Path::parent).map_or(Ok(()), reserve::keep)
         })
         .await
     }
@@ -230,6 +233,11 @@ impl ArtifactStore for FolderArtifacts {
 impl StoredBlobs for FolderArtifacts {
     async fn stored(&self, key: &ArtifactKey) -> Result<Bytes, JobError> {
         let path = self.path(key);
-        blocking(move || fs::read(path)).await.map(Bytes::from)
+        let read = blocking(move || match fs::read(path) {
+            Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(None),
+            read => read.map(Some),
+        });
+        let bytes = read.await?.ok_or(JobError::Corrupt { what: NOT_THERE, source: None })?;
+        Ok(Bytes::from(bytes))
     }
 }

@@ -4,6 +4,7 @@
 //! multipart upload and copied to its final name, inside the store, when its hash is known. An interrupted upload leaves
 //! parts that only the store sees: give the bucket a lifecycle rule that aborts incomplete multipart uploads.
 
+use super::NOT_THERE;
 use super::pieces::in_pieces;
 use super::sealed::StoredBlobs;
 use crate::jobs::{ArtifactKey, ArtifactStore, ArtifactWriter, BlobStream, JobError, Tenant};
@@ -85,9 +86,7 @@ impl S3Artifacts {
 
 fn domain_error(error: object_store::Error) -> JobError {
     match error {
-        object_store::Error::NotFound { .. } => {
-            JobError::Corrupt { what: "a blob that is not there", source: Some(Box::new(error)) }
-        }
+        object_store::Error::NotFound { .. } => JobError::Corrupt { what: NOT_THERE, source: Some(Box::new(error)) },
         // The error codes of S3-compatible servers when a quota or a disk is full.
         other
             if ["InsufficientStorage", "XMinioStorageFull", "QuotaExceeded", "status: 507"]

@@ -37,6 +37,7 @@ const SQLITE_MIGRATIONS: &[(i64, &str, &str)] = &[
     (7, "audit_anchor", include_str!("migrations/sqlite/0007_audit_anchor.sql")),
     (8, "tickets", include_str!("migrations/sqlite/0008_tickets.sql")),
     (9, "studies", include_str!("migrations/sqlite/0009_studies.sql")),
+    (10, "clock", include_str!("migrations/sqlite/0010_clock.sql")),
 ];
 /// Migrations of PostgreSQL, in the same form.
 const POSTGRES_MIGRATIONS: &[(i64, &str, &str)] = &[
@@ -48,6 +49,7 @@ const POSTGRES_MIGRATIONS: &[(i64, &str, &str)] = &[
     (6, "audit_anchor", include_str!("migrations/postgres/0006_audit_anchor.sql")),
     (7, "tickets", include_str!("migrations/postgres/0007_tickets.sql")),
     (8, "studies", include_str!("migrations/postgres/0008_studies.sql")),
+    (9, "clock", include_str!("migrations/postgres/0009_clock.sql")),
 ];
 
 /// Time limit for SQLite: for the write lock that another process holds, and for a free connection.
@@ -161,6 +163,16 @@ impl Database {
         // since.
         let begin = if matches!(link, Link::Sqlite(_)) { "BEGIN IMMEDIATE" } else { "BEGIN" };
         self.space().noted(in_transaction(link, begin, work).await)
+    }
+
+    /// Shares what is remembered of refused writes with another pool of connections.
+    pub(super) fn share_space(&mut self, of: &Database) {
+        let other = match of {
+            Database::Sqlite { space, .. } | Database::Postgres { space, .. } => Arc::clone(space),
+        };
+        match self {
+            Database::Sqlite { space, .. } | Database::Postgres { space, .. } => *space = other,
+        }
     }
 
     /// Whether the last writes found space.

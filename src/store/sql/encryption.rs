@@ -1,4 +1,5 @@
-//! Which key encrypts the blobs of this service, so that no process starts without it and stores blobs in clear.
+//! Which key encrypts the blobs of this service, so that no process starts without it and stores blobs in clear; and the mark by
+//! which a blob store is known to be that of this service.
 
 use super::database::bind;
 use super::dialect::sql;
@@ -22,6 +23,24 @@ impl SqlStore {
         let set =
             self.database.transaction(async |session| session.execute(sql!("set_encryption_key"), bind![id]).await);
         set.await.map(|_| ())
+    }
+
+    /// The mark that the blob store of this database holds; `None` before the first process has chosen one.
+    ///
+    /// # Errors
+    /// [`JobError::Unavailable`].
+    pub(crate) async fn blob_store_mark(&self) -> Result<Option<String>, JobError> {
+        self.database.reader().await?.value(sql!("blob_store_mark"), bind![]).await
+    }
+
+    /// Chooses the mark, unless there is one. Says whether it is this one.
+    ///
+    /// # Errors
+    /// [`JobError::Unavailable`].
+    pub(crate) async fn set_blob_store_mark(&self, mark: &str) -> Result<bool, JobError> {
+        let set =
+            self.database.transaction(async |session| session.execute(sql!("set_blob_store_mark"), bind![mark]).await);
+        Ok(set.await? == 1)
     }
 
     /// Whether a job, an upload or a process refers to a blob.

@@ -6,7 +6,7 @@ use super::dialect::sql;
 use super::writing::end_job;
 use super::{SqlStore, retention, rows};
 use crate::jobs::{
-    Failure, Housekeeping, JobError, JobId, JobState, Overdue, Purged, Recovered, Retentions, WorkerId,
+    ClockState, Failure, Housekeeping, JobError, JobId, JobState, Overdue, Purged, Recovered, Retentions, WorkerId,
     state_after_crash,
 };
 use async_trait::async_trait;
@@ -92,6 +92,18 @@ impl Housekeeping for SqlStore {
             self.note_deletion();
         }
         done
+    }
+
+    async fn check_clock(&self, trusted: bool) -> Result<ClockState, JobError> {
+        self.look_at_clock(trusted).await
+    }
+
+    async fn clock_was_set(&self) -> Result<bool, JobError> {
+        self.was_clock_set().await
+    }
+
+    fn clock_has_jumped(&self) -> bool {
+        self.has_clock_jumped()
     }
 
     async fn purge(&self, retention: &Retentions, limit: u32, dry_run: bool) -> Result<Purged, JobError> {

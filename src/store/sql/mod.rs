@@ -11,13 +11,14 @@
 //! Each port of [`crate::jobs`] is implemented in one file: [`reading`] ([`crate::jobs::JobReader`]), [`writing`]
 //! ([`crate::jobs::JobWriter`]), [`leasing`] ([`crate::jobs::JobQueue`]), [`blobs`] ([`crate::jobs::BlobHolds`]),
 //! [`housekeeping`] ([`crate::jobs::Housekeeping`]), [`meshes`], [`studies`], [`keys`], [`audit`], [`webhooks`]. Beside them: [`batches`],
-//! [`changes`] (the feed), [`once`] (idempotency keys), [`retention`], [`inspection`] (copies and checks of a whole database), [`encryption`] (which key
+//! [`changes`] (the feed), [`clock`] (whether it is believed), [`once`] (idempotency keys), [`retention`], [`inspection`] (copies and checks of a whole database), [`encryption`] (which key
 //! encrypts blobs), [`rows`] (from rows to records), [`driver_errors`].
 
 mod audit;
 mod batches;
 mod blobs;
 mod changes;
+mod clock;
 mod database;
 mod dialect;
 mod driver_errors;
@@ -54,6 +55,8 @@ pub struct SqlStore {
     settings: Arc<StoreSettings>,
     /// Something was deleted since the files of the database were last cleaned.
     has_deleted: Arc<AtomicBool>,
+    /// What is known of the clock of the database.
+    clock: Arc<clock::Clock>,
 }
 
 /// Blobs listed at once.
@@ -93,6 +96,7 @@ impl SqlStore {
             database: Database::open(location).await?,
             settings: Arc::default(),
             has_deleted: Arc::default(),
+            clock: Arc::default(),
         })
     }
 
@@ -100,6 +104,15 @@ impl SqlStore {
     #[must_use]
     pub fn with(mut self, settings: StoreSettings) -> Self {
         self.settings = Arc::new(settings);
+        self
+    }
+
+    /// The store with what another store of this process, with connections of its own, remembers of the database.
+    #[must_use]
+    pub(crate) fn beside(mut self, other: &SqlStore) -> Self {
+        self.database.share_space(&other.database);
+        self.clock = Arc::clone(&other.clock);
+        self.settings = Arc::clone(&other.settings);
         self
     }
 

@@ -28,7 +28,7 @@ impl JobReader for SqlStore {
         let mut session = self.database.reader().await?;
         let mut job = get_job(&mut session, tenant, id).await?;
         if job.state == JobState::Queued {
-            let position_key = bind![job.priority, job.created_at.as_millisecond(), id, tenant];
+            let position_key = bind![job.priority, id, tenant];
             let position: Option<i64> = session.value(sql!("queue_position"), position_key).await?;
             job.queue_position = position.map(i64::unsigned_abs);
         }

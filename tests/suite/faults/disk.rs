@@ -96,7 +96,7 @@ async fn all_of(client: &Client, acknowledged: &[String]) {
 #[tokio::test]
 #[ignore = "needs root, to mount a small disk"]
 async fn a15_sqlite() {
-    let disk = Disk::of_mib(16);
+    let disk = Disk::of_mib(32);
     let site = Site::open_on(Backend::Sqlite, disk.path(), disk.path());
     let node = site.serve(&["--workers", "1"]);
     let client = site.client(&node);
@@ -134,6 +134,39 @@ async fn a15_sqlite() {
     assert_eq!(database.n_results(&running).await, 1);
     let id = client.submit(steps(1, 1)).await;
     client.until_succeeded(&id, SOON).await;
+}
+
+/// Without any space the service starts and says why it takes nothing, and a purge frees what it can.
+#[tokio::test]
+#[ignore = "needs root, to mount a small disk"]
+async fn a15_a_service_and_a_purge_start_on_a_full_disk() {
+    let disk = Disk::of_mib(48);
+    let site = Site::open_on(Backend::Sqlite, disk.path(), disk.path());
+    let mut node = site.serve(&["--workers", "1"]);
+    let client = site.client(&node);
+    let id = client.submit(steps(1, 1)).await;
+    client.until_succeeded(&id, SOON).await;
+    assert_eq!(client.get("/readyz").await.unwrap().status(), 200);
+    let database = site.database().await;
+    database.execute("UPDATE jobs SET finished_at = finished_at - 864000000 WHERE finished_at IS NOT NULL").await;
+    drop(database);
+    node.kill();
+    disk.fill(0);
+    let mut node = site.serve(&["--workers", "1", "--retain-results-days", "30"]);
+    let client = site.client(&node);
+    let ready = client.get("/readyz").await.unwrap();
+    assert_eq!(ready.status(), 503);
+    assert_eq!(ready.json::<serde_json::Value>().await.unwrap()["dependencies"]["artifact_store"], "full");
+    assert_eq!(client.job(&id).await["state"], "succeeded", "what is there can be read");
+    disk.empty();
+    assert_eq!(client.get("/readyz").await.unwrap().status(), 200);
+    node.kill();
+    disk.fill(0);
+    let mut purge = crate::cli::homolog();
+    purge.args(["purge", "--retain-results-days", "5"]).arg("--data-dir").arg(site.data_dir());
+    let purged = purge.output().unwrap();
+    let text = String::from_utf8_lossy(&purged.stdout).into_owned() + &String::from_utf8_lossy(&purged.stderr);
+    assert!(purged.status.success() && text.contains("results of 1 jobs"), "{text}");
 }
 
 on_postgres!(needs "needs PostgreSQL, and root to mount a small disk":

@@ -1,6 +1,6 @@
 //! Fault injection: what the service guarantees when something breaks.
 //!
-//! The name of each test begins with its number, `a01` to `a23`, and ends with its backend: `sqlite` (with a folder of
+//! The name of each test begins with its number, `a01` to `a25`, and ends with its backend: `sqlite` (with a folder of
 //! blobs) or `postgres` (with an S3 server). `make test` runs them in a short form, `make faults` in full length. Those
 //! that need PostgreSQL, libfaketime or root are `#[ignore]`d; both commands run them if `scripts/test` finds what they
 //! need.
@@ -10,6 +10,7 @@
 //! together), and [`witness`] (an independent record of what the database accepted).
 
 pub(crate) mod client;
+mod clock;
 mod crashes;
 mod disk;
 mod endings;

@@ -88,6 +88,13 @@ impl Starting {
     }
 }
 
+/// The most memory that a process has had at a time so far, bytes.
+pub(super) fn peak_memory_bytes(process: u32) -> u64 {
+    let status = std::fs::read_to_string(format!("/proc/{process}/status")).unwrap();
+    let peak = status.lines().find_map(|line| line.strip_prefix("VmHWM:")).unwrap();
+    peak.trim().strip_suffix(" kB").unwrap().parse::<u64>().unwrap() << 10
+}
+
 impl Node {
     /// SIGKILL.
     pub(crate) fn kill(&mut self) {
@@ -129,9 +136,7 @@ impl Node {
 
     /// The most memory that it has had at a time so far, bytes.
     pub(crate) fn peak_memory_bytes(&self) -> u64 {
-        let status = std::fs::read_to_string(format!("/proc/{}/status", self.process.id())).unwrap();
-        let peak = status.lines().find_map(|line| line.strip_prefix("VmHWM:")).unwrap();
-        peak.trim().strip_suffix(" kB").unwrap().parse::<u64>().unwrap() << 10
+        peak_memory_bytes(self.process.id())
     }
 
     /// Its log so far.

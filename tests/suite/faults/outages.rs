@@ -213,7 +213,7 @@ async fn a07_without_notifications_a_job_runs_within_the_poll_interval(backend: 
 }
 
 /// Environment in which only the wall clock is wrong. The monotonic clock measures intervals and is never set back.
-fn wrong_clock(offset: &str) -> Option<Vec<(&'static str, String)>> {
+pub(super) fn wrong_clock(offset: &str) -> Option<Vec<(&'static str, String)>> {
     let mut libraries =
         std::fs::read_dir("/usr/lib").ok()?.flatten().map(|d| d.path().join("faketime/libfaketime.so.1"));
     let library = libraries.find(|path| path.exists())?;

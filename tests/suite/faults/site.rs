@@ -2,7 +2,7 @@
 //! to both for checks.
 
 use super::client::Client;
-use super::node::{Node, NotStarted, Starting};
+use super::node::{Node, NotStarted, Starting, peak_memory_bytes};
 use super::postgres::Cluster;
 use super::s3::S3Server;
 use super::witness::Database;
@@ -39,6 +39,11 @@ pub(crate) struct Program {
 }
 
 impl Program {
+    /// The most memory that it has had at a time so far, bytes.
+    pub(crate) fn peak_memory_bytes(&self) -> u64 {
+        peak_memory_bytes(self.process.id())
+    }
+
     /// Whether it runs.
     pub(crate) fn is_running(&mut self) -> bool {
         self.process.try_wait().unwrap().is_none()
@@ -187,7 +192,7 @@ impl Site {
         }
     }
 
-    /// The names of all stored blobs, sorted.
+    /// The names of all stored blobs, sorted, but for the mark of the store.
     pub(crate) fn blobs(&self) -> Vec<String> {
         let root = match &self.s3 {
             None => self.data_dir().join("blobs"),
@@ -204,7 +209,7 @@ fn names_under(folder: &Path, into: &mut Vec<String>) {
     for entry in std::fs::read_dir(folder).into_iter().flatten().flatten() {
         if entry.path().is_dir() {
             names_under(&entry.path(), into);
-        } else {
+        } else if !std::fs::read(entry.path()).is_ok_and(|bytes| bytes.starts_with(b"blob store of homolog ")) {
             into.push(entry.file_name().to_string_lossy().into_owned());
         }
     }

@@ -2,7 +2,7 @@
 //!
 //! A file for each kind: [`memory`] (bodies and downloads), [`slow`] (uploads and downloads that stall), [`hosts`] (web pages),
 //! [`metadata`] (labels and references), [`characters`] (NUL and long texts), [`receivers`] (webhooks), [`turns`] (queues), [`shares`] (requests, stored bytes and running jobs of a tenant),
-//! [`streams`] (event streams and probes), [`presence`] (requests whose process died), [`traces`] (what stays of patients), [`manners`] (small promises of the contract), [`mutations`] (requests with random damage).
+//! [`streams`] (event streams and probes), [`studies`] (definitions of studies, and probes beside them), [`presence`] (requests whose process died), [`traces`] (what stays of patients), [`manners`] (small promises of the contract), [`mutations`] (requests with random damage).
 
 mod characters;
 mod hosts;
@@ -15,5 +15,6 @@ mod receivers;
 mod shares;
 mod slow;
 mod streams;
+mod studies;
 mod traces;
 mod turns;

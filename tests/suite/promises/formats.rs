@@ -124,7 +124,10 @@ async fn methods_describe_their_parameters(backend: Backend) {
     problem(client.get("/v1/methods/none").await.unwrap(), 404, "method-not-found").await;
 
     assert_eq!(client.json("/healthz").await["status"], "alive");
-    assert_eq!(client.json("/readyz").await["dependencies"], json!({"job_store": "ok", "artifact_store": "ok"}));
+    assert_eq!(
+        client.json("/readyz").await["dependencies"],
+        json!({"job_store": "ok", "artifact_store": "ok", "clock": "ok"})
+    );
     assert_eq!(
         client.json("/openapi.json").await,
         serde_json::from_slice::<Value>(&std::fs::read("api/openapi.json").unwrap()).unwrap()

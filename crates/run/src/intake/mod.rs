@@ -188,7 +188,7 @@ fn read(
     let IntakeLimits { max_inflated_bytes, max_inflation, max_vertices, max_faces, .. } = *limits;
     // A mesh that will be simplified is bounded by its faces alone, of which it has about two for each vertex.
     let max_vertices = if parameters.max_vertices.is_some() { max_vertices.max(max_faces) } else { max_vertices };
-    let read_limits = ReadLimits { max_inflated_bytes, max_inflation, max_vertices };
+    let read_limits = ReadLimits { max_inflated_bytes, max_inflation, max_vertices, ..ReadLimits::default() };
     let InputParameters { fraction, apply_transform, labels, .. } = parameters;
     let options = ReadOptions { fraction: *fraction, apply_transform: *apply_transform, labels: labels.clone() };
     homolog_formats::read_with(bytes, file_name, &read_limits, &options).map_err(|error| match error {

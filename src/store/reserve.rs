@@ -1,0 +1,71 @@
+//! A file that is given up where a disk is full, so that a service can start and a purge can free space: deleting takes a little
+//! space itself, for the log of the database.
+
+use super::private_files;
+use std::fs;
+use std::io::{self, Write as _};
+use std::path::Path;
+
+/// The file in the data directory.
+const NAME: &str = "reserve";
+/// What becomes it, and what is written to find out whether there is room.
+const PART: &str = "reserve.part";
+const TRIAL: &str = "reserve.trial";
+/// Its size, bytes: the log of the database grows to half of that before it is written back.
+const N_BYTES: usize = 8 << 20;
+/// Bytes that are written to find out whether there is room.
+const TRIED_BYTES: usize = 256 << 10;
+
+fn write(folder: &Path, name: &str, n_bytes: usize) -> io::Result<()> {
+    let path = folder.join(name);
+    // Of a process that ended meanwhile.
+    let _ = fs::remove_file(&path);
+    let written = private_files::create_new(&path).and_then(|mut file| {
+        let block = vec![0xa5; 64 << 10];
+        for _ in 0..n_bytes / block.len() {
+            file.write_all(&block)?;
+        }
+        file.sync_data()
+    });
+    if written.is_err() {
+        let _ = fs::remove_file(&path);
+    }
+    written
+}
+
+/// Makes the file, unless it is there.
+///
+/// # Errors
+/// If there is no room for it.
+pub(in crate::store) fn keep(folder: &Path) -> io::Result<()> {
+    if fs::metadata(folder.join(NAME)).is_ok_and(|found| found.len() == N_BYTES as u64) {
+        return Ok(());
+    }
+    write(folder, PART, N_BYTES)?;
+    fs::rename(folder.join(PART), folder.join(NAME))
+}
+
+/// Removes the file if the disk is full. Says whether it did.
+pub(crate) fn give_up_if_full(folder: &Path) -> bool {
+    let tried = write(folder, TRIAL, TRIED_BYTES);
+    let is_full =
+        tried.is_err_and(|error| matches!(error.kind(), io::ErrorKind::StorageFull | io::ErrorKind::QuotaExceeded));
+    let _ = fs::remove_file(folder.join(TRIAL));
+    is_full && fs::remove_file(folder.join(NAME)).is_ok()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_file_is_kept_while_there_is_room() {
+        let folder = tempfile::tempdir().unwrap();
+        keep(folder.path()).unwrap();
+        keep(folder.path()).unwrap();
+        assert!(!give_up_if_full(folder.path()));
+        let names: Vec<_> = fs::read_dir(folder.path()).unwrap().map(|entry| entry.unwrap().file_name()).collect();
+        assert_eq!(names, [NAME]);
+        assert_eq!(fs::metadata(folder.path().join(NAME)).unwrap().len(), N_BYTES as u64);
+    }
+}

@@ -1,0 +1,2 @@
+-- blob_store_mark
+SELECT text FROM facts WHERE name = 'blob_store'

@@ -1,0 +1,2 @@
+-- clock
+SELECT {now} AS present, (SELECT number FROM facts WHERE name = 'clock') AS seen

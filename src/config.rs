@@ -82,7 +82,7 @@ pub struct ServiceSettings {
     #[arg(long, env = "HOMOLOG_PREPARED_BYTES", default_value_t = 256 << 20, value_name = "BYTES")]
     pub prepared_bytes: u64,
     /// Where computations run: in processes of their own, which can harm nothing else, or in threads of this one
-    #[arg(long, env = "HOMOLOG_ISOLATION", value_enum, default_value_t = Isolation::None)]
+    #[arg(long, env = "HOMOLOG_ISOLATION", value_enum, default_value_t = Isolation::Process)]
     pub isolation: Isolation,
     /// File with the key that seals the secrets of webhooks in the database, 64 hexadecimal digits, the same for all
     /// processes; default: secret.key in the data directory, which is created; with a database server: secrets are not sealed

@@ -57,8 +57,8 @@ fn computing(parent: u32) -> Vec<u32> {
 }
 
 /// A pair of phantom surfaces that are matched in a fraction of a second.
-fn small_pair(folder: &std::path::Path) -> [Vec<u8>; 2] {
-    let arguments = ["phantom", "--kind", "surface", "--edge", "2", "--rotate-seed", "4", "--out"];
+fn small_pair(folder: &std::path::Path, edge_mm: &str) -> [Vec<u8>; 2] {
+    let arguments = ["phantom", "--kind", "surface", "--edge", edge_mm, "--rotate-seed", "4", "--out"];
     assert!(super::cli::homolog().args(arguments).arg(folder).output().unwrap().status.success());
     ["source.ply", "target.ply"].map(|name| fs::read(folder.join(name)).unwrap())
 }
@@ -115,7 +115,7 @@ fn everything(server: &Server, id: &str) -> Vec<(String, Vec<u8>)> {
 #[test]
 fn a_match_has_the_same_bytes_isolated_and_in_threads() {
     let folder = tempfile::tempdir().unwrap();
-    let [source, target] = small_pair(&folder.path().join("pair"));
+    let [source, target] = small_pair(&folder.path().join("pair"), "2");
     let outcomes = ["process", "none"].map(|isolation| {
         let server = Server::start(&folder.path().join(isolation), &["--isolation", isolation]);
         assert_eq!(children(server.pid()).is_empty(), isolation == "none");
@@ -170,12 +170,13 @@ fn a_killed_child_takes_nothing_with_it_and_its_job_ends_right() {
         String::from_utf8(done.stdout).unwrap().split_whitespace().last().unwrap().to_owned()
     };
     let keys = [key("victim"), key("neighbor")];
-    let small = small_pair(&folder.path().join("small"));
+    let small = small_pair(&folder.path().join("small"), "3");
     let submit = |key: &str, parameters: &str| {
         let [source, target] = if parameters == SLOW { [&source, &target] } else { [&small[0], &small[1]] };
         let file = |bytes: &[u8]| Part::bytes(bytes.to_vec()).file_name("a.ply");
         let form = Form::new().part("source", file(source)).part("target", file(target));
-        let form = form.text("parameters", parameters.to_owned());
+        // Computed again each time, though everything is equal.
+        let form = form.text("parameters", parameters.to_owned()).text("use_cache", "false");
         let request = server.client.post(format!("{}/v1/jobs", server.base)).bearer_auth(key).multipart(form);
         request.send().unwrap().json::<Value>().unwrap()["id"].as_str().unwrap().to_owned()
     };
@@ -258,7 +259,7 @@ fn a_job_whose_child_is_killed_twice_fails_alone() {
     assert_eq!((&job["state"], &job["attempt"]), (&json!("failed"), &json!(1)), "{job}");
     assert_eq!(job["error"]["type"], "/problems/computation-crashed");
     assert!(job["error"]["detail"].as_str().unwrap().contains("nothing else was affected"), "{job}");
-    let [source, target] = small_pair(&folder.path().join("small"));
+    let [source, target] = small_pair(&folder.path().join("small"), "3");
     let id = server.submit_with(&source, &target, "{}");
     assert_eq!(server.until(&id, |job| job["finished_at"].is_string())["state"], "succeeded");
     let metrics = server.client.get(format!("{}/metrics", server.base)).send().unwrap().text().unwrap();

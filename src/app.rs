@@ -504,9 +504,9 @@ pub fn engine(settings: &ServiceSettings) -> Result<Arc<dyn Engine>, AppError> {
     };
     let engine = IsolatedEngine::start(isolation).map_err(AppError::Isolation)?;
     match engine.unconfined() {
-        None => tracing::info!("computations run in processes of their own"),
+        None => tracing::debug!("computations run in processes of their own"),
         // What the kernel lacks to take files, connections and other processes from them.
-        Some(lacking) => tracing::warn!(lacking, "computations run in processes of their own"),
+        Some(lacking) => tracing::warn!(lacking, "computations are not fully confined"),
     }
     Ok(Arc::new(engine))
 }

@@ -78,6 +78,9 @@ impl Death {
     }
 }
 
+/// Takes what a child tells before its last answer, and may answer through the connection.
+pub(super) type Hear<'a> = dyn FnMut(Told, Vec<u8>, &mut dyn Write) -> io::Result<()> + 'a;
+
 /// A child that waits for requests. Dropping it kills it.
 #[derive(Debug)]
 pub(super) struct Child {
@@ -161,7 +164,7 @@ impl Child {
         body: &[&[u8]],
         bounds: Bounds,
         stop: &dyn Fn() -> bool,
-        hear: &mut dyn FnMut(Told, Vec<u8>, &mut dyn Write) -> io::Result<()>,
+        hear: &mut Hear<'_>,
     ) -> Result<(Outcome, Vec<u8>, KeptSurfaces), Broken> {
         limits::bound(self.process.id(), bounds, self.scratch_bytes);
         let mut patient = Patient { stream: &self.stream, stop };

@@ -2,7 +2,7 @@
 //!
 //! `make bench-service` runs this and stores the output as a dated record under `benches/records/`. `--quick` is a
 //! smoke run whose figures mean nothing. An argument (`submit`, `claim`, `poll`, `follow`, `idle`, `upload`, `table`,
-//! `overhead`, `schedule`, `template`) runs one part, and `schedule-gain`, `schedule-small`, `schedule-middle` or
+//! `overhead`, `schedule`, `template`, `isolation`) runs one part, and `schedule-gain`, `schedule-small`, `schedule-middle` or
 //! `schedule-mixed` one part of `schedule`. SERVICE_BENCH_PARAMETERS (JSON) and SERVICE_BENCH_JOBS set the parameters
 //! of these matches and the number of jobs of each workload; `template` takes the files of the folder
 //! SERVICE_BENCH_SUBJECTS, if set, in place of phantoms: the first as template, the next 100 as subjects. PostgreSQL is
@@ -12,6 +12,8 @@
 
 #[path = "service/http.rs"]
 mod http;
+#[path = "service/isolation.rs"]
+mod isolation;
 #[path = "service/memory.rs"]
 mod memory;
 #[path = "service/node.rs"]
@@ -143,6 +145,9 @@ fn main() {
         }
         if wanted("template") {
             schedule::template(scale).await;
+        }
+        if wanted("isolation") {
+            isolation::price(scale).await;
         }
     });
     runtime.shutdown_background();

@@ -18,6 +18,7 @@ use crate::telemetry;
 use crate::tls::ServerTls;
 use crate::worker::heartbeat::Heartbeats;
 use crate::worker::housekeeper::Housekeeper;
+use crate::worker::isolation::IsolatedEngine;
 use crate::worker::match_engine::MatchEngine;
 use crate::worker::quota::Quota;
 use crate::worker::webhook_delivery::WebhookDelivery;
@@ -98,6 +99,11 @@ pub enum AppError {
     /// The settings of OpenID Connect are incomplete or wrong.
     #[error("tokens of OpenID Connect cannot be verified: {0}")]
     Tokens(String),
+    /// No process for computations can be started.
+    #[error(
+        "no process for computations can be started: {0}; with --isolation none they run in threads of the service"
+    )]
+    Isolation(std::io::Error),
     /// The operating system starts no thread.
     #[error("cannot start a thread: {0}")]
     Thread(std::io::Error),
@@ -614,9 +620,21 @@ pub(crate) fn open_stored(settings: &ServiceSettings) -> Result<Arc<dyn StoredBl
     })
 }
 
-/// The engine of this program.
-pub fn engine(settings: &ServiceSettings) -> Arc<dyn Engine> {
-    Arc::new(MatchEngine::new(settings.intake_limits(), settings.prepared_bytes()))
+/// The engine of this program: in processes of its own or in threads, by the settings.
+///
+/// # Errors
+/// [`AppError::Isolation`].
+pub fn engine(settings: &ServiceSettings) -> Result<Arc<dyn Engine>, AppError> {
+    let Some(isolation) = settings.isolation_settings().map_err(AppError::Isolation)? else {
+        return Ok(Arc::new(MatchEngine::new(settings.intake_limits(), settings.prepared_bytes())));
+    };
+    let engine = IsolatedEngine::start(isolation).map_err(AppError::Isolation)?;
+    match engine.unconfined() {
+        None => tracing::debug!("computations run in processes of their own"),
+        // What the kernel lacks to take files, connections and other processes from them.
+        Some(lacking) => tracing::warn!(lacking, "computations are not fully confined"),
+    }
+    Ok(Arc::new(engine))
 }
 
 /// A listener on the address of the settings, unless other machines could use it without authentication.

@@ -10,6 +10,7 @@ use crate::jobs::{MAX_DAYS, Retention, Retentions, SubmissionLimits, TenantDays,
 use crate::store::sql::DatabaseLocation;
 use crate::tls::TlsFiles;
 use crate::worker::WorkerSettings;
+use crate::worker::isolation::{Isolation, IsolationSettings};
 use crate::worker::machine;
 use crate::worker::webhook_delivery::WebhookDeliverySettings;
 use homolog_run::intake::{DEFAULT_FACES, DEFAULT_INFLATION, DEFAULT_MATCH_BYTES, DEFAULT_VOXELS, IntakeLimits};
@@ -80,6 +81,9 @@ pub struct ServiceSettings {
     /// the memory for jobs, and at most a quarter of it; 0: none are kept
     #[arg(long, env = "HOMOLOG_PREPARED_BYTES", default_value_t = 256 << 20, value_name = "BYTES")]
     pub prepared_bytes: u64,
+    /// Where computations run: in processes of their own, which can harm nothing else, or in threads of this one
+    #[arg(long, env = "HOMOLOG_ISOLATION", value_enum, default_value_t = Isolation::Process)]
+    pub isolation: Isolation,
     /// File with the key that seals the secrets of webhooks in the database, 64 hexadecimal digits, the same for all
     /// processes; default: secret.key in the data directory, which is created; with a database server: secrets are not sealed
     #[arg(long, env = "HOMOLOG_SECRET_KEY_FILE", value_name = "FILE")]
@@ -385,6 +389,19 @@ impl ServiceSettings {
     /// Memory for prepared surfaces that are kept for later jobs, bytes.
     pub fn prepared_bytes(&self) -> u64 {
         self.prepared_bytes.min(self.memory_for_jobs() / 4)
+    }
+
+    /// How computations are isolated; `None`: not at all.
+    ///
+    /// # Errors
+    /// If the system does not tell which program this is.
+    pub fn isolation_settings(&self) -> std::io::Result<Option<IsolationSettings>> {
+        if self.isolation == Isolation::None {
+            return Ok(None);
+        }
+        let own = IsolationSettings::of_this_program(self.intake_limits(), self.memory_for_jobs())?;
+        let at_once = self.workers.unwrap_or_else(|| self.worker_settings().cores);
+        Ok(Some(IsolationSettings { prepared_bytes: self.prepared_bytes(), at_once, ..own }))
     }
 
     /// Memory for jobs and prepared surfaces, bytes.

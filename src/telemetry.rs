@@ -59,6 +59,8 @@ const METRICS: &[(&str, Kind, &str)] = &[
     ("homolog_leases_expired_total", Kind::Counter, "Jobs that were taken back from lost workers"),
     ("homolog_prepared_surfaces_total", Kind::Counter, "Lookups of prepared surfaces, by whether they were kept"),
     ("homolog_prepared_surfaces_bytes", Kind::Gauge, "Memory of the prepared surfaces that are kept"),
+    ("homolog_children_started_total", Kind::Counter, "Processes for computations that were started"),
+    ("homolog_children_ended_total", Kind::Counter, "Processes for computations that ended, by reason"),
     ("homolog_http_requests_total", Kind::Counter, "Answered requests, by method, route and status"),
     ("homolog_http_request_seconds", Kind::Histogram, "Time from the head of a request to that of its answer"),
     ("homolog_problems_total", Kind::Counter, "Answers that refuse a request or report a failure, by type of problem"),
@@ -93,6 +95,10 @@ fn describe() {
     }
     for outcome in ["delivered", "failed", "given up"] {
         metrics::counter!("homolog_webhook_attempts_total", "outcome" => outcome).increment(0);
+    }
+    metrics::counter!("homolog_children_started_total").increment(0);
+    for reason in ["once", "rested", "grown", "stopped", "panicked", "failed", "memory", "time", "killed", "crashed"] {
+        metrics::counter!("homolog_children_ended_total", "reason" => reason).increment(0);
     }
     for lookup in ["hit", "miss"] {
         metrics::counter!("homolog_prepared_surfaces_total", "lookup" => lookup).increment(0);

@@ -28,6 +28,7 @@ mod summary;
 mod used;
 mod words;
 
+use crate::worker::isolation;
 use config::Refused;
 use error::CliError;
 
@@ -84,8 +85,13 @@ fn version() -> &'static str {
 
 /// Runs the program with these arguments, of which the first is the name of the program.
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
-    let program = used::only_used(<Cli as clap::CommandFactory>::command());
     let arguments: Vec<OsString> = arguments.into_iter().collect();
+    // Before anything is read or set up: the service starts it again and again, and waits.
+    if arguments.get(1).is_some_and(|command| command == isolation::COMMAND) {
+        let parent = arguments.get(2).and_then(|pid| pid.to_str()?.parse().ok());
+        return isolation::run_child(parent);
+    }
+    let program = used::only_used(<Cli as clap::CommandFactory>::command());
     let parsed = config::parse(&program, &arguments).and_then(|(matches, file)| {
         let cli = <Cli as clap::FromArgMatches>::from_arg_matches(&matches).map_err(Refused::Usage)?;
         Ok((cli, matches, file))

@@ -45,7 +45,7 @@ pub(super) fn serve(args: ServeArgs) -> Result<(), CliError> {
             Some(address) => Some(app::bind(address).await?),
             None => None,
         };
-        let app = App::open(&args.service, app::engine(&args.service), &shutdown, true).await?;
+        let app = App::open(&args.service, app::engine(&args.service)?, &shutdown, true).await?;
         let scheme = if args.http.tls_cert.is_some() { "https" } else { "http" };
         say(&format!("homolog listens on {scheme}://{address}"));
         app.run_probed(Some((listener, args.http, args.service)), probes, &shutdown).await;
@@ -63,7 +63,7 @@ pub(super) fn worker(args: WorkerArgs) -> Result<(), CliError> {
             Some(address) => Some(app::bind(address).await?),
             None => None,
         };
-        let mut app = App::open(&args.service, app::engine(&args.service), &shutdown, false).await?;
+        let mut app = App::open(&args.service, app::engine(&args.service)?, &shutdown, false).await?;
         app.limit_to(Quota::new(args.process.end.exit_when_idle_s.map(Duration::from_secs), args.process.end.max_jobs));
         say(&match &args.service.database_url {
             None => format!("homolog worker runs jobs of {}", args.service.data_dir.display()),

@@ -160,6 +160,10 @@ problems! {
         "detail says why.";
     RunTimeExceeded = "run-time-exceeded", UNPROCESSABLE_ENTITY, "The job exceeded its run time",
         "Submit smaller surfaces or fewer iterations, increase max_run_s, or ask the operator for a higher limit.";
+    OutOfMemory = "out-of-memory", UNPROCESSABLE_ENTITY, "The computation ran out of the memory that was planned for it",
+        "Submit smaller surfaces, and tell the operator. The job is not run again; no other was affected.";
+    ComputationCrashed = "computation-crashed", UNPROCESSABLE_ENTITY, "The process that computed the job crashed twice",
+        "Tell the operator. The job is not run again; no other was affected.";
     CrashLimitReached = "crash-limit-reached", UNPROCESSABLE_ENTITY, "The workers of the job crashed too often",
         "Tell the operator. The job is not run again.";
     InputMissing = "input-missing", UNPROCESSABLE_ENTITY, "An input of the job is not in the blob store",

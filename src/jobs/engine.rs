@@ -16,6 +16,7 @@ use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use std::fmt::Debug;
 use std::sync::Arc;
+use std::time::Duration;
 
 /// Resolves parameters to computations, and converts results.
 pub trait Engine: Send + Sync {
@@ -111,6 +112,40 @@ pub trait Computation: Debug + Send + Sync {
     /// # Errors
     /// Why there is no result.
     fn compute(&self, inputs: &ComputeInputs, observer: &dyn Observer) -> Result<Answer, ComputeError>;
+
+    /// The same in a process of its own, if the engine has such processes; then this is called in place of
+    /// [`Computation::compute`].
+    fn apart(&self) -> Option<&dyn ComputesApart> {
+        None
+    }
+}
+
+/// Computes in a process of its own.
+pub trait ComputesApart: Send + Sync {
+    /// Computes the result of [`Computation::compute`], the same bytes. Called on a thread that may wait; returns soon after the
+    /// observer asks to stop, and then nothing of the computation runs any more.
+    ///
+    /// # Errors
+    /// Why there is no result.
+    fn compute(
+        &self,
+        inputs: &ComputeInputs,
+        allotted: &Allotted<'_>,
+        observer: &dyn Observer,
+    ) -> Result<Answer, ComputeError>;
+}
+
+/// What a computation in a process of its own may use.
+#[derive(Debug, Clone, Copy)]
+pub struct Allotted<'a> {
+    /// Threads.
+    pub n_threads: usize,
+    /// The memory that was planned for it, bytes; 0 if that could not be predicted.
+    pub memory_bytes: u64,
+    /// Longest run; its processor time is bounded by this on each thread.
+    pub max_run: Duration,
+    /// Whose it is: a process computes for one owner only.
+    pub owner: &'a str,
 }
 
 /// A method, for clients to choose.
@@ -243,4 +278,6 @@ pub enum ComputeError {
     Cancelled,
     /// The computation failed.
     Failed(Failure),
+    /// It could not begin, for a reason that may pass.
+    NotStarted(String),
 }

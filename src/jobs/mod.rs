@@ -47,7 +47,8 @@ pub use batch::{Batch, BatchId, BatchPage, NewBatch};
 pub use change::{Change, ChangePage};
 pub use demand::{Demand, SurfaceSize, WaitingJob};
 pub use engine::{
-    Computation, ComputeError, ComputeInputs, Engine, InputBytes, InputRefusal, InputSummary, ParameterFault, Purpose,
+    Allotted, Computation, ComputeError, ComputeInputs, ComputesApart, Engine, InputBytes, InputRefusal, InputSummary,
+    ParameterFault, Purpose,
 };
 pub use error::JobError;
 pub use job::{Failure, Job, JobFilter, JobId, JobInput, JobPage, NewJob, Order, PageRequest, Tenant};

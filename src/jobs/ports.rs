@@ -20,7 +20,8 @@ use std::time::Duration;
 pub type BlobStream = BoxStream<'static, Result<Bytes, JobError>>;
 
 /// What a blob of a job contains.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "snake_case")]
 pub enum ArtifactKind {
     /// The source as uploaded.
     Source,

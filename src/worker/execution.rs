@@ -5,12 +5,12 @@
 use super::control::{Control, StopCause};
 use super::observer::JobObserver;
 use super::pool::{PoolParts, with_sources};
-use super::priority::lower_priority;
+use super::priority::{lower_priority, own_threads};
 use super::study_material;
 use crate::jobs::engine::{Answer, Product};
 use crate::jobs::{
-    ArtifactKey, ArtifactKind, ArtifactRef, Computation, ComputeError, ComputeInputs, Failure, Job, JobError, JobInput,
-    Lease, LeasedJob, Outcome, Purpose, TraceChunk,
+    Allotted, ArtifactKey, ArtifactKind, ArtifactRef, Computation, ComputeError, ComputeInputs, Failure, Job, JobError,
+    JobInput, Lease, LeasedJob, Outcome, Purpose, SurfaceSize, Tenant, TraceChunk,
 };
 use crate::spans::{Fact, Span};
 use std::future::Future;
@@ -39,6 +39,27 @@ enum Ending {
     Release,
     /// Not at all: another worker holds the lease.
     Abandon,
+}
+
+/// What a computation may use.
+struct Allotment {
+    n_threads: usize,
+    memory_bytes: u64,
+    max_run: Duration,
+    owner: Tenant,
+}
+
+impl Allotment {
+    fn new(job: &Job, lease: &Lease, computation: &dyn Computation, n_threads: usize, max_run: Duration) -> Self {
+        let size = |input: &JobInput| SurfaceSize { n_vertices: input.n_vertices, n_faces: input.n_faces };
+        let memory_bytes = computation.demand(size(&job.source), size(&job.target)).memory_bytes;
+        Allotment { n_threads, memory_bytes, max_run, owner: lease.tenant.clone() }
+    }
+
+    fn lent(&self) -> Allotted<'_> {
+        let Allotment { n_threads, memory_bytes, max_run, owner } = self;
+        Allotted { n_threads: *n_threads, memory_bytes: *memory_bytes, max_run: *max_run, owner: owner.name() }
+    }
 }
 
 /// Runs a claimed job to its end, computing on `n_threads`. Does not fail: whatever goes wrong becomes the outcome of the job,
@@ -133,7 +154,9 @@ async fn run(
         }
     };
     let observer = Arc::new(JobObserver::new(Arc::clone(control), context.clone()));
-    let mut computed = match start_computation(computation, inputs, &observer, n_threads) {
+    let allowed = job.max_run_ms.map_or(parts.settings.max_run, Duration::from_millis).min(parts.settings.max_run);
+    let allotment = Allotment::new(job, lease, computation.as_ref(), n_threads, allowed);
+    let mut computed = match start_computation(computation, inputs, &observer, allotment) {
         Ok(computed) => computed,
         Err(error) => {
             tracing::error!(job_id = %lease.job_id, %error, "no thread for the computation");
@@ -142,9 +165,9 @@ async fn run(
             return (end, None);
         }
     };
-    let allowed = job.max_run_ms.map_or(parts.settings.max_run, Duration::from_millis).min(parts.settings.max_run);
     let (outcome, unsaved) = follow(parts, lease, control, &observer, allowed, &mut computed).await;
     let is_running = outcome.is_none();
+    let has_begun = !matches!(outcome, Some(Err(ComputeError::NotStarted(_))));
     let ending = decide(outcome, control.cause());
     observer.end_phase();
     if let Ending::Publish(answer) = &ending
@@ -152,8 +175,12 @@ async fn run(
     {
         observer.settle_energy(energy);
     }
-    let _storing = Span::part("store result", context.as_deref());
+    let storing = Span::part("store result", context.as_deref());
     let end = settle(parts, lease, [unsaved, observer.take()], ending).await;
+    drop(storing);
+    if !has_begun {
+        sleep(AFTER_OUTAGE).await;
+    }
     (end, is_running.then_some(computed))
 }
 
@@ -204,22 +231,23 @@ fn start_computation(
     computation: Arc<dyn Computation>,
     inputs: ComputeInputs,
     observer: &Arc<JobObserver>,
-    n_threads: usize,
+    allotment: Allotment,
 ) -> std::io::Result<oneshot::Receiver<Computed>> {
     let observer = Arc::clone(observer);
     let (sender, receiver) = oneshot::channel();
-    // A pool for each job, so that it uses exactly its own number of threads, however many jobs run beside it.
-    let pool = rayon::ThreadPoolBuilder::new()
-        .num_threads(n_threads)
-        .thread_name(|i| format!("compute-{i}"))
-        .start_handler(|_| lower_priority())
-        .build();
-    let pool = pool.map_err(std::io::Error::other)?;
+    // Its own process has threads of its own.
+    let pool = if computation.apart().is_none() { Some(own_threads(allotment.n_threads)?) } else { None };
     std::thread::Builder::new().name("compute".to_owned()).spawn(move || {
-        lower_priority();
+        let work = || match (computation.apart(), pool) {
+            (Some(apart), _) => apart.compute(&inputs, &allotment.lent(), observer.as_ref()),
+            (None, Some(pool)) => {
+                lower_priority();
+                pool.install(|| computation.compute(&inputs, observer.as_ref()))
+            }
+            (None, None) => Err(ComputeError::Failed(internal_error())),
+        };
         // No state that a panic may leave inconsistent is used again: inputs and observer belong to this job alone.
-        let computed =
-            catch_unwind(AssertUnwindSafe(|| pool.install(|| computation.compute(&inputs, observer.as_ref()))));
+        let computed = catch_unwind(AssertUnwindSafe(work));
         // The panic hook has logged the location; the message may contain a patient's data and is dropped.
         let _ = sender.send(computed.unwrap_or_else(|_| Err(ComputeError::Failed(internal_error()))));
     })?;
@@ -284,6 +312,10 @@ fn decide(computed: Option<Computed>, cause: Option<StopCause>) -> Ending {
         (_, Some(StopCause::Shutdown)) => Ending::Release,
         (_, Some(StopCause::TimeLimit)) => {
             Ending::Fail(Failure::new("run-time-exceeded", "the job ran longer than this service allows"))
+        }
+        (Some(Err(ComputeError::NotStarted(why))), None) => {
+            tracing::error!(why, "no process for the computation");
+            Ending::Release
         }
         // It stopped without having been told to: a fault of the engine.
         (_, None) => Ending::Fail(internal_error()),

@@ -6,7 +6,7 @@
 //! its end), [`heartbeat`] (on a thread of its own, so that no computation can starve it), [`observer`] (trace and
 //! progress), [`control`] (how a computation is told to stop), [`priority`] (computing threads run at a lower priority),
 //! [`quota`] (when a process exits by itself), [`presentation`] (results in other file formats), [`study_engine`] and
-//! [`study_material`] (the steps of a study), [`housekeeper`] (jobs of
+//! [`study_material`] (the steps of a study), [`isolation`] (computations in processes of their own), [`housekeeper`] (jobs of
 //! lost workers, unreferenced blobs), [`webhook_delivery`].
 
 pub(crate) mod capacity;
@@ -14,6 +14,7 @@ pub(crate) mod control;
 pub(crate) mod execution;
 pub(crate) mod heartbeat;
 pub(crate) mod housekeeper;
+pub mod isolation;
 pub(crate) mod machine;
 pub mod match_engine;
 pub(crate) mod observer;

@@ -20,3 +20,16 @@ pub(crate) fn lower_priority_of_global_pool() {
     // An error means that the pool exists already, as in a process that has called this before.
     let _ = rayon::ThreadPoolBuilder::new().start_handler(|_| lower_priority()).build_global();
 }
+
+/// Threads for one job, so that it uses exactly its own number of them, however many jobs run beside it.
+///
+/// # Errors
+/// If the system gives none.
+pub(crate) fn own_threads(n_threads: usize) -> std::io::Result<rayon::ThreadPool> {
+    rayon::ThreadPoolBuilder::new()
+        .num_threads(n_threads)
+        .thread_name(|i| format!("compute-{i}"))
+        .start_handler(|_| lower_priority())
+        .build()
+        .map_err(std::io::Error::other)
+}

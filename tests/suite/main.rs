@@ -21,6 +21,7 @@ mod field_readers;
 #[allow(dead_code, reason = "each test binary uses a part of it")]
 mod fixtures;
 mod hostile;
+mod isolation;
 mod jobs;
 mod jobs_support;
 mod keys;

@@ -87,6 +87,7 @@ async fn made_up_requests_create_no_new_series() {
             ["succeeded", "failed", "cancelled", "given back", "lease lost", "not stored"].map(str::to_owned).into(),
         ),
         ("lookup", words("hit miss")),
+        ("reason", words("once rested grown stopped panicked failed memory time killed crashed")),
         ("type", slugs),
         ("outcome", ["delivered", "failed", "given up"].map(str::to_owned).into()),
         ("use", words("busy idle most")),

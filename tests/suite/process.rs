@@ -16,17 +16,17 @@ use std::process::{Child, Stdio};
 use std::time::{Duration, Instant};
 
 /// Parameters of a match that takes seconds, so that a test can interrupt it: every vertex is a variable.
-const SLOW: &str = r#"{"inference": {"coarse_vertices": null, "max_iterations": 100, "tolerance": 0}}"#;
+pub(crate) const SLOW: &str = r#"{"inference": {"coarse_vertices": null, "max_iterations": 100, "tolerance": 0}}"#;
 
 /// A service process; killed when dropped, so that no test leaves one behind.
-struct Server {
+pub(crate) struct Server {
     process: Child,
-    base: String,
-    client: Client,
+    pub base: String,
+    pub client: Client,
 }
 
 impl Server {
-    fn start(data_dir: &Path, more: &[&str]) -> Self {
+    pub(crate) fn start(data_dir: &Path, more: &[&str]) -> Self {
         homolog::tls::prepare();
         let mut process = homolog()
             .args(["serve", "--listen", "127.0.0.1:0", "--log", "warn", "--data-dir"])
@@ -43,19 +43,26 @@ impl Server {
         Server { process, base, client }
     }
 
-    fn get(&self, path: &str) -> Value {
+    pub(crate) fn get(&self, path: &str) -> Value {
         self.client.get(format!("{}{path}", self.base)).send().unwrap().json().unwrap()
     }
 
-    fn submit(&self, source: &[u8], target: &[u8]) -> String {
+    pub(crate) fn submit(&self, source: &[u8], target: &[u8]) -> String {
+        self.submit_with(source, target, SLOW)
+    }
+
+    pub(crate) fn submit_with(&self, source: &[u8], target: &[u8], parameters: &str) -> String {
         let file = |bytes: &[u8]| Part::bytes(bytes.to_vec()).file_name("a.ply");
-        let form = Form::new().part("source", file(source)).part("target", file(target)).text("parameters", SLOW);
+        let form = Form::new()
+            .part("source", file(source))
+            .part("target", file(target))
+            .text("parameters", parameters.to_owned());
         let response = self.client.post(format!("{}/v1/jobs", self.base)).multipart(form).send().unwrap();
         assert_eq!(response.status(), 202, "{}", response.text().unwrap());
         response.json::<Value>().unwrap()["id"].as_str().unwrap().to_owned()
     }
 
-    fn until(&self, id: &str, done: impl Fn(&Value) -> bool) -> Value {
+    pub(crate) fn until(&self, id: &str, done: impl Fn(&Value) -> bool) -> Value {
         let began = Instant::now();
         loop {
             let job = self.get(&format!("/v1/jobs/{id}"));
@@ -68,7 +75,7 @@ impl Server {
     }
 
     /// SIGKILL.
-    fn kill(mut self) {
+    pub(crate) fn kill(mut self) {
         self.process.kill().unwrap();
         self.process.wait().unwrap();
     }
@@ -80,8 +87,13 @@ impl Server {
         self.process.wait().unwrap().code()
     }
 
+    /// The process.
+    pub(crate) fn pid(&self) -> u32 {
+        self.process.id()
+    }
+
     /// Peak resident memory, MiB.
-    fn peak_memory_mib(&self) -> u64 {
+    pub(crate) fn peak_memory_mib(&self) -> u64 {
         let status = std::fs::read_to_string(format!("/proc/{}/status", self.process.id())).unwrap();
         let line = status.lines().find_map(|l| l.strip_prefix("VmHWM:")).unwrap();
         line.trim().trim_end_matches("kB").trim().parse::<u64>().unwrap() / 1024
@@ -96,7 +108,7 @@ impl Drop for Server {
 }
 
 /// A pair of phantom surfaces large enough that a match takes a while.
-fn pair(folder: &Path) -> [Vec<u8>; 2] {
+pub(crate) fn pair(folder: &Path) -> [Vec<u8>; 2] {
     let arguments = ["phantom", "--kind", "surface", "--edge", "1.2", "--rotate-seed", "4", "--out"];
     assert!(homolog().args(arguments).arg(folder).output().unwrap().status.success());
     ["source.ply", "target.ply"].map(|name| std::fs::read(folder.join(name)).unwrap())

@@ -86,6 +86,7 @@ const ARROWS: &[(&str, &[&str])] = &[
             "store::encryption",
             "store::sql",
             "telemetry",
+            "worker::isolation",
             "worker::quota",
         ],
     ),

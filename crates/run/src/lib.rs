@@ -34,8 +34,8 @@ use homolog_contract::parameters::MatchParameters;
 use homolog_contract::result::{
     Correspondences, InputProvenance, Provenance, ResultDocument, WarpDirection, WarpSpace,
 };
-pub use homolog_matching::match_memory_bytes;
 use homolog_matching::{MatchError, match_levels};
+pub use homolog_matching::{match_memory_bytes, read_caches};
 use homolog_mesh::{MeshError, SurfaceMesh};
 use homolog_primitives::observe::{Cancelled, Observer, Phase};
 use std::collections::BTreeMap;

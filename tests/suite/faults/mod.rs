@@ -37,7 +37,7 @@ fn full_length() -> bool {
 }
 
 /// `short` in `make test`, `long` in `make faults`.
-fn length(short: u64, long: u64) -> u64 {
+pub(crate) fn length(short: u64, long: u64) -> u64 {
     if full_length() { long } else { short }
 }
 

@@ -1,0 +1,588 @@
+//! The engine that computes in children.
+
+use super::limits::{BESIDES, Bounds, Most};
+use super::messages::{Beginning, Confinement, KeptSurfaces, Outcome, Request, Told};
+use super::pool::{Children, Upbringing, end, ended};
+use super::process::{Broken, Child, Death};
+use super::protocol::FrameError;
+use crate::jobs::engine::{Answer, MethodDescription, Product, Resolved};
+use crate::jobs::study::{StudyDefinition, StudyFault};
+use crate::jobs::{
+    Allotted, Computation, ComputeError, ComputeInputs, ComputesApart, Demand, Engine, Failure, InputBytes,
+    InputRefusal, InputSummary, JobInput, ParameterFault, PartFormat, PresentError, Purpose, ResultPart, SurfaceSize,
+};
+use crate::worker::match_engine::MatchEngine;
+use bytes::Bytes;
+use homolog_primitives::observe::{Observer, Phase, TracePoint};
+use homolog_run::intake::IntakeLimits;
+use serde_json::Value;
+use std::fmt;
+use std::io::{self, Write};
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::time::{Duration, Instant};
+
+/// How often a request is tried whose child died of something that need not be the request's fault.
+const TRIES: usize = 2;
+/// How long reading an input, or converting a part of a result, may take.
+const READING_TIME: Duration = Duration::from_secs(300);
+/// Least memory for prepared surfaces that a child keeps, bytes: a template of a few thousand vertices.
+const LEAST_PREPARED: u64 = 48 << 20;
+
+/// How computations are isolated.
+#[derive(Debug, Clone)]
+pub struct IsolationSettings {
+    /// The program whose hidden command is the child: this one.
+    pub program: PathBuf,
+    /// Limits on inputs.
+    pub limits: IntakeLimits,
+    /// Memory for prepared surfaces that all children keep together, bytes.
+    pub prepared_bytes: u64,
+    /// Memory for jobs, of which reading a file may take no more, bytes.
+    pub memory_bytes: u64,
+    /// Computations that may run at the same time.
+    pub at_once: usize,
+    /// Cores of this process.
+    pub cores: usize,
+    /// What a computation may take besides what was planned for it, bytes.
+    pub besides: u64,
+}
+
+impl IsolationSettings {
+    /// Children of the running program.
+    ///
+    /// # Errors
+    /// If the system does not tell which program that is.
+    pub fn of_this_program(limits: IntakeLimits, memory_bytes: u64) -> io::Result<Self> {
+        // This name leads to the program that runs, even if another version has replaced its file since.
+        let own = PathBuf::from("/proc/self/exe");
+        let program = if cfg!(target_os = "linux") && own.exists() { own } else { std::env::current_exe()? };
+        let cores = crate::worker::machine::cores();
+        Ok(IsolationSettings {
+            program,
+            limits,
+            prepared_bytes: 0,
+            memory_bytes,
+            at_once: cores,
+            cores,
+            besides: BESIDES,
+        })
+    }
+}
+
+/// A [`MatchEngine`] whose computations run in children of this process: everything that touches bytes of clients.
+///
+/// A child that dies takes nothing with it but its request. A match or a step that runs out of memory or of processor time has
+/// failed for good. One whose child was killed from outside or crashed is computed once more in a new child; what it had
+/// reported is not reported again, because the same inputs give the same trace.
+#[derive(Debug)]
+pub struct IsolatedEngine {
+    /// Resolves parameters and predicts; it gets no bytes of clients.
+    local: MatchEngine,
+    shared: Arc<Shared>,
+    confinement: Confinement,
+}
+
+#[derive(Debug)]
+struct Shared {
+    children: Children,
+    most: Most,
+    n_threads: usize,
+}
+
+/// What comes of a request that was tried: the answer, or what the last child died of.
+type Tried<T> = Result<T, Unanswered>;
+
+/// Why a request has no answer.
+#[derive(Debug)]
+enum Unanswered {
+    /// No child could be started.
+    NotStarted(io::Error),
+    /// The caller wanted it to stop.
+    Stopped,
+    /// The child died.
+    Died(Death),
+}
+
+impl IsolatedEngine {
+    /// Starts the first child.
+    ///
+    /// # Errors
+    /// If it does not start.
+    pub fn start(settings: IsolationSettings) -> io::Result<Self> {
+        let IsolationSettings { program, limits, prepared_bytes, memory_bytes, at_once, cores, besides } = settings;
+        let at_once = at_once.max(1);
+        let share = (prepared_bytes / at_once as u64).max(LEAST_PREPARED.min(prepared_bytes));
+        let beginning = Beginning { version: super::child::version(), limits: limits.into(), prepared_bytes: share };
+        let upbringing = Upbringing { program, beginning, n_threads: cores, most_resting: at_once };
+        let (children, confinement) = Children::start(upbringing)?;
+        let most = Most { limits, budget: memory_bytes, besides };
+        let shared = Arc::new(Shared { children, most, n_threads: cores });
+        Ok(IsolatedEngine { local: MatchEngine::new(limits, 0), shared, confinement })
+    }
+
+    /// What the kernel does not do to confine children, for people; `None` if it does everything.
+    pub fn unconfined(&self) -> Option<&'static str> {
+        match self.confinement {
+            Confinement { landlock: true, seccomp: true } => None,
+            Confinement { landlock: false, seccomp: true } => Some("it has no Landlock"),
+            Confinement { landlock: true, seccomp: false } => Some("it has no filters of system calls"),
+            Confinement { landlock: false, seccomp: false } => {
+                Some("it has neither Landlock nor filters of system calls")
+            }
+        }
+    }
+
+    /// Lets a child try what a computation must not be able to do, such as to open a file or a connection; what was possible.
+    ///
+    /// # Errors
+    /// If there is no child.
+    pub fn possible_in_a_child(&self) -> io::Result<Vec<String>> {
+        let bounds = self.shared.reading(0);
+        let mut child = self.shared.children.take_fresh()?;
+        let done = child.ask(&Request::Attempt, &[], bounds, &|| false, &mut |_, _, _| Ok(()));
+        end(child, "once");
+        match done {
+            Ok((Outcome::Attempted(possible), ..)) => Ok(possible),
+            other => Err(io::Error::other(format!("a child did not try: {other:?}"))),
+        }
+    }
+
+    fn apart(&self, parameters: Value, local: Arc<dyn Computation>) -> Arc<dyn Computation> {
+        Arc::new(Apart { parameters, local, shared: Arc::clone(&self.shared) })
+    }
+}
+
+impl Engine for IsolatedEngine {
+    fn methods(&self) -> Vec<MethodDescription> {
+        self.local.methods()
+    }
+
+    fn resolve(&self, request: &Value) -> Result<Resolved, Vec<ParameterFault>> {
+        let resolved = self.local.resolve(request)?;
+        let computation = self.apart(resolved.parameters.clone(), Arc::clone(&resolved.computation));
+        Ok(Resolved { computation, ..resolved })
+    }
+
+    fn restore(&self, parameters: &Value) -> Result<Arc<dyn Computation>, Failure> {
+        Ok(self.apart(parameters.clone(), self.local.restore(parameters)?))
+    }
+
+    fn join_instances(&self, instances: Vec<Bytes>) -> Result<Bytes, InputRefusal> {
+        self.local.join_instances(instances)
+    }
+
+    fn check_study(&self, study: &StudyDefinition) -> Result<(), Vec<StudyFault>> {
+        self.local.check_study(study)
+    }
+
+    fn check_study_size(&self, study: &StudyDefinition) -> Result<(), InputRefusal> {
+        self.local.check_study_size(study)
+    }
+
+    fn present(&self, part: ResultPart, format: PartFormat, stored: &[&[u8]]) -> Result<Vec<u8>, PresentError> {
+        let unreadable =
+            |why: String| PresentError::Unreadable { what: "a stored part of a result", source: Some(why.into()) };
+        let lengths: Vec<usize> = stored.iter().map(|blob| blob.len()).collect();
+        let n_bytes: usize = lengths.iter().sum();
+        let request = Request::Present { part: part.into(), format, lengths };
+        match self.shared.once(&request, stored, n_bytes as u64) {
+            Ok((Outcome::Made, made)) => Ok(made),
+            Ok((Outcome::NotMade(why), _)) => Err(why.error(part, format)),
+            Ok((outcome, _)) => Err(unreadable(format!("a child answered {outcome:?}"))),
+            Err(unanswered) => Err(unreadable(format!("its child did not answer: {unanswered:?}"))),
+        }
+    }
+}
+
+impl Shared {
+    fn reading(&self, n_bytes: u64) -> Bounds {
+        Bounds::of_reading(&self.most, n_bytes, self.n_threads, READING_TIME)
+    }
+
+    /// Asks a child that is used for this request alone: nobody knows yet what is in these bytes.
+    fn once(&self, request: &Request, body: &[&[u8]], n_bytes: u64) -> Tried<(Outcome, Vec<u8>)> {
+        let bounds = self.reading(n_bytes);
+        tried(|| {
+            let began = Instant::now();
+            let stop = || began.elapsed() > READING_TIME;
+            let mut child = self.children.take_fresh().map_err(Unanswered::NotStarted)?;
+            match child.ask(request, body, bounds, &stop, &mut |_, _, _| Ok(())) {
+                Ok((outcome, body, _)) => {
+                    end(child, "once");
+                    Ok((outcome, body))
+                }
+                Err(broken) => Err(unanswered(child, broken)),
+            }
+        })
+    }
+}
+
+/// Tries a request again whose child died of something that need not be its fault.
+fn tried<T>(mut work: impl FnMut() -> Tried<T>) -> Tried<T> {
+    let mut n_tries = 0;
+    loop {
+        n_tries += 1;
+        match work() {
+            Err(Unanswered::Died(death @ (Death::Killed | Death::Crashed { .. }))) if n_tries < TRIES => {
+                tracing::warn!(?death, "the process of a computation died; it is computed once more in another");
+            }
+            Err(Unanswered::Died(death)) => {
+                tracing::error!(?death, "the process of a computation died");
+                return Err(Unanswered::Died(death));
+            }
+            done => return done,
+        }
+    }
+}
+
+/// What became of a child that has not answered.
+fn unanswered(child: Child, broken: Broken) -> Unanswered {
+    match broken {
+        Broken::Stopped => {
+            end(child, "stopped");
+            Unanswered::Stopped
+        }
+        Broken::Lost(error) => {
+            let death = match error {
+                FrameError::Closed | FrameError::Io(_) => child.end(),
+                // One that lives and tells nonsense is as good as dead.
+                FrameError::TooLong { .. } | FrameError::Meaningless(_) => {
+                    drop(child);
+                    Death::Crashed { signal: None }
+                }
+            };
+            ended(death.reason());
+            tracing::warn!(%error, ?death, "a child was lost");
+            Unanswered::Died(death)
+        }
+    }
+}
+
+/// A computation in children.
+struct Apart {
+    parameters: Value,
+    local: Arc<dyn Computation>,
+    shared: Arc<Shared>,
+}
+
+impl fmt::Debug for Apart {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.local.fmt(f)
+    }
+}
+
+impl Apart {
+    fn input(&self, input: &InputBytes<'_>, show: bool) -> Result<(Outcome, Vec<u8>), InputRefusal> {
+        let request = Request::Input {
+            parameters: self.parameters.clone(),
+            name_hint: input.name_hint.map(str::to_owned),
+            is_target: input.is_target,
+            show,
+        };
+        let n_bytes = input.bytes.len() as u64;
+        match self.shared.once(&request, &[input.bytes], n_bytes) {
+            Ok((Outcome::Unfit(refusal), _)) => Err(refusal),
+            Ok((Outcome::Panicked(place), _)) => {
+                tracing::error!(place, "panic in a child");
+                uncheckable()
+            }
+            Ok(done) => Ok(done),
+            Err(Unanswered::Died(Death::Memory)) => Err(too_large(format!(
+                "reading this file takes more memory than the {} bytes that one file may take",
+                self.shared.reading(n_bytes).memory_bytes
+            ))),
+            Err(Unanswered::Stopped | Unanswered::Died(Death::Time)) => {
+                Err(too_large(format!("reading this file takes longer than {} s", READING_TIME.as_secs())))
+            }
+            Err(Unanswered::Died(_) | Unanswered::NotStarted(_)) => uncheckable(),
+        }
+    }
+}
+
+fn too_large(detail: String) -> InputRefusal {
+    InputRefusal { code: "too-large".to_owned(), detail, topology: None, place_mm: None }
+}
+
+/// Ends a check without an outcome, so that none is stored: as a panic does that happens within this process.
+fn uncheckable<T>() -> T {
+    std::panic::resume_unwind(Box::new("the check of an input has no outcome"))
+}
+
+impl Computation for Apart {
+    fn check_input(&self, input: &InputBytes<'_>) -> Result<InputSummary, InputRefusal> {
+        match self.input(input, false)? {
+            (Outcome::Fit(summary), _) => Ok(summary),
+            _ => uncheckable(),
+        }
+    }
+
+    fn show_input(&self, input: &InputBytes<'_>) -> Result<Vec<u8>, InputRefusal> {
+        match self.input(input, true)? {
+            (Outcome::Made, surface) => Ok(surface),
+            _ => uncheckable(),
+        }
+    }
+
+    fn check_pair(&self, source: &InputSummary, target: &InputSummary) -> Result<(), InputRefusal> {
+        self.local.check_pair(source, target)
+    }
+
+    fn demand(&self, source: SurfaceSize, target: SurfaceSize) -> Demand {
+        self.local.demand(source, target)
+    }
+
+    fn compute(&self, inputs: &ComputeInputs, observer: &dyn Observer) -> Result<Answer, ComputeError> {
+        let n_threads = rayon::current_num_threads();
+        let allotted = Allotted { n_threads, memory_bytes: 0, max_run: Duration::MAX, owner: "" };
+        ComputesApart::compute(self, inputs, &allotted, observer)
+    }
+
+    fn apart(&self) -> Option<&dyn ComputesApart> {
+        Some(self)
+    }
+}
+
+impl ComputesApart for Apart {
+    fn compute(
+        &self,
+        inputs: &ComputeInputs,
+        allotted: &Allotted<'_>,
+        observer: &dyn Observer,
+    ) -> Result<Answer, ComputeError> {
+        let n_threads = allotted.n_threads;
+        let parameters = self.parameters.clone();
+        let (request, body): (Request, Vec<&[u8]>) = match &inputs.purpose {
+            Purpose::Step(material) => {
+                let files = material.files.iter().map(|(name, bytes)| (name.clone(), bytes.len())).collect();
+                let definition = Box::new(material.definition.clone());
+                let failures = material.failures.clone();
+                let request = Request::Step { parameters, definition, files, failures, n_threads };
+                (request, material.files.values().map(Vec::as_slice).collect())
+            }
+            purpose @ (Purpose::Result | Purpose::Record) => {
+                let hints = [inputs.source_hint.clone(), inputs.target_hint.clone()];
+                let record = matches!(purpose, Purpose::Record);
+                let source_bytes = inputs.source.len();
+                let request = Request::Match { parameters, hints, source_bytes, record, n_threads };
+                (request, vec![&inputs.source, &inputs.target])
+            }
+        };
+        let n_bytes: usize = body.iter().map(|part| part.len()).sum();
+        // A step reads the files of its subjects one after another.
+        let largest = match &inputs.purpose {
+            Purpose::Step(material) => inputs_of(&material.definition).map(|input| input.n_bytes).max(),
+            Purpose::Result | Purpose::Record => None,
+        };
+        let bounds = Bounds::of_computation(allotted, &self.shared.most, largest.unwrap_or(0).max(n_bytes as u64));
+        let hashes: Vec<[u8; 32]> = match inputs.purpose {
+            Purpose::Step(_) => Vec::new(),
+            _ => body.iter().map(|file| *blake3::hash(file).as_bytes()).collect(),
+        };
+        let reported = AtomicUsize::new(0);
+        let computed = tried(|| {
+            let child = self.shared.children.take(allotted.owner, &hashes).map_err(Unanswered::NotStarted)?;
+            let observer = Continued { inner: observer, reported: &reported, seen: AtomicUsize::new(0) };
+            self.attempt(child, &request, &body, bounds, inputs, &observer)
+        });
+        match computed {
+            Ok(answered) => answered,
+            Err(Unanswered::Stopped) => Err(ComputeError::Cancelled),
+            Err(Unanswered::NotStarted(error)) => Err(ComputeError::NotStarted(error.to_string())),
+            Err(Unanswered::Died(death)) => Err(ComputeError::Failed(failure(death, bounds))),
+        }
+    }
+}
+
+impl Apart {
+    fn attempt(
+        &self,
+        mut child: Child,
+        request: &Request,
+        body: &[&[u8]],
+        bounds: Bounds,
+        inputs: &ComputeInputs,
+        observer: &dyn Observer,
+    ) -> Tried<Result<Answer, ComputeError>> {
+        let mut products = Vec::new();
+        let mut hear = |told: Told, body: Vec<u8>, child: &mut dyn Write| -> io::Result<()> {
+            match told {
+                Told::Phase(phase) => observer.phase(phase),
+                Told::Progress(fraction) => observer.progress(fraction),
+                Told::Trace(point) => observer.trace(&point),
+                Told::Product(kind) => products.push(Product { kind, bytes: body }),
+                Told::Fetch(hash) => fetch(&inputs.purpose, &hash, child)?,
+                Told::Ready { .. } | Told::Done { .. } => return Err(io::Error::other("a child spoke out of turn")),
+            }
+            Ok(())
+        };
+        let asked = child.ask(request, body, bounds, &|| observer.is_cancelled(), &mut hear);
+        let (outcome, _, kept) = match asked {
+            Ok(answered) => answered,
+            Err(broken) => return Err(unanswered(child, broken)),
+        };
+        count(kept);
+        let failed = |failure| Ok(Err(ComputeError::Failed(failure)));
+        match outcome {
+            Outcome::Answered(verdict) => {
+                self.shared.children.give_back(child, kept);
+                Ok(Ok(Answer { products, verdict }))
+            }
+            Outcome::Failed(failure) => {
+                self.shared.children.give_back(child, kept);
+                failed(failure)
+            }
+            Outcome::Panicked(place) => {
+                tracing::error!(place, "panic in a child");
+                end(child, "panicked");
+                failed(internal_error())
+            }
+            Outcome::NoThreads(error) => {
+                end(child, "failed");
+                Err(Unanswered::NotStarted(io::Error::other(error)))
+            }
+            _ => {
+                end(child, "failed");
+                failed(internal_error())
+            }
+        }
+    }
+}
+
+/// The files of a study.
+fn inputs_of(study: &StudyDefinition) -> impl Iterator<Item = &JobInput> {
+    study.subjects.iter().map(|subject| &subject.input).chain(&study.template)
+}
+
+/// Sends a child the upload that it needs, if it is one of its study.
+fn fetch(purpose: &Purpose, hash: &str, child: &mut dyn Write) -> io::Result<()> {
+    let Purpose::Step(material) = purpose else { return Err(io::Error::other("a match has both its files")) };
+    let read = match inputs_of(&material.definition).any(|input| input.hash == hash) {
+        true => material.inputs.read(hash),
+        false => Err(io::Error::other("no file of this study")),
+    };
+    let (error, bytes) = match read {
+        Ok(bytes) => (None, bytes),
+        Err(error) => (Some(error.to_string()), Vec::new()),
+    };
+    super::protocol::write_frame(&mut { child }, &Request::Fetched { error }, &[&bytes])
+}
+
+/// Adds what a child has looked up to the metrics of this process.
+fn count(kept: KeptSurfaces) {
+    for (lookup, n) in [("hit", kept.hits), ("miss", kept.misses)] {
+        metrics::counter!("homolog_prepared_surfaces_total", "lookup" => lookup).increment(n);
+    }
+    metrics::gauge!("homolog_prepared_surfaces_bytes").set(kept.bytes as f64);
+}
+
+/// The failure of a job whose child died.
+fn failure(death: Death, bounds: Bounds) -> Failure {
+    match death {
+        Death::Memory => Failure::new(
+            "out-of-memory",
+            format!(
+                "the computation took more memory than the {} bytes that were planned for it and ended; nothing else was \
+                 affected",
+                bounds.memory_bytes
+            ),
+        ),
+        Death::Time => Failure::new(
+            "run-time-exceeded",
+            format!("the computation took more than the {} s of processor time that it may take", bounds.cpu.as_secs()),
+        ),
+        Death::Killed => Failure::new(
+            "computation-crashed",
+            "the process that computed the job was killed twice, by someone or for want of memory; nothing else was affected",
+        ),
+        Death::Crashed { signal } => {
+            let how = signal.map_or_else(String::new, |signal| format!(" with signal {signal}"));
+            Failure::new(
+                "computation-crashed",
+                format!("the process that computed the job crashed twice{how}; nothing else was affected"),
+            )
+        }
+    }
+}
+
+fn internal_error() -> Failure {
+    Failure::new("internal-error", "the computation ended unexpectedly; the cause is in the service's log")
+}
+
+/// Passes on what a computation reports, without what an earlier try has reported.
+struct Continued<'a> {
+    inner: &'a dyn Observer,
+    /// Points of all tries that were passed on.
+    reported: &'a AtomicUsize,
+    /// Points of this try.
+    seen: AtomicUsize,
+}
+
+impl Observer for Continued<'_> {
+    fn inner(&self) -> Option<&dyn Observer> {
+        Some(self.inner)
+    }
+
+    fn phase(&self, phase: Phase) {
+        self.inner.phase(phase);
+    }
+
+    fn trace(&self, point: &TracePoint) {
+        let seen = self.seen.fetch_add(1, Ordering::Relaxed) + 1;
+        if seen > self.reported.load(Ordering::Relaxed) {
+            self.reported.store(seen, Ordering::Relaxed);
+            self.inner.trace(point);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::sync::Mutex;
+
+    #[derive(Default)]
+    struct Heard(Mutex<Vec<u32>>);
+
+    impl Observer for Heard {
+        fn trace(&self, point: &TracePoint) {
+            self.0.lock().unwrap().push(point.iteration);
+        }
+    }
+
+    #[test]
+    fn a_second_try_reports_only_what_the_first_one_did_not() {
+        let (heard, reported) = (Heard::default(), AtomicUsize::new(0));
+        for n_points in [3, 0, 5] {
+            let observer = Continued { inner: &heard, reported: &reported, seen: AtomicUsize::new(0) };
+            (1..=n_points).for_each(|i| observer.trace(&TracePoint::new(0, Phase::Inference, i)));
+        }
+        assert_eq!(*heard.0.lock().unwrap(), [1, 2, 3, 4, 5]);
+    }
+
+    #[test]
+    fn only_deaths_that_need_not_be_the_requests_fault_are_tried_again() {
+        for (death, expected) in
+            [(Death::Memory, 1), (Death::Time, 1), (Death::Killed, TRIES), (Death::Crashed { signal: Some(11) }, TRIES)]
+        {
+            let mut n_tries = 0;
+            let done: Tried<()> = tried(|| {
+                n_tries += 1;
+                Err(Unanswered::Died(death))
+            });
+            assert!(matches!(done, Err(Unanswered::Died(of)) if of == death));
+            assert_eq!(n_tries, expected, "{death:?}");
+        }
+    }
+
+    #[test]
+    fn failures_say_what_was_planned_and_name_no_one() {
+        let bounds = Bounds { memory_bytes: 12_345, n_threads: 1, cpu: Duration::from_secs(7) };
+        let of = |death| failure(death, bounds);
+        assert!(of(Death::Memory).detail.contains("12345 bytes"));
+        assert_eq!(of(Death::Memory).code, "out-of-memory");
+        assert!(of(Death::Time).detail.contains("7 s"));
+        assert!(of(Death::Crashed { signal: Some(11) }).detail.contains("signal 11"));
+    }
+}

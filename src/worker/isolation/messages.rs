@@ -1,0 +1,358 @@
+//! What a process asks of its children, and what they tell.
+//!
+//! Numbers cross in JSON with as many digits as tell them apart, so that a computation gets and gives the same bits as within
+//! the process.
+
+use crate::jobs::study::StudyDefinition;
+use crate::jobs::{ArtifactKind, Failure, InputRefusal, InputSummary, PartFormat, PresentError, ResultPart};
+use homolog_contract::result::{WarpDirection, WarpSpace};
+use homolog_contract::verdict::Verdict;
+use homolog_primitives::observe::{Phase, TracePoint};
+use homolog_run::intake::IntakeLimits;
+use serde::{Deserialize, Serialize};
+use serde_json::Value;
+
+/// What a child is told first.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(super) struct Beginning {
+    /// The program that the parent is; a child of another one ends.
+    pub(super) version: String,
+    /// Limits on inputs.
+    pub(super) limits: WireLimits,
+    /// Memory for prepared surfaces that are kept, bytes.
+    pub(super) prepared_bytes: u64,
+}
+
+/// [`IntakeLimits`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+pub(super) struct WireLimits {
+    max_bytes: usize,
+    max_inflated_bytes: usize,
+    max_inflation: usize,
+    max_vertices: usize,
+    max_faces: usize,
+    max_voxels: u64,
+    max_match_bytes: u64,
+}
+
+impl From<IntakeLimits> for WireLimits {
+    fn from(limits: IntakeLimits) -> Self {
+        let IntakeLimits {
+            max_bytes,
+            max_inflated_bytes,
+            max_inflation,
+            max_vertices,
+            max_faces,
+            max_voxels,
+            max_match_bytes,
+        } = limits;
+        WireLimits {
+            max_bytes,
+            max_inflated_bytes,
+            max_inflation,
+            max_vertices,
+            max_faces,
+            max_voxels,
+            max_match_bytes,
+        }
+    }
+}
+
+impl From<WireLimits> for IntakeLimits {
+    fn from(limits: WireLimits) -> Self {
+        let WireLimits {
+            max_bytes,
+            max_inflated_bytes,
+            max_inflation,
+            max_vertices,
+            max_faces,
+            max_voxels,
+            max_match_bytes,
+        } = limits;
+        IntakeLimits {
+            max_bytes,
+            max_inflated_bytes,
+            max_inflation,
+            max_vertices,
+            max_faces,
+            max_voxels,
+            max_match_bytes,
+        }
+    }
+}
+
+/// A request to a child; the next one comes after the last answer to it.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub(super) enum Request {
+    /// Check or show the input in the body.
+    Input {
+        /// Effective parameters.
+        parameters: Value,
+        /// Extensions of the file name.
+        name_hint: Option<String>,
+        /// Whether it is the target.
+        is_target: bool,
+        /// Whether its surface is wanted, not whether it can be matched.
+        show: bool,
+    },
+    /// Match the two files in the body, source first.
+    Match {
+        /// Effective parameters.
+        parameters: Value,
+        /// Extensions of the file names.
+        hints: [Option<String>; 2],
+        /// Bytes of the source.
+        source_bytes: usize,
+        /// Whether the record that a study keeps is wanted too.
+        record: bool,
+        /// Threads to compute on.
+        n_threads: usize,
+    },
+    /// Compute a step of a study.
+    Step {
+        /// Effective parameters.
+        parameters: Value,
+        /// Who, and what is asked.
+        definition: Box<StudyDefinition>,
+        /// The files of its folder in the body: their names and lengths, in their order.
+        files: Vec<(String, usize)>,
+        /// Matches without an answer, and why.
+        failures: Vec<(String, String)>,
+        /// Threads to compute on.
+        n_threads: usize,
+    },
+    /// The upload that was fetched, in the body.
+    Fetched {
+        /// Why it cannot be read.
+        error: Option<String>,
+    },
+    /// Convert the blobs in the body.
+    Present {
+        /// The part.
+        part: WirePart,
+        /// The format.
+        format: PartFormat,
+        /// The lengths of the blobs, in their order.
+        lengths: Vec<usize>,
+    },
+    /// Try what a computation must not be able to do.
+    Attempt,
+}
+
+/// [`ResultPart`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub(super) enum WirePart {
+    /// As in [`ResultPart`].
+    Correspondences { inverse: bool },
+    /// As in [`ResultPart`].
+    Transform,
+    /// As in [`ResultPart`].
+    SourceSurface,
+    /// As in [`ResultPart`].
+    TargetSurface,
+    /// As in [`ResultPart`].
+    Aligned,
+    /// As in [`ResultPart`].
+    Warped { inverse: bool, in_target: bool },
+    /// As in [`ResultPart`].
+    Report,
+}
+
+impl From<ResultPart> for WirePart {
+    fn from(part: ResultPart) -> Self {
+        let is_inverse = |direction| direction == WarpDirection::Inverse;
+        match part {
+            ResultPart::Correspondences { direction } => WirePart::Correspondences { inverse: is_inverse(direction) },
+            ResultPart::Transform => WirePart::Transform,
+            ResultPart::SourceSurface => WirePart::SourceSurface,
+            ResultPart::TargetSurface => WirePart::TargetSurface,
+            ResultPart::Aligned => WirePart::Aligned,
+            ResultPart::Warped { direction, space } => {
+                WirePart::Warped { inverse: is_inverse(direction), in_target: space == WarpSpace::Target }
+            }
+            ResultPart::Report => WirePart::Report,
+        }
+    }
+}
+
+impl From<WirePart> for ResultPart {
+    fn from(part: WirePart) -> Self {
+        let direction = |inverse| if inverse { WarpDirection::Inverse } else { WarpDirection::Forward };
+        match part {
+            WirePart::Correspondences { inverse } => ResultPart::Correspondences { direction: direction(inverse) },
+            WirePart::Transform => ResultPart::Transform,
+            WirePart::SourceSurface => ResultPart::SourceSurface,
+            WirePart::TargetSurface => ResultPart::TargetSurface,
+            WirePart::Aligned => ResultPart::Aligned,
+            WirePart::Warped { inverse, in_target } => ResultPart::Warped {
+                direction: direction(inverse),
+                space: if in_target { WarpSpace::Target } else { WarpSpace::Source },
+            },
+            WirePart::Report => ResultPart::Report,
+        }
+    }
+}
+
+/// What a child tells. Everything after the first one belongs to a request.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub(super) enum Told {
+    /// It takes requests.
+    Ready {
+        /// What confines it.
+        confinement: Confinement,
+        /// Memory that each of its threads reserves for products of matrices, bytes.
+        scratch_bytes: u64,
+    },
+    /// A phase of the computation begins.
+    Phase(Phase),
+    /// The share of the work that is done.
+    Progress(f64),
+    /// A point of the energy trace.
+    Trace(TracePoint),
+    /// It needs the upload with this hash.
+    Fetch(String),
+    /// A blob of the result, in the body.
+    Product(ArtifactKind),
+    /// The last answer to a request.
+    Done {
+        /// What came of it.
+        outcome: Outcome,
+        /// What the kept surfaces were used for.
+        kept: KeptSurfaces,
+    },
+}
+
+/// How a request ended.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub(super) enum Outcome {
+    /// The result is in the products.
+    Answered(Option<Verdict>),
+    /// The computation failed.
+    Failed(Failure),
+    /// The input can be matched.
+    Fit(InputSummary),
+    /// The input cannot be matched, or has no surface.
+    Unfit(InputRefusal),
+    /// The surface or the converted part, in the body.
+    Made,
+    /// The part cannot be converted.
+    NotMade(NotMade),
+    /// It panicked, here.
+    Panicked(Option<String>),
+    /// The system gave it no threads.
+    NoThreads(String),
+    /// What could be done of [`Request::Attempt`].
+    Attempted(Vec<String>),
+}
+
+/// [`PresentError`].
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub(super) enum NotMade {
+    /// As in [`PresentError`].
+    NotOffered,
+    /// As in [`PresentError`].
+    NoInverse,
+    /// As in [`PresentError`].
+    NotDicom,
+    /// As in [`PresentError`].
+    NoSegmentation,
+    /// As in [`PresentError`], with its cause.
+    Unreadable(String),
+}
+
+impl From<PresentError> for NotMade {
+    fn from(error: PresentError) -> Self {
+        match error {
+            PresentError::NotOffered { .. } => NotMade::NotOffered,
+            PresentError::NoInverse => NotMade::NoInverse,
+            PresentError::NotDicom => NotMade::NotDicom,
+            PresentError::NoSegmentation => NotMade::NoSegmentation,
+            error @ PresentError::Unreadable { .. } => NotMade::Unreadable(crate::worker::pool::with_sources(&error)),
+        }
+    }
+}
+
+impl NotMade {
+    /// The error of this part in this format.
+    pub(super) fn error(self, part: ResultPart, format: PartFormat) -> PresentError {
+        match self {
+            NotMade::NotOffered => PresentError::NotOffered { part, format },
+            NotMade::NoInverse => PresentError::NoInverse,
+            NotMade::NotDicom => PresentError::NotDicom,
+            NotMade::NoSegmentation => PresentError::NoSegmentation,
+            NotMade::Unreadable(why) => {
+                PresentError::Unreadable { what: "a stored part of a result", source: Some(why.into()) }
+            }
+        }
+    }
+}
+
+/// What a child has looked up among the surfaces that it keeps.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub(super) struct KeptSurfaces {
+    /// Lookups for this request that found one.
+    pub(super) hits: u64,
+    /// Lookups for this request that found none.
+    pub(super) misses: u64,
+    /// Memory of those that are kept, bytes.
+    pub(super) bytes: u64,
+}
+
+/// What confines a child.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub(super) struct Confinement {
+    /// Landlock: it opens no file, and no connection.
+    pub(super) landlock: bool,
+    /// Seccomp: the kernel refuses calls by which it could reach other processes, files and machines.
+    pub(super) seccomp: bool,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    proptest! {
+        #[test]
+        fn trace_points_cross_with_the_same_bits(
+            numbers in prop::array::uniform4(any::<f64>().prop_filter("the trace has no other numbers", |x| x.is_finite())),
+            iteration in any::<u32>(),
+        ) {
+            let [energy, energy_unary, temperature, lower_bound] = numbers.map(Some);
+            let point = TracePoint { energy, energy_unary, temperature, lower_bound, ..TracePoint::new(1, Phase::Inference, iteration) };
+            let text = serde_json::to_string(&Told::Trace(point.clone())).unwrap();
+            let Told::Trace(read) = serde_json::from_str(&text).unwrap() else { panic!("{text}") };
+            prop_assert_eq!(format!("{read:?}"), format!("{point:?}"));
+        }
+    }
+
+    #[test]
+    fn parts_of_a_result_cross_unchanged() {
+        let directions = [WarpDirection::Forward, WarpDirection::Inverse];
+        let spaces = [WarpSpace::Source, WarpSpace::Target];
+        let warped = directions.map(|direction| spaces.map(|space| ResultPart::Warped { direction, space }));
+        let pairs = directions.map(|direction| ResultPart::Correspondences { direction });
+        let others = [
+            ResultPart::Transform,
+            ResultPart::SourceSurface,
+            ResultPart::TargetSurface,
+            ResultPart::Aligned,
+            ResultPart::Report,
+        ];
+        for part in warped.into_iter().flatten().chain(pairs).chain(others) {
+            assert_eq!(ResultPart::from(WirePart::from(part)), part);
+        }
+    }
+
+    #[test]
+    fn limits_cross_unchanged() {
+        let limits = IntakeLimits { max_voxels: 7, max_inflation: 3, ..IntakeLimits::default() };
+        let text = serde_json::to_string(&WireLimits::from(limits)).unwrap();
+        assert_eq!(IntakeLimits::from(serde_json::from_str::<WireLimits>(&text).unwrap()), limits);
+    }
+}

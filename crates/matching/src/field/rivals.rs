@@ -113,7 +113,8 @@ pub(crate) fn decided(
         }
         let (Some(own), Some(other)) = (&coarse[chosen], &coarse[k]) else { continue };
         // Far beyond what a finer stage changes; and the question about the other handedness is whether it fits better.
-        if other.excess_over(own) > if of_other_hand { 0.0 } else { RULED_OUT } {
+        let coarse_excess = other.excess_over(own);
+        if coarse_excess > if of_other_hand { 0.0 } else { RULED_OUT } {
             candidates[k].compared.finer = Finer::Outdone;
             continue;
         }
@@ -126,7 +127,11 @@ pub(crate) fn decided(
         let fate = match (own.0.evidence(&found.0), of_other_hand) {
             (_, false) if displacement.are_same(&own.1, &found.1, SAME_POSE_ANGLE) => Finer::Same,
             (Evidence::First, _) | (Evidence::Equal, true) => Finer::Outdone,
-            (Evidence::Equal, false) if is_worse_by_search(displacement, &candidates[chosen], &candidates[k]) => {
+            // Close to the surface every pose of two subjects explains much the same; from farther away one may explain less.
+            (Evidence::Equal, false)
+                if coarse_excess > DISTINCT
+                    || is_worse_by_search(displacement, &candidates[chosen], &candidates[k]) =>
+            {
                 Finer::Outdone
             }
             (Evidence::Equal, false) => Finer::AsGood,

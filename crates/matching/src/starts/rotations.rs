@@ -7,9 +7,9 @@ use homolog_registration::RigidTransform;
 
 /// Rotations by which the best poses are varied, degrees: less than two poses differ that count as different.
 const VARIED_DEG: [f64; 4] = [-20.0, 20.0, -40.0, 40.0];
-/// Rotations that give other poses, degrees: close enough to each other that a fit finds every pose of a surface that is
-/// symmetric about an axis.
-const OTHERS_DEG: [f64; 5] = [90.0, 135.0, 180.0, 225.0, 270.0];
+/// Rotations that give other poses, degrees: those of surfaces of two-, three-, four- and sixfold symmetry about an axis, and close enough to each other
+/// that a fit finds every pose of one that is round.
+const OTHERS_DEG: [f64; 9] = [60.0, 90.0, 120.0, 150.0, 180.0, 210.0, 240.0, 270.0, 300.0];
 
 /// The best of `poses` of either handedness, rotated about the axis about which `source` is most nearly round: a rotation that a rigid
 /// refinement hardly sees. Each with the index of the pose that was rotated; none where a number is not finite.

@@ -61,6 +61,7 @@ async fn probes_are_answered_while_nothing_else_is() {
 async fn a_large_study_is_read_and_decided_on_by_many_at_once_in_little_memory() {
     let site = Site::open(Backend::Sqlite);
     let program = site.program(&["--workers", "0", "--max-batch", "1000", "--max-queue", "100000"]);
+    homolog::tls::prepare();
     let client = reqwest::Client::builder().timeout(Duration::from_secs(120)).build().unwrap();
     let url = |path: &str| format!("{}{path}", program.base);
     let mesh = homolog_formats::write_ply(&ellipsoid(Vector3::new(9.0, 7.0, 5.0), 3));

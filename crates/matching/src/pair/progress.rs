@@ -11,4 +11,4 @@ pub(crate) const PROGRESS_BEFORE_DISPLACEMENT: f64 = 0.2;
 pub(crate) const PROGRESS_AT_END: f64 = 0.99;
 
 /// The share of a displacement that is done when its local stage begins.
-pub(crate) const PROGRESS_BEFORE_LOCAL: f64 = 0.647;
+pub(crate) const PROGRESS_BEFORE_LOCAL: f64 = 0.438;

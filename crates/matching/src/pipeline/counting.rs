@@ -5,10 +5,18 @@ use homolog_primitives::observe::{Observer, Phase, TracePoint};
 use std::sync::{Mutex, PoisonError};
 
 /// Checks for cancellation, and the share of the processor time of the displacement that has passed at them, in four pairs of hippocampi of
-/// 83 to 116 checks: the second comes before inference, the local stage begins with the 84th or passes over what did not take place, and
+/// 118 to 130 checks: the second comes before inference, the local stage begins with the 84th or passes over what did not take place, and
 /// what remains after the last is the energy of the answer.
-const CURVE: [(f64, f64); 6] =
-    [(0.0, 0.0), (2.0, 0.177), (24.0, 0.272), (83.0, 0.591), (84.0, PROGRESS_BEFORE_LOCAL), (118.0, 0.966)];
+const CURVE: [(f64, f64); 8] = [
+    (0.0, 0.0),
+    (2.0, 0.188),
+    (13.0, 0.21),
+    (37.0, 0.309),
+    (61.0, 0.358),
+    (84.0, PROGRESS_BEFORE_LOCAL),
+    (97.0, 0.641),
+    (118.0, 0.813),
+];
 
 /// Says how much of a displacement is done, by the number of checks for cancellation: there is one for each step. The rounds of its energy
 /// trace follow those of inference.

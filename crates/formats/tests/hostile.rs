@@ -2,50 +2,19 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 #![allow(unsafe_code, reason = "an allocator that counts can only be written so")]
 
+mod counting;
 #[path = "../../../tests/fixtures/mod.rs"]
 #[allow(dead_code, reason = "each test binary uses a part of it")]
 mod fixtures;
 mod samples;
 
+use counting::HELD;
 use homolog_formats::{FormatError, ReadLimits, nifti, read, stl};
 use homolog_mesh::volume::LabelVolume;
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
-use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
 use std::time::Instant;
-
-/// Counts what the current thread holds, and the most that it has held.
-struct Counting;
-
-thread_local! {
-    static HELD: Cell<[isize; 2]> = const { Cell::new([0, 0]) };
-}
-
-fn count(bytes: isize) {
-    // A thread that ends may free memory after its counter is gone.
-    let _ = HELD.try_with(|held| {
-        let [now, most] = held.get();
-        held.set([now + bytes, most.max(now + bytes)]);
-    });
-}
-
-// SAFETY: every call is passed on to the system's allocator with the same arguments; counting allocates nothing.
-unsafe impl GlobalAlloc for Counting {
-    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
-        count(layout.size() as isize);
-        // SAFETY: the caller's promise about `layout` is passed on.
-        unsafe { System.alloc(layout) }
-    }
-    unsafe fn dealloc(&self, place: *mut u8, layout: Layout) {
-        count(-(layout.size() as isize));
-        // SAFETY: `place` was allocated above with this layout.
-        unsafe { System.dealloc(place, layout) }
-    }
-}
-
-#[global_allocator]
-static ALLOCATOR: Counting = Counting;
 
 /// Bytes that a reader may hold for each byte of the file (inflated, if it is compressed), and in any case.
 const BYTES_PER_BYTE: usize = 64;

@@ -3,12 +3,13 @@
 //! A fit follows what is assigned to it, and its own covariance takes that for observations: on a smooth surface a field may slide along it, and
 //! what it is assigned slides with it. What two surfaces do say of a displacement are its components along the normals, and along the surface
 //! what changes a feature. Each is one scalar observation with the noise that this pair shows, and the posterior of a Gaussian process
-//! under these alone, [`homolog_registration::deformation::posterior_variances`], is the uncertainty.
+//! under these alone, [`homolog_registration::deformation::posterior_covariances`], is the uncertainty.
 //!
 //! All of it is estimated from the pair: the width and the variance of the process are those under which the normal components of the
 //! displacement, without its rigid part, are most probable; noise is what this process leaves along the normals, and the difference of
 //! the features of corresponding points. Residuals of neighbors are correlated, so that a point counts as its share of the area over
-//! which they are.
+//! which they are. Where the target is curved, a height also has the error of its own linearization, which is as large as the posterior
+//! says that the point may have slid: both are found in turns ([`Sample::posterior`]).
 
 use super::displacement::Displacement;
 use super::fitted::{Refined, pose_of};
@@ -17,9 +18,9 @@ use crate::surface::smooth::N_FEATURES;
 use homolog_mesh::ClosestPoint;
 use homolog_registration::RigidTransform;
 use homolog_registration::deformation::{
-    Component, GaussianKernel, SmoothPrior, most_probable_kernel, posterior_variances,
+    Component, GaussianKernel, SmoothPrior, most_probable_kernel, posterior_covariances,
 };
-use nalgebra::{Point3, Vector3};
+use nalgebra::{Matrix3, Point3, Vector3};
 use rayon::prelude::*;
 
 /// Points of the source at which components are observed, at most. 250 gave the same uncertainties within 5 %.
@@ -35,6 +36,9 @@ const LARGEST_RATIO: i32 = 22;
 /// (Rasmussen, Williams 2006, section 4.2.1).
 const N_OCTAVES: i32 = 3;
 const SMOOTHNESS: f64 = 2.5;
+/// Most times that the variances and the error of heights are found in turns, and the growth of variances below which both are at rest.
+const MOST_PASSES: usize = 12;
+const AT_REST: f64 = 1.05;
 /// Bins of the distance in an autocorrelation, and their width in roots of the area.
 const N_BINS: usize = 60;
 const BIN: f64 = 0.02;
@@ -50,6 +54,9 @@ struct Sample {
     shifts: Vec<f64>,
     /// That distance, mm.
     heights: Vec<f64>,
+    /// Mean square of what the target falls away from its tangent plane at a displacement along it, over the fourth power of the
+    /// standard deviation of that displacement along each axis, 1/mm².
+    bending: Vec<f64>,
     /// For each feature its difference from that of the image, and its gradient on the target, 1/mm.
     features: Vec<Vec<(f64, Vector3<f64>)>>,
 }
@@ -74,9 +81,7 @@ pub(super) fn variances(
     };
     let kernels = octaves(found.kernel).collect();
     let prior = SmoothPrior { kernels, ..displacement.options.prior.of(diagonal_mm) };
-    let center = Point3::from(at.iter().map(|p| p.coords).sum::<Vector3<f64>>() / at.len().max(1) as f64);
-    let components = sample.components(&at, found.noise_mm, displacement.lengths.root_mm);
-    let of_sample = posterior_variances(&prior, &center, &components, &at)?;
+    let of_sample = sample.posterior(&at, &prior, found.noise_mm, displacement.lengths.root_mm)?;
     Some(sample.spread_to(points, &of_sample))
 }
 
@@ -109,6 +114,7 @@ impl Sample {
             normals: Vec::new(),
             shifts: Vec::new(),
             heights: Vec::new(),
+            bending: Vec::new(),
             features: vec![Vec::new(); FEATURES.len()],
         };
         for i in (0..moved.len()).step_by(step) {
@@ -121,6 +127,11 @@ impl Sample {
             sample.areas.push(source.areas[i] * step as f64);
             sample.normals.push(normal);
             sample.heights.push(height);
+            let turning = Matrix3::from_rows(
+                &[0, 1, 2]
+                    .map(|axis| gradient(target.mesh.vertices(), &image, |k| target.normals[k][axis]).transpose()),
+            );
+            sample.bending.push(mean_square_of_bending(&turning));
             sample.shifts.push(normal.dot(&(moved[i] - start[i])) + height);
             for (feature, observed) in FEATURES.zip(&mut sample.features) {
                 let of_target = |k: usize| target.features[k * N_FEATURES + feature];
@@ -131,7 +142,37 @@ impl Sample {
         sample
     }
 
-    /// What is observed at these points, along the normals with noise of `noise_mm`.
+    /// The posterior variance of the displacement at each point, mm², for this prior and noise along the normals.
+    ///
+    /// A height is the component of a displacement along the normal only as far as the target is flat: where its point is off by `δ` along the
+    /// surface, it is off by `½ δᵀ W δ`. This error is noise of the height, of the size that the posterior itself states for `δ`, so
+    /// that the two are found together: from no such error on both grow, and come to rest.
+    fn posterior(&self, at: &[Point3<f64>], prior: &SmoothPrior, noise_mm: f64, root_mm: f64) -> Option<Vec<f64>> {
+        let center = Point3::from(at.iter().map(|p| p.coords).sum::<Vector3<f64>>() / at.len().max(1) as f64);
+        let n = at.len();
+        let mut components = self.components(at, noise_mm, root_mm);
+        let of_heights: Vec<f64> = components.iter().take(n).map(|height| height.variance).collect();
+        let (mut variances, mut before) = (Vec::new(), 0.0);
+        for _ in 0..MOST_PASSES {
+            let traces = posterior_covariances(prior, &center, &components, at)?;
+            variances = (0..n).map(|k| traces[(k, k)].max(0.0)).collect();
+            let total = variances.iter().sum::<f64>();
+            if total <= AT_REST * before {
+                break;
+            }
+            before = total;
+            for (k, height) in components.iter_mut().take(n).enumerate() {
+                // The squares of correlated displacements are correlated by the square of that.
+                let scale = |l: usize| (variances[k] * variances[l]).max(f64::MIN_POSITIVE);
+                let correlated: f64 = (0..n).map(|l| self.areas[l] * traces[(k, l)].powi(2) / scale(l)).sum();
+                let slid = 0.5 * variances[k];
+                height.variance = of_heights[k] + self.bending[k] * slid * slid * (correlated / self.areas[k]).max(1.0);
+            }
+        }
+        Some(variances)
+    }
+
+    /// What is observed at these points, along the normals with noise of `noise_mm`: heights first.
     fn components(&self, at: &[Point3<f64>], noise_mm: f64, root_mm: f64) -> Vec<Component> {
         let component = |k: usize, direction: Vector3<f64>, variance: f64, correlated: f64| {
             let share = (correlated / self.areas[k]).max(1.0);
@@ -196,6 +237,12 @@ impl Sample {
     }
 }
 
+/// `E (½ δᵀ W δ)²` for `δ` of variance 1 along each axis of the tangent plane, and the derivative `W` of the normals along it.
+fn mean_square_of_bending(turning: &Matrix3<f64>) -> f64 {
+    let symmetric = 0.5 * (turning + turning.transpose());
+    0.25 * (2.0 * (symmetric * symmetric).trace() + symmetric.trace().powi(2))
+}
+
 /// The gradient, on the triangle of `at`, of the function that is linear between the values of its corners; 0 on one without area.
 fn gradient(vertices: &[Point3<f64>], at: &ClosestPoint, value: impl Fn(usize) -> f64) -> Vector3<f64> {
     let corners = at.triangle.map(|k| k as usize);
@@ -226,6 +273,7 @@ mod tests {
             normals: vec![Vector3::z(); n],
             shifts: vec![0.0; n],
             heights: vec![0.0; n],
+            bending: vec![0.0; n],
             features: vec![vec![(0.0, Vector3::zeros()); n]; FEATURES.len()],
         }
     }
@@ -243,6 +291,57 @@ mod tests {
         let wave: Vec<f64> = sample.points.iter().map(|p| (p.x * 0.9).sin() * (p.y * 0.9).cos()).collect();
         let area = sample.correlated_area(&wave, root_mm);
         assert!((4.0..60.0).contains(&area), "{area}");
+    }
+
+    /// Heights over an open cap of a sphere of this radius, sampled about as far apart as those of a structure.
+    fn cap(radius_mm: f64) -> (Sample, Vec<Point3<f64>>) {
+        let mut sample = grid(12);
+        sample.points.iter_mut().for_each(|p| {
+            let (x, y) = (p.x - 5.5, p.y - 5.5);
+            *p = Point3::new(x, y, (radius_mm * radius_mm - x * x - y * y).sqrt() - radius_mm);
+        });
+        sample.normals = sample.points.iter().map(|p| (p - Point3::new(0.0, 0.0, -radius_mm)) / radius_mm).collect();
+        let turning = Matrix3::from_diagonal_element(1.0 / radius_mm);
+        sample.bending =
+            sample.normals.iter().map(|n| mean_square_of_bending(&(turning - n * n.transpose() / radius_mm))).collect();
+        let at = sample.points.clone();
+        (sample, at)
+    }
+
+    #[test]
+    fn what_a_height_says_of_sliding_is_worth_less_where_the_surface_is_curved() {
+        let kernel = GaussianKernel { width_mm: 6.0, amplitude_mm: 1.5 };
+        let prior = SmoothPrior { translation_mm: 1.0, linear: 0.05, kernels: vec![kernel] };
+        for radius_mm in [9.0, 12.0, 30.0] {
+            let (mut sample, at) = cap(radius_mm);
+            let curved: f64 = sample.posterior(&at, &prior, 0.02, 12.0).unwrap().iter().sum();
+            sample.bending.fill(0.0);
+            let linear: f64 = sample.posterior(&at, &prior, 0.02, 12.0).unwrap().iter().sum();
+            let none = posterior_covariances(&prior, &Point3::origin(), &[], &at).unwrap();
+            let of_prior: f64 = (0..at.len()).map(|k| none[(k, k)]).sum();
+            assert!(curved > 1.02 * linear && curved < of_prior, "{radius_mm}: {linear} {curved} {of_prior}");
+        }
+        // A plane says nothing of sliding anyway, and where nothing slides there is no error.
+        let still = SmoothPrior { translation_mm: 0.0, linear: 0.0, kernels: Vec::new() };
+        let (sample, at) = cap(9.0);
+        assert!(sample.posterior(&at, &still, 0.02, 12.0).unwrap().iter().all(|variance| *variance < 1e-12));
+    }
+
+    #[test]
+    fn the_mean_square_of_bending_is_that_of_draws() {
+        let turning = Matrix3::new(0.3, 0.1, 0.0, 0.1, -0.2, 0.0, 0.0, 0.0, 0.0);
+        let mut number = numbers(11);
+        // The sum of twelve uniform numbers is nearly normal, of variance 1.
+        let mut normal = || (0..12).map(|_| number()).sum::<f64>() - 6.0;
+        let n = 40_000;
+        let total: f64 = (0..n)
+            .map(|_| {
+                let slid = Vector3::new(normal(), normal(), 0.0);
+                (0.5 * slid.dot(&(turning * slid))).powi(2)
+            })
+            .sum();
+        let (expected, drawn) = (mean_square_of_bending(&turning), total / f64::from(n));
+        assert!((drawn - expected).abs() < 0.05 * expected, "{drawn} {expected}");
     }
 
     #[test]

@@ -8,7 +8,7 @@
 //!   ([`homolog_primitives::points::farthest_points`]); wide kernels have few functions that matter, so `M` is tens,
 //!   not thousands. Observations are displacements, each with one precision along a normal and another across it
 //!   ([`Observation`]); [`fit_field`] gives the posterior mean, `(I + Φᵀ W Φ) c = Φᵀ W d`. Used by displacement.
-//! - [`posterior_variances`]: the uncertainty where single components of displacements are observed ([`Component`]), exact and
+//! - [`posterior_covariances`]: the uncertainty where single components of displacements are observed ([`Component`]), exact and
 //!   without a basis. Used by confidence.
 //! - `taylor`: one kernel by the first terms of its Taylor series, twenty functions without an eigendecomposition, with
 //!   isotropic observations and no covariance. Used by [`crate::pose_search()`], which fits a field to every candidate
@@ -32,4 +32,4 @@ mod tests;
 pub use evidence::{KernelEvidence, most_probable_kernel};
 pub use fit::{FittedField, Observation, fit_field};
 pub use nystrom::{FieldBasis, GaussianKernel, SmoothPrior};
-pub use posterior::{Component, posterior_variances};
+pub use posterior::{Component, posterior_covariances};

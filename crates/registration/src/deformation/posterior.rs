@@ -7,8 +7,9 @@
 //! Source: Rasmussen, Williams, "Gaussian Processes for Machine Learning", 2006, section 2.2.
 
 use super::SmoothPrior;
+use faer::linalg::matmul::matmul;
 use faer::linalg::triangular_solve::solve_lower_triangular_in_place;
-use faer::{Mat, Par, Side};
+use faer::{Accum, Mat, Par, Side};
 use nalgebra::{Point3, Vector3};
 use std::collections::HashMap;
 
@@ -23,17 +24,18 @@ pub struct Component {
     pub variance: f64,
 }
 
-/// The posterior variance of the displacement at each of the `points`, mm²: the trace of its covariance, where these `components` are observed. The
-/// linear part of `prior` is about `center`. `None` where a number is not finite, or observations without noise contradict each other.
+/// For each two of the `points` the trace of the posterior covariance of their displacements, mm², where these `components` are observed; its
+/// diagonal has the variances. The linear part of `prior` is about `center`. `None` where a number is not finite, or observations without noise
+/// contradict each other.
 ///
 /// # Cost
-/// `O(N³ + N² points)` for `N` components; `O(M² + M points)` exponentials for the `M` places where they are observed.
-pub fn posterior_variances(
+/// `O(N³ + N² points + N points²)` for `N` components; `O(M² + M points + points²)` exponentials for the `M` places where they are observed.
+pub fn posterior_covariances(
     prior: &SmoothPrior,
     center: &Point3<f64>,
     components: &[Component],
     points: &[Point3<f64>],
-) -> Option<Vec<f64>> {
+) -> Option<Mat<f64>> {
     let n = components.len();
     // Several components are observed at one place, and covariances are those of places: most of the time would go into their exponentials.
     let (places, place_of) = places(components);
@@ -47,20 +49,18 @@ pub fn posterior_variances(
         among[(place_of[i], place_of[j])] * a.direction.dot(&b.direction) + noise
     });
     let factor = gram.llt(Side::Lower).ok()?;
-    let mut whitened = Mat::zeros(n, 3 * points.len());
-    for (k, p) in points.iter().enumerate() {
-        let covariances: Vec<f64> = places.iter().map(|place| prior.covariance_of(place, p, center)).collect();
-        for (i, observed) in components.iter().enumerate() {
-            let covariance = covariances[place_of[i]];
-            (0..3).for_each(|axis| whitened[(i, 3 * k + axis)] = covariance * observed.direction[axis]);
-        }
+    let of_points =
+        Mat::from_fn(places.len(), points.len(), |i, k| prior.covariance_of(&places[i], &points[k], center));
+    let mut traces =
+        Mat::from_fn(points.len(), points.len(), |k, l| 3.0 * prior.covariance_of(&points[k], &points[l], center));
+    for axis in 0..3 {
+        let mut known =
+            Mat::from_fn(n, points.len(), |i, k| of_points[(place_of[i], k)] * components[i].direction[axis]);
+        solve_lower_triangular_in_place(factor.L(), known.as_mut(), Par::Seq);
+        matmul(traces.as_mut(), Accum::Add, known.transpose(), known.as_ref(), -1.0, Par::Seq);
     }
-    solve_lower_triangular_in_place(factor.L(), whitened.as_mut(), Par::Seq);
-    let known = |k: usize| -> f64 { (3 * k..3 * k + 3).map(|axis| whitened.col(axis).squared_norm_l2()).sum() };
-    let variances: Vec<f64> = (points.iter().enumerate())
-        .map(|(k, p)| (3.0 * prior.covariance_of(p, p, center) - known(k)).max(0.0))
-        .collect();
-    variances.iter().all(|variance| variance.is_finite()).then_some(variances)
+    let is_finite = traces.col_iter().all(|column| column.iter().all(|trace| trace.is_finite()));
+    is_finite.then_some(traces)
 }
 
 /// The different places of `components`, and the index of the place of each.
@@ -97,35 +97,45 @@ mod tests {
         normals.iter().enumerate().map(|(i, d)| Component { at: at(i), direction: *d, variance }).collect()
     }
 
-    /// By definition: the covariance of all observations and of the displacement, and its Schur complement.
-    fn slow(prior: &SmoothPrior, center: &Point3<f64>, components: &[Component], p: &Point3<f64>) -> f64 {
+    /// By definition: the covariance of all observations and of the displacements at `p` and `q`, and its Schur complement.
+    fn slow(
+        prior: &SmoothPrior,
+        center: &Point3<f64>,
+        components: &[Component],
+        p: &Point3<f64>,
+        q: &Point3<f64>,
+    ) -> f64 {
         let n = components.len();
-        let joint = DMatrix::from_fn(n + 3, n + 3, |i, j| {
+        let joint = DMatrix::from_fn(n + 6, n + 6, |i, j| {
             let part = |k: usize| match components.get(k) {
                 Some(c) => (c.at, c.direction),
-                None => (*p, Vector3::ith(k - n, 1.0)),
+                None if k < n + 3 => (*p, Vector3::ith(k - n, 1.0)),
+                None => (*q, Vector3::ith(k - n - 3, 1.0)),
             };
             let ((at, direction), (other, across)) = (part(i), part(j));
             let noise = if i == j && i < n { components[i].variance } else { 0.0 };
             prior.covariance_of(&at, &other, center) * direction.dot(&across) + noise
         });
-        let (g, c) = (joint.view((0, 0), (n, n)).into_owned(), joint.view((0, n), (n, 3)).into_owned());
-        let rest = joint.view((n, n), (3, 3)) - c.transpose() * g.try_inverse().unwrap() * c;
-        rest.trace()
+        let (g, c) = (joint.view((0, 0), (n, n)).into_owned(), joint.view((0, n), (n, 6)).into_owned());
+        let rest = joint.view((n, n), (6, 6)) - c.transpose() * g.try_inverse().unwrap() * c;
+        rest.view((0, 3), (3, 3)).trace()
     }
 
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(32))]
 
         #[test]
-        fn variances_are_those_of_the_joint_distribution(seed in 0u64..1000, n in 1usize..20, width in 2.0..20.0) {
+        fn covariances_are_those_of_the_joint_distribution(seed in 0u64..1000, n in 1usize..20, width in 2.0..20.0) {
             let (prior, components) = (prior(width, 1.3), observed(n, seed, 0.2));
             let center = Point3::new(0.5, -0.5, 1.0);
             let points = cloud(seed + 7, 4);
-            let found = posterior_variances(&prior, &center, &components, &points).unwrap();
-            for (p, found) in points.iter().zip(found) {
-                let expected = slow(&prior, &center, &components, p);
-                prop_assert!((found - expected).abs() < 1e-8 * (1.0 + expected), "{} {}", found, expected);
+            let found = posterior_covariances(&prior, &center, &components, &points).unwrap();
+            for (k, p) in points.iter().enumerate() {
+                for (l, q) in points.iter().enumerate() {
+                    let expected = slow(&prior, &center, &components, p, q);
+                    let tolerance = 1e-8 * (1.0 + expected.abs());
+                    prop_assert!((found[(k, l)] - expected).abs() < tolerance, "{} {}", found[(k, l)], expected);
+                }
             }
         }
 
@@ -133,10 +143,10 @@ mod tests {
         fn more_observations_and_less_noise_never_raise_a_variance(seed in 0u64..1000, noise in 0.01..1.0) {
             let (prior, center) = (prior(6.0, 1.0), Point3::origin());
             let points = cloud(seed + 3, 5);
-            let of = |n: usize, noise: f64| posterior_variances(&prior, &center, &observed(24, seed, noise)[..n], &points).unwrap();
+            let of = |n: usize, noise: f64| posterior_covariances(&prior, &center, &observed(24, seed, noise)[..n], &points).unwrap();
             let (few, many, clear) = (of(12, noise), of(24, noise), of(24, 0.5 * noise));
             for k in 0..points.len() {
-                prop_assert!(many[k] <= few[k] + 1e-9 && clear[k] <= many[k] + 1e-9);
+                prop_assert!(many[(k, k)] <= few[(k, k)] + 1e-9 && clear[(k, k)] <= many[(k, k)] + 1e-9);
             }
         }
     }
@@ -153,16 +163,16 @@ mod tests {
             })
             .collect();
         let found =
-            posterior_variances(&prior, &Point3::origin(), &components, &[Point3::new(10.0, 10.0, 0.0)]).unwrap();
+            posterior_covariances(&prior, &Point3::origin(), &components, &[Point3::new(10.0, 10.0, 0.0)]).unwrap();
         let alone = prior.covariance_of(&Point3::origin(), &Point3::origin(), &Point3::origin());
-        assert!((found[0] - 2.0 * alone).abs() < 0.01 * alone, "{} {alone}", found[0]);
+        assert!((found[(0, 0)] - 2.0 * alone).abs() < 0.01 * alone, "{} {alone}", found[(0, 0)]);
     }
 
     #[test]
     fn without_observations_the_variance_is_that_of_the_prior() {
         let (prior, p) = (prior(4.0, 2.0), Point3::new(1.0, 2.0, 3.0));
-        let found = posterior_variances(&prior, &Point3::origin(), &[], &[p]).unwrap();
+        let found = posterior_covariances(&prior, &Point3::origin(), &[], &[p]).unwrap();
         let expected = 3.0 * (0.7 * 0.7 + 0.05 * 0.05 * 14.0 + 4.0);
-        assert!((found[0] - expected).abs() < 1e-12);
+        assert!((found[(0, 0)] - expected).abs() < 1e-12);
     }
 }

@@ -24,6 +24,8 @@
 # make accuracy  measure accuracy and compare it with other programs; DATA=dir: label volumes in dir/hippocampus;
 #              EVAL=dir: the folder of real_cases.py; CASES=10: pairs per set; OURS_ONLY=1: without the other programs
 # make energies  the energy of the truth against what each minimizer finds; DATA, EVAL, CASES as for make accuracy
+# make thresholds  what each number of benches/thresholds.toml decides: builds with it larger and smaller, against the build as it is,
+#              hours; ONLY=NAME,...: some of them; DATA, EVAL, CASES as for make accuracy; the record is target/thresholds/thresholds.md
 # make answers compare the answers of this build with tests/answers.tsv, to the bit, on 20 real pairs and eight methods;
 #              DATA=dir: label volumes in dir/hippocampus
 # make peers-read  read what other programs write, mutations of it and test data of PyPI packages with homolog and with nibabel, VTK,
@@ -42,7 +44,7 @@
 SHELL := /usr/bin/env bash
 .SHELLFLAGS := -eu -o pipefail -c
 .DEFAULT_GOAL := help
-.PHONY: help demo test faults fuzz soak memory check sbom advisories contract build api client picture method-pictures experiment accuracy energies methods answers study study-others study-env bench bench-service dashboard screenshots peers-read
+.PHONY: help demo test faults fuzz soak memory check sbom advisories contract build api client picture method-pictures experiment accuracy energies thresholds methods answers study study-others study-env bench bench-service dashboard screenshots peers-read
 
 CARGO ?= cargo
 SOURCE ?=
@@ -57,6 +59,7 @@ DEMO_OUT ?= target/demo
 EVAL ?= eval
 CASES ?=
 OURS_ONLY ?=
+ONLY ?=
 PARTS ?=
 ROUNDS ?= 6
 SPLITS ?=
@@ -118,9 +121,10 @@ contract:
 api:
 	@scripts/setup build
 	mkdir -p api
-	$(CARGO) run --quiet --locked -- openapi > api/openapi.json.tmp
-	$(CARGO) run --quiet --locked -- problems > api/problems.md.tmp
-	$(CARGO) run --quiet --locked -- parameters > docs/parameters.md.tmp
+	$(CARGO) build --workspace --locked --bins
+	"$(or $(CARGO_TARGET_DIR),$(CURDIR)/target)/debug/homolog" openapi > api/openapi.json.tmp
+	"$(or $(CARGO_TARGET_DIR),$(CURDIR)/target)/debug/homolog" problems > api/problems.md.tmp
+	"$(or $(CARGO_TARGET_DIR),$(CURDIR)/target)/debug/homolog" parameters > docs/parameters.md.tmp
 	mv api/openapi.json.tmp api/openapi.json
 	mv api/problems.md.tmp api/problems.md
 	mv docs/parameters.md.tmp docs/parameters.md
@@ -160,6 +164,10 @@ energies:
 	$(CARGO) build --release --locked -p homolog -p homolog-laboratory --example energies --bins
 	benches/accuracy/run --binary target/release/homolog --data "$(DATA)" --eval "$(EVAL)" --ours-only \
 	  --energies target/release/examples/energies $(if $(CASES),--cases "$(CASES)")
+
+thresholds:
+	@scripts/setup build
+	benches/accuracy/run thresholds --data "$(DATA)" --eval "$(EVAL)" $(if $(CASES),--cases "$(CASES)") $(if $(ONLY),--only "$(ONLY)")
 
 methods: build
 	benches/methods/run --binary target/release/homolog --data "$(DATA)" --eval "$(EVAL)" --out target/methods $(if $(CASES),--cases "$(CASES)")

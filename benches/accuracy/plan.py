@@ -34,7 +34,10 @@ COUNTS = {**{kind: 6 for kind in symmetries.KINDS}, **{kind: 8 for kind in analy
 """The most pairs of these sets: their indices take turns in samplings, or in widths and shapes."""
 ABLATION = {
     "real": ["real_warp4", "real_warp8", "real_cross"],
-    "bent": [*bodies.KINDS, "bent_90", "bent_120"],
+    "road": [
+        *["real_warp8", "real_cross", "real_resample", "resample_noise", "bean_warp8", "analytic_star_10_3000"],
+        *["bent_120", "bodies_posed", "bodies_animals", "bodies_build"],
+    ],
     "parts": parts.KINDS,
 }
 """The sets on which each group of variants is measured."""
@@ -68,8 +71,10 @@ def cores_of(method):
 
 
 def ablated(n, kind):
-    """How many pairs of a set the ablation has: twice as many bent ones and parts, as intervals have to be told apart."""
-    return max(n // 2, 1) * MANY.get(kind, 1) if kind in ABLATION["real"] else 2 * n
+    """How many pairs of a set the ablation has: twice as many parts, as intervals have to be told apart."""
+    if kind in ABLATION["real"]:
+        return max(n // 2, 1) * MANY.get(kind, 1)
+    return 2 * n if kind in parts.KINDS else count_of(kind, n)
 
 
 def count_of(kind, n):

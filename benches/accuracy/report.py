@@ -10,6 +10,8 @@ import bodies
 import parts
 import report_sets
 import report_shapes
+import scores
+import verdicts
 from cases import CUT_SHARE, NOISE_SHARE, ROBUSTNESS
 from peers import PEERS
 from plan import ABLATION, DEFAULT, MANY, OURS, ROBUST_OURS, ROBUST_PEERS, ablated, read_variants
@@ -358,9 +360,49 @@ FIGURE_TITLES = {
 def ablation_section(found):
     if not any(r["method"].startswith("variant: ") for r in found["records"]):
         return "## Ablation\n\nNot run for this report.\n"
-    tables = [ablation_table(found, group, variants) for group, variants in read_variants().items()]
+    tables = [
+        (road_table if group == "road" else ablation_table)(found, group, variants)
+        for group, variants in read_variants().items()
+    ]
     text = f"`{DEFAULT}` with one part changed (`benches/accuracy/variants.json`), on the same pairs.\n\n"
     return "## Ablation\n\n" + text + "\n\n".join(tables)
+
+
+def road_table(found, group, variants):
+    """What each part of the road decides on each set: error, how far confidence is from the truth, verdict, time."""
+    rows = []
+    for kind in ABLATION[group]:
+        figure = FIGURE_OF.get(kind, "w1")
+        for name in variants:
+            of_set = [r for r in found["records"] if r["method"] == f"variant: {name}" and r["case"].split("/")[0] == kind]
+            records = of_set[: ablated(found["n"], kind)]
+            if not records:
+                continue
+            summary = summarize(records)
+            answered = [r for r in records if r["status"] == "answered"]
+            said = sum(bool((r.get("reliability") or {}).get("reliable")) for r in answered)
+            wrong = sum(map(verdicts.is_wrong_yet_reliable, answered))
+            gaps = [
+                abs(r["mean_confidence"] - r["scores"]["point_w1"])
+                for r in answered
+                if "point_w1" in r["scores"] and r.get("mean_confidence") is not None
+            ]
+            rows.append(
+                [
+                    f"{TITLES[kind]}: {FIGURE_TITLES[figure]}" if name == next(iter(variants)) else "",
+                    name,
+                    mean_text(summary[figure], 3),
+                    mean_text(scores.spread(gaps, False), 3) if gaps else "",
+                    f"{said} of {len(records)}" + (f", {wrong} of them wrong" if wrong else ""),
+                    mean_text(summary["cpu_seconds"]),
+                ]
+            )
+    titles = ["set", "", "figure", "confidence off by", "reliable", "processor seconds"]
+    text = (
+        "Confidence is off by the mean over pairs of the difference between a pair's mean confidence and its share of corresponding "
+        "points within one edge.\n\n"
+    )
+    return text + table(titles, rows)
 
 
 def ablation_table(found, group, variants):

@@ -15,6 +15,46 @@ pub struct DisplacementParameters {
     /// What is tried for surfaces that are bent, folded or articulated against each other.
     #[cfg_attr(feature = "serde", serde(default = "near_isometry"))]
     pub bending: Bending,
+    /// Which rigid poses fits begin from.
+    #[cfg_attr(feature = "serde", serde(default = "from_labels"))]
+    pub starts: FieldStarts,
+    /// What confidences and spreads rest on.
+    #[cfg_attr(feature = "serde", serde(default = "from_posterior"))]
+    pub uncertainty: Uncertainty,
+}
+
+#[cfg(feature = "serde")]
+fn from_labels() -> FieldStarts {
+    FieldStarts::Labels
+}
+
+#[cfg(feature = "serde")]
+fn from_posterior() -> Uncertainty {
+    Uncertainty::Posterior
+}
+
+/// Which rigid poses the fit of a displacement field begins from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
+pub enum FieldStarts {
+    /// Those that RANSAC finds among the labels of belief propagation; a search of all orientations where these leave a doubt.
+    Labels,
+    /// Those of a search of all orientations, for comparison.
+    Search,
+}
+
+/// What the confidences and spreads of a displacement field rest on.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
+pub enum Uncertainty {
+    /// The posterior of the field under what the two surfaces determine.
+    Posterior,
+    /// The distance that is left along the normals alone, for comparison: it does not know how far an image may have slid.
+    Residual,
 }
 
 /// Jobs that were stored before this parameter existed had no other choice.

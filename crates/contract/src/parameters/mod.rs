@@ -18,7 +18,7 @@ mod request;
 #[cfg(feature = "serde")]
 mod resolve;
 
-pub use displacement::{Anatomy, Bending, DisplacementMode, DisplacementParameters};
+pub use displacement::{Anatomy, Bending, DisplacementMode, DisplacementParameters, FieldStarts, Uncertainty};
 pub use energy::{CurvatureEstimator, EnergyParameters, FeatureKind, FeatureParameters, PairwiseDistance, Precisions};
 pub use inference::{
     Algorithm, AnnealingParameters, ClampingMode, ClampingParameters, CoolingSchedule, InferenceParameters,

@@ -4,9 +4,9 @@ use super::energy::{default_scales, default_support};
 use super::{
     Algorithm, Anatomy, AnnealingParameters, Bending, ClampingMode, ClampingParameters, CoolingSchedule,
     CurvatureEstimator, DisplacementMode, DisplacementParameters, EnergyParameters, FeatureKind, FeatureParameters,
-    InferenceParameters, InitialPose, InputParameters, MatchParameters, MessageSchedule, MinimalEstimator,
+    FieldStarts, InferenceParameters, InitialPose, InputParameters, MatchParameters, MessageSchedule, MinimalEstimator,
     OrientationSolver, PairwiseDistance, Precisions, Refinement, RegistrationParameters, SideParameters, SurfaceKind,
-    Update,
+    Uncertainty, Update,
 };
 
 /// A named preset.
@@ -270,6 +270,8 @@ fn balanced() -> MatchParameters {
             mode: DisplacementMode::Smooth,
             anatomy: Anatomy::Any,
             bending: Bending::NearIsometry,
+            starts: FieldStarts::Labels,
+            uncertainty: Uncertainty::Posterior,
         },
         landmarks: Vec::new(),
         both_directions: false,

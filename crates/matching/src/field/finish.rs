@@ -14,7 +14,7 @@ use super::strain::distortion;
 use crate::error::MatchError;
 use crate::pair::role::Role;
 use crate::pair::surfaces::{Surfaces, swapped};
-use homolog_contract::parameters::Landmark;
+use homolog_contract::parameters::{Landmark, Uncertainty};
 use homolog_mesh::SurfaceMesh;
 use homolog_registration::RigidTransform;
 use nalgebra::Point3;
@@ -58,6 +58,11 @@ pub(crate) fn finished(
     };
     // The field of a small surface is fitted on all its vertices.
     let moved = if source == full_source { fitted } else { met(full_source, refined.moved(full_source)) };
+    let transform = rigid.transform;
+    if displacement.options.uncertainty == Uncertainty::Residual {
+        let variances = vec![residual_mm * residual_mm; moved.len()];
+        return Ok(Some(Deformed { moved, variances, transform, residual_mm, agreement, distortion }));
+    }
     let Some(mut variances) = observed::variances(displacement, &refined, &reached, full_source.vertices()) else {
         return Ok(None);
     };
@@ -71,7 +76,6 @@ pub(crate) fn finished(
     if let Some(error) = error {
         along::raise(&mut variances, error, &lengths);
     }
-    let transform = rigid.transform;
     Ok(Some(Deformed { moved, variances, transform, residual_mm, agreement, distortion }))
 }
 

@@ -2,6 +2,7 @@
 
 use super::settings::{ChoiceSettings, FineSettings, IsometryFitSettings, LocalSettings, RouteSettings};
 use crate::pair::prior::PriorOptions;
+use homolog_contract::parameters::Uncertainty;
 
 /// Settings of the displacement. The defaults are round numbers; nearby values gave the same accuracy within its spread. Twice
 /// the steps and half again as many inducing points took 1.5 times as long and changed the share of vertices within one edge,
@@ -29,6 +30,8 @@ pub(crate) struct DisplacementOptions {
     pub isometry: IsometryFitSettings,
     /// What is tried, and what is taken.
     pub route: RouteSettings,
+    /// What variances rest on.
+    pub uncertainty: Uncertainty,
 }
 
 impl Default for DisplacementOptions {
@@ -44,6 +47,7 @@ impl Default for DisplacementOptions {
             local: LocalSettings::default(),
             isometry: IsometryFitSettings::default(),
             route: RouteSettings::default(),
+            uncertainty: Uncertainty::Posterior,
         }
     }
 }

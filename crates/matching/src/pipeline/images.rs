@@ -21,7 +21,7 @@ use crate::pair::vertex_map::VertexMap;
 use crate::poses::posed::{InferredPose, Posed};
 use crate::starts::candidates::Starts;
 use crate::starts::search::sameness;
-use homolog_contract::parameters::{Bending, DisplacementMode};
+use homolog_contract::parameters::{Bending, DisplacementMode, FieldStarts};
 use homolog_contract::result::PoseOrigin;
 use homolog_primitives::observe::Phase;
 use homolog_registration::RigidTransform;
@@ -149,7 +149,8 @@ fn by_field(coarse: &Coarse<'_>, posed: &Posed<'_>, starts: &mut Starts) -> Resu
         _ => None,
     };
     // A part has labels that correspond to nothing.
-    match inferred.as_ref().filter(|inferred| !surfaces.open && inferred.is_clear()) {
+    let may_begin = !surfaces.open && scene.parameters.displacement.starts == FieldStarts::Labels;
+    match inferred.as_ref().filter(|inferred| may_begin && inferred.is_clear()) {
         Some(inferred) => {
             let poses: Vec<RigidTransform> = inferred.poses().collect();
             starts.add_inferred(coarse, &poses, |pose| aligned_shortly(coarse, pose));
@@ -165,7 +166,10 @@ fn by_field(coarse: &Coarse<'_>, posed: &Posed<'_>, starts: &mut Starts) -> Resu
         _ => surfaces,
     };
     let poses = starts.with_excess(sameness(&source.middle, &target.middle));
-    let options = DisplacementOptions::default();
+    let options = DisplacementOptions {
+        uncertainty: scene.parameters.displacement.uncertainty,
+        ..DisplacementOptions::default()
+    };
     let allow_reflection = scene.parameters.registration.allow_reflection;
     let Some(fitted) = displace(&surfaces, smoothed, &poses, allow_reflection, &options, &counting)? else {
         return Ok(None);

@@ -122,6 +122,39 @@ export interface Mesh {
   problem?: Problem;
 }
 
+export type StudyState = "queued" | "matching" | "modelling" | "finished" | "failed" | "cancelled";
+
+export interface Study {
+  id: string;
+  state: StudyState;
+  progress: { template_round: number; matches_done: number; matches_total: number };
+  n_subjects: number;
+  method: string;
+  labels: Record<string, string>;
+  external_ref?: string;
+  created_at: string;
+  finished_at?: string;
+  error?: Problem;
+  subjects?: StudySubject[];
+  links: Record<string, string | undefined>;
+}
+
+export interface StudySubject {
+  id: string;
+  role: "model" | "score";
+  decision?: "kept" | "dropped";
+  reason?: string;
+}
+
+export interface StudyResult {
+  settings: { analysis?: { effect?: string | null; adjust?: string[]; permutations?: number } };
+  found: {
+    subjects: Record<"model" | "scored" | "dropped" | "unreliable" | "failed", number>;
+    model: { variances_mm2: number[]; compactness: number[] };
+    maps: { measure: string; contrast: string; smallest_p: number; significant_share: number }[];
+  };
+}
+
 export interface Result {
   transform: { matrix: number[][]; rotation_angle_deg: number; translation_mm: number[] };
   support: { inliers: number; ratio: number; rms_mm: number; tolerance_mm: number };
@@ -202,6 +235,22 @@ export async function send<T>(method: string, path: string, body?: unknown): Pro
     init.headers = { "content-type": "application/json" };
   }
   return (await call(path, init)).json() as Promise<T>;
+}
+
+/** Opens what `path` answers in a tab or as a file of its own. A link could not carry the key: a ticket for a minute does. */
+export async function open(path: string, tab: boolean): Promise<void> {
+  // Opened before the answer: a browser opens no tab that nobody has clicked for.
+  const opened = tab ? window.open("", "_blank") : null;
+  if (opened) opened.opener = null;
+  try {
+    const { ticket } = key.get() === null ? { ticket: null } : await send<{ ticket: string }>("POST", "v1/tickets", { path: `/${path}` });
+    const target = address(`${path}${query({ ticket })}`).href;
+    if (opened) opened.location.href = target;
+    else location.assign(target);
+  } catch (error) {
+    opened?.close();
+    throw error;
+  }
 }
 
 /** Saves what `path` answers as a file. A link could not carry the key. */

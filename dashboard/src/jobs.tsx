@@ -30,7 +30,7 @@ const [GATHER_MS, RETRY_MS] = [300, 2_000];
 /** Rows that are asked for at the same time, one by one. */
 const AT_ONCE = 20;
 const ROW_PX = 44;
-const FILTERS = ["state", "method", "label", "external_ref", "batch", "order"] as const;
+const FILTERS = ["state", "method", "label", "external_ref", "batch", "study", "order"] as const;
 
 /** What the list can be told to do. */
 interface List {

@@ -9,12 +9,15 @@ import { Jobs } from "./jobs";
 import { Operations } from "./operations";
 import { Failure } from "./parts";
 import { usePlace } from "./router";
+import { Studies } from "./studies";
+import { StudyView } from "./study";
 import { Submit } from "./submit";
 
 const VIEWS: [string, string][] = [
   ["jobs", "Jobs"],
   ["submit", "Submit"],
   ["batches", "Batches"],
+  ["studies", "Studies"],
   ["operations", "Operations"],
 ];
 
@@ -74,7 +77,7 @@ function App() {
   const [view = "jobs", id] = path;
   useEffect(() => {
     const name = VIEWS.find(([word]) => word === view)?.[1] ?? "Dashboard";
-    document.title = id ? `${view === "batches" ? "Batch" : "Job"} ${id.slice(-8)} · homolog` : `${name} · homolog`;
+    document.title = id ? `${{ batches: "Batch", studies: "Study" }[view] ?? "Job"} ${id.slice(-8)} · homolog` : `${name} · homolog`;
   }, [view, id]);
 
   let shown;
@@ -84,6 +87,8 @@ function App() {
   else if (view === "submit") shown = <Submit />;
   else if (view === "batches" && id !== undefined) shown = <BatchView id={id} key={id} />;
   else if (view === "batches") shown = <Batches />;
+  else if (view === "studies" && id !== undefined) shown = <StudyView id={id} key={id} />;
+  else if (view === "studies") shown = <Studies />;
   else if (view === "operations") shown = <Operations />;
   else shown = <p class="failure">There is no view of this name. Choose one above.</p>;
 

@@ -6,7 +6,6 @@ import {
   BufferGeometry,
   Color,
   DataTexture,
-  DoubleSide,
   Group,
   InstancedMesh,
   LineBasicMaterial,
@@ -18,7 +17,7 @@ import {
   Quaternion,
   Raycaster,
   Scene,
-  ShaderMaterial,
+  type ShaderMaterial,
   SphereGeometry,
   Vector2,
   Vector3,
@@ -28,13 +27,14 @@ import {
 import { TrackballControls } from "three/examples/jsm/controls/TrackballControls.js";
 import { STEPS, colorMap, outlierMap, type MapName } from "./colors";
 import { type ColumnName, type Pair, placesIn } from "./pair";
+import { NO_SECTION, coloredMaterial } from "./shader";
 
 export type Coloring = "correspondence" | ColumnName;
 export type Side = "source" | "target";
 
 export interface Look {
   coloring: Coloring;
-  map: MapName;
+  map: Exclude<MapName, "blue_red">;
   /** The value at the upper end of the scale, in the unit of the column. */
   top: number;
   grid: boolean;
@@ -56,57 +56,6 @@ export interface Picked {
   spread_mm: number;
 }
 
-const VERTEX = /* glsl */ `
-  attribute float value;
-  attribute vec3 place;
-  uniform mat4 pose;
-  varying float vValue;
-  varying vec3 vPlace;
-  varying vec3 vNormal;
-  varying vec3 vPosed;
-  void main() {
-    vValue = value;
-    vPlace = place;
-    vNormal = normalMatrix * normal;
-    vPosed = (pose * vec4(position, 1.0)).xyz;
-    gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
-  }`;
-
-// The colors of the map are those on the screen; light scales them, so that hue and saturation stay what they are.
-const FRAGMENT = /* glsl */ `
-  uniform sampler2D map;
-  uniform float low;
-  uniform float top;
-  uniform float opacity;
-  uniform bool byPlace;
-  uniform bool grid;
-  uniform vec4 section;
-  varying float vValue;
-  varying vec3 vPlace;
-  varying vec3 vNormal;
-  varying vec3 vPosed;
-  float line(float at) {
-    float width = fwidth(at);
-    float off = abs(fract(at - 0.5) - 0.5);
-    return width > 0.4 ? 0.0 : 1.0 - smoothstep(width, 2.0 * width, off);
-  }
-  void main() {
-    if (dot(vPosed, section.xyz) > section.w) discard;
-    float at = byPlace ? vPlace.x : (vValue - low) / (top - low);
-    bool isKnown = byPlace ? vPlace.x > -0.001 : vValue > -1e8;
-    vec3 color = !isKnown ? vec3(0.62, 0.64, 0.66) : texture2D(map, vec2(clamp(at, 0.002, 0.998), 0.5)).rgb;
-    if (grid && vPlace.x > -0.5) {
-      float around = atan(vPlace.z, vPlace.y) * 1.2732395;
-      float cut = abs(vPlace.z) < 1e-6 ? 0.0 : 1.0;
-      float lines = max(line(vPlace.x * 12.0), fwidth(around) > 1.0 ? 0.0 : cut * line(around));
-      color *= 1.0 - 0.55 * lines;
-    }
-    float light = 0.42 + 0.58 * abs(normalize(vNormal).z);
-    if (!gl_FrontFacing) color = mix(color, vec3(0.45), 0.6);
-    gl_FragColor = vec4(color * light, opacity);
-  }`;
-
-const NO_SECTION = new Vector4(0, 0, 0, 1);
 const LINES = 240;
 const MARKS = 64;
 /** A picture that takes longer is drawn with fewer triangles until the view rests. */
@@ -152,7 +101,7 @@ export class PairScene {
   private readonly lineRows: number[];
   private readonly pose = new Matrix4();
   private readonly centers: { source: Vector3; moved: Vector3 };
-  private readonly maps: Record<MapName | "outlier", DataTexture>;
+  private readonly maps: Record<Look["map"] | "outlier", DataTexture>;
   private readonly sizes = new ResizeObserver(() => this.resize());
   private look: Look;
   private isSlow = false;
@@ -245,17 +194,7 @@ export class PairScene {
 
   private surface(geometry: BufferGeometry): Mesh<BufferGeometry, ShaderMaterial> {
     geometry.setAttribute("value", new BufferAttribute(new Float32Array(geometry.getAttribute("position").count), 1));
-    const uniforms = {
-      map: { value: this.maps.viridis },
-      low: { value: 0 },
-      top: { value: 1 },
-      opacity: { value: 1 },
-      byPlace: { value: true },
-      grid: { value: true },
-      section: { value: NO_SECTION.clone() },
-      pose: { value: new Matrix4() },
-    };
-    const material = new ShaderMaterial({ vertexShader: VERTEX, fragmentShader: FRAGMENT, uniforms, side: DoubleSide });
+    const material = coloredMaterial(this.maps.viridis);
     const mesh = new Mesh(geometry, material);
     mesh.matrixAutoUpdate = false;
     return mesh;

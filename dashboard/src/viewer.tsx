@@ -119,7 +119,7 @@ export function Viewer({ job, pair }: { job: Job; pair: Pair }) {
         </label>
         <label>
           Map{" "}
-          <select value={look.map} onChange={(e) => change({ map: e.currentTarget.value as MapName })}>
+          <select value={look.map} onChange={(e) => change({ map: e.currentTarget.value as Look["map"] })}>
             <option value="viridis">viridis</option>
             <option value="cividis">cividis</option>
           </select>

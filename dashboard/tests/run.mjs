@@ -5,6 +5,7 @@ import assert from "node:assert/strict";
 import { readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import * as h from "./harness.mjs";
+import { studyTests } from "./studies.mjs";
 import { angle, longestAxis, vertices, viridis } from "./surfaces.mjs";
 
 const tests = [];
@@ -688,7 +689,7 @@ test("behind a path prefix nothing is missed", async () => {
   await page.click('button.primary:has-text("Match them"):not([disabled])');
   await page.waitForURL(/#\/jobs\/[0-9a-f-]{36}/);
   await shown(page);
-  for (const view of ["Batches", "Operations", "Jobs"]) {
+  for (const view of ["Batches", "Studies", "Operations", "Jobs"]) {
     await page.click(`nav a:has-text("${view}")`);
     await page.waitForSelector(`h1:has-text("${view}")`);
     await page.waitForTimeout(300);
@@ -742,6 +743,8 @@ test("a batch, worst first, and the state of the queue", async () => {
   page.complaints();
 });
 
+studyTests({ test, service: () => open, upload, json, sent, sphere });
+
 /** A batch of one template against subjects, in the form of the example. */
 function asTemplate(example, template, subjects) {
   const { template: _, pairs: __, subjects: ___, external_ref: ____, labels: _____, ...rest } = example;
@@ -771,7 +774,7 @@ test("light and dark, 1280 and 390 pixels: every view fits and is accessible", a
   const { jobs } = await json(open, "jobs?state=succeeded&page_size=1");
   for (const [colorScheme, width, height] of [["dark", 1280, 860], ["light", 390, 844], ["dark", 390, 844]]) {
     const page = await h.tab({ width, height, colorScheme });
-    for (const view of ["jobs", "submit", "batches", "operations", `jobs/${jobs[0].id}`]) {
+    for (const view of ["jobs", "submit", "batches", "studies", "operations", `jobs/${jobs[0].id}`]) {
       await page.goto(`${open}#/${view}`);
       await page.waitForSelector("main h1");
       if (view.includes("/")) await shown(page);

@@ -64,6 +64,7 @@ export interface Job {
   labels: Record<string, string>;
   external_ref?: string;
   batch_id?: string;
+  study_id?: string;
   attempt: number;
   max_attempts: number;
   progress?: { fraction: number; phase: string; message?: string };

@@ -1,7 +1,7 @@
 // Batches: a study at a glance, the worst match first.
 
 import { useState } from "preact/hooks";
-import { type Batch, type Job, STATES, describe, get, query as queryOf, send } from "./api";
+import { type Batch, STATES, describe, get, query as queryOf, send } from "./api";
 import { age, duration, isFinal, mm, number, shortId, verdictWord } from "./format";
 import { type Page, type Row, rowOf } from "./jobs";
 import { pause } from "./live";
@@ -198,7 +198,7 @@ export function BatchView({ id }: { id: string }) {
           </thead>
           <tbody>
             {sorted.slice(0, 500).map((row) => {
-              const said = verdictWord(row as Job);
+              const said = verdictWord(row);
               return (
                 <tr key={row.id}>
                   <td>

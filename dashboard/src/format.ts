@@ -156,7 +156,7 @@ export function verdict(job: Job): VerdictText {
 }
 
 /** The verdict in one word, for tables. */
-export function verdictWord(job: Job): { tone: Tone; text: string } {
+export function verdictWord(job: Pick<Job, "state" | "reliable" | "unreliable_reasons">): { tone: Tone; text: string } {
   if (job.state !== "succeeded") return { tone: "neutral", text: "" };
   if (job.reliable === true) return { tone: "good", text: "✓ reliable" };
   const [first, ...more] = job.unreliable_reasons ?? [];

@@ -55,6 +55,18 @@ export function useNow(): number {
   return now;
 }
 
+/** A choice that this browser keeps. */
+export function useKept(name: string, usual: string): [string, (value: string) => void] {
+  const [value, setValue] = useState(localStorage.getItem(`homolog-${name}`) ?? usual);
+  return [
+    value,
+    (next) => {
+      setValue(next);
+      localStorage.setItem(`homolog-${name}`, next);
+    },
+  ];
+}
+
 /** Runs `work` when `inputs` change; its signal ends what the last run began. */
 export function useWork(work: (signal: AbortSignal) => void, inputs: unknown[]): void {
   useEffect(() => {

@@ -3,7 +3,7 @@
 import { useEffect, useState } from "preact/hooks";
 import { ApiError, type FieldFault, type Job, type Mesh, address, call, describe, get, send } from "./api";
 import { bytes, number, words } from "./format";
-import { Failure, Facts, useWork } from "./parts";
+import { Check, Facts, Failure, useKept } from "./parts";
 import { Preview } from "./preview";
 import { go } from "./router";
 
@@ -32,6 +32,7 @@ export function Submit() {
   const [failure, setFailure] = useState<string | null>(null);
   const [refusal, setRefusal] = useState<{ side: Side; text: string; place: [number, number, number] | null } | null>(null);
   const [isSending, setSending] = useState(false);
+  const [names, setNames] = useKept("names", "no");
 
   useEffect(() => {
     get<{ methods: Method[] }>("v1/methods").then(({ methods }) => setMethods(methods), (error: unknown) => setFailure(describe(error)));
@@ -84,7 +85,7 @@ export function Submit() {
         target: { mesh_id: target!.mesh!.id },
         parameters: unflatten({ method, ...changed }),
         priority,
-        labels: Object.fromEntries(pairs) as Record<string, string>,
+        labels: { ...(names === "yes" ? { source_file: label(source!.name), target_file: label(target!.name) } : {}), ...(Object.fromEntries(pairs) as Record<string, string>) },
         ...(reference === "" ? {} : { external_ref: reference }),
       };
       const answer = await send<Job>("POST", `v1/jobs${validateOnly ? "?validate_only=true" : ""}`, body);
@@ -142,6 +143,9 @@ export function Submit() {
             Labels <input placeholder="study:baseline" value={labels} onInput={(e) => setLabels(e.currentTarget.value)} />
           </label>
         </div>
+        <p>
+          <Check label="Keep the names of the files with the job" checked={names === "yes"} onChange={(e) => setNames(e.currentTarget.checked ? "yes" : "no")} /> <span class="soft">They tell jobs apart in the list. Not for names that identify people: whoever may read the job reads them.</span>
+        </p>
         <p>{chosen?.description}</p>
         {chosen && <Parameters method={chosen} schemas={schemas} changed={changed} change={setChanged} faults={faults} />}
       </section>
@@ -165,8 +169,15 @@ export function Submit() {
   );
 }
 
-/** What the service may know of a file's name: its ending. */
-const ending = (name: string): string => `file${/(\.[A-Za-z0-9]{1,8}){1,2}$/.exec(name)?.[0] ?? ""}`;
+/** A file's name as the value of a label: at most 256 bytes of its end, which tells most. */
+export function label(name: string): string {
+  let text = name;
+  while (new TextEncoder().encode(text).length > 256) text = text.slice(1);
+  return text;
+}
+
+/** What the service may know of a file's name unless its user says otherwise: its ending. */
+export const ending = (name: string): string => `file${/(\.[A-Za-z0-9]{1,8}){1,2}$/.exec(name)?.[0] ?? ""}`;
 
 interface DropProps {
   side: Side;

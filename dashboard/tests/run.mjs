@@ -5,6 +5,7 @@ import assert from "node:assert/strict";
 import { readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import * as h from "./harness.mjs";
+import { listTests } from "./lists.mjs";
 import { studyTests } from "./studies.mjs";
 import { angle, longestAxis, vertices, viridis } from "./surfaces.mjs";
 
@@ -743,6 +744,7 @@ test("a batch, worst first, and the state of the queue", async () => {
   page.complaints();
 });
 
+listTests({ test, service: () => open, pair: () => pair, submit, finished, json, drop });
 studyTests({ test, service: () => open, upload, json, sent, sphere });
 
 /** A batch of one template against subjects, in the form of the example. */

@@ -52,10 +52,15 @@ export function Batches() {
   return (
     <div>
       <h1>Batches</h1>
+      <p>
+        <a class="button" href="#/batches/new">
+          New batch from files
+        </a>
+      </p>
       <Failure text={failure} />
       {isLoaded && batches.length === 0 && (
         <p class="empty">
-          There is no batch yet. <code>POST /v1/batches</code> submits one template against many subjects at once; <a href="docs/">the API</a> says how.
+          There is no batch yet: one template against many subjects, <a href="#/batches/new">from files</a> or by <code>POST /v1/batches</code> of <a href="docs/">the API</a>.
         </p>
       )}
       {batches.length > 0 && (

@@ -176,7 +176,9 @@ export async function accessible(page, what) {
 /** Nothing is wider than the window. */
 export async function fits(page, what) {
   const [content, window] = await page.evaluate(() => [document.documentElement.scrollWidth, innerWidth]);
-  assert(content <= window, `${what}: ${content} px of content in ${window} px`);
+  if (content <= window) return;
+  const wide = await page.evaluate(() => [...document.querySelectorAll("main *")].filter((element) => element.getBoundingClientRect().right > innerWidth && !element.closest(".scroll, .rows")).slice(0, 5).map((element) => element.outerHTML.slice(0, 200)));
+  assert.fail(`${what}: ${content} px of content in ${window} px: ${wide.join(" | ")}`);
 }
 
 export async function picture(page, name) {

@@ -4,9 +4,11 @@
 import assert from "node:assert/strict";
 import { readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
+import { batchTests } from "./batches.mjs";
 import * as h from "./harness.mjs";
 import { listTests } from "./lists.mjs";
 import { studyTests } from "./studies.mjs";
+import { unitTests } from "./units.mjs";
 import { angle, longestAxis, vertices, viridis } from "./surfaces.mjs";
 
 const tests = [];
@@ -744,6 +746,8 @@ test("a batch, worst first, and the state of the queue", async () => {
   page.complaints();
 });
 
+unitTests({ test });
+batchTests({ test, service: () => open, pair: () => pair, json, drop });
 listTests({ test, service: () => open, pair: () => pair, submit, finished, json, drop });
 studyTests({ test, service: () => open, upload, json, sent, sphere });
 

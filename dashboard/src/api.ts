@@ -97,10 +97,17 @@ export interface TracePoint {
   support?: number;
   temperature?: number;
   elapsed_ms?: number;
+  /** What the energy is of, and where it began: where the service says so. */
+  quantity?: string;
+  start?: number | string;
+  chosen?: boolean;
 }
 
-/** Whether a point is one of a displacement field's, whose energies have another scale than those of labels. */
-export const isOfField = (point: TracePoint): boolean => point.phase === "displacement" && point.energy !== undefined;
+/** What the energy of a point is of: energies of different quantities have different scales. */
+export const quantityOf = (point: TracePoint): string => point.quantity ?? (point.phase === "displacement" && point.energy !== undefined ? "field" : "labels");
+
+/** Points that can be compared: of one quantity, from one start, of one round or fit, and found in one way. */
+export const runOf = (point: TracePoint): string => [quantityOf(point), point.start ?? "", point.round, point.phase].join("/");
 
 export interface Batch {
   id: string;
@@ -174,6 +181,7 @@ export interface Result {
     distortion?: number;
     normal_agreement: number;
     residual_mm: number;
+    second_opinion?: { angle_deg: number; agreement: number };
   };
   timings_ms: Record<string, number>;
   provenance: { version: string; commit: string; seed: number; [key: string]: unknown };

@@ -5,7 +5,8 @@ import { ApiError, type Job, call, describe, get, query as queryOf } from "./api
 import { age, bytes, duration, number, shortId, words } from "./format";
 import type { Page } from "./jobs";
 import { pause } from "./live";
-import { Bar, Badge, Facts, Failure, Plot, useNow, useWork } from "./parts";
+import { Bar, Badge, Facts, Failure, useNow, useWork } from "./parts";
+import { Plot } from "./plot";
 
 export type Metrics = Map<string, { labels: Record<string, string>; value: number }[]>;
 

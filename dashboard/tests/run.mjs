@@ -5,6 +5,7 @@ import assert from "node:assert/strict";
 import { readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { batchTests } from "./batches.mjs";
+import { chartTests } from "./charts.mjs";
 import * as h from "./harness.mjs";
 import { listTests } from "./lists.mjs";
 import { studyTests } from "./studies.mjs";
@@ -747,6 +748,7 @@ test("a batch, worst first, and the state of the queue", async () => {
 });
 
 unitTests({ test });
+chartTests({ test, service: () => open, pair: () => pair, submit, finished, json });
 batchTests({ test, service: () => open, pair: () => pair, json, drop });
 listTests({ test, service: () => open, pair: () => pair, submit, finished, json, drop });
 studyTests({ test, service: () => open, upload, json, sent, sphere });

@@ -8,7 +8,7 @@ import * as h from "./harness.mjs";
 
 /** A module of the page, as node can load it. */
 async function load(name) {
-  const { outputFiles } = await build({ entryPoints: [fileURLToPath(new URL(`../src/${name}`, import.meta.url))], bundle: true, format: "esm", write: false, logLevel: "error" });
+  const { outputFiles } = await build({ entryPoints: [fileURLToPath(new URL(`../src/${name}`, import.meta.url))], bundle: true, format: "esm", jsx: "automatic", jsxImportSource: "preact", write: false, logLevel: "error" });
   return import(`data:text/javascript;base64,${Buffer.from(outputFiles[0].text).toString("base64")}`);
 }
 
@@ -102,6 +102,36 @@ export function unitTests({ test }) {
       const text = [columns.join(","), ...rows.map((row) => columns.map((name) => written(row[name])).join(","))].join("\n") + "\n";
       assert.deepEqual(readCsv(text), rows, JSON.stringify(text));
     }
+  });
+
+  test("a small line of energies joins only what can be compared, and stays within its picture", async () => {
+    const { lastRun, outline } = await load("spark.tsx");
+    const next = random(4);
+    const pick = (list) => list[Math.floor(next() * list.length)];
+    const run = ({ quantity, start, round, phase }) => [quantity ?? (phase === "displacement" ? "field" : "labels"), start, round, phase].join();
+    let lines = 0;
+    for (let round = 0; round < 2000; round++) {
+      let point = {};
+      const points = Array.from({ length: Math.floor(next() * 14) }, (_, k) => {
+        if (k === 0 || next() < 0.2) point = { quantity: pick([undefined, "bethe", "field"]), start: pick([undefined, 0, 1]), round: pick([0, 1]), phase: pick(["inference", "registration", "displacement"]) };
+        return { ...point, seq: k + 1, iteration: k, ...(next() < 0.8 ? { energy: pick([1, -1, 1e6, 1e-9, 0]) * next() } : {}) };
+      });
+      const line = lastRun(points);
+      const known = points.filter(({ energy }) => energy !== undefined);
+      const last = known.findLastIndex((point, k) => k > 0 && run(point) === run(known[k - 1]));
+      assert.equal(line === null, last < 0);
+      if (line === null) continue;
+      lines++;
+      let first = last;
+      while (first > 0 && run(known[first - 1]) === run(known[last])) first--;
+      assert.deepEqual(line.values, known.slice(first, last + 1).map(({ energy }) => energy));
+      const places = outline(line.values).split(" ").map((pair) => pair.split(",").map(Number));
+      assert.equal(places.length, line.values.length);
+      assert(places.every(([x, y]) => x >= 0 && x <= 80 && y >= 0 && y <= 22), outline(line.values));
+      // What is higher is drawn higher.
+      line.values.forEach((value, k) => k > 0 && assert((value - line.values[k - 1]) * (places[k][1] - places[k - 1][1]) <= 0));
+    }
+    assert(lines > 500, `${lines} lines`);
   });
 
   test("single files of archives are read, small and large, by parts and from servers that know none", async () => {

@@ -1,5 +1,6 @@
 // A job: the verdict first, then the picture, then how it came about.
 
+import type { Vector3 } from "three";
 import { useMemo, useState } from "preact/hooks";
 import { type Job, type Result, type TracePoint, describe, get, send } from "./api";
 import { duration, isFinal, mm, number, percent, verdict, words } from "./format";
@@ -7,6 +8,7 @@ import { answered, follow, newest } from "./live";
 import { loadPair, type Pair } from "./pair";
 import { Badge, Bar, Facts, Failure, State, useNow, useWork } from "./parts";
 import { go } from "./router";
+import { Slices } from "./slices";
 import { Trace } from "./trace";
 import { Saves, Viewer } from "./viewer";
 
@@ -15,6 +17,7 @@ export function JobView({ id }: { id: string }) {
   const [trace, setTrace] = useState<TracePoint[]>([]);
   const [pair, setPair] = useState<Pair | null>(null);
   const [result, setResult] = useState<Result | null>(null);
+  const [cross, setCross] = useState<Vector3 | null>(null);
   const [connected, setConnected] = useState(true);
   const [failure, setFailure] = useState<string | null>(null);
   const failed = (error: unknown) => setFailure(describe(error));
@@ -26,6 +29,7 @@ export function JobView({ id }: { id: string }) {
       setTrace([]);
       setPair(null);
       setResult(null);
+      setCross(null);
       setFailure(null);
       answered(() => get<Job>(`v1/jobs/${id}`, signal), signal).then(
         (found) => !signal.aborted && setJob((before) => before ?? found),
@@ -122,7 +126,12 @@ export function JobView({ id }: { id: string }) {
           {!connected && <Badge tone="bad">connection lost, trying again</Badge>}
         </p>
       )}
-      {pair !== null && <Viewer job={job} pair={pair} />}
+      {pair !== null && (
+        <>
+          <Viewer job={job} pair={pair} cross={cross} setCross={setCross} />
+          <Slices job={job} pair={pair} cross={cross} setCross={setCross} />
+        </>
+      )}
       {hasResult && pair === null && failure === null && <p class="loading big">Loading the surfaces …</p>}
       <div class="columns">
         {result !== null && <Measures result={result} />}

@@ -48,8 +48,7 @@ function Surface({ geometry, coloring, positions, label, id, file, readout }: Su
   useEffect(() => scene.current?.redraw(), [theme]);
   const hover = (event: PointerEvent) => {
     if (event.buttons !== 0) return;
-    const box = canvas.current!.getBoundingClientRect();
-    setPicked(scene.current?.pick(event.clientX - box.left, event.clientY - box.top) ?? null);
+    setPicked(scene.current?.pick(event.offsetX, event.offsetY) ?? null);
   };
   const keys = (event: KeyboardEvent) => {
     const turns: Record<string, [number, number]> = { ArrowLeft: [-0.12, 0], ArrowRight: [0.12, 0], ArrowUp: [0, -0.12], ArrowDown: [0, 0.12] };

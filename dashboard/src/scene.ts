@@ -99,6 +99,7 @@ export class PairScene {
   private readonly halos: Record<Side, Mesh>;
   private readonly lines: LineSegments<BufferGeometry, LineBasicMaterial>;
   private readonly lineRows: number[];
+  private readonly crosses: Record<Side, LineSegments<BufferGeometry, LineBasicMaterial>>;
   private readonly pose = new Matrix4();
   private readonly centers: { source: Vector3; moved: Vector3 };
   private readonly maps: Record<Look["map"] | "outlier", DataTexture>;
@@ -136,8 +137,9 @@ export class PairScene {
     const ball = new SphereGeometry(size * 0.009, 16, 12);
     this.marks = { source: this.marksOf(ball), target: this.marksOf(ball) };
     this.halos = { source: this.halo(), target: this.halo() };
+    this.crosses = { source: this.crossOf(size), target: this.crossOf(size) };
     for (const side of ["source", "target"] as const) {
-      this.groups[side].add(this.meshes[side], this.marks[side], this.halos[side]);
+      this.groups[side].add(this.meshes[side], this.marks[side], this.halos[side], this.crosses[side]);
       this.scene.add(this.groups[side]);
     }
     this.radius = pair.target.boundingSphere!.radius;
@@ -217,6 +219,32 @@ export class PairScene {
     marks.renderOrder = 3;
     marks.frustumCulled = false;
     return marks;
+  }
+
+  /** Three lines along the axes of RAS that meet in a point. */
+  private crossOf(size: number): LineSegments<BufferGeometry, LineBasicMaterial> {
+    const ends = [0, 1, 2].flatMap((axis) => [-1, 1].flatMap((sign) => [0, 1, 2].map((k) => (k === axis ? sign * size : 0))));
+    const geometry = new BufferGeometry().setAttribute("position", new BufferAttribute(Float32Array.from(ends), 3));
+    const cross = new LineSegments(geometry, new LineBasicMaterial({ color: 0xff2d95, depthTest: false }));
+    cross.renderOrder = 4;
+    cross.visible = false;
+    cross.frustumCulled = false;
+    return cross;
+  }
+
+  /** Where the crosshair is, in the space of the target; null: nowhere. */
+  cross(point: Vector3 | null): void {
+    for (const side of ["source", "target"] as const) {
+      this.crosses[side].visible = point !== null;
+      if (point) this.crosses[side].position.copy(point);
+    }
+    this.redraw();
+  }
+
+  /** The place of a vertex in the space of the target. */
+  placeOf({ side, vertex }: Picked): Vector3 {
+    const place = new Vector3().fromBufferAttribute(this.pair[side].getAttribute("position"), vertex);
+    return side === "source" ? place.applyMatrix4(this.pair.targetFromSource) : place;
   }
 
   private halo(): Mesh {
@@ -352,6 +380,8 @@ export class PairScene {
       const center = this.centers.source.clone().applyMatrix4(this.pose);
       source.position.sub(center).add(this.centers.moved);
     }
+    // Only an aligned source lies where the crosshair's place is.
+    this.crosses.source.visible = this.crosses.target.visible && this.look.pose === 1;
     const section = new Vector4().copy(NO_SECTION);
     if (this.look.section !== null) {
       const toward = new Vector3().setFromMatrixColumn(this.camera.matrixWorld, 2);

@@ -8,6 +8,7 @@ import { batchTests } from "./batches.mjs";
 import { chartTests } from "./charts.mjs";
 import * as h from "./harness.mjs";
 import { listTests } from "./lists.mjs";
+import { sliceTests } from "./slices.mjs";
 import { studyTests } from "./studies.mjs";
 import { unitTests } from "./units.mjs";
 import { angle, longestAxis, vertices, viridis } from "./surfaces.mjs";
@@ -169,7 +170,8 @@ test("submit the phantoms, follow the energy, and see the match in 3D, pixel by 
       if (facing > 0.8 && scene.pick(x, y)?.vertex === v) return { v, x, y };
     }
   });
-  await page.mouse.move(box.x + place.x, box.y + place.y);
+  // Beside the canvas's border of a pixel.
+  await page.mouse.move(box.x + 1 + place.x, box.y + 1 + place.y);
   await page.waitForFunction((v) => document.querySelector(".readout").textContent.includes(`source vertex ${v}`), place.v);
   assert((await page.textContent(".readout")).includes(`target vertex ${columns.target[place.v]}`));
   await page.waitForTimeout(300);
@@ -751,6 +753,7 @@ unitTests({ test });
 chartTests({ test, service: () => open, pair: () => pair, submit, finished, json });
 batchTests({ test, service: () => open, pair: () => pair, json, drop });
 listTests({ test, service: () => open, pair: () => pair, submit, finished, json, drop });
+sliceTests({ test, service: () => open, submit, finished, api, json });
 studyTests({ test, service: () => open, upload, json, sent, sphere });
 
 /** A batch of one template against subjects, in the form of the example. */

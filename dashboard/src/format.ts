@@ -26,7 +26,7 @@ export const age = (time: string, now: number): string => {
 };
 
 export const bytes = (n: number): string =>
-  n < 1024 ? `${n} B` : n < 1 << 20 ? `${(n / 1024).toFixed(1)} KiB` : `${(n / (1 << 20)).toFixed(1)} MiB`;
+  n < 1024 ? `${n} B` : n < 1 << 20 ? `${(n / 1024).toFixed(1)} KiB` : n < 1 << 30 ? `${(n / (1 << 20)).toFixed(1)} MiB` : `${(n / (1 << 30)).toFixed(1)} GiB`;
 
 /** `surface_distance` as it is read aloud. */
 export const words = (name: string): string => name.replaceAll("_", " ");

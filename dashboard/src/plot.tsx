@@ -28,6 +28,8 @@ interface PlotProps {
   marks?: { at: number; text: string }[];
   /** Bars of numbers of things, on the x axis from the first to the second number. */
   bars?: [number, number];
+  /** Whether the y axis counts things. */
+  whole?: boolean;
 }
 
 const FONT_PX = 12;
@@ -114,7 +116,7 @@ export function Plot(props: PlotProps) {
         },
         axes: [
           { ...axis, label: props.xLabel, size: 30 },
-          { ...axis, label: props.yLabel, size: widthOf, ...(hasBars ? { incrs: WHOLE } : {}) },
+          { ...axis, label: props.yLabel, size: widthOf, ...(hasBars || props.whole ? { incrs: WHOLE } : {}) },
           ...(hasRight ? [{ ...axis, label: props.rightLabel, scale: "right", side: 1 as const, size: widthOf, grid: { show: false } }] : []),
         ],
         series: [
@@ -134,7 +136,7 @@ export function Plot(props: PlotProps) {
         ],
         legend: { show: !hasBars },
         cursor: { show: !hasBars },
-        hooks: { draw: [(u) => drawMarks(u, latest.current.marks ?? [], ink, rule)] },
+        hooks: { draw: [(u) => drawMarks(u, latest.current.marks ?? [], ink, hasBars ? ink : rule)] },
       },
       data,
       element,

@@ -741,6 +741,7 @@ test("a batch, worst first, and the state of the queue", async () => {
   await page.waitForSelector(`.running a[href*="${running}"]`);
   const { worker } = await json(open, `jobs/${running}`);
   assert((await page.locator("h3", { hasText: worker }).count()) === 1, "the worker that runs it is named");
+  assert((await page.textContent("#use")).startsWith("1 worker runs 1 job"), await page.textContent("#use"));
   await page.waitForTimeout(4500);
   await h.accessible(page, "operations");
   await h.picture(page, "operations");

@@ -130,10 +130,9 @@ export function JobTable({ rows, pictures, hasMore, more, renew, failed }: Table
                   <a href={`#/jobs/${row.id}`} title={row.id}>
                     <code>…{shortId(row.id)}</code>
                   </a>{" "}
-                  {row.external_ref && <span class="soft">{row.external_ref}</span>}
-                  {namesOf(row) !== "" && (
-                    <span class="soft files" title={namesOf(row)}>
-                      {namesOf(row)}
+                  {(row.external_ref || namesOf(row)) && (
+                    <span class="soft files" title={[row.external_ref, namesOf(row)].filter(Boolean).join(": ")}>
+                      {row.external_ref ?? namesOf(row)}
                     </span>
                   )}
                   {row.batch_id && (
@@ -152,7 +151,7 @@ export function JobTable({ rows, pictures, hasMore, more, renew, failed }: Table
                   <State state={row.state} />
                   {row.state === "running" && <Bar share={row.progress?.fraction ?? 0} label={`Progress: ${words(row.progress?.phase ?? "running")}`} />}
                 </td>
-                <td>{said.text !== "" && <Badge tone={said.tone}>{said.text}</Badge>}</td>
+                <td title={said.text}>{said.text !== "" && <Badge tone={said.tone}>{said.text}</Badge>}</td>
                 <td class="numeric">{row.surface_distance ? mm(row.surface_distance.mean_mm) : ""}</td>
                 <td>
                   <Spark id={row.id} state={row.state} />

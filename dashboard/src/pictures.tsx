@@ -13,7 +13,7 @@ export interface Subject {
   frame?: Frame;
 }
 
-const [WIDTH, HEIGHT] = [88, 40];
+const [WIDTH, HEIGHT] = [84, 38];
 const MOST_KEPT = 500;
 /** How long a row is in sight before its picture is asked for: rows that are scrolled past are not. */
 const IN_SIGHT_MS = 250;

@@ -93,7 +93,8 @@ export function Quality({ study, rows, matches, deciding, picture, version, top 
               const id = row.id!;
               const match = matches.get(id);
               const place = PLACES[row.place ?? ""];
-              const known = decisions.get(id);
+              // Of a study whose subjects are not sent with it, what the table says.
+              const known = decisions.get(id) ?? { decision: row.decision || undefined, reason: row.reason };
               const isMatched = row.place !== "failed";
               return (
                 <tr key={id} data-subject={id} data-place={row.place}>

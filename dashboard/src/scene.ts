@@ -103,6 +103,8 @@ export class PairScene {
   private readonly pose = new Matrix4();
   private readonly centers: { source: Vector3; moved: Vector3 };
   private readonly maps: Record<Look["map"] | "outlier", DataTexture>;
+  /** How far both surfaces reach from the middle along the axes of the target. */
+  private readonly reach = new Vector3();
   private readonly sizes = new ResizeObserver(() => this.resize());
   private look: Look;
   private isSlow = false;
@@ -145,6 +147,13 @@ export class PairScene {
     this.radius = pair.target.boundingSphere!.radius;
     const source = pair.source.boundingSphere!.center.clone();
     this.centers = { source, moved: source.clone().applyMatrix4(pair.targetFromSource) };
+
+    this.reach.copy(frame.low).negate().max(frame.high);
+    const [p, from] = [new Vector3(), pair.source.getAttribute("position")];
+    for (let v = 0; v < from.count; v++) {
+      p.fromBufferAttribute(from, v).applyMatrix4(pair.targetFromSource).sub(frame.center);
+      this.reach.max(new Vector3(...frame.axes.map((axis) => Math.abs(p.dot(axis)))));
+    }
 
     const inliers: number[] = [];
     pair.inlier.forEach((is, v) => is && pair.nearest[v]! >= 0 && inliers.push(v));
@@ -342,8 +351,7 @@ export class PairScene {
     const panels = this.look.overlay ? 1 : 2;
     const stacked = this.isStacked();
     const [w, h] = [stacked ? width : width / panels, stacked ? height / panels : height];
-    const { low, high } = this.pair.frame;
-    let [x, y] = [2.2 * Math.max(-low.x, high.x), 2.3 * Math.max(-low.y, high.y, -low.z, high.z)];
+    let [x, y] = [2.2 * this.reach.x, 2.3 * Math.max(this.reach.y, this.reach.z)];
     if (this.look.overlay) {
       const away = this.centers.source.distanceTo(this.centers.moved) * (1 - this.look.pose);
       const extra = 2 * away + (away > 0 ? this.radius : 0);

@@ -58,7 +58,8 @@ export function StudyView({ id }: { id: string }) {
             setStudy(next);
             setMatches(await answered(() => matchesOf(id, signal), signal));
             if (isOver(next.state)) break;
-            await pause(2_000, signal);
+            // The matches of a large study are many answers.
+            await pause(Math.max(2_000, 4 * next.n_subjects), signal);
             signal.throwIfAborted();
           }
         } catch (error) {

@@ -193,10 +193,14 @@ function Drop({ side, given, refusal, take }: DropProps) {
       }}
     >
       <h2>{side === "source" ? "Source" : "Target"}</h2>
-      <label class="file">
-        {given === null ? "Drop a file here, or choose one: " : `${given.name}${mesh ? `, ${bytes(mesh.n_bytes)}` : ""} `}
-        <input type="file" aria-label={`File of the ${side}`} onChange={(e) => take([...(e.currentTarget.files ?? [])])} />
-      </label>
+      <p class="tools file">
+        {given !== null && <span>{`${given.name}${mesh ? `, ${bytes(mesh.n_bytes)}` : ""}`}</span>}
+        <label class="button">
+          {given === null ? "Choose a file …" : "Another file …"}
+          <input class="quiet" type="file" aria-label={`File of the ${side}`} onChange={(e) => take([...(e.currentTarget.files ?? [])])} />
+        </label>
+        {given === null && <span class="hint">or drop one here.</span>}
+      </p>
       {given === null && <p class="hint">Surfaces: GIFTI, FreeSurfer, PLY, STL, VTK, VTP, OBJ, OFF, MZ3. Label volumes: NIfTI, MGZ, NRRD, MetaImage, DICOM SEG.</p>}
       {given !== null && mesh === null && given.failure === null && <p class="loading">Sending and checking …</p>}
       <Failure text={given?.failure ?? null} />

@@ -5,36 +5,51 @@ import { copyFileSync } from "node:fs";
 import { join } from "node:path";
 import * as h from "./harness.mjs";
 
-export function listTests({ test, service, pair, submit, finished, json, drop }) {
+export function listTests({ test, service, pair, submit, finished, api, json, drop }) {
   test("jobs are told apart by the names of their files, if these are sent, and by a picture", async () => {
     const base = service();
     const page = await h.tab();
-    const attack = join(h.folder, "left <img src=x onerror=globalThis.ran=1>.ply");
-    copyFileSync(pair()[0], attack);
+    const [plain, attack] = ["left-hippocampus.ply", "left <img src=x onerror=globalThis.ran=1>.ply"].map((name) => join(h.folder, name));
+    for (const path of [plain, attack]) copyFileSync(pair()[0], path);
     const jobs = [];
-    for (const keeps of [false, true]) {
+    for (const [file, keeps] of [[plain, false], [plain, true], [attack, true]]) {
       await page.goto(`${base}#/submit`);
       await page.waitForSelector("h1:has-text('Submit')");
-      await drop(page, 'section[aria-label="source"]', [attack]);
+      await drop(page, 'section[aria-label="source"]', [file]);
       await drop(page, 'section[aria-label="target"]', [pair()[1]]);
       await h.until("both files", async () => (await page.locator("section.drop p.success").count()) === 2);
       await page.setChecked('label:has-text("Keep the names of the files") input', keeps);
       await page.click('button.primary:has-text("Match them")');
       await page.waitForURL(/#\/jobs\/[0-9a-f-]{36}/);
       jobs.push(/jobs\/([0-9a-f-]{36})/.exec(page.url())[1]);
+      if (jobs.length !== 2) continue;
+      // As it is in use: something runs, something waits.
+      const more = [];
+      for (let k = 0; k < 4; k++) more.push(await submit(base, pair(), { method: "gibbs", inference: { max_iterations: 100000 }, seed: 700 + k }, { external_ref: `visit ${k + 1}` }));
+      await page.goto(`${base}#/jobs`);
+      await page.waitForSelector('tr[data-state="running"] .spark', { timeout: 60_000 });
+      await page.waitForSelector("tr[data-state] .picture img");
+      await page.waitForTimeout(2500);
+      await h.picture(page, "jobs");
+      for (const id of more) await api(base, `jobs/${id}/cancel`, { method: "POST" });
     }
     for (const id of jobs) await finished(base, id);
-    const [without, named] = await Promise.all(jobs.map((id) => json(base, `jobs/${id}`)));
+    const [without, , named] = await Promise.all(jobs.map((id) => json(base, `jobs/${id}`)));
     assert.deepEqual(without.labels, {});
     assert.deepEqual(named.labels, { source_file: "left <img src=x onerror=globalThis.ran=1>.ply", target_file: "target.ply" });
     await page.click('nav a:has-text("Jobs")');
     const row = (id) => page.locator("tr[data-state]").filter({ has: page.locator(`a[title="${id}"]`) });
-    await h.until("the names", async () => (await row(jobs[1]).textContent()).includes("left <img src=x onerror=globalThis.ran=1>.ply → target.ply"));
+    await h.until("the names", async () => (await row(jobs[2]).textContent()).includes("left <img src=x onerror=globalThis.ran=1>.ply → target.ply"));
     assert(!(await row(jobs[0]).textContent()).includes("→"));
+    // Nothing is cut off at the usual width.
+    assert(await page.evaluate(() => document.querySelector(".rows").scrollWidth <= document.querySelector(".rows").clientWidth), "the list is as wide as its window");
+    // The list knows where each row is, because all are equally high, with a picture and without.
+    const heights = await page.locator("tr[data-index]").evaluateAll((rows) => rows.map((row) => Math.round(row.getBoundingClientRect().height)));
+    assert(heights.length > 3 && heights.every((height) => height === 44), String(heights));
     assert.equal(await page.evaluate(() => globalThis.ran), undefined);
     // The picture is that of the surface: as much longer than high as the source is.
-    await row(jobs[1]).locator(".picture img").waitFor();
-    const seen = await row(jobs[1]).locator(".picture img").evaluate((image) => {
+    await row(jobs[2]).locator(".picture img").waitFor();
+    const seen = await row(jobs[2]).locator(".picture img").evaluate((image) => {
       const canvas = new OffscreenCanvas(image.naturalWidth, image.naturalHeight);
       const context = canvas.getContext("2d");
       context.drawImage(image, 0, 0);
@@ -44,7 +59,7 @@ export function listTests({ test, service, pair, submit, finished, json, drop })
       const rows = Array.from({ length: height }, (_, y) => y).filter((y) => Array.from({ length: width }, (_, x) => x).some((x) => isDrawn(x, y)));
       return columns.length / rows.length;
     });
-    await page.goto(`${base}#/jobs/${jobs[1]}`);
+    await page.goto(`${base}#/jobs/${jobs[2]}`);
     await page.waitForSelector("#view", { timeout: 60_000 });
     await h.until("the surface", () => page.evaluate(() => Boolean(document.querySelector("#view").scene)));
     const expected = await page.evaluate(() => {

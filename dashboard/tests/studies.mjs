@@ -41,8 +41,8 @@ export function studyTests({ test, service, upload, json, sent, sphere }) {
     const ball = join(h.folder, "study-ball.obj");
     writeFileSync(ball, sphere(20, 30));
     subjects.push({ id: "ball", input: { mesh_id: await upload(base, ball) }, covariates: { group: "control", age: 66 } });
-    const [name, attack] = ["trial 7", "<img src=x onerror=globalThis.ran=1>"];
-    const { id } = await json(base, "studies", sent({ subjects, template: subjects[0].input, effect: "group", adjust: ["age"], contrasts: { older: "age" }, permutations: 99, external_ref: name, labels: { cohort: attack } }));
+    const name = "trial 7";
+    const { id } = await json(base, "studies", sent({ subjects, template: subjects[0].input, effect: "group", adjust: ["age"], contrasts: { older: "age" }, permutations: 99, external_ref: name, labels: { cohort: "memory clinic" } }));
     const finished = () => h.until("the study", async () => ((await json(base, `studies/${id}`)).state === "finished" ? true : null), 240_000);
 
     // A picture that is asked for while the study is computed again is refused.
@@ -67,8 +67,7 @@ export function studyTests({ test, service, upload, json, sent, sphere }) {
     const flagged = table().filter((row) => row[2] !== "").length;
     assert(flagged >= 1);
     assert.equal(await page.textContent("#verdict"), `${flagged} of ${subjects.length} to look at`);
-    assert((await page.textContent(".facts")).includes(attack));
-    assert.equal(await page.evaluate(() => globalThis.ran), undefined);
+    assert((await page.textContent(".facts")).includes("memory clinic"));
     await h.until("pictures", async () => {
       await page.locator("tr[data-subject]").last().scrollIntoViewIfNeeded();
       return (await page.locator("tr[data-subject] .picture img").count()) >= subjects.length - 1;
@@ -153,6 +152,9 @@ export function studyTests({ test, service, upload, json, sent, sphere }) {
     const vertex = Number(/vertex (\d+)/.exec(await readout.textContent())[1]);
     const effect = column(map("normal_displacement", "patient-control"), "effect")[vertex];
     assert((await readout.textContent()).includes(`effect ${Number(effect.toPrecision(3)).toLocaleString("en", { maximumSignificantDigits: 3 })} mm`), `${await readout.textContent()} ${effect}`);
+    await page.evaluate(() => document.querySelector('section[aria-label="Maps"]').scrollIntoView());
+    await page.evaluate(() => document.activeElement.blur());
+    await page.waitForTimeout(300);
     await h.picture(page, "study-maps");
 
     // A mode: the slider moves the surface between those of the archive.
@@ -175,6 +177,9 @@ export function studyTests({ test, service, upload, json, sent, sphere }) {
     await slider.focus();
     await page.keyboard.press("End");
     await page.waitForTimeout(300);
+    await page.evaluate(() => document.querySelector('section[aria-label="Modes"]').scrollIntoView());
+    await page.evaluate(() => document.activeElement.blur());
+    await page.waitForTimeout(300);
     await h.picture(page, "study-modes");
 
     // The report, in a tab of its own; the archive, as a file.
@@ -191,16 +196,18 @@ export function studyTests({ test, service, upload, json, sent, sphere }) {
     await page.keyboard.press("Enter");
     await page.waitForFunction(() => document.activeElement?.getAttribute("aria-label") === "Decision");
     await page.keyboard.press("Tab");
-    await page.keyboard.type("a ball, <b>see scan</b>");
+    await page.keyboard.type("a ball, see scan");
     await h.accessible(page, "a decision");
     await h.picture(page, "study-decision");
+    await page.keyboard.type(" <img src=x onerror=globalThis.ran=1>");
     await page.keyboard.press("Enter");
     await h.until("the decision", async () => (await json(base, `studies/${id}`)).subjects.find((subject) => subject.id === "ball").decision === "dropped");
     await finished();
     await h.until("the page", async () => (await ball1.getAttribute("data-place")) === "dropped");
     files = await zip();
     assert.deepEqual(await ids(), table().map(([id]) => id));
-    assert((await ball1.textContent()).includes("a ball, <b>see scan</b>"));
+    assert((await ball1.textContent()).includes("a ball, see scan <img src=x onerror=globalThis.ran=1>"));
+    assert.equal(await page.evaluate(() => globalThis.ran), undefined);
     assert.equal(await page.textContent("#verdict"), "No subject stands out");
     await page.click('button[aria-label="Take back the decision about ball"]');
     await h.until("it is taken back", async () => (await ball1.getAttribute("data-place")) === "unreliable", 120_000);
@@ -234,7 +241,8 @@ export function studyTests({ test, service, upload, json, sent, sphere }) {
       h.run("phantom", "--subject", String(k), "--kind", "surface", "--edge", "2.4", "--out", out);
       subjects.push({ id: `k${k}`, input: { mesh_id: await upload(base, join(out, "source.ply"), headers) } });
     }
-    const request = sent({ subjects, template: subjects[0].input });
+    const attack = "<img src=x onerror=globalThis.ran=1>";
+    const request = sent({ subjects, template: subjects[0].input, external_ref: attack, labels: { [attack]: attack } });
     const { id } = await json(base, "studies", { ...request, headers: { ...request.headers, ...headers } });
     await h.until("the study", async () => (await json(base, `studies/${id}`, { headers })).state === "finished", 120_000);
     const page = await h.tab({ ignore: /status of 401/ });
@@ -243,6 +251,8 @@ export function studyTests({ test, service, upload, json, sent, sphere }) {
     await page.click("form.key button");
     await page.waitForSelector("#mode", { timeout: 60_000 });
     await page.waitForSelector('text="No effect was asked for, so there are no maps."');
+    assert((await page.textContent("h1")).includes(attack) && (await page.textContent(".columns")).includes(attack));
+    assert.equal(await page.evaluate(() => globalThis.ran), undefined);
     const [report] = await Promise.all([page.context().waitForEvent("page"), page.click('button:has-text("Open the report")')]);
     await report.waitForLoadState();
     assert((await report.textContent("h1")).includes("Study of 4 subjects"));

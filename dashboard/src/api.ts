@@ -64,6 +64,7 @@ export interface Job {
   labels: Record<string, string>;
   external_ref?: string;
   batch_id?: string;
+  study_id?: string;
   attempt: number;
   max_attempts: number;
   progress?: { fraction: number; phase: string; message?: string };
@@ -96,10 +97,17 @@ export interface TracePoint {
   support?: number;
   temperature?: number;
   elapsed_ms?: number;
+  /** What the energy is of, and where it began: where the service says so. */
+  quantity?: string;
+  start?: number | string;
+  chosen?: boolean;
 }
 
-/** Whether a point is one of a displacement field's, whose energies have another scale than those of labels. */
-export const isOfField = (point: TracePoint): boolean => point.phase === "displacement" && point.energy !== undefined;
+/** What the energy of a point is of: energies of different quantities have different scales. */
+export const quantityOf = (point: TracePoint): string => point.quantity ?? (point.phase === "displacement" && point.energy !== undefined ? "field" : "labels");
+
+/** Points that can be compared: of one quantity, from one start, of one round or fit, and found in one way. */
+export const runOf = (point: TracePoint): string => [quantityOf(point), point.start ?? "", point.round, point.phase].join("/");
 
 export interface Batch {
   id: string;
@@ -122,6 +130,39 @@ export interface Mesh {
   problem?: Problem;
 }
 
+export type StudyState = "queued" | "matching" | "modelling" | "finished" | "failed" | "cancelled";
+
+export interface Study {
+  id: string;
+  state: StudyState;
+  progress: { template_round: number; matches_done: number; matches_total: number };
+  n_subjects: number;
+  method: string;
+  labels: Record<string, string>;
+  external_ref?: string;
+  created_at: string;
+  finished_at?: string;
+  error?: Problem;
+  subjects?: StudySubject[];
+  links: Record<string, string | undefined>;
+}
+
+export interface StudySubject {
+  id: string;
+  role: "model" | "score";
+  decision?: "kept" | "dropped";
+  reason?: string;
+}
+
+export interface StudyResult {
+  settings: { analysis?: { effect?: string | null; adjust?: string[]; permutations?: number } };
+  found: {
+    subjects: Record<"model" | "scored" | "dropped" | "unreliable" | "failed", number>;
+    model: { variances_mm2: number[]; compactness: number[] };
+    maps: { measure: string; contrast: string; smallest_p: number; significant_share: number }[];
+  };
+}
+
 export interface Result {
   transform: { matrix: number[][]; rotation_angle_deg: number; translation_mm: number[] };
   support: { inliers: number; ratio: number; rms_mm: number; tolerance_mm: number };
@@ -140,6 +181,7 @@ export interface Result {
     distortion?: number;
     normal_agreement: number;
     residual_mm: number;
+    second_opinion?: { angle_deg: number; agreement: number };
   };
   timings_ms: Record<string, number>;
   provenance: { version: string; commit: string; seed: number; [key: string]: unknown };
@@ -202,6 +244,22 @@ export async function send<T>(method: string, path: string, body?: unknown): Pro
     init.headers = { "content-type": "application/json" };
   }
   return (await call(path, init)).json() as Promise<T>;
+}
+
+/** Opens what `path` answers in a tab or as a file of its own. A link could not carry the key: a ticket for a minute does. */
+export async function open(path: string, tab: boolean): Promise<void> {
+  // Opened before the answer: a browser opens no tab that nobody has clicked for.
+  const opened = tab ? window.open("", "_blank") : null;
+  if (opened) opened.opener = null;
+  try {
+    const { ticket } = key.get() === null ? { ticket: null } : await send<{ ticket: string }>("POST", "v1/tickets", { path: `/${path}` });
+    const target = address(`${path}${query({ ticket })}`).href;
+    if (opened) opened.location.href = target;
+    else location.assign(target);
+  } catch (error) {
+    opened?.close();
+    throw error;
+  }
 }
 
 /** Saves what `path` answers as a file. A link could not carry the key. */

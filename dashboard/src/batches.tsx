@@ -1,11 +1,12 @@
 // Batches: a study at a glance, the worst match first.
 
 import { useState } from "preact/hooks";
-import { type Batch, type Job, STATES, describe, get, query as queryOf, send } from "./api";
+import { type Batch, STATES, describe, get, query as queryOf, send } from "./api";
 import { age, duration, isFinal, mm, number, shortId, verdictWord } from "./format";
 import { type Page, type Row, rowOf } from "./jobs";
 import { pause } from "./live";
-import { Badge, Failure, Plot, State, useNow, useWork } from "./parts";
+import { Badge, Failure, State, useNow, useWork } from "./parts";
+import { Plot } from "./plot";
 
 /** The states of a batch as parts of a bar, with their numbers in words. */
 function Counts({ batch }: { batch: Batch }) {
@@ -52,10 +53,15 @@ export function Batches() {
   return (
     <div>
       <h1>Batches</h1>
+      <p>
+        <a class="button" href="#/batches/new">
+          New batch from files
+        </a>
+      </p>
       <Failure text={failure} />
       {isLoaded && batches.length === 0 && (
         <p class="empty">
-          There is no batch yet. <code>POST /v1/batches</code> submits one template against many subjects at once; <a href="docs/">the API</a> says how.
+          There is no batch yet: one template against many subjects, <a href="#/batches/new">from files</a> or by <code>POST /v1/batches</code> of <a href="docs/">the API</a>.
         </p>
       )}
       {batches.length > 0 && (
@@ -198,7 +204,7 @@ export function BatchView({ id }: { id: string }) {
           </thead>
           <tbody>
             {sorted.slice(0, 500).map((row) => {
-              const said = verdictWord(row as Job);
+              const said = verdictWord(row);
               return (
                 <tr key={row.id}>
                   <td>
@@ -231,17 +237,29 @@ export function BatchView({ id }: { id: string }) {
 
 const BINS = 16;
 
+/** How often values lie in each of some intervals of equal width, which cover all of them. */
+export function binned(values: number[]): { range: [number, number]; middles: number[]; counts: (number | null)[] } {
+  const [low, high] = [Math.min(...values), Math.max(...values)];
+  // Of one value alone the picture is one bar in the middle.
+  const width = (high - low || Math.abs(high) * 0.1 || 1) / (BINS - 1);
+  const range: [number, number] = high > low ? [low - width / 2, high + width / 2] : [low - (BINS * width) / 2, low + (BINS * width) / 2];
+  const counts = Array.from({ length: BINS }, (): number | null => null);
+  for (const value of values) {
+    const k = Math.min(BINS - 1, Math.max(0, Math.floor((value - range[0]) / width)));
+    counts[k] = (counts[k] ?? 0) + 1;
+  }
+  return { range, middles: counts.map((_, k) => range[0] + (k + 0.5) * width), counts };
+}
+
 function Histogram({ name, values }: { name: string; values: number[] }) {
   if (values.length === 0) return null;
-  const high = Math.max(...values) * 1.0001 || 1;
-  const counts = Array.from({ length: BINS }, () => 0);
-  for (const value of values) counts[Math.min(BINS - 1, Math.floor((BINS * value) / high))]!++;
-  const x = counts.map((_, k) => ((k + 0.5) * high) / BINS);
+  const { range, middles, counts } = binned(values);
   const median = [...values].sort((a, b) => a - b)[Math.floor(values.length / 2)]!;
+  const said = `median ${number(median)}`;
   return (
     <section class="card">
       <h2>{name}</h2>
-      <Plot title={`${name}: ${values.length} matches, median ${median.toPrecision(3)}`} x={x} series={[{ label: "matches", color: "#2f7ebc", values: counts }]} height={170} xLabel={name} yLabel="matches" bars marks={[{ at: median, text: `median ${median.toPrecision(3)}` }]} />
+      <Plot title={`${name}: ${values.length} matches, ${said}`} x={middles} series={[{ label: "matches", color: "#2f7ebc", values: counts }]} height={190} xLabel={name} yLabel="matches" bars={range} marks={[{ at: median, text: said }]} />
     </section>
   );
 }

@@ -1,10 +1,10 @@
-// Colors that people with a color vision deficiency can tell apart: viridis and cividis along a scale, and the categories of
-// Okabe and Ito.
+// Colors that people with a color vision deficiency can tell apart: viridis and cividis along a scale, blue and red around zero, and
+// the categories of Okabe and Ito.
 
-import { interpolateCividis, interpolateViridis } from "d3-scale-chromatic";
+import { interpolateCividis, interpolateRdBu, interpolateViridis } from "d3-scale-chromatic";
 
 export type Rgb = [number, number, number];
-export type MapName = "viridis" | "cividis";
+export type MapName = "viridis" | "cividis" | "blue_red";
 
 function parse(text: string): Rgb {
   const hex = /^#(..)(..)(..)$/.exec(text);
@@ -16,7 +16,7 @@ export const STEPS = 256;
 
 /** The map at equal steps, red, green, blue and opacity. */
 export function colorMap(name: MapName): Uint8Array {
-  const at = name === "viridis" ? interpolateViridis : interpolateCividis;
+  const at = { viridis: interpolateViridis, cividis: interpolateCividis, blue_red: (share: number) => interpolateRdBu(1 - share) }[name];
   const bytes = new Uint8Array(4 * STEPS);
   for (let k = 0; k < STEPS; k++) bytes.set([...parse(at(k / (STEPS - 1))), 255], 4 * k);
   return bytes;

@@ -26,7 +26,7 @@ export const age = (time: string, now: number): string => {
 };
 
 export const bytes = (n: number): string =>
-  n < 1024 ? `${n} B` : n < 1 << 20 ? `${(n / 1024).toFixed(1)} KiB` : `${(n / (1 << 20)).toFixed(1)} MiB`;
+  n < 1024 ? `${n} B` : n < 1 << 20 ? `${(n / 1024).toFixed(1)} KiB` : n < 1 << 30 ? `${(n / (1 << 20)).toFixed(1)} MiB` : `${(n / (1 << 30)).toFixed(1)} GiB`;
 
 /** `surface_distance` as it is read aloud. */
 export const words = (name: string): string => name.replaceAll("_", " ");
@@ -89,6 +89,12 @@ export interface VerdictText {
   next: string;
 }
 
+/** Whether a mirrored source fits better, and the service can mirror it. */
+function isMirrored(job: Job): boolean {
+  const input = job.parameters.input as { source?: { mirror?: unknown } } | undefined;
+  return (job.unreliable_reasons ?? []).includes("other_handedness") && input?.source?.mirror === false;
+}
+
 /** The verdict on a job, for whoever has to keep or drop the match. */
 export function verdict(job: Job): VerdictText {
   if (job.state === "succeeded") {
@@ -98,7 +104,7 @@ export function verdict(job: Job): VerdictText {
         tone: "good",
         mark: "✓",
         title: "Reliable",
-        lines: [`No check found a fault. ${distance}`, ...(job.warnings ?? [])],
+        lines: [`${job.method === "balanced" ? "No check found a fault." : "No check found a fault, and the default method finds the same."} ${distance}`, ...(job.warnings ?? [])],
         next: "Look for colors that jump in the picture below; if there are none, keep this match.",
       };
     }
@@ -109,15 +115,15 @@ export function verdict(job: Job): VerdictText {
         mark: "✕",
         title: "Not reliable",
         lines: [...reasons.map((reason) => reason.meaning), ...(job.warnings ?? [])],
-        next: reasons.map((reason) => reason.check).join(" "),
+        next: [...reasons.map((reason) => reason.check), ...(isMirrored(job) ? ["If so, submit it again with input.source.mirror: true, which mirrors the source."] : [])].join(" "),
       };
     }
     return {
       tone: "neutral",
       mark: "?",
       title: "Not checked",
-      lines: ["This method fits no displacement field, which the checks are made of.", ...(job.warnings ?? [])],
-      next: "Judge by the picture, or match again with the method balanced.",
+      lines: ["No displacement field could be fitted, which the checks are made of.", ...(job.warnings ?? [])],
+      next: job.method === "balanced" ? "Judge by the picture: where colors jump or the grid breaks, the match is wrong." : "Judge by the picture, or match again with the method balanced, whose answer beside this one is the check.",
     };
   }
   const running: Partial<Record<JobState, VerdictText>> = {
@@ -133,7 +139,7 @@ export function verdict(job: Job): VerdictText {
       mark: "…",
       title: job.cancel_requested ? "Being cancelled" : "Running",
       lines: [job.eta_ms ? `About ${duration(job.eta_ms)} left.` : "The verdict comes with the result."],
-      next: "The energy below shows how the match improves; each round begins anew.",
+      next: "The energy below says what it minimizes at present; whether the match is right, the verdict says at the end.",
     },
     cancelled: { tone: "neutral", mark: "–", title: "Cancelled", lines: ["It has no result."], next: "Submit it again with Retry." },
     expired: {
@@ -156,7 +162,7 @@ export function verdict(job: Job): VerdictText {
 }
 
 /** The verdict in one word, for tables. */
-export function verdictWord(job: Job): { tone: Tone; text: string } {
+export function verdictWord(job: Pick<Job, "state" | "reliable" | "unreliable_reasons">): { tone: Tone; text: string } {
   if (job.state !== "succeeded") return { tone: "neutral", text: "" };
   if (job.reliable === true) return { tone: "good", text: "✓ reliable" };
   const [first, ...more] = job.unreliable_reasons ?? [];

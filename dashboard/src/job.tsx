@@ -1,12 +1,15 @@
 // A job: the verdict first, then the picture, then how it came about.
 
+import type { Vector3 } from "three";
 import { useMemo, useState } from "preact/hooks";
-import { type Job, type Result, type TracePoint, describe, get, isOfField, send } from "./api";
+import { type Job, type Result, type TracePoint, describe, get, send } from "./api";
 import { duration, isFinal, mm, number, percent, verdict, words } from "./format";
 import { answered, follow, newest } from "./live";
 import { loadPair, type Pair } from "./pair";
-import { Badge, Bar, Check, Facts, Failure, Plot, State, useNow, useWork } from "./parts";
+import { Badge, Bar, Facts, Failure, State, useNow, useWork } from "./parts";
 import { go } from "./router";
+import { Slices } from "./slices";
+import { Trace } from "./trace";
 import { Saves, Viewer } from "./viewer";
 
 export function JobView({ id }: { id: string }) {
@@ -14,6 +17,7 @@ export function JobView({ id }: { id: string }) {
   const [trace, setTrace] = useState<TracePoint[]>([]);
   const [pair, setPair] = useState<Pair | null>(null);
   const [result, setResult] = useState<Result | null>(null);
+  const [cross, setCross] = useState<Vector3 | null>(null);
   const [connected, setConnected] = useState(true);
   const [failure, setFailure] = useState<string | null>(null);
   const failed = (error: unknown) => setFailure(describe(error));
@@ -25,6 +29,7 @@ export function JobView({ id }: { id: string }) {
       setTrace([]);
       setPair(null);
       setResult(null);
+      setCross(null);
       setFailure(null);
       answered(() => get<Job>(`v1/jobs/${id}`, signal), signal).then(
         (found) => !signal.aborted && setJob((before) => before ?? found),
@@ -121,7 +126,12 @@ export function JobView({ id }: { id: string }) {
           {!connected && <Badge tone="bad">connection lost, trying again</Badge>}
         </p>
       )}
-      {pair !== null && <Viewer job={job} pair={pair} />}
+      {pair !== null && (
+        <>
+          <Viewer job={job} pair={pair} cross={cross} setCross={setCross} />
+          <Slices job={job} pair={pair} cross={cross} setCross={setCross} />
+        </>
+      )}
       {hasResult && pair === null && failure === null && <p class="loading big">Loading the surfaces …</p>}
       <div class="columns">
         {result !== null && <Measures result={result} />}
@@ -199,6 +209,9 @@ function Measures({ result }: { result: Result }) {
       ["Curvature agreement", number(reliability.curvature_agreement)],
       ["Agreement of directions", number(reliability.normal_agreement)],
     );
+    if (reliability.second_opinion) {
+      rows.push(["Agreement with the default method (1 if equal, 0 if unrelated)", number(reliability.second_opinion.agreement)], ["Angle to its pose", `${reliability.second_opinion.angle_deg.toFixed(1)}°`]);
+    }
     if (reliability.distortion !== undefined) {
       rows.push(["Distortion (0 if angles are kept, about 0.2 for two subjects)", number(reliability.distortion)]);
     }
@@ -207,112 +220,6 @@ function Measures({ result }: { result: Result }) {
     <section class="card">
       <h2>How good it is</h2>
       <Facts rows={rows} />
-    </section>
-  );
-}
-
-/** A plot has fewer pixels than a long trace has points. */
-const MOST_DRAWN = 4000;
-
-/**
- * At most about `MOST_DRAWN` points: of as many consecutive ones as needed those of the lowest and of the highest energy, and all at which
- * a round begins or the support is known. Drawn, they look like all of them, and take as long for 100,000 points as for 4,000.
- */
-function thinned(points: TracePoint[]): TracePoint[] {
-  if (points.length <= MOST_DRAWN) return points;
-  const step = Math.ceil((2 * points.length) / MOST_DRAWN);
-  const kept: TracePoint[] = [];
-  for (let from = 0; from < points.length; from += step) {
-    const to = Math.min(points.length, from + step);
-    let [low, high] = [from, from];
-    for (let k = from + 1; k < to; k++) {
-      const energy = points[k]!.energy;
-      if (energy === undefined) continue;
-      if (!(energy >= (points[low]!.energy ?? Infinity))) low = k;
-      if (!(energy <= (points[high]!.energy ?? -Infinity))) high = k;
-    }
-    for (let k = from; k < to; k++) {
-      const point = points[k]!;
-      if (k === low || k === high || k === points.length - 1 || point.support !== undefined || point.round !== points[k - 1]?.round) kept.push(point);
-    }
-  }
-  return kept;
-}
-
-function Trace({ points, isLive }: { points: TracePoint[]; isLive: boolean }) {
-  const [isLog, setLog] = useState(false);
-  const [parts, setParts] = useState(false);
-  const [round, setRound] = useState("all");
-  const [model, setModel] = useState<"field" | "labels" | null>(null);
-  const ofField = useMemo(() => points.filter(isOfField), [points]);
-  const ofLabels = useMemo(() => points.filter((point) => !isOfField(point) && (point.energy !== undefined || point.support !== undefined)), [points]);
-  const ofModel = (model ?? (ofField.length > 0 ? "field" : "labels")) === "field" ? ofField : ofLabels;
-  const rounds = useMemo(() => [...new Set(ofModel.map((point) => point.round))], [ofModel]);
-  const isRound = rounds.map(String).includes(round);
-  const chosen = useMemo(() => ofModel.filter((point) => !isRound || String(point.round) === round), [ofModel, isRound, round]);
-  const shown = useMemo(() => thinned(chosen), [chosen]);
-  const of = (name: "energy" | "energy_unary" | "energy_pairwise" | "lower_bound" | "support" | "temperature") =>
-    shown.map((point) => {
-      const value = point[name];
-      return value === undefined || (isLog && name !== "support" && value <= 0) ? null : value;
-    });
-  const has = (name: keyof TracePoint) => shown.some((point) => point[name] !== undefined);
-  const marks = shown.flatMap((point, k) => (k === 0 || shown[k - 1]!.round !== point.round ? [{ at: point.seq, text: `round ${point.round}` }] : []));
-  const last = chosen.at(-1);
-  const series = [
-    { label: "energy", color: "#0072b2", values: of("energy"), width: 2.5 },
-    ...(parts ? [{ label: ofModel === ofField ? "misfit" : "unary", color: "#d55e00", values: of("energy_unary"), dash: [6, 3] }, { label: ofModel === ofField ? "deformation" : "pairwise", color: "#009e73", values: of("energy_pairwise"), dash: [2, 3] }] : []),
-    ...(has("lower_bound") ? [{ label: "lower bound", color: "#8c6d1f", values: of("lower_bound"), dash: [10, 4] }] : []),
-    ...(has("temperature") ? [{ label: "temperature", color: "#cc79a7", values: of("temperature"), scale: "right" }] : []),
-    ...(has("support") && !has("temperature") ? [{ label: "support (inliers)", color: "#b0607f", values: of("support"), scale: "right", points: true }] : []),
-  ];
-  return (
-    <section class="card wide" id="trace" data-points={points.length} data-last={points.at(-1)?.seq ?? 0}>
-      <h2>Energy {isLive && <Badge tone="wait">live</Badge>}</h2>
-      <div class="tools">
-        <Check label="Logarithmic" checked={isLog} onChange={(e) => setLog(e.currentTarget.checked)} />
-        <Check label="Its parts" checked={parts} onChange={(e) => setParts(e.currentTarget.checked)} />
-        {ofField.length > 0 && ofLabels.length > 0 && (
-          <label>
-            Of{" "}
-            <select value={ofModel === ofField ? "field" : "labels"} onChange={(e) => setModel(e.currentTarget.value === "field" ? "field" : "labels")}>
-              <option value="field">the displacement field</option>
-              <option value="labels">the labels</option>
-            </select>
-          </label>
-        )}
-        {rounds.length > 1 && (
-          <label>
-            Round{" "}
-            <select value={isRound ? round : "all"} onChange={(e) => setRound(e.currentTarget.value)}>
-              <option value="all">all</option>
-              {rounds.map((k) => (
-                <option value={String(k)}>{k}</option>
-              ))}
-            </select>
-          </label>
-        )}
-        {last && (
-          <span>
-            {points.length} points · latest {number(last.energy ?? null)} in {words(last.phase)}, round {last.round}, iteration {last.iteration}
-          </span>
-        )}
-      </div>
-      {shown.length === 0 ? (
-        <p class="hint">{isLive ? "The first point comes with the first iteration." : "This method minimizes no energy, or its trace has been removed."}</p>
-      ) : (
-        <Plot
-          title={`Energy over ${points.length} points, the last one ${number(last?.energy ?? null)}`}
-          x={shown.map((point) => point.seq)}
-          series={series}
-          log={isLog}
-          height={260}
-          xLabel="point of the trace"
-          yLabel="energy, lower is better"
-          rightLabel={has("temperature") ? "temperature" : "inliers"}
-          marks={marks}
-        />
-      )}
     </section>
   );
 }

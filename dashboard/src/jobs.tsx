@@ -1,22 +1,32 @@
 // The list of jobs: live, filtered by the address, with as many rows as there are.
 
-import { Virtualizer, elementScroll, observeElementOffset, observeElementRect } from "@tanstack/virtual-core";
 import { useEffect, useMemo, useRef, useState } from "preact/hooks";
-import { type Job, type JobState, STATES, type TracePoint, describe, get, isOfField, query as queryOf, send } from "./api";
-import { age, duration, isFinal, mm, shortId, verdictWord, words } from "./format";
+import { type Job, STATES, describe, get, query as queryOf, send } from "./api";
+import { FILTERS, type Filters, SavedFilters } from "./filters";
+import { JobTable } from "./jobtable";
 import { followChanges, isRefused, newest, pause } from "./live";
-import { Badge, Bar, Failure, State, Typed, useNow, useWork } from "./parts";
+import { Badge, Check, Failure, Typed, useKept, useWork } from "./parts";
 import { go } from "./router";
 
 /** What a row shows: of 100,000 jobs no more is kept. */
-export type Row = Pick<
-  Job,
-  "id" | "state" | "method" | "priority" | "progress" | "created_at" | "started_at" | "finished_at" | "reliable" | "unreliable_reasons" | "surface_distance" | "batch_id" | "external_ref" | "cancel_requested" | "labels"
->;
+export interface Row
+  extends Pick<
+    Job,
+    "id" | "state" | "method" | "priority" | "progress" | "created_at" | "started_at" | "finished_at" | "reliable" | "unreliable_reasons" | "surface_distance" | "batch_id" | "study_id" | "external_ref" | "cancel_requested" | "labels"
+  > {
+  /** The surface that tells the job from others of the same template; null if it is too large for a small picture. */
+  pictured: "source" | "target" | null;
+}
+
+/** A surface of more faces is not loaded for a small picture. */
+const MOST_FACES = 60_000;
 
 export const rowOf = (job: Job): Row => {
-  const { id, state, method, priority, progress, created_at, started_at, finished_at, reliable, unreliable_reasons, surface_distance, batch_id, external_ref, cancel_requested, labels } = job;
-  return { id, state, method, priority, progress, created_at, started_at, finished_at, reliable, unreliable_reasons, surface_distance, batch_id, external_ref, cancel_requested, labels };
+  const { id, state, method, priority, progress, created_at, started_at, finished_at, reliable, unreliable_reasons, surface_distance, batch_id, study_id, external_ref, cancel_requested, labels } = job;
+  // The template of a study is the source of its matches.
+  const side = study_id ? "target" : "source";
+  const pictured = (job[side]?.n_faces ?? Infinity) <= MOST_FACES ? side : null;
+  return { id, state, method, priority, progress, created_at, started_at, finished_at, reliable, unreliable_reasons, surface_distance, batch_id, study_id, external_ref, cancel_requested, labels, pictured };
 };
 
 export interface Page {
@@ -29,8 +39,6 @@ const [FIRST_PAGE, PAGE] = [100, 500];
 const [GATHER_MS, RETRY_MS] = [300, 2_000];
 /** Rows that are asked for at the same time, one by one. */
 const AT_ONCE = 20;
-const ROW_PX = 44;
-const FILTERS = ["state", "method", "label", "external_ref", "batch", "order"] as const;
 
 /** What the list can be told to do. */
 interface List {
@@ -39,7 +47,7 @@ interface List {
 }
 
 export function Jobs({ query }: { query: URLSearchParams }) {
-  const filters = Object.fromEntries(FILTERS.map((name) => [name, query.get(name) ?? ""])) as Record<(typeof FILTERS)[number], string>;
+  const filters = Object.fromEntries(FILTERS.map((name) => [name, query.get(name) ?? ""])) as Filters;
   const filterKey = JSON.stringify(filters);
   const [rows, setRows] = useState<Row[]>([]);
   const [token, setToken] = useState<string | undefined>("");
@@ -52,6 +60,7 @@ export function Jobs({ query }: { query: URLSearchParams }) {
   const known = useRef(new Map<string, Row>());
   known.current = useMemo(() => new Map(rows.map((row) => [row.id, row])), [rows]);
   const list = useRef<List | null>(null);
+  const [pictures, setPictures] = useKept("pictures", "yes");
 
   useWork(
     (signal) => {
@@ -252,199 +261,16 @@ export function Jobs({ query }: { query: URLSearchParams }) {
         <button type="button" onClick={cancelShown}>
           Cancel these …
         </button>
+        <Check label="Pictures" checked={pictures === "yes"} onChange={(e) => setPictures(e.currentTarget.checked ? "yes" : "no")} />
+        <SavedFilters filters={filters} isFiltered={isFiltered} />
       </form>
       <Failure text={failure} />
-      <Table rows={rows} hasMore={token !== undefined} more={isLive && token ? () => void list.current?.more(token) : null} renew={(ids) => void list.current?.renew(ids)} failed={failed} />
+      <JobTable rows={rows} pictures={pictures === "yes"} hasMore={token !== undefined} more={isLive && token ? () => void list.current?.more(token) : null} renew={(ids) => void list.current?.renew(ids)} failed={failed} />
       {rows.length === 0 && token === undefined && (
         <p class="empty">
           {isFiltered ? "No job fits these filters." : "There is no job yet."} <a href="#/submit">Submit a pair of surfaces</a>, or the two built-in phantoms.
         </p>
       )}
     </div>
-  );
-}
-
-/** The rows of a list that are in sight, by their places. */
-function useVirtual(count: number, box: { current: HTMLDivElement | null }) {
-  const [, draw] = useState(0);
-  const virtual = useRef<Virtualizer<HTMLDivElement, Element> | null>(null);
-  const options = {
-    count,
-    getScrollElement: () => box.current,
-    estimateSize: () => ROW_PX,
-    overscan: 8,
-    scrollToFn: elementScroll,
-    observeElementRect,
-    observeElementOffset,
-    onChange: () => draw((n) => n + 1),
-  };
-  virtual.current ??= new Virtualizer<HTMLDivElement, Element>(options);
-  virtual.current.setOptions(options);
-  useEffect(() => virtual.current!._didMount(), []);
-  useEffect(() => virtual.current!._willUpdate());
-  return virtual.current;
-}
-
-interface TableProps {
-  rows: Row[];
-  hasMore: boolean;
-  /** Reads further rows, if that can be done now. */
-  more: (() => void) | null;
-  renew: (ids: string[]) => void;
-  failed: (error: unknown) => void;
-}
-
-function Table({ rows, hasMore, more, renew, failed }: TableProps) {
-  const box = useRef<HTMLDivElement>(null);
-  const virtual = useVirtual(rows.length, box);
-  const now = useNow();
-  const items = virtual.getVirtualItems();
-  const last = items.at(-1)?.index ?? 0;
-  useEffect(() => {
-    if (last >= rows.length - 12) more?.();
-  }, [more === null, last, rows.length]);
-
-  const act = (verb: "cancel" | "retry", id: string) => {
-    send<Job>("POST", `v1/jobs/${id}/${verb}`).then((answer) => (verb === "retry" ? go(`jobs/${answer.id}`) : renew([id])), failed);
-  };
-  const setPriority = (id: string, priority: number) => send("PATCH", `v1/jobs/${id}`, { priority }).then(() => renew([id]), failed);
-  const keys = (event: KeyboardEvent) => {
-    const step = { ArrowDown: 1, j: 1, ArrowUp: -1, k: -1, PageDown: 12, PageUp: -12 }[event.key];
-    const target = event.target as HTMLElement;
-    if (step === undefined || target.tagName === "INPUT") return;
-    const at = Number(target.closest("tr")?.dataset.index ?? -1);
-    const next = Math.min(rows.length - 1, Math.max(0, at + step));
-    event.preventDefault();
-    virtual.scrollToIndex(next);
-    const focus = (tries: number) => {
-      const link = box.current?.querySelector<HTMLElement>(`tr[data-index="${next}"] a`);
-      if (link) link.focus();
-      else if (tries > 0) requestAnimationFrame(() => focus(tries - 1));
-    };
-    requestAnimationFrame(() => focus(10));
-  };
-  const before = items[0]?.start ?? 0;
-  const after = Math.max(0, virtual.getTotalSize() - (items.at(-1)?.end ?? 0));
-  return (
-    <div class="rows" ref={box} onKeyDown={keys} tabIndex={0} role="region" aria-label="Jobs; arrow keys move from row to row, Enter opens one">
-      <table aria-rowcount={hasMore ? -1 : rows.length + 1}>
-        <thead>
-          <tr>
-            <th scope="col">Job</th>
-            <th scope="col">State</th>
-            <th scope="col">Verdict</th>
-            <th scope="col" class="numeric">
-              Distance
-            </th>
-            <th scope="col">Energy</th>
-            <th scope="col">Method</th>
-            <th scope="col">Age</th>
-            <th scope="col">Ran for</th>
-            <th scope="col">Priority</th>
-            <th scope="col">
-              <span class="quiet">Actions</span>
-            </th>
-          </tr>
-        </thead>
-        <tbody>
-          {before > 0 && <tr aria-hidden="true" style={{ height: `${before}px` }} />}
-          {items.map(({ index }) => {
-            const row = rows[index];
-            if (row === undefined) return null;
-            const said = verdictWord(row as Job);
-            return (
-              <tr key={row.id} data-index={index} data-state={row.state} aria-rowindex={index + 2}>
-                <td>
-                  <a href={`#/jobs/${row.id}`} title={row.id}>
-                    <code>…{shortId(row.id)}</code>
-                  </a>{" "}
-                  {row.external_ref && <span class="soft">{row.external_ref}</span>}
-                  {row.batch_id && (
-                    <a class="soft" href={`#/batches/${row.batch_id}`}>
-                      batch
-                    </a>
-                  )}
-                </td>
-                <td>
-                  <State state={row.state} />
-                  {row.state === "running" && <Bar share={row.progress?.fraction ?? 0} label={`Progress: ${words(row.progress?.phase ?? "running")}`} />}
-                </td>
-                <td>{said.text !== "" && <Badge tone={said.tone}>{said.text}</Badge>}</td>
-                <td class="numeric">{row.surface_distance ? mm(row.surface_distance.mean_mm) : ""}</td>
-                <td>
-                  <Spark id={row.id} state={row.state} />
-                </td>
-                <td>{row.method}</td>
-                <td>{age(row.created_at, now)}</td>
-                <td>{row.started_at ? duration((row.finished_at ? Date.parse(row.finished_at) : now) - Date.parse(row.started_at)) : ""}</td>
-                <td>
-                  {row.state === "queued" ? (
-                    <Typed
-                      class="priority"
-                      type="number"
-                      min={-100}
-                      max={100}
-                      value={String(row.priority)}
-                      aria-label={`Priority of job ${shortId(row.id)}, −100 to 100, higher first`}
-                      take={(text) => void setPriority(row.id, Number(text))}
-                    />
-                  ) : (
-                    row.priority
-                  )}
-                </td>
-                <td>
-                  {isFinal(row.state) ? (
-                    <button aria-label={`Retry job ${shortId(row.id)}`} onClick={() => act("retry", row.id)}>
-                      Retry
-                    </button>
-                  ) : (
-                    <button aria-label={`Cancel job ${shortId(row.id)}`} disabled={row.cancel_requested} onClick={() => act("cancel", row.id)}>
-                      Cancel
-                    </button>
-                  )}
-                </td>
-              </tr>
-            );
-          })}
-          {after > 0 && <tr aria-hidden="true" style={{ height: `${after}px` }} />}
-        </tbody>
-      </table>
-    </div>
-  );
-}
-
-const sparks = new Map<string, number[]>();
-const MOST_SPARKS = 2_000;
-
-/** The energy of a job as a line of a few pixels; read when the row has been in sight for a moment. */
-function Spark({ id, state }: { id: string; state: JobState }) {
-  const [values, setValues] = useState<number[]>(sparks.get(id) ?? []);
-  useWork(
-    (signal) => {
-      const kept = sparks.get(id);
-      setValues(kept ?? []);
-      if (state === "queued" || (kept !== undefined && isFinal(state))) return;
-      void pause(250, signal).then(async () => {
-        if (signal.aborted) return;
-        const page = await get<{ points: TracePoint[] }>(`v1/jobs/${id}/trace?limit=200`, signal).catch(() => null);
-        if (page === null) return;
-        const ofField = page.points.filter(isOfField);
-        const shown = ofField.length > 0 ? ofField : page.points.filter(({ phase }) => phase === "inference");
-        const read = shown.flatMap(({ energy }) => (energy === undefined ? [] : [energy]));
-        if (sparks.size > MOST_SPARKS) sparks.clear();
-        if (isFinal(state)) sparks.set(id, read);
-        setValues(read);
-      });
-    },
-    [id, state],
-  );
-  if (values.length < 2) return null;
-  const logs = values.map((value) => Math.log(Math.max(value, 1e-9)));
-  const [low, high] = [Math.min(...logs), Math.max(...logs)];
-  const points = logs.map((value, k) => `${((k / (logs.length - 1)) * 78 + 1).toFixed(1)},${(21 - (20 * (value - low)) / (high - low || 1)).toFixed(1)}`);
-  return (
-    <svg class="spark" width="80" height="22" role="img" aria-label={`Energy from ${values[0]!.toPrecision(3)} to ${values.at(-1)!.toPrecision(3)}`}>
-      <polyline points={points.join(" ")} />
-    </svg>
   );
 }

@@ -6,15 +6,19 @@ import { describe, get, key, onKeyNeeded } from "./api";
 import { BatchView, Batches } from "./batches";
 import { JobView } from "./job";
 import { Jobs } from "./jobs";
+import { NewBatch } from "./newbatch";
 import { Operations } from "./operations";
 import { Failure } from "./parts";
 import { usePlace } from "./router";
+import { Studies } from "./studies";
+import { StudyView } from "./study";
 import { Submit } from "./submit";
 
 const VIEWS: [string, string][] = [
   ["jobs", "Jobs"],
   ["submit", "Submit"],
   ["batches", "Batches"],
+  ["studies", "Studies"],
   ["operations", "Operations"],
 ];
 
@@ -74,7 +78,7 @@ function App() {
   const [view = "jobs", id] = path;
   useEffect(() => {
     const name = VIEWS.find(([word]) => word === view)?.[1] ?? "Dashboard";
-    document.title = id ? `${view === "batches" ? "Batch" : "Job"} ${id.slice(-8)} · homolog` : `${name} · homolog`;
+    document.title = id === "new" ? "New batch · homolog" : id ? `${{ batches: "Batch", studies: "Study" }[view] ?? "Job"} ${id.slice(-8)} · homolog` : `${name} · homolog`;
   }, [view, id]);
 
   let shown;
@@ -82,8 +86,11 @@ function App() {
   else if (view === "jobs" && id !== undefined) shown = <JobView id={id} key={id} />;
   else if (view === "jobs") shown = <Jobs query={query} />;
   else if (view === "submit") shown = <Submit />;
+  else if (view === "batches" && id === "new") shown = <NewBatch />;
   else if (view === "batches" && id !== undefined) shown = <BatchView id={id} key={id} />;
   else if (view === "batches") shown = <Batches />;
+  else if (view === "studies" && id !== undefined) shown = <StudyView id={id} key={id} />;
+  else if (view === "studies") shown = <Studies />;
   else if (view === "operations") shown = <Operations />;
   else shown = <p class="failure">There is no view of this name. Choose one above.</p>;
 

@@ -5,7 +5,8 @@ import { ApiError, type Job, call, describe, get, query as queryOf } from "./api
 import { age, bytes, duration, number, shortId, words } from "./format";
 import type { Page } from "./jobs";
 import { pause } from "./live";
-import { Bar, Badge, Facts, Failure, Plot, useNow, useWork } from "./parts";
+import { Bar, Badge, Facts, Failure, useNow, useWork } from "./parts";
+import { Plot } from "./plot";
 
 export type Metrics = Map<string, { labels: Record<string, string>; value: number }[]>;
 
@@ -23,8 +24,12 @@ export function readMetrics(text: string): Metrics {
   return found;
 }
 
+/** Over all labels of a metric. */
+const total = (metrics: Metrics, name: string): number => (metrics.get(name) ?? []).reduce((sum, { value }) => sum + value, 0);
+
 interface Sample {
   at: number;
+  finished: number;
   queued: number;
   running: number;
 }
@@ -47,7 +52,7 @@ export function Operations() {
           const read = readMetrics(await (await call("metrics", { signal })).text());
           const one = (state: string) => read.get("homolog_jobs")?.find(({ labels }) => labels.state === state)?.value ?? 0;
           setMetrics(read);
-          setSamples((before) => [...before.slice(-299), { at: Date.now(), queued: one("queued"), running: one("running") }]);
+          setSamples((before) => [...before.slice(-299), { at: Date.now(), finished: total(read, "homolog_jobs_finished_total"), queued: one("queued"), running: one("running") }]);
           setRunning((await get<Page>("v1/jobs?state=running&page_size=100", signal)).jobs);
           get<{ dependencies: Record<string, string> }>("readyz", signal).then(
             ({ dependencies }) => setReady(dependencies),
@@ -64,6 +69,7 @@ export function Operations() {
   }, []);
   if (metrics === null) return failure === null ? <p class="loading">Loading …</p> : <Failure text={failure} />;
   const value = (name: string) => metrics.get(name)?.[0]?.value ?? 0;
+  const sum = (name: string) => total(metrics, name);
   const of = (name: string, label: string) => (metrics.get(name) ?? []).map(({ labels, value }) => [labels[label] ?? Object.values(labels).join(" "), value] as const).filter(([, n]) => n > 0);
   const last = samples.at(-1)!;
   const oldest = value("homolog_queue_oldest_age_seconds");
@@ -87,7 +93,7 @@ export function Operations() {
         <div>
           <p class="title">{tone === "good" ? "The queue is well" : isStuck ? "Nothing runs" : tone === "wait" ? "Jobs wait long" : "A dependency fails"}</p>
           <p>
-            {number(last.queued)} queued, {number(last.running)} running; the oldest has waited {duration(oldest * 1000)}.
+            {number(last.queued)} queued, {number(last.running)} running{last.queued > 0 && `; the oldest has waited ${duration(oldest * 1000)}`}.
           </p>
           <p class="next">
             <b>Next:</b>{" "}
@@ -115,11 +121,27 @@ export function Operations() {
             height={220}
             xLabel="seconds"
             yLabel="jobs"
+            whole
           />
         </section>
         <section class="card">
           <h2>Workers and what they run</h2>
           {workers.size === 0 && <p class="hint">No job is running.</p>}
+          {workers.size > 0 && (
+            <p id="use">
+              <b>
+                {number(workers.size)} {workers.size === 1 ? "worker runs" : "workers run"} {number(running.length)} {running.length === 1 ? "job" : "jobs"}
+              </b>
+              {last.queued > 0 && `, ${number(last.queued)} wait`}.
+            </p>
+          )}
+          <Facts
+            rows={[
+              ["Processes for computations, at work or at rest", number(sum("homolog_children_started_total") - sum("homolog_children_ended_total"))],
+              ["Jobs finished here since this page was opened", number(sum("homolog_jobs_finished_total") - samples[0]!.finished)],
+            ]}
+          />
+          <p class="soft">A worker is a process; those that run nothing are not listed.</p>
           {[...workers].map(([worker, jobs]) => (
             <div key={worker}>
               <h3>

@@ -1,6 +1,6 @@
 // A matched pair as arrays: both surfaces, the correspondence between them, and what is measured at each vertex.
 
-import { BufferAttribute, BufferGeometry, Matrix4, Vector3 } from "three";
+import { BufferAttribute, BufferGeometry, Matrix3, Matrix4, Vector3 } from "three";
 import { PLYLoader } from "three/examples/jsm/loaders/PLYLoader.js";
 import { call, get, type Job, type Result } from "./api";
 import { ofCategory } from "./colors";
@@ -209,8 +209,14 @@ export function frameOf(geometry: BufferGeometry): Frame {
   const axis = (k: number) => new Vector3(u[order[k]!]!, u[3 + order[k]!]!, u[6 + order[k]!]!).normalize();
   const [first, second] = [axis(0), axis(1)];
   const axes: Frame["axes"] = [first, second, new Vector3().crossVectors(first, second)];
+  return reaching(geometry, center, axes);
+}
+
+/** A frame with these axes, as far as the surface reaches. */
+function reaching(geometry: BufferGeometry, center: Vector3, axes: Frame["axes"]): Frame {
+  const positions = geometry.getAttribute("position");
   const [low, high] = [new Vector3(Infinity, Infinity, Infinity), new Vector3(-Infinity, -Infinity, -Infinity)];
-  const local = new Vector3();
+  const [p, local] = [new Vector3(), new Vector3()];
   for (let v = 0; v < positions.count; v++) {
     p.fromBufferAttribute(positions, v).sub(center);
     local.set(p.dot(axes[0]), p.dot(axes[1]), p.dot(axes[2]));
@@ -218,6 +224,33 @@ export function frameOf(geometry: BufferGeometry): Frame {
     high.max(local);
   }
   return { center, axes, low, high };
+}
+
+/**
+ * The frame in which a surface is seen as another of the same vertices is seen in its own: turned by the rotation between the two,
+ * which is the orthogonal part of their covariance, by Newton's iteration (Higham 1986).
+ */
+export function frameLike(geometry: BufferGeometry, model: BufferGeometry): Frame {
+  const frame = frameOf(model);
+  const [to, from] = [geometry.getAttribute("position"), model.getAttribute("position")];
+  if (to.count !== from.count) return frameOf(geometry);
+  const center = new Vector3();
+  const [p, q] = [new Vector3(), new Vector3()];
+  for (let v = 0; v < to.count; v++) center.add(p.fromBufferAttribute(to, v));
+  center.divideScalar(Math.max(1, to.count));
+  const sum = [0, 0, 0, 0, 0, 0, 0, 0, 0];
+  for (let v = 0; v < to.count; v++) {
+    const [a, b] = [p.fromBufferAttribute(to, v).sub(center).toArray(), q.fromBufferAttribute(from, v).sub(frame.center).toArray()];
+    for (let i = 0; i < 3; i++) for (let j = 0; j < 3; j++) sum[3 * i + j]! += a[i]! * b[j]!;
+  }
+  const turn = new Matrix3().set(...(sum as unknown as Parameters<Matrix3["set"]>));
+  turn.multiplyScalar(1 / (Math.cbrt(Math.abs(turn.determinant())) || 1));
+  for (let step = 0; step < 30; step++) {
+    const inverse = turn.clone().invert().transpose();
+    for (let k = 0; k < 9; k++) turn.elements[k] = (turn.elements[k]! + inverse.elements[k]!) / 2;
+  }
+  if (!(Math.abs(turn.determinant() - 1) < 0.01)) return frameOf(geometry);
+  return reaching(geometry, center, frame.axes.map((axis) => axis.clone().applyMatrix3(turn)) as Frame["axes"]);
 }
 
 /** Coordinates of points in the frame: along the longest axis from 0 to 1, along the others in mm from the center. */

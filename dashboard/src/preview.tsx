@@ -55,7 +55,7 @@ export function Preview({ ply, fault, name }: { ply: ArrayBuffer; fault: [number
       const { clientWidth: width, clientHeight: height } = element;
       if (width === 0) return;
       renderer.setSize(width, height, false);
-      const half = Math.max((1.1 * (frame.high.x - frame.low.x)) / width, (1.2 * (frame.high.y - frame.low.y)) / height) / 2 || radius / height;
+      const half = Math.max((1.1 * Math.max(-frame.low.x, frame.high.x)) / width, (1.2 * Math.max(-frame.low.y, frame.high.y)) / height) || radius / height;
       [camera.left, camera.right, camera.top, camera.bottom] = [-half * width, half * width, half * height, -half * height];
       camera.updateProjectionMatrix();
       controls.handleResize();

@@ -6,7 +6,6 @@ import {
   BufferGeometry,
   Color,
   DataTexture,
-  DoubleSide,
   Group,
   InstancedMesh,
   LineBasicMaterial,
@@ -18,7 +17,7 @@ import {
   Quaternion,
   Raycaster,
   Scene,
-  ShaderMaterial,
+  type ShaderMaterial,
   SphereGeometry,
   Vector2,
   Vector3,
@@ -28,13 +27,14 @@ import {
 import { TrackballControls } from "three/examples/jsm/controls/TrackballControls.js";
 import { STEPS, colorMap, outlierMap, type MapName } from "./colors";
 import { type ColumnName, type Pair, placesIn } from "./pair";
+import { NO_SECTION, coloredMaterial } from "./shader";
 
 export type Coloring = "correspondence" | ColumnName;
 export type Side = "source" | "target";
 
 export interface Look {
   coloring: Coloring;
-  map: MapName;
+  map: Exclude<MapName, "blue_red">;
   /** The value at the upper end of the scale, in the unit of the column. */
   top: number;
   grid: boolean;
@@ -56,57 +56,6 @@ export interface Picked {
   spread_mm: number;
 }
 
-const VERTEX = /* glsl */ `
-  attribute float value;
-  attribute vec3 place;
-  uniform mat4 pose;
-  varying float vValue;
-  varying vec3 vPlace;
-  varying vec3 vNormal;
-  varying vec3 vPosed;
-  void main() {
-    vValue = value;
-    vPlace = place;
-    vNormal = normalMatrix * normal;
-    vPosed = (pose * vec4(position, 1.0)).xyz;
-    gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
-  }`;
-
-// The colors of the map are those on the screen; light scales them, so that hue and saturation stay what they are.
-const FRAGMENT = /* glsl */ `
-  uniform sampler2D map;
-  uniform float low;
-  uniform float top;
-  uniform float opacity;
-  uniform bool byPlace;
-  uniform bool grid;
-  uniform vec4 section;
-  varying float vValue;
-  varying vec3 vPlace;
-  varying vec3 vNormal;
-  varying vec3 vPosed;
-  float line(float at) {
-    float width = fwidth(at);
-    float off = abs(fract(at - 0.5) - 0.5);
-    return width > 0.4 ? 0.0 : 1.0 - smoothstep(width, 2.0 * width, off);
-  }
-  void main() {
-    if (dot(vPosed, section.xyz) > section.w) discard;
-    float at = byPlace ? vPlace.x : (vValue - low) / (top - low);
-    bool isKnown = byPlace ? vPlace.x > -0.001 : vValue > -1e8;
-    vec3 color = !isKnown ? vec3(0.62, 0.64, 0.66) : texture2D(map, vec2(clamp(at, 0.002, 0.998), 0.5)).rgb;
-    if (grid && vPlace.x > -0.5) {
-      float around = atan(vPlace.z, vPlace.y) * 1.2732395;
-      float cut = abs(vPlace.z) < 1e-6 ? 0.0 : 1.0;
-      float lines = max(line(vPlace.x * 12.0), fwidth(around) > 1.0 ? 0.0 : cut * line(around));
-      color *= 1.0 - 0.55 * lines;
-    }
-    float light = 0.42 + 0.58 * abs(normalize(vNormal).z);
-    if (!gl_FrontFacing) color = mix(color, vec3(0.45), 0.6);
-    gl_FragColor = vec4(color * light, opacity);
-  }`;
-
-const NO_SECTION = new Vector4(0, 0, 0, 1);
 const LINES = 240;
 const MARKS = 64;
 /** A picture that takes longer is drawn with fewer triangles until the view rests. */
@@ -150,9 +99,12 @@ export class PairScene {
   private readonly halos: Record<Side, Mesh>;
   private readonly lines: LineSegments<BufferGeometry, LineBasicMaterial>;
   private readonly lineRows: number[];
+  private readonly crosses: Record<Side, LineSegments<BufferGeometry, LineBasicMaterial>>;
   private readonly pose = new Matrix4();
   private readonly centers: { source: Vector3; moved: Vector3 };
-  private readonly maps: Record<MapName | "outlier", DataTexture>;
+  private readonly maps: Record<Look["map"] | "outlier", DataTexture>;
+  /** How far both surfaces reach from the middle along the axes of the target. */
+  private readonly reach = new Vector3();
   private readonly sizes = new ResizeObserver(() => this.resize());
   private look: Look;
   private isSlow = false;
@@ -187,13 +139,21 @@ export class PairScene {
     const ball = new SphereGeometry(size * 0.009, 16, 12);
     this.marks = { source: this.marksOf(ball), target: this.marksOf(ball) };
     this.halos = { source: this.halo(), target: this.halo() };
+    this.crosses = { source: this.crossOf(size), target: this.crossOf(size) };
     for (const side of ["source", "target"] as const) {
-      this.groups[side].add(this.meshes[side], this.marks[side], this.halos[side]);
+      this.groups[side].add(this.meshes[side], this.marks[side], this.halos[side], this.crosses[side]);
       this.scene.add(this.groups[side]);
     }
     this.radius = pair.target.boundingSphere!.radius;
     const source = pair.source.boundingSphere!.center.clone();
     this.centers = { source, moved: source.clone().applyMatrix4(pair.targetFromSource) };
+
+    this.reach.copy(frame.low).negate().max(frame.high);
+    const [p, from] = [new Vector3(), pair.source.getAttribute("position")];
+    for (let v = 0; v < from.count; v++) {
+      p.fromBufferAttribute(from, v).applyMatrix4(pair.targetFromSource).sub(frame.center);
+      this.reach.max(new Vector3(...frame.axes.map((axis) => Math.abs(p.dot(axis)))));
+    }
 
     const inliers: number[] = [];
     pair.inlier.forEach((is, v) => is && pair.nearest[v]! >= 0 && inliers.push(v));
@@ -245,17 +205,7 @@ export class PairScene {
 
   private surface(geometry: BufferGeometry): Mesh<BufferGeometry, ShaderMaterial> {
     geometry.setAttribute("value", new BufferAttribute(new Float32Array(geometry.getAttribute("position").count), 1));
-    const uniforms = {
-      map: { value: this.maps.viridis },
-      low: { value: 0 },
-      top: { value: 1 },
-      opacity: { value: 1 },
-      byPlace: { value: true },
-      grid: { value: true },
-      section: { value: NO_SECTION.clone() },
-      pose: { value: new Matrix4() },
-    };
-    const material = new ShaderMaterial({ vertexShader: VERTEX, fragmentShader: FRAGMENT, uniforms, side: DoubleSide });
+    const material = coloredMaterial(this.maps.viridis);
     const mesh = new Mesh(geometry, material);
     mesh.matrixAutoUpdate = false;
     return mesh;
@@ -278,6 +228,32 @@ export class PairScene {
     marks.renderOrder = 3;
     marks.frustumCulled = false;
     return marks;
+  }
+
+  /** Three lines along the axes of RAS that meet in a point. */
+  private crossOf(size: number): LineSegments<BufferGeometry, LineBasicMaterial> {
+    const ends = [0, 1, 2].flatMap((axis) => [-1, 1].flatMap((sign) => [0, 1, 2].map((k) => (k === axis ? sign * size : 0))));
+    const geometry = new BufferGeometry().setAttribute("position", new BufferAttribute(Float32Array.from(ends), 3));
+    const cross = new LineSegments(geometry, new LineBasicMaterial({ color: 0xff2d95, depthTest: false }));
+    cross.renderOrder = 4;
+    cross.visible = false;
+    cross.frustumCulled = false;
+    return cross;
+  }
+
+  /** Where the crosshair is, in the space of the target; null: nowhere. */
+  cross(point: Vector3 | null): void {
+    for (const side of ["source", "target"] as const) {
+      this.crosses[side].visible = point !== null;
+      if (point) this.crosses[side].position.copy(point);
+    }
+    this.redraw();
+  }
+
+  /** The place of a vertex in the space of the target. */
+  placeOf({ side, vertex }: Picked): Vector3 {
+    const place = new Vector3().fromBufferAttribute(this.pair[side].getAttribute("position"), vertex);
+    return side === "source" ? place.applyMatrix4(this.pair.targetFromSource) : place;
   }
 
   private halo(): Mesh {
@@ -375,8 +351,7 @@ export class PairScene {
     const panels = this.look.overlay ? 1 : 2;
     const stacked = this.isStacked();
     const [w, h] = [stacked ? width : width / panels, stacked ? height / panels : height];
-    const { low, high } = this.pair.frame;
-    let [x, y] = [2.2 * Math.max(-low.x, high.x), 2.3 * Math.max(-low.y, high.y, -low.z, high.z)];
+    let [x, y] = [2.2 * this.reach.x, 2.3 * Math.max(this.reach.y, this.reach.z)];
     if (this.look.overlay) {
       const away = this.centers.source.distanceTo(this.centers.moved) * (1 - this.look.pose);
       const extra = 2 * away + (away > 0 ? this.radius : 0);
@@ -413,6 +388,8 @@ export class PairScene {
       const center = this.centers.source.clone().applyMatrix4(this.pose);
       source.position.sub(center).add(this.centers.moved);
     }
+    // Only an aligned source lies where the crosshair's place is.
+    this.crosses.source.visible = this.crosses.target.visible && this.look.pose === 1;
     const section = new Vector4().copy(NO_SECTION);
     if (this.look.section !== null) {
       const toward = new Vector3().setFromMatrixColumn(this.camera.matrixWorld, 2);

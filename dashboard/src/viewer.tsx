@@ -1,5 +1,6 @@
 // The picture of a match, with what can be chosen about it.
 
+import type { Vector3 } from "three";
 import { useEffect, useMemo, useRef, useState } from "preact/hooks";
 import { type Job, download, save } from "./api";
 import { OUTLIERS, css, type MapName, colorMap, STEPS } from "./colors";
@@ -37,7 +38,15 @@ function Scale({ map, low, high, label }: { map: MapName; low: string; high: str
   );
 }
 
-export function Viewer({ job, pair }: { job: Job; pair: Pair }) {
+interface ViewerProps {
+  job: Job;
+  pair: Pair;
+  /** The crosshair of the slices, in the space of the target. */
+  cross: Vector3 | null;
+  setCross: (point: Vector3) => void;
+}
+
+export function Viewer({ job, pair, cross, setCross }: ViewerProps) {
   const canvas = useRef<HTMLCanvasElement>(null);
   const scene = useRef<PairScene | null>(null);
   const [failure, setFailure] = useState<string | null>(null);
@@ -79,15 +88,23 @@ export function Viewer({ job, pair }: { job: Job; pair: Pair }) {
     };
   }, [pair]);
   useEffect(() => scene.current?.set(look), [look, pair]);
+  useEffect(() => scene.current?.cross(cross), [cross, pair]);
   const theme = useShownTheme();
   useEffect(() => scene.current?.redraw(), [theme]);
 
   const hover = (event: PointerEvent) => {
     if (event.buttons !== 0) return;
-    const box = canvas.current!.getBoundingClientRect();
-    const found = scene.current?.pick(event.clientX - box.left, event.clientY - box.top) ?? null;
+    const found = scene.current?.pick(event.offsetX, event.offsetY) ?? null;
     scene.current?.mark(found);
     setPicked(found);
+  };
+  // A press that turns nothing puts the crosshair there.
+  const pressed = useRef<[number, number]>([0, 0]);
+  const release = (event: PointerEvent) => {
+    const [x, y] = pressed.current;
+    if (event.button !== 0 || Math.hypot(event.clientX - x, event.clientY - y) > 3) return;
+    const found = scene.current?.pick(event.offsetX, event.offsetY);
+    if (found) setCross(scene.current!.placeOf(found));
   };
   const leave = () => {
     scene.current?.mark(null);
@@ -119,7 +136,7 @@ export function Viewer({ job, pair }: { job: Job; pair: Pair }) {
         </label>
         <label>
           Map{" "}
-          <select value={look.map} onChange={(e) => change({ map: e.currentTarget.value as MapName })}>
+          <select value={look.map} onChange={(e) => change({ map: e.currentTarget.value as Look["map"] })}>
             <option value="viridis">viridis</option>
             <option value="cividis">cividis</option>
           </select>
@@ -173,6 +190,8 @@ export function Viewer({ job, pair }: { job: Job; pair: Pair }) {
           role="img"
           aria-label="Source and target surface. Arrow keys turn, plus and minus zoom, Home resets the view."
           onPointerMove={hover}
+          onPointerDown={(e) => (pressed.current = [e.clientX, e.clientY])}
+          onPointerUp={release}
           onPointerLeave={leave}
           onKeyDown={keys}
         />

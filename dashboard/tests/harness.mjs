@@ -2,17 +2,20 @@
 
 import assert from "node:assert/strict";
 import { spawn, spawnSync } from "node:child_process";
-import { mkdirSync, mkdtempSync, readFileSync, rmSync } from "node:fs";
+import { existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync } from "node:fs";
 import http from "node:http";
 import net from "node:net";
 import { createRequire } from "node:module";
 import { tmpdir } from "node:os";
-import { join } from "node:path";
+import { basename, extname, join } from "node:path";
+import { gzipSync } from "node:zlib";
 import { chromium } from "playwright-core";
 
 export const BINARY = process.env.DASHBOARD_BINARY;
 export const CHROMIUM = process.env.DASHBOARD_CHROMIUM ?? "/usr/bin/chromium";
 export const PICTURES = process.env.DASHBOARD_SCREENSHOTS;
+/** A folder with a built page, which is then tested instead of the one that the program has. */
+const PAGE = process.env.DASHBOARD_PAGE;
 /** Without settings of the program. */
 const ENVIRONMENT = Object.fromEntries(Object.entries(process.env).filter(([name]) => !name.startsWith("HOMOLOG_")));
 const AXE = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
@@ -69,7 +72,20 @@ export async function service(name, ...parameters) {
     assert.equal(child.exitCode, null, log);
     return fetch(`${base}readyz`).then((answer) => answer.ok, () => false);
   });
-  return base;
+  return PAGE ? withPage(base) : base;
+}
+
+/** The service, with the page of the folder `PAGE` under the policy that it gives its own. */
+async function withPage(base) {
+  const kinds = { ".html": "text/html; charset=utf-8", ".js": "text/javascript; charset=utf-8", ".css": "text/css; charset=utf-8", ".svg": "image/svg+xml" };
+  const policy = (await fetch(base)).headers.get("content-security-policy");
+  return prefixed(base, "/", (request, response) => {
+    const path = request.url.split("?")[0];
+    if (path !== "/" && !path.startsWith("/assets/")) return false;
+    const file = join(PAGE, path === "/" ? "index.html" : basename(path));
+    if (!existsSync(file)) return response.writeHead(404).end();
+    return response.writeHead(200, { "content-type": kinds[extname(file)] ?? "application/octet-stream", "content-security-policy": policy, "content-encoding": "gzip" }).end(gzipSync(readFileSync(file)));
+  });
 }
 
 /** A connection to `base` that can be cut and mended. */
@@ -160,7 +176,9 @@ export async function accessible(page, what) {
 /** Nothing is wider than the window. */
 export async function fits(page, what) {
   const [content, window] = await page.evaluate(() => [document.documentElement.scrollWidth, innerWidth]);
-  assert(content <= window, `${what}: ${content} px of content in ${window} px`);
+  if (content <= window) return;
+  const wide = await page.evaluate(() => [...document.querySelectorAll("main *")].filter((element) => element.getBoundingClientRect().right > innerWidth && !element.closest(".scroll, .rows")).slice(0, 5).map((element) => element.outerHTML.slice(0, 200)));
+  assert.fail(`${what}: ${content} px of content in ${window} px: ${wide.join(" | ")}`);
 }
 
 export async function picture(page, name) {

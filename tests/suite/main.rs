@@ -14,6 +14,7 @@ mod deploy;
 mod dicom;
 mod docs;
 mod encryption;
+mod energy_trace;
 mod faults;
 mod field_inputs;
 mod field_readers;

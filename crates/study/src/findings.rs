@@ -339,7 +339,9 @@ fn labels(
     let mesh = &matched.making.template.mesh;
     let usable: Vec<usize> = (0..subjects.len()).filter(|&k| subjects[k].place != Place::Failed).collect();
     let shape = |k: usize| -> Result<Vec<Point3<f64>>, StudyError> {
-        Ok(folder.get(&matched.keys[k])?.map(|record| points(&record.points)).unwrap_or_default())
+        // The labels are in the file.
+        let own = folder.get(&matched.keys[k])?.map(|record| points(&record.points)).unwrap_or_default();
+        Ok(crate::sides::in_file(own, study.is_mirrored(k)))
     };
     type Voted = (usize, Vec<u32>, Vec<Option<u32>>);
     let votes: Vec<Option<Voted>> = usable

@@ -47,6 +47,7 @@ fn table(folder: &Path, n: usize) -> PathBuf {
 fn settings() -> Settings {
     Settings {
         template: TemplateChoice::Made(MadeTemplate { subjects: 4, max_rounds: 2, ..MadeTemplate::default() }),
+        template_side: None,
         size: Size::Kept,
         analysis: Analysis {
             effect: Some("group".to_owned()),

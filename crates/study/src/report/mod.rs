@@ -16,6 +16,7 @@ use crate::quality::most_urgent_first;
 use crate::settings::Measure;
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD as BASE64;
+use homolog_contract::result::UnreliableReason;
 use homolog_primitives::observe::{Observer, checkpoint};
 use homolog_run::page::{Page, escaped};
 use nalgebra::{Matrix3, Point3, Vector3};
@@ -106,6 +107,15 @@ fn p_value(p: f64) -> String {
     if p < 0.001 { "&lt; 0.001".to_owned() } else { format!("{p:.3}") }
 }
 
+/// A reason to doubt a match, and the step where a study has one of its own.
+fn reason_in_words(reason: &str) -> String {
+    let words = escaped(&reason.replace('_', " "));
+    if reason == UnreliableReason::OtherHandedness.name() {
+        return format!("{words}: if it lies on the other side than the template, state its side (column side)");
+    }
+    words
+}
+
 /// The table of quality control, the most urgent first.
 fn quality(study: &Study, found: &Findings, pictures: &[(usize, usize)]) -> String {
     let mut rows = String::new();
@@ -121,7 +131,7 @@ fn quality(study: &Study, found: &Findings, pictures: &[(usize, usize)]) -> Stri
             format!("<canvas data-shape=\"{shape}\" role=\"img\" aria-label=\"the shape of this subject\"></canvas>")
         });
         let mut why: Vec<String> = subject.flags.iter().map(|flag| flag.title().to_owned()).collect();
-        why.extend(subject.facts.reasons.iter().map(|reason| escaped(&reason.replace('_', " "))));
+        why.extend(subject.facts.reasons.iter().map(|reason| reason_in_words(reason)));
         why.extend(subject.facts.error.iter().map(|error| escaped(error)));
         if let Some(decision) = &subject.decision {
             why.push(format!("decided: {}", escaped(&decision.reason)));
@@ -249,7 +259,8 @@ impl View {
              <label><input type=\"checkbox\" id=\"only\"> only corrected p &lt; 0.05</label></div><div>\
              <select id=\"shape\" aria-label=\"Mode or subject\">{shape_options}</select>\
              <label>−2 sd <input type=\"range\" id=\"along\" min=\"-50\" max=\"50\" value=\"50\"> +2 sd</label></div></div>\n\
-             <p class=\"hint\"><span id=\"legend\"></span></p>\n\
+             <p class=\"colors\"><span id=\"low\"></span><span class=\"bar\"></span><span id=\"high\"></span> \
+             <span id=\"legend\"></span></p>\n\
              <p class=\"hint\">Drag or use the arrow keys to turn, scroll to zoom. Red is outwards, blue inwards, of modes and \
              subjects along the normal of the mean.</p>\n"
         );

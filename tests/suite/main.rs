@@ -26,6 +26,7 @@ mod isolation;
 mod jobs;
 mod jobs_support;
 mod keys;
+mod labels;
 mod long_polls;
 mod metrics;
 mod numbering;

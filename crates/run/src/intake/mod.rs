@@ -8,6 +8,7 @@
 mod candidate;
 mod error;
 mod inspection;
+mod label_names;
 mod label_surface;
 mod near;
 mod shown;
@@ -16,7 +17,8 @@ mod warnings;
 
 pub use error::{Advice, IntakeError};
 pub use homolog_contract::input::{InputFormat, InputKind, InputReport, Inspection};
-pub use inspection::inspect;
+pub use inspection::{LabelShape, inspect, label_shapes};
+pub use label_names::{LabelTable, NearName, are_one_name, chosen_numbers, label_tables};
 pub use shown::shown_surface;
 
 use crate::mirror::MirrorPlane;

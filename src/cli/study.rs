@@ -11,7 +11,7 @@ use clap::builder::PossibleValuesParser;
 use homolog_contract::input::BodySide;
 use homolog_study::StudyError;
 use homolog_study::cohort::Cohort;
-use homolog_study::findings::{Findings, find};
+use homolog_study::findings::{Findings, Place, find};
 use homolog_study::folder::{Decision, Folder, read_decisions};
 use homolog_study::matching::Watcher;
 use homolog_study::output::{read_document, write};
@@ -112,7 +112,12 @@ pub(super) fn run(args: &StudyArgs) -> Result<(), CliError> {
     let found = done.map_err(said)?;
     print(&summary(&found))?;
     note(&format!("written to {}, begin with report.html", out.path().display()));
-    Ok(())
+    let (failed, n) =
+        (found.subjects.iter().filter(|subject| subject.place == Place::Failed).count(), found.subjects.len());
+    match failed {
+        0 => Ok(()),
+        failed => Err(CliError::Failed(format!("{failed} of {n} subjects have no match; quality.csv says why"))),
+    }
 }
 
 /// A study as it is asked for.

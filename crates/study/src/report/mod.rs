@@ -3,6 +3,7 @@
 //! The page is one HTML file that loads nothing, like that of a match (`homolog_run::write_report`); its policy allows its own
 //! script and style, named by their hashes, and nothing else.
 
+mod demographics;
 mod methods;
 mod plots;
 
@@ -48,8 +49,9 @@ pub(crate) fn page(
     let body = [
         summary(found),
         quality(study, found, &view.pictures),
+        demographics::section(study, found),
         view.section,
-        effects(found),
+        effects(study, found),
         model(found),
         template(found),
         consistency(found),
@@ -282,11 +284,11 @@ fn frame(points: &[Point3<f64>]) -> (Point3<f64>, f64, Vec<f64>) {
     (center, reach.max(f64::MIN_POSITIVE), rows.iter().flat_map(|row| row.iter().copied()).collect())
 }
 
-fn effects(found: &Findings) -> String {
+fn effects(study: &Study, found: &Findings) -> String {
     let Some(statistics) = &found.statistics else {
         return "<h2>Effects</h2>\n<p>No effect was asked for (<code>--effect</code>).</p>\n".to_owned();
     };
-    let mut html = "<h2>Effects at vertices</h2>\n".to_owned();
+    let mut html = format!("<h2>Effects at vertices</h2>\n{}", demographics::degrees(study, found));
     let weights = &found.alignment.weights;
     let rows: Vec<Vec<String>> = statistics
         .maps

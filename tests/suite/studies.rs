@@ -175,6 +175,22 @@ fn a_study_that_is_killed_goes_on_and_ends_with_the_same_bytes() {
 }
 
 #[test]
+fn a_study_in_which_a_subject_failed_is_written_and_exits_with_1() {
+    let place = tempfile::tempdir().unwrap();
+    let table = cohort(place.path(), 4);
+    let rows = fs::read_to_string(&table).unwrap();
+    fs::write(&table, format!("{rows}broken,broken.ply,a\n")).unwrap();
+    fs::write(place.path().join("broken.ply"), "ply, but no more").unwrap();
+    let out = place.path().join("out");
+    let done = homolog().arg("study").arg(&table).args(["--template-rounds", "1", "--out"]).arg(&out).output().unwrap();
+    let said = String::from_utf8_lossy(&done.stderr).into_owned();
+    assert_eq!(done.status.code(), Some(1), "{said}");
+    assert!(said.contains("1 of 5 subjects have no match; quality.csv says why"), "{said}");
+    assert!(fs::read_to_string(out.join("quality.csv")).unwrap().contains("broken,failed"));
+    assert!(out.join("report.html").exists() && out.join("study.json").exists());
+}
+
+#[test]
 fn a_wrong_table_or_covariate_is_said_before_the_first_match() {
     let place = tempfile::tempdir().unwrap();
     let said = |text: &str, options: &[&str]| {

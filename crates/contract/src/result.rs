@@ -242,7 +242,8 @@ pub enum UnreliableReason {
     /// Corresponding points have different curvatures or normals, one surface has to be drawn out far to become the other, or
     /// one closed surface is longer by half: they show different structures.
     UnlikeShape,
-    /// A mirrored copy of the source fits better: the two are of different sides, or one image is mirrored.
+    /// A mirrored copy of the source fits better: the two are of different sides, which `input.source.mirror: true` matches, or one
+    /// image is mirrored.
     OtherHandedness,
     /// Another pose fits as well.
     AmbiguousPose,

@@ -191,10 +191,9 @@ pub fn compute(
 /// Share of the faces of `source` whose normal, moved by the transform, does not look the way of the bent face.
 fn folded(source: &SurfaceMesh, bent: &SurfaceMesh, matrix: &[[f64; 4]; 4]) -> f64 {
     let linear = Matrix3::from_fn(|r, c| matrix[r][c]);
-    // Of a transform that mirrors, vector areas change their sign besides.
-    let moved = linear * linear.determinant().signum();
+    // A transform that mirrors would change the sign of vector areas, but the faces of `bent` are reversed then.
     let pairs = source.face_vector_areas().into_iter().zip(bent.face_vector_areas());
-    let turned = pairs.filter(|(before, after)| (moved * before).dot(after) <= 0.0).count();
+    let turned = pairs.filter(|(before, after)| (linear * before).dot(after) <= 0.0).count();
     turned as f64 / source.n_faces().max(1) as f64
 }
 

@@ -2,7 +2,7 @@
 
 use crate::fixtures::fixture;
 use homolog_contract::parameters::resolve;
-use homolog_contract::result::{Correspondences, TransformDocument};
+use homolog_contract::result::{Correspondences, TransformDocument, WarpDirection};
 use homolog_formats::ply::write_ply;
 use homolog_laboratory::phantom::PhantomPair;
 use homolog_mesh::SurfaceMesh;
@@ -127,6 +127,7 @@ proptest! {
         prop_assert!(output.document.poses.iter().all(|pose| pose.mirrored == (matrix(&pose.matrix).determinant() < 0.0)));
         // Faces look outwards still.
         prop_assert!(output.aligned().unwrap().signed_volume() > 0.0);
+        prop_assert!(output.warped(WarpDirection::Forward).unwrap().mesh.signed_volume() > 0.0);
         prop_assert!(output.target.signed_volume() > 0.0 && output.source.signed_volume() > 0.0);
     }
 }

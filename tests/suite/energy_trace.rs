@@ -18,7 +18,8 @@ fn contract() -> Vec<Row> {
     let page = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/api.md")).unwrap();
     let section = page.split_once("\n## The energy trace\n").unwrap().1.split("\n## ").next().unwrap().to_owned();
     let names = |cell: &str| cell.split('`').skip(1).step_by(2).map(str::to_owned).collect::<Vec<_>>();
-    let rows = section.lines().filter(|line| line.starts_with("| `")).map(|row| {
+    let is_row = |line: &&str| line.starts_with("| `") && !line.contains("| phases |");
+    let rows = section.lines().filter(is_row).map(|row| {
         let cells: Vec<&str> = row.trim_matches('|').split('|').map(str::trim).collect();
         Row { quantities: names(cells[0]), phases: names(cells[1]), within: cells[3].to_owned() }
     });

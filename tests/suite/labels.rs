@@ -6,8 +6,8 @@ use homolog_mesh::volume::LabelVolume;
 use std::fs;
 use std::path::Path;
 
-/// A volume with the numbers of FreeSurfer: a left hippocampus (17), its mirror image as the right one (53), and a block of white
-/// matter (2).
+/// A volume with numbers that FreeSurfer alone has: a left hippocampus (17), its mirror image as the right one (53), and a sheet of
+/// corpus callosum (251).
 fn brain(folder: &Path) {
     let made = homolog().args(["phantom", "--spacing", "2", "--subject", "3", "--out"]).arg(folder.join("p")).output();
     assert!(made.unwrap().status.success());
@@ -26,7 +26,7 @@ fn brain(folder: &Path) {
         }
     }
     for row in 0..ny * nz {
-        labels[row * wide + nx] = 2;
+        labels[row * wide + nx] = 251;
     }
     let brain = LabelVolume::new([wide, ny, nz], labels, *volume.affine()).unwrap();
     fs::write(folder.join("aseg.nii.gz"), write_nifti_gz(&brain)).unwrap();
@@ -49,11 +49,11 @@ fn inspect_is_a_table_that_fits_a_screen() {
     let table: Vec<&str> = shown.lines().filter(|line| line.trim_start().starts_with(char::is_numeric)).collect();
     assert!(table.iter().all(|line| line.chars().count() <= 80), "{shown}");
     let cells: Vec<Vec<&str>> = table.iter().map(|line| line.split_whitespace().collect()).collect();
-    assert_eq!(cells.iter().map(|row| row[0]).collect::<Vec<_>>(), ["2", "17", "53"], "{shown}");
-    assert_eq!((cells[1][1], cells[2][1]), ("Left-Hippocampus", "Right-Hippocampus"));
+    assert_eq!(cells.iter().map(|row| row[0]).collect::<Vec<_>>(), ["17", "53", "251"], "{shown}");
+    assert_eq!((cells[0][1], cells[1][1]), ("Left-Hippocampus", "Right-Hippocampus"));
     // Voxels of 8 mm³; one piece.
-    let (voxels, volume): (f64, f64) = (cells[1][2].parse().unwrap(), cells[1][3].parse().unwrap());
-    assert!((volume - 8.0 * voxels).abs() < 0.1 && cells[1][4] == "1", "{shown}");
+    let (voxels, volume): (f64, f64) = (cells[0][2].parse().unwrap(), cells[0][3].parse().unwrap());
+    assert!((volume - 8.0 * voxels).abs() < 0.1 && cells[0][4] == "1", "{shown}");
     let header = shown.lines().find(|line| line.contains("tunnels")).unwrap();
     assert_eq!(
         header.split_whitespace().collect::<Vec<_>>(),
@@ -63,7 +63,7 @@ fn inspect_is_a_table_that_fits_a_screen() {
     // Every part is in the JSON, in the words of a request.
     let (_, json, _) = run(folder.path(), &["inspect", "aseg.nii.gz", "--json"]);
     let report: serde_json::Value = serde_json::from_str(&json).unwrap();
-    assert_eq!(report["volume"]["labels"][1]["name"], "Left-Hippocampus");
+    assert_eq!(report["volume"]["labels"][0]["name"], "Left-Hippocampus");
     assert!(report["warnings"][0]["detail"].as_str().unwrap().contains("17 Left-Hippocampus"), "{report}");
     assert!(json.contains("input.labels chooses some"), "{json}");
 }

@@ -198,7 +198,8 @@ fn a_study_finds_the_effect_and_is_the_same_whatever_happens_to_it() {
     assert!(page.contains("10 subjects, 3 columns") && page.contains("7 degrees of freedom"));
     assert!(page.contains("252 ways") && page.contains("no corrected p can be below 0.004"));
     let members = page.split_once("Subjects of the model").unwrap().1.split_once("</table>").unwrap().0;
-    for cell in ["<th scope=\"col\">group patient</th>", "<td>group</td>", "control 5, patient 5", "volume, mm³", " ± "] {
+    for cell in ["<th scope=\"col\">group patient</th>", "<td>group</td>", "control 5, patient 5", "volume, mm³", " ± "]
+    {
         assert!(members.contains(cell), "{cell} in {members}");
     }
     assert!(page.contains("class=\"bar\""), "a color bar");

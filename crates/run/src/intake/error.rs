@@ -218,7 +218,7 @@ fn present_labels(present: &[u32], n_present: usize) -> String {
         None => label.to_string(),
     };
     let listed: Vec<String> = present.iter().map(named).collect();
-    format!("the volume has the labels {}{more}: set input.labels to those of the structure", listed.join(", "))
+    format!("the volume has the labels [{}]{more}: set input.labels to those of the structure", listed.join(", "))
 }
 
 /// What the parameters of an API request are called on the command line.

@@ -1,8 +1,8 @@
 //! Labels by name: by the names that a file gives, else by the tables of well-known segmentations.
 //!
 //! Names are compared by their words, in any order and case, with `l`, `lh` and `r`, `rh` for left and right: `hippocampus-left`
-//! is `Left-Hippocampus` and `Hippocampus_L`. A table is used for a volume all of whose labels it knows; `freesurfer:hippocampus-left`
-//! names it, and needs no such evidence.
+//! is `Left-Hippocampus` and `Hippocampus_L`. A table is used for a volume without names of its own, all of whose labels it knows and
+//! which has the label meant; `freesurfer:hippocampus-left` names it, and needs no such evidence.
 
 use super::IntakeError;
 use homolog_contract::parameters::LabelChoice;
@@ -188,7 +188,7 @@ fn by_table(
     };
     let is_asked = |table: &&LabelTable| match &prefix {
         Some(prefix) => table.name == prefix,
-        None => table.knows_all(present),
+        None => names.is_empty() && table.knows_all(present),
     };
     let words = words_of(own);
     let candidates: Vec<&'static LabelTable> = label_tables().iter().filter(is_asked).collect();
@@ -197,8 +197,8 @@ fn by_table(
         .map(|table| (*table, table.numbers_of(&words).into_iter().collect::<Vec<_>>()))
         .filter(|(_, numbers)| !numbers.is_empty())
         .collect();
-    // What none of a volume's voxels has was not meant, where another table says something that they have.
-    if found.iter().any(|(_, numbers)| numbers.iter().any(|number| present.contains(number))) {
+    // Without a table's name, what none of the voxels has was not meant.
+    if prefix.is_none() {
         found.retain(|(_, numbers)| numbers.iter().any(|number| present.contains(number)));
     }
     let [first, others @ ..] = found.as_slice() else {
@@ -295,7 +295,8 @@ mod tests {
         assert_eq!(numbers("entorhinal-right ctx", &[17, 53, 2006]).unwrap(), [2006]);
         assert_eq!(numbers("hippocampus left", &[4101, 4102, 2001]).unwrap(), [4101]);
         assert_eq!(numbers("aal3:hippocampus left", &[41, 9999]).unwrap(), [41]);
-        // The volume has a label that no table knows.
+        // The volume has not the label that the name means, or one that no table knows.
+        assert!(matches!(numbers("amygdala-left", &[17, 53, 1006]), Err(IntakeError::UnknownLabelName { .. })));
         assert!(matches!(numbers("hippocampus-left", &[17, 9999]), Err(IntakeError::UnknownLabelName { .. })));
         assert_eq!(numbers("freesurfer:hippocampus-left", &[17, 9999]).unwrap(), [17]);
     }

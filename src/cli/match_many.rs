@@ -1,10 +1,12 @@
 //! `homolog match SOURCE TARGET TARGET …`: one source, such as a template, matched to each of several targets.
 
+use super::companions::with_numbers;
 use super::error::CliError;
 use super::files::{OutputFolder, read_input};
 use super::interrupt::Interrupt;
 use super::match_pair::{MatchArgs, Pair, write_page};
 use super::output::{note, print, print_json};
+use super::words::on_command_line;
 use homolog_contract::parameters::MatchParameters;
 use homolog_contract::result::ResultDocument;
 use homolog_formats::csv_cell::text_cell;
@@ -79,7 +81,8 @@ fn one(
     let limits = args.limits.limits();
     let bytes = read_input(target, &limits)?;
     let pair = Pair { source: (&args.source, source), target: (target, &bytes) };
-    let (output, trace) = pair.matched(surfaces, (parameters, &limits), interrupt, Some(title))?;
+    let parameters = with_numbers(parameters, [&args.source, target]);
+    let (output, trace) = pair.matched(surfaces, (&parameters, &limits), interrupt, Some(title))?;
     if let Some(folder) = folder {
         let folder = OutputFolder::create(folder)?;
         pair.write(&folder, &output, &trace, &args.uids())?;
@@ -151,6 +154,14 @@ fn table(rows: &[Row]) -> String {
     let n_reliable =
         rows.iter().filter_map(|row| row.done.as_ref().ok()).filter(|document| word(document) == "reliable");
     let _ = write!(text, "\n{} of {} reliable", n_reliable.count(), rows.len());
+    // What to do next, once for each reason.
+    let mut explained = Vec::new();
+    for reason in rows.iter().filter_map(|row| row.done.as_ref().ok()).flat_map(|document| document.verdict().reasons) {
+        if !explained.contains(&reason) {
+            explained.push(reason);
+            let _ = write!(text, "\n{}: {} {}", reason.name(), reason.meaning(), on_command_line(reason.advice()));
+        }
+    }
     text
 }
 

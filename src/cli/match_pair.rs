@@ -1,5 +1,6 @@
 //! `homolog match SOURCE TARGET`: a match without the service.
 
+use super::companions::with_numbers;
 use super::error::CliError;
 use super::files::{OutputFolder, check_writable, file_name, read_input, write_file};
 use super::interrupt::Interrupt;
@@ -79,7 +80,7 @@ pub(super) struct MatchArgs {
 pub(super) fn run(args: &MatchArgs) -> Result<(), CliError> {
     let [target] = args.targets.as_slice() else { return match_many::run(args) };
     let limits = args.limits.limits();
-    let parameters = args.parameters.resolve()?;
+    let parameters = with_numbers(&args.parameters.resolve()?, [&args.source, target]);
     let source = read_input(&args.source, &limits)?;
     let target_bytes = read_input(target, &limits)?;
     // Before the computation, so that an unwritable folder is reported at once.

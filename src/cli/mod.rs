@@ -4,6 +4,7 @@
 mod admin;
 mod audit;
 mod backup;
+mod companions;
 mod completions;
 mod config;
 mod demo;

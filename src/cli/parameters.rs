@@ -70,6 +70,9 @@ pub(super) struct ParameterArgs {
     /// Label that the structure has in the target alone; may be repeated
     #[arg(long = "target-label", value_name = "NUMBER|NAME")]
     pub(super) target_labels: Vec<String>,
+    /// Mirror this input before it is matched, as to compare left with right; the answer stays in the coordinates of the file
+    #[arg(long, value_name = "source|target", value_parser = PossibleValuesParser::new(["source", "target"]))]
+    pub(super) mirror: Option<String>,
     /// Seed of the random numbers
     #[arg(long, value_name = "N", allow_negative_numbers = true)]
     pub(super) seed: Option<u64>,
@@ -135,7 +138,8 @@ impl ParameterArgs {
         let seed = self.seed.map(|seed| (names("seed"), Value::from(seed)));
         let of_sides = [("input.source.labels", &self.source_labels), ("input.target.labels", &self.target_labels)];
         let of_sides = of_sides.into_iter().filter_map(|(place, labels)| labels_setting(place, labels));
-        self.input.request(method.into_iter().chain(seed).chain(of_sides).collect())
+        let mirror = self.mirror.as_deref().map(|side| (names(&format!("input.{side}.mirror")), Value::from(true)));
+        self.input.request(method.into_iter().chain(seed).chain(of_sides).chain(mirror).collect())
     }
 
     /// All parameters, with defaults filled in.
@@ -251,6 +255,7 @@ mod tests {
                 ..Default::default()
             },
             target_labels: vec!["53".into()],
+            mirror: Some("source".into()),
             seed: Some(7),
             ..Default::default()
         };
@@ -258,6 +263,7 @@ mod tests {
         assert_eq!((&stated["method"], &stated["seed"]), (&json!("thesis"), &json!(7)));
         let expected = json!({
             "labels": [17, "Left Hippocampus"], "repair": ["weld", "fill"], "target": {"labels": [53]},
+            "source": {"mirror": true},
             "max_vertices": 5000, "apply_transform": true
         });
         assert_eq!(stated["input"], expected);

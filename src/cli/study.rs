@@ -8,14 +8,16 @@ use super::parameters::ParameterArgs;
 use super::progress::{Progress, WithoutTerminal};
 use clap::Args;
 use clap::builder::PossibleValuesParser;
+use homolog_contract::input::BodySide;
 use homolog_study::StudyError;
 use homolog_study::cohort::Cohort;
-use homolog_study::findings::{Findings, find};
+use homolog_study::findings::{Findings, Place, find};
 use homolog_study::folder::{Decision, Folder, read_decisions};
 use homolog_study::matching::Watcher;
 use homolog_study::output::{read_document, write};
 use homolog_study::plan::Study;
 use homolog_study::settings::{Analysis, MadeTemplate, Measure, Settings, Size, TemplateChoice};
+use homolog_study::sides::template_side;
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -37,6 +39,10 @@ pub(super) struct StudyArgs {
     /// Template: a surface or a label volume; without it one is made from the group
     #[arg(long, value_name = "FILE")]
     template: Option<PathBuf>,
+    /// Side of the body on which the template lies, where the table has a column side: subjects of the other side are mirrored;
+    /// default: that of the subject from which it is made, or of most subjects
+    #[arg(long, value_name = "left|right", value_parser = PossibleValuesParser::new(["left", "right"]))]
+    template_side: Option<String>,
     /// Subject whose surface the template is made from; default: the one of median volume
     #[arg(long, value_name = "ID", conflicts_with = "template")]
     start: Option<String>,
@@ -106,7 +112,12 @@ pub(super) fn run(args: &StudyArgs) -> Result<(), CliError> {
     let found = done.map_err(said)?;
     print(&summary(&found))?;
     note(&format!("written to {}, begin with report.html", out.path().display()));
-    Ok(())
+    let (failed, n) =
+        (found.subjects.iter().filter(|subject| subject.place == Place::Failed).count(), found.subjects.len());
+    match failed {
+        0 => Ok(()),
+        failed => Err(CliError::Failed(format!("{failed} of {n} subjects have no match; quality.csv says why"))),
+    }
 }
 
 /// A study as it is asked for.
@@ -199,12 +210,14 @@ fn asked(args: &StudyArgs) -> Result<Asked, CliError> {
     };
     let settings = Settings {
         template,
+        template_side: args.template_side.as_deref().and_then(BodySide::of_name),
         size: if args.without_size { Size::Removed } else { Size::Kept },
         analysis,
         cycle_subjects: args.cycles,
         cycle_ring: Vec::new(),
         parameters,
     };
+    template_side(&cohort, &settings).map_err(|error| CliError::BadInput(error.to_string()))?;
     // A wrong covariate is said now, and not after the matches.
     let all: Vec<usize> = (0..cohort.subjects.len()).collect();
     if settings.analysis.effect.is_some() || !settings.analysis.contrasts.is_empty() {

@@ -1,5 +1,6 @@
 //! A result document summarized in a few lines, the verdict first.
 
+use super::words::on_command_line;
 use homolog_contract::result::{EnergyDocument, OutlierReason, ResultDocument, StopReason};
 use std::fmt::Write;
 
@@ -14,6 +15,9 @@ pub(super) fn summary(result: &ResultDocument) -> String {
         let _ = writeln!(text, "  {a:>10.5} {b:>10.5} {c:>10.5} {d:>11.4}");
     }
     let [x, y, z] = t.translation_mm.map(without_sign_of_zero);
+    if t.mirrored {
+        let _ = writeln!(text, "mirrored          yes: a reflection, then this rotation and translation");
+    }
     let _ = writeln!(text, "rotation          {:.2}°", t.rotation_angle_deg);
     let _ = writeln!(text, "translation       {x:.2}  {y:.2}  {z:.2} mm");
     if let Some(similarity) = &t.similarity {
@@ -64,14 +68,14 @@ fn verdict(result: &ResultDocument) -> String {
     let verdict = result.verdict();
     let mut text = format!("{}\n", verdict.headline());
     for reason in &verdict.reasons {
-        let _ = writeln!(text, "  - {} {}", reason.meaning(), reason.advice());
+        let _ = writeln!(text, "  - {} {}", reason.meaning(), on_command_line(reason.advice()));
     }
     if result.ambiguous_axes {
         let _ =
             writeln!(text, "  - Two axes of an ellipsoid are nearly equal: the rotation about the third is arbitrary.");
     }
     for warning in &verdict.warnings {
-        let _ = writeln!(text, "  warning: {warning}");
+        let _ = writeln!(text, "  warning: {}", on_command_line(warning));
     }
     let _ = writeln!(text, "{}", verdict.distance());
     if let Some(pairs) = &result.correspondences {

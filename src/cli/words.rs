@@ -21,6 +21,20 @@ pub(super) fn plain(message: &str) -> String {
     MEANINGS.iter().fold(message.to_owned(), |said, (theirs, ours)| said.replace(theirs, ours))
 }
 
+/// What sentences call a parameter of a request, and the option of the command line that sets it.
+const OPTIONS: [(&str, &str); 5] = [
+    ("(input.labels)", "(--label NUMBER or NAME)"),
+    ("input.labels chooses", "--label chooses"),
+    ("(input.repair)", "(--repair)"),
+    ("(parameter landmarks)", "(--set 'landmarks=[...]')"),
+    ("without input.smoothing_mm", "without --set input.smoothing_mm"),
+];
+
+/// A sentence of a verdict or a warning, with options of the command line for parameters of a request.
+pub(super) fn on_command_line(sentence: &str) -> String {
+    OPTIONS.iter().fold(sentence.to_owned(), |said, (theirs, ours)| said.replace(theirs, ours))
+}
+
 /// One line for each fault, with the dotted name of its parameter, as `--set` takes it.
 pub(super) fn describe(faults: &[ParameterError]) -> String {
     let lines: Vec<_> = faults.iter().map(|fault| format!("{}: {}", dotted(&fault.pointer), fault.detail)).collect();

@@ -3,7 +3,7 @@
 use super::problem::{ProblemDocument, failure_document};
 use super::strict_json::{Parameters, SentLabels, object, objects};
 use super::submission::SubmittedInputDocument;
-use crate::jobs::documents::{MatchParameters, PartialParameters};
+use crate::jobs::documents::{BodySide, MatchParameters, PartialParameters};
 use crate::jobs::mesh::content_id;
 use crate::jobs::study::{DecisionVerdict, StudyDefinition, StudyQuestions, SubjectRole};
 use crate::jobs::{Study, StudyState};
@@ -31,6 +31,10 @@ pub(crate) struct StudySubmissionDocument {
     #[serde(default, skip_serializing_if = "Option::is_none", deserialize_with = "maybe_object")]
     #[schema(value_type = Option<SubmittedInputDocument>)]
     pub(crate) template: Option<SubmittedInputDocument>,
+    /// On which side of the body the template lies, where subjects have a `side`; needed with a `template`. If absent, that of the
+    /// subject from which it is made, or of most subjects.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(crate) template_side: Option<BodySide>,
     /// Id of the subject whose surface the template is made from; the one of median volume if absent.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub(crate) start: Option<String>,
@@ -94,6 +98,7 @@ impl StudySubmissionDocument {
     /// What is asked besides subjects, inputs and parameters.
     pub(crate) fn questions(&self) -> StudyQuestions {
         StudyQuestions {
+            template_side: self.template_side,
             start: self.start.clone(),
             template_subjects: self.template_subjects,
             template_rounds: self.template_rounds,
@@ -184,6 +189,9 @@ pub(crate) struct StudySubjectDocument {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schema(value_type = Option<SubjectRole>)]
     pub(crate) role: Option<SubjectRole>,
+    /// On which side of the body it lies. One on the other side than the template is mirrored; `side` is a covariate too.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(crate) side: Option<BodySide>,
     /// Covariates: a number if it is one for all subjects, else a factor; missing values are absent or `null`.
     #[serde(default)]
     #[schema(value_type = BTreeMap<String, CovariateValue>, required = false)]
@@ -329,6 +337,9 @@ pub(crate) struct StudySubjectStateDocument {
     pub(crate) hash: String,
     /// What it is for.
     pub(crate) role: SubjectRole,
+    /// On which side of the body it lies.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(crate) side: Option<BodySide>,
     /// What was decided.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub(crate) decision: Option<DecisionVerdict>,
@@ -408,6 +419,7 @@ impl StudyDocument {
                     id: of.id.clone(),
                     hash: content_id(&of.input.hash),
                     role: of.role,
+                    side: of.side,
                     decision: decided.map(|decided| decided.decision),
                     reason: decided.map(|decided| decided.reason.clone()),
                 }

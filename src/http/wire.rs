@@ -58,7 +58,8 @@ pub(crate) struct JobDocument {
     /// Position among the tenant's queued jobs, 1 for its next one; only while queued, and not in lists. Tenants take turns.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) queue_position: Option<u64>,
-    /// Energy at the last trace point.
+    /// Energy of the answer (`energy.final` of the result) once there is one; until then, and for an answer without an energy, that of the
+    /// last trace point, whose `quantity` says what it measures.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) energy_latest: Option<f64>,
     /// When it was accepted.

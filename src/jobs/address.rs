@@ -35,8 +35,12 @@ pub fn check_url(text: &str, allow_private: bool) -> Result<Url, &'static str> {
             name != "localhost" && !name.ends_with(".localhost")
         }
     };
-    if is_allowed || allow_private { Ok(url) } else { Err("a public address is needed here") }
+    if is_allowed || allow_private { Ok(url) } else { Err(NOT_PUBLIC) }
 }
+
+/// Why an address is refused, and who can allow it.
+pub const NOT_PUBLIC: &str = "a public address is needed here; for receivers on a private network the operator starts the service \
+                              with --allow-private-webhooks (HOMOLOG_ALLOW_PRIVATE_WEBHOOKS=true)";
 
 /// Whether an address belongs to the public internet.
 pub fn is_public(address: IpAddr) -> bool {

@@ -1,7 +1,7 @@
 //! The forms of what passes through jobs as JSON without being looked into: named here, in one place, so that the
 //! API can describe them and read them again without knowing how a match is computed.
 
-pub use homolog_contract::input::InputReport;
+pub use homolog_contract::input::{BodySide, InputReport};
 pub use homolog_contract::parameters::{MatchParameters, PartialParameters, parameter_schemas};
 pub use homolog_contract::result::{
     Correspondences, ResultDocument, SurfaceDistanceDocument, TransformDocument, UnreliableReason,

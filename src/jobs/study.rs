@@ -6,6 +6,7 @@
 //! [`super::study_submission`] has the use cases. Ids of subjects and covariates are in blobs only, and so encrypted where
 //! blobs are.
 
+use super::documents::BodySide;
 use super::engine::InputSummary;
 use super::job::{Cursor, Failure, JobId, JobInput, NewJob, Tenant};
 use super::metadata::{ExternalRef, Labels};
@@ -156,6 +157,9 @@ pub struct StudySubject {
     pub subject: Option<String>,
     /// What it is for.
     pub role: SubjectRole,
+    /// On which side of the body it lies; one on the other side than the template is mirrored.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub side: Option<BodySide>,
     /// Its covariates, as text; numbers as they were written.
     pub covariates: BTreeMap<String, String>,
     /// Its surface or label volume.
@@ -176,6 +180,9 @@ pub struct SubjectDecision {
 /// What is asked of a study besides its subjects; `None` is the default of the engine.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct StudyQuestions {
+    /// On which side of the body the template lies.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub template_side: Option<BodySide>,
     /// Subject whose surface the template is made from.
     pub start: Option<String>,
     /// Most subjects that the template is made from; 0: all.
@@ -322,6 +329,9 @@ pub struct PlannedMatch {
     pub source: Option<usize>,
     /// The subject that stays; `None`: the template.
     pub target: Option<usize>,
+    /// Whether source and target are mirrored.
+    #[serde(default)]
+    pub mirrored: [bool; 2],
 }
 
 /// Reads the files of subjects during a step, from a thread that may wait.
@@ -563,6 +573,7 @@ mod tests {
             id: format!("s{k}"),
             subject: None,
             role: SubjectRole::Model,
+            side: None,
             covariates: [("group", format!("g{}", k % 3)), ("age", format!("{}.5", k)), ("visit", "NA".to_owned())]
                 .map(|(name, value)| (name.to_owned(), value))
                 .into(),

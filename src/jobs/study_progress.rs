@@ -272,8 +272,14 @@ impl StudyProgression {
             },
         };
         let id = task.target.or(task.source).and_then(|k| definition.subjects.get(k)).map(|subject| subject.id.clone());
+        let mut parameters = definition.parameters.clone();
+        for (side, is_mirrored) in ["source", "target"].into_iter().zip(task.mirrored) {
+            if is_mirrored {
+                parameters["input"][side]["mirror"] = true.into();
+            }
+        }
         Ok(NewJob {
-            parameters: definition.parameters.clone(),
+            parameters,
             external_ref: ExternalRef::new(id.unwrap_or_default()).ok().flatten(),
             study_task: Some(task.key.clone()),
             ..self.job(study, input(task.source)?, input(task.target)?)

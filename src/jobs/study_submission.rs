@@ -1,6 +1,7 @@
 //! What clients do with studies: submit, read, add subjects, decide, cancel, delete.
 
 use super::admission::Made;
+use super::documents::BodySide;
 use super::engine::InputRefusal;
 use super::error::JobError;
 use super::job::{Cursor, JobInput, Tenant};
@@ -54,6 +55,8 @@ pub struct SubmittedSubject {
     pub subject: Option<String>,
     /// What it is for.
     pub role: SubjectRole,
+    /// On which side of the body it lies.
+    pub side: Option<BodySide>,
     /// Its covariates.
     pub covariates: BTreeMap<String, String>,
     /// Its surface or label volume.
@@ -70,6 +73,7 @@ fn named(subject: &SubmittedSubject) -> StudySubject {
         id: subject.id.clone(),
         subject: subject.subject.clone(),
         role: subject.role,
+        side: subject.side,
         covariates: subject.covariates.clone(),
         input: unchecked(None),
     }
@@ -80,7 +84,8 @@ fn fault(pointer: String, refusal: &InputRefusal) -> StudyFault {
 }
 
 fn fingerprint(submission: &StudySubmission) -> String {
-    let subject = |of: &SubmittedSubject| json!([of.id, of.subject, of.role, of.covariates, input_value(&of.input)]);
+    let subject =
+        |of: &SubmittedSubject| json!([of.id, of.subject, of.role, of.side, of.covariates, input_value(&of.input)]);
     let subjects: Vec<Value> = submission.subjects.iter().map(subject).collect();
     let template = submission.template.as_ref().map(input_value);
     let details = details_value(&submission.details);

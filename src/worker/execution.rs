@@ -188,14 +188,14 @@ async fn run(
 fn energy_of(answer: &Answer) -> Option<f64> {
     #[derive(serde::Deserialize)]
     struct Energy {
-        total: f64,
+        r#final: f64,
     }
     #[derive(serde::Deserialize)]
     struct Document {
         energy: Option<Energy>,
     }
     let document = answer.products.iter().find(|product| product.kind == ArtifactKind::Result)?;
-    serde_json::from_slice::<Document>(&document.bytes).ok()?.energy.map(|energy| energy.total)
+    serde_json::from_slice::<Document>(&document.bytes).ok()?.energy.map(|energy| energy.r#final)
 }
 
 async fn read_inputs(parts: &PoolParts, lease: &Lease, job: &Job) -> Result<ComputeInputs, JobError> {

@@ -14,6 +14,7 @@ use crate::jobs::{
     ArtifactKind, Computation, ComputeError, ComputeInputs, Demand, Failure, InputBytes, InputRefusal, InputSummary,
     JobInput, Purpose, SurfaceSize,
 };
+use homolog_contract::input::BodySide;
 use homolog_contract::parameters::{MatchParameters, resolve};
 use homolog_formats::write_zip;
 use homolog_primitives::observe::Observer;
@@ -29,6 +30,7 @@ use homolog_study::place::Inputs;
 use homolog_study::plan::{Purpose as Matching, Step, Study, Task, Template};
 use homolog_study::record::Record;
 use homolog_study::settings::{Analysis, MadeTemplate, Measure, Settings, Size, TemplateChoice};
+use homolog_study::sides::template_side;
 use homolog_study::statistics::design::Design;
 use serde::{Deserialize as _, Serialize};
 use serde_json::Value;
@@ -38,7 +40,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 /// Columns of the table of subjects that are no covariates.
-const OWN_COLUMNS: [&str; 4] = ["file", "id", "subject", "role"];
+const OWN_COLUMNS: [&str; 5] = ["file", "id", "subject", "role", "side"];
 /// Most cores that a step is given.
 const CORES: usize = 8;
 /// What a step takes besides the arrays that depend on its size: stacks of threads, and what the allocator keeps.
@@ -255,16 +257,22 @@ fn parameters_of(definition: &StudyDefinition) -> Result<MatchParameters, StudyE
 /// The cohort of a definition: the same as from a table of its subjects whose covariates are in alphabetical order.
 fn cohort(definition: &StudyDefinition) -> Result<Cohort, CohortError> {
     let names: BTreeSet<&String> = definition.subjects.iter().flat_map(|subject| subject.covariates.keys()).collect();
-    let header = OWN_COLUMNS.into_iter().chain(names.iter().map(|name| name.as_str())).map(str::to_owned).collect();
+    // Where no subject has a side, there is no such covariate.
+    let has_sides = definition.subjects.iter().any(|subject| subject.side.is_some());
+    let n_own = OWN_COLUMNS.len() - usize::from(!has_sides);
+    let header =
+        OWN_COLUMNS.into_iter().take(n_own).chain(names.iter().map(|name| name.as_str())).map(str::to_owned).collect();
     let rows = definition.subjects.iter().map(|subject| {
         let file = subject_file(&subject.id, subject.input.name_hint.as_deref());
         let role = match subject.role {
             SubjectRole::Model => "model",
             SubjectRole::Score => "score",
         };
-        let own = [file, subject.id.clone(), subject.subject.clone().unwrap_or_default(), role.to_owned()];
+        let side = subject.side.map_or("", BodySide::name);
+        let own =
+            [file, subject.id.clone(), subject.subject.clone().unwrap_or_default(), role.to_owned(), side.to_owned()];
         let covariates = names.iter().map(|name| subject.covariates.get(*name).cloned().unwrap_or_default());
-        own.into_iter().chain(covariates).collect()
+        own.into_iter().take(n_own).chain(covariates).collect()
     });
     Cohort::from_rows(std::iter::once(header).chain(rows))
 }
@@ -295,6 +303,7 @@ fn settings(definition: &StudyDefinition) -> Result<Settings, StudyError> {
     };
     Ok(Settings {
         template,
+        template_side: asked.template_side,
         size: if asked.without_size { Size::Removed } else { Size::Kept },
         analysis,
         cycle_subjects: asked.cycles as usize,
@@ -346,6 +355,7 @@ pub(super) fn check(definition: &StudyDefinition) -> Result<(), Vec<StudyFault>>
         }]
     })?;
     let settings = settings(definition).map_err(|error| vec![fault("/parameters".to_owned(), error.to_string())])?;
+    template_side(&cohort, &settings).map_err(|error| vec![fault("/template_side".to_owned(), error.to_string())])?;
     if settings.analysis.effect.is_some() || !settings.analysis.contrasts.is_empty() {
         let all: Vec<usize> = (0..cohort.subjects.len()).collect();
         Design::new(&cohort, &all, &settings.analysis).map_err(|why| vec![fault("/effect".to_owned(), why)])?;
@@ -425,7 +435,12 @@ fn planned(
         finished: number(finished),
         tasks: tasks
             .iter()
-            .map(|task| PlannedMatch { key: task.key.clone(), source: task.source, target: task.target })
+            .map(|task| PlannedMatch {
+                key: task.key.clone(),
+                source: task.source,
+                target: task.target,
+                mirrored: study.mirrored(task),
+            })
             .collect(),
         template: InputSummary {
             n_vertices: number(prepared.mesh.n_vertices()),

@@ -9,7 +9,7 @@
 //! can recognize it.
 
 use super::pool::with_sources;
-use crate::jobs::address::{check_url, is_public};
+use crate::jobs::address::{NOT_PUBLIC, check_url, is_public};
 use crate::jobs::{Attempted, DueDelivery, JobError, Turn, TurnLimits, WebhookStore};
 use crate::spans::{Fact, Span};
 use futures_util::future::join_all;
@@ -57,6 +57,25 @@ pub struct WebhookDelivery {
     settings: WebhookDeliverySettings,
 }
 
+/// A host name resolves to an address that is not public.
+#[derive(Debug, Clone, Copy, thiserror::Error)]
+#[error("the receiver's host name resolves to an address that is not public")]
+struct NotPublic;
+
+impl NotPublic {
+    /// Whether this is the cause of an error.
+    fn is_cause_of(error: &reqwest::Error) -> bool {
+        let mut next = Some(error as &(dyn std::error::Error + 'static));
+        while let Some(error) = next {
+            if error.is::<NotPublic>() {
+                return true;
+            }
+            next = error.source();
+        }
+        false
+    }
+}
+
 /// Resolves host names, and refuses private addresses unless they are allowed.
 #[derive(Debug, Clone, Copy)]
 struct PublicOnly {
@@ -70,7 +89,7 @@ impl Resolve for PublicOnly {
             let found: Vec<SocketAddr> = tokio::net::lookup_host((name.as_str(), 0)).await?.collect();
             // One private address among public ones is enough to refuse: the owner of the name controls which one is used.
             if !allow_private && found.iter().any(|address| !is_public(address.ip())) {
-                return Err("the receiver's host name resolves to an address that is not public".into());
+                return Err(NotPublic.into());
             }
             Ok(Box::new(found.into_iter()) as Addrs)
         })
@@ -225,6 +244,7 @@ impl WebhookDelivery {
         };
         match request.send().await {
             Ok(response) => Ok(response.status()),
+            Err(error) if NotPublic::is_cause_of(&error) => Err(format!("{NotPublic}: {NOT_PUBLIC}")),
             Err(error) if error.is_timeout() => Err("the receiver did not answer in time".to_owned()),
             Err(error) if error.is_connect() => Err("the receiver could not be reached".to_owned()),
             Err(_) => Err("the delivery could not be sent".to_owned()),

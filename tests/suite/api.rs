@@ -63,7 +63,7 @@ async fn the_energy_of_a_finished_job_is_that_of_its_result() {
     let job = service.until_final(&id).await;
     let result = service.json(&format!("/v1/jobs/{id}/result")).await;
     let trace = service.json(&format!("/v1/jobs/{id}/trace")).await;
-    assert_eq!((&result["energy"]["total"], trace["points"].as_array().unwrap().len()), (&json!(42), 3));
+    assert_eq!((&result["energy"]["final"], trace["points"].as_array().unwrap().len()), (&json!(42), 3));
     for job in [&job, &service.json("/v1/jobs").await["jobs"][0]] {
         assert_eq!(job["energy_latest"], 42.0);
     }

@@ -164,7 +164,7 @@ impl Computation for Obedience {
             result["n_threads"] = json!(rayon::current_num_threads());
         }
         if number("energy") != 0 {
-            result["energy"] = json!({"total": number("energy")});
+            result["energy"] = json!({"final": number("energy")});
         }
         let product = |kind, text: String| Product { kind, bytes: text.into_bytes() };
         let columns = json!({"source": [0, 1], "target": [1, 0], "confidence": [0.5, 0.25], "inlier": [true, false]});

@@ -57,6 +57,68 @@ pub(super) fn contents(folder: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
     files
 }
 
+/// The code block of a language after a heading of docs/studies.md.
+fn block(heading: &str, language: &str) -> String {
+    let page = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/studies.md")).unwrap();
+    let section = page.split_once(&format!("\n{heading}\n")).unwrap().1.split("\n## ").next().unwrap().to_owned();
+    let block = section.split_once(&format!("```{language}\n")).unwrap().1;
+    block.split_once("```").unwrap().0.to_owned()
+}
+
+/// The example of docs/studies.md as it stands there. Label volumes of phantoms, each with its mirror image as the right side.
+#[test]
+fn the_study_of_asymmetry_in_the_documentation_does_what_it_says() {
+    let place = tempfile::tempdir().unwrap();
+    let table = block("## Left against right", "csv");
+    fs::create_dir(place.path().join("scans")).unwrap();
+    fs::write(place.path().join("sides.csv"), &table).unwrap();
+    let mut written = 0;
+    for row in table.lines().skip(1) {
+        let [_, file, person, side] = row.split(',').collect::<Vec<_>>().try_into().unwrap();
+        let folder = place.path().join(person);
+        if !folder.exists() {
+            let number = person.trim_start_matches(|c: char| !c.is_ascii_digit() || c == '0');
+            let made =
+                homolog().args(["phantom", "--spacing", "2", "--subject", number, "--out"]).arg(&folder).output();
+            assert!(made.unwrap().status.success());
+        }
+        let bytes = fs::read(folder.join("source.nii.gz")).unwrap();
+        let read = homolog_formats::read(&bytes, None, &homolog_formats::ReadLimits::default()).unwrap();
+        let homolog_formats::FileContent::Labels(volume) = read.content else { panic!("no volume") };
+        let mut to_ras = *volume.affine();
+        if side == "right" {
+            to_ras.row_mut(0).scale_mut(-1.0);
+        }
+        let mirrored = homolog_mesh::volume::LabelVolume::new(volume.dims(), volume.labels().to_vec(), to_ras).unwrap();
+        fs::write(place.path().join(file), homolog_formats::write_nifti_gz(&mirrored)).unwrap();
+        written += 1;
+    }
+    assert_eq!(written, 8);
+    let command = block("## Left against right", "sh");
+    let words: Vec<&str> = command.split_whitespace().collect();
+    let done = homolog().current_dir(place.path()).args(&words[1..]).output().unwrap();
+    assert!(words[0] == "homolog" && done.status.success(), "{}", String::from_utf8_lossy(&done.stderr));
+    let document = read_json(&place.path().join("asymmetry/study.json"));
+    assert_eq!(document["settings"]["template_side"], "left");
+    assert_eq!(document["found"]["subjects"]["model"], 8, "{}", document["found"]);
+    let maps = contents(&place.path().join("asymmetry/maps"));
+    assert!(
+        maps.keys().any(|name| name.to_string_lossy() == "normal_displacement.right-left.vtk"),
+        "{:?}",
+        maps.keys()
+    );
+    // Mirror images have no asymmetry.
+    let said = String::from_utf8(done.stdout).unwrap();
+    let smallest = said.lines().filter(|line| line.contains("right-left") && line.contains("normal_displacement"));
+    let q: Vec<f64> = smallest.map(|line| line.rsplit(' ').next().unwrap().parse().unwrap()).collect();
+    assert!(q.len() == 1 && q[0] > 0.05, "{said}");
+    // Without a side of the template it is said at once.
+    let given = ["study", "sides.csv", "--out", "other", "--template", "scans/s01-left.nii.gz"];
+    let refused = homolog().current_dir(place.path()).args(given).output().unwrap();
+    let said = String::from_utf8_lossy(&refused.stderr).into_owned();
+    assert!(refused.status.code() == Some(2) && said.contains("--template-side left or right"), "{said}");
+}
+
 fn n_records(out: &Path) -> usize {
     let entries = fs::read_dir(out.join("matches")).into_iter().flatten().flatten();
     entries.filter(|entry| entry.path().extension().is_some_and(|ending| ending == "match")).count()
@@ -110,6 +172,22 @@ fn a_study_that_is_killed_goes_on_and_ends_with_the_same_bytes() {
     assert!(done.status.success(), "{}", String::from_utf8_lossy(&done.stderr));
     assert!(contents(&again) == a);
     assert_eq!(read_json(&again.join("study.json"))["found"]["subjects"]["model"], 6);
+}
+
+#[test]
+fn a_study_in_which_a_subject_failed_is_written_and_exits_with_1() {
+    let place = tempfile::tempdir().unwrap();
+    let table = cohort(place.path(), 4);
+    let rows = fs::read_to_string(&table).unwrap();
+    fs::write(&table, format!("{rows}broken,broken.ply,a\n")).unwrap();
+    fs::write(place.path().join("broken.ply"), "ply, but no more").unwrap();
+    let out = place.path().join("out");
+    let done = homolog().arg("study").arg(&table).args(["--template-rounds", "1", "--out"]).arg(&out).output().unwrap();
+    let said = String::from_utf8_lossy(&done.stderr).into_owned();
+    assert_eq!(done.status.code(), Some(1), "{said}");
+    assert!(said.contains("1 of 5 subjects have no match; quality.csv says why"), "{said}");
+    assert!(fs::read_to_string(out.join("quality.csv")).unwrap().contains("broken,failed"));
+    assert!(out.join("report.html").exists() && out.join("study.json").exists());
 }
 
 #[test]

@@ -127,6 +127,78 @@ fn same(service: &BTreeMap<PathBuf, Vec<u8>>, command: &Path) {
     }
 }
 
+/// Left and right surfaces: the files of the command's table and the subjects of the service are the same.
+#[test]
+fn sides_are_mirrored_as_by_the_command() {
+    let place = tempfile::tempdir().unwrap();
+    cohort(place.path(), 4);
+    let mut text = "id,file,side,group\n".to_owned();
+    for k in 0..4 {
+        let file = place.path().join(format!("p{k}/source.ply"));
+        let side = ["left", "right"][k % 2];
+        if side == "right" {
+            let read = homolog_formats::read(&fs::read(&file).unwrap(), None, &homolog_formats::ReadLimits::default());
+            let homolog_formats::FileContent::Mesh(mesh) = read.unwrap().content else { panic!("no mesh") };
+            let mirror = [[-1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 0.0, 1.0]];
+            fs::write(&file, homolog_formats::write_ply(&mesh.mesh.moved(&mirror).unwrap())).unwrap();
+        }
+        text.push_str(&format!("s{k},p{k}/source.ply,{side},{}\n", ["a", "a", "b", "b"][k]));
+    }
+    let table = place.path().join("sides.csv");
+    fs::write(&table, text).unwrap();
+    let out = place.path().join("out");
+    let options = ["--effect", "side", "--permutations", "6", "--template-rounds", "1", "--start", "s1"];
+    let done = homolog().arg("study").arg(&table).args(options).arg("--out").arg(&out).output().unwrap();
+    assert!(done.status.success(), "{}", String::from_utf8_lossy(&done.stderr));
+
+    let site = Site::open(Backend::Sqlite);
+    let service = Service::start(&site, &[]);
+    let subjects: Vec<Value> = (0..4)
+        .map(|k| {
+            let mut subject = subject(&service, place.path(), k);
+            subject["side"] = ["left", "right"][k % 2].into();
+            subject["covariates"]["group"] = ["a", "a", "b", "b"][k].into();
+            subject
+        })
+        .collect();
+    let mut asked =
+        json!({"subjects": subjects, "effect": "side", "permutations": 6, "template_rounds": 1, "start": "s1"});
+    let accepted: Value = service.post("/v1/studies", &asked).json().unwrap();
+    let path = format!("/v1/studies/{}", accepted["id"].as_str().unwrap_or_else(|| panic!("{accepted}")));
+    service.finished(&path);
+    same(&service.archive(&path), &out);
+    let study = service.get(&path);
+    assert_eq!((&study["subjects"][0]["side"], &study["subjects"][1]["side"]), (&json!("left"), &json!("right")));
+    let result = service.get(&format!("{path}/result"));
+    assert_eq!(
+        (&result["settings"]["template_side"], &result["found"]["subjects"]["model"]),
+        (&json!("right"), &json!(4))
+    );
+
+    // What contradicts itself is said before the first match.
+    let refused = |asked: &Value| {
+        let response = service.post("/v1/studies", asked);
+        assert_eq!(response.status(), 422);
+        let problem: Value = response.json().unwrap();
+        let error = &problem["errors"][0];
+        (error["pointer"].as_str().unwrap().to_owned(), error["detail"].as_str().unwrap().to_owned())
+    };
+    let template = asked["subjects"][0]["input"].clone();
+    asked["start"].take();
+    asked.as_object_mut().unwrap().remove("start");
+    asked["template"] = template;
+    let (pointer, said) = refused(&asked);
+    assert!(pointer == "/template_side" && said.contains("template_side"), "{pointer}: {said}");
+    asked["template_side"] = "left".into();
+    asked["parameters"] = json!({"input": {"target": {"mirror": true}}});
+    let (pointer, said) = refused(&asked);
+    assert!(pointer == "/template_side" && said.contains("input.target.mirror"), "{pointer}: {said}");
+    asked["parameters"] = json!({});
+    asked["subjects"][0]["covariates"]["side"] = "left".into();
+    let (pointer, said) = refused(&asked);
+    assert!(pointer == "/subjects/0/covariates" && said.contains("side"), "{pointer}: {said}");
+}
+
 fn equal_to_the_command_whatever_happens(backend: Backend) {
     let place = tempfile::tempdir().unwrap();
     let table = cohort(place.path(), 7);

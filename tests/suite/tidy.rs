@@ -20,7 +20,7 @@ const MEMBERS: &[(&str, &[&str])] = &[
     ("methods", &["primitives", "mesh", "geometry", "registration"]),
     ("matching", &["primitives", "mesh", "geometry", "mrf", "registration", "methods", "contract"]),
     ("formats", &["mesh", "contract"]),
-    ("run", &["primitives", "mesh", "contract", "formats", "matching"]),
+    ("run", &["primitives", "mesh", "registration", "contract", "formats", "matching"]),
     ("study", &["primitives", "mesh", "registration", "contract", "formats", "run"]),
     (
         "laboratory",

@@ -5,7 +5,10 @@ use axum::extract::State;
 use axum::http::{HeaderMap, StatusCode};
 use axum::routing::post;
 use bytes::Bytes;
+use homolog::jobs::JobState;
 use serde_json::{Value, json};
+use std::io::BufRead as _;
+use std::process::{Child, Command, Stdio};
 use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
 
@@ -134,6 +137,8 @@ async fn private_addresses_are_refused_unless_allowed() {
     for url in ["http://127.0.0.1:1/", "http://169.254.169.254/latest", "http://[::1]/", "http://localhost/", "x"] {
         let refused = problem(create(&service, &json!({"url": url})).await, 422, "invalid-request").await;
         assert_eq!(refused["errors"][0]["pointer"], "/url", "{url}");
+        let said = refused["errors"][0]["detail"].as_str().unwrap();
+        assert_eq!(said.contains("--allow-private-webhooks"), url != "x", "{url}: {said}");
     }
     problem(create(&service, &json!({"url": "https://example.org/", "x": 1})).await, 422, "invalid-request").await;
     problem(
@@ -153,7 +158,101 @@ async fn private_addresses_are_refused_unless_allowed() {
     let service = TestService::start_in(folder, &["--webhook-pause-ms", "50"]).await;
     service.post(&format!("/v1/webhooks/{id}/test")).await;
     let entries = log(&service, &id, |log| log.iter().any(|entry| entry["error"].is_string())).await;
-    assert_eq!(entries[0]["error"], "a public address is needed here");
+    let said = entries[0]["error"].as_str().unwrap();
+    assert!(said.starts_with("a public address is needed here") && said.contains("--allow-private-webhooks"), "{said}");
     assert!(receiver.received().is_empty());
     service.end().await;
+}
+
+/// A code block of docs/webhooks.md.
+fn block(language: &str) -> String {
+    let page = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/docs/webhooks.md")).unwrap();
+    page.split_once(&format!("```{language}\n")).unwrap().1.split_once("```").unwrap().0.to_owned()
+}
+
+/// A running receiver of the documentation; it is killed when dropped.
+struct Documented(Child);
+
+impl Drop for Documented {
+    fn drop(&mut self) {
+        let _ = self.0.kill();
+        let _ = self.0.wait();
+    }
+}
+
+/// Runs a receiver against a service: it prints what is signed, once, and refuses everything else.
+async fn check_receiver(mut receiver: Command) {
+    let service = TestService::start(&SETTINGS).await;
+    let free = std::net::TcpListener::bind("127.0.0.1:0").unwrap().local_addr().unwrap().port();
+    let url = format!("http://127.0.0.1:{free}/");
+    let webhook = made(&service, &json!({"url": url, "states": ["succeeded"]})).await;
+    let (id, secret) = (webhook["id"].as_str().unwrap(), webhook["secret"].as_str().unwrap());
+    receiver.env("WEBHOOK_SECRET", secret).env("PORT", free.to_string());
+    let mut child = Documented(receiver.stdin(Stdio::null()).stdout(Stdio::piped()).spawn().unwrap());
+    let lines = std::io::BufReader::new(child.0.stdout.take().unwrap());
+    let job = service.submit(json!({})).await;
+    service.until_final(&job).await;
+    let read = tokio::task::spawn_blocking(move || {
+        let mut lines = lines.lines().map(Result::unwrap);
+        (lines.next().unwrap(), lines)
+    });
+    let (first, lines) = read.await.unwrap();
+    assert_eq!(first, format!("job.succeeded {job}"));
+    log(&service, id, |log| log.iter().any(|entry| entry["state"] == "delivered")).await;
+
+    // The same delivery again is accepted and not handled again; a forged and an old one are refused.
+    let signer = standardwebhooks::Webhook::new(secret).unwrap();
+    let now = jiff::Timestamp::now().as_second();
+    let sent = async |id: &str, at: i64, signed: &str, body: &str| {
+        let signature = signer.sign(id, at, signed.as_bytes()).unwrap();
+        let request = service.client.post(&url).header("webhook-id", id).header("webhook-timestamp", at.to_string());
+        request.header("webhook-signature", format!("v1,AAAA {signature}")).body(body.to_owned()).send().await.unwrap()
+    };
+    let event = |name: &str| json!({"type": name, "timestamp": "", "data": {"job_id": "j"}}).to_string();
+    let (own, other) = (event("job.succeeded"), event("job.failed"));
+    assert_eq!(sent("a", now, &own, &own).await.status(), 204);
+    assert_eq!(sent("a", now, &own, &own).await.status(), 204);
+    assert_eq!(sent("b", now, &own, &other).await.status(), 401, "another body");
+    assert_eq!(sent("c", now - 3600, &own, &own).await.status(), 401, "an old one");
+    assert_eq!(service.client.post(&url).body("x").send().await.unwrap().status(), 401);
+    assert_eq!(sent("d", now, &other, &other).await.status(), 204);
+    let read = tokio::task::spawn_blocking(move || lines.take(2).collect::<Vec<_>>());
+    assert_eq!(read.await.unwrap(), ["job.succeeded j", "job.failed j"]);
+    service.end().await;
+}
+
+#[tokio::test]
+async fn the_receiver_in_python_of_the_documentation_verifies_deliveries() {
+    let mut receiver = Command::new("python3");
+    receiver.arg("-c").arg(block("python"));
+    check_receiver(receiver).await;
+}
+
+#[tokio::test]
+#[ignore = "needs the generators that scripts/setup test installs"]
+async fn the_receiver_in_typescript_of_the_documentation_compiles_and_verifies_deliveries() {
+    let folder = tempfile::tempdir().unwrap();
+    let packages = concat!(env!("CARGO_MANIFEST_DIR"), "/target/clients-npm/node_modules");
+    std::os::unix::fs::symlink(packages, folder.path().join("node_modules")).unwrap();
+    std::fs::write(folder.path().join("package.json"), r#"{"type": "module"}"#).unwrap();
+    std::fs::write(folder.path().join("receiver.ts"), block("ts")).unwrap();
+    let mut compile = Command::new("node");
+    compile.current_dir(folder.path()).arg("node_modules/typescript/bin/tsc");
+    let options = ["--strict", "--target", "es2022", "--module", "nodenext", "--types", "node", "receiver.ts"];
+    let done = compile.args(options).output().unwrap();
+    assert!(done.status.success(), "{}", String::from_utf8_lossy(&done.stdout));
+    let mut receiver = Command::new("node");
+    receiver.current_dir(folder.path()).arg("receiver.js");
+    check_receiver(receiver).await;
+}
+
+#[test]
+fn the_documentation_lists_every_event() {
+    let page = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/docs/webhooks.md")).unwrap();
+    let listed: Vec<&str> =
+        page.lines().filter_map(|line| line.strip_prefix("| `")?.split_once("` |")).map(|(name, _)| name).collect();
+    let states = JobState::ALL.into_iter().map(|state| format!("job.{}", state.name()));
+    for event in states.chain(["webhook.test".to_owned()]) {
+        assert!(listed.contains(&event.as_str()), "{event}");
+    }
 }

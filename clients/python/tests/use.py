@@ -53,6 +53,40 @@ for package in ("nibabel", "trimesh", "meshio", "pyarrow"):
     else:
         assert match.table().num_rows == len(table)
 
+# Arguments for what is asked most, the energy and its trace.
+other = homolog.match("source.nii.gz", "target.nii.gz", method="thesis", label={"source": 1, "target": [1]})
+assert other.result["provenance"]["parameters"]["method"] == "thesis"
+assert other.result["provenance"]["parameters"]["input"]["target"]["labels"] == [1]
+last = match.trace.iloc[-1]
+assert last["chosen"] and last["energy"] == match.energy["final"] and set(match.trace["quantity"]) >= {"field_energy"}
+flipped = source.vertices * [-1, 1, 1]
+mirrored = homolog.match((flipped, source.faces[:, ::-1]), target, mirror="source")
+assert np.linalg.det(mirrored.transform[:3, :3]) < 0 and mirrored.result["transform"]["mirrored"]
+for shown in (match, service, source):
+    assert repr(shown).startswith("<homolog.") and len(repr(shown)) < 300, repr(shown)
+try:
+    homolog.match("source.nii.gz", "target.nii.gz", method="metropolis", timeout=1,
+                  parameters={"inference": {"max_iterations": 100_000}})
+    raise SystemExit("it waited")
+except homolog.HomologError as error:
+    assert "more than 1 s" in str(error), error
+
+# A wrong address is said within seconds, and errors say things once.
+import time  # noqa: E402
+
+for address in ("http://127.0.0.1:9", "http://no-such-host.invalid", "127.0.0.1:9"):
+    begun = time.monotonic()
+    try:
+        homolog.match("source.nii.gz", "target.nii.gz", service=homolog.Service(address))
+        raise SystemExit(f"{address} answered")
+    except homolog.HomologError as error:
+        assert "cannot be reached" in str(error) and time.monotonic() - begun < 30, error
+try:
+    homolog.match("source.nii.gz", "target.nii.gz", label="hipocampus")
+    raise SystemExit("it was found")
+except homolog.HomologError as error:
+    assert str(error).count("hipocampus") == 1, error
+
 # Errors say what is wrong.
 for surfaces, parameters, code in [
     (("source.nii.gz", b"nothing"), {}, "unknown-format"),
@@ -93,11 +127,26 @@ from homolog._client.api.jobs import list_jobs  # noqa: E402
 (cancelled,) = service.call(list_jobs, label="task:slow").jobs
 assert cancelled.cancel_requested, cancelled
 
-# A study with the template as source: row i is vertex i of the template.
-study = homolog.study("template.nii.gz", {"a": "source.nii.gz", "b": "target.nii.gz"}, progress=False)
-assert study["b"].job.source.hash_ == study["a"].job.source.hash_ and study.points.shape[0] == 2
-assert study.points.shape[1] == len(study["a"].mesh("source").vertices)
-assert list(study.table.index) == ["a", "b"] and set(study.table["state"]) == {"succeeded"}
+# A template as source: row i is vertex i of the template. A subject that is refused is a row with its error.
+nothing = {"nothing": b"nothing", "open": (np.eye(3), np.array([[0, 1, 2]]))}
+matches = homolog.match_many("template.nii.gz", {"a": "source.nii.gz", **nothing, "b": "target.nii.gz"}, progress=False,
+                             parameters={"input": {"allow_boundary": False}})
+assert matches["b"].job.source.hash_ == matches["a"].job.source.hash_ and matches.points.shape[0] == 4
+assert matches.points.shape[1] == len(matches["a"].mesh("source").vertices) and np.isnan(matches.points[1:3]).all()
+assert list(matches.table.index) == ["a", "nothing", "open", "b"]
+assert list(matches.table["state"]) == ["succeeded", "refused", "refused", "succeeded"]
+assert "not recognized" in matches.table["error"]["nothing"] and "is open" in matches.table["error"]["open"]
+assert "4 subjects, 2 matched" in repr(matches)
+
+# A study of a group, with the sides of its subjects.
+left = {f"l{k}": (source.vertices * [1 + 0.02 * k, 1, 1], source.faces) for k in range(3)}
+right = {f"r{k}": (source.vertices * [-1 - 0.02 * k, 1, 1], source.faces[:, ::-1]) for k in range(3)}
+covariates = {name: {"side": "left" if name[0] == "l" else "right", "age": 60.0 + int(name[1])} for name in [*left, *right]}
+study = homolog.study({**left, **right, "nothing": b"nothing"}, {**covariates, "nothing": {}}, effect="side", permutations=20,
+                      template_rounds=1, method="balanced", progress=False)
+assert set(study.refused) == {"nothing"} and "not recognized" in study.table["error"]["nothing"]
+assert list(study.table["side"][:6]) == ["left"] * 3 + ["right"] * 3 and (study.table["place"][:6] == "model").all()
+assert "<!doctype html>" in study.report.lower() and len(study.effects) > 0 and "6 subjects, 1 refused" in repr(study)
 
 # The service ends with the process, also when that is killed.
 child = subprocess.Popen(
@@ -107,7 +156,6 @@ url = child.stdout.readline().strip()
 homolog.Service(url).call(list_jobs)
 os.kill(child.pid, signal.SIGKILL)
 child.wait()
-import time  # noqa: E402
 
 import httpx  # noqa: E402
 

@@ -118,6 +118,37 @@ pub enum InputSpace {
     Unknown,
 }
 
+/// The side of the body on which a structure lies.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
+pub enum BodySide {
+    /// Left.
+    Left,
+    /// Right.
+    Right,
+}
+
+impl BodySide {
+    /// The name used in JSON and in tables.
+    pub fn name(self) -> &'static str {
+        match self {
+            BodySide::Left => "left",
+            BodySide::Right => "right",
+        }
+    }
+
+    /// The side of a name: `left`, `l` or `lh`, `right`, `r` or `rh`, in upper or lower case.
+    pub fn of_name(name: &str) -> Option<Self> {
+        match name.to_ascii_lowercase().as_str() {
+            "left" | "l" | "lh" => Some(BodySide::Left),
+            "right" | "r" | "rh" => Some(BodySide::Right),
+            _ => None,
+        }
+    }
+}
+
 /// An input: its format, its topology and the repairs made to it.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -256,7 +287,7 @@ pub struct VolumeInspection {
 pub struct LabelCount {
     /// The label.
     pub label: u32,
-    /// Its name, for formats that have names.
+    /// Its name in the file, or in the table of the one well-known segmentation that has all labels of the volume.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub name: Option<String>,
     /// Number of voxels with this label.

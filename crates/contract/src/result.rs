@@ -51,19 +51,29 @@ pub struct ResultDocument {
     pub provenance: Provenance,
 }
 
-/// The rigid transform `p' = R p + t` from source to target coordinates.
+/// The rigid transform `p' = R p + t` from source to target coordinates. One that mirrors is `p' = R S p + t`, with a reflection
+/// `S` first: `matrix` is the whole, and quaternion, angle and translation are `R` and `t`.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct TransformDocument {
     /// 4×4, row-major: four rows of four numbers, `target_from_source`, mm.
     pub matrix: [[f64; 4]; 4],
-    /// The rotation as a unit quaternion, scalar part first and not negative. Of a transform that mirrors, the
-    /// rotation of its proper part.
+    /// Whether the matrix mirrors (its determinant is −1): one input was mirrored (`input.source.mirror`, `input.target.mirror`), or a
+    /// reflection was allowed and fits better (`registration.allow_reflection`).
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub mirrored: bool,
+    /// The reflection `S` of a transform that mirrors, in source coordinates, which comes first: 4×4, row-major, mm, its own inverse.
+    /// In a plane where an input was mirrored, else in the origin (`S p = −p`). `matrix` is the rotation and
+    /// translation below times this.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+    pub reflection: Option<[[f64; 4]; 4]>,
+    /// The rotation `R` as a unit quaternion, scalar part first and not negative. A rotation also where the transform mirrors: that
+    /// which follows `reflection`.
     pub rotation_quaternion_wxyz: [f64; 4],
     /// Angle of that rotation.
     pub rotation_angle_deg: f64,
-    /// Translation `t`, mm.
+    /// Translation `t`, mm, after reflection and rotation.
     pub translation_mm: [f64; 3],
     /// The similarity transform that fits the support best; absent unless `registration.similarity` asked for it. If the sizes of the
     /// surfaces differ so that the source was matched at the size of the target, it is there without being asked for, and
@@ -232,7 +242,8 @@ pub enum UnreliableReason {
     /// Corresponding points have different curvatures or normals, one surface has to be drawn out far to become the other, or
     /// one closed surface is longer by half: they show different structures.
     UnlikeShape,
-    /// A mirrored copy of the source fits better: the two are of different sides, or one image is mirrored.
+    /// A mirrored copy of the source fits better: the two are of different sides, which `input.source.mirror: true` matches, or one
+    /// image is mirrored.
     OtherHandedness,
     /// Another pose fits as well.
     AmbiguousPose,

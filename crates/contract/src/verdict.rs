@@ -158,7 +158,9 @@ impl UnreliableReason {
         match self {
             UnreliableReason::UnlikeShape => "Do both files show the same structure, and is a part of one missing?",
             UnreliableReason::OtherHandedness => {
-                "Is one of them left and the other right, or is an axis of an image flipped?"
+                "Is one of them left and the other right? Match again with the source mirrored: --mirror source on the command \
+                 line, the parameter input.source.mirror: true elsewhere (or without it, if it was mirrored). Or is an axis of an \
+                 image flipped? Then correct the image."
             }
             UnreliableReason::AmbiguousPose => {
                 "Is the shape nearly symmetric? Landmarks (parameter landmarks) decide between the poses."

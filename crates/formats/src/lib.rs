@@ -17,6 +17,7 @@ mod error;
 mod gzip;
 mod label_file;
 mod lps;
+mod nifti_labels;
 mod pairs;
 mod polygons;
 mod text;

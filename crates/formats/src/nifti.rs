@@ -10,6 +10,7 @@ use super::budget::Budget;
 use super::element::{ByteOrder, Element, Voxels};
 use super::gzip::{inflate_prefix, unverified_prefix};
 use super::label_file::LabelFile;
+use super::nifti_labels::label_names;
 use super::two_affines::{self, Disagreement};
 use super::units::Unit;
 use super::{FormatError, ReadLimits};
@@ -43,7 +44,7 @@ pub(super) fn is_nifti(head: &[u8]) -> bool {
 /// Linear in the inflated size, which `limits` bound; keeps no more of it than the header asks for.
 pub fn read_nifti(bytes: &[u8], limits: &ReadLimits) -> Result<LabelFile, FormatError> {
     let head = unverified_prefix(bytes, HEADER_BYTES)?;
-    let Header { voxels, offset, affine, space, disagreement, unit } = Header::parse(&head)?;
+    let Header { voxels, end, offset, affine, space, disagreement, unit } = Header::parse(&head)?;
     let needed = offset.saturating_add(voxels.bytes_needed(limits.max_inflated_bytes)? as u64);
     let limit = limits.max_inflated_bytes as u64;
     if needed > limit {
@@ -56,7 +57,10 @@ pub fn read_nifti(bytes: &[u8], limits: &ReadLimits) -> Result<LabelFile, Format
         return Err(FormatError::Truncated { part: "the voxel array", needed, available: plain.len() as u64 });
     }
     let labels = voxels.labels(&plain[offset as usize..needed as usize], &budget)?;
-    let mut file = LabelFile { space, ..LabelFile::unnamed(LabelVolume::new(voxels.dims, labels, affine)?) };
+    // The flag of extensions is the first of the last four bytes of the header.
+    let extensions = plain.get(end..offset as usize).filter(|_| plain[end - 4] != 0).unwrap_or_default();
+    let names = label_names(extensions, voxels.order, &budget)?;
+    let mut file = LabelFile { space, names, ..LabelFile::unnamed(LabelVolume::new(voxels.dims, labels, affine)?) };
     file.notes.extend(unit.note());
     if let Some(Disagreement { note, sides }) = disagreement {
         match sides {
@@ -77,6 +81,8 @@ pub(super) fn declared(head: &[u8]) -> usize {
 #[derive(Debug)]
 struct Header {
     voxels: Voxels,
+    /// Where the header ends and extensions may begin, bytes.
+    end: usize,
     /// Where the voxels begin, bytes.
     offset: u64,
     affine: Matrix4<f64>,
@@ -154,7 +160,7 @@ impl Header {
         // A code of 0 says that the form is not set; a negative one is no code.
         let space = if f.codes().iter().any(|&code| code != 0) { InputSpace::ScannerRas } else { InputSpace::Unknown };
         let voxels = Voxels { dims, element, order, slope, intercept };
-        Ok(Header { voxels, offset, affine, space, disagreement, unit })
+        Ok(Header { voxels, end: default, offset, affine, space, disagreement, unit })
     }
 }
 

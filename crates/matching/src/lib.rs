@@ -57,7 +57,7 @@ pub use error::MatchError;
 pub use homolog_contract::parameters::{self, MatchParameters, Method, preset};
 pub use homolog_contract::result;
 pub use homolog_mesh::{FaceArity, MeshError, SurfaceMesh, shapes};
-pub use homolog_primitives::observe::{Cancelled, Observer, Phase, Silent, TracePoint};
+pub use homolog_primitives::observe::{Cancelled, Observer, Phase, Quantity, Silent, TracePoint};
 pub use machine::read_caches;
 pub use memory::match_memory_bytes;
 pub use pipeline::{match_levels, match_surfaces};

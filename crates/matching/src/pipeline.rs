@@ -22,11 +22,12 @@ use self::second_opinion::with_second_opinion;
 use crate::answer::outcome::MatchOutcome;
 use crate::answer::report::measured;
 use crate::error::MatchError;
+use crate::poses::posed::Posed;
 use crate::surface::levels::Levels;
 use crate::thesis::coarse::coarse;
 use homolog_contract::parameters::MatchParameters;
 use homolog_mesh::SurfaceMesh;
-use homolog_primitives::observe::{Observer, Phase};
+use homolog_primitives::observe::{Observer, Phase, Quantity, TracePoint};
 
 /// Matches `source` to `target` and registers them. Correspondences use the vertex indices of these two meshes.
 ///
@@ -72,5 +73,25 @@ pub fn match_levels(
     let displaced = resized(source, target, parameters, displaced, observer)?;
     observer.phase(Phase::Reporting);
     let displaced = with_second_opinion(source, target, parameters, displaced, observer)?;
-    Ok(measured(&coarse, &posed, &displaced))
+    let outcome = measured(&coarse, &posed, &displaced);
+    trace_answer(&outcome, &posed, observer);
+    Ok(outcome)
+}
+
+/// The last point of the trace: the energy of the answer, where it has one.
+fn trace_answer(outcome: &MatchOutcome, posed: &Posed<'_>, observer: &dyn Observer) {
+    let Some(energy) = &outcome.energy else { return };
+    let round = outcome.rounds.iter().find(|round| round.chosen).map_or(0, |round| round.round);
+    let quantity =
+        if matches!(posed, Posed::Inference { .. }) { Quantity::CurvatureEnergy } else { Quantity::IsometryEnergy };
+    observer.trace(&TracePoint {
+        quantity: Some(quantity),
+        chosen: true,
+        energy: Some(energy.r#final),
+        energy_unary: Some(energy.unary),
+        energy_pairwise: Some(energy.pairwise),
+        lower_bound: energy.lower_bound,
+        support: Some(outcome.support.inliers),
+        ..TracePoint::new(round, Phase::Reporting, 1)
+    });
 }

@@ -45,20 +45,63 @@ impl Phase {
     }
 }
 
+/// What the energy of a trace point measures. Energies of two quantities have nothing to do with each other.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
+pub enum Quantity {
+    /// Energy of a labeling over curvature, of all variables.
+    CurvatureEnergy,
+    /// Energy of a labeling over distances along the surfaces, of all variables.
+    IsometryEnergy,
+    /// The same for each variable: of the starts of one fit, each a point.
+    MeanIsometryEnergy,
+    /// Energy of a displacement field, for each independent observation.
+    FieldEnergy,
+}
+
+impl Quantity {
+    /// All of them.
+    pub const ALL: [Quantity; 4] =
+        [Quantity::CurvatureEnergy, Quantity::IsometryEnergy, Quantity::MeanIsometryEnergy, Quantity::FieldEnergy];
+
+    /// The name used in JSON.
+    pub fn name(self) -> &'static str {
+        match self {
+            Quantity::CurvatureEnergy => "curvature_energy",
+            Quantity::IsometryEnergy => "isometry_energy",
+            Quantity::MeanIsometryEnergy => "mean_isometry_energy",
+            Quantity::FieldEnergy => "field_energy",
+        }
+    }
+}
+
 /// One point of the energy trace; fields that have no meaning in a phase are `None` and absent in JSON.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct TracePoint {
-    /// Clamping round, from 0; in the phase `displacement`, or where belief propagation runs within it, the number of the fit.
+    /// Clamping round, from 0; in the phase `displacement`, or where labelings are minimized within it, the number of the fit, counted on
+    /// from the last round.
     pub round: u32,
+    /// Number of the fit, from 0, in the order in which they begin: each begins from another start. Absent outside of fits.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+    pub start: Option<u32>,
+    /// What `energy` and its parts measure; absent without an energy, and in traces of earlier versions. Only points of one quantity can
+    /// be compared, and only those of equal `round` and `start` are one series.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+    pub quantity: Option<Quantity>,
+    /// Whether this is the energy of the answer: only the last point of a trace can be, in the phase `reporting`.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub chosen: bool,
     /// Where in the pipeline the point was taken.
     pub phase: Phase,
     /// Iteration within the phase of this round, from 1.
     pub iteration: u32,
-    /// Energy `E` of the labeling decoded at this point, without clamping terms; no unit, lower is better. In the phase `displacement` that
-    /// of the field, per independent observation: negative logarithm of the likelihood plus that of the prior. The scale of
-    /// both falls from step to step, so the energy can rise.
+    /// The energy that `quantity` names; no unit, lower is better. Of a labeling, that of the one decoded at this point, without
+    /// clamping terms; of a field, the negative logarithm of the likelihood plus that of the prior, whose scale falls from
+    /// step to step, so that the energy can rise.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub energy: Option<f64>,
     /// Sum of the unary potentials; of a field, the misfit of the surfaces.
@@ -89,6 +132,9 @@ impl TracePoint {
     pub fn new(round: u32, phase: Phase, iteration: u32) -> Self {
         TracePoint {
             round,
+            start: None,
+            quantity: None,
+            chosen: false,
             phase,
             iteration,
             energy: None,

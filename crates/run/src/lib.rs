@@ -11,6 +11,7 @@
 mod colors;
 mod doubts;
 pub mod intake;
+mod mirror;
 #[cfg(test)]
 mod numbering_tests;
 pub mod page;
@@ -23,10 +24,12 @@ mod warped;
 mod whole;
 
 pub use colors::{Colors, value_colors};
+pub use mirror::MirrorPlane;
 pub use report::{ReportInputs, write_report};
 pub use surfaces::SurfaceCache;
 pub use warped::{WarpError, WarpedSurface, lta, segment_label, warp};
 
+use mirror::Mirrors;
 use surfaces::ReadySurface;
 
 use crate::intake::{IntakeError, IntakeLimits};
@@ -190,7 +193,8 @@ pub fn run_match_with(
 ) -> Result<RunOutput, RunError> {
     let timed = PhaseTimer::new(observer);
     let [source, target] = surfaces.ready([source, target], parameters, limits, &timed)?;
-    let outcome = match_levels(&source.levels, &target.levels, parameters, &timed)?;
+    let mirrors = Mirrors::of(&source.prepared, &target.prepared);
+    let outcome = match_levels(&source.levels, &target.levels, &mirrors.parameters(parameters), &timed)?;
     let provenance = Provenance {
         version: env!("CARGO_PKG_VERSION").to_owned(),
         // Only the program knows it.
@@ -217,6 +221,7 @@ pub fn run_match_with(
         timings_ms: timed.finish(),
         provenance,
     };
+    mirrors.state(&mut document);
     document.warn(doubts::pair_warnings(&source.prepared, &target.prepared));
     let (source, target) = (source.prepared.uploaded().clone(), target.prepared.uploaded().clone());
     Ok(RunOutput { document, source, target })

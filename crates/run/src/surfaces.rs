@@ -100,20 +100,30 @@ enum Progress<'a> {
 }
 
 impl<'a> Request<'a> {
-    fn new(file: InputFile<'a>, input: &InputParameters, coarse: Option<u32>, limits: &IntakeLimits) -> Self {
+    fn new(
+        file: InputFile<'a>,
+        (input, mirror): &(InputParameters, bool),
+        coarse: Option<u32>,
+        limits: &IntakeLimits,
+    ) -> Self {
         let hash = content_hash(file.bytes);
         // `Debug` prints every field, including those added later, and prints different numbers differently.
-        let key = Key(format!("{hash} {:?} {input:?} {coarse:?} {limits:?}", file.name));
+        let key = Key(format!("{hash} {:?} {input:?} {mirror} {coarse:?} {limits:?}", file.name));
         Request { file, hash, key }
     }
 }
 
 impl<'a> Claim<'a> {
-    fn read(self, parameters: &InputParameters, limits: &IntakeLimits) -> Result<Progress<'a>, IntakeError> {
+    fn read(
+        self,
+        (parameters, mirror): &(InputParameters, bool),
+        limits: &IntakeLimits,
+    ) -> Result<Progress<'a>, IntakeError> {
         Ok(match self {
             Claim::Kept(surface) => Progress::Kept(surface),
             Claim::Missing(request, guard) => {
                 let prepared = prepare_surface(request.file.bytes, request.file.name, parameters, limits)?;
+                let prepared = if *mirror { prepared.mirrored()? } else { prepared };
                 Progress::Read(request, Box::new(prepared), guard)
             }
         })
@@ -187,7 +197,8 @@ impl SurfaceCache {
         observer.phase(Phase::Reading);
         let coarse = parameters.inference.coarse_vertices;
         // Each input has its own labels; equal files with equal parameters are prepared once.
-        let inputs = [parameters.input.of_source(), parameters.input.of_target()];
+        let input = &parameters.input;
+        let inputs = [(input.of_source(), input.source.mirror), (input.of_target(), input.target.mirror)];
         let [source, target] = files;
         let (source, target) = self.claims([
             Request::new(source, &inputs[0], coarse, limits),

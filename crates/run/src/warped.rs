@@ -4,7 +4,7 @@
 use homolog_contract::result::{Correspondences, OutlierReason, WarpDirection, WarpSpace};
 use homolog_formats::transform::write_lta;
 use homolog_formats::{FileContent, ReadLimits, VertexArray, VertexValues};
-use homolog_mesh::{MeshError, SurfaceMesh};
+use homolog_mesh::{MeshError, SurfaceMesh, repair};
 use nalgebra::{Matrix4, Point3, Vector3};
 
 /// The transform as an LTA file of FreeSurfer, with the geometry of the inputs that are label volumes.
@@ -28,7 +28,8 @@ pub fn segment_label(direction: WarpDirection) -> &'static str {
 /// A surface bent onto the other.
 #[derive(Debug, Clone, PartialEq)]
 pub struct WarpedSurface {
-    /// The faces and the numbering of the surface that was bent. A vertex without a correspondence, which no face uses, is
+    /// The faces and the numbering of the surface that was bent; each face reversed where the transform mirrors, so that all look
+    /// outwards still. A vertex without a correspondence, which no face uses, is
     /// only moved rigidly.
     pub mesh: SurfaceMesh,
     /// One value for each vertex; see [`warp`].
@@ -124,6 +125,8 @@ pub fn warp(
     let normals = moving.vertex_normals().into_iter().map(|normal| rotated.transform_vector(&normal));
     let along: Vec<f64> = displacements.iter().zip(normals).map(|(d, normal)| d.dot(&normal)).collect();
     let mesh = moving.with_vertices(bent.iter().map(|p| to_space.transform_point(p)).collect())?;
+    // Faces that were mirrored look inwards.
+    let mesh = if rotated.determinant() < 0.0 { repair::reversed(&mesh) } else { mesh };
     let area_ratio = ratios(&vertex_areas(&mesh), &vertex_areas(moving));
     let real = |name, values| VertexArray { name, values: VertexValues::Real(values) };
     let component = |k: usize| displacements.iter().map(|d| d[k]).collect();

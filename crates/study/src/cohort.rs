@@ -1,9 +1,10 @@
 //! Who is in a study: a table of files with covariates, or the files of a folder.
 //!
-//! The table is CSV with a header. `file` is required; `id`, `subject` (who it is, where one subject has several visits) and
-//! `role` are optional; every other column is a covariate: a number if all its values are, else a factor. Empty cells, `NA`
-//! and `NaN` are missing values.
+//! The table is CSV with a header. `file` is required; `id`, `subject` (who it is, where one subject has several visits),
+//! `role` and `side` are optional; every other column, and `side` too, is a covariate: a number if all its values are, else a
+//! factor. Empty cells, `NA` and `NaN` are missing values.
 
+use homolog_contract::input::BodySide;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -29,6 +30,9 @@ pub struct Subject {
     pub subject: String,
     /// What it is for.
     pub role: Role,
+    /// On which side of the body it lies; one that differs from the template's is mirrored.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub side: Option<BodySide>,
 }
 
 /// A covariate, a value for each subject.
@@ -121,7 +125,7 @@ impl Cohort {
         }
         let place = |name: &str| header.iter().position(|column| column == name);
         let file_at = place("file").ok_or(CohortError::NoColumn("file"))?;
-        let [id_at, subject_at, role_at] = ["id", "subject", "role"].map(place);
+        let [id_at, subject_at, role_at, side_at] = ["id", "subject", "role", "side"].map(place);
         let own = [Some(file_at), id_at, subject_at, role_at];
         let (mut subjects, mut cells): (Vec<Subject>, Vec<Vec<String>>) = (Vec::new(), vec![Vec::new(); header.len()]);
         let mut ids = BTreeSet::new();
@@ -153,10 +157,17 @@ impl Cohort {
                 Some("score") => Role::Score,
                 Some(_) => return Err(wrong("role", "is neither model, score nor empty".to_owned())),
             };
+            let side = cell(side_at).filter(|text| is_present(text)).map(|text| {
+                let fault =
+                    "is neither left (l, lh), right (r, rh) nor empty; a column of another meaning needs another name";
+                BodySide::of_name(text).ok_or_else(|| wrong("side", fault.to_owned()))
+            });
+            let side = side.transpose()?;
             let subject = cell(subject_at).map_or_else(|| id.clone(), str::to_owned);
-            subjects.push(Subject { id, file: folder.join(file), subject, role });
-            for (column, text) in cells.iter_mut().zip(row.iter()) {
-                column.push(text.to_owned());
+            subjects.push(Subject { id, file: folder.join(file), subject, role, side });
+            for (k, (column, text)) in cells.iter_mut().zip(row.iter()).enumerate() {
+                let side = side.filter(|_| side_at == Some(k));
+                column.push(side.map_or_else(|| text.to_owned(), |side| side.name().to_owned()));
             }
         }
         let covariates = (0..header.len()).filter(|k| !own.contains(&Some(*k)));
@@ -196,7 +207,7 @@ impl Cohort {
             let id: String = if unique { stem(&file) } else { whole(&file) };
             let id: String = id.chars().map(|c| if is_plain(c) { c } else { '_' }).collect();
             let id = if id.starts_with('-') || is_device(&id) { format!("_{id}") } else { id };
-            Subject { subject: id.clone(), id, file, role: Role::Model }
+            Subject { subject: id.clone(), id, file, role: Role::Model, side: None }
         });
         Cohort { subjects: subjects.collect(), covariates: Vec::new() }.checked()
     }
@@ -236,14 +247,18 @@ fn stem(file: &Path) -> String {
     name.split('.').find(|part| !part.is_empty()).unwrap_or_default().to_owned()
 }
 
+fn is_present(text: &str) -> bool {
+    !(text.is_empty() || text == "NA" || text.eq_ignore_ascii_case("nan"))
+}
+
 fn covariate(name: &str, cells: &[String]) -> Covariate {
-    let present = |text: &String| !(text.is_empty() || text == "NA" || text.eq_ignore_ascii_case("nan"));
+    let present = |text: &&String| is_present(text);
     let number = |text: &String| text.parse::<f64>().ok().filter(|value| value.is_finite());
     let name = name.to_owned();
-    if cells.iter().filter(|text| present(text)).all(|text| number(text).is_some()) {
+    if cells.iter().filter(present).all(|text| number(text).is_some()) {
         return Covariate { name, values: Values::Numbers(cells.iter().map(number).collect()) };
     }
-    let levels: BTreeSet<&String> = cells.iter().filter(|text| present(text)).collect();
+    let levels: BTreeSet<&String> = cells.iter().filter(present).collect();
     let levels: Vec<String> = levels.into_iter().cloned().collect();
     let of = cells.iter().map(|text| levels.iter().position(|level| level == text)).collect();
     Covariate { name, values: Values::Factor { levels, of } }
@@ -296,6 +311,18 @@ mod tests {
             let said = table(&text).unwrap_err();
             assert!(parts.iter().all(|part| said.contains(part)), "{said}");
         }
+    }
+
+    #[test]
+    fn a_side_is_read_in_every_spelling_and_is_a_covariate_too() {
+        let cohort = table("file,side\na.ply,L\nb.ply,rh\nc.ply,Right\nd.ply,\n").unwrap();
+        let sides: Vec<_> = cohort.subjects.iter().map(|subject| subject.side).collect();
+        assert_eq!(sides, [Some(BodySide::Left), Some(BodySide::Right), Some(BodySide::Right), None]);
+        let levels = vec!["left".to_owned(), "right".to_owned()];
+        let factor = Values::Factor { levels, of: vec![Some(0), Some(1), Some(1), None] };
+        assert_eq!(cohort.covariate("side").unwrap().values, factor);
+        let said = table("file,side\na.ply,left\nb.ply,lfet\nc.ply,right\n").unwrap_err();
+        assert!(said.contains("line 3") && said.contains("column side") && said.contains("left (l, lh)"), "{said}");
     }
 
     #[test]

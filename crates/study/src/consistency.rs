@@ -96,6 +96,7 @@ pub fn consistency(
         let parameters = &study.settings.parameters.input.of_target();
         match prepare_surface(&bytes, name, parameters, &IntakeLimits::default()) {
             // The numbering of the upload, which records count; vertices without faces go around no cycle.
+            Ok(prepared) if study.is_mirrored(k) => surfaces.push(crate::sides::mirrored(prepared.uploaded())?),
             Ok(prepared) => surfaces.push(prepared.uploaded().clone()),
             Err(_) => return Ok(None),
         }

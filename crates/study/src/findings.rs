@@ -26,6 +26,7 @@ use homolog_formats::{FileContent, ReadLimits};
 use homolog_mesh::SurfaceMesh;
 use homolog_mesh::volume::LabelVolume;
 use homolog_primitives::observe::{Cancelled, Observer, checkpoint};
+use homolog_run::intake::chosen_numbers;
 use nalgebra::Point3;
 use rayon::prelude::*;
 use serde::Serialize;
@@ -317,13 +318,11 @@ pub(crate) fn volume_of(
 fn volume(bytes: &[u8], name: Option<&str>, chosen: &Option<Vec<LabelChoice>>) -> Option<(LabelVolume, Vec<u32>)> {
     let read = homolog_formats::read(bytes, name, &ReadLimits::default()).ok()?;
     let FileContent::Labels(volume) = read.content else { return None };
-    let is_chosen = |label: u32| match chosen {
-        None => true,
-        Some(chosen) => chosen.iter().any(|choice| match choice {
-            LabelChoice::Number(number) => *number == label,
-            LabelChoice::Name(name) => read.label_names.get(&label).is_some_and(|of| of.eq_ignore_ascii_case(name)),
-        }),
+    let numbers = match chosen {
+        Some(chosen) => Some(chosen_numbers(chosen, &read.label_names, &volume).ok()?),
+        None => None,
     };
+    let is_chosen = |label: u32| numbers.as_ref().is_none_or(|numbers| numbers.contains(&label));
     let labels = volume.label_counts().into_keys().filter(|&label| is_chosen(label)).collect();
     Some((volume, labels))
 }
@@ -339,7 +338,9 @@ fn labels(
     let mesh = &matched.making.template.mesh;
     let usable: Vec<usize> = (0..subjects.len()).filter(|&k| subjects[k].place != Place::Failed).collect();
     let shape = |k: usize| -> Result<Vec<Point3<f64>>, StudyError> {
-        Ok(folder.get(&matched.keys[k])?.map(|record| points(&record.points)).unwrap_or_default())
+        // The labels are in the file.
+        let own = folder.get(&matched.keys[k])?.map(|record| points(&record.points)).unwrap_or_default();
+        Ok(crate::sides::in_file(own, study.is_mirrored(k)))
     };
     type Voted = (usize, Vec<u32>, Vec<Option<u32>>);
     let votes: Vec<Option<Voted>> = usable

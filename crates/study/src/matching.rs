@@ -63,6 +63,7 @@ impl Study {
                 return Err(StudyError::Changed { path: subject.file.clone() });
             }
         }
+        settings.template_side = crate::sides::template_side(&cohort, &settings)?;
         let asked = asked(&settings);
         let kept = folder.kept(&asked)?;
         let by_id = |id: &String| {
@@ -97,7 +98,8 @@ impl Study {
                     let makers = if how.from.is_empty() { spread(&cohort, how.subjects) } else { places(&how.from)? };
                     how.from = ids(&makers);
                     let start = how.start.as_ref().map(by_id).transpose()?;
-                    (start_surface(&cohort, &parameters, start, &makers, folder, watcher)?, None, makers)
+                    let side = settings.template_side;
+                    (start_surface((&cohort, side), &parameters, start, &makers, folder, watcher)?, None, makers)
                 }
             }
         };
@@ -208,8 +210,7 @@ impl Study {
             _ => InputFile { bytes: &template.ply, name: None },
         };
         let (source, target) = (input(task.source, source), input(task.target, target));
-        compute(surfaces, source, target, &self.settings.parameters, &Interruption(watcher))
-            .ok_or(StudyError::Interrupted)
+        compute(surfaces, source, target, &self.parameters(task), &Interruption(watcher)).ok_or(StudyError::Interrupted)
     }
 }
 
@@ -219,14 +220,18 @@ fn asked(settings: &Settings) -> String {
     if let TemplateChoice::Made(how) = &mut template {
         how.from.clear();
     }
-    let text = serde_json::to_string(&(template, settings.cycle_subjects, &settings.parameters)).unwrap_or_default();
+    let mut text =
+        serde_json::to_string(&(template, settings.cycle_subjects, &settings.parameters)).unwrap_or_default();
+    if let Some(side) = settings.template_side {
+        text.push_str(side.name());
+    }
     hash(text.as_bytes())
 }
 
 /// The surface from which a template is made: that of the subject asked for, or the one of median volume (of open surfaces,
-/// median area) among those that it is made from.
+/// median area) among those that it is made from. Mirrored if it lies on the other side.
 fn start_surface(
-    cohort: &Cohort,
+    (cohort, side): (&Cohort, Option<homolog_contract::input::BodySide>),
     parameters: &homolog_contract::parameters::MatchParameters,
     start: Option<usize>,
     makers: &[usize],
@@ -236,7 +241,14 @@ fn start_surface(
     let of = |k: usize| {
         checkpoint(&Interruption(watcher))?;
         let file = &cohort.subjects[k].file;
-        Ok(surface(&folder.input(file)?, name(file), parameters))
+        let found = surface(&folder.input(file)?, name(file), parameters);
+        if cohort.subjects[k].side.is_none_or(|own| Some(own) == side) {
+            return Ok(found);
+        }
+        Ok(found.and_then(|template| {
+            let mirrored = crate::sides::mirrored(&template.mesh).map_err(|error| error.to_string())?;
+            Ok(Template::new(&mirrored))
+        }))
     };
     if let Some(k) = start {
         let refused = |why| StudyError::Start { what: format!("subject {}", cohort.subjects[k].id), why };

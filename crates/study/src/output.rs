@@ -187,7 +187,7 @@ fn surfaces(
                 arrays.extend(values.map(|values| real(name, values)));
             }
             arrays.extend(label.cloned());
-            let bent = mesh.with_vertices(own)?;
+            let bent = crate::sides::bent(mesh, own, study.is_mirrored(k))?;
             let mut names = vec![format!("subjects/{id}.surf.gii"), format!("subjects/{id}.vtk")];
             folder.write(&names[0], &write_gifti(&bent, &arrays))?;
             folder.write(&names[1], &write_vtk_with(&bent, &arrays))?;

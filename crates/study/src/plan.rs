@@ -188,18 +188,34 @@ pub fn surface(bytes: &[u8], name: Option<&str>, parameters: &MatchParameters) -
 }
 
 impl Study {
-    fn key(&self, source: &str, target: &str) -> String {
+    fn key(&self, [source, target]: [&str; 2], mirrored: [bool; 2]) -> String {
         let mut hasher = blake3::Hasher::new();
         let parameters = serde_json::to_string(&self.settings.parameters).unwrap_or_default();
         for part in [env!("CARGO_PKG_VERSION"), source, target, &parameters] {
             hasher.update(part.as_bytes()).update(&[0]);
+        }
+        if mirrored != [false; 2] {
+            hasher.update(&mirrored.map(u8::from));
         }
         hasher.finalize().to_hex().to_string()
     }
 
     fn task(&self, template: &Template, source: Option<usize>, target: Option<usize>) -> Task {
         let hash = |side: Option<usize>| side.map_or(template.hash.as_str(), |k| self.hashes[k].as_str());
-        Task { key: self.key(hash(source), hash(target)), source, target }
+        let task = Task { key: String::new(), source, target };
+        Task { key: self.key([hash(source), hash(target)], self.mirrored(&task)), ..task }
+    }
+
+    /// Which inputs of a match are mirrored: source, target.
+    pub fn mirrored(&self, task: &Task) -> [bool; 2] {
+        [task.source, task.target].map(|side| side.is_some_and(|k| self.is_mirrored(k)))
+    }
+
+    /// The parameters of a match.
+    pub(crate) fn parameters(&self, task: &Task) -> MatchParameters {
+        let mut parameters = self.settings.parameters.clone();
+        [parameters.input.source.mirror, parameters.input.target.mirror] = self.mirrored(task);
+        parameters
     }
 
     /// What is to be done next, from the records that are there.

@@ -19,8 +19,8 @@ const MAGIC: &[u8; 8] = b"hmlgrec2";
 pub struct Record {
     /// Of the surfaces and the match.
     pub facts: Facts,
-    /// For each vertex of the source the corresponding point on the target, in the target's coordinates, mm; empty if the
-    /// match failed.
+    /// For each vertex of the source the corresponding point on the target, in the target's coordinates, mm, mirrored in `x = 0` if
+    /// the target was mirrored; empty if the match failed.
     pub points: Vec<[f32; 3]>,
 }
 
@@ -153,7 +153,9 @@ impl Record {
             n_vertices: used.iter().filter(|used| **used).count() as u32,
             repairs: input.report.repairs.iter().map(|repair| repair.detail.clone()).collect(),
         };
-        let points = bent.mesh.vertices().iter().map(|p| [p.x as f32, p.y as f32, p.z as f32]).collect();
+        let is_mirrored = output.document.provenance.parameters.input.target.mirror;
+        let points = crate::sides::in_file(bent.mesh.vertices().to_vec(), is_mirrored);
+        let points = points.iter().map(|p| [p.x as f32, p.y as f32, p.z as f32]).collect();
         Record { facts, points }
     }
 }
@@ -189,10 +191,9 @@ pub fn compute(
 /// Share of the faces of `source` whose normal, moved by the transform, does not look the way of the bent face.
 fn folded(source: &SurfaceMesh, bent: &SurfaceMesh, matrix: &[[f64; 4]; 4]) -> f64 {
     let linear = Matrix3::from_fn(|r, c| matrix[r][c]);
-    // Of a transform that mirrors, vector areas change their sign besides.
-    let moved = linear * linear.determinant().signum();
+    // A transform that mirrors would change the sign of vector areas, but the faces of `bent` are reversed then.
     let pairs = source.face_vector_areas().into_iter().zip(bent.face_vector_areas());
-    let turned = pairs.filter(|(before, after)| (moved * before).dot(after) <= 0.0).count();
+    let turned = pairs.filter(|(before, after)| (linear * before).dot(after) <= 0.0).count();
     turned as f64 / source.n_faces().max(1) as f64
 }
 

@@ -1,5 +1,6 @@
 //! What is asked of a study, besides its subjects; it is recorded in `study.json`.
 
+use homolog_contract::input::BodySide;
 use homolog_contract::parameters::MatchParameters;
 use serde::{Deserialize, Serialize};
 use std::path::PathBuf;
@@ -10,6 +11,10 @@ use std::path::PathBuf;
 pub struct Settings {
     /// Where the template comes from.
     pub template: TemplateChoice,
+    /// On which side of the body the template lies, where subjects have sides; `None`: that of the subject from which it is made, or
+    /// of most subjects.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub template_side: Option<BodySide>,
     /// Whether differences in size are part of shape.
     pub size: Size,
     /// The statistics.

@@ -52,6 +52,7 @@ fn matched(place: &Path, longitudinal: bool, analysis: Analysis) -> (Study, Matc
     }
     let settings = Settings {
         template: TemplateChoice::Given { file: place.join("template.ply") },
+        template_side: None,
         size: Size::Kept,
         analysis: Analysis { effect: Some("group".to_owned()), adjust: vec!["age".to_owned()], ..analysis },
         cycle_subjects: 0,

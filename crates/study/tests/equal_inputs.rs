@@ -34,6 +34,7 @@ fn study(place: &std::path::Path, template: TemplateChoice) -> (Study, Folder) {
     std::fs::write(place.join("template.ply"), write_ply(&ellipsoid(Vector3::new(9.5, 6.0, 4.0), 2))).unwrap();
     let settings = Settings {
         template,
+        template_side: None,
         size: Size::Kept,
         analysis: Analysis { effect: Some("group".to_owned()), ..Analysis::default() },
         cycle_subjects: 0,

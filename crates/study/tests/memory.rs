@@ -97,6 +97,7 @@ fn step(subjects: usize, levels: u32, contrasts: usize, covariates: usize, permu
     };
     let settings = Settings {
         template: TemplateChoice::Given { file: "template.ply".into() },
+        template_side: None,
         size: Size::Kept,
         analysis,
         cycle_subjects: 0,

@@ -47,6 +47,7 @@ fn table(folder: &Path, n: usize) -> PathBuf {
 fn settings() -> Settings {
     Settings {
         template: TemplateChoice::Made(MadeTemplate { subjects: 4, max_rounds: 2, ..MadeTemplate::default() }),
+        template_side: None,
         size: Size::Kept,
         analysis: Analysis {
             effect: Some("group".to_owned()),
@@ -193,6 +194,15 @@ fn a_study_finds_the_effect_and_is_the_same_whatever_happens_to_it() {
     for reference in ["http://", "https://", "src=", "href=", "style=", "url(", "@import", "onclick="] {
         assert!(!page.contains(reference), "{reference}");
     }
+    // Ten subjects, five of them patients: 252 splits, and three columns.
+    assert!(page.contains("10 subjects, 3 columns") && page.contains("7 degrees of freedom"));
+    assert!(page.contains("252 ways") && page.contains("no corrected p can be below 0.004"));
+    let members = page.split_once("Subjects of the model").unwrap().1.split_once("</table>").unwrap().0;
+    for cell in ["<th scope=\"col\">group patient</th>", "<td>group</td>", "control 5, patient 5", "volume, mm³", " ± "]
+    {
+        assert!(members.contains(cell), "{cell} in {members}");
+    }
+    assert!(page.contains("class=\"bar\""), "a color bar");
     // As a word: the numbers of surfaces are in base64, where these letters can stand beside others.
     assert!(!page.split(|c: char| !c.is_ascii_alphanumeric() && c != '+').any(|word| word == "NaN"));
 

@@ -73,6 +73,7 @@ fn made(folder: &Path, start: usize) -> Making {
     };
     let settings = Settings {
         template: TemplateChoice::Made(how),
+        template_side: None,
         size: Size::Kept,
         analysis: Analysis::default(),
         cycle_subjects: 0,

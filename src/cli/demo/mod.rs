@@ -241,8 +241,15 @@ fn show_energy(trace: &[Value]) -> Result<(), CliError> {
         .filter(of_field)
         .filter_map(|p| Some((p.get("energy")?.as_f64()?, p.get("round").and_then(Value::as_u64).unwrap_or(0))))
         .collect();
-    let starts: Vec<usize> = (0..points.len()).filter(|&k| k == 0 || points[k].1 != points[k - 1].1).collect();
-    let energies: Vec<f64> = points.iter().map(|(energy, _)| *energy).collect();
+    // A gap between two fits, whose energies are not comparable.
+    let (mut starts, mut energies) = (Vec::new(), Vec::new());
+    for (k, (energy, fit)) in points.iter().enumerate() {
+        if k == 0 || points[k - 1].1 != *fit {
+            energies.extend((k > 0).then_some(f64::NAN));
+            starts.push(energies.len());
+        }
+        energies.push(*energy);
+    }
     let lines = plot(&energies, &starts, 60, 10);
     if lines.is_empty() {
         return Ok(());

@@ -148,7 +148,7 @@ fn checked(
 ) -> Result<Vec<SubmittedSubject>, Problem> {
     let mut taken = Vec::with_capacity(subjects.len());
     for (number, document) in subjects.into_iter().enumerate() {
-        let StudySubjectDocument { id, input, subject, role, covariates } = document;
+        let StudySubjectDocument { id, input, subject, role, side, covariates } = document;
         if id.len() > MAX_ID {
             let detail = format!("must have at most {MAX_ID} characters");
             faults.push(FieldError::new(format!("/subjects/{number}/id"), "out_of_range", detail));
@@ -156,7 +156,7 @@ fn checked(
         match study_input(&format!("subjects/{number}/input"), input, &state.limits) {
             Ok(input) => {
                 let (role, covariates) = (role.unwrap_or_default(), covariates.0);
-                taken.push(SubmittedSubject { id, subject, role, covariates, input });
+                taken.push(SubmittedSubject { id, subject, role, side, covariates, input });
             }
             Err(more) => faults.extend(more),
         }

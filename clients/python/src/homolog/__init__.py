@@ -9,12 +9,12 @@ from the program in this package and which ends with the process.
 """
 
 from ._client.models import JobDocument, ProblemDocument, ResultDocument
-from ._face import default_service, match, match_async, study, study_async
+from ._face import default_service, match, match_async, match_many, match_many_async, study, study_async
 from ._inputs import Surface
-from ._match import Match, Mesh, Study
+from ._match import Match, Matches, Mesh, Study
 from ._service import HomologError, Service
 
 __all__ = [
-    "HomologError", "JobDocument", "Match", "Mesh", "ProblemDocument", "ResultDocument", "Service", "Study", "Surface",
-    "default_service", "match", "match_async", "study", "study_async",
+    "HomologError", "JobDocument", "Match", "Matches", "Mesh", "ProblemDocument", "ResultDocument", "Service", "Study", "Surface",
+    "default_service", "match", "match_async", "match_many", "match_many_async", "study", "study_async",
 ]

@@ -1,8 +1,9 @@
-"""Answers: a match, a mesh, and a study of many matches."""
+"""Answers: a match, a mesh, many matches, and a study of a group."""
 
 from __future__ import annotations
 
 import io
+import zipfile
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -13,8 +14,10 @@ import numpy as np
 import numpy.typing as npt
 import pandas as pd
 
+from ._client.api.jobs import get_trace
 from ._client.api.results import download_file, get_result
-from ._client.models import JobDocument
+from ._client.api.studies import get_study_archive
+from ._client.models import JobDocument, StudyDocument
 from ._inputs import Floats, Integers, read_ply
 from ._service import HomologError, Service
 
@@ -29,6 +32,10 @@ class Mesh:
     faces: Integers
     values: Mapping[str, npt.NDArray[Any]] = field(default_factory=dict)
     """Further numbers at each vertex, by name."""
+
+    def __repr__(self) -> str:
+        values = f", values {', '.join(self.values)}" if self.values else ""
+        return f"<homolog.Mesh {len(self.vertices)} vertices, {len(self.faces)} triangles{values}>"
 
     def to_trimesh(self) -> Any:
         """The same as a ``trimesh.Trimesh``, with the same order of vertices."""
@@ -68,8 +75,27 @@ class Match:
         return dict(self.service.call(get_result, id=self.id, correspondences=False).to_dict())
 
     @property
+    def energy(self) -> dict[str, float] | None:
+        """The energies of the answer, ``final`` and ``per_variable`` among them; ``None`` for methods that minimize none."""
+        return self.result.get("energy")
+
+    @cached_property
+    def trace(self) -> pd.DataFrame:
+        """The energy trace, a row for each point: ``quantity``, ``phase``, ``round``, ``start``, ``iteration``, ``energy``, ``chosen``.
+
+        Only points of equal quantity, round and start are one series."""
+        rows: list[dict[str, Any]] = []
+        after = 0
+        while True:
+            page = self.service.call(get_trace, id=self.id, after_seq=after, limit=10_000).to_dict()
+            rows += page["points"]
+            if page["complete"] and page["next_after_seq"] == after:
+                return pd.DataFrame(rows)
+            after = page["next_after_seq"]
+
+    @property
     def transform(self) -> Floats:
-        """The rigid transform from source to target, 4 × 4, mm."""
+        """The rigid transform from source to target, 4 × 4, mm; with a reflection if an input was mirrored."""
         return np.loadtxt(io.BytesIO(self.file("transform.text"))).reshape(4, 4)
 
     @cached_property
@@ -112,12 +138,18 @@ class Match:
         return written
 
 
-class Study:
-    """The matches of a study in the order of its subjects; that of a job that failed is ``None``."""
+class Matches:
+    """The matches of a template with many subjects, in their order; that of a subject without one is ``None``."""
 
-    def __init__(self, service: Service, names: list[str], jobs: list[JobDocument]) -> None:
+    def __init__(self, service: Service, names: list[str], jobs: list[JobDocument | HomologError]) -> None:
         self.names, self.jobs = names, jobs
-        self.matches = [Match(service, job) if job.state.value == "succeeded" else None for job in jobs]
+        self.matches = [
+            Match(service, job) if isinstance(job, JobDocument) and job.state.value == "succeeded" else None for job in jobs]
+
+    def __repr__(self) -> str:
+        matched = [match for match in self.matches if match is not None]
+        reliable = sum(match.reliable is True for match in matched)
+        return f"<homolog.Matches of {len(self)} subjects, {len(matched)} matched, {reliable} reliable>"
 
     def __len__(self) -> int:
         return len(self.matches)
@@ -130,9 +162,13 @@ class Study:
 
     @cached_property
     def table(self) -> pd.DataFrame:
-        """A row for each subject: its state, whether the answer is reliable and why not, distance between the surfaces, mm."""
-        rows = []
+        """A row for each subject: its state, whether the answer is reliable and why not, distance between the surfaces, mm, and the
+        error of one that was refused or failed."""
+        rows: list[dict[str, Any]] = []
         for name, job in zip(self.names, self.jobs):
+            if isinstance(job, HomologError):
+                rows.append({"subject": name, "state": "refused", "error": str(job)})
+                continue
             distance = job.surface_distance.to_dict() if job.surface_distance else {}
             reasons = ", ".join(reason.value for reason in job.unreliable_reasons or [])
             error = HomologError.of(job.error.to_dict()) if job.error else ""
@@ -144,7 +180,7 @@ class Study:
     def points(self) -> Floats:
         """Corresponding points of all subjects, mm: subjects × vertices of the template × 3; NaN for a subject that failed.
 
-        For studies with the template as source, where the rows of every answer are the vertices of the template.
+        For a template as source, where the rows of every answer are the vertices of the template.
         """
         found = [None if match is None else match.warped.vertices for match in self.matches]
         sizes = {len(points) for points in found if points is not None}
@@ -152,3 +188,56 @@ class Study:
             raise HomologError("the answers have different vertices; pass template_as='source', which makes them comparable")
         (n,) = sizes
         return np.stack([np.full((n, 3), np.nan) if points is None else points for points in found])
+
+
+class Study:
+    """A study of a group that is finished: figures, tables, the report and every file of its archive."""
+
+    def __init__(self, service: Service, document: StudyDocument, refused: Mapping[str, HomologError]) -> None:
+        self.service, self.document, self.id = service, document, document.id
+        self.refused = dict(refused)
+        """Subjects whose files were refused, which are no part of it, with the reason."""
+        if document.state.value != "finished":
+            error = document.error.to_dict() if document.error else {"title": f"the study ended as {document.state.value}"}
+            raise HomologError.of(error)
+
+    def __repr__(self) -> str:
+        left_out = f", {len(self.refused)} refused" if self.refused else ""
+        return f"<homolog.Study {self.id}, {self.document.n_subjects} subjects{left_out}>"
+
+    @cached_property
+    def archive(self) -> zipfile.ZipFile:
+        """Everything that was found, as files."""
+        return zipfile.ZipFile(io.BytesIO(self.service.call(get_study_archive, id=self.id).payload.read()))
+
+    @cached_property
+    def table(self) -> pd.DataFrame:
+        """A row for each subject: covariates, volume, area, residual, distance from the group, scores; refused ones with ``error``."""
+        table = self._csv("subjects.csv").set_index("id")
+        if self.refused:
+            errors = pd.Series({name: str(error) for name, error in self.refused.items()}, name="error")
+            table = table.reindex([*table.index, *errors.index]).join(errors)
+        return table
+
+    @cached_property
+    def effects(self) -> pd.DataFrame:
+        """Effects in volume, area, size and labels, with intervals."""
+        return self._csv("effects.csv")
+
+    @cached_property
+    def quality(self) -> pd.DataFrame:
+        """What is to be looked at first, and why."""
+        return self._csv("quality.csv")
+
+    @property
+    def report(self) -> str:
+        """The report, one HTML page that loads nothing."""
+        return self.archive.read("report.html").decode()
+
+    def save(self, folder: str | Path) -> Path:
+        """Writes everything that was found into a folder; begin with ``report.html``."""
+        self.archive.extractall(folder)
+        return Path(folder)
+
+    def _csv(self, name: str) -> pd.DataFrame:
+        return pd.read_csv(io.BytesIO(self.archive.read(name)))

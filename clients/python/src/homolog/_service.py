@@ -22,7 +22,9 @@ from ._client.models import ProblemDocument
 from ._client.types import File, Response
 
 PATIENCE_S = 300.0
-"""How long a request is repeated while the service is busy or cannot be reached, s."""
+"""How long a request is repeated while the service is busy, or cannot be reached although it was before, s."""
+FIRST_PATIENCE_S = 5.0
+"""How long a service that has not answered yet may be out of reach, s: a wrong address is said soon."""
 _AGAIN = {429, 502, 503, 504}
 # Ends the service when this process ends, however it does: the standard input of the shell closes with it.
 _GUARD = '"$@" </dev/null & service=$!; exec >&-; cat >/dev/null; kill "$service" 2>/dev/null; wait "$service"'
@@ -42,9 +44,11 @@ class HomologError(Exception):
 
     @staticmethod
     def of(problem: dict[str, Any]) -> HomologError:
-        faults = [f"{fault.get('pointer', '')}: {fault.get('detail', '')}" for fault in problem.get("errors") or []]
-        said = [problem.get("title"), problem.get("detail"), *faults]
-        return HomologError("; ".join(str(text) for text in said if text), problem)
+        errors = problem.get("errors") or []
+        faults = [f"{error.get('pointer', '')}: {error.get('detail', '')}" for error in errors]
+        # Each thing once: the faults repeat what is the only one.
+        detail = None if any(error.get("detail") == problem.get("detail") for error in errors) else problem.get("detail")
+        return HomologError("; ".join(str(text) for text in [problem.get("title"), detail, *faults] if text), problem)
 
 
 def program() -> str:
@@ -62,22 +66,24 @@ class Service:
 
     ``Service("https://host", key="hml_…")`` connects to a running one. ``Service()`` starts one on a port of its own of this
     machine, for this process alone. Its files are temporary unless ``data_dir`` names a folder; ``settings`` are further
-    options of ``homolog serve``, such as ``["--workers", "2"]``.
+    options of ``homolog serve``, such as ``["--workers", "2"]``. ``timeout`` is the longest wait for one answer, s; a service that
+    cannot be reached at all is an error after 5 s.
     """
 
     def __init__(self, url: str | None = None, key: str | None = None, *, data_dir: str | os.PathLike[str] | None = None,
-                 settings: list[str] | None = None, timeout_s: float = 120.0) -> None:
+                 settings: list[str] | None = None, timeout: float = 120.0) -> None:
         self._process: subprocess.Popen[str] | None = None
         self._folder: str | None = None
+        self._answered = False
         if url is None:
             url = self._start(data_dir, settings or [])
         self.url = url.rstrip("/")
-        timeout = httpx.Timeout(timeout_s)
+        limits = httpx.Timeout(timeout, connect=min(timeout, FIRST_PATIENCE_S))
         # A proxy of the environment is for other machines.
         trust: dict[str, Any] = {} if self._process is None else {"trust_env": False}
         self.client: Client | AuthenticatedClient = (
-            AuthenticatedClient(self.url, key, timeout=timeout, httpx_args=trust) if key
-            else Client(self.url, timeout=timeout, httpx_args=trust))
+            AuthenticatedClient(self.url, key, timeout=limits, httpx_args=trust) if key
+            else Client(self.url, timeout=limits, httpx_args=trust))
 
     def _start(self, data_dir: str | os.PathLike[str] | None, settings: list[str]) -> str:
         if data_dir is None:
@@ -116,6 +122,9 @@ class Service:
             shutil.rmtree(self._folder, ignore_errors=True)
         atexit.unregister(self.close)
 
+    def __repr__(self) -> str:
+        return f"<homolog.Service {self.url}{', started by this process' if self._process else ''}>"
+
     def __enter__(self) -> Service:
         return self
 
@@ -130,21 +139,29 @@ class Service:
 
         Raises HomologError with the problem that the service answers.
         """
-        ends, pause = time.monotonic() + PATIENCE_S, 0.5
+        begun, pause = time.monotonic(), 0.5
         while True:
             made = {name: value.make() if isinstance(value, _Anew) else value for name, value in arguments.items()}
             try:
                 response: Response[Any] = operation.sync_detailed(client=self.client, **made)
+            except httpx.InvalidURL as error:
+                raise HomologError(f"{self.url} is no address of a service: {error}") from error
+            except (ValueError, KeyError, TypeError) as error:
+                raise HomologError(f"what answers at {self.url} is no service of homolog: {error}") from error
             except httpx.TransportError as error:
-                if time.monotonic() > ends or (self._process is not None and self._process.poll() is not None):
+                patience = PATIENCE_S if self._answered else FIRST_PATIENCE_S
+                has_ended = self._process is not None and self._process.poll() is not None
+                unsupported = isinstance(error, httpx.UnsupportedProtocol)
+                if unsupported or has_ended or time.monotonic() + pause > begun + patience:
                     raise HomologError(f"the service at {self.url} cannot be reached: {error}") from error
                 wait = pause
             else:
+                self._answered = True
                 status = int(response.status_code)
                 if status < 400:
                     return response.parsed
                 problem = response.parsed.to_dict() if isinstance(response.parsed, ProblemDocument) else {"status": status}
-                if status not in _AGAIN or time.monotonic() > ends:
+                if status not in _AGAIN or time.monotonic() > begun + PATIENCE_S:
                     raise HomologError.of(problem)
                 wait = float(response.headers.get("retry-after", pause))
             time.sleep(wait * random.uniform(0.8, 1.2))

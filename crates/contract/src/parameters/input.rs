@@ -6,7 +6,7 @@
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 #[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
 pub struct InputParameters {
-    /// Labels of a volume that belong to the structure, by number, or by name for formats that have names; `null`: every
+    /// Labels of a volume that belong to the structure, by number, or by name in the file or in the table of a well-known segmentation; `null`: every
     /// label except 0. A single one may stand without brackets. Ignored for meshes.
     #[cfg_attr(feature = "serde", serde(default, deserialize_with = "one_or_many::deserialize"))]
     pub labels: Option<Vec<LabelChoice>>,
@@ -63,6 +63,11 @@ pub struct SideParameters {
     /// Labels of this volume that belong to the structure, as in `input.labels`; `null`: those of `input.labels`.
     #[cfg_attr(feature = "serde", serde(default, deserialize_with = "one_or_many::deserialize"))]
     pub labels: Option<Vec<LabelChoice>>,
+    /// Whether this surface is mirrored before it is matched, as to compare left with right: in the left-right axis (x) of the
+    /// space that its file declares, else in the best of three planes through its centroid. Vertices, corresponding points and the
+    /// stated matrix stay in the coordinates of the file.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub mirror: bool,
 }
 
 /// A label of a volume.
@@ -73,7 +78,8 @@ pub struct SideParameters {
 pub enum LabelChoice {
     /// Its number.
     Number(u32),
-    /// Its name in the file, in upper or lower case: of a segment of DICOM SEG or of a `.seg.nrrd` of 3D Slicer.
+    /// Its name, by its words in any order and case: in the file (a segment of DICOM SEG or of a `.seg.nrrd` of 3D Slicer), or in the
+    /// table of FreeSurfer, TotalSegmentator or AAL, as `hippocampus-left` or `freesurfer:hippocampus-left`.
     Name(String),
 }
 

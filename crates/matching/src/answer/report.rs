@@ -18,7 +18,7 @@ use homolog_contract::result::{
 use homolog_mesh::{ClosestPoint, SurfaceDistances, SurfaceMesh};
 use homolog_primitives::graph::{EdgeGraph, Reach};
 use homolog_registration::{ProcrustesOptions, RigidTransform, procrustes};
-use nalgebra::Point3;
+use nalgebra::{Matrix3, Point3, Vector3};
 use rayon::prelude::*;
 use std::borrow::Cow;
 
@@ -256,8 +256,13 @@ fn similarity(
 /// The transform in all its forms.
 fn transform_document(transform: &RigidTransform) -> TransformDocument {
     let q = transform.quaternion();
+    let mirrored = transform.is_reflection();
+    // The quaternion is that of −R then.
+    let in_origin = RigidTransform { rotation: -Matrix3::identity(), translation: Vector3::zeros() };
     TransformDocument {
         matrix: transform.matrix(),
+        mirrored,
+        reflection: mirrored.then(|| in_origin.matrix()),
         rotation_quaternion_wxyz: [q.w, q.i, q.j, q.k],
         rotation_angle_deg: transform.angle_rad().to_degrees(),
         translation_mm: transform.translation.into(),

@@ -10,7 +10,7 @@ use homolog_contract::result::{
 };
 use homolog_mrf::metric::{ActiveBeliefs, ActiveOptions, MetricModel, Semiring};
 use homolog_mrf::{Energy, Labeling};
-use homolog_primitives::observe::{Cancelled, Observer, Phase, Silent, TracePoint, checkpoint};
+use homolog_primitives::observe::{Cancelled, Observer, Phase, Quantity, Silent, TracePoint, checkpoint};
 use homolog_registration::{RansacOptions, RansacReport, RigidTransform, ransac_weighted};
 use nalgebra::{Matrix3, Point3, Vector3};
 
@@ -131,6 +131,7 @@ impl Inferred {
     pub(crate) fn trace(&self, observer: &dyn Observer) {
         for (k, (energy, change)) in self.proper.trace.iter().enumerate() {
             observer.trace(&TracePoint {
+                quantity: Some(Quantity::IsometryEnergy),
                 energy: Some(energy.total()),
                 energy_unary: Some(energy.unary),
                 energy_pairwise: Some(energy.pairwise),
@@ -140,6 +141,7 @@ impl Inferred {
         }
         observer.phase(Phase::Registration);
         observer.trace(&TracePoint {
+            quantity: Some(Quantity::IsometryEnergy),
             energy: Some(self.proper.energy.total()),
             energy_unary: Some(self.proper.energy.unary),
             energy_pairwise: Some(self.proper.energy.pairwise),

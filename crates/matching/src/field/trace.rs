@@ -1,6 +1,6 @@
 //! The fits of a displacement in its energy trace.
 
-use homolog_primitives::observe::{Observer, Phase, TracePoint};
+use homolog_primitives::observe::{Observer, Phase, Quantity, TracePoint};
 use homolog_registration::deformation::FittedField;
 use std::sync::atomic::{AtomicU32, Ordering};
 
@@ -29,7 +29,11 @@ impl<'a> FitTrace<'a> {
 
     /// Traces an iteration of a fit of labels that has this energy.
     pub(crate) fn trace_labels(&self, fit: &mut TracedFit, energy: f64) {
-        self.observer.trace(&TracePoint { energy: Some(energy), ..fit.next(Phase::Inference) });
+        self.observer.trace(&TracePoint {
+            quantity: Some(Quantity::MeanIsometryEnergy),
+            energy: Some(energy),
+            ..fit.next(Phase::Inference)
+        });
     }
 
     /// Traces an iteration of a fit of `field`: the `misfit` of the surfaces, moved by it, and half the squared norm of its coefficients for
@@ -37,6 +41,7 @@ impl<'a> FitTrace<'a> {
     pub(crate) fn trace(&self, fit: &mut TracedFit, misfit: f64, field: &FittedField, observations: f64) {
         let cost = 0.5 * field.cost() / observations;
         self.observer.trace(&TracePoint {
+            quantity: Some(Quantity::FieldEnergy),
             energy: Some(misfit + cost),
             energy_unary: Some(misfit),
             energy_pairwise: Some(cost),
@@ -48,7 +53,7 @@ impl<'a> FitTrace<'a> {
 impl TracedFit {
     fn next(&mut self, phase: Phase) -> TracePoint {
         self.iterations += 1;
-        TracePoint::new(self.round, phase, self.iterations)
+        TracePoint { start: Some(self.round), ..TracePoint::new(self.round, phase, self.iterations) }
     }
 }
 

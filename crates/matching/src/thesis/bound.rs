@@ -3,7 +3,7 @@
 use crate::error::MatchError;
 use homolog_mrf::MrfModel;
 use homolog_mrf::inference::{DualBound, DualOptions};
-use homolog_primitives::observe::{Observer, Phase, TracePoint};
+use homolog_primitives::observe::{Observer, Phase, Quantity, TracePoint};
 
 /// The dual method ends when the energy of a labeling is within this share of the bound.
 const GAP_TOLERANCE: f64 = 1e-9;
@@ -23,6 +23,7 @@ pub(crate) fn lower_bound(
     let options = DualOptions { gap_tolerance: GAP_TOLERANCE, progress_tolerance: PROGRESS_TOLERANCE };
     let found = DualBound::new(model, options).run(iterations, observer, |iteration, _| {
         observer.trace(&TracePoint {
+            quantity: Some(Quantity::CurvatureEnergy),
             energy: Some(iteration.energy.total()),
             energy_unary: Some(iteration.energy.unary),
             energy_pairwise: Some(iteration.energy.pairwise),

@@ -14,7 +14,7 @@ use homolog_mrf::inference::{
     local_confidence,
 };
 use homolog_mrf::{Labeling, MrfModel};
-use homolog_primitives::observe::{Cancelled, Phase, TracePoint};
+use homolog_primitives::observe::{Cancelled, Phase, Quantity, TracePoint};
 use rayon::prelude::*;
 
 /// Smallest value of a message. It is far below `exp(−T)` at the default truncation, so that it only keeps products finite. Under
@@ -128,6 +128,7 @@ impl Minimiser for Dual<'_> {
             let energy = self.model.energy(labeling);
             let changed = labeling.iter().zip(&last).filter(|(a, b)| a != b).count();
             on_step(TracePoint {
+                quantity: Some(Quantity::CurvatureEnergy),
                 energy: Some(energy.total()),
                 energy_unary: Some(energy.unary),
                 energy_pairwise: Some(energy.pairwise),
@@ -196,6 +197,7 @@ impl Minimiser for Search<'_> {
         };
         let on_sweep = |sweep: &SearchSweep| {
             on_step(TracePoint {
+                quantity: Some(Quantity::CurvatureEnergy),
                 energy: Some(sweep.energy.total()),
                 energy_unary: Some(sweep.energy.unary),
                 energy_pairwise: Some(sweep.energy.pairwise),

@@ -4,7 +4,7 @@ use super::minimiser::{InferenceRun, Labeled, Minimiser, OnStep};
 use crate::pair::vertex_map::VertexMap;
 use homolog_contract::result::{ConvergenceDocument, ConvergenceStatus, StopReason};
 use homolog_mrf::inference::{self, BeliefPropagation, BpIteration, BpOutcome, BpStop};
-use homolog_primitives::observe::{Cancelled, Phase, TracePoint};
+use homolog_primitives::observe::{Cancelled, Phase, Quantity, TracePoint};
 
 /// Belief propagation over all labels.
 pub(crate) struct Propagation<'a> {
@@ -31,6 +31,7 @@ impl Minimiser for Propagation<'_> {
 /// An iteration of belief propagation as a point of the trace.
 pub(crate) fn trace_point(round: u32, iteration: &BpIteration) -> TracePoint {
     TracePoint {
+        quantity: Some(Quantity::CurvatureEnergy),
         energy: Some(iteration.energy.total()),
         energy_unary: Some(iteration.energy.unary),
         energy_pairwise: Some(iteration.energy.pairwise),

@@ -11,7 +11,7 @@ use crate::pair::solver::solver;
 use crate::poses::posed::{Inferred, InferredPose};
 use homolog_contract::parameters::{ClampingMode, DisplacementMode, MatchParameters, MinimalEstimator};
 use homolog_contract::result::{Feedback, RoundDocument};
-use homolog_primitives::observe::{Phase, TracePoint};
+use homolog_primitives::observe::{Phase, Quantity, TracePoint};
 use homolog_registration::{self, RansacMethods, RansacOptions, RansacReport, RigidTransform, ransac_with};
 
 /// `σ_g` of soft clamping in mean target edge lengths. Together with a weight of 2, a cap of 10 and 3 for normals it
@@ -241,6 +241,7 @@ impl Rounds<'_> {
         let registration = ransac_with(scene.source.mesh().vertices(), &images, &options, methods, observer)?;
         let support = registration.as_ref().map_or(0, |found| found.support as u32);
         observer.trace(&TracePoint {
+            quantity: Some(Quantity::CurvatureEnergy),
             energy: Some(labeled.energy.total()),
             energy_unary: Some(labeled.energy.unary),
             energy_pairwise: Some(labeled.energy.pairwise),

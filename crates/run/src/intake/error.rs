@@ -1,5 +1,6 @@
 //! Why a file is refused: what is wrong, where, and what its sender can do.
 
+use super::label_names::{NearName, table_of};
 use super::{counted, repair_name};
 use homolog_contract::parameters::Repair;
 use homolog_formats::FormatError;
@@ -37,17 +38,27 @@ pub enum IntakeError {
         /// How many labels other than 0 the volume has.
         n_present: usize,
     },
-    /// No label of the volume has a requested name.
-    #[error(
-        "no label has the name that is entry {place} (from 0) of the requested labels; {}; \
-         homolog inspect lists labels with their names, and numbers are taken too",
-        named_labels(named)
-    )]
+    /// A label was requested by a name that nothing has.
+    #[error("no label is called {name}{}; {}", near_names(nearest), without_name(*has_names))]
     UnknownLabelName {
         /// Which of the requested labels, from 0.
         place: usize,
-        /// The labels that have a name.
-        named: Vec<u32>,
+        /// The name, in quotation marks.
+        name: String,
+        /// The names most like it.
+        nearest: Vec<NearName>,
+        /// Whether the file has names.
+        has_names: bool,
+    },
+    /// A label was requested by a name that has different numbers in the tables that know the volume.
+    #[error("{name} is {}; name the table", ambiguous(name, meanings))]
+    AmbiguousLabelName {
+        /// Which of the requested labels, from 0.
+        place: usize,
+        /// The name, in quotation marks.
+        name: String,
+        /// The name of each table, and the numbers there.
+        meanings: Vec<(&'static str, Vec<u32>)>,
     },
     /// The values of a volume look like measurements, and nobody confirmed that they are labels.
     #[error(
@@ -166,12 +177,26 @@ fn also(others: &[SurfaceFault]) -> String {
     others.iter().map(|fault| format!("; also, {fault}")).collect()
 }
 
-fn named_labels(named: &[u32]) -> String {
-    if named.is_empty() {
-        return "the file has no names of labels".to_owned();
+fn without_name(has_names: bool) -> &'static str {
+    if has_names {
+        "numbers are taken too, and homolog inspect lists the labels of a file with their names"
+    } else {
+        "the file has no names of labels, and no table of a well-known segmentation has both this name and all labels of the \
+         volume; numbers are taken too, and freesurfer:NAME, totalsegmentator:NAME, totalsegmentator-mr:NAME, aal:NAME, aal-spm:NAME or aal3:NAME name a table"
     }
-    let listed = &named[..named.len().min(super::label_surface::MAX_NAMED_LABELS)];
-    format!("the file has names for the labels {listed:?}")
+}
+
+fn ambiguous(name: &str, meanings: &[(&'static str, Vec<u32>)]) -> String {
+    let meaning = |(table, numbers): &(&str, Vec<u32>)| {
+        let numbers: Vec<String> = numbers.iter().map(u32::to_string).collect();
+        format!("label {} as {table}:{}", numbers.join(", "), name.trim_matches('"'))
+    };
+    meanings.iter().map(meaning).collect::<Vec<_>>().join(", and ")
+}
+
+fn near_names(nearest: &[NearName]) -> String {
+    let listed: Vec<String> = nearest.iter().map(NearName::to_string).collect();
+    if listed.is_empty() { String::new() } else { format!("; most like it: {}", listed.join(", ")) }
 }
 
 fn requested_labels(requested: Option<&[u32]>) -> String {
@@ -187,8 +212,27 @@ fn present_labels(present: &[u32], n_present: usize) -> String {
     }
     let more =
         if n_present > present.len() { format!(" and {} more", n_present - present.len()) } else { String::new() };
-    format!("the volume has the labels {present:?}{more}: set input.labels to those of the structure")
+    let table = if more.is_empty() { table_of(&present.iter().copied().collect()) } else { None };
+    let named = |label: &u32| match table.and_then(|table| table.name_of(*label)) {
+        Some(name) => format!("{label} {name}"),
+        None => label.to_string(),
+    };
+    let listed: Vec<String> = present.iter().map(named).collect();
+    format!("the volume has the labels [{}]{more}: set input.labels to those of the structure", listed.join(", "))
 }
+
+/// What the parameters of an API request are called on the command line.
+const ON_COMMAND_LINE: [(&str, &str); 6] = [
+    (
+        "set input.labels to those of the structure",
+        "add --label N, by number or name, for each of those of the structure",
+    ),
+    ("choose labels with input.labels", "choose labels with --label N"),
+    ("(input.labels chooses some)", "(--label N chooses some)"),
+    ("set input.image_is_labels to true", "add --set input.image_is_labels=true"),
+    ("lower input.smoothing_mm", "lower --set input.smoothing_mm=X"),
+    ("set input.surface to \"voxel\"", "add --set input.surface=voxel"),
+];
 
 impl IntakeError {
     /// The message with advice in terms of the command line.
@@ -202,7 +246,7 @@ impl IntakeError {
                 let options = "have it simplified (--simplify N), raise the limit (--max-vertices N)";
                 message.replace("have it simplified (input.max_vertices)", options)
             }
-            _ => message,
+            _ => ON_COMMAND_LINE.iter().fold(message, |said, (member, option)| said.replace(member, option)),
         }
     }
 
@@ -215,6 +259,7 @@ impl IntakeError {
             IntakeError::TooLarge { .. } => "too-large",
             IntakeError::EmptyStructure { .. }
             | IntakeError::UnknownLabelName { .. }
+            | IntakeError::AmbiguousLabelName { .. }
             | IntakeError::Vanished { .. } => "empty-structure",
             IntakeError::LooksLikeImage { .. } => "not-labels",
             IntakeError::DegenerateFaces { .. } | IntakeError::UnsuitableSurface { .. } => "unsuitable-surface",

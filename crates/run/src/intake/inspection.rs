@@ -1,12 +1,13 @@
 //! What an input is and whether it can be matched: a report where [`super::prepare_surface`] would refuse.
 
 use super::candidate::Candidate;
+use super::label_names::table_of;
 use super::{
     InputKind, Inspection, IntakeError, IntakeLimits, LabelCount, Refusal, VolumeInspection, read, sampling_report,
 };
-use homolog_contract::parameters::InputParameters;
+use homolog_contract::parameters::{InputParameters, Method, preset};
 use homolog_formats::FileContent;
-use homolog_mesh::volume::LabelVolume;
+use homolog_mesh::volume::{BettiNumbers, LabelVolume};
 use std::collections::BTreeMap;
 
 /// Most labels that are listed.
@@ -68,8 +69,47 @@ pub fn inspect(
     Ok(inspection)
 }
 
+/// The form of a label's voxels.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct LabelShape {
+    /// Pieces that share no face of a voxel.
+    pub n_pieces: u32,
+    /// Tunnels through them.
+    pub n_tunnels: u32,
+}
+
+/// The forms of the first `most` labels of a volume, by label; empty for what is no volume that can be read. A label whose box
+/// exceeds [`IntakeLimits::max_voxels`] is left out.
+///
+/// # Cost
+/// One pass over the volume for each label, and linear in its box.
+pub fn label_shapes(
+    bytes: &[u8],
+    file_name: Option<&str>,
+    limits: &IntakeLimits,
+    most: usize,
+) -> BTreeMap<u32, LabelShape> {
+    let file = read(bytes, file_name, &preset(Method::Balanced).input, limits);
+    let Ok(FileContent::Labels(volume)) = file.map(|file| file.content) else { return BTreeMap::new() };
+    let labels = volume.label_counts().into_keys().take(most);
+    let shape = |label: u32| {
+        let mask = volume.mask(Some(&[label]))?;
+        let in_box: u64 = mask.dims().iter().map(|&d| d as u64).product();
+        if in_box > limits.max_voxels {
+            return None;
+        }
+        let BettiNumbers { n_pieces, n_tunnels, .. } = BettiNumbers::of(&mask);
+        Some((label, LabelShape { n_pieces, n_tunnels }))
+    };
+    labels.filter_map(shape).collect()
+}
+
 fn describe(volume: &LabelVolume, names: &BTreeMap<u32, String>) -> VolumeInspection {
     let counts = volume.label_counts();
+    let table = if names.is_empty() { table_of(&counts.keys().copied().collect()) } else { None };
+    let name = |label: u32| {
+        names.get(&label).cloned().or_else(|| table.and_then(|table| table.name_of(label)).map(str::to_owned))
+    };
     VolumeInspection {
         dims: volume.dims().map(|d| d as u32),
         spacing_mm: volume.spacing_mm(),
@@ -77,7 +117,7 @@ fn describe(volume: &LabelVolume, names: &BTreeMap<u32, String>) -> VolumeInspec
         labels: counts
             .into_iter()
             .take(MAX_LISTED_LABELS)
-            .map(|(label, n_voxels)| LabelCount { label, name: names.get(&label).cloned(), n_voxels })
+            .map(|(label, n_voxels)| LabelCount { label, name: name(label), n_voxels })
             .collect(),
     }
 }

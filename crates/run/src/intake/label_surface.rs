@@ -1,10 +1,11 @@
 //! From a label volume to a surface: the labels that were chosen, their repair as voxels, and the surface of the voxels.
 
 use super::candidate::Candidate;
+use super::label_names::chosen;
 use super::warnings::{self, UsedLabels};
 use super::{IntakeError, IntakeLimits, RepairNote, counted};
 use homolog_contract::input::InputWarning;
-use homolog_contract::parameters::{InputParameters, LabelChoice, Repair, SurfaceKind};
+use homolog_contract::parameters::{InputParameters, Repair, SurfaceKind};
 use homolog_mesh::topology::{TopologyReport, topology_report};
 use homolog_mesh::volume::smooth_surface::FieldRepair;
 use homolog_mesh::volume::{
@@ -26,7 +27,8 @@ pub(super) fn from_labels(
     parameters: &InputParameters,
     limits: &IntakeLimits,
 ) -> Result<Candidate, IntakeError> {
-    let requested = parameters.labels.as_deref().map(|labels| chosen(labels, names)).transpose()?;
+    let chosen = parameters.labels.as_deref().map(|labels| chosen(labels, names, volume)).transpose()?;
+    let (requested, notes) = chosen.map_or((None, Vec::new()), |chosen| (Some(chosen.numbers), chosen.notes));
     // Names of labels, and labels that a request chooses, say what the values are.
     if requested.is_none() && names.is_empty() && !parameters.image_is_labels {
         refuse_image(volume)?;
@@ -69,7 +71,7 @@ pub(super) fn from_labels(
         }
     };
     let sampling = Some(Sampling::of(&candidate.mesh, repaired.affine()));
-    Ok(Candidate { labels: Some(labels), sampling, ..candidate })
+    Ok(Candidate { labels: Some(labels), notes, sampling, ..candidate })
 }
 
 /// What was found out and done on the way to a surface.
@@ -160,26 +162,6 @@ fn refuse_image(volume: &LabelVolume) -> Result<(), IntakeError> {
     }
     let ValueStatistics { n_values, n_together, equal_share, border_share } = statistics;
     Err(IntakeError::LooksLikeImage { n_values, n_together, equal_share, border_share })
-}
-
-/// The numbers of the labels that a request chooses; a name chooses every label that has it.
-fn chosen(labels: &[LabelChoice], names: &BTreeMap<u32, String>) -> Result<Vec<u32>, IntakeError> {
-    let mut numbers = Vec::new();
-    for (place, label) in labels.iter().enumerate() {
-        match label {
-            LabelChoice::Number(number) => numbers.push(*number),
-            LabelChoice::Name(name) => {
-                let wanted = name.trim().to_lowercase();
-                let before = numbers.len();
-                let named = names.iter().filter(|(_, found)| found.trim().to_lowercase() == wanted);
-                numbers.extend(named.map(|(number, _)| *number));
-                if numbers.len() == before {
-                    return Err(IntakeError::UnknownLabelName { place, named: names.keys().copied().collect() });
-                }
-            }
-        }
-    }
-    Ok(numbers)
 }
 
 /// Refuses structures whose box or surface would be too large, before any surface is made.

@@ -8,6 +8,7 @@
 mod candidate;
 mod error;
 mod inspection;
+mod label_names;
 mod label_surface;
 mod near;
 mod shown;
@@ -16,9 +17,11 @@ mod warnings;
 
 pub use error::{Advice, IntakeError};
 pub use homolog_contract::input::{InputFormat, InputKind, InputReport, Inspection};
-pub use inspection::inspect;
+pub use inspection::{LabelShape, inspect, label_shapes};
+pub use label_names::{LabelTable, NearName, are_one_name, chosen_numbers, label_tables};
 pub use shown::shown_surface;
 
+use crate::mirror::MirrorPlane;
 use crate::whole::Dropped;
 use candidate::Candidate;
 use homolog_contract::input::{LabelCount, Refusal, RepairNote, SamplingReport, VolumeInspection};
@@ -33,13 +36,16 @@ pub(crate) use warnings::UsedLabels;
 /// A surface that is ready to be matched: its faces agree in orientation and look outwards.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PreparedSurface {
-    /// The surface, mm.
+    /// The surface as it is matched, mm; mirrored if that was asked for.
     pub mesh: SurfaceMesh,
     /// Which vertex of the upload each vertex of `mesh` is. For a label volume the upload is the surface made from it,
     /// which is `mesh` itself.
     pub numbering: Numbering,
     /// The faces of `mesh` over the vertices of the upload, where repairs dropped or merged some; before simplification.
+    /// Of a mirrored surface always there, where it was before.
     restored: Option<SurfaceMesh>,
+    /// The plane in which the surface was mirrored.
+    mirror: Option<MirrorPlane>,
     /// Vertices that simplification dropped.
     dropped: Vec<Dropped>,
     /// The labels of which it was made; `None` for meshes.
@@ -49,8 +55,8 @@ pub struct PreparedSurface {
 }
 
 impl PreparedSurface {
-    /// The surface whose vertices an answer counts: the faces that were matched, or those before simplification, over all
-    /// vertices of the upload, including those that no face uses any more.
+    /// The surface whose vertices an answer counts, in the coordinates of the file: the faces that were matched, or those before
+    /// simplification, over all vertices of the upload, including those that no face uses any more.
     pub fn uploaded(&self) -> &SurfaceMesh {
         self.restored.as_ref().unwrap_or(&self.mesh)
     }
@@ -58,6 +64,25 @@ impl PreparedSurface {
     /// Vertices that simplification dropped, with their places on `mesh`.
     pub(crate) fn dropped(&self) -> &[Dropped] {
         &self.dropped
+    }
+
+    /// The same surface mirrored, in the left-right axis that its file declares or else its best plane: matched mirrored, answered
+    /// where it is.
+    ///
+    /// # Errors
+    /// [`IntakeError::Unreadable`] if a coordinate overflows.
+    pub(crate) fn mirrored(mut self) -> Result<Self, IntakeError> {
+        let plane = MirrorPlane::of(&self.mesh, self.report.space);
+        let mesh = plane.surface(&self.mesh).map_err(|e| IntakeError::Unreadable(e.into()))?;
+        let before = std::mem::replace(&mut self.mesh, mesh);
+        self.restored.get_or_insert(before);
+        self.mirror = Some(plane);
+        self.report.notes.push(plane.note());
+        Ok(self)
+    }
+
+    pub(crate) fn mirror(&self) -> Option<MirrorPlane> {
+        self.mirror
     }
 
     pub(crate) fn labels(&self) -> Option<&UsedLabels> {
@@ -169,7 +194,7 @@ pub fn prepare_surface(
         }
         _ => whole.map(|(faces, _)| faces),
     };
-    Ok(PreparedSurface { mesh, numbering, restored, dropped, labels, report })
+    Ok(PreparedSurface { mesh, numbering, restored, mirror: None, dropped, labels, report })
 }
 
 fn read(

@@ -2,6 +2,7 @@
 //! filled.
 
 use super::counted;
+use super::label_names::table_of;
 use homolog_contract::input::InputWarning;
 use homolog_contract::result::UnreliableReason;
 use homolog_mesh::volume::{BettiNumbers, FillChange, LabelVolume};
@@ -44,13 +45,18 @@ impl UsedLabels {
         if !self.are_joined_unasked() {
             return None;
         }
-        let listed: Vec<String> = self.labels.iter().take(MAX_LISTED).map(u32::to_string).collect();
+        let table = table_of(&self.labels.iter().copied().collect());
+        let listed = self.labels.iter().take(MAX_LISTED).map(|label| {
+            let name = table.filter(|_| names.is_empty()).and_then(|table| table.name_of(*label));
+            name.map_or_else(|| label.to_string(), |name| format!("{label} {name}"))
+        });
+        let listed: Vec<String> = listed.collect();
         let more = match self.labels.len().saturating_sub(MAX_LISTED) {
             0 => String::new(),
             n => format!(" and {n} more"),
         };
         // Names are text of the file, which may name a patient.
-        let by_name = if names.is_empty() { "" } else { ", by number or name" };
+        let by_name = if names.is_empty() && table.is_none() { "" } else { ", by number or name" };
         let detail = format!(
             "{} labels were joined to one structure ({}{more}), because none were chosen; input.labels chooses \
              some{by_name}",

@@ -200,6 +200,9 @@ fn numbers(inputs: &ReportInputs<'_>) -> String {
         ),
         ("median confidence", format!("{median:.2}")),
     ];
+    if t.mirrored {
+        rows.insert(0, ("mirrored", "yes: a reflection, then this rotation and translation".to_owned()));
+    }
     if let Some(similarity) = &t.similarity {
         rows.push(("similarity", similarity.sentence()));
     }

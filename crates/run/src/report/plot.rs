@@ -1,6 +1,6 @@
 //! The energy over the iterations as SVG.
 
-use homolog_primitives::observe::{Phase, TracePoint};
+use homolog_primitives::observe::{Phase, Quantity, TracePoint};
 use std::fmt::Write;
 
 const WIDTH: f64 = 760.0;
@@ -12,13 +12,14 @@ const BOTTOM: f64 = 205.0;
 /// Most points of the curve: more than the page has pixels.
 const MOST_POINTS: usize = 1500;
 
-/// The energies of the iterations in `phase`, after `initial`; `None` without two finite values. The axis is logarithmic where all are
-/// positive and the largest is more than ten times the smallest.
+/// The energies of the iterations in `phase`, after `initial`; `None` without two finite values. Points of different rounds or starts are
+/// not joined, and means of starts are left out, which are another quantity. The axis is logarithmic where all are positive and the
+/// largest is more than ten times the smallest.
 pub(super) fn energy_plot(initial: Option<f64>, phase: Phase, trace: &[TracePoint]) -> Option<String> {
-    let iterations: Vec<(f64, u32)> = trace
+    let iterations: Vec<(f64, (u32, Option<u32>))> = trace
         .iter()
-        .filter(|point| point.phase == phase)
-        .filter_map(|point| Some((point.energy?, point.round)))
+        .filter(|point| point.phase == phase && point.quantity != Some(Quantity::MeanIsometryEnergy))
+        .filter_map(|point| Some((point.energy?, (point.round, point.start))))
         .filter(|(energy, _)| energy.is_finite())
         .collect();
     let initial = initial.filter(|energy| energy.is_finite());
@@ -39,14 +40,17 @@ pub(super) fn energy_plot(initial: Option<f64>, phase: Phase, trace: &[TracePoin
     );
     let steps = values.len().div_ceil(MOST_POINTS).max(1);
     let mut curve = String::new();
+    let offset = usize::from(initial.is_some());
+    let begins_series = |k: usize| k > offset && iterations[k - offset].1 != iterations[k - offset - 1].1;
     for (k, &value) in values.iter().enumerate() {
-        if k % steps == 0 || k + 1 == values.len() {
-            let _ = write!(curve, "{}{:.1} {:.1}", if k == 0 { "M" } else { "L" }, x(k), y(value));
+        let begins = begins_series(k);
+        if begins || k % steps == 0 || k + 1 == values.len() {
+            let _ = write!(curve, "{}{:.1} {:.1}", if k == 0 || begins { "M" } else { "L" }, x(k), y(value));
         }
     }
     for (k, pair) in iterations.windows(2).enumerate() {
         if pair[0].1 != pair[1].1 {
-            let at = x(k + usize::from(initial.is_some()));
+            let at = x(k + offset);
             let _ = write!(svg, "<path d=\"M{at:.1} {TOP}V{BOTTOM}\" stroke=\"#c3cad3\" stroke-dasharray=\"4 4\"/>");
         }
     }
@@ -90,6 +94,9 @@ mod tests {
         assert!(svg.contains(">100.00<") && svg.contains(">2.00<") && svg.contains("logarithmic"), "{svg}");
         let curve = svg.split("<path d=\"").nth(3).unwrap();
         assert_eq!(curve.split('"').next().unwrap().matches(['M', 'L']).count(), 3, "{curve}");
+        assert_eq!(curve.split('"').next().unwrap().matches('M').count(), 2, "rounds are not joined: {curve}");
+        let starts = TracePoint { quantity: Some(Quantity::MeanIsometryEnergy), ..point(0, Phase::Inference, 3.0) };
+        assert_eq!(energy_plot(Some(1.0), Phase::Inference, &[starts]), None);
         assert_eq!(energy_plot(Some(1.0), Phase::Inference, &trace[3..]), None);
         assert_eq!(energy_plot(None, Phase::Displacement, &trace), None);
         let fits = [0, 0, 1].map(|round| point(round, Phase::Displacement, 3.0 - f64::from(round)));

@@ -57,10 +57,10 @@ fn labels_are_chosen_for_both_inputs_or_for_each_by_number_or_name() {
     let names = by(json!({"source": {"labels": ["left hippocampus"]}, "target": {"labels": "Tumor"}}));
     assert_eq!(volume_of(&named_balls(), &names.of_source()), large);
     assert_eq!(volume_of(&named_balls(), &names.of_target()), small);
-    for (bytes, expected) in [(named_balls(), "names for the labels [3, 7]"), (numbers, "no names of labels")] {
+    for (bytes, expected) in [(named_balls(), "labels of a file with their names"), (numbers, "no names of labels")] {
         let error = prepare(&bytes, &by(json!({"labels": [3, "amygdala"]}))).unwrap_err();
         assert_eq!(error.code(), "empty-structure");
-        assert!(error.to_string().contains("entry 1") && error.to_string().contains(expected), "{error}");
+        assert!(error.to_string().contains("\"amygdala\"") && error.to_string().contains(expected), "{error}");
     }
     let seen = inspect(&named_balls(), None, &defaults(), &IntakeLimits::default()).unwrap();
     let labels = seen.volume.unwrap().labels;

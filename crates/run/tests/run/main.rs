@@ -7,6 +7,7 @@ mod field_files;
 mod fixtures;
 mod formats;
 mod intake;
+mod mirrors;
 mod pairs;
 mod progress;
 mod structures;

@@ -3,6 +3,7 @@
 //! The page is one HTML file that loads nothing, like that of a match (`homolog_run::write_report`); its policy allows its own
 //! script and style, named by their hashes, and nothing else.
 
+mod demographics;
 mod methods;
 mod plots;
 
@@ -16,6 +17,7 @@ use crate::quality::most_urgent_first;
 use crate::settings::Measure;
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD as BASE64;
+use homolog_contract::result::UnreliableReason;
 use homolog_primitives::observe::{Observer, checkpoint};
 use homolog_run::page::{Page, escaped};
 use nalgebra::{Matrix3, Point3, Vector3};
@@ -47,8 +49,9 @@ pub(crate) fn page(
     let body = [
         summary(found),
         quality(study, found, &view.pictures),
+        demographics::section(study, found),
         view.section,
-        effects(found),
+        effects(study, found),
         model(found),
         template(found),
         consistency(found),
@@ -106,6 +109,15 @@ fn p_value(p: f64) -> String {
     if p < 0.001 { "&lt; 0.001".to_owned() } else { format!("{p:.3}") }
 }
 
+/// A reason to doubt a match, and the step where a study has one of its own.
+fn reason_in_words(reason: &str) -> String {
+    let words = escaped(&reason.replace('_', " "));
+    if reason == UnreliableReason::OtherHandedness.name() {
+        return format!("{words}: if it lies on the other side than the template, state its side (column side)");
+    }
+    words
+}
+
 /// The table of quality control, the most urgent first.
 fn quality(study: &Study, found: &Findings, pictures: &[(usize, usize)]) -> String {
     let mut rows = String::new();
@@ -121,7 +133,7 @@ fn quality(study: &Study, found: &Findings, pictures: &[(usize, usize)]) -> Stri
             format!("<canvas data-shape=\"{shape}\" role=\"img\" aria-label=\"the shape of this subject\"></canvas>")
         });
         let mut why: Vec<String> = subject.flags.iter().map(|flag| flag.title().to_owned()).collect();
-        why.extend(subject.facts.reasons.iter().map(|reason| escaped(&reason.replace('_', " "))));
+        why.extend(subject.facts.reasons.iter().map(|reason| reason_in_words(reason)));
         why.extend(subject.facts.error.iter().map(|error| escaped(error)));
         if let Some(decision) = &subject.decision {
             why.push(format!("decided: {}", escaped(&decision.reason)));
@@ -249,7 +261,8 @@ impl View {
              <label><input type=\"checkbox\" id=\"only\"> only corrected p &lt; 0.05</label></div><div>\
              <select id=\"shape\" aria-label=\"Mode or subject\">{shape_options}</select>\
              <label>−2 sd <input type=\"range\" id=\"along\" min=\"-50\" max=\"50\" value=\"50\"> +2 sd</label></div></div>\n\
-             <p class=\"hint\"><span id=\"legend\"></span></p>\n\
+             <p class=\"colors\"><span id=\"low\"></span><span class=\"bar\"></span><span id=\"high\"></span> \
+             <span id=\"legend\"></span></p>\n\
              <p class=\"hint\">Drag or use the arrow keys to turn, scroll to zoom. Red is outwards, blue inwards, of modes and \
              subjects along the normal of the mean.</p>\n"
         );
@@ -271,11 +284,11 @@ fn frame(points: &[Point3<f64>]) -> (Point3<f64>, f64, Vec<f64>) {
     (center, reach.max(f64::MIN_POSITIVE), rows.iter().flat_map(|row| row.iter().copied()).collect())
 }
 
-fn effects(found: &Findings) -> String {
+fn effects(study: &Study, found: &Findings) -> String {
     let Some(statistics) = &found.statistics else {
         return "<h2>Effects</h2>\n<p>No effect was asked for (<code>--effect</code>).</p>\n".to_owned();
     };
-    let mut html = "<h2>Effects at vertices</h2>\n".to_owned();
+    let mut html = format!("<h2>Effects at vertices</h2>\n{}", demographics::degrees(study, found));
     let weights = &found.alignment.weights;
     let rows: Vec<Vec<String>> = statistics
         .maps

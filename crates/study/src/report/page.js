@@ -115,7 +115,9 @@
   const redraw = () => { if (!waiting) { waiting = true; requestAnimationFrame(draw); } };
   const say = () => {
     const of = data.maps[map.value];
-    by("legend").textContent = of ? `${of.title}: blue ${(-of.largest).toPrecision(3)}, red ${of.largest.toPrecision(3)}` : "";
+    by("low").textContent = of ? `−${of.largest.toPrecision(3)}` : "";
+    by("high").textContent = of ? of.largest.toPrecision(3) : "";
+    by("legend").textContent = of ? of.title : "";
     const right = data.shapes[shape.value];
     by("right").textContent = right ? right.title : "";
     along.disabled = !(right && right.move);

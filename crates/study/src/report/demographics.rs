@@ -1,0 +1,171 @@
+//! Who is in the statistics: covariates and sizes by group, degrees of freedom, and whether enough permutations are possible.
+
+use super::table;
+use crate::cohort::{Covariate, Values};
+use crate::findings::Findings;
+use crate::plan::Study;
+use homolog_run::page::escaped;
+use std::collections::BTreeMap;
+
+/// Fewer different permutations than this are said to be few: no p below 0.001 is possible.
+const FEW_PERMUTATIONS: f64 = 1000.0;
+
+/// Subjects of the model that are compared, by their name.
+struct Group {
+    name: String,
+    members: Vec<usize>,
+}
+
+/// All members of the model, and those of each level of the effect, if that is a factor.
+fn groups(study: &Study, found: &Findings) -> Vec<Group> {
+    let mut groups = vec![Group { name: "all".to_owned(), members: found.members.clone() }];
+    let effect = study.settings.analysis.effect.as_ref().and_then(|name| study.cohort.covariate(name));
+    if let Some(Covariate { name, values: Values::Factor { levels, of } }) = effect {
+        for (place, level) in levels.iter().enumerate() {
+            let members: Vec<usize> = found.members.iter().copied().filter(|&k| of[k] == Some(place)).collect();
+            if !members.is_empty() {
+                groups.push(Group { name: format!("{name} {level}"), members });
+            }
+        }
+    }
+    groups
+}
+
+/// `n`, mean and standard deviation, and the range, of the values that are there.
+fn moments(values: &[f64]) -> String {
+    let n = values.len();
+    if n == 0 {
+        return "none".to_owned();
+    }
+    let mean = values.iter().sum::<f64>() / n as f64;
+    let squares = values.iter().map(|x| (x - mean).powi(2)).sum::<f64>();
+    let sd = if n > 1 { format!(" ± {}", short((squares / (n - 1) as f64).sqrt())) } else { String::new() };
+    let (low, high) = values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), x| (a.min(*x), b.max(*x)));
+    format!("{}{sd} ({} to {}; n {n})", short(mean), short(low), short(high))
+}
+
+/// A number with as many digits as its size has use for.
+fn short(value: f64) -> String {
+    let digits = if value.abs() >= 100.0 { 0 } else { 2 };
+    format!("{value:.digits$}").replace('-', "−")
+}
+
+/// The table of covariates and sizes by group.
+pub(super) fn section(study: &Study, found: &Findings) -> String {
+    let groups = groups(study, found);
+    let mut rows = vec![
+        std::iter::once("subjects".to_owned())
+            .chain(groups.iter().map(|group| group.members.len().to_string()))
+            .collect(),
+    ];
+    let mut row = |name: String, cell: &dyn Fn(&Group) -> String| {
+        rows.push(std::iter::once(name).chain(groups.iter().map(cell)).collect());
+    };
+    for Covariate { name, values } in &study.cohort.covariates {
+        row(escaped(name), &|group| match values {
+            Values::Numbers(of) => moments(&group.members.iter().filter_map(|&k| of[k]).collect::<Vec<_>>()),
+            Values::Factor { levels, of } => {
+                let count = |place: usize| group.members.iter().filter(|&&k| of[k] == Some(place)).count();
+                let present = levels.iter().enumerate().map(|(place, level)| (level, count(place)));
+                let listed: Vec<String> =
+                    present.filter(|(_, n)| *n > 0).map(|(level, n)| format!("{} {n}", escaped(level))).collect();
+                if listed.is_empty() { "none".to_owned() } else { listed.join(", ") }
+            }
+        });
+    }
+    type OfSubject<'a> = &'a dyn Fn(usize) -> Option<f64>;
+    let measured: [(&str, OfSubject<'_>); 3] = [
+        ("volume, mm³", &|k| found.subjects[k].facts.volume_mm3),
+        ("area, mm²", &|k| Some(found.subjects[k].facts.area_mm2)),
+        ("centroid size, mm", &|k| Some(found.subjects[k].size_mm)),
+    ];
+    for (name, of) in measured {
+        row(name.to_owned(), &|group| moments(&group.members.iter().filter_map(|&k| of(k)).collect::<Vec<_>>()));
+    }
+    let header: Vec<String> =
+        std::iter::once(String::new()).chain(groups.iter().map(|group| escaped(&group.name))).collect();
+    let header: Vec<&str> = header.iter().map(String::as_str).collect();
+    format!(
+        "<h2>Subjects of the model</h2>\n<p class=\"hint\">Mean ± standard deviation (range; n with a value); of factors, subjects of \
+         each level.</p>\n{}",
+        table(&header, &rows, "free")
+    )
+}
+
+/// Subjects, columns and degrees of freedom of the statistics, and a warning where few permutations are possible.
+pub(super) fn degrees(study: &Study, found: &Findings) -> String {
+    let Some(statistics) = &found.statistics else { return String::new() };
+    let (n, p) = (statistics.design.rows.len(), statistics.design.columns.len());
+    let mut html = format!(
+        "<p>{n} subjects, {p} columns of the design ({}), {:.0} degrees of freedom of the residuals.</p>\n",
+        escaped(&statistics.design.columns.join(", ")),
+        statistics.degrees
+    );
+    if statistics.longitudinal {
+        html.push_str(
+            "<p>Subjects have several rows: a random intercept for each, Wald tests by the normal distribution, no \
+             permutations.</p>\n",
+        );
+        return html;
+    }
+    let effect = study.settings.analysis.effect.as_ref().and_then(|name| study.cohort.covariate(name));
+    if let Some(possible) = effect.map(|effect| arrangements(&statistics.design.rows, &effect.values))
+        && possible < FEW_PERMUTATIONS
+    {
+        html.push_str(&format!(
+            "<p class=\"warning\"><strong>Few permutations are possible:</strong> {n} subjects can be arranged in {possible:.0} ways \
+             that differ in the effect, so that no corrected p can be below {:.3}, however many are drawn.</p>\n",
+            1.0 / possible
+        ));
+    }
+    html
+}
+
+/// In how many ways the values of a covariate can be distributed over subjects: `n! / Π mᵢ!` for values that occur `mᵢ` times.
+fn arrangements(rows: &[usize], values: &Values) -> f64 {
+    let mut counts: BTreeMap<u64, usize> = BTreeMap::new();
+    let mut n = 0;
+    for &k in rows {
+        let value = match values {
+            Values::Numbers(of) => of[k].map(f64::to_bits),
+            Values::Factor { of, .. } => of[k].map(|level| level as u64),
+        };
+        if let Some(value) = value {
+            *counts.entry(value).or_default() += 1;
+            n += 1;
+        }
+    }
+    // A product of binomial coefficients, which stays exact as long as it is small.
+    let mut left = n;
+    counts.into_values().fold(1.0, |all, m| {
+        let chosen = (0..m).fold(1.0, |all, i| all * (left - i) as f64 / (i + 1) as f64);
+        left -= m;
+        all * chosen
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn four_subjects_have_six_splits() {
+        let factor = |of: &[usize]| Values::Factor {
+            levels: vec!["a".to_owned(), "b".to_owned()],
+            of: of.iter().map(|k| Some(*k)).collect(),
+        };
+        let rows: Vec<usize> = (0..4).collect();
+        assert_eq!(arrangements(&rows, &factor(&[0, 0, 1, 1])).round(), 6.0);
+        assert_eq!(arrangements(&rows, &Values::Numbers([1.0, 2.0, 3.0, 4.0].map(Some).to_vec())).round(), 24.0);
+        assert_eq!(arrangements(&rows[..3], &factor(&[0, 0, 0, 1])).round(), 1.0);
+        assert!(
+            arrangements(&(0..400).collect::<Vec<_>>(), &factor(&(0..400).map(|k| k % 2).collect::<Vec<_>>())) > 1e100
+        );
+    }
+
+    #[test]
+    fn moments_are_those_of_a_sample() {
+        assert_eq!(moments(&[1.0, 2.0, 3.0]), "2.00 ± 1.00 (1.00 to 3.00; n 3)");
+        assert_eq!((moments(&[]).as_str(), moments(&[250.4]).as_str()), ("none", "250 (250 to 250; n 1)"));
+    }
+}

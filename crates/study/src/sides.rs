@@ -1,0 +1,84 @@
+//! Left and right: subjects of the other side than the template are mirrored.
+//!
+//! A match of a mirrored subject is stated in the subject's own coordinates; its record has the points mirrored in `x = 0`, so
+//! that all shapes of a study have the hand of the template. What is written for a subject is mirrored back.
+
+use crate::cohort::Cohort;
+use crate::error::StudyError;
+use crate::plan::Study;
+use crate::settings::{Settings, TemplateChoice};
+use homolog_contract::input::BodySide;
+use homolog_mesh::{MeshError, SurfaceMesh};
+use nalgebra::Point3;
+
+const IN_X: [[f64; 4]; 4] = [[-1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 0.0, 1.0]];
+
+/// The side of the template, where subjects have sides: the one asked for, or that of the subject from which a template is made,
+/// or of most subjects of the model; left if both sides have as many.
+///
+/// # Errors
+/// [`StudyError::Settings`] if a given template has no side although subjects have; if a side is given and subjects have none;
+/// and if the parameters of matches mirror, which sides do here.
+pub fn template_side(cohort: &Cohort, settings: &Settings) -> Result<Option<BodySide>, StudyError> {
+    let input = &settings.parameters.input;
+    if input.source.mirror || input.target.mirror {
+        let why = "a study mirrors by subject: leave input.source.mirror and input.target.mirror out, and state the side of \
+                   each subject (column side of the table, member side in JSON)";
+        return Err(StudyError::Settings(why.to_owned()));
+    }
+    let mut sides = cohort.subjects.iter().filter_map(|subject| subject.side).peekable();
+    match (settings.template_side, sides.peek()) {
+        (None, None) => return Ok(None),
+        (Some(_), None) => {
+            let why = "the template has a side, and no subject has: state the side of each subject (column side of the table, \
+                       member side in JSON)";
+            return Err(StudyError::Settings(why.to_owned()));
+        }
+        (Some(side), Some(_)) => return Ok(Some(side)),
+        (None, Some(_)) => {}
+    }
+    let TemplateChoice::Made(how) = &settings.template else {
+        let why = "subjects have sides: say on which side the template lies (--template-side left or right, template_side in JSON)";
+        return Err(StudyError::Settings(why.to_owned()));
+    };
+    let start = how.start.as_ref().and_then(|id| cohort.subjects.iter().find(|subject| subject.id == *id));
+    if let Some(side) = start.and_then(|subject| subject.side) {
+        return Ok(Some(side));
+    }
+    let (left, right): (Vec<BodySide>, Vec<BodySide>) = sides.partition(|side| *side == BodySide::Left);
+    Ok(Some(if right.len() > left.len() { BodySide::Right } else { BodySide::Left }))
+}
+
+impl Study {
+    /// Whether a subject lies on the other side than the template.
+    pub fn is_mirrored(&self, subject: usize) -> bool {
+        let side = self.cohort.subjects.get(subject).and_then(|subject| subject.side);
+        side.is_some() && side != self.settings.template_side
+    }
+}
+
+/// The mirror image in `x = 0`, faces outwards still.
+///
+/// # Errors
+/// Those of [`SurfaceMesh::moved`].
+pub(crate) fn mirrored(mesh: &SurfaceMesh) -> Result<SurfaceMesh, MeshError> {
+    mesh.moved(&IN_X)
+}
+
+/// Points of a record in the coordinates of the subject's file.
+pub(crate) fn in_file(points: Vec<Point3<f64>>, is_mirrored: bool) -> Vec<Point3<f64>> {
+    if is_mirrored { points.into_iter().map(|p| Point3::new(-p.x, p.y, p.z)).collect() } else { points }
+}
+
+/// The template with the points of a record, in the coordinates of the subject's file.
+///
+/// # Errors
+/// Those of [`SurfaceMesh::with_vertices`].
+pub(crate) fn bent(
+    template: &SurfaceMesh,
+    points: Vec<Point3<f64>>,
+    is_mirrored: bool,
+) -> Result<SurfaceMesh, MeshError> {
+    let bent = template.with_vertices(points)?;
+    if is_mirrored { mirrored(&bent) } else { Ok(bent) }
+}

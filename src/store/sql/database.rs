@@ -38,6 +38,7 @@ const SQLITE_MIGRATIONS: &[(i64, &str, &str)] = &[
     (8, "tickets", include_str!("migrations/sqlite/0008_tickets.sql")),
     (9, "studies", include_str!("migrations/sqlite/0009_studies.sql")),
     (10, "clock", include_str!("migrations/sqlite/0010_clock.sql")),
+    (11, "waits", include_str!("migrations/sqlite/0011_waits.sql")),
 ];
 /// Migrations of PostgreSQL, in the same form.
 const POSTGRES_MIGRATIONS: &[(i64, &str, &str)] = &[
@@ -50,6 +51,7 @@ const POSTGRES_MIGRATIONS: &[(i64, &str, &str)] = &[
     (7, "tickets", include_str!("migrations/postgres/0007_tickets.sql")),
     (8, "studies", include_str!("migrations/postgres/0008_studies.sql")),
     (9, "clock", include_str!("migrations/postgres/0009_clock.sql")),
+    (10, "waits", include_str!("migrations/postgres/0010_waits.sql")),
 ];
 
 /// Time limit for SQLite: for the write lock that another process holds, and for a free connection.

@@ -61,7 +61,7 @@ pub(crate) fn build_model(
         PairwiseDistance::Geodesic => LabelDistance::Geodesic,
     };
     let labels = label_neighborhoods(target.mesh(), energy.neighborhood_rings as usize, distance);
-    let mut unary = unary_potentials(&features, energy.alpha, energy.feature_cap, energy.minkowski_p);
+    let mut unary = unary_potentials(&features, energy.alpha, energy.feature_cap, energy.minkowski_p, observer)?;
     add_landmarks(&mut unary, source, target, &parameters.landmarks);
     Ok(MrfModel {
         variables,

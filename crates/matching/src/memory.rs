@@ -2,6 +2,7 @@
 
 use crate::comparison::field_methods;
 use crate::surface::form::BendingInvariantForm;
+use crate::surface::levels::Levels;
 use homolog_contract::parameters::{Algorithm, Bending, DisplacementMode, FeatureKind, MatchParameters};
 
 /// Memory of a match for each vertex of either surface, bytes, without messages: 568 MiB were measured at 2 × 155,000.
@@ -44,7 +45,7 @@ fn described_numbers(parameters: &MatchParameters) -> u64 {
 /// On the level on which the energy is minimised: the messages once and a quarter of them again (those that are read while
 /// they are replaced), in 32 or 16 bits, and two tables of unary potentials in 32; a share for each vertex; and that of a
 /// method of the field for each vertex of the thinned surfaces that it is given, the bending-invariant forms, and descriptors of many
-/// channels of the whole surfaces. A closed
+/// channels. A closed
 /// surface of genus 0 has `V + F − 2` edges, whatever its faces.
 pub fn match_memory_bytes(source: (usize, usize), target_vertices: usize, parameters: &MatchParameters) -> u64 {
     let (mut vertices, faces, mut labels) = (source.0 as u64, source.1 as u64, target_vertices as u64);
@@ -65,7 +66,8 @@ pub fn match_memory_bytes(source: (usize, usize), target_vertices: usize, parame
     if parameters.inference.algorithm == Algorithm::None {
         return each;
     }
-    let each = each + 8 * described_numbers(parameters) * (vertices + labels);
+    let n_measured = |n: u64| Levels::n_measured(n as usize, parameters.inference.coarse_vertices) as u64;
+    let each = each + 8 * described_numbers(parameters) * (n_measured(vertices) + n_measured(labels));
     let mut directed_edges = 2 * (vertices + faces).saturating_sub(2);
     if let Some(coarse) = parameters.inference.coarse_vertices.map(u64::from) {
         labels = labels.min(coarse);

@@ -2,7 +2,7 @@
 #              SOURCE=a.nii.gz TARGET=b.nii.gz: use your own pair; KEEP=1: leave the service running
 # make test    all tests that this machine can run, fault injection in a short form; it lists those that were skipped, and
 #              why; HOMOLOG_REAL_DATA=dir: the real data that some need
-# make faults  fault injection in full length, half an hour: processes killed, databases stopped, disks filled;
+# make faults  fault injection in full length, an hour: processes and children killed, databases stopped, disks filled;
 #              TEST=a06: only the test of that name
 # make soak    an hour of mixed load with faults: memory and open files must not grow, nothing be lost; SECONDS=600: shorter;
 #              the record is target/soak.md

@@ -51,6 +51,7 @@ const ANSWERS: &[(&str, &str)] = &[
     ("submit_study", file!("study_queued.json")),
     ("list_studies", file!("study_list.json")),
     ("get_study", file!("study.json")),
+    ("list_study_subjects", file!("study_subject_list.json")),
     ("cancel_study", file!("study_queued.json")),
     ("add_study_subjects", file!("study_queued.json")),
     ("decide_study_subject", file!("study_queued.json")),

@@ -1,4 +1,4 @@
-//! `?fields=`: lists with only the members that a client wants.
+//! `?fields=`: lists, and documents, with only the members that a client wants.
 
 use super::problem::Problem;
 use super::query::QueryString;
@@ -10,7 +10,7 @@ use std::collections::BTreeSet;
 use std::marker::PhantomData;
 use utoipa::PartialSchema;
 
-/// The members that the entries `E` of a list keep; `None` for all.
+/// The members that the entries `E` of a list, or a document `E`, keep; `None` for all.
 #[derive(Debug)]
 pub(super) struct Fields<E> {
     kept: Option<BTreeSet<String>>,
@@ -27,12 +27,30 @@ impl<E: PartialSchema> Fields<E> {
                 schema["properties"].as_object().into_iter().flat_map(Map::keys).cloned().collect();
             if !asked.is_subset(&known) {
                 let known: Vec<_> = known.into_iter().collect();
-                let detail = format!("must be members of the entries of the list: {}", known.join(", "));
+                let detail = format!("must be members of what is answered: {}", known.join(", "));
                 query.fault("fields", "out_of_range", detail);
             }
             asked
         });
         Fields { kept, entries: PhantomData }
+    }
+
+    /// Whether the member `name` is wanted.
+    pub(super) fn wants(&self, name: &str) -> bool {
+        self.kept.as_ref().is_none_or(|kept| kept.contains(name))
+    }
+
+    /// The JSON of a document, of these members only.
+    ///
+    /// # Errors
+    /// A document that JSON cannot represent.
+    pub(super) fn json(&self, document: &impl Serialize) -> Result<Vec<u8>, Problem> {
+        let Some(kept) = &self.kept else { return serde_json::to_vec(document).map_err(|e| Problem::internal(&e)) };
+        let mut document = serde_json::to_value(document).map_err(|e| Problem::internal(&e))?;
+        if let Value::Object(members) = &mut document {
+            members.retain(|member, _| kept.contains(member));
+        }
+        serde_json::to_vec(&document).map_err(|e| Problem::internal(&e))
     }
 
     /// The answer with the page of a list: of the entries in its list `name`, these members only.

@@ -5,8 +5,8 @@ use super::strict_json::{Parameters, SentLabels, object, objects};
 use super::submission::SubmittedInputDocument;
 use crate::jobs::documents::{BodySide, MatchParameters, PartialParameters};
 use crate::jobs::mesh::content_id;
-use crate::jobs::study::{DecisionVerdict, StudyDefinition, StudyQuestions, SubjectRole};
-use crate::jobs::{Study, StudyState};
+use crate::jobs::study::{DecisionVerdict, StudyQuestions, SubjectRole};
+use crate::jobs::{OutlinedSubject, Study, StudyOutline, StudyState};
 use jiff::Timestamp;
 use serde::de::{Error, MapAccess, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
@@ -310,7 +310,7 @@ pub(crate) struct StudyDocument {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schema(value_type = Option<MatchParameters>)]
     pub(crate) parameters: Option<Value>,
-    /// Its subjects; not in lists.
+    /// Its first 500 subjects, in the order in which they were added; not in lists. `links.subjects` has all, in pages.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub(crate) subjects: Option<Vec<StudySubjectStateDocument>>,
     /// Paths of related resources.
@@ -356,6 +356,8 @@ pub(crate) struct StudyLinks {
     pub(crate) study: String,
     /// Its matches.
     pub(crate) jobs: String,
+    /// Its subjects.
+    pub(crate) subjects: String,
     /// Its figures, if it is finished.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub(crate) result: Option<String>,
@@ -375,6 +377,16 @@ pub(crate) struct StudyLinks {
 pub(crate) struct StudyListDocument {
     /// The studies, newest first.
     pub(crate) studies: Vec<StudyDocument>,
+    /// `page_token` of the next page; absent on the last one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) next_page_token: Option<String>,
+}
+
+/// A page of the list of a study's subjects.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, ToSchema)]
+pub(crate) struct StudySubjectListDocument {
+    /// The subjects, in the order in which they were added.
+    pub(crate) subjects: Vec<StudySubjectStateDocument>,
     /// `page_token` of the next page; absent on the last one.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) next_page_token: Option<String>,
@@ -405,27 +417,29 @@ pub(crate) struct StudyResultDocument {
     pub(crate) found: Value,
 }
 
+impl StudySubjectStateDocument {
+    /// What is shown of a subject.
+    pub(crate) fn of(subject: &OutlinedSubject) -> Self {
+        let decided = subject.decision.as_ref();
+        StudySubjectStateDocument {
+            id: subject.id.clone(),
+            hash: content_id(&subject.hash),
+            role: subject.role,
+            side: subject.side,
+            decision: decided.map(|decided| decided.decision),
+            reason: decided.map(|decided| decided.reason.clone()),
+        }
+    }
+}
+
 impl StudyDocument {
-    /// A study with its subjects, if they are known.
-    pub(crate) fn of(study: &Study, definition: Option<&StudyDefinition>) -> Self {
+    /// A study with its parameters and a page of its subjects, if they are known.
+    pub(crate) fn of(study: &Study, outline: Option<&StudyOutline>) -> Self {
         let path = format!("/v1/studies/{}", study.id);
         let has_result = study.state == StudyState::Finished && study.purged_at.is_none();
         let part = |name: &str| has_result.then(|| format!("{path}/{name}"));
         let (matches_done, matches_total) = study.matches();
-        let subjects = definition.map(|definition| {
-            let subject = |of: &crate::jobs::study::StudySubject| {
-                let decided = definition.decisions.iter().find(|decision| decision.id == of.id);
-                StudySubjectStateDocument {
-                    id: of.id.clone(),
-                    hash: content_id(&of.input.hash),
-                    role: of.role,
-                    side: of.side,
-                    decision: decided.map(|decided| decided.decision),
-                    reason: decided.map(|decided| decided.reason.clone()),
-                }
-            };
-            definition.subjects.iter().map(subject).collect()
-        });
+        let subjects = outline.map(|outline| outline.subjects.iter().map(StudySubjectStateDocument::of).collect());
         StudyDocument {
             id: study.id.to_string(),
             state: study.state,
@@ -440,10 +454,11 @@ impl StudyDocument {
             finished_at: study.finished_at,
             expires_at: study.expires_at,
             error: study.error.as_ref().map(failure_document),
-            parameters: definition.map(|definition| definition.parameters.clone()),
+            parameters: outline.map(|outline| outline.parameters.clone()),
             subjects,
             links: StudyLinks {
                 jobs: format!("/v1/jobs?study={}", study.id),
+                subjects: format!("{path}/subjects"),
                 result: part("result"),
                 report: part("report"),
                 archive: part("archive"),

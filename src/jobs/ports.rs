@@ -361,6 +361,11 @@ pub trait Housekeeping: Send + Sync {
     /// Whether the database's clock was set since the last call of this process.
     async fn clock_was_set(&self) -> Result<bool, JobError>;
 
+    /// Shortens every stored wait that is longer than it was when it was stored, or than any of its kind can be, because the
+    /// database's clock was set back since: pauses of webhooks and of their deliveries, leases, run times, reservations, holds and
+    /// tickets. Returns the number of those that were.
+    async fn bound_waits(&self) -> Result<u64, JobError>;
+
     /// Whether the clock was not plausible when this process last looked at it.
     fn clock_has_jumped(&self) -> bool;
 

@@ -4,7 +4,7 @@
 //! one process with another.
 
 use super::job::JobId;
-use tokio::sync::{Notify, broadcast};
+use tokio::sync::{Mutex, Notify, broadcast};
 
 /// Signals kept for a receiver that falls behind; one that misses some queries the store instead.
 const KEPT: usize = 256;
@@ -14,12 +14,14 @@ const KEPT: usize = 256;
 pub struct Signals {
     /// A job was queued.
     pub queued: Notify,
+    /// Held by what plans the next jobs of a study: a process has the definition of one at a time in memory for that.
+    pub planning: Mutex<()>,
     moved: broadcast::Sender<JobId>,
 }
 
 impl Default for Signals {
     fn default() -> Self {
-        Signals { queued: Notify::new(), moved: broadcast::Sender::new(KEPT) }
+        Signals { queued: Notify::new(), planning: Mutex::default(), moved: broadcast::Sender::new(KEPT) }
     }
 }
 

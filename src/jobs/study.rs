@@ -14,6 +14,7 @@ use super::ports::ArtifactKey;
 use super::state::JobState;
 use super::{Admission, JobError};
 use async_trait::async_trait;
+use homolog_contract::study::StudySize;
 use jiff::Timestamp;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
@@ -220,33 +221,6 @@ pub struct StudyDefinition {
     pub parameters: Value,
     /// What was decided, in the order of the first decision about each subject.
     pub decisions: Vec<SubjectDecision>,
-}
-
-/// How large a study is, as far as the memory and the time of its steps depend on it; numbers alone, so that a job's row can hold it.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-pub struct StudySize {
-    /// Subjects.
-    pub subjects: u64,
-    /// Vertices of the template: of the given one, of the subject that it is made from, or of the largest.
-    pub vertices: u64,
-    /// Faces of that surface.
-    pub faces: u64,
-    /// Covariates of all subjects together.
-    pub cells: u64,
-    /// Columns of the design, at most.
-    pub columns: u64,
-    /// Contrasts, at most.
-    pub contrasts: u64,
-    /// Measures that were asked for; `None`: all.
-    pub measures: Option<u64>,
-    /// Permutations of each test; `None`: the default of the engine.
-    pub permutations: Option<u64>,
-    /// Subjects among which consistency is measured.
-    pub ring: u64,
-    /// The largest file, bytes.
-    pub file_bytes: u64,
-    /// Whether a file is a label volume.
-    pub has_volumes: bool,
 }
 
 impl StudyDefinition {

@@ -15,6 +15,7 @@ use super::study::{
     PlannedMatch, STEP_METHOD, Study, StudyBlob, StudyChange, StudyDefinition, StudyId, StudyPlan, StudyProgress,
     StudyState, StudyStore, blob,
 };
+use bytes::Bytes;
 use serde_json::json;
 use std::sync::Arc;
 use std::time::Duration;
@@ -116,6 +117,7 @@ impl StudyProgression {
 
     /// A further step; what was matched until now is there before.
     async fn begin_step(&self, study: &Study, state: StudyState) -> Result<StudyChange, JobError> {
+        let _alone = self.signals.planning.lock().await;
         let definition = self.definition(study).await?;
         let size = |of: fn(&JobInput) -> u32| definition.subjects.iter().map(|s| of(&s.input)).max().unwrap_or(0);
         let first =
@@ -237,10 +239,13 @@ impl StudyProgression {
             n_faces: plan.template.n_faces,
             report: plan.template.report.clone(),
         };
-        let definition = self.definition(study).await?;
         let mut jobs = Vec::new();
-        for task in next {
-            jobs.push(self.match_job(study, &definition, &given, task)?);
+        {
+            let _alone = self.signals.planning.lock().await;
+            let definition = self.definition(study).await?;
+            for task in next {
+                jobs.push(self.match_job(study, &definition, &given, task)?);
+            }
         }
         let holder = format!("study:{}:{}", study.id, uuid::Uuid::new_v4());
         self.jobs.hold_blobs(&holder, std::slice::from_ref(&key), HOLD, None).await?;
@@ -301,11 +306,24 @@ pub async fn read_definition(
     tenant: &Tenant,
     id: StudyId,
 ) -> Result<StudyDefinition, JobError> {
-    let blobs = studies.study_blobs(tenant, id).await?;
-    let found = blobs.iter().find(|found| found.name == blob::DEFINITION).ok_or(JobError::Gone)?;
-    let bytes = artifacts.get(&found.key).await?;
+    let bytes = definition_bytes(studies, artifacts, tenant, id).await?;
     // Megabytes take a while, for which this thread has others to serve.
     let parsed = tokio::task::spawn_blocking(move || serde_json::from_slice(&bytes)).await;
     let parsed = parsed.map_err(|join| JobError::Unavailable(Box::new(join)))?;
     parsed.map_err(|error| JobError::corrupt("the definition of a study", error))
+}
+
+/// The stored definition of a study.
+///
+/// # Errors
+/// As [`read_definition`].
+pub(super) async fn definition_bytes(
+    studies: &dyn StudyStore,
+    artifacts: &dyn ArtifactStore,
+    tenant: &Tenant,
+    id: StudyId,
+) -> Result<Bytes, JobError> {
+    let blobs = studies.study_blobs(tenant, id).await?;
+    let found = blobs.iter().find(|found| found.name == blob::DEFINITION).ok_or(JobError::Gone)?;
+    artifacts.get(&found.key).await
 }

@@ -20,7 +20,7 @@ use std::time::Duration;
 const HOLD: Duration = Duration::from_secs(600);
 /// How long an idempotency key stays reserved for the request that is carried out. The process extends it as long as it lives;
 /// when it has ended in the middle, another request may take the key this soon.
-const BUSY: Duration = Duration::from_secs(10);
+pub(crate) const BUSY: Duration = Duration::from_secs(10);
 /// How often it is extended.
 const EXTENDED_EVERY: Duration = Duration::from_secs(3);
 /// Maximum number of faults of a batch that are reported.

@@ -14,6 +14,8 @@ const ROUND: Duration = Duration::from_secs(1);
 const ROUNDS_BETWEEN_SWEEPS: u64 = 600;
 /// Rounds between two purges of what has outlived its retention.
 const ROUNDS_BETWEEN_PURGES: u64 = 60;
+/// Rounds between two looks for waits that a clock has made longer.
+const ROUNDS_BETWEEN_BOUNDS: u64 = 60;
 /// Rounds for which nothing expires after the clock was set, so that whoever holds a lease can renew it by the new one.
 const ROUNDS_AFTER_SET: u64 = 60;
 /// Jobs purged in one round.
@@ -116,10 +118,18 @@ impl Housekeeper {
 
     /// One round; nothing expires before the round `expires_from`.
     async fn round(&self, round: u64, expires_from: &mut u64) -> Result<(), JobError> {
-        if self.store.clock_was_set().await? {
+        let was_set = self.store.clock_was_set().await?;
+        if was_set {
             tracing::warn!("the clock was set; nothing expires for a minute");
             *expires_from = round + ROUNDS_AFTER_SET;
             self.believes_clock().await?;
+        }
+        // It may have been set while no process ran.
+        if was_set || round.is_multiple_of(ROUNDS_BETWEEN_BOUNDS) {
+            let n_shorter = self.store.bound_waits().await?;
+            if n_shorter > 0 {
+                tracing::warn!(n_shorter, "the clock was set back: waits are as long as they were meant to be");
+            }
         }
         if round >= *expires_from {
             self.recover().await?;

@@ -7,8 +7,7 @@ use super::machine;
 use super::match_engine::file_name;
 use crate::jobs::engine::{Answer, Product};
 use crate::jobs::study::{
-    DecisionVerdict, PlannedMatch, StudyDefinition, StudyFault, StudyMaterial, StudyPlan, StudySize as Asked,
-    SubjectRole, blob,
+    DecisionVerdict, PlannedMatch, StudyDefinition, StudyFault, StudyMaterial, StudyPlan, SubjectRole, blob,
 };
 use crate::jobs::{
     ArtifactKind, Computation, ComputeError, ComputeInputs, Demand, Failure, InputBytes, InputRefusal, InputSummary,
@@ -16,6 +15,7 @@ use crate::jobs::{
 };
 use homolog_contract::input::BodySide;
 use homolog_contract::parameters::{MatchParameters, resolve};
+use homolog_contract::study::StudySize;
 use homolog_formats::write_zip;
 use homolog_primitives::observe::Observer;
 use homolog_run::intake::{IntakeLimits, prepare_surface};
@@ -24,7 +24,7 @@ use homolog_study::cohort::{Cohort, CohortError};
 use homolog_study::findings::find;
 use homolog_study::folder::{Decision, Folder, Verdict, decisions_table, record_name};
 use homolog_study::matching::Watcher;
-use homolog_study::memory::StudySize;
+use homolog_study::memory::{measures, permutations, step_bytes, tests};
 use homolog_study::output::write;
 use homolog_study::place::Inputs;
 use homolog_study::plan::{Purpose as Matching, Step, Study, Task, Template};
@@ -60,28 +60,7 @@ pub(super) struct StudyStep {
 impl StudyStep {
     /// The step of stored parameters.
     pub(super) fn restored(parameters: &Value) -> Self {
-        let size = parameters.get("size").and_then(|size| Asked::deserialize(size).ok());
-        StudyStep { size: size.map(|size| counted(&size)) }
-    }
-}
-
-/// The size of a study for those who compute it.
-fn counted(asked: &Asked) -> StudySize {
-    let Asked { subjects, vertices, faces, cells, columns, contrasts, ring, file_bytes, has_volumes, .. } = *asked;
-    let measures = asked.measures.unwrap_or(Measure::ALL.len() as u64);
-    let permutations = asked.permutations.unwrap_or(Analysis::default().permutations as u64);
-    StudySize {
-        subjects,
-        vertices,
-        faces,
-        cells,
-        columns,
-        contrasts,
-        measures,
-        permutations,
-        ring,
-        file_bytes,
-        has_volumes,
+        StudyStep { size: parameters.get("size").and_then(|size| StudySize::deserialize(size).ok()) }
     }
 }
 
@@ -92,18 +71,17 @@ fn counted(asked: &Asked) -> StudySize {
 pub(super) fn check_size(definition: &StudyDefinition, limits: &IntakeLimits) -> Result<(), InputRefusal> {
     let refusal =
         |detail: String| InputRefusal { code: "too-large".to_owned(), detail, topology: None, place_mm: None };
-    let size = counted(&definition.size());
-    let tests = size.tests();
+    let size = definition.size();
+    let StudySize { subjects, vertices, contrasts, .. } = size;
+    let (measures, permutations, tests) = (measures(&size), permutations(&size), tests(&size));
     if tests > MOST_TESTS {
-        let StudySize { permutations, vertices, measures, contrasts, .. } = size;
         return Err(refusal(format!(
             "{permutations} permutations of {vertices} vertices, {measures} measures and {contrasts} contrasts are {tests} tests, of which \
              a study may have {MOST_TESTS}; ask for fewer permutations, measures or contrasts, or for a smaller template"
         )));
     }
-    let (needed, limit) = (size.step_bytes(cores()), limits.max_match_bytes);
+    let (needed, limit) = (step_bytes(&size, cores()), limits.max_match_bytes);
     if needed > limit {
-        let StudySize { subjects, vertices, measures, contrasts, .. } = size;
         return Err(refusal(format!(
             "{subjects} subjects with a template of {vertices} vertices, {measures} measures and {contrasts} contrasts would take \
              {needed} bytes, which exceeds the limit of {limit}; a smaller template or fewer contrasts take less"
@@ -146,13 +124,11 @@ impl Computation for StudyStep {
             subjects: target.n_vertices.into(),
             vertices: source.n_vertices.into(),
             faces: source.n_faces.into(),
-            measures: Measure::ALL.len() as u64,
             contrasts: 1,
-            permutations: Analysis::default().permutations as u64,
             ..StudySize::default()
         };
         let size = self.size.unwrap_or_else(of_surfaces);
-        let memory_bytes = size.step_bytes(cores()).saturating_add(BESIDES);
+        let memory_bytes = step_bytes(&size, cores()).saturating_add(BESIDES);
         Demand { cores: (target.n_vertices as usize).clamp(1, CORES), memory_bytes }
     }
 

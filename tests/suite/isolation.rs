@@ -307,6 +307,38 @@ fn no_child_survives_the_service() {
     eventually("children end with their parent", || all.iter().all(|&pid| !exists(pid)).then_some(()));
 }
 
+/// The service is killed while its children compute, and started again over what it has stored.
+#[test]
+fn a_killed_service_loses_no_job_and_leaves_no_child() {
+    let folder = tempfile::tempdir().unwrap();
+    let data_dir = folder.path().join("data");
+    let [source, target] = small_pair(&folder.path().join("small"), "3");
+    let arguments = [&ISOLATED[..], &["--workers", "2", "--cores", "2", "--crash-pause-ms", "0"]].concat();
+    let mut server = Server::start(&data_dir, &arguments);
+    let mut expected: Option<Value> = None;
+    for n_killed in 0..=length(4, 200) {
+        let jobs = [0, 1].map(|_| server.submit_anew(&source, &target, "{}"));
+        let known = children(server.pid());
+        if n_killed > 0 {
+            // At another place of the computation each time, before it has begun and after it has ended included.
+            std::thread::sleep(Duration::from_millis(n_killed * 37 % 500));
+            let all = [known, children(server.pid())].concat();
+            server.kill();
+            eventually("children end with their parent", || all.iter().all(|&pid| !exists(pid)).then_some(()));
+            server = Server::start(&data_dir, &arguments);
+        }
+        for id in jobs {
+            let job = server.until(&id, |job| job["finished_at"].is_string());
+            assert_eq!(job["state"], "succeeded", "kill {n_killed}: {job}");
+            let result = timeless(server.get(&format!("/v1/jobs/{id}/result")));
+            let expected = expected.get_or_insert_with(|| result.clone());
+            assert!(result == *expected, "the result after kill {n_killed} differs");
+        }
+    }
+    let listed = server.get("/v1/jobs?page_size=500&fields=state");
+    assert_eq!(listed["jobs"].as_array().unwrap().len() as u64, (2 * (length(4, 200) + 1)).min(500), "nothing twice");
+}
+
 /// The engine of the built program's children.
 fn isolated_engine() -> IsolatedEngine {
     let own = IsolationSettings::of_this_program(IntakeLimits::default(), 1 << 30).unwrap();

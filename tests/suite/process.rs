@@ -62,6 +62,16 @@ impl Server {
         response.json::<Value>().unwrap()["id"].as_str().unwrap().to_owned()
     }
 
+    /// As [`Server::submit_with`], and computed again though everything is equal.
+    pub(crate) fn submit_anew(&self, source: &[u8], target: &[u8], parameters: &str) -> String {
+        let file = |bytes: &[u8]| Part::bytes(bytes.to_vec()).file_name("a.ply");
+        let form = Form::new().part("source", file(source)).part("target", file(target));
+        let form = form.text("parameters", parameters.to_owned()).text("use_cache", "false");
+        let response = self.client.post(format!("{}/v1/jobs", self.base)).multipart(form).send().unwrap();
+        assert_eq!(response.status(), 202, "{}", response.text().unwrap());
+        response.json::<Value>().unwrap()["id"].as_str().unwrap().to_owned()
+    }
+
     pub(crate) fn until(&self, id: &str, done: impl Fn(&Value) -> bool) -> Value {
         let began = Instant::now();
         loop {

@@ -13,6 +13,7 @@ use crate::curvature::{cotangent_weights, vertex_areas};
 use crate::sparse::{Cholesky, CholeskyPattern, Place};
 use faer::{Mat, Side};
 use homolog_mesh::SurfaceMesh;
+use homolog_primitives::observe::{Cancelled, Observer, checkpoint_within};
 
 /// Vectors of a block: surfaces of anatomy have no eigenvalue of a higher multiplicity; a sphere's are 1, 3, 5, …, which the
 /// rounding of several blocks separates.
@@ -38,9 +39,12 @@ pub struct Spectrum {
 /// The `k` lowest eigenpairs of `mesh`; fewer if it has fewer vertices. `None` if no factorization exists: a number is not
 /// finite.
 ///
+/// # Errors
+/// [`Cancelled`], asked for every block of vectors.
+///
 /// # Cost
 /// One sparse Cholesky factorization, about `2.5 k` solves with it, and `O(n k²)`; memory `O(n k)`.
-pub fn spectrum(mesh: &SurfaceMesh, k: usize) -> Option<Spectrum> {
+pub fn spectrum(mesh: &SurfaceMesh, k: usize, observer: &dyn Observer) -> Result<Option<Spectrum>, Cancelled> {
     let n = mesh.n_vertices();
     let k = k.min(n);
     let mut areas = vertex_areas(mesh);
@@ -48,16 +52,16 @@ pub fn spectrum(mesh: &SurfaceMesh, k: usize) -> Option<Spectrum> {
     let least = LEAST_AREA * total / n as f64;
     areas.iter_mut().for_each(|a| *a = a.max(least));
     let shift = SHIFT / total;
-    let factor = shifted(mesh, &areas, shift)?;
+    let Some(factor) = shifted(mesh, &areas, shift) else { return Ok(None) };
     let roots: Vec<f64> = areas.iter().map(|a| a.sqrt()).collect();
     let apply = |block: &Mat<f64>| {
         let solved = factor.solve(n, block.ncols(), &|i, c| roots[i] * block[(i, c)]);
         Mat::from_fn(n, block.ncols(), |i, c| roots[i] * solved[(i, c)])
     };
-    let (inverse, vectors) = largest(n, k, &apply)?;
+    let Some((inverse, vectors)) = largest(n, k, &apply, observer)? else { return Ok(None) };
     let values = inverse.iter().map(|theta| (1.0 / theta - shift).max(0.0)).collect();
     let functions = Mat::from_fn(n, k, |i, c| vectors[(i, c)] / roots[i]);
-    Some(Spectrum { values, functions, areas })
+    Ok(Some(Spectrum { values, functions, areas }))
 }
 
 /// `L + s A`, factorized.
@@ -76,7 +80,12 @@ fn shifted(mesh: &SurfaceMesh, areas: &[f64], shift: f64) -> Option<Cholesky> {
 }
 
 /// The `k` largest eigenvalues, descending, and eigenvectors of the symmetric `n × n` operator `apply`.
-fn largest(n: usize, k: usize, apply: &dyn Fn(&Mat<f64>) -> Mat<f64>) -> Option<(Vec<f64>, Mat<f64>)> {
+fn largest(
+    n: usize,
+    k: usize,
+    apply: &dyn Fn(&Mat<f64>) -> Mat<f64>,
+    observer: &dyn Observer,
+) -> Result<Option<(Vec<f64>, Mat<f64>)>, Cancelled> {
     let block = BLOCK.min(n);
     let mut wanted = (2 * k + 8 * block).min(n);
     let mut stream = 0x9e37_79b9_7f4a_7c15u64;
@@ -85,6 +94,7 @@ fn largest(n: usize, k: usize, apply: &dyn Fn(&Mat<f64>) -> Mat<f64>) -> Option<
     let mut next: Vec<Vec<f64>> = (0..block).map(|_| random(n, &mut stream)).collect();
     loop {
         while basis.len() < wanted {
+            checkpoint_within(observer)?;
             let from = basis.len();
             for mut v in next.drain(..) {
                 // Whole blocks: a direction that is left out would never come back.
@@ -107,7 +117,7 @@ fn largest(n: usize, k: usize, apply: &dyn Fn(&Mat<f64>) -> Mat<f64>) -> Option<
         let q = Mat::from_fn(n, m, |i, c| basis[c][i]);
         let b = Mat::from_fn(n, m, |i, c| images[c][i]);
         let projected = q.transpose() * &b;
-        let eigen = projected.self_adjoint_eigen(Side::Lower).ok()?;
+        let Ok(eigen) = projected.self_adjoint_eigen(Side::Lower) else { return Ok(None) };
         // Ascending there.
         let order: Vec<usize> = (0..m).rev().take(k).collect();
         let values: Vec<f64> = order.iter().map(|&c| eigen.S().column_vector()[c]).collect();
@@ -117,10 +127,10 @@ fn largest(n: usize, k: usize, apply: &dyn Fn(&Mat<f64>) -> Mat<f64>) -> Option<
         let residual =
             |c: usize| (0..n).map(|i| (mapped[(i, c)] - values[c] * vectors[(i, c)]).powi(2)).sum::<f64>().sqrt();
         if values.iter().any(|v| !v.is_finite()) {
-            return None;
+            return Ok(None);
         }
         if m == n || (0..k).all(|c| residual(c) <= TOLERANCE * values[0].abs()) {
-            return Some((values, vectors));
+            return Ok(Some((values, vectors)));
         }
         wanted = (wanted + k + 2 * block).min(n);
     }
@@ -217,12 +227,13 @@ fn share(s: usize, n: usize) -> f64 {
 mod tests {
     use super::*;
     use homolog_mesh::shapes::ellipsoid;
+    use homolog_primitives::observe::Silent;
     use nalgebra::Vector3;
 
     #[test]
     fn the_sphere_has_the_eigenvalues_of_spherical_harmonics() {
         let radius = 3.0;
-        let found = spectrum(&ellipsoid(Vector3::new(radius, radius, radius), 4), 16).unwrap();
+        let found = spectrum(&ellipsoid(Vector3::new(radius, radius, radius), 4), 16, &Silent).unwrap().unwrap();
         let mut expected = Vec::new();
         for degree in 0..4u32 {
             expected.extend(vec![f64::from(degree * (degree + 1)) / (radius * radius); 2 * degree as usize + 1]);
@@ -236,7 +247,7 @@ mod tests {
     fn eigenfunctions_are_orthonormal_and_solve_the_equation_as_a_dense_solver_does() {
         let mesh = ellipsoid(Vector3::new(5.0, 3.0, 2.0), 2);
         let (n, k) = (mesh.n_vertices(), 20);
-        let found = spectrum(&mesh, k).unwrap();
+        let found = spectrum(&mesh, k, &Silent).unwrap().unwrap();
         let mut dense = Mat::<f64>::zeros(n, n);
         for w in cotangent_weights(&mesh) {
             dense[(w.i, w.j)] -= w.weight;
@@ -264,8 +275,8 @@ mod tests {
 
     #[test]
     fn signatures_do_not_depend_on_the_signs_and_fade_with_the_size() {
-        let small = spectrum(&ellipsoid(Vector3::new(5.0, 3.0, 2.0), 3), 40).unwrap();
-        let large = spectrum(&ellipsoid(Vector3::new(10.0, 6.0, 4.0), 3), 40).unwrap();
+        let small = spectrum(&ellipsoid(Vector3::new(5.0, 3.0, 2.0), 3), 40, &Silent).unwrap().unwrap();
+        let large = spectrum(&ellipsoid(Vector3::new(10.0, 6.0, 4.0), 3), 40, &Silent).unwrap().unwrap();
         for (a, b) in
             [(small.heat_signature(10), large.heat_signature(10)), (small.wave_signature(10), large.wave_signature(10))]
         {

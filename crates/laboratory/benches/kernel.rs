@@ -85,7 +85,7 @@ fn model(surfaces: &[SurfaceMesh; 2], rings: usize, beta: f64) -> MrfModel {
     let parts = Parts::new(surfaces, rings);
     MrfModel {
         pairwise: parts.pairwise(beta),
-        unary: unary_potentials(&[parts.feature], 2.0, 3.0, 1.0),
+        unary: unary_potentials(&[parts.feature], 2.0, 3.0, 1.0, &Silent).unwrap(),
         lengths: parts.lengths,
         labels: parts.labels,
         variables: parts.variables,

@@ -2,7 +2,8 @@
 
 use crate::comparison::field_methods;
 use crate::surface::form::BendingInvariantForm;
-use homolog_contract::parameters::{Algorithm, Bending, DisplacementMode, MatchParameters};
+use crate::surface::levels::Levels;
+use homolog_contract::parameters::{Algorithm, Bending, DisplacementMode, FeatureKind, MatchParameters};
 
 /// Memory of a match for each vertex of either surface, bytes, without messages: 568 MiB were measured at 2 × 155,000.
 const BYTES_PER_VERTEX: u64 = 2048;
@@ -16,12 +17,35 @@ const BYTES_PER_RESIZED_VERTEX: u64 = 800;
 /// further thread has one more start at work. Whether surfaces bend is not known from the numbers of vertices.
 const BYTES_OF_NEAR_ISOMETRIES: u64 = 44 << 20;
 
+/// Vectors of a surface while its lowest 80 eigenfunctions are found: a Krylov basis of 208, its images, both as matrices, and the
+/// functions with their images; and signatures.
+const SPECTRAL_VECTORS: u64 = 4 * 208 + 3 * 80;
+
+/// Numbers of each vertex that descriptors hold while the features of a surface are measured: channels, and those once more where
+/// principal components are made of them.
+fn described_numbers(parameters: &MatchParameters) -> u64 {
+    let channels = |kind: FeatureKind| match kind {
+        FeatureKind::SpinImage => 128,
+        FeatureKind::ShapeContext => 90,
+        FeatureKind::Fpfh => 2 * 33,
+        FeatureKind::Shot => 352,
+        FeatureKind::HeatKernelSignature | FeatureKind::WaveKernelSignature => 32,
+        _ => 0,
+    };
+    let kinds = || parameters.features.iter().map(|feature| feature.kind);
+    let is_spectral = |kind| matches!(kind, FeatureKind::HeatKernelSignature | FeatureKind::WaveKernelSignature);
+    let all: u64 = kinds().map(channels).sum();
+    let largest = kinds().map(channels).max().unwrap_or(0);
+    all + largest + if kinds().any(is_spectral) { SPECTRAL_VECTORS } else { 0 }
+}
+
 /// Peak memory of matching surfaces of these sizes, bytes; accurate to a tenth where messages dominate. `source` is the
 /// number of vertices and faces.
 ///
 /// On the level on which the energy is minimised: the messages once and a quarter of them again (those that are read while
 /// they are replaced), in 32 or 16 bits, and two tables of unary potentials in 32; a share for each vertex; and that of a
-/// method of the field for each vertex of the thinned surfaces that it is given, and the bending-invariant forms. A closed
+/// method of the field for each vertex of the thinned surfaces that it is given, the bending-invariant forms, and descriptors of many
+/// channels. A closed
 /// surface of genus 0 has `V + F − 2` edges, whatever its faces.
 pub fn match_memory_bytes(source: (usize, usize), target_vertices: usize, parameters: &MatchParameters) -> u64 {
     let (mut vertices, faces, mut labels) = (source.0 as u64, source.1 as u64, target_vertices as u64);
@@ -42,6 +66,8 @@ pub fn match_memory_bytes(source: (usize, usize), target_vertices: usize, parame
     if parameters.inference.algorithm == Algorithm::None {
         return each;
     }
+    let n_measured = |n: u64| Levels::n_measured(n as usize, parameters.inference.coarse_vertices) as u64;
+    let each = each + 8 * described_numbers(parameters) * (n_measured(vertices) + n_measured(labels));
     let mut directed_edges = 2 * (vertices + faces).saturating_sub(2);
     if let Some(coarse) = parameters.inference.coarse_vertices.map(u64::from) {
         labels = labels.min(coarse);

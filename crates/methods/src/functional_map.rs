@@ -87,9 +87,9 @@ pub fn register(
 ) -> Result<FunctionalMap, MethodError> {
     let singular = MethodError::Singular { method: "functional maps" };
     let size = options.last_size.min(source.n_vertices()).min(target.n_vertices());
-    let (of_source, of_target) = rayon::join(|| spectrum(source, size), || spectrum(target, size));
+    let (of_source, of_target) = rayon::join(|| spectrum(source, size, observer), || spectrum(target, size, observer));
     checkpoint(observer)?;
-    let (of_source, of_target) = (of_source.ok_or(singular.clone())?, of_target.ok_or(singular.clone())?);
+    let (of_source, of_target) = (of_source?.ok_or(singular.clone())?, of_target?.ok_or(singular.clone())?);
     let pair = Pair { source: &of_source, target: &of_target };
     let first = options.first_size.min(size);
     let index = ClosestPointIndex::new(target);

@@ -18,7 +18,7 @@ use crate::MethodError;
 use homolog_geometry::spectrum::spectrum;
 use homolog_mesh::repair::largest_component;
 use homolog_mesh::{ClosestPointIndex, SurfaceMesh};
-use homolog_primitives::observe::{Observer, checkpoint};
+use homolog_primitives::observe::{Observer, Silent, checkpoint};
 use nalgebra::{Matrix3, Point3, Rotation3, Vector3};
 use rayon::prelude::*;
 use std::f64::consts::TAU;
@@ -118,7 +118,7 @@ impl CenterLine {
     pub fn of(mesh: &SurfaceMesh, options: &MedialOptions) -> Option<CenterLine> {
         // On a surface of several pieces the first functions tell pieces apart, and do not run along any.
         let piece = &largest_component(mesh).mesh;
-        let found = spectrum(piece, 2)?;
+        let found = spectrum(piece, 2, &Silent).ok().flatten()?;
         if found.values.len() < 2 {
             return None;
         }

@@ -1,5 +1,6 @@
 //! Unary potentials from vertex features.
 
+use homolog_primitives::observe::{Cancelled, Observer, checkpoint_within};
 use rayon::prelude::*;
 
 /// One feature measured on both surfaces.
@@ -98,11 +99,24 @@ impl FeaturePotentials {
 /// The table `θ_i(x) = α · mean_f [ w_f · min(|f_i − f'_x| / s_f, τ)^p ]`, variable by variable.
 ///
 /// `alpha ≥ 0`, `cap` is `τ`, `order` is `p`. Cost `O(variables · labels · features)`, on all cores.
-pub fn unary_potentials(features: &[Feature], alpha: f64, cap: f64, order: f64) -> Vec<f32> {
+///
+/// # Errors
+/// [`Cancelled`], asked at every variable.
+pub fn unary_potentials(
+    features: &[Feature],
+    alpha: f64,
+    cap: f64,
+    order: f64,
+    observer: &dyn Observer,
+) -> Result<Vec<f32>, Cancelled> {
     let n_variables = features.first().map_or(0, |f| f.source.len());
     let n_labels = features.first().map_or(0, |f| f.target.len());
     let potentials = FeaturePotentials::new(features, alpha, cap, order);
     let mut table = vec![0.0f32; n_variables * n_labels];
-    table.par_chunks_mut(n_labels.max(1)).enumerate().for_each(|(i, row)| potentials.fill_row(i, row));
-    table
+    table.par_chunks_mut(n_labels.max(1)).enumerate().try_for_each(|(i, row)| {
+        checkpoint_within(observer)?;
+        potentials.fill_row(i, row);
+        Ok(())
+    })?;
+    Ok(table)
 }

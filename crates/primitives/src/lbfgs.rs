@@ -3,7 +3,7 @@
 //! Source: Nocedal, Wright, *Numerical Optimization*, 2006, algorithms 7.4 and 3.1; the preconditioner is the
 //! initial inverse Hessian, scaled as in their equation 7.20.
 
-use crate::observe::{Cancelled, Observer, checkpoint};
+use crate::observe::{Cancelled, Observer, checkpoint, checkpoint_within};
 use std::collections::VecDeque;
 
 /// Number of stored pairs of steps and gradient changes.
@@ -43,7 +43,7 @@ struct Pair {
 /// lower the value by less than the share `tolerance`.
 ///
 /// # Errors
-/// [`Cancelled`].
+/// [`Cancelled`], asked before every evaluation but the first.
 pub fn minimize(
     objective: &dyn Objective,
     mut x: Vec<f64>,
@@ -60,7 +60,7 @@ pub fn minimize(
     while iterations < max_iterations {
         checkpoint(observer)?;
         let direction = descent_direction(objective, &gradient, &memory, scale);
-        let Some(step) = line_search(objective, &x, value, &gradient, &direction) else {
+        let Some(step) = line_search(objective, &x, value, &gradient, &direction, observer)? else {
             if memory.is_empty() {
                 // Not even the preconditioned gradient is a descent direction: a minimum to rounding.
                 return Ok(Minimum { x, iterations, converged: true });
@@ -124,23 +124,25 @@ fn line_search(
     value: f64,
     gradient: &[f64],
     direction: &[f64],
-) -> Option<Evaluated> {
+    observer: &dyn Observer,
+) -> Result<Option<Evaluated>, Cancelled> {
     let slope = dot(gradient, direction);
     if slope >= 0.0 {
-        return None;
+        return Ok(None);
     }
     let mut trial = Evaluated { x: vec![0.0; x.len()], value: 0.0, gradient: vec![0.0; x.len()] };
     let mut length = 1.0;
     for _ in 0..HALVINGS {
+        checkpoint_within(observer)?;
         trial.x.copy_from_slice(x);
         add(&mut trial.x, length, direction);
         trial.value = objective.evaluate(&trial.x, &mut trial.gradient);
         if trial.value <= value + SUFFICIENT * length * slope && trial.value < value {
-            return Some(trial);
+            return Ok(Some(trial));
         }
         length /= 2.0;
     }
-    None
+    Ok(None)
 }
 
 fn dot(a: &[f64], b: &[f64]) -> f64 {

@@ -178,6 +178,14 @@ pub trait Observer: Sync {
     fn is_cancelled(&self) -> bool {
         self.inner().is_some_and(|inner| inner.is_cancelled())
     }
+    /// The same, asked within a step, from any thread: an observer that counts the steps by the calls of
+    /// [`Observer::is_cancelled`] does not count it.
+    fn is_stopped(&self) -> bool {
+        match self.inner() {
+            Some(inner) => inner.is_stopped(),
+            None => self.is_cancelled(),
+        }
+    }
 }
 
 /// Ignores all reports and never cancels.
@@ -191,10 +199,20 @@ impl Observer for Silent {}
 #[error("the computation was cancelled")]
 pub struct Cancelled;
 
-/// `Err(Cancelled)` once `observer` asks to stop. To be called between pieces of work of a few milliseconds.
+/// `Err(Cancelled)` once `observer` asks to stop. To be called between the steps of a computation, by which its progress is
+/// counted.
 ///
 /// # Errors
 /// [`Cancelled`].
 pub fn checkpoint(observer: &dyn Observer) -> Result<(), Cancelled> {
     if observer.is_cancelled() { Err(Cancelled) } else { Ok(()) }
+}
+
+/// `Err(Cancelled)` once `observer` asks to stop. To be called within a step, between pieces of work of some milliseconds, from any
+/// thread: it does not count as a step.
+///
+/// # Errors
+/// [`Cancelled`].
+pub fn checkpoint_within(observer: &dyn Observer) -> Result<(), Cancelled> {
+    if observer.is_stopped() { Err(Cancelled) } else { Ok(()) }
 }

@@ -3,6 +3,9 @@
 //! One place states the arrays: those who plan a study ask it before a match is made, and a test holds it above what an allocator
 //! counts (`tests/memory.rs`). `n` subjects, `v` vertices and `f` faces of the template, `t` threads.
 
+use crate::settings::{Analysis, Measure};
+use homolog_contract::study::StudySize;
+
 /// Vertices of a block of [`crate::model::gram`].
 const BLOCK: u64 = 512;
 /// Most modes that are kept.
@@ -30,93 +33,74 @@ const SCRATCH: u64 = 2 << 20;
 /// A label volume for each byte of its file: labels compress well, and are four bytes each.
 const VOLUME: u64 = 64;
 
-/// How large a study is, as far as its memory depends on it.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-pub struct StudySize {
-    /// Subjects.
-    pub subjects: u64,
-    /// Vertices of the template.
-    pub vertices: u64,
-    /// Its faces.
-    pub faces: u64,
-    /// Covariates of all subjects together.
-    pub cells: u64,
-    /// Columns of the design, at most.
-    pub columns: u64,
-    /// Contrasts, at most.
-    pub contrasts: u64,
-    /// Measures that are tested.
-    pub measures: u64,
-    /// Permutations of each test.
-    pub permutations: u64,
-    /// Subjects among which consistency is measured.
-    pub ring: u64,
-    /// The largest file, bytes.
-    pub file_bytes: u64,
-    /// Whether files may be label volumes.
-    pub has_volumes: bool,
+/// Measures that are tested.
+pub fn measures(size: &StudySize) -> u64 {
+    size.measures.unwrap_or(Measure::ALL.len() as u64)
 }
 
-impl StudySize {
-    /// Values of t that permutation tests compute: permutations × vertices × measures × contrasts.
-    pub fn tests(&self) -> u64 {
-        [self.permutations, self.vertices, self.measures, self.contrasts].into_iter().fold(1, u64::saturating_mul)
-    }
+/// Permutations of each test.
+pub fn permutations(size: &StudySize) -> u64 {
+    size.permutations.unwrap_or_else(|| Analysis::default().permutations as u64)
+}
 
-    /// Most bytes that a step of the study allocates on `threads` threads, without what the process has anyway.
-    pub fn step_bytes(&self, threads: usize) -> u64 {
-        let StudySize { subjects: n, vertices: v, faces: f, .. } = *self;
-        let t = (threads as u64).max(1);
-        let times = |parts: &[u64]| parts.iter().copied().fold(1, u64::saturating_mul);
-        let sum = |parts: &[u64]| parts.iter().copied().fold(0, u64::saturating_add);
-        let maps = times(&[self.contrasts, self.measures]);
-        let modes = MODES.min(n.saturating_sub(1));
-        // Positions of 24 bytes and faces of three corners of 4.
-        let surface = 24 * v + 12 * f;
-        // As VTK, in double precision with corners of 8 bytes, and as GIFTI, compressed and in base64.
-        let written = (24 * v + 32 * f) + (16 * v + 17 * f);
-        // Of each array: 8 bytes, and 4 in base64.
-        let array = 14 * v;
+/// Values of t that permutation tests compute: permutations × vertices × measures × contrasts.
+pub fn tests(size: &StudySize) -> u64 {
+    [permutations(size), size.vertices, measures(size), size.contrasts].into_iter().fold(1, u64::saturating_mul)
+}
 
-        // The records, as they were read and in the folder; those of the ring are four matches each.
-        let records = times(&[2, sum(&[n, times(&[4, self.ring])]), 12 * v + 1024]);
-        let table = sum(&[times(&[n, SUBJECT]), times(&[self.cells, CELL])]);
-        // The template as it was read, as it is matched, written, and in what is found; the mean; weights, areas, normals, the graph.
-        let surfaces = times(&[12, surface]) + 300 * v;
-        // A record and its points on each thread, the surface bent onto a subject, and what finds closest points on it.
-        let of_threads = times(&[t, SCRATCH + 120 * v + 3 * surface + 160 * f + times(&[6, self.volume_bytes()])]);
-        let held = sum(&[records, table, surfaces, of_threads]);
+/// Most bytes that a step of the study allocates on `threads` threads, without what the process has anyway.
+pub fn step_bytes(size: &StudySize, threads: usize) -> u64 {
+    let StudySize { subjects: n, vertices: v, faces: f, .. } = *size;
+    let t = (threads as u64).max(1);
+    let times = |parts: &[u64]| parts.iter().copied().fold(1, u64::saturating_mul);
+    let sum = |parts: &[u64]| parts.iter().copied().fold(0, u64::saturating_add);
+    let maps = times(&[size.contrasts, measures(size)]);
+    let modes = MODES.min(n.saturating_sub(1));
+    // Positions of 24 bytes and faces of three corners of 4.
+    let surface = 24 * v + 12 * f;
+    // As VTK, in double precision with corners of 8 bytes, and as GIFTI, compressed and in base64.
+    let written = (24 * v + 32 * f) + (16 * v + 17 * f);
+    // Of each array: 8 bytes, and 4 in base64.
+    let array = 14 * v;
 
-        let aligned = times(&[ALIGNED.min(n), 60 * v]);
-        // A block twice; the matrix of inner products, its parts, its components, and those without some subjects on each thread.
-        let gram = sum(&[times(&[2, BLOCK, 24, n]), times(&[8, n, n, 6 + 8 * t])]);
-        let of_modes = times(&[modes, 24 * v]);
-        let model = sum(&[aligned, gram, of_modes]);
+    // The records, as they were read and in the folder; those of the ring are four matches each.
+    let records = times(&[2, sum(&[n, times(&[4, size.ring])]), 12 * v + 1024]);
+    let table = sum(&[times(&[n, SUBJECT]), times(&[size.cells, CELL])]);
+    // The template as it was read, as it is matched, written, and in what is found; the mean; weights, areas, normals, the graph.
+    let surfaces = times(&[12, surface]) + 300 * v;
+    // A record and its points on each thread, the surface bent onto a subject, and what finds closest points on it.
+    let of_threads = times(&[t, SCRATCH + 120 * v + 3 * surface + 160 * f + times(&[6, volume_bytes(size)])]);
+    let held = sum(&[records, table, surfaces, of_threads]);
 
-        // Values by subject and by vertex, then those and the residuals; results of a contrast; counts, and scratch of each thread.
-        let values = times(&[16, n, v]);
-        let test = sum(&[240 * v, times(&[TASKS, 4 * v]), times(&[t, 80 * v]), times(&[48, self.permutations])]);
-        let kept = times(&[maps, 96 * v]);
-        let p = self.columns;
-        let design = sum(&[times(&[n, p, 64]), times(&[t, p, p, 48])]);
-        let statistics = sum(&[values, test, kept, of_modes, design, times(&[8, n, n])]);
+    let aligned = times(&[ALIGNED.min(n), 60 * v]);
+    // A block twice; the matrix of inner products, its parts, its components, and those without some subjects on each thread.
+    let gram = sum(&[times(&[2, BLOCK, 24, n]), times(&[8, n, n, 6 + 8 * t])]);
+    let of_modes = times(&[modes, 24 * v]);
+    let model = sum(&[aligned, gram, of_modes]);
 
-        let pictures = times(&[18, SHOWN_MODES * v + times(&[PICTURES, v]).min(PICTURE_VERTICES.max(v))]);
-        let page = times(&[PAGE_COPIES, sum(&[times(&[maps, 3 * v]), pictures, 17 * f, times(&[n.min(200), 1024])])]);
-        let files = sum(&[
-            times(&[n, written + 3 * array + if self.has_volumes { 2 * self.file_bytes } else { 0 }]),
-            times(&[WRITTEN_SURFACES, written + array]),
-            times(&[maps, written + 11 * array + MAP]),
-            times(&[n, SUBJECT]),
-        ]);
-        let writing = sum(&[files, page, kept, of_modes, times(&[t, 2 * written + 11 * array])]);
-        // The archive has every file, and the records.
-        let archive = sum(&[times(&[2, files]), page / PAGE_COPIES, records]);
-        sum(&[held, model.max(statistics).max(writing).max(archive)])
-    }
+    // Values by subject and by vertex, then those and the residuals; results of a contrast; counts, and scratch of each thread.
+    let values = times(&[16, n, v]);
+    let test = sum(&[240 * v, times(&[TASKS, 4 * v]), times(&[t, 80 * v]), times(&[48, permutations(size)])]);
+    let kept = times(&[maps, 96 * v]);
+    let p = size.columns;
+    let design = sum(&[times(&[n, p, 64]), times(&[t, p, p, 48])]);
+    let statistics = sum(&[values, test, kept, of_modes, design, times(&[8, n, n])]);
 
-    /// The labels of the largest volume.
-    fn volume_bytes(&self) -> u64 {
-        if self.has_volumes { self.file_bytes.saturating_mul(VOLUME).min(1 << 30) } else { self.file_bytes }
-    }
+    let pictures = times(&[18, SHOWN_MODES * v + times(&[PICTURES, v]).min(PICTURE_VERTICES.max(v))]);
+    let page = times(&[PAGE_COPIES, sum(&[times(&[maps, 3 * v]), pictures, 17 * f, times(&[n.min(200), 1024])])]);
+    let files = sum(&[
+        times(&[n, written + 3 * array + if size.has_volumes { 2 * size.file_bytes } else { 0 }]),
+        times(&[WRITTEN_SURFACES, written + array]),
+        times(&[maps, written + 11 * array + MAP]),
+        times(&[n, SUBJECT]),
+    ]);
+    let writing = sum(&[files, page, kept, of_modes, times(&[t, 2 * written + 11 * array])]);
+    // The archive has every file, and the records.
+    let archive = sum(&[times(&[2, files]), page / PAGE_COPIES, records]);
+    sum(&[held, model.max(statistics).max(writing).max(archive)])
+}
+
+/// The labels of the largest volume.
+fn volume_bytes(size: &StudySize) -> u64 {
+    if size.has_volumes { size.file_bytes.saturating_mul(VOLUME).min(1 << 30) } else { size.file_bytes }
 }

@@ -3,6 +3,7 @@
 #![allow(unsafe_code, reason = "an allocator that counts can only be written so")]
 
 use homolog_contract::parameters::{Method, preset};
+use homolog_contract::study::StudySize;
 use homolog_formats::ply::write_ply;
 use homolog_formats::write_zip;
 use homolog_mesh::shapes::ellipsoid;
@@ -10,7 +11,7 @@ use homolog_study::cohort::Cohort;
 use homolog_study::findings::find;
 use homolog_study::folder::{Folder, record_name};
 use homolog_study::matching::Watcher;
-use homolog_study::memory::StudySize;
+use homolog_study::memory::step_bytes;
 use homolog_study::output::write;
 use homolog_study::place::Inputs;
 use homolog_study::plan::{Step, Study};
@@ -82,8 +83,8 @@ fn step(subjects: usize, levels: u32, contrasts: usize, covariates: usize, permu
         cells: (subjects * (covariates + 1)) as u64,
         columns: 2,
         contrasts: contrasts as u64,
-        measures: measures.len() as u64,
-        permutations: permutations as u64,
+        measures: Some(measures.len() as u64),
+        permutations: Some(permutations as u64),
         ring: 0,
         file_bytes: 64,
         has_volumes: false,
@@ -138,7 +139,7 @@ fn step(subjects: usize, levels: u32, contrasts: usize, covariates: usize, permu
     });
     let most = MOST.load(Ordering::Relaxed) - before;
     drop(archive);
-    (size.step_bytes(THREADS), most as u64)
+    (step_bytes(&size, THREADS), most as u64)
 }
 
 #[test]

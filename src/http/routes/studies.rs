@@ -1,6 +1,6 @@
 //! `/v1/studies`: what a group of subjects shows.
 
-use super::{page, small_json, study_id};
+use super::{page, study_id};
 use crate::http::auth::{Reader, Submitter};
 use crate::http::content::{Counted, Wanted, streamed, wanted};
 use crate::http::fields::Fields;
@@ -12,8 +12,7 @@ use crate::http::representation::PAGE_POLICY;
 use crate::http::router::{HttpState, IN_MEMORY};
 use crate::http::shares::{Origin, Taken};
 use crate::http::study_wire::{
-    AddedSubjectsDocument, DecisionDocument, StudyDocument, StudyListDocument, StudyResultDocument,
-    StudySubjectDocument, StudySubmissionDocument,
+    StudyDocument, StudyListDocument, StudyResultDocument, StudySubjectDocument, StudySubmissionDocument,
 };
 use crate::http::submission::{SentDetails, check_details, media_type, read_json, study_input};
 use crate::http::upload::Tap;
@@ -24,13 +23,12 @@ use axum::body::Body;
 use axum::extract::{Path, Request, State};
 use axum::http::{HeaderMap, HeaderValue, Method, StatusCode, header};
 use axum::response::{IntoResponse, Response};
-use bytes::Bytes;
 use serde::de::DeserializeOwned;
 
-/// Longest reason of a decision, bytes.
-const MAX_REASON: usize = 1000;
 /// Longest id of a subject, bytes: it names files.
 const MAX_ID: usize = 200;
+/// Subjects in the document of a study; the list of its subjects has the others.
+const SHOWN_SUBJECTS: usize = 500;
 /// Most faults listed in an answer.
 const NAMED_FAULTS: usize = 16;
 
@@ -125,7 +123,7 @@ async fn take(
 }
 
 /// The document in a JSON body that may contain files.
-async fn body<T: DeserializeOwned>(
+pub(super) async fn body<T: DeserializeOwned>(
     state: &HttpState,
     tenant: &Tenant,
     request: Request,
@@ -141,7 +139,7 @@ async fn body<T: DeserializeOwned>(
 }
 
 /// Subjects whose fields are within their limits.
-fn checked(
+pub(super) fn checked(
     subjects: Vec<StudySubjectDocument>,
     state: &HttpState,
     mut faults: Vec<FieldError>,
@@ -168,7 +166,7 @@ fn checked(
 }
 
 /// 202 with the study.
-fn accepted(study: &Study) -> Response {
+pub(super) fn accepted(study: &Study) -> Response {
     let document = StudyDocument::of(study, None);
     let headers = [(header::LOCATION, document.links.study.clone()), (header::RETRY_AFTER, "1".to_owned())];
     (StatusCode::ACCEPTED, headers, Json(document)).into_response()
@@ -204,12 +202,17 @@ pub(crate) async fn list(
 
 /// Get a study
 ///
-/// Its state, how far its matches are, and its subjects with what was decided about them.
+/// Its state, how far its matches are, and the first of its subjects with what was decided about them. `fields` selects members:
+/// `?fields=id,state,progress` is enough to follow it.
 #[utoipa::path(
     get, path = "/v1/studies/{id}", tag = "studies", operation_id = "get_study",
-    params(("id" = String, Path, description = "The study")),
+    params(
+        ("id" = String, Path, description = "The study"),
+        ("fields" = Option<String>, Query, description = "Members to be answered, separated by commas; all if absent"),
+    ),
     responses(
         (status = 200, description = "The study", body = StudyDocument),
+        (status = 400, description = "Invalid query parameters", body = ProblemDocument, content_type = "application/problem+json"),
         (status = 404, description = "No such study", body = ProblemDocument, content_type = "application/problem+json"),
     )
 )]
@@ -218,29 +221,44 @@ pub(crate) async fn get(
     Reader(tenant): Reader,
     origin: Origin,
     Path(id): Path<String>,
-    query: QueryString,
+    mut query: QueryString,
 ) -> Result<Response, Problem> {
+    let fields = Fields::<StudyDocument>::of(&mut query);
     query.finish()?;
     let id = study_id(&id)?;
-    let memory = definition_memory(&state, &tenant, origin, id).await?;
+    if !fields.wants("subjects") && !fields.wants("parameters") {
+        let study = state.service.study(&tenant, id).await?;
+        return Ok((JSON, fields.json(&StudyDocument::of(&study, None))?).into_response());
+    }
+    let memory = definition_memory(&state, &tenant, origin, id, OUTLINE_MEMORY).await?;
     let study = state.service.study(&tenant, id).await?;
-    let definition = state.service.study_definition(&tenant, id).await?;
-    // Megabytes take a while, for which this thread has others to serve.
-    let written = tokio::task::spawn_blocking(move || {
-        serde_json::to_vec(&StudyDocument::of(&study, definition.as_ref())).map(Bytes::from)
-    });
-    let bytes = written.await.map_err(|join| Problem::internal(&join))?.map_err(|error| Problem::internal(&error))?;
-    let headers = [(header::CONTENT_TYPE, "application/json")];
-    Ok((headers, Body::new(Counted::new(bytes, memory))).into_response())
+    let places = 0..if fields.wants("subjects") { SHOWN_SUBJECTS } else { 0 };
+    let outline = state.service.study_outline(&tenant, id, places).await?;
+    Ok(counted(fields.json(&StudyDocument::of(&study, outline.as_ref()))?, memory))
 }
 
-/// What a definition takes of memory for each byte that is stored of it: names, numbers and texts of covariates have places of their
-/// own, and a change holds it twice.
-const DEFINITION_MEMORY: u64 = 64;
+const JSON: [(header::HeaderName, &str); 1] = [(header::CONTENT_TYPE, "application/json")];
 
-/// Memory for reading the definition of a study, taken before it is read.
-async fn definition_memory(state: &HttpState, tenant: &Tenant, origin: Origin, id: StudyId) -> Result<Taken, Problem> {
-    let n_bytes = state.service.study_definition_bytes(tenant, id).await?.saturating_mul(DEFINITION_MEMORY);
+/// An answer of JSON whose memory is counted until it is sent.
+pub(super) fn counted(json: Vec<u8>, memory: Taken) -> Response {
+    (JSON, Body::new(Counted::new(json.into(), memory))).into_response()
+}
+
+/// What a change of a definition takes of memory for each byte that is stored of it: names, numbers and texts of covariates have
+/// places of their own, and a change holds it twice.
+pub(super) const CHANGE_MEMORY: u64 = 64;
+/// What a page of its subjects takes: the stored bytes, the decisions and the page.
+pub(super) const OUTLINE_MEMORY: u64 = 4;
+
+/// Memory for reading the definition of a study, `factor` times its stored size, taken before it is read.
+pub(super) async fn definition_memory(
+    state: &HttpState,
+    tenant: &Tenant,
+    origin: Origin,
+    id: StudyId,
+    factor: u64,
+) -> Result<Taken, Problem> {
+    let n_bytes = state.service.study_definition_bytes(tenant, id).await?.saturating_mul(factor);
     state.answer_memory(tenant, origin, usize::try_from(n_bytes).unwrap_or(usize::MAX)).await
 }
 
@@ -289,115 +307,6 @@ pub(crate) async fn cancel(
 ) -> Result<Response, Problem> {
     query.finish()?;
     Ok(accepted(&state.service.cancel_study(&tenant, study_id(&id)?).await?))
-}
-
-/// Add subjects to a study
-///
-/// Each costs one match; the template is kept. The study goes on, also from a final state.
-#[utoipa::path(
-    post, path = "/v1/studies/{id}/subjects", tag = "studies", operation_id = "add_study_subjects",
-    params(("id" = String, Path, description = "The study")),
-    request_body = AddedSubjectsDocument,
-    responses(
-        (status = 202, description = "Accepted", body = StudyDocument, headers(
-            ("Location" = String, description = "The study"), ("Retry-After" = u32, description = "Suggested delay before the next request, s"))),
-        (status = 400, description = "The body is malformed", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 404, description = "No such study", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 408, description = "The body took too long to arrive", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 410, description = "The study was deleted at the end of its retention time", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 413, description = "More subjects than a study can have, or a body beyond the limits", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 415, description = "Not JSON", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 422, description = "Invalid fields or inputs", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 429, description = "The queue is full", body = ProblemDocument, content_type = "application/problem+json"),
-    )
-)]
-pub(crate) async fn add_subjects(
-    State(state): State<HttpState>,
-    Submitter(tenant): Submitter,
-    Path(id): Path<String>,
-    query: QueryString,
-    request: Request,
-) -> Result<Response, Problem> {
-    let origin = Origin::of(request.extensions());
-    let (request, tap) = Tap::on(request, state.limits.max_body_bytes());
-    let taken = async {
-        query.finish()?;
-        let id = study_id(&id)?;
-        let AddedSubjectsDocument { subjects } = body(&state, &tenant, request, &tap).await?;
-        if subjects.is_empty() {
-            let fault = FieldError::new("/subjects", "missing", "at least one subject is required");
-            return Err(Problem::new(ProblemKind::InvalidRequest).errors(&[fault]));
-        }
-        let subjects = checked(subjects, &state, Vec::new())?;
-        let _memory = definition_memory(&state, &tenant, origin, id).await?;
-        Ok(state.service.add_subjects(&tenant, id, subjects).await?)
-    };
-    let taken = taken.await;
-    Ok(accepted(&tap.settle(taken).await?))
-}
-
-/// Decide about a subject
-///
-/// A subject that is kept stays in the model and the statistics whatever its match looks like; one that is dropped is left out.
-/// The study is computed again, without a match.
-#[utoipa::path(
-    put, path = "/v1/studies/{id}/subjects/{subject}/decision", tag = "studies", operation_id = "decide_study_subject",
-    params(("id" = String, Path, description = "The study"), ("subject" = String, Path, description = "Id of the subject")),
-    request_body = DecisionDocument,
-    responses(
-        (status = 202, description = "Recorded; the study is computed again", body = StudyDocument, headers(
-            ("Location" = String, description = "The study"), ("Retry-After" = u32, description = "Suggested delay before the next request, s"))),
-        (status = 400, description = "The body is malformed", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 404, description = "No such study, or it has no such subject", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 410, description = "The study was deleted at the end of its retention time", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 415, description = "Not JSON", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 422, description = "Invalid fields", body = ProblemDocument, content_type = "application/problem+json"),
-    )
-)]
-pub(crate) async fn decide(
-    State(state): State<HttpState>,
-    Submitter(tenant): Submitter,
-    origin: Origin,
-    Path((id, subject)): Path<(String, String)>,
-    query: QueryString,
-    request: Request,
-) -> Result<Response, Problem> {
-    let DecisionDocument { decision, reason } = small_json(&state, &tenant, request, query).await?;
-    if reason.len() > MAX_REASON || reason.chars().any(char::is_control) {
-        let detail = format!("must have at most {MAX_REASON} bytes and no control characters");
-        let fault = FieldError::new("/reason", "out_of_range", detail);
-        return Err(Problem::new(ProblemKind::InvalidRequest).errors(&[fault]));
-    }
-    let id = study_id(&id)?;
-    let _memory = definition_memory(&state, &tenant, origin, id).await?;
-    let study = state.service.decide(&tenant, id, &subject, Some((decision, reason))).await?;
-    Ok(accepted(&study))
-}
-
-/// Take back a decision about a subject
-///
-/// The study is computed again, without a match.
-#[utoipa::path(
-    delete, path = "/v1/studies/{id}/subjects/{subject}/decision", tag = "studies", operation_id = "undecide_study_subject",
-    params(("id" = String, Path, description = "The study"), ("subject" = String, Path, description = "Id of the subject")),
-    responses(
-        (status = 202, description = "Taken back; the study is computed again", body = StudyDocument, headers(
-            ("Location" = String, description = "The study"), ("Retry-After" = u32, description = "Suggested delay before the next request, s"))),
-        (status = 404, description = "No such study, or it has no such subject", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 410, description = "The study was deleted at the end of its retention time", body = ProblemDocument, content_type = "application/problem+json"),
-    )
-)]
-pub(crate) async fn undecide(
-    State(state): State<HttpState>,
-    Submitter(tenant): Submitter,
-    origin: Origin,
-    Path((id, subject)): Path<(String, String)>,
-    query: QueryString,
-) -> Result<Response, Problem> {
-    query.finish()?;
-    let id = study_id(&id)?;
-    let _memory = definition_memory(&state, &tenant, origin, id).await?;
-    Ok(accepted(&state.service.decide(&tenant, id, &subject, None).await?))
 }
 
 /// Get the result of a study

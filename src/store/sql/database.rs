@@ -10,47 +10,20 @@
 
 use super::dialect::{Dialect, Sql};
 use super::driver_errors::{domain_error, is_end_of_session, lost, refuse_nul};
+use super::migrations::{POSTGRES, SQLITE, migrator};
 use crate::jobs::JobError;
 use crate::store::private_files;
 use crate::store::space::Space;
-use sqlx::migrate::{Migration, MigrationType, Migrator};
 use sqlx::pool::PoolConnection;
 use sqlx::postgres::{PgConnectOptions, PgListener, PgPool, PgPoolOptions, PgRow};
 use sqlx::sqlite::{
     SqliteConnectOptions, SqliteJournalMode, SqlitePool, SqlitePoolOptions, SqliteRow, SqliteSynchronous,
 };
-use sqlx::{AssertSqlSafe, ColumnIndex, Postgres, Row as _, SqlSafeStr as _, Sqlite};
+use sqlx::{AssertSqlSafe, ColumnIndex, Postgres, Row as _, Sqlite};
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
 use std::sync::Arc;
 use std::time::Duration;
-
-/// Migrations in order: version, description, text. Listed by hand because sqlx's macro, which reads the folder at compile
-/// time, would build both database drivers a second time for the host.
-const SQLITE_MIGRATIONS: &[(i64, &str, &str)] = &[
-    (1, "jobs", include_str!("migrations/sqlite/0001_jobs.sql")),
-    (2, "service", include_str!("migrations/sqlite/0002_service.sql")),
-    (3, "fairness", include_str!("migrations/sqlite/0003_fairness.sql")),
-    (4, "audit", include_str!("migrations/sqlite/0004_audit.sql")),
-    (5, "verdict", include_str!("migrations/sqlite/0005_verdict.sql")),
-    (6, "encryption", include_str!("migrations/sqlite/0006_encryption.sql")),
-    (7, "audit_anchor", include_str!("migrations/sqlite/0007_audit_anchor.sql")),
-    (8, "tickets", include_str!("migrations/sqlite/0008_tickets.sql")),
-    (9, "studies", include_str!("migrations/sqlite/0009_studies.sql")),
-    (10, "clock", include_str!("migrations/sqlite/0010_clock.sql")),
-];
-/// Migrations of PostgreSQL, in the same form.
-const POSTGRES_MIGRATIONS: &[(i64, &str, &str)] = &[
-    (1, "service", include_str!("migrations/postgres/0001_service.sql")),
-    (2, "fairness", include_str!("migrations/postgres/0002_fairness.sql")),
-    (3, "audit", include_str!("migrations/postgres/0003_audit.sql")),
-    (4, "verdict", include_str!("migrations/postgres/0004_verdict.sql")),
-    (5, "encryption", include_str!("migrations/postgres/0005_encryption.sql")),
-    (6, "audit_anchor", include_str!("migrations/postgres/0006_audit_anchor.sql")),
-    (7, "tickets", include_str!("migrations/postgres/0007_tickets.sql")),
-    (8, "studies", include_str!("migrations/postgres/0008_studies.sql")),
-    (9, "clock", include_str!("migrations/postgres/0009_clock.sql")),
-];
 
 /// Time limit for SQLite: for the write lock that another process holds, and for a free connection.
 const SQLITE_TIMEOUT: Duration = Duration::from_secs(10);
@@ -67,13 +40,6 @@ const IDLE_IN_TRANSACTION: &str = "SET idle_in_transaction_session_timeout = '30
 /// The NOTIFY channel on which processes announce queued jobs. The name must not change: processes of two versions share
 /// it during a rolling update.
 const CHANNEL: &str = "homolog_queued";
-
-fn migrator(migrations: &[(i64, &'static str, &'static str)]) -> Migrator {
-    let migration = |&(version, description, text): &(i64, &'static str, &'static str)| {
-        Migration::new(version, description.into(), MigrationType::Simple, text.into_sql_str(), false)
-    };
-    Migrator::with_migrations(migrations.iter().map(migration).collect())
-}
 
 /// Location of the database.
 #[derive(Debug, Clone)]
@@ -131,7 +97,7 @@ impl Database {
                     .connect_with(options)
                     .await
                     .map_err(domain_error)?;
-                migrator(POSTGRES_MIGRATIONS).run(&pool).await.map_err(|e| JobError::Unavailable(Box::new(e)))?;
+                migrator(POSTGRES).run(&pool).await.map_err(|e| JobError::Unavailable(Box::new(e)))?;
                 Ok(Database::Postgres { pool, notify: *notify, space: Arc::default() })
             }
         }
@@ -302,7 +268,7 @@ async fn open_sqlite(folder: &Path) -> Result<Database, JobError> {
         .connect_with(options.clone())
         .await
         .map_err(domain_error)?;
-    migrator(SQLITE_MIGRATIONS).run(&writer).await.map_err(|e| JobError::Unavailable(Box::new(e)))?;
+    migrator(SQLITE).run(&writer).await.map_err(|e| JobError::Unavailable(Box::new(e)))?;
     drop(lock);
     let readers = SqlitePoolOptions::new()
         .max_connections(READERS)
@@ -604,7 +570,6 @@ async fn in_time<T>(limit: Duration, answer: impl Future<Output = Result<T, sqlx
 mod tests {
     use super::*;
     use crate::store::sql::dialect::sql;
-    use std::collections::BTreeSet;
 
     async fn sqlite() -> (tempfile::TempDir, Database) {
         let folder = tempfile::tempdir().unwrap();
@@ -684,17 +649,5 @@ mod tests {
         assert!(has_batch(&database, "late").await);
         let written = database.read(async |session| insert_batch(session, "forbidden").await).await;
         assert!(matches!(written, Err(JobError::Unavailable(_))), "{written:?}");
-    }
-
-    #[test]
-    fn every_migration_file_is_listed_with_the_version_and_description_of_its_name() {
-        for (folder, listed) in [("sqlite", SQLITE_MIGRATIONS), ("postgres", POSTGRES_MIGRATIONS)] {
-            let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/store/sql/migrations").join(folder);
-            let name = |entry: std::io::Result<std::fs::DirEntry>| entry.unwrap().file_name().into_string().unwrap();
-            let found: BTreeSet<String> = std::fs::read_dir(folder).unwrap().map(name).collect();
-            let expected: BTreeSet<String> =
-                listed.iter().map(|(version, description, _)| format!("{version:04}_{description}.sql")).collect();
-            assert_eq!(found, expected);
-        }
     }
 }

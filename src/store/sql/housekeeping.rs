@@ -6,13 +6,19 @@ use super::dialect::sql;
 use super::writing::end_job;
 use super::{SqlStore, retention, rows};
 use crate::jobs::{
-    ClockState, Failure, Housekeeping, JobError, JobId, JobState, Overdue, Purged, Recovered, Retentions, WorkerId,
-    state_after_crash,
+    ClockState, Failure, Housekeeping, JobError, JobId, JobState, Overdue, Purged, Recovered, Retentions, TICKET_LASTS,
+    WorkerId, state_after_crash,
 };
 use async_trait::async_trait;
 use std::sync::atomic::Ordering;
 use std::time::Duration;
 
+/// Longest lease that can be set.
+const LONGEST_LEASE: Duration = Duration::from_secs(3600);
+/// Longest hold on a blob.
+const LONGEST_HOLD: Duration = Duration::from_secs(3600);
+/// How long the key of a request in progress is reserved before it is reserved again.
+const LONGEST_REQUEST: Duration = crate::jobs::submission::BUSY;
 /// Longest wait of a job after a crash.
 const MAX_CRASH_PAUSE: Duration = Duration::from_secs(60);
 
@@ -100,6 +106,24 @@ impl Housekeeping for SqlStore {
 
     async fn clock_was_set(&self) -> Result<bool, JobError> {
         self.was_clock_set().await
+    }
+
+    async fn bound_waits(&self) -> Result<u64, JobError> {
+        let bounds = [
+            (sql!("bound_wait_of_deliveries"), bind![]),
+            (sql!("bound_wait_of_webhooks"), bind![]),
+            (sql!("bound_wait_of_removals"), bind![]),
+            (sql!("bound_wait_of_holds"), bind![LONGEST_HOLD]),
+            (sql!("bound_wait_of_requests"), bind![LONGEST_REQUEST]),
+            (sql!("bound_time_of_tickets"), bind![TICKET_LASTS]),
+            (sql!("bound_wait_of_leases"), bind![LONGEST_LEASE]),
+            (sql!("bound_run_time"), bind![]),
+        ];
+        let mut n_shorter = 0;
+        for (query, arguments) in bounds {
+            n_shorter += self.database.transaction(async |session| session.execute(query, arguments).await).await?;
+        }
+        Ok(n_shorter)
     }
 
     fn clock_has_jumped(&self) -> bool {

@@ -28,6 +28,7 @@ mod inspection;
 mod keys;
 mod leasing;
 mod meshes;
+mod migrations;
 mod once;
 mod reading;
 mod retention;

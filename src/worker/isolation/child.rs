@@ -62,7 +62,7 @@ fn serve(parent: Option<u32>) -> Result<(), FrameError> {
     lower_priority_of_global_pool();
     let scratch_bytes = after.data.saturating_sub(before.data);
     channel.tell(&Told::Ready { confinement, scratch_bytes }, &[])?;
-    let engine = MatchEngine::new(beginning.limits.into(), beginning.prepared_bytes);
+    let engine = MatchEngine::new(beginning.limits, beginning.prepared_bytes);
     loop {
         let (request, body) = match channel.read() {
             Err(FrameError::Closed) => return Ok(()),

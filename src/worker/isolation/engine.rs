@@ -114,7 +114,7 @@ impl IsolatedEngine {
         let IsolationSettings { program, limits, prepared_bytes, memory_bytes, at_once, cores, besides } = settings;
         let at_once = at_once.max(1);
         let share = (prepared_bytes / at_once as u64).max(LEAST_PREPARED.min(prepared_bytes));
-        let beginning = Beginning { version: super::child::version(), limits: limits.into(), prepared_bytes: share };
+        let beginning = Beginning { version: super::child::version(), limits, prepared_bytes: share };
         let upbringing = Upbringing { program, beginning, n_threads: cores, most_resting: at_once };
         let (children, confinement) = Children::start(upbringing)?;
         let most = Most { limits, budget: memory_bytes, besides };

@@ -18,67 +18,9 @@ pub(super) struct Beginning {
     /// The program that the parent is; a child of another one ends.
     pub(super) version: String,
     /// Limits on inputs.
-    pub(super) limits: WireLimits,
+    pub(super) limits: IntakeLimits,
     /// Memory for prepared surfaces that are kept, bytes.
     pub(super) prepared_bytes: u64,
-}
-
-/// [`IntakeLimits`].
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-pub(super) struct WireLimits {
-    max_bytes: usize,
-    max_inflated_bytes: usize,
-    max_inflation: usize,
-    max_vertices: usize,
-    max_faces: usize,
-    max_voxels: u64,
-    max_match_bytes: u64,
-}
-
-impl From<IntakeLimits> for WireLimits {
-    fn from(limits: IntakeLimits) -> Self {
-        let IntakeLimits {
-            max_bytes,
-            max_inflated_bytes,
-            max_inflation,
-            max_vertices,
-            max_faces,
-            max_voxels,
-            max_match_bytes,
-        } = limits;
-        WireLimits {
-            max_bytes,
-            max_inflated_bytes,
-            max_inflation,
-            max_vertices,
-            max_faces,
-            max_voxels,
-            max_match_bytes,
-        }
-    }
-}
-
-impl From<WireLimits> for IntakeLimits {
-    fn from(limits: WireLimits) -> Self {
-        let WireLimits {
-            max_bytes,
-            max_inflated_bytes,
-            max_inflation,
-            max_vertices,
-            max_faces,
-            max_voxels,
-            max_match_bytes,
-        } = limits;
-        IntakeLimits {
-            max_bytes,
-            max_inflated_bytes,
-            max_inflation,
-            max_vertices,
-            max_faces,
-            max_voxels,
-            max_match_bytes,
-        }
-    }
 }
 
 /// A request to a child; the next one comes after the last answer to it.
@@ -351,8 +293,13 @@ mod tests {
 
     #[test]
     fn limits_cross_unchanged() {
-        let limits = IntakeLimits { max_voxels: 7, max_inflation: 3, ..IntakeLimits::default() };
-        let text = serde_json::to_string(&WireLimits::from(limits)).unwrap();
-        assert_eq!(IntakeLimits::from(serde_json::from_str::<WireLimits>(&text).unwrap()), limits);
+        let limits =
+            IntakeLimits { max_voxels: 7, max_inflation: 3, max_match_bytes: u64::MAX, ..IntakeLimits::default() };
+        let beginning = Beginning { version: "v".to_owned(), limits, prepared_bytes: 1 };
+        let text = serde_json::to_string(&beginning).unwrap();
+        assert_eq!(serde_json::from_str::<Beginning>(&text).unwrap(), beginning);
+        // One more or one less is of another program.
+        let other = text.replacen("max_voxels", "most_voxels", 1);
+        assert!(serde_json::from_str::<Beginning>(&other).is_err());
     }
 }

@@ -6,13 +6,17 @@ use super::outages::wrong_clock;
 use super::site::{Backend, SOON, Site};
 use super::{on_both, on_postgres};
 use crate::store::{Fixture, LONG};
-use homolog::jobs::{ClockState, Housekeeping, JobQueue, JobState, Retention, Retentions};
+use homolog::jobs::{
+    ArtifactKey, Attempted, BlobHolds, ClockState, Housekeeping, JobQueue, JobState, JobWriter, KeyStore, Once,
+    OnceStatus, Retention, Retentions, Ticket, TurnLimits, Webhook, WebhookStore,
+};
 use serde_json::json;
 use std::time::{Duration, Instant};
 
 on_both!(
     a24_a_clock_that_is_set_back_keeps_the_order_of_the_queue,
     a24_a_lost_lease_of_a_clock_that_was_set_back_is_taken_back,
+    a24_no_wait_is_longer_after_the_clock_was_set_back_than_it_was_meant_to_be,
     a24_nothing_is_removed_after_a_jump_until_somebody_says_that_the_clock_is_right,
 );
 on_postgres!(a25_a_process_with_other_blobs_does_not_start, a25_an_input_that_is_gone_fails_its_job_by_name);
@@ -53,6 +57,83 @@ async fn a24_a_lost_lease_of_a_clock_that_was_set_back_is_taken_back(backend: Ba
     database.execute("UPDATE jobs SET lease_expires_at = lease_expires_at + 172800000").await;
     assert_eq!(f.store.recover_expired().await.unwrap().queued, 1, "a lease of two days is none");
     assert_eq!(f.state(id).await, JobState::Queued);
+}
+
+/// Every wait that is stored, by how long it is at most, ms. Each of them is there when it is set back; those of webhooks and of run
+/// times say themselves how long they are.
+const WAITS: [(&str, &str, i64); 8] = [
+    ("webhook_deliveries", "next_at", 7_000),
+    ("webhooks", "next_at", 9_000),
+    ("blobs", "removing_since", 0),
+    ("blob_holds", "expires_at", 3_600_000),
+    ("idempotency_keys", "expires_at", 10_000),
+    ("tickets", "expires_at", 60_000),
+    ("jobs", "lease_expires_at", 3_600_000),
+    ("jobs", "run_deadline_at", 60_000),
+];
+
+async fn a24_no_wait_is_longer_after_the_clock_was_set_back_than_it_was_meant_to_be(backend: Backend) {
+    let f = Fixture::open(backend).await;
+    let database = f.site.database().await;
+    // A job that runs, a hold, a request in progress, a ticket, a blob whose removal was begun, a delivery that is repeated.
+    f.add(0).await;
+    f.claim(LONG).await;
+    let key = ArtifactKey::of(&f.tenant, b"held");
+    f.store.hold_blobs("holder", std::slice::from_ref(&key), LONG, None).await.unwrap();
+    let once = Once {
+        tenant: f.tenant.clone(),
+        name: "key".to_owned(),
+        fingerprint: "f".to_owned(),
+        token: "t".to_owned(),
+        keep_for: LONG,
+    };
+    assert_eq!(f.store.begin_once(&once, Duration::from_secs(5)).await.unwrap(), OnceStatus::Begun);
+    let ticket = Ticket { tenant: f.tenant.clone(), key_id: None, path: "/v1/events".to_owned() };
+    assert!(f.store.insert_ticket("hash", &ticket, Duration::from_secs(30), 9).await.unwrap());
+    database.execute("UPDATE blobs SET removing_since = (SELECT MAX(created_at) FROM jobs)").await;
+    let webhook = Webhook {
+        id: "0195d1a0-0000-7000-8000-000000000001".to_owned(),
+        tenant: f.tenant.clone(),
+        url: "https://example.org/hook".to_owned(),
+        states: Vec::new(),
+        secret: "whsec_AAAA".to_owned(),
+        is_enabled: true,
+        disabled_because: None,
+        created_at: jiff::Timestamp::UNIX_EPOCH,
+    };
+    f.store.insert_webhook(&webhook, 9).await.unwrap().unwrap();
+    f.store.insert_delivery(&f.tenant, &webhook.id, "test", "{}").await.unwrap();
+    let limits = TurnLimits { busy_for: LONG, of_tenant: 1, deliveries: 8 };
+    let turn = f.store.claim_turn(&limits).await.unwrap().unwrap();
+    let again = Attempted::Retry { after: Duration::from_secs(7), status: None, error: "e".to_owned() };
+    f.store.end_attempt(&turn.deliveries[0].id, &again).await.unwrap();
+    f.store.end_turn(&webhook.id, 4, Duration::from_secs(9)).await.unwrap();
+    assert_eq!(f.store.bound_waits().await.unwrap(), 0, "no wait is too long while the clock goes on");
+
+    // The clock three hours back is all that was stored three hours ahead.
+    for (table, column, _) in WAITS {
+        database.execute(&format!("UPDATE {table} SET {column} = {column} + 10800000")).await;
+    }
+    database.execute("UPDATE jobs SET started_at = started_at + 10800000").await;
+    assert!(f.store.claim_turn(&limits).await.unwrap().is_none());
+    assert_eq!(f.store.bound_waits().await.unwrap(), WAITS.len() as u64);
+    assert_eq!(f.store.bound_waits().await.unwrap(), 0);
+    for (table, column, longest) in WAITS {
+        // When the job was made is the present, or before it.
+        let wait = format!("SELECT MAX({column}) - (SELECT MAX(created_at) FROM jobs) FROM {table}");
+        let wait = database.number(&wait).await;
+        let slack = i64::try_from(SOON.as_millis()).unwrap();
+        assert!(wait <= longest + slack, "{table}.{column} waits {wait} ms, not {longest}");
+        assert!(wait >= longest, "{table}.{column} waits {wait} ms, less than it was meant to");
+    }
+    // A turn that ended with its process waits no longer either.
+    database.execute("UPDATE webhook_deliveries SET next_at = 0").await;
+    database.execute("UPDATE webhooks SET next_at = 0").await;
+    f.store.claim_turn(&limits).await.unwrap().unwrap();
+    database.execute("UPDATE webhooks SET next_at = next_at + 10800000, busy_until = busy_until + 10800000").await;
+    f.store.bound_waits().await.unwrap();
+    let busy = database.number("SELECT busy_until - (SELECT MAX(created_at) FROM jobs) FROM webhooks").await;
+    assert!(busy < 10_800_000 / 2, "{busy} ms");
 }
 
 async fn a24_nothing_is_removed_after_a_jump_until_somebody_says_that_the_clock_is_right(backend: Backend) {

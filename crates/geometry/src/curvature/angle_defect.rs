@@ -101,6 +101,11 @@ fn mean_with(mesh: &SurfaceMesh, areas: &[f64]) -> Vec<f64> {
     extended_to_boundary(mesh, found.collect())
 }
 
+/// [`gaussian_curvature`] and [`mean_curvature`] of every vertex. Cost `O(faces)`.
+pub fn angle_defect_curvatures(mesh: &SurfaceMesh) -> Curvatures {
+    both_curvatures(mesh, &vertex_areas(mesh))
+}
+
 /// [`gaussian_curvature`] and [`mean_curvature`], over the areas that both need.
 pub(super) fn both_curvatures(mesh: &SurfaceMesh, areas: &[f64]) -> Curvatures {
     Curvatures { gaussian: gaussian_with(mesh, areas), mean: mean_with(mesh, areas) }

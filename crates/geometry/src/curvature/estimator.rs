@@ -4,6 +4,7 @@ use super::angle_defect::{both_curvatures, vertex_areas};
 use super::ball::{Patches, Visited};
 use super::{covariance, quadric};
 use homolog_mesh::SurfaceMesh;
+use homolog_primitives::observe::{Cancelled, Observer, checkpoint_within};
 use rayon::prelude::*;
 
 /// How curvature is measured.
@@ -56,31 +57,37 @@ pub fn default_radius_mm(mesh: &SurfaceMesh) -> f64 {
 /// for the covariance) gets the values of [`Estimator::AngleDefect`], as does every vertex if the radius is not
 /// positive.
 ///
+/// # Errors
+/// [`Cancelled`], asked at every vertex that has a ball.
+///
 /// # Cost
 /// `O(faces)`, or `O(n k)` with `k` vertices per ball, on all threads; every vertex is computed independently, so any
 /// number of threads gives the same bits.
-pub fn curvatures(mesh: &SurfaceMesh, estimator: Estimator) -> Curvatures {
+pub fn curvatures(mesh: &SurfaceMesh, estimator: Estimator, observer: &dyn Observer) -> Result<Curvatures, Cancelled> {
     let areas = vertex_areas(mesh);
     let around = both_curvatures(mesh, &areas);
     let (radius_mm, curvature_of): (f64, CurvatureOf) = match estimator {
-        Estimator::AngleDefect => return around,
+        Estimator::AngleDefect => return Ok(around),
         Estimator::Covariance { radius_mm } => (radius_mm, covariance::curvature_of),
         Estimator::Quadric { radius_mm } => (radius_mm, quadric::curvature_of),
     };
     let patches = Patches::new(mesh, areas, radius_mm);
     let n = mesh.n_vertices();
-    let (gaussian, mean) = (0..n.div_ceil(CHUNK))
+    let chunks: Vec<Vec<(f64, f64)>> = (0..n.div_ceil(CHUNK))
         .into_par_iter()
-        .flat_map_iter(|chunk| {
+        .map(|chunk| {
             let mut visited = Visited::new(n);
             let mut values = Vec::with_capacity(CHUNK);
             for v in chunk * CHUNK..n.min((chunk + 1) * CHUNK) {
+                // A ball may hold the whole surface.
+                checkpoint_within(observer)?;
                 patches.collect(v, &mut visited);
                 let found = curvature_of(&patches, v, &visited.members).filter(|(k, h)| k.is_finite() && h.is_finite());
                 values.push(found.unwrap_or((around.gaussian[v], around.mean[v])));
             }
-            values
+            Ok(values)
         })
-        .unzip();
-    Curvatures { gaussian, mean }
+        .collect::<Result<_, Cancelled>>()?;
+    let (gaussian, mean) = chunks.into_iter().flatten().unzip();
+    Ok(Curvatures { gaussian, mean })
 }

@@ -4,6 +4,7 @@ use super::{Curvatures, Estimator, ScaleSpace, curvatures, default_radius_mm, ga
 use homolog_mesh::shapes::{ellipsoid, torus};
 use homolog_mesh::volume::{LabelVolume, voxel_surface};
 use homolog_mesh::{FaceArity, SurfaceMesh};
+use homolog_primitives::observe::Silent;
 use nalgebra::{Isometry3, Matrix4, Point3, Vector3};
 use proptest::prelude::*;
 
@@ -54,7 +55,7 @@ fn on_a_sphere_every_estimator_gives_its_radius() {
     for radius in [1.0, 8.0] {
         let sphere = ellipsoid(Vector3::repeat(radius), 4);
         for estimator in with_balls(&sphere) {
-            let found = curvatures(&sphere, estimator);
+            let found = curvatures(&sphere, estimator, &Silent).unwrap();
             let mut largest = (0.0f64, 0.0f64);
             for (k, h) in found.gaussian.iter().zip(&found.mean) {
                 largest = (largest.0.max((k * radius * radius - 1.0).abs()), largest.1.max((h * radius - 1.0).abs()));
@@ -71,7 +72,9 @@ fn on_an_ellipsoid_every_estimator_converges_to_the_formula() {
         let at_levels: Vec<(f64, f64)> = (2..6)
             .map(|levels| {
                 let mesh = ellipsoid(axes, levels);
-                errors(&mesh, &curvatures(&mesh, with_balls(&mesh)[which]), |p| of_ellipsoid(&axes, p))
+                errors(&mesh, &curvatures(&mesh, with_balls(&mesh)[which], &Silent).unwrap(), |p| {
+                    of_ellipsoid(&axes, p)
+                })
             })
             .collect();
         assert!(at_levels[3].0 < 0.015 && at_levels[3].1 < 0.008, "{at_levels:?}");
@@ -92,7 +95,7 @@ fn on_a_torus_every_estimator_finds_both_signs_and_converges() {
             let at_sizes: Vec<(f64, f64)> = [30, 60, 120]
                 .map(|around| {
                     let mesh = torus(radius, tube, around, around / 2, arity);
-                    errors(&mesh, &curvatures(&mesh, with_balls(&mesh)[which]), truth)
+                    errors(&mesh, &curvatures(&mesh, with_balls(&mesh)[which], &Silent).unwrap(), truth)
                 })
                 .into();
             assert!(at_sizes[2].0 < 0.04 && at_sizes[2].1 < 0.03, "{arity:?} {at_sizes:?}");
@@ -109,7 +112,7 @@ fn estimators_with_a_ball_are_accurate_on_smoothed_voxels_where_angle_defect_is_
     let radius = smooth.vertices().iter().map(|p| (p - center).norm()).sum::<f64>() / smooth.n_vertices() as f64;
     // Medians, since a few vertices at the poles of the ball have nearly no area.
     let [faces, covariance, quadric] = all(4.0).map(|estimator| {
-        let found = curvatures(&smooth, estimator);
+        let found = curvatures(&smooth, estimator, &Silent).unwrap();
         let median_error = |values: &[f64], exact: f64| {
             let mut errors: Vec<f64> = values.iter().map(|v| (v / exact - 1.0).abs()).collect();
             errors.sort_by(f64::total_cmp);
@@ -128,7 +131,7 @@ fn the_opposite_side_of_a_thin_plate_is_not_included() {
     let axes = Vector3::new(10.0, 10.0, 0.4);
     let plate = ellipsoid(axes, 4);
     for estimator in all(2.0) {
-        let found = curvatures(&plate, estimator);
+        let found = curvatures(&plate, estimator, &Silent).unwrap();
         for (v, p) in plate.vertices().iter().enumerate().filter(|(_, p)| p.x.hypot(p.y) < 5.0) {
             let (k, h) = of_ellipsoid(&axes, p);
             assert!((found.mean[v] / h - 1.0).abs() < 0.1, "{estimator:?} {} {h}", found.mean[v]);
@@ -140,15 +143,15 @@ fn the_opposite_side_of_a_thin_plate_is_not_included() {
 #[test]
 fn a_ball_with_too_few_vertices_falls_back_on_the_angle_defect() {
     let mesh = torus(10.0, 4.0, 30, 14, FaceArity::Quad);
-    let around = curvatures(&mesh, Estimator::AngleDefect);
+    let around = curvatures(&mesh, Estimator::AngleDefect, &Silent).unwrap();
     assert_eq!(around, Curvatures { gaussian: gaussian_curvature(&mesh), mean: mean_curvature(&mesh) });
     for radius_mm in [0.0, -1.0, 1e-3, f64::NAN] {
         for estimator in all(radius_mm) {
-            assert_eq!(curvatures(&mesh, estimator), around, "{estimator:?}");
+            assert_eq!(curvatures(&mesh, estimator, &Silent).unwrap(), around, "{estimator:?}");
         }
     }
     // Four neighbours and the vertex itself determine no paraboloid.
-    assert_eq!(curvatures(&mesh, Estimator::Quadric { radius_mm: 0.0 }), around);
+    assert_eq!(curvatures(&mesh, Estimator::Quadric { radius_mm: 0.0 }, &Silent).unwrap(), around);
 }
 
 #[test]
@@ -160,7 +163,7 @@ fn faces_without_area_leave_finite_curvatures() {
     }
     let pinched = ball.with_vertices(vertices).unwrap();
     for estimator in &all(1.5)[1..] {
-        let found = curvatures(&pinched, *estimator);
+        let found = curvatures(&pinched, *estimator, &Silent).unwrap();
         assert!(found.gaussian.iter().chain(&found.mean).all(|c| c.is_finite()), "{estimator:?}");
     }
 }
@@ -171,7 +174,7 @@ fn any_number_of_threads_gives_the_same_bits() {
     for estimator in with_balls(&mesh) {
         let with = |n_threads| {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(n_threads).build().unwrap();
-            pool.install(|| curvatures(&mesh, estimator))
+            pool.install(|| curvatures(&mesh, estimator, &Silent).unwrap())
         };
         assert_eq!(with(1), with(3));
     }
@@ -192,9 +195,9 @@ proptest! {
             let moved = mesh.transformed(&Isometry3::new(Vector3::from(shift), Vector3::from(axis)));
             let grown = mesh.with_vertices(mesh.vertices().iter().map(|p| p * size).collect()).unwrap();
             for (here, at_size) in all(radius_mm).into_iter().zip(all(radius_mm * size)) {
-                let found = curvatures(&mesh, here);
-                let in_pose = curvatures(&moved, here);
-                let larger = curvatures(&grown, at_size);
+                let found = curvatures(&mesh, here, &Silent).unwrap();
+                let in_pose = curvatures(&moved, here, &Silent).unwrap();
+                let larger = curvatures(&grown, at_size, &Silent).unwrap();
                 for v in 0..mesh.n_vertices() {
                     prop_assert!((found.gaussian[v] - in_pose.gaussian[v]).abs() < 1e-9);
                     prop_assert!((found.mean[v] - in_pose.mean[v]).abs() < 1e-9);
@@ -221,7 +224,7 @@ proptest! {
             [corner, corner + 1, corner + side + 1, corner + side]
         });
         let mesh = SurfaceMesh::new(vertices, FaceArity::Quad, faces.collect()).unwrap();
-        let found = curvatures(&mesh, Estimator::Quadric { radius_mm: 1.3 });
+        let found = curvatures(&mesh, Estimator::Quadric { radius_mm: 1.3 }, &Silent).unwrap();
         let middle = (side * side / 2) as usize;
         prop_assert!((found.mean[middle] + a + c).abs() < 1e-9);
         prop_assert!((found.gaussian[middle] - (4.0 * a * c - b * b)).abs() < 1e-9);

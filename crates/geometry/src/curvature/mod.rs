@@ -16,7 +16,7 @@ mod laplacian;
 mod quadric;
 mod scale_space;
 
-pub use angle_defect::{gaussian_curvature, mean_curvature, vertex_areas};
+pub use angle_defect::{angle_defect_curvatures, gaussian_curvature, mean_curvature, vertex_areas};
 pub use estimator::{Curvatures, Estimator, curvatures, default_radius_mm};
 pub use laplacian::{Weight, cotangent_weights};
 pub use scale_space::{ScaleSpace, ScaleSpaceError};

@@ -13,6 +13,7 @@ use super::Descriptor;
 use super::histogram::{around, between};
 use super::samples::Samples;
 use homolog_mesh::SurfaceMesh;
+use homolog_primitives::observe::{Cancelled, Observer};
 use homolog_primitives::points::NeighborGrid;
 use nalgebra::{Point3, Vector3};
 use std::f64::consts::TAU;
@@ -22,12 +23,15 @@ pub(super) const BINS: usize = 11;
 
 /// The FPFH of every vertex within `radius_mm`: bins of `α` and `φ` in `[−1, 1]` as cosines, of `θ` in `[−π, π]`, in this order.
 ///
+/// # Errors
+/// [`Cancelled`], asked at every vertex.
+///
 /// # Cost
 /// `O(n k)` for `k` vertices in a ball, twice, on all threads.
-pub fn fpfh(mesh: &SurfaceMesh, radius_mm: f64) -> Descriptor {
+pub fn fpfh(mesh: &SurfaceMesh, radius_mm: f64, observer: &dyn Observer) -> Result<Descriptor, Cancelled> {
     let samples = Samples::at_vertices(mesh);
     let grid = NeighborGrid::new(&samples.points, radius_mm);
-    let simplified = Descriptor::of_rows(mesh.n_vertices(), 3 * BINS, |i, row| {
+    let simplified = Descriptor::of_rows(mesh.n_vertices(), 3 * BINS, observer, |i, row| {
         let mut total = 0.0;
         grid.within(&samples.points[i], radius_mm, |k, squared| {
             let (j, distance) = (k as usize, squared.sqrt());
@@ -47,8 +51,8 @@ pub fn fpfh(mesh: &SurfaceMesh, radius_mm: f64) -> Descriptor {
             }
         });
         row.iter_mut().for_each(|v| *v /= total);
-    });
-    Descriptor::of_rows(mesh.n_vertices(), 3 * BINS, |i, row| {
+    })?;
+    Descriptor::of_rows(mesh.n_vertices(), 3 * BINS, observer, |i, row| {
         let mut total = 0.0;
         grid.within(&samples.points[i], radius_mm, |k, squared| {
             if squared > 0.0 {
@@ -85,6 +89,7 @@ mod tests {
     use super::*;
     use crate::descriptors::testing::{bean, check_invariance};
     use homolog_mesh::shapes::ellipsoid;
+    use homolog_primitives::observe::Silent;
 
     fn center(bin: usize) -> f64 {
         2.0 * (bin as f64 + 0.5) / BINS as f64 - 1.0
@@ -93,7 +98,7 @@ mod tests {
     #[test]
     fn on_a_sphere_the_angles_have_the_means_of_a_chord() {
         let (r, radius) = (10.0, 6.0);
-        let found = fpfh(&ellipsoid(Vector3::repeat(r), 5), radius);
+        let found = fpfh(&ellipsoid(Vector3::repeat(r), 5), radius, &Silent).unwrap();
         for i in 0..found.n_vertices() {
             let row = found.row(i);
             // Normals and line of a pair lie in one plane, up to the error of normals: α is a right angle.
@@ -139,7 +144,7 @@ mod tests {
             sums.iter().map(|s| s / total).collect::<Vec<_>>()
         };
         let all: Vec<_> = (0..p.len()).map(simplified).collect();
-        let found = fpfh(&mesh, radius);
+        let found = fpfh(&mesh, radius, &Silent).unwrap();
         for i in 0..p.len() {
             let near: Vec<usize> = (0..p.len()).filter(|&j| j != i && (p[j] - p[i]).norm() <= radius).collect();
             let weight = |j: usize| areas[j] / (p[j] - p[i]).norm();
@@ -153,6 +158,6 @@ mod tests {
 
     #[test]
     fn it_keeps_its_numbers_when_the_surface_is_moved_scaled_or_sampled_otherwise() {
-        check_invariance(&|mesh, size| fpfh(mesh, 6.0 * size), 1e-9, 0.2);
+        check_invariance(&|mesh, size| fpfh(mesh, 6.0 * size, &Silent).unwrap(), 1e-9, 0.2);
     }
 }

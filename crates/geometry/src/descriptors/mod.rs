@@ -30,6 +30,7 @@ pub use shot::shot;
 pub use signatures::{heat_kernel_signature, unit_spectrum, wave_kernel_signature};
 pub use spin_image::spin_images;
 
+use homolog_primitives::observe::{Cancelled, Observer, checkpoint_within};
 use rayon::prelude::*;
 
 /// Several numbers at every vertex of a surface, without a unit.
@@ -42,14 +43,22 @@ pub struct Descriptor {
 }
 
 impl Descriptor {
-    /// `row` of each of `n` vertices, on all threads. A number that is not finite, as where a vertex has no normal, becomes 0.
-    fn of_rows(n: usize, n_channels: usize, row: impl Fn(usize, &mut [f64]) + Sync) -> Self {
+    /// `row` of each of `n` vertices, on all threads. A number that is not finite, as where a vertex has no normal, becomes 0. A ball may
+    /// hold the whole surface, so that `observer` is asked at every vertex.
+    fn of_rows(
+        n: usize,
+        n_channels: usize,
+        observer: &dyn Observer,
+        row: impl Fn(usize, &mut [f64]) + Sync,
+    ) -> Result<Self, Cancelled> {
         let mut values = vec![0.0; n * n_channels];
-        values.par_chunks_mut(n_channels).enumerate().for_each(|(i, values)| {
+        values.par_chunks_mut(n_channels).enumerate().try_for_each(|(i, values)| {
+            checkpoint_within(observer)?;
             row(i, values);
             values.iter_mut().filter(|v| !v.is_finite()).for_each(|v| *v = 0.0);
-        });
-        Descriptor { n_channels, values }
+            Ok(())
+        })?;
+        Ok(Descriptor { n_channels, values })
     }
 
     /// Number of vertices.

@@ -1,7 +1,9 @@
 //! Few numbers of many: the leading principal components of the descriptors of two surfaces together.
 
 use super::Descriptor;
+use homolog_primitives::observe::{Cancelled, Observer, checkpoint_within};
 use nalgebra::{DMatrix, DVector};
+use rayon::prelude::*;
 
 /// Most components.
 pub const MAX_COMPONENTS: usize = 8;
@@ -28,13 +30,17 @@ pub struct Components {
 ///
 /// A component has the sign with which its largest coefficient is positive, the first of equal ones.
 ///
+/// # Errors
+/// [`Cancelled`].
+///
 /// # Cost
-/// `O(n c² + c³)` for `c` channels, on one thread.
+/// `O(n c² + c³)` for `c` channels.
 pub fn principal_components(
     first: (&Descriptor, &[f64]),
     second: (&Descriptor, &[f64]),
     standardized: bool,
-) -> Components {
+    observer: &dyn Observer,
+) -> Result<Components, Cancelled> {
     let c = first.0.n_channels;
     let shares = |areas: &[f64]| {
         let total: f64 = areas.iter().sum();
@@ -51,7 +57,15 @@ pub fn principal_components(
     let mut covariance = DMatrix::<f64>::zeros(c, c);
     for (descriptor, shares) in &sides {
         let rows = DMatrix::from_fn(shares.len(), c, |i, k| shares[i].sqrt() * (descriptor.row(i)[k] - mean[k]));
-        covariance += rows.tr_mul(&rows);
+        // Column by column, each of which is the same to the bit as in the whole product.
+        let columns: Vec<DVector<f64>> = (0..c)
+            .into_par_iter()
+            .map(|k| {
+                checkpoint_within(observer)?;
+                Ok(rows.tr_mul(&rows.column(k)))
+            })
+            .collect::<Result<_, Cancelled>>()?;
+        covariance.column_iter_mut().zip(&columns).for_each(|(mut sum, column)| sum += column);
     }
     let scale: Vec<f64> = (0..c)
         .map(|k| match covariance[(k, k)] {
@@ -67,6 +81,7 @@ pub fn principal_components(
     order.sort_by(|&a, &b| eigen.eigenvalues[b].total_cmp(&eigen.eigenvalues[a]).then(a.cmp(&b)));
     let mut components = Components { first: Vec::new(), second: Vec::new(), deviations: Vec::new() };
     let mut explained = 0.0;
+    checkpoint_within(observer)?;
     for k in order.into_iter().take(MAX_COMPONENTS) {
         let direction = eigen.eigenvectors.column(k);
         let largest = direction.iter().copied().fold(0.0, |most: f64, v| if v.abs() > most.abs() { v } else { most });
@@ -86,12 +101,13 @@ pub fn principal_components(
             break;
         }
     }
-    components
+    Ok(components)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use homolog_primitives::observe::Silent;
 
     /// `n` rows along two directions of three channels, with amplitudes 3 and 1 about a mean.
     fn sheet(n: usize, shift: f64) -> (Descriptor, Vec<f64>) {
@@ -107,7 +123,7 @@ mod tests {
     #[test]
     fn components_are_the_axes_of_an_ellipse() {
         let (one, other) = (sheet(200, 0.0), sheet(90, 0.3));
-        let found = principal_components((&one.0, &one.1), (&other.0, &other.1), false);
+        let found = principal_components((&one.0, &one.1), (&other.0, &other.1), false, &Silent).unwrap();
         // 4.5 of 5 is 90 %: the second is needed, the third is nothing.
         assert_eq!(found.deviations.len(), 2);
         assert!(
@@ -135,15 +151,15 @@ mod tests {
             }
         }
         let twice = Descriptor { n_channels: 3, values };
-        let a = principal_components((&plain, &areas), (&plain, &areas), true);
-        let b = principal_components((&twice, &weights), (&twice, &weights), true);
+        let a = principal_components((&plain, &areas), (&plain, &areas), true, &Silent).unwrap();
+        let b = principal_components((&twice, &weights), (&twice, &weights), true, &Silent).unwrap();
         assert!(a.deviations.iter().zip(&b.deviations).all(|(x, y)| (x - y).abs() < 1e-12));
     }
 
     #[test]
     fn a_constant_descriptor_has_one_component_of_zeros() {
         let constant = Descriptor { n_channels: 2, values: vec![0.25; 20] };
-        let found = principal_components((&constant, &[1.0; 10]), (&constant, &[0.0; 10]), true);
+        let found = principal_components((&constant, &[1.0; 10]), (&constant, &[0.0; 10]), true, &Silent).unwrap();
         assert_eq!((found.first, found.deviations), (vec![vec![0.0; 10]], vec![0.0]));
     }
 }

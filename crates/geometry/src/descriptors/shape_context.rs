@@ -13,6 +13,7 @@ use super::Descriptor;
 use super::histogram::between;
 use super::samples::{Samples, tangents};
 use homolog_mesh::SurfaceMesh;
+use homolog_primitives::observe::{Cancelled, Observer};
 use homolog_primitives::points::NeighborGrid;
 use std::f64::consts::PI;
 
@@ -26,15 +27,18 @@ const INNER: f64 = 0.1;
 
 /// The shape context of every vertex within `radius_mm`, channel `(shell · 6 + elevation) · 3 + m`.
 ///
+/// # Errors
+/// [`Cancelled`], asked at every vertex.
+///
 /// # Cost
 /// `O(n k)` for `k` parts of triangles in a ball, on all threads.
-pub fn shape_contexts(mesh: &SurfaceMesh, radius_mm: f64) -> Descriptor {
+pub fn shape_contexts(mesh: &SurfaceMesh, radius_mm: f64, observer: &dyn Observer) -> Result<Descriptor, Cancelled> {
     // The narrowest bins are those of the inner shells, which count little.
     let (samples, normals) = (Samples::finer_than(mesh, radius_mm / 8.0), mesh.vertex_normals());
     let grid = NeighborGrid::new(&samples.points, radius_mm);
     let whole = PI * radius_mm * radius_mm;
     let bins = SHELLS * ELEVATIONS;
-    Descriptor::of_rows(mesh.n_vertices(), bins * HARMONICS, |i, row| {
+    Descriptor::of_rows(mesh.n_vertices(), bins * HARMONICS, observer, |i, row| {
         let (p, n) = (mesh.vertices()[i], normals[i]);
         let [u, v] = tangents(&n);
         let mut sums = [[[0.0; 2]; HARMONICS]; SHELLS * ELEVATIONS];
@@ -80,6 +84,7 @@ mod tests {
     use super::*;
     use crate::descriptors::testing::{bean, check_invariance};
     use homolog_mesh::shapes::ellipsoid;
+    use homolog_primitives::observe::Silent;
     use nalgebra::Vector3;
 
     /// Areas of the bins, from which a channel was made.
@@ -89,7 +94,7 @@ mod tests {
 
     #[test]
     fn on_a_sphere_the_area_is_that_of_a_disc_and_the_same_all_around() {
-        let found = shape_contexts(&ellipsoid(Vector3::repeat(10.0), 5), 6.0);
+        let found = shape_contexts(&ellipsoid(Vector3::repeat(10.0), 5), 6.0, &Silent).unwrap();
         for i in 0..found.n_vertices() {
             let sum = |m: usize| (0..SHELLS * ELEVATIONS).map(|bin| area(found.row(i), bin, m)).sum::<f64>();
             assert!((sum(0) - 1.0).abs() < 0.02 && sum(1) < 0.06 && sum(2) < 0.06, "{} {} {}", sum(0), sum(1), sum(2));
@@ -107,7 +112,7 @@ mod tests {
         // A fine histogram of the azimuth in each bin, transformed; no grid, and a tangent direction of its own.
         let mesh = bean(2);
         let (radius, p) = (8.0, mesh.vertices());
-        let found = shape_contexts(&mesh, radius);
+        let found = shape_contexts(&mesh, radius, &Silent).unwrap();
         let parts = Samples::at_triangles(&mesh, 4);
         let steps = 20_000;
         for i in (0..p.len()).step_by(23) {
@@ -142,6 +147,6 @@ mod tests {
     #[test]
     fn it_keeps_its_numbers_when_the_surface_is_moved_scaled_or_sampled_otherwise() {
         // The roots make much of rounding in bins that hold almost nothing.
-        check_invariance(&|mesh, size| shape_contexts(mesh, 6.0 * size), 1e-6, 0.5);
+        check_invariance(&|mesh, size| shape_contexts(mesh, 6.0 * size, &Silent).unwrap(), 1e-6, 0.5);
     }
 }

@@ -12,6 +12,7 @@ use super::Descriptor;
 use super::histogram::{around, between};
 use super::samples::{Samples, tangents};
 use homolog_mesh::SurfaceMesh;
+use homolog_primitives::observe::{Cancelled, Observer};
 use homolog_primitives::points::NeighborGrid;
 use nalgebra::{Matrix3, Vector3};
 use std::f64::consts::TAU;
@@ -23,13 +24,16 @@ const COSINES: usize = 11;
 
 /// The SHOT descriptor of every vertex within `radius_mm`, of length 1: channel `((azimuth · 2 + elevation) · 2 + shell) · 11 + cosine`.
 ///
+/// # Errors
+/// [`Cancelled`], asked at every vertex.
+///
 /// # Cost
 /// `O(n k)` for `k` vertices in a ball, on all threads.
-pub fn shot(mesh: &SurfaceMesh, radius_mm: f64) -> Descriptor {
+pub fn shot(mesh: &SurfaceMesh, radius_mm: f64, observer: &dyn Observer) -> Result<Descriptor, Cancelled> {
     let samples = Samples::at_vertices(mesh);
     let grid = NeighborGrid::new(&samples.points, radius_mm);
     let n_channels = AZIMUTHS * ELEVATIONS * SHELLS * COSINES;
-    Descriptor::of_rows(mesh.n_vertices(), n_channels, |i, row| {
+    Descriptor::of_rows(mesh.n_vertices(), n_channels, observer, |i, row| {
         let p = samples.points[i];
         let mut near: Vec<(usize, Vector3<f64>)> = Vec::new();
         grid.within(&p, radius_mm, |k, squared| {
@@ -92,13 +96,14 @@ fn frame(near: &[(usize, Vector3<f64>)], samples: &Samples, i: usize) -> [Vector
 mod tests {
     use super::*;
     use crate::descriptors::testing::{bean, check_invariance};
+    use homolog_primitives::observe::Silent;
 
     #[test]
     fn it_is_what_the_definition_gives_in_the_frame_of_the_covariance() {
         let mesh = bean(2);
         let (p, n, areas) = (mesh.vertices(), mesh.vertex_normals(), crate::curvature::vertex_areas(&mesh));
         let radius = 8.0;
-        let found = shot(&mesh, radius);
+        let found = shot(&mesh, radius, &Silent).unwrap();
         // Hat functions about the centers of bins, the outermost ones of a line flat to its end.
         let hat = |x: f64, bin: usize, n: usize, circle: bool| {
             let at = x * n as f64 - 0.5;
@@ -147,6 +152,6 @@ mod tests {
     #[test]
     fn it_keeps_its_numbers_when_the_surface_is_moved_scaled_or_sampled_otherwise() {
         // Where two axes of the covariance are alike, a little noise turns the frame.
-        check_invariance(&|mesh, size| shot(mesh, 8.0 * size), 1e-6, 0.7);
+        check_invariance(&|mesh, size| shot(mesh, 8.0 * size, &Silent).unwrap(), 1e-6, 0.7);
     }
 }

@@ -10,6 +10,7 @@ use super::Descriptor;
 use crate::spectrum::{Spectrum, spectrum};
 use faer::Mat;
 use homolog_mesh::SurfaceMesh;
+use homolog_primitives::observe::{Cancelled, Observer};
 
 /// Eigenfunctions that signatures are made of.
 pub(super) const N_FUNCTIONS: usize = 80;
@@ -18,14 +19,17 @@ pub(super) const N_CHANNELS: usize = 32;
 
 /// The spectrum of the surface scaled to area 1, that signatures are made of. `None` as for [`spectrum`].
 ///
+/// # Errors
+/// [`Cancelled`].
+///
 /// # Cost
 /// That of 80 eigenpairs.
-pub fn unit_spectrum(mesh: &SurfaceMesh) -> Option<Spectrum> {
+pub fn unit_spectrum(mesh: &SurfaceMesh, observer: &dyn Observer) -> Result<Option<Spectrum>, Cancelled> {
     // First by a power of two, which rounds nothing: the solver has thresholds that do not scale.
     let root = mesh.area().sqrt();
     let size = if root.is_normal() { 2f64.powi(-(root.log2().floor() as i32)) } else { 1.0 };
-    let near = mesh.with_vertices(mesh.vertices().iter().map(|p| p * size).collect()).ok()?;
-    Some(spectrum(&near, N_FUNCTIONS)?.of_unit_area())
+    let Ok(near) = mesh.with_vertices(mesh.vertices().iter().map(|p| p * size).collect()) else { return Ok(None) };
+    Ok(spectrum(&near, N_FUNCTIONS, observer)?.map(Spectrum::of_unit_area))
 }
 
 /// The heat kernel signature at 32 times ([`Spectrum::heat_signature`]) over its integral; 1 is the mean.
@@ -39,9 +43,9 @@ pub fn wave_kernel_signature(spectrum: &Spectrum) -> Descriptor {
 }
 
 fn descriptor(signature: &Mat<f64>) -> Descriptor {
-    Descriptor::of_rows(signature.nrows(), signature.ncols(), |i, row| {
-        row.iter_mut().enumerate().for_each(|(c, value)| *value = signature[(i, c)]);
-    })
+    let finite = |value: f64| if value.is_finite() { value } else { 0.0 };
+    let row = |i: usize| (0..signature.ncols()).map(move |c| finite(signature[(i, c)]));
+    Descriptor { n_channels: signature.ncols(), values: (0..signature.nrows()).flat_map(row).collect() }
 }
 
 impl Spectrum {
@@ -63,13 +67,14 @@ mod tests {
     use super::*;
     use crate::descriptors::testing::check_invariance;
     use homolog_mesh::shapes::ellipsoid;
+    use homolog_primitives::observe::Silent;
     use nalgebra::Vector3;
 
     #[test]
     fn on_a_sphere_every_point_has_the_mean() {
         // 80 of 81 spherical harmonics up to degree 8: the one that is missing shows at the shortest time alone.
         let sphere = ellipsoid(Vector3::repeat(7.0), 4);
-        let spectrum = unit_spectrum(&sphere).unwrap();
+        let spectrum = unit_spectrum(&sphere, &Silent).unwrap().unwrap();
         for found in [heat_kernel_signature(&spectrum), wave_kernel_signature(&spectrum)] {
             let off = |c: usize| (0..found.n_vertices()).map(|i| (found.row(i)[c] - 1.0).abs()).fold(0.0, f64::max);
             for c in N_CHANNELS / 4..N_CHANNELS * 3 / 4 {
@@ -81,7 +86,7 @@ mod tests {
     #[test]
     fn the_mean_over_the_area_is_one_on_any_surface() {
         let mesh = ellipsoid(Vector3::new(9.0, 4.0, 3.0), 3);
-        let spectrum = unit_spectrum(&mesh).unwrap();
+        let spectrum = unit_spectrum(&mesh, &Silent).unwrap().unwrap();
         for found in [heat_kernel_signature(&spectrum), wave_kernel_signature(&spectrum)] {
             for c in 0..N_CHANNELS {
                 let mean: f64 = (0..found.n_vertices()).map(|i| spectrum.areas[i] * found.row(i)[c]).sum();
@@ -92,8 +97,8 @@ mod tests {
 
     #[test]
     fn they_keep_their_numbers_when_the_surface_is_moved_scaled_or_sampled_otherwise() {
-        check_invariance(&|mesh, _| heat_kernel_signature(&unit_spectrum(mesh).unwrap()), 1e-6, 0.2);
+        check_invariance(&|mesh, _| heat_kernel_signature(&unit_spectrum(mesh, &Silent).unwrap().unwrap()), 1e-6, 0.2);
         // The highest of 80 eigenvalues are those of the 642 vertices more than those of the surface.
-        check_invariance(&|mesh, _| wave_kernel_signature(&unit_spectrum(mesh).unwrap()), 1e-6, 0.6);
+        check_invariance(&|mesh, _| wave_kernel_signature(&unit_spectrum(mesh, &Silent).unwrap().unwrap()), 1e-6, 0.6);
     }
 }

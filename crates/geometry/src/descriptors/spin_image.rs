@@ -11,6 +11,7 @@ use super::Descriptor;
 use super::histogram::between;
 use super::samples::Samples;
 use homolog_mesh::SurfaceMesh;
+use homolog_primitives::observe::{Cancelled, Observer};
 use homolog_primitives::points::NeighborGrid;
 use std::f64::consts::PI;
 
@@ -20,13 +21,16 @@ pub(super) const BINS: [usize; 2] = [8, 16];
 /// The spin image of every vertex within `radius_mm`, channel `a · 16 + b`: areas in units of `πR²`, so that they sum to 1 on a
 /// plane and on any sphere.
 ///
+/// # Errors
+/// [`Cancelled`], asked at every vertex.
+///
 /// # Cost
 /// `O(n k)` for `k` parts of triangles in a ball, on all threads.
-pub fn spin_images(mesh: &SurfaceMesh, radius_mm: f64) -> Descriptor {
+pub fn spin_images(mesh: &SurfaceMesh, radius_mm: f64, observer: &dyn Observer) -> Result<Descriptor, Cancelled> {
     let (samples, normals) = (Samples::finer_than(mesh, radius_mm / BINS[0] as f64), mesh.vertex_normals());
     let grid = NeighborGrid::new(&samples.points, radius_mm);
     let whole = PI * radius_mm * radius_mm;
-    Descriptor::of_rows(mesh.n_vertices(), BINS[0] * BINS[1], |i, row| {
+    Descriptor::of_rows(mesh.n_vertices(), BINS[0] * BINS[1], observer, |i, row| {
         let (p, n) = (mesh.vertices()[i], normals[i]);
         grid.within(&p, radius_mm, |k, squared| {
             let beta = n.dot(&(samples.points[k as usize] - p));
@@ -46,12 +50,13 @@ mod tests {
     use super::*;
     use crate::descriptors::testing::{bean, check_invariance};
     use homolog_mesh::shapes::ellipsoid;
+    use homolog_primitives::observe::Silent;
     use nalgebra::Vector3;
 
     #[test]
     fn on_a_sphere_the_area_in_a_ball_is_that_of_a_disc_and_the_height_falls_with_its_square() {
         let (r, radius) = (10.0, 6.0);
-        let found = spin_images(&ellipsoid(Vector3::repeat(r), 5), radius);
+        let found = spin_images(&ellipsoid(Vector3::repeat(r), 5), radius, &Silent).unwrap();
         for i in 0..found.n_vertices() {
             let row = found.row(i);
             let total: f64 = row.iter().sum();
@@ -69,7 +74,7 @@ mod tests {
         // Written out: hat functions about the centers of the bins, the outermost ones flat to the border, no grid.
         let mesh = bean(2);
         let (radius, p) = (7.0, mesh.vertices());
-        let found = spin_images(&mesh, radius);
+        let found = spin_images(&mesh, radius, &Silent).unwrap();
         let parts = Samples::at_triangles(&mesh, 4);
         let hat = |x: f64, bin: usize, n: usize| {
             let center = (bin as f64 + 0.5) / n as f64;
@@ -98,6 +103,6 @@ mod tests {
 
     #[test]
     fn it_keeps_its_numbers_when_the_surface_is_moved_scaled_or_sampled_otherwise() {
-        check_invariance(&|mesh, size| spin_images(mesh, 6.0 * size), 1e-9, 0.1);
+        check_invariance(&|mesh, size| spin_images(mesh, 6.0 * size, &Silent).unwrap(), 1e-9, 0.1);
     }
 }

@@ -9,6 +9,7 @@ use homolog_geometry::descriptors::{
     Descriptor, fpfh, heat_kernel_signature, shape_contexts, shot, spin_images, unit_spectrum, wave_kernel_signature,
 };
 use homolog_mesh::{FaceArity, SurfaceMesh};
+use homolog_primitives::observe::Silent;
 use nalgebra::Point3;
 use rayon::prelude::*;
 use std::time::Instant;
@@ -49,12 +50,12 @@ fn main() {
         let (near_mm, support_mm) = (2.0 * target.mean_edge_length(), SUPPORT * target.area().sqrt());
         type Measure<'a> = (&'a str, &'a dyn Fn(&SurfaceMesh) -> Descriptor);
         let all: [Measure<'_>; 6] = [
-            ("fpfh", &|mesh| fpfh(mesh, support_mm)),
-            ("shot", &|mesh| shot(mesh, support_mm)),
-            ("spin_image", &|mesh| spin_images(mesh, support_mm)),
-            ("shape_context", &|mesh| shape_contexts(mesh, support_mm)),
-            ("heat_kernel_signature", &|mesh| heat_kernel_signature(&unit_spectrum(mesh).unwrap())),
-            ("wave_kernel_signature", &|mesh| wave_kernel_signature(&unit_spectrum(mesh).unwrap())),
+            ("fpfh", &|mesh| fpfh(mesh, support_mm, &Silent).unwrap()),
+            ("shot", &|mesh| shot(mesh, support_mm, &Silent).unwrap()),
+            ("spin_image", &|mesh| spin_images(mesh, support_mm, &Silent).unwrap()),
+            ("shape_context", &|mesh| shape_contexts(mesh, support_mm, &Silent).unwrap()),
+            ("heat_kernel_signature", &|mesh| heat_kernel_signature(&unit_spectrum(mesh, &Silent).unwrap().unwrap())),
+            ("wave_kernel_signature", &|mesh| wave_kernel_signature(&unit_spectrum(mesh, &Silent).unwrap().unwrap())),
         ];
         for (name, measure) in all {
             let begin = Instant::now();

@@ -115,7 +115,7 @@ fn moved(
         DisplacementMode::Diffeomorphic => {
             let options = diffeomorphic::DiffeomorphicOptions::default();
             let field = diffeomorphic::register(source, target, &options, observer)?;
-            field.flowed(whole.vertices(), 1.0, FLOW_STEPS)
+            field.flowed(whole.vertices(), 1.0, FLOW_STEPS, observer)?
         }
     })
 }

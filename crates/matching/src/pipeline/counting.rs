@@ -67,3 +67,36 @@ impl Observer for Counting<'_> {
         self.observer.is_cancelled()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use homolog_primitives::observe::{checkpoint, checkpoint_within};
+
+    #[derive(Default)]
+    struct Said(Mutex<Vec<f64>>);
+
+    impl Observer for Said {
+        fn progress(&self, fraction: f64) {
+            self.0.lock().unwrap().push(fraction);
+        }
+        fn is_cancelled(&self) -> bool {
+            self.0.lock().unwrap().len() >= 3
+        }
+    }
+
+    #[test]
+    fn checks_within_a_step_stop_it_and_do_not_count_as_steps() {
+        let said = Said::default();
+        let counting = Counting { observer: &said, done_before: 0.0, n_checks: Mutex::new(0), last_round: None };
+        let stack = super::super::unseen::Unseen(&counting);
+        for step in 1..=3 {
+            for _ in 0..1000 {
+                assert!(checkpoint_within(&stack).is_ok());
+            }
+            assert_eq!(said.0.lock().unwrap().len(), step - 1, "only steps are counted");
+            assert_eq!(checkpoint(&stack).is_err(), step == 3);
+        }
+        assert!(checkpoint_within(&stack).is_err());
+    }
+}

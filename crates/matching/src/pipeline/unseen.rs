@@ -9,4 +9,7 @@ impl Observer for Unseen<'_> {
     fn is_cancelled(&self) -> bool {
         self.0.is_cancelled()
     }
+    fn is_stopped(&self) -> bool {
+        self.0.is_stopped()
+    }
 }

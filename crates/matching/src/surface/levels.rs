@@ -60,6 +60,11 @@ impl Levels {
         Levels { full, middle, cells_of_middle: cells, coarse_vertices, energy: OnceLock::new() }
     }
 
+    /// Vertices of the surface that features are measured on, of a surface of `n`.
+    pub(crate) fn n_measured(n: usize, coarse_vertices: Option<u32>) -> usize {
+        if coarse_vertices.is_some() && n > MIDDLE_ABOVE { MIDDLE_VERTICES } else { n }
+    }
+
     /// The vertex of the middle level in whose cell a vertex lies.
     pub(crate) fn middle_of(&self, vertex: u32) -> u32 {
         self.cells_of_middle[vertex as usize]

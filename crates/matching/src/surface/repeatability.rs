@@ -9,7 +9,7 @@
 
 use super::robust::{Standard, correlation};
 use super::smooth::{LARGEST_SCALE, SmoothSurface};
-use homolog_geometry::curvature::{Estimator, ScaleSpace, curvatures};
+use homolog_geometry::curvature::{ScaleSpace, mean_curvature};
 use homolog_mesh::SurfaceMesh;
 use nalgebra::Point3;
 use rand_core::{Rng, SeedableRng};
@@ -33,7 +33,7 @@ pub(crate) fn repeatability(raw: &SurfaceMesh, smooth: &SmoothSurface, root_mm: 
     let scale_mm = smooth.coarsening * LARGEST_SCALE * root_mm;
     let curvature = |mesh: &SurfaceMesh| {
         let smoothed = ScaleSpace::new(mesh).smoothed(scale_mm).ok()?;
-        Some(curvatures(&smoothed, Estimator::AngleDefect).mean)
+        Some(mean_curvature(&smoothed))
     };
     let again = raw.with_vertices(again).ok().and_then(|mesh| curvature(&mesh));
     let (Some(first), Some(second)) = (curvature(raw), again) else { return 1.0 };

@@ -4,7 +4,7 @@ use super::robust::median;
 use super::side::POSITION_SCALE;
 use super::surface_index::SurfaceIndex;
 use crate::error::MatchError;
-use homolog_geometry::curvature::{Curvatures, Estimator, ScaleSpace, curvatures, vertex_areas};
+use homolog_geometry::curvature::{Curvatures, ScaleSpace, angle_defect_curvatures, vertex_areas};
 use homolog_mesh::SurfaceMesh;
 use homolog_registration::alignment::{AssignmentTarget, OrientedPoints};
 use nalgebra::{Point3, Vector3};
@@ -77,7 +77,7 @@ impl<'a> Flow<'a> {
             .into_par_iter()
             .map(|scale| {
                 let smoothed = at(&self.space, coarsening * scale * self.root_mm)?;
-                let measured = curvatures(&smoothed, Estimator::AngleDefect);
+                let measured = angle_defect_curvatures(&smoothed);
                 Ok((smoothed, measured))
             })
             .collect::<Result<_, MatchError>>()?;

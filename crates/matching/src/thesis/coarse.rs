@@ -26,7 +26,7 @@ pub(crate) fn coarse<'a>(
         || Scene::new(&source.full, &target.full, parameters, observer),
         || {
             let (source, target) = rayon::join(|| source.energy(), || target.energy());
-            build_model(&source.side, &target.side, parameters)
+            build_model(&source.side, &target.side, parameters, observer)
         },
     );
     let model = model?;

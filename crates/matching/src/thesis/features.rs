@@ -9,6 +9,7 @@ use homolog_geometry::descriptors::{
     spin_images, unit_spectrum, wave_kernel_signature,
 };
 use homolog_mrf::{Feature, learned_weights};
+use homolog_primitives::observe::{Observer, checkpoint_within};
 use std::cell::OnceCell;
 
 /// What one element of the list `features` measures on one surface.
@@ -30,13 +31,14 @@ pub(crate) fn features(
     parameters: &MatchParameters,
     root_mm: f64,
     radius_mm: f64,
+    observer: &dyn Observer,
 ) -> Result<Vec<Feature>, MatchError> {
     // Measured on the finer surface where this is a coarse level, and read at its vertices.
     let finer = |side| Side::measured_on(side).map_or((side, None), |(finer, sites)| (finer, Some(sites)));
     let ((source, source_sites), (target, target_sites)) = (finer(source), finer(target));
     let (of_source, of_target) = rayon::join(
-        || measured(source, parameters, root_mm, radius_mm),
-        || measured(target, parameters, root_mm, radius_mm),
+        || measured(source, parameters, root_mm, radius_mm, observer),
+        || measured(target, parameters, root_mm, radius_mm, observer),
     );
     let at_sites = |values: Vec<f64>, sites: Option<&[u32]>| match sites {
         Some(sites) => sites.iter().map(|&k| values[k as usize]).collect(),
@@ -57,7 +59,7 @@ pub(crate) fn features(
                 let signature =
                     matches!(stated.kind, FeatureKind::HeatKernelSignature | FeatureKind::WaveKernelSignature);
                 let (of_one, of_other) = (&source.light().areas, &target.light().areas);
-                let found = principal_components((&one, of_one), (&other, of_other), signature);
+                let found = principal_components((&one, of_one), (&other, of_other), signature, observer)?;
                 let n = found.deviations.len() as f64;
                 let sum: f64 = found.deviations.iter().sum();
                 for ((one, other), deviation) in found.first.into_iter().zip(found.second).zip(found.deviations) {
@@ -82,6 +84,7 @@ fn measured(
     parameters: &MatchParameters,
     root_mm: f64,
     radius_mm: f64,
+    observer: &dyn Observer,
 ) -> Result<Vec<Measured>, MatchError> {
     let (flow, spectrum) = (OnceCell::new(), OnceCell::new());
     // Several features share a scale and an estimator; each pair is measured once.
@@ -90,9 +93,10 @@ fn measured(
         if let Some((.., both)) = known.iter().find(|(s, e, _)| (*s, *e) == (scale_mm, estimator)) {
             return Ok(both.clone());
         }
+        checkpoint_within(observer)?;
         let flow = flow.get_or_init(|| ScaleSpace::new(side.mesh()));
         let surface = flow.smoothed(scale_mm).map_err(|_| MatchError::ScaleSpace { scale_mm })?;
-        let both = curvatures(&surface, estimator);
+        let both = curvatures(&surface, estimator, observer)?;
         known.push((scale_mm, estimator, both.clone()));
         Ok(both)
     };
@@ -108,7 +112,10 @@ fn measured(
         let support_mm = feature.support * root_mm;
         // Without the steps of voxels, which turn normals.
         let light = || &side.light().mesh;
-        let spectrum = || spectrum.get_or_init(|| unit_spectrum(light())).as_ref().ok_or(MatchError::Spectrum);
+        let spectrum = || match spectrum.get_or_init(|| unit_spectrum(light(), observer)) {
+            Err(cancelled) => Err(MatchError::from(*cancelled)),
+            Ok(found) => found.as_ref().ok_or(MatchError::Spectrum),
+        };
         Ok(Measured::Channels(match feature.kind {
             FeatureKind::GaussianCurvature => return of_curvatures(feature, &|both| both.gaussian),
             FeatureKind::MeanCurvature => return of_curvatures(feature, &|both| both.mean),
@@ -116,10 +123,10 @@ fn measured(
             FeatureKind::Curvedness => return of_curvatures(feature, &|both| curvedness(&both)),
             FeatureKind::HeatKernelSignature => heat_kernel_signature(spectrum()?),
             FeatureKind::WaveKernelSignature => wave_kernel_signature(spectrum()?),
-            FeatureKind::SpinImage => spin_images(light(), support_mm),
-            FeatureKind::ShapeContext => shape_contexts(light(), support_mm),
-            FeatureKind::Fpfh => fpfh(light(), support_mm),
-            FeatureKind::Shot => shot(light(), support_mm),
+            FeatureKind::SpinImage => spin_images(light(), support_mm, observer)?,
+            FeatureKind::ShapeContext => shape_contexts(light(), support_mm, observer)?,
+            FeatureKind::Fpfh => fpfh(light(), support_mm, observer)?,
+            FeatureKind::Shot => shot(light(), support_mm, observer)?,
         }))
     };
     parameters.features.iter().map(measure).collect()

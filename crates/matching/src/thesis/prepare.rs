@@ -9,6 +9,7 @@ use homolog_contract::parameters::{Landmark, MatchParameters, PairwiseDistance};
 use homolog_geometry::geodesic::{LabelDistance, label_neighborhoods};
 use homolog_mesh::SurfaceMesh;
 use homolog_mrf::{MrfModel, PairwisePotential, unary_potentials};
+use homolog_primitives::observe::{Observer, Silent};
 use nalgebra::Point3;
 
 /// Most that a landmark adds to a unary potential, so that a wrong one can be outvoted.
@@ -36,11 +37,16 @@ fn add_landmarks(unary: &mut [f32], source: &Side, target: &Side, landmarks: &[L
 const HARD_TRUNCATION: f64 = 60.0;
 
 /// The energy of matching `source` to `target`.
-pub(crate) fn build_model(source: &Side, target: &Side, parameters: &MatchParameters) -> Result<MrfModel, MatchError> {
+pub(crate) fn build_model(
+    source: &Side,
+    target: &Side,
+    parameters: &MatchParameters,
+    observer: &dyn Observer,
+) -> Result<MrfModel, MatchError> {
     // One radius for both, or the coarser surface would appear smoother.
     let radius_mm = source.feature_radius_mm().max(target.feature_radius_mm());
     let root_mm = Lengths::of(source, target).root_mm;
-    let features = features(source, target, parameters, root_mm, radius_mm)?;
+    let features = features(source, target, parameters, root_mm, radius_mm, observer)?;
     let energy = &parameters.energy;
     let variables = source.mesh().edge_graph();
     let mut lengths = Vec::with_capacity(variables.n_directed_edges());
@@ -55,7 +61,7 @@ pub(crate) fn build_model(source: &Side, target: &Side, parameters: &MatchParame
         PairwiseDistance::Geodesic => LabelDistance::Geodesic,
     };
     let labels = label_neighborhoods(target.mesh(), energy.neighborhood_rings as usize, distance);
-    let mut unary = unary_potentials(&features, energy.alpha, energy.feature_cap, energy.minkowski_p);
+    let mut unary = unary_potentials(&features, energy.alpha, energy.feature_cap, energy.minkowski_p, observer)?;
     add_landmarks(&mut unary, source, target, &parameters.landmarks);
     Ok(MrfModel {
         variables,
@@ -80,7 +86,7 @@ pub fn energy_model(
     target: &SurfaceMesh,
     parameters: &MatchParameters,
 ) -> Result<MrfModel, MatchError> {
-    build_model(&Side::new(source), &Side::new(target), parameters)
+    build_model(&Side::new(source), &Side::new(target), parameters, &Silent)
 }
 
 /// The energy on the coarse levels of two surfaces, as [`crate::match_levels`] minimises it in its first round.
@@ -92,5 +98,5 @@ pub fn coarse_energy_model(
     target: &Levels,
     parameters: &MatchParameters,
 ) -> Result<MrfModel, MatchError> {
-    build_model(&source.energy().side, &target.energy().side, parameters)
+    build_model(&source.energy().side, &target.energy().side, parameters, &Silent)
 }

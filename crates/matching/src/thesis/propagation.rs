@@ -23,7 +23,7 @@ impl Minimiser for Propagation<'_> {
     fn run(&mut self, run: &InferenceRun<'_>, on_step: OnStep<'_>) -> Result<Labeled, Cancelled> {
         let &InferenceRun { round, budget, positions, observer } = run;
         let outcome = self.bp.run(budget, observer, |iteration| on_step(trace_point(round, iteration)))?;
-        let spread_mm = self.bp.spreads(positions);
+        let spread_mm = self.bp.spreads(positions, observer)?;
         Ok(labeled(outcome, spread_mm))
     }
 }

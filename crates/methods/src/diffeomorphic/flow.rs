@@ -1,5 +1,6 @@
 //! A stationary velocity field and its flow.
 
+use homolog_primitives::observe::{Cancelled, Observer, checkpoint_within};
 use nalgebra::{Matrix3, Point3, Vector3};
 use rayon::prelude::*;
 
@@ -59,12 +60,22 @@ impl VelocityField {
     /// `points` after the flow for `time`, by `n_steps` steps of the classical Runge-Kutta method; `−1` undoes `1`.
     ///
     /// Cost `O(n · control · n_steps)`.
-    pub fn flowed(&self, points: &[Point3<f64>], time: f64, n_steps: usize) -> Vec<Point3<f64>> {
+    ///
+    /// # Errors
+    /// [`Cancelled`], asked at every point.
+    pub fn flowed(
+        &self,
+        points: &[Point3<f64>],
+        time: f64,
+        n_steps: usize,
+        observer: &dyn Observer,
+    ) -> Result<Vec<Point3<f64>>, Cancelled> {
         let h = time / n_steps as f64;
         points
             .par_iter()
             .with_min_len(CHUNK)
             .map(|p| {
+                checkpoint_within(observer)?;
                 let mut x = *p;
                 for _ in 0..n_steps {
                     let a = self.velocity(&x);
@@ -73,7 +84,7 @@ impl VelocityField {
                     let d = self.velocity(&(x + c * h));
                     x += (a + 2.0 * b + 2.0 * c + d) * (h / 6.0);
                 }
-                x
+                Ok(x)
             })
             .collect()
     }
@@ -170,6 +181,7 @@ impl VelocityField {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use homolog_primitives::observe::Silent;
 
     fn field() -> VelocityField {
         let control = vec![Point3::new(0.0, 0.0, 0.0), Point3::new(0.3, 0.1, -0.2), Point3::new(-0.2, 0.2, 0.1)];
@@ -185,7 +197,7 @@ mod tests {
         for k in 0..3 {
             let mut d = Vector3::zeros();
             d[k] = 1e-5;
-            let moved = field.flowed(&[p + d, p - d], 1.0, 40);
+            let moved = field.flowed(&[p + d, p - d], 1.0, 40, &Silent).unwrap();
             let column = (moved[0] - moved[1]) / 2e-5;
             assert!((column - jacobian.column(k)).norm() < 1e-7);
         }
@@ -196,16 +208,18 @@ mod tests {
     fn the_flow_back_is_the_inverse() {
         let field = field();
         let points: Vec<_> = (0..50).map(|k| Point3::new(0.02 * f64::from(k) - 0.5, 0.1, 0.05)).collect();
-        let back = field.flowed(&field.flowed(&points, 1.0, 20), -1.0, 20);
+        let back = field.flowed(&field.flowed(&points, 1.0, 20, &Silent).unwrap(), -1.0, 20, &Silent).unwrap();
         assert!(points.iter().zip(&back).all(|(p, q)| (p - q).norm() < 1e-6));
-        assert!(field.flowed(&points, 1.0, 20).iter().zip(&points).any(|(p, q)| (p - q).norm() > 0.05));
+        assert!(
+            field.flowed(&points, 1.0, 20, &Silent).unwrap().iter().zip(&points).any(|(p, q)| (p - q).norm() > 0.05)
+        );
     }
 
     #[test]
     fn half_the_time_twice_is_the_whole() {
         let field = field();
         let points = [Point3::new(0.1, 0.0, 0.0)];
-        let twice = field.flowed(&field.flowed(&points, 0.5, 20), 0.5, 20);
-        assert!((twice[0] - field.flowed(&points, 1.0, 40)[0]).norm() < 1e-12);
+        let twice = field.flowed(&field.flowed(&points, 0.5, 20, &Silent).unwrap(), 0.5, 20, &Silent).unwrap();
+        assert!((twice[0] - field.flowed(&points, 1.0, 40, &Silent).unwrap()[0]).norm() < 1e-12);
     }
 }

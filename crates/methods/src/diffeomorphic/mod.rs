@@ -196,11 +196,11 @@ mod tests {
     #[test]
     fn a_warp_is_found_without_folds_and_undone_by_the_flow_back() {
         let (mesh, truth, field) = fitted();
-        let moved = field.flowed(mesh.vertices(), 1.0, 20);
+        let moved = field.flowed(mesh.vertices(), 1.0, 20, &Silent).unwrap();
         let error = rms(&moved, &truth);
         assert!(error < 0.5 * rms(mesh.vertices(), &truth), "{error}");
         // 0.01 mm on a hippocampus, whose area is about 1,500 mm².
-        let back = field.flowed(&moved, -1.0, 20);
+        let back = field.flowed(&moved, -1.0, 20, &Silent).unwrap();
         let worst = back.iter().zip(mesh.vertices()).map(|(p, q)| (p - q).norm()).fold(0.0, f64::max);
         assert!(worst < 0.01 / 1500f64.sqrt(), "{worst}");
         assert!(least_jacobians(&field, mesh.vertices(), 20).iter().all(|j| *j > 0.0));

@@ -20,7 +20,7 @@ use super::residual::Residual;
 use super::unary_factors::exponentiate;
 use crate::MrfModel;
 use half::f16;
-use homolog_primitives::observe::{Cancelled, Observer};
+use homolog_primitives::observe::{Cancelled, Observer, checkpoint_within};
 use nalgebra::Point3;
 use rayon::prelude::*;
 use std::borrow::Cow;
@@ -175,8 +175,15 @@ impl<'a> BeliefPropagation<'a> {
     }
 
     /// [`belief_spread`] of every variable over the positions of the labels, mm. Cost `O(|E→| n)`, on all cores.
-    pub fn spreads(&self, positions: &[Point3<f64>]) -> Vec<f64> {
-        (0..self.model.n_variables()).into_par_iter().map(|i| belief_spread(&self.belief(i), positions)).collect()
+    ///
+    /// # Errors
+    /// [`Cancelled`], asked at every variable.
+    pub fn spreads(&self, positions: &[Point3<f64>], observer: &dyn Observer) -> Result<Vec<f64>, Cancelled> {
+        let spread = |i: usize| {
+            checkpoint_within(observer)?;
+            Ok(belief_spread(&self.belief(i), positions))
+        };
+        (0..self.model.n_variables()).into_par_iter().map(spread).collect()
     }
 }
 

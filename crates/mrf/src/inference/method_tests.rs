@@ -218,7 +218,7 @@ fn beliefs_sum_to_one_and_their_peak_is_the_label_with_its_confidence() {
         for product in [Product::Max, Product::Sum] {
             let mut bp = BeliefPropagation::with_method(&model, options(product, 0.5, 1e-5), method);
             let outcome = bp.run(12, &Silent, |_| ()).unwrap();
-            let spreads = bp.spreads(&places);
+            let spreads = bp.spreads(&places, &Silent).unwrap();
             for i in 0..22 {
                 let belief = bp.belief(i);
                 assert!((belief.iter().sum::<f32>() - 1.0).abs() < 1e-5);

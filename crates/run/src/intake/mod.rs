@@ -30,6 +30,7 @@ pub use homolog_formats::DEFAULT_INFLATION;
 use homolog_formats::{FileContent, FormatError, ReadFile, ReadLimits, ReadOptions};
 use homolog_mesh::volume::Sampling;
 use homolog_mesh::{ClosestPointIndex, Numbering, SurfaceMesh};
+use serde::{Deserialize, Serialize};
 use std::collections::HashSet;
 pub(crate) use warnings::UsedLabels;
 
@@ -96,7 +97,8 @@ impl PreparedSurface {
 }
 
 /// Bounds on what is read, so that no file can demand more memory than the operator allows.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct IntakeLimits {
     /// Largest file as uploaded, bytes.
     pub max_bytes: usize,

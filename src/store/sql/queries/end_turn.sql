@@ -1,2 +1,2 @@
 -- end_turn
-UPDATE webhooks SET next_at = {now} + $3, busy_until = 0, failures = $2 WHERE id = $1
+UPDATE webhooks SET next_at = {now} + $3, busy_until = 0, wait_ms = $3, failures = $2 WHERE id = $1

@@ -1,3 +1,3 @@
 -- insert_delivery
-INSERT INTO webhook_deliveries (id, webhook_id, tenant, event, payload, traceparent, state, next_at, created_at)
-VALUES ($1, $2, $3, $4, $5, $6, 'pending', {now}, {now})
+INSERT INTO webhook_deliveries (id, webhook_id, tenant, event, payload, traceparent, state, next_at, wait_ms, created_at)
+VALUES ($1, $2, $3, $4, $5, $6, 'pending', {now}, 0, {now})

@@ -9,6 +9,7 @@ use crate::experiment::units::{Measurement, Unit};
 use homolog_geometry::curvature::{Estimator, curvatures, default_radius_mm};
 use homolog_mesh::shapes::{ellipsoid, torus};
 use homolog_mesh::{FaceArity, SurfaceMesh};
+use homolog_primitives::observe::Silent;
 use nalgebra::{Point3, Vector3};
 use serde_json::json;
 
@@ -101,7 +102,9 @@ fn measure(shape: Shape, estimator: &str, level: u32, noise: Option<u64>) -> Res
             "quadric" => Estimator::Quadric { radius_mm },
             _ => Estimator::AngleDefect,
         },
-    );
+        &Silent,
+    )
+    .map_err(|e| e.to_string())?;
     let exact: Vec<(f64, f64)> = clean.vertices().iter().map(|p| shape.exact(p)).collect();
     let relative = |found: &[f64], exact: &dyn Fn(usize) -> f64| {
         let squares: f64 = (0..found.len()).map(|i| (found[i] - exact(i)).powi(2)).sum();

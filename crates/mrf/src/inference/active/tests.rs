@@ -188,7 +188,7 @@ proptest! {
             target: values[shift + 9..shift + 20].to_vec(),
         };
         let features = [feature(0), feature(5)];
-        let table = unary_potentials(&features, 1.3, 0.7, order);
+        let table = unary_potentials(&features, 1.3, 0.7, order, &Silent).unwrap();
         let potentials = FeaturePotentials::new(&features, 1.3, 0.7, order);
         for (i, row) in table.chunks(11).enumerate() {
             for (x, &theta) in row.iter().enumerate() {

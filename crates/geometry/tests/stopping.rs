@@ -1,0 +1,67 @@
+//! Measures whose balls may hold the whole surface stop within the work of one vertex, and spectra within that of one block: the
+//! observer is asked at each, and none of it counts as a step.
+#![allow(clippy::unwrap_used)]
+
+use homolog_geometry::curvature::{Estimator, curvatures, vertex_areas};
+use homolog_geometry::descriptors::{fpfh, principal_components, shape_contexts, shot, spin_images};
+use homolog_geometry::spectrum::spectrum;
+use homolog_mesh::shapes::ellipsoid;
+use homolog_primitives::observe::{Cancelled, Observer, Silent};
+use nalgebra::Vector3;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+/// Asks to stop after some checks, and counts them.
+struct StopAfter {
+    checks: usize,
+    asked: AtomicUsize,
+    counted: AtomicUsize,
+}
+
+impl StopAfter {
+    fn new(checks: usize) -> Self {
+        StopAfter { checks, asked: AtomicUsize::new(0), counted: AtomicUsize::new(0) }
+    }
+}
+
+impl Observer for StopAfter {
+    fn is_cancelled(&self) -> bool {
+        self.counted.fetch_add(1, Ordering::Relaxed);
+        self.is_stopped()
+    }
+    fn is_stopped(&self) -> bool {
+        self.asked.fetch_add(1, Ordering::Relaxed) >= self.checks
+    }
+}
+
+type Measure<'a> = &'a dyn Fn(&dyn Observer) -> Result<(), Cancelled>;
+
+#[test]
+fn no_more_than_a_vertex_or_a_block_is_measured_between_two_checks() {
+    let mesh = ellipsoid(Vector3::new(9.0, 6.0, 5.0), 3);
+    let (n, all, k) = (mesh.n_vertices(), 100.0, 20);
+    let areas = vertex_areas(&mesh);
+    let described = shot(&mesh, 4.0, &Silent).unwrap();
+    let side = || (&described, areas.as_slice());
+    let measures: [(&str, usize, Measure<'_>); 8] = [
+        ("shot", n, &|o| shot(&mesh, all, o).map(drop)),
+        ("spin images", n, &|o| spin_images(&mesh, all, o).map(drop)),
+        ("shape contexts", n, &|o| shape_contexts(&mesh, all, o).map(drop)),
+        ("fpfh", 2 * n, &|o| fpfh(&mesh, all, o).map(drop)),
+        ("quadric", n, &|o| curvatures(&mesh, Estimator::Quadric { radius_mm: all }, o).map(drop)),
+        ("covariance", n, &|o| curvatures(&mesh, Estimator::Covariance { radius_mm: all }, o).map(drop)),
+        // A column of the covariance of all channels, once for each surface.
+        ("components", 2 * described.n_channels, &|o| principal_components(side(), side(), false, o).map(drop)),
+        // Blocks of six vectors, of which twice as many are needed as pairs are wanted.
+        ("spectrum", 2 * k / 6, &|o| spectrum(&mesh, k, o).map(drop)),
+    ];
+    for (name, pieces, measure) in measures {
+        let whole = StopAfter::new(usize::MAX);
+        assert_eq!(measure(&whole), Ok(()), "{name}");
+        let asked = whole.asked.load(Ordering::Relaxed);
+        assert!(asked >= pieces, "{name}: {asked} checks of {pieces} pieces");
+        assert_eq!(whole.counted.load(Ordering::Relaxed), 0, "{name}: a piece is no step");
+        for checks in [0, 1, asked / 2, asked - 1] {
+            assert_eq!(measure(&StopAfter::new(checks)), Err(Cancelled), "{name} after {checks} of {asked}");
+        }
+    }
+}

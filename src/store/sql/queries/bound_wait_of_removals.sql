@@ -1,0 +1,2 @@
+-- bound_wait_of_removals
+UPDATE blobs SET removing_since = {now} WHERE removing_since > {now}

@@ -183,7 +183,7 @@ mod tests {
     fn definition(n: usize, decided: &[usize]) -> StudyDefinition {
         let subject = |k: usize| StudySubject {
             id: format!("s{k}"),
-            subject: (k % 3 == 0).then(|| format!("\"person\" {k}")),
+            subject: k.is_multiple_of(3).then(|| format!("\"person\" {k}")),
             role: if k % 4 == 1 { SubjectRole::Score } else { SubjectRole::Model },
             side: [None, Some(BodySide::Left), Some(BodySide::Right)][k % 3],
             covariates: (0..k % 5).map(|c| (format!("id{c}"), "\u{e9}\\\"}]".to_owned())).collect(),

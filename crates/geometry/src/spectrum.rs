@@ -79,13 +79,16 @@ fn shifted(mesh: &SurfaceMesh, areas: &[f64], shift: f64) -> Option<Cholesky> {
     CholeskyPattern::new(areas.len(), &places)?.factorize(&values)
 }
 
-/// The `k` largest eigenvalues, descending, and eigenvectors of the symmetric `n × n` operator `apply`.
+/// Eigenvalues, descending, and eigenvectors.
+type Eigenpairs = (Vec<f64>, Mat<f64>);
+
+/// The `k` largest eigenvalues and their eigenvectors of the symmetric `n × n` operator `apply`.
 fn largest(
     n: usize,
     k: usize,
     apply: &dyn Fn(&Mat<f64>) -> Mat<f64>,
     observer: &dyn Observer,
-) -> Result<Option<(Vec<f64>, Mat<f64>)>, Cancelled> {
+) -> Result<Option<Eigenpairs>, Cancelled> {
     let block = BLOCK.min(n);
     let mut wanted = (2 * k + 8 * block).min(n);
     let mut stream = 0x9e37_79b9_7f4a_7c15u64;

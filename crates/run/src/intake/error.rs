@@ -182,7 +182,7 @@ fn without_name(has_names: bool) -> &'static str {
         "numbers are taken too, and homolog inspect lists the labels of a file with their names"
     } else {
         "the file has no names of labels, and no table of a well-known segmentation has both this name and all labels of the \
-         volume; numbers are taken too, and freesurfer:NAME, totalsegmentator:NAME, totalsegmentator-mr:NAME, aal:NAME, aal-spm:NAME or aal3:NAME name a table"
+         volume; numbers are taken too, and freesurfer:NAME, totalsegmentator:NAME, totalsegmentator-mr:NAME, aal:NAME or aal-spm:NAME name a table"
     }
 }
 

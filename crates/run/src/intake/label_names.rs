@@ -24,20 +24,17 @@ pub struct LabelTable {
     pub name: &'static str,
     /// The program or atlas, for people.
     pub title: &'static str,
-    /// Whether it has every number of the segmentation, so that a volume can be recognized by it.
-    is_complete: bool,
     /// Number and name, in the order of the file; a number may have several names.
     rows: Vec<(u32, &'static str)>,
 }
 
-/// Name, title, completeness and content of each table; the files state source and licence.
-const TABLES: [(&str, &str, bool, &str); 6] = [
-    ("freesurfer", "FreeSurfer", true, include_str!("label_tables/freesurfer.tsv")),
-    ("totalsegmentator", "TotalSegmentator", true, include_str!("label_tables/totalsegmentator.tsv")),
-    ("totalsegmentator-mr", "TotalSegmentator MR", true, include_str!("label_tables/totalsegmentator-mr.tsv")),
-    ("aal", "AAL", true, include_str!("label_tables/aal.tsv")),
-    ("aal-spm", "AAL of SPM", true, include_str!("label_tables/aal-spm.tsv")),
-    ("aal3", "AAL3", false, include_str!("label_tables/aal3.tsv")),
+/// Name, title and content of each table; the files state source and licence.
+const TABLES: [(&str, &str, &str); 5] = [
+    ("freesurfer", "FreeSurfer", include_str!("label_tables/freesurfer.tsv")),
+    ("totalsegmentator", "TotalSegmentator", include_str!("label_tables/totalsegmentator.tsv")),
+    ("totalsegmentator-mr", "TotalSegmentator MR", include_str!("label_tables/totalsegmentator-mr.tsv")),
+    ("aal", "AAL", include_str!("label_tables/aal.tsv")),
+    ("aal-spm", "AAL of SPM", include_str!("label_tables/aal-spm.tsv")),
 ];
 
 /// The tables of well-known segmentations.
@@ -48,10 +45,9 @@ pub fn label_tables() -> &'static [LabelTable] {
             let (number, name) = line.split_once('\t')?;
             Some((number.parse().ok()?, name))
         };
-        let table = |(name, title, is_complete, text): (_, _, _, &'static str)| LabelTable {
+        let table = |(name, title, text): (_, _, &'static str)| LabelTable {
             name,
             title,
-            is_complete,
             rows: text.lines().filter(|line| !line.starts_with('#')).filter_map(row).collect(),
         };
         TABLES.into_iter().map(table).collect()
@@ -65,7 +61,7 @@ impl LabelTable {
     }
 
     fn knows_all(&self, present: &BTreeSet<u32>) -> bool {
-        self.is_complete && present.iter().all(|label| self.name_of(*label).is_some())
+        present.iter().all(|label| self.name_of(*label).is_some())
     }
 
     fn numbers_of(&self, words: &[String]) -> BTreeSet<u32> {
@@ -273,7 +269,7 @@ mod tests {
 
     #[test]
     fn every_table_is_read_whole_and_states_source_and_licence() {
-        for ((name, _, _, text), table) in TABLES.iter().zip(label_tables()) {
+        for ((name, _, text), table) in TABLES.iter().zip(label_tables()) {
             assert_eq!(text.lines().filter(|line| !line.starts_with('#')).count(), table.rows.len(), "{name}");
             let head: String = text.lines().take_while(|line| line.starts_with('#')).collect();
             assert!(head.contains("Source:") && head.contains("icence"), "{name}");
@@ -294,7 +290,6 @@ mod tests {
         assert_eq!(numbers("kidney-left", &[1, 2, 3, 5]).unwrap(), [3]);
         assert_eq!(numbers("entorhinal-right ctx", &[17, 53, 2006]).unwrap(), [2006]);
         assert_eq!(numbers("hippocampus left", &[4101, 4102, 2001]).unwrap(), [4101]);
-        assert_eq!(numbers("aal3:hippocampus left", &[41, 9999]).unwrap(), [41]);
         // The volume has not the label that the name means, or one that no table knows.
         assert!(matches!(numbers("amygdala-left", &[17, 53, 1006]), Err(IntakeError::UnknownLabelName { .. })));
         assert!(matches!(numbers("hippocampus-left", &[17, 9999]), Err(IntakeError::UnknownLabelName { .. })));

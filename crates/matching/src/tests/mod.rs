@@ -193,7 +193,10 @@ fn progress_and_trace_only_go_forward() {
     let surface = bean();
     let p = parameters(json!({"inference": {"max_iterations": 12}}));
     let outcome = match_surfaces(&surface, &surface, &p, &record).unwrap();
-    let (progress, trace) = record.0.into_inner().unwrap();
+    let (progress, mut trace) = record.0.into_inner().unwrap();
+    // The energy of the answer is the last point, of whichever round it is.
+    let answer = trace.pop().unwrap();
+    assert!(answer.chosen && trace.iter().all(|t| !t.chosen));
     assert!(progress.windows(2).all(|w| w[0] <= w[1]) && progress.iter().all(|f| (0.0..=1.0).contains(f)));
     assert!(
         trace
@@ -206,7 +209,7 @@ fn progress_and_trace_only_go_forward() {
 
 #[test]
 fn the_default_traces_belief_propagation_then_ransac_then_the_fits_of_the_field() {
-    use homolog_primitives::observe::{Observer, Phase, TracePoint};
+    use homolog_primitives::observe::{Observer, Phase, Quantity, TracePoint};
     use std::sync::Mutex;
     #[derive(Default)]
     struct Record(Mutex<Vec<TracePoint>>);
@@ -217,7 +220,8 @@ fn the_default_traces_belief_propagation_then_ransac_then_the_fits_of_the_field(
     }
     let (record, surface) = (Record::default(), bean());
     let outcome = match_surfaces(&surface, &squeezed(&surface), &parameters(json!({})), &record).unwrap();
-    let trace = record.0.into_inner().unwrap();
+    let mut trace = record.0.into_inner().unwrap();
+    let answer = trace.pop().unwrap();
     let n_inference = trace.iter().take_while(|point| point.phase == Phase::Inference).count();
     let (inference, rest) = trace.split_at(n_inference);
     assert!(inference.iter().enumerate().all(|(k, p)| (p.round, p.iteration) == (0, k as u32 + 1)));
@@ -231,6 +235,9 @@ fn the_default_traces_belief_propagation_then_ransac_then_the_fits_of_the_field(
     // Two of three labels from nothing support the pose, and nearly all those of the answer.
     assert!(3 * from_nothing.support >= 2 * energies.n_variables && 10 * clamped.support >= 9 * energies.n_variables);
     assert!(outcome.support.trials > 0 && outcome.support.confidence_reached);
+    assert_eq!((answer.phase, answer.chosen, answer.round), (Phase::Reporting, true, clamped.round));
+    assert_eq!((answer.quantity, answer.energy), (Some(Quantity::IsometryEnergy), Some(energies.r#final)));
+    assert!(inference.iter().chain(rest).all(|point| !point.chosen && point.quantity.is_some()));
     let registration = &rest[0];
     assert_eq!((registration.phase, registration.support), (Phase::Registration, Some(from_nothing.support)));
     assert_eq!(registration.energy, Some(from_nothing.energy));

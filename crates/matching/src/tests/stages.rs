@@ -204,5 +204,6 @@ fn an_unsupported_round_is_traced_with_support_0() {
     assert_eq!(phases, [Features, Features, Inference, Registration, Displacement, Reporting]);
     let of_registration: Vec<_> = trace.iter().filter(|t| t.phase == Registration).map(|t| t.support).collect();
     assert_eq!(of_registration, [Some(0)]);
-    assert_eq!(trace.last().map(|t| t.phase), Some(Displacement));
+    let [.., field, answer] = &trace[..] else { panic!("{trace:?}") };
+    assert_eq!((field.phase, answer.phase, answer.chosen), (Displacement, Reporting, true));
 }

@@ -2,6 +2,10 @@
 #![allow(clippy::unwrap_used, clippy::panic)]
 #![allow(unsafe_code, reason = "an allocator that counts can only be written so")]
 
+#[path = "../../../tests/counting/mod.rs"]
+mod counting;
+
+use counting::{HELD, MOST};
 use homolog_contract::parameters::{Method, preset};
 use homolog_contract::study::StudySize;
 use homolog_formats::ply::write_ply;
@@ -18,35 +22,10 @@ use homolog_study::plan::{Step, Study};
 use homolog_study::record::{Facts, Record};
 use homolog_study::settings::{Analysis, Measure, Settings, Size, TemplateChoice};
 use nalgebra::{Point3, Vector3};
-use std::alloc::{GlobalAlloc, Layout, System};
 use std::collections::BTreeMap;
 use std::io;
 use std::path::Path;
-use std::sync::atomic::{AtomicUsize, Ordering};
-
-/// Counts what the process holds, and the most that it has held.
-struct Counting;
-
-static HELD: AtomicUsize = AtomicUsize::new(0);
-static MOST: AtomicUsize = AtomicUsize::new(0);
-
-// SAFETY: every call is passed on to the system's allocator with the same arguments; counting allocates nothing.
-unsafe impl GlobalAlloc for Counting {
-    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
-        let held = HELD.fetch_add(layout.size(), Ordering::Relaxed) + layout.size();
-        MOST.fetch_max(held, Ordering::Relaxed);
-        // SAFETY: the caller's promise about `layout` is passed on.
-        unsafe { System.alloc(layout) }
-    }
-    unsafe fn dealloc(&self, place: *mut u8, layout: Layout) {
-        HELD.fetch_sub(layout.size(), Ordering::Relaxed);
-        // SAFETY: `place` was allocated above with this layout.
-        unsafe { System.dealloc(place, layout) }
-    }
-}
-
-#[global_allocator]
-static ALLOCATOR: Counting = Counting;
+use std::sync::atomic::Ordering;
 
 struct Quiet;
 impl Watcher for Quiet {}

@@ -1,4 +1,4 @@
-"""Reads the same files with homolog and with the programs of the field, and says where they differ.
+"""Reads the same files with homolog and with other programs, and reports the differences.
 
 Two sets of files: what VTK, SimpleITK, nibabel, pynrrd, trimesh and highdicom write, with mutations of it; and the test data of
 packages of PyPI. Writes docs/formats-read.md, and fails if a difference is not one of those that decisions.json explains.
@@ -37,7 +37,7 @@ def decided(where, entry):
 
 
 def compare_mutants(binary, rounds, peers, folder):
-    """For each writer and mutation: what homolog makes of the file and what the programs of the field do."""
+    """For each writer and mutation: how homolog and the other programs read the file."""
     entries = []
     for writer, kind, path in mutate.originals(folder):
         data = path.read_bytes()
@@ -65,18 +65,18 @@ def compare_mutants(binary, rounds, peers, folder):
 
 
 def classify(entry):
-    """How homolog differs from the programs of the field, if it does."""
+    """How homolog differs from the other programs, or `None`."""
     ours, theirs = entry["ours"], list(entry["peers"].values())
     if entry.get("class"):
         return entry["class"]
     if ours == "refused" and "right" in theirs:
-        return "they read, we refuse"
+        return "other programs read, homolog refuses"
     if ours == "right" and set(theirs) == {"refused"}:
-        return "we read, they refuse"
+        return "homolog reads, other programs refuse"
     if ours == "other" and "right" in theirs:
-        return "they read what was written, we something else"
+        return "other programs read the original, homolog something else"
     if ours == "other" and "as we" not in theirs:
-        return "we read something that nobody reads"
+        return "homolog reads something that no other program reads"
     return None
 
 
@@ -92,7 +92,7 @@ def mutation_section(entries):
         if any(state == "other" for state in entry["peers"].values()) and entry["ours"] != "other":
             table[entry["format"]]["misread"] += 1
     lines += [
-        "| format | files | read as written | read as something else, as others do or with a note | refused | of these, and of those read as written, misread by another program |",
+        "| format | files | read as the original | read differently, like other programs or with a note | refused | refused or read as the original, but misread by another program |",
         "|---|---|---|---|---|---|",
     ]
     for kind, counts in sorted(table.items()):
@@ -106,7 +106,7 @@ def mutation_section(entries):
             differences[(kind, entry["format"], entry["mutation"], reason)].append(entry)
             if reason is None:
                 undecided.append(entry)
-    lines += ["", "Where homolog and the programs of the field differ:", "", "| difference | format | mutation | files | decision |", "|---|---|---|---|---|"]
+    lines += ["", "Differences between homolog and the other programs:", "", "| difference | format | mutation | files | decision |", "|---|---|---|---|---|"]
     for (kind, form, mutation, reason), found in sorted(differences.items(), key=lambda item: tuple(map(str, item[0]))):
         lines.append(f"| {kind} | {form} | {mutation} | {len(found)} | {reason or '**undecided**'} |")
     return lines, undecided
@@ -233,10 +233,10 @@ def main():
     peers = measure.Peers()
     version = subprocess.run([arguments.binary, "--version"], capture_output=True, text=True).stdout.strip()
     lines = [
-        "# Files read by homolog and by the programs of the field",
+        "# Files read by homolog and by other programs",
         "",
-        f"Made by `make peers-read` with {version}; versions of the other programs are in `tests/readers/requirements.txt`. What is",
-        "decided about each difference stands in `tests/readers/peers/decisions.json` and, in words, in [formats.md](formats.md).",
+        f"Made by `make peers-read` with {version}; versions of the other programs are in `tests/readers/requirements.txt`.",
+        "`tests/readers/peers/decisions.json` has the decision on each difference, and [formats.md](formats.md) explains them.",
         "",
     ]
     undecided = []
@@ -244,11 +244,11 @@ def main():
         with tempfile.TemporaryDirectory() as folder:
             entries = compare_mutants(arguments.binary, arguments.rounds, peers, pathlib.Path(folder))
         section, open_cases = mutation_section(entries)
-        lines += ["## Mutations", "", f"One surface and one label volume as the programs write them, each mutated at random with fixed seeds, {arguments.rounds} rounds.", "", *section, ""]
+        lines += ["## Mutations", "", f"One surface and one label volume, written by these programs and each mutated at random with fixed seeds, {arguments.rounds} rounds.", "", *section, ""]
         undecided += open_cases
     if arguments.only != "mutations":
         section, open_cases = compare_collections(arguments.binary, peers, arguments.cache, arguments.limit)
-        lines += ["## Public test data", "", "Surfaces: area and enclosed volume. Label volumes: size, labels with their number of voxels, volume of a voxel. Equal means equal to 10⁻⁴.", "", *section, ""]
+        lines += ["## Public test data", "", "Surfaces: area and enclosed volume. Label volumes: size, labels with their number of voxels, volume of a voxel. Equal means within 10⁻⁴.", "", *section, ""]
         undecided += open_cases
     text = "\n".join(lines)
     if arguments.out:

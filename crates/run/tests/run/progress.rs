@@ -1,4 +1,4 @@
-//! The fraction that is said to be done is the share of the time that has passed, within a third.
+//! The reported progress of a match follows the share of its processor time.
 
 use crate::fixtures::hippocampi;
 use homolog_contract::parameters::{Method, preset};
@@ -34,7 +34,7 @@ impl Observer for Recorder {
     }
 }
 
-/// The largest deviation of what is said from the share of the time, as a share of that; a third is promised.
+/// The largest difference between the reported progress and the share of the processor time.
 fn deviation(pair: &[Vec<u8>]) -> f64 {
     let file = |k: usize| InputFile { bytes: &pair[k], name: None };
     let recorder = Recorder { begun: cpu_s(), said: Mutex::default() };
@@ -43,11 +43,14 @@ fn deviation(pair: &[Vec<u8>]) -> f64 {
     let said = recorder.said.into_inner().unwrap();
     assert!(said.len() > 50, "{} points", said.len());
     assert!(said.windows(2).all(|pair| pair[0].1 <= pair[1].1), "it never decreases");
-    // When, and which share of it was said: the estimate of the rest is as good.
-    let shares: Vec<_> = said.iter().map(|(at, done)| (at / total, *done)).filter(|(at, _)| *at > 0.15).collect();
+    let shares: Vec<_> = said.iter().map(|(at, done)| (at / total, *done)).collect();
     shares.iter().step_by(10).for_each(|(at, done)| println!("{at:.3} {done:.3}"));
-    shares.iter().map(|(at, done)| (done / at - 1.0).abs()).fold(0.0, f64::max)
+    shares.iter().map(|(at, done)| (done - at).abs()).fold(0.0, f64::max)
 }
+
+/// How far the progress may be from the share of the time. Processors differ in how long the stages of a match take relative to each other:
+/// with one curve of progress the difference was 0.04 on one machine and 0.10 on another.
+const TOLERANCE: f64 = 0.15;
 
 /// By this name they are left out where the data are absent.
 mod real_data {
@@ -55,18 +58,18 @@ mod real_data {
 
     #[test]
     #[ignore = "needs real data (hippocampus)"]
-    fn what_is_said_to_be_done_is_the_share_of_the_time_within_a_third() {
+    fn progress_is_the_share_of_the_time() {
         for pair in hippocampi(8).chunks(2) {
-            // Other programs on the machine slow parts of a run and so only add to the deviation: what is wrong is wrong each time.
+            // Other programs slow parts of a run, which adds to the difference; a wrong curve is wrong in each run.
             let mut found = f64::INFINITY;
             for _ in 0..6 {
                 found = found.min(deviation(pair));
                 println!("{found:.2}\n");
-                if found < 1.0 / 3.0 {
+                if found < TOLERANCE {
                     break;
                 }
             }
-            assert!(found < 1.0 / 3.0, "{found:.2}");
+            assert!(found < TOLERANCE, "{found:.2}");
         }
     }
 }

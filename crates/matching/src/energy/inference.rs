@@ -2,7 +2,7 @@
 //! over the labels, weighted by beliefs.
 
 use super::bias::bias_away_from;
-use super::lead::Groups;
+use super::lead::{DISTINCT, Groups};
 use super::model::{Isometry, Measured};
 use super::settings::IsometrySettings;
 use homolog_contract::result::{
@@ -16,8 +16,6 @@ use nalgebra::{Matrix3, Point3, Vector3};
 
 /// Share of the labels that support a pose of which there is no doubt.
 const CLEAR_SUPPORT: f64 = 0.9;
-/// Standard errors by which labels elsewhere cost more where there is no doubt.
-const DISTINCT: f64 = 3.0;
 
 /// How the energy is minimized and what supports a pose.
 #[derive(Debug, Clone, PartialEq)]

@@ -17,6 +17,8 @@ pub(crate) struct NearIsometry {
     pub images: Vec<Point3<f64>>,
     /// Energy of the labeling; lower is better.
     pub energy: f64,
+    /// What each variable has of it.
+    pub shares: Vec<f64>,
 }
 
 impl NearIsometry {
@@ -75,15 +77,16 @@ impl Isometry<'_> {
             points: self.points.clone(),
             images: self.images(labeling),
             energy: self.model.energy(labeling).total(),
+            shares: self.model.shares(labeling),
         }
     }
 
-    /// The lowest energy to which extremities and nothing lead if the source is mirrored.
+    /// What each variable has of the lowest energy to which extremities and nothing lead if the source is mirrored; `None` of no labeling.
     ///
     /// Cost as that of [`Isometry::candidates`].
-    pub(crate) fn lowest_mirrored(&self) -> f64 {
-        let fused = fused(&self.mirrored, &self.labelings(&self.mirrored), &self.settings);
-        fused.map_or(f64::INFINITY, |labeling| self.mirrored.energy(&labeling).total())
+    pub(crate) fn lowest_mirrored(&self) -> Option<Vec<f64>> {
+        let fused = fused(&self.mirrored, &self.labelings(&self.mirrored), &self.settings)?;
+        Some(self.mirrored.shares(&fused))
     }
 
     /// The labelings of `model` from nothing and from each assignment of extremities.

@@ -14,8 +14,10 @@ use super::fine_misfit::fine_misfit;
 use super::fitted::Refined;
 use super::functions::Functions;
 use super::refine::refined;
+use super::rivals::{Evidence, Unexplained, unexplained};
 use super::settings::IsometryFitSettings;
 use super::unbending::Unbending;
+use crate::energy::lead::{DISTINCT, Groups};
 use crate::energy::minimize::NearIsometry;
 use crate::energy::model::{Isometry, Measured};
 use crate::energy::settings::IsometrySettings;
@@ -42,6 +44,7 @@ fn mean_distance(a: &[Point3<f64>], b: &[Point3<f64>]) -> f64 {
 /// Correspondences of low energy, that of the present answer among them.
 pub(crate) struct LowEnergies<'a> {
     isometry: Isometry<'a>,
+    groups: Groups,
     /// The lowest first, each another correspondence.
     starts: Vec<NearIsometry>,
     /// Whether none has a lower energy than what the present answer leads to.
@@ -49,10 +52,18 @@ pub(crate) struct LowEnergies<'a> {
 }
 
 impl LowEnergies<'_> {
-    /// Whether the energy is no higher than with the source mirrored; so it is for a body whose left and right are alike.
-    pub(crate) fn are_of_same_handedness(&self, settings: &IsometryFitSettings) -> bool {
-        let lowest = self.starts.first().map_or(f64::INFINITY, |lowest| lowest.energy);
-        lowest <= (1.0 + settings.equal_energy) * self.isometry.lowest_mirrored()
+    /// Whether `start` costs more than the lowest, beyond chance.
+    fn is_clearly_above_lowest(&self, start: &NearIsometry) -> bool {
+        self.starts.first().is_some_and(|lowest| self.groups.lead(&lowest.shares, &start.shares) > DISTINCT)
+    }
+
+    /// Whether the labels of the mirrored source do not cost less, beyond chance; so it is for a body whose left and right are alike.
+    pub(crate) fn are_of_same_handedness(&self) -> bool {
+        match (self.starts.first(), self.isometry.lowest_mirrored()) {
+            (Some(lowest), Some(mirrored)) => self.groups.lead(&lowest.shares, &mirrored) > -DISTINCT,
+            (_, None) => true,
+            (None, _) => false,
+        }
     }
 }
 
@@ -77,6 +88,7 @@ pub(crate) fn low_energies<'a>(
         Measured::of(&displacement.target, target.sites(), &of_energy),
     );
     let isometry = Isometry::new(&of_source, &of_target, of_energy);
+    let groups = Groups::new(source.sites(), isometry.variables);
     let image = |&site: &u32| moved[source.sites().vertices[site as usize] as usize];
     let images: Vec<Point3<f64>> = isometry.variables.iter().map(image).collect();
     let own = isometry.of_images(&images);
@@ -90,7 +102,7 @@ pub(crate) fn low_energies<'a>(
     let starts = distinct(starts, displacement.lengths.root_mm, settings);
     observer.phase(Phase::Displacement);
     checkpoint(observer)?;
-    Ok(LowEnergies { isometry, starts, is_answer_lowest })
+    Ok(LowEnergies { isometry, groups, starts, is_answer_lowest })
 }
 
 /// The first of `starts` by their energy, the lowest first, without those that are the same correspondence as one before
@@ -194,43 +206,64 @@ pub(crate) struct BestBent {
     pub compared: Vec<ComparedPose>,
 }
 
+/// Where a near isometry ended after all stages.
+struct End {
+    refined: Refined,
+    /// Where the vertices of the source are moved, mm.
+    moved: Vec<Point3<f64>>,
+    /// The misfit at the scale of the sampling.
+    misfit: f64,
+    unexplained: Option<Unexplained>,
+}
+
+impl End {
+    fn of(over_form: &OverForm<'_>, refined: Refined) -> End {
+        let moved = over_form.moved(&refined);
+        let misfit = fine_misfit(&over_form.displacement, moved.clone(), false);
+        let unexplained = unexplained(&over_form.displacement, &moved, false);
+        End { refined, moved, misfit, unexplained }
+    }
+
+    /// Whether `other` explains the surfaces as well, and with other corresponding points.
+    fn has_rival(&self, other: &End, same_mm: f64) -> bool {
+        let is_as_good = match (&self.unexplained, &other.unexplained) {
+            (Some(own), Some(other)) => own.evidence(other) != Evidence::First,
+            _ => false,
+        };
+        is_as_good && mean_distance(&self.moved, &other.moved) > same_mm
+    }
+}
+
 /// The best of the `starts` after all stages, which those of the lowest energies go through. `None` where none can.
 ///
 /// # Errors
 /// [`MatchError::Cancelled`].
-pub(crate) fn best_of_lowest(over_form: &OverForm<'_>, starts: Vec<BentStart>) -> Result<Option<BestBent>, MatchError> {
+pub(crate) fn best_of_lowest(
+    over_form: &OverForm<'_>,
+    starts: Vec<BentStart>,
+    low: &LowEnergies<'_>,
+) -> Result<Option<BestBent>, MatchError> {
     let displacement = &over_form.displacement;
     let settings = &displacement.options.isometry;
     let mut compared: Vec<ComparedPose> = starts.iter().map(BentStart::compared).collect();
-    let energies: Vec<f64> = starts.iter().map(|bent| bent.start.mean_energy()).collect();
-    let mut best: Option<(f64, usize, Refined)> = None;
-    let mut ends: Vec<(f64, Vec<Point3<f64>>)> = Vec::new();
-    let low = starts.first().map_or(0.0, |lowest| (1.0 + settings.low_energy) * lowest.start.energy);
-    let lowest = starts.into_iter().filter(|bent| bent.start.energy <= low).take(settings.refined);
-    for (k, BentStart { state, .. }) in lowest.enumerate() {
-        let Some(refined) = refined(displacement, state)? else {
-            ends.push((f64::INFINITY, Vec::new()));
-            continue;
-        };
-        let moved = over_form.moved(&refined);
-        let misfit = fine_misfit(displacement, moved.clone(), false);
-        ends.push((misfit, moved));
-        if best.as_ref().is_none_or(|b| misfit < b.0) {
-            best = Some((misfit, k, refined));
-        }
+    let mut ends: Vec<Option<End>> = Vec::new();
+    for bent in starts.into_iter().take(settings.refined) {
+        let followed = !low.is_clearly_above_lowest(&bent.start);
+        let refined = if followed { refined(displacement, bent.state)? } else { None };
+        ends.push(refined.map(|refined| End::of(over_form, refined)));
     }
-    let Some((fine_misfit, chosen, refined)) = best else { return Ok(None) };
-    for ((start, energy), (misfit, moved)) in compared.iter_mut().zip(&energies).zip(&ends) {
-        let is_elsewhere = mean_distance(moved, &ends[chosen].1) > settings.same * displacement.lengths.root_mm;
-        let has_equal_energy = *energy < (1.0 + settings.equal_energy) * energies[chosen];
-        let equal = if has_equal_energy { settings.equal_misfit_of_equal_energies } else { settings.equal_misfit };
-        if is_elsewhere && *misfit <= fine_misfit + equal {
+    let misfits = ends.iter().enumerate().filter_map(|(k, end)| Some((k, end.as_ref()?.misfit)));
+    let Some((chosen, _)) = misfits.min_by(|a, b| a.1.total_cmp(&b.1)) else { return Ok(None) };
+    let Some(best) = ends[chosen].take() else { return Ok(None) };
+    let same_mm = settings.same * displacement.lengths.root_mm;
+    for (start, end) in compared.iter_mut().zip(&ends) {
+        if end.as_ref().is_some_and(|end| best.has_rival(end, same_mm)) {
             start.finer = Finer::AsGood;
         }
     }
     compared[chosen].finer = Finer::None;
     compared[..=chosen].rotate_right(1);
-    Ok(Some(BestBent { refined, fine_misfit, compared }))
+    Ok(Some(BestBent { refined: best.refined, fine_misfit: best.misfit, compared }))
 }
 
 /// `best` after all stages were run again from where they ended, as long as that lowers its misfit.

@@ -12,7 +12,7 @@ use super::base::State;
 use super::displacement::Displacement;
 use super::fine::fine_aside;
 use super::fine_misfit::{COMPARISON_SAMPLES, COMPARISON_SCALE};
-use super::fitted::{Fine, pose_of};
+use super::fitted::pose_of;
 use super::track::placed;
 use crate::error::MatchError;
 use crate::pair::assignment::{comparison_kernel, displaced};
@@ -186,15 +186,20 @@ fn unexplained_finely(
 ) -> Result<Option<(Unexplained, RigidTransform)>, MatchError> {
     let Some(fine) = fine_aside(displacement, candidate.state.clone())? else { return Ok(None) };
     let end = pose_of(displacement, &fine.moved(), &candidate.pose);
-    Ok(unexplained(displacement, &fine, candidate.compared.mirrored).map(|unexplained| (unexplained, end)))
+    Ok(unexplained(displacement, &fine.moved(), candidate.compared.mirrored).map(|unexplained| (unexplained, end)))
 }
 
-fn unexplained(displacement: &Displacement<'_>, fine: &Fine, mirrored: bool) -> Option<Unexplained> {
+/// What remains unexplained with the vertices of the source at `moved`, by a pose that may have mirrored it.
+pub(crate) fn unexplained(
+    displacement: &Displacement<'_>,
+    moved: &[Point3<f64>],
+    mirrored: bool,
+) -> Option<Unexplained> {
     let thinned = displacement.source.thinned(COMPARISON_SAMPLES);
     // At the scale of the sampling, or of the noise.
     let scale_mm = COMPARISON_SCALE * displacement.lengths.root_mm * displacement.source.coarsening;
     let kernel = comparison_kernel(scale_mm);
-    let placed = placed(displacement, &fine.moved(), mirrored, &thinned)?;
+    let placed = placed(displacement, moved, mirrored, &thinned)?;
     let samples = OrientedPoints { points: &placed.points, normals: &placed.normals, ..thinned.samples() };
     let found = point_misfits(&samples, &displacement.target.packed(), &kernel);
     let (mut of_source, of_target) = rayon::join(

@@ -36,7 +36,6 @@ use super::choice::chosen;
 use super::deformed::Deformed;
 use super::displacement::Displacement;
 use super::fine::fine;
-use super::fine_misfit::fine_misfit;
 use super::finish::{finished, finished_back, moved_rigidly};
 use super::fitted::{Fine, Refined};
 use super::functions::Functions;
@@ -45,7 +44,7 @@ use super::isometry::{OverForm, bent_starts, best_of_lowest, low_energies, repea
 use super::options::DisplacementOptions;
 use super::refine::refined_from;
 use super::reverse::{ReverseFit, reverse_fit};
-use super::rivals::Chosen;
+use super::rivals::{self, Chosen, unexplained};
 use super::settings::RouteSettings;
 use super::straightened::bent_back;
 use super::trace::FitTrace;
@@ -396,17 +395,20 @@ fn by_isometry(
     if low.is_answer_lowest && !branching {
         return Ok((end, None));
     }
-    let settings = &forward.options.route;
-    let better = if branching { settings.better_with_limbs } else { settings.clearly_better };
-    let to_beat = fine_misfit(forward, reached, false) - better;
+    let of_rigid_end = unexplained(forward, &reached, false);
     let Some(over_form) = source.form().and_then(|form| OverForm::new(forward, form)) else { return Ok((end, None)) };
     let starts = bent_starts(&over_form, &low)?;
-    let Some(best) = best_of_lowest(&over_form, starts)? else { return Ok((end, None)) };
+    let Some(best) = best_of_lowest(&over_form, starts, &low)? else { return Ok((end, None)) };
     let best = repeated(&over_form, best)?;
-    if best.fine_misfit >= to_beat {
+    let of_bent_end = unexplained(forward, &best.refined.moved(&forward.source.mesh), false);
+    let explains_more = match (of_rigid_end, of_bent_end) {
+        (Some(rigid), Some(bent)) => rigid.evidence(&bent) == rivals::Evidence::Second,
+        _ => false,
+    };
+    if !explains_more {
         return Ok((end, None));
     }
-    let is_of_same_handedness = low.are_of_same_handedness(&forward.options.isometry);
+    let is_of_same_handedness = low.are_of_same_handedness();
     Ok((end, Some(IsometryRoute { refined: best.refined, compared: best.compared, is_of_same_handedness })))
 }
 

@@ -123,20 +123,8 @@ pub(crate) struct IsometryFitSettings {
     pub followed: usize,
     /// Of them, those that go through all stages at most.
     pub refined: usize,
-    /// Share by which the energy of such a one may be above the lowest. Of bodies in two poses the truth had the lowest energy (40
-    /// pairs); with noise of 0.3 edges or a hole of 2 % of the vertices its energy was up to 0.12 above that of limbs exchanged. Of 106
-    /// such pairs seven were off by 6 to 26 % of the diagonal with 0.03 and six of them by less than 4 % with 0.2; one, off by 1 %, then
-    /// by 6.5 %.
-    pub low_energy: f64,
     /// Mean distance up to which two correspondences count as one, in roots of the area: less than the distance between sites.
     pub same: f64,
-    /// An energy that is higher by less than this share speaks neither against another answer nor for the mirror image.
-    pub equal_energy: f64,
-    /// Misfits at the scale of the sampling that differ by less than this do not tell two answers apart.
-    pub equal_misfit: f64,
-    /// Nor do they by less than this if their energies do not. Answers of hippocampi on ellipsoids, whose symmetries give four, are up to
-    /// 0.035 apart (12 pairs, all ambiguous); the right answers on bodies and people stay reliable (66 pairs).
-    pub equal_misfit_of_equal_energies: f64,
     /// Width of a second kernel, in diagonals: joints are narrower than the bends of one structure.
     pub joint_width: f64,
     /// Its standard deviation, in diagonals.
@@ -158,11 +146,7 @@ impl Default for IsometryFitSettings {
         IsometryFitSettings {
             followed: 8,
             refined: 3,
-            low_energy: 0.2,
             same: 0.03,
-            equal_energy: 0.03,
-            equal_misfit: 0.01,
-            equal_misfit_of_equal_energies: 0.05,
             joint_width: 0.12,
             joint_amplitude: 0.05,
             n_inducing: 250,
@@ -188,14 +172,6 @@ pub(crate) struct RouteSettings {
     pub doubtful_curvature: f64,
     /// The same of the mean cosine between normals.
     pub doubtful_normals: f64,
-    /// A start from forms is taken if its misfit at the scale of the sampling is lower by this: on bodies in two poses it was lower
-    /// by 0.11 to 0.6 than that of a rigid start without the local stage.
-    pub clearly_better: f64,
-    /// The same between surfaces with limbs ([`crate::starts::limbs`]). Where a rigid start ended, local stage and all, with surfaces that
-    /// agree and a limb that did not correspond, it was lower by 0.04 to 0.2. Where they did not agree, three of twelve realistic people
-    /// in two poses had 0.06 to 0.08, and with 0.1 all twelve were off by 1.54 % of the diagonal instead of 1.44 %. Other shapes gain as
-    /// much by chance: cubes, which end on one of their symmetries, 0.034.
-    pub better_with_limbs: f64,
     /// Difference in the straightness of two center lines from which tubular surfaces that agree are straightened too: bends by 90° are
     /// at 0.18 and more, pairs of hippocampi at 0.14 and less. It only skips hopeless attempts; acceptance uses the misfit.
     pub bent: f64,
@@ -206,14 +182,6 @@ pub(crate) struct RouteSettings {
 
 impl Default for RouteSettings {
     fn default() -> Self {
-        RouteSettings {
-            two_subjects: 0.17,
-            doubtful_curvature: 0.6,
-            doubtful_normals: 0.87,
-            clearly_better: 0.1,
-            better_with_limbs: 0.03,
-            bent: 0.15,
-            straight: 0.2,
-        }
+        RouteSettings { two_subjects: 0.17, doubtful_curvature: 0.6, doubtful_normals: 0.87, bent: 0.15, straight: 0.2 }
     }
 }

@@ -272,7 +272,7 @@ pub enum InputKind {
 pub struct VolumeInspection {
     /// Voxels along each axis.
     pub dims: [u32; 3],
-    /// Distance between the centres of neighbouring voxels along each axis, mm.
+    /// Distance between the centers of neighboring voxels along each axis, mm.
     pub spacing_mm: [f64; 3],
     /// Number of different labels, without the background 0.
     pub n_labels: u32,

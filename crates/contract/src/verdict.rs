@@ -172,7 +172,7 @@ impl UnreliableReason {
                 "Which orientation of the file is right? Write it into both places (sform and qform)."
             }
             UnreliableReason::UnitsDiffer => {
-                "Are both files in millimetres? Scale one of them, or state its unit in the file."
+                "Are both files in millimeters? Scale one of them, or state its unit in the file."
             }
             UnreliableReason::PieceDropped => {
                 "Are left and right one label, or several structures? Choose the labels of one (input.labels), or name the \

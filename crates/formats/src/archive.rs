@@ -85,13 +85,13 @@ pub(super) fn content<'a>(bytes: &'a [u8], limits: &ReadLimits, budget: &Budget)
 
 /// The format of which an archive is that has an entry of this name, and what to send instead.
 fn packed_format(name: &[u8]) -> Option<(&'static str, &'static str)> {
-    const IN_MILLIMETRES: &str =
-        "export the surface as STL, PLY or OBJ in millimetres, whatever the unit of the model is";
+    const IN_MILLIMETERS: &str =
+        "export the surface as STL, PLY or OBJ in millimeters, whatever the unit of the model is";
     let name = String::from_utf8_lossy(name).to_ascii_lowercase();
     let ends = |ending: &str| name.ends_with(ending);
     Some(match name.as_str() {
-        _ if ends(".model") && name.contains("3d/") => ("3MF", IN_MILLIMETRES),
-        _ if ends(".usdc") || ends(".usda") => ("USD", IN_MILLIMETRES),
+        _ if ends(".model") && name.contains("3d/") => ("3MF", IN_MILLIMETERS),
+        _ if ends(".usdc") || ends(".usda") => ("USD", IN_MILLIMETERS),
         _ if ends(".mrml") => {
             ("a scene of 3D Slicer (.mrb)", "save the segmentation as .seg.nrrd or the model as .vtp, and send that")
         }

@@ -13,7 +13,7 @@ use super::{FormatError, ReadLimits};
 use nalgebra::Point3;
 
 const TRIANGLES: [u8; 3] = [0xff, 0xff, 0xfe];
-/// Quads with coordinates in hundredths of a millimetre.
+/// Quads with coordinates in hundredths of a millimeter.
 const QUADS: [u8; 3] = [0xff, 0xff, 0xff];
 /// Quads with coordinates in single precision.
 const NEW_QUADS: [u8; 3] = [0xff, 0xff, 0xfd];

@@ -352,7 +352,7 @@ fn space_name(text: &[u8]) -> &'static str {
 
 /// The surface, then the arrays, each under its name. Vertices keep their indices.
 ///
-/// The coordinate system is declared as unknown: coordinates are those of the input, unchanged, in millimetres.
+/// The coordinate system is declared as unknown: coordinates are those of the input, unchanged, in millimeters.
 pub fn write_gifti(mesh: &SurfaceMesh, arrays: &[VertexArray]) -> Vec<u8> {
     let arrays: Vec<_> = fitting(mesh, arrays).collect();
     let mut text = header(2 + arrays.len());

@@ -1,8 +1,8 @@
 //! glTF 2.0 binary (`.glb`): surfaces with colors, for browsers, Blender, PowerPoint and the like. Written by hand: the crates
 //! that exist read files, or describe their JSON alone.
 //!
-//! Source: Khronos Group, glTF 2.0 specification. Its unit is the metre and its `y` axis points up; a node turns and scales
-//! millimetres with `z` up (superior). Positions have single precision, relative to nothing.
+//! Source: Khronos Group, glTF 2.0 specification. Its unit is the meter and its `y` axis points up; a node turns and scales
+//! millimeters with `z` up (superior). Positions have single precision, relative to nothing.
 
 use homolog_mesh::SurfaceMesh;
 use std::fmt::Write;
@@ -108,7 +108,7 @@ impl Scene {
         // A quarter turn about x takes z up to y up.
         let mut json = format!(
             "{{\"asset\":{{\"version\":\"2.0\",\"generator\":\"homolog\"}},\"scene\":0,\"scenes\":[{{\"nodes\":[0]}}],\
-             \"nodes\":[{{\"name\":\"millimetres_RAS\",\"rotation\":[-0.7071067811865476,0,0,0.7071067811865476],\
+             \"nodes\":[{{\"name\":\"millimeters_RAS\",\"rotation\":[-0.7071067811865476,0,0,0.7071067811865476],\
              \"scale\":[0.001,0.001,0.001],\"children\":[{}]}},{}],\"meshes\":[{}],\
              \"materials\":[{{\"doubleSided\":true,\"pbrMetallicRoughness\":{{\"metallicFactor\":0,\"roughnessFactor\":0.9}}}}],\
              \"accessors\":[{}],\"bufferViews\":[{}],\"buffers\":[{{\"byteLength\":{}}}]}}",

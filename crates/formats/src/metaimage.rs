@@ -1,7 +1,7 @@
 //! MetaImage of ITK: header and voxels in one file (`.mha`, or `.mhd` with `ElementDataFile = LOCAL`).
 //!
 //! Source: MetaIO documentation and `metaImage.cxx`. Fields may have any order; `ElementDataFile` is the last. Coordinates are
-//! LPS, as in ITK, and are converted to RAS and from `DistanceUnits` to millimetres; `AnatomicalOrientation` is a comment on
+//! LPS, as in ITK, and are converted to RAS and from `DistanceUnits` to millimeters; `AnatomicalOrientation` is a comment on
 //! them and is not used. Rows of `TransformMatrix` are the directions of the axes. Axes of size 1 beyond three may be anywhere.
 
 use super::budget::Budget;

@@ -2,7 +2,7 @@
 //!
 //! Source: nifti1.h and nifti2.h of the NIfTI data format working group (2007, 2011). The header is checked against the
 //! length of the file before anything is allocated, and what follows the voxels against the header. The affine is the sform if
-//! its code is positive, else the qform, else the voxel sizes alone ("method 1"), scaled to millimetres. Where a file states
+//! its code is positive, else the qform, else the voxel sizes alone ("method 1"), scaled to millimeters. Where a file states
 //! two of them that disagree, a note says which was taken and in what they differ ([`super::two_affines`]). (The `nifti` crate has these as well, but reads all voxels
 //! before the header can be checked; tests use it as an independent reader.)
 
@@ -229,7 +229,7 @@ impl Fields<'_> {
         if self.second { [self.i32(344), self.i32(348)] } else { [self.i16(252).into(), self.i16(254).into()] }
     }
 
-    /// Bits 0 to 2: 1 metre, 2 millimetre, 3 micrometre; 0 is unknown, in practice millimetre.
+    /// Bits 0 to 2: 1 meter, 2 millimeter, 3 micrometer; 0 is unknown, in practice millimeter.
     fn unit(&self) -> Unit {
         let units = if self.second { self.i32(500) as u8 } else { self.bytes[123] };
         let mm = match units & 7 {
@@ -306,7 +306,7 @@ pub fn write_nifti(volume: &LabelVolume) -> Vec<u8> {
     }
     put(108, &(HEADER_1_BYTES as f32).to_le_bytes());
     put(112, &1f32.to_le_bytes());
-    put(123, &[2]); // millimetres
+    put(123, &[2]); // millimeters
     put(254, &1i16.to_le_bytes()); // sform: scanner coordinates
     for r in 0..3 {
         for c in 0..4 {

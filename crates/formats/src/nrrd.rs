@@ -3,7 +3,7 @@
 //! Source: "Definition of NRRD File Format", Teem; 3D Slicer developer guide, "Segmentation file format". Encodings: raw,
 //! gzip, ASCII, hexadecimal. `line skip` counts lines before what is stored, `byte skip` bytes of the stored or inflated voxels;
 //! a negative one counts from the end. Coordinates are converted from LPS, LAS or RAS to RAS and from `space units` to
-//! millimetres; a file without a space is taken as RAS. Axes of size 1 beyond the three of space may be anywhere. Segments of
+//! millimeters; a file without a space is taken as RAS. Axes of size 1 beyond the three of space may be anywhere. Segments of
 //! a `.seg.nrrd` may overlap: then they are in layers, an axis of the kind `list`.
 
 use super::budget::Budget;
@@ -366,7 +366,7 @@ impl Grid {
                 }
             }
         };
-        to_millimetres(&mut affine, &stated, &mut notes);
+        to_millimeters(&mut affine, &stated, &mut notes);
         let scale = |x, y| Matrix4::from_diagonal(&Vector4::new(x, y, 1.0, 1.0));
         let (affine, space, note) = match header.get("space").to_ascii_lowercase().as_str() {
             "left-posterior-superior" | "lps" => {
@@ -412,14 +412,14 @@ fn spacings(header: &Header, sizes: &[f64]) -> Result<Vec<f64>, FormatError> {
 }
 
 /// Scales each direction of space from its unit.
-fn to_millimetres(affine: &mut Matrix4<f64>, stated: &[String], notes: &mut Vec<String>) {
+fn to_millimeters(affine: &mut Matrix4<f64>, stated: &[String], notes: &mut Vec<String>) {
     let mut factors = [1.0; 3];
     for (factor, name) in factors.iter_mut().zip(stated).filter(|(_, name)| !name.trim().is_empty()) {
         match units::named(name) {
             Some(Unit { mm }) => *factor = mm,
             None => {
                 notes
-                    .push("the file states a unit of space that is none of length; millimetres are assumed".to_owned());
+                    .push("the file states a unit of space that is none of length; millimeters are assumed".to_owned());
                 return;
             }
         }

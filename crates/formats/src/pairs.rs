@@ -13,7 +13,7 @@ pub struct PairColumns<'a> {
     pub inlier: &'a [bool],
     /// Spread of the belief on the target, mm.
     pub spread_mm: &'a [f64],
-    /// Why it is an outlier: 0 it is not one, 1 residual, 2 neighbourhood, 3 both, 4 no counterpart.
+    /// Why it is an outlier: 0 it is not one, 1 residual, 2 neighborhood, 3 both, 4 no counterpart.
     pub outlier: &'a [u8],
     /// The vertices of the target triangle that contains the corresponding point.
     pub triangle: &'a [[u32; 3]],

@@ -447,7 +447,7 @@ pub fn write_ply(mesh: &SurfaceMesh) -> Vec<u8> {
 pub fn write_ply_with(mesh: &SurfaceMesh, arrays: &[VertexArray]) -> Vec<u8> {
     let arrays: Vec<_> = fitting(mesh, arrays).collect();
     let mut header = format!(
-        "ply\nformat binary_little_endian 1.0\ncomment millimetres\nelement vertex {}\nproperty double x\n\
+        "ply\nformat binary_little_endian 1.0\ncomment millimeters\nelement vertex {}\nproperty double x\n\
          property double y\nproperty double z\n",
         mesh.n_vertices()
     );

@@ -33,7 +33,7 @@ pub struct MeshFile {
 }
 
 impl MeshFile {
-    /// Converts the coordinates from this unit to millimetres, with a note.
+    /// Converts the coordinates from this unit to millimeters, with a note.
     ///
     /// # Errors
     /// [`MeshError`] if a coordinate overflows.

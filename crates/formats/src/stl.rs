@@ -262,7 +262,7 @@ fn corner(scanner: &mut Scanner<'_>) -> Result<Point3<f64>, FormatError> {
 /// A binary STL file, single precision; quads are split along their first diagonal.
 pub fn write_stl(mesh: &SurfaceMesh) -> Vec<u8> {
     let triangles = mesh.triangles();
-    let mut file = b"binary STL, millimetres".to_vec();
+    let mut file = b"binary STL, millimeters".to_vec();
     file.resize(80, b' ');
     file.extend((triangles.len() as u32).to_le_bytes());
     for t in triangles {

@@ -1,6 +1,6 @@
 //! Writers of rigid and affine transforms in the conventions of other programs.
 //!
-//! The input is `target_from_source`, 4×4, row by row: it maps points of the source, in RAS millimetres as in NIfTI, onto
+//! The input is `target_from_source`, 4×4, row by row: it maps points of the source, in RAS millimeters as in NIfTI, onto
 //! the target. A file may hold another matrix, where the program that reads it expects that.
 
 use homolog_mesh::volume::LabelVolume;

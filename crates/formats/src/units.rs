@@ -1,7 +1,7 @@
 //! Units of length that files state: by name in fields that are made for it, and in free text such as the comments of an OBJ
 //! file, where programs write `1 unit = 1000 mm`, `File units = meters` or `UNITS=mm`.
 
-/// A unit of length: how many millimetres one of the file's lengths is.
+/// A unit of length: how many millimeters one of the file's lengths is.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Unit {
     pub(super) mm: f64,
@@ -13,7 +13,7 @@ impl Unit {
         (1e-9..=1e9).contains(&mm).then_some(Unit { mm })
     }
 
-    /// What a report says of coordinates that were converted; `None` for millimetres, which stay as they are.
+    /// What a report says of coordinates that were converted; `None` for millimeters, which stay as they are.
     pub(super) fn note(self) -> Option<String> {
         let Unit { mm } = self;
         (mm != 1.0).then(|| {
@@ -161,7 +161,7 @@ mod tests {
             ("# unit normals", None),
             ("# Vertices: 246", None),
             ("# 5 points in a row", None),
-            ("surface, millimetres", None),
+            ("surface, millimeters", None),
             ("# one unit = one voxel", None),
             ("# 1 unit = 0 mm", None),
             ("# exported in 2024", None),

@@ -16,7 +16,7 @@ const BY_MAGIC: [(&[u8], &str, &str); 44] = [
     (b"CDF\x02", "a NetCDF file (MINC 1)", LABELS),
     (b"Kaydara FBX Binary", "FBX", MODEL),
     (b"; FBX", "FBX", MODEL),
-    (b"glTF", "glTF", "export the surface as PLY, STL or OBJ in millimetres: glTF is in metres"),
+    (b"glTF", "glTF", "export the surface as PLY, STL or OBJ in millimeters: glTF is in meters"),
     (b"BLENDER", "a file of Blender", MODEL),
     (b"PXR-USDC", "USD", MODEL),
     (b"#usda", "USD", MODEL),
@@ -82,7 +82,7 @@ pub(super) fn named(bytes: &[u8], extension: &str) -> Option<(&'static str, &'st
     }
     let has = |word: &[u8]| text.windows(word.len()).any(|w| w == word);
     if text.starts_with(b"{") && has(b"\"asset\"") {
-        return Some(("glTF", "export the surface as PLY, STL or OBJ in millimetres: glTF is in metres"));
+        return Some(("glTF", "export the surface as PLY, STL or OBJ in millimeters: glTF is in meters"));
     }
     if text.starts_with(b"ascii") && extension == "mesh" {
         return Some(("a BrainVISA .mesh surface", "convert it to GIFTI (AimsFileConvert)"));

@@ -324,7 +324,7 @@ pub fn write_vtk(mesh: &SurfaceMesh) -> Vec<u8> {
 /// As [`write_vtk`], with `POINT_DATA`: a field of arrays of `int`, `double` and `unsigned_char`.
 pub fn write_vtk_with(mesh: &SurfaceMesh, arrays: &[VertexArray]) -> Vec<u8> {
     let arrays: Vec<_> = fitting(mesh, arrays).collect();
-    let mut file = b"# vtk DataFile Version 5.1\nsurface, millimetres\nBINARY\nDATASET POLYDATA\n".to_vec();
+    let mut file = b"# vtk DataFile Version 5.1\nsurface, millimeters\nBINARY\nDATASET POLYDATA\n".to_vec();
     file.extend(format!("POINTS {} double\n", mesh.n_vertices()).into_bytes());
     file.extend(mesh.vertices().iter().flat_map(|p| p.iter()).flat_map(|c| c.to_be_bytes()));
     // Offsets of the faces in the list of corners, one more than there are faces.

@@ -156,7 +156,7 @@ mod tests {
             assert_eq!(coarse.cells[site as usize] as usize, k);
             assert_eq!(coarse.mesh.vertices()[k], fine.vertices()[site as usize]);
         }
-        // A vertex lies near the site of its cell: within twice the mean distance of neighbouring sites.
+        // A vertex lies near the site of its cell: within twice the mean distance of neighboring sites.
         let edge = coarse.mesh.mean_edge_length();
         for (p, &k) in fine.vertices().iter().zip(&coarse.cells) {
             assert!((p - coarse.mesh.vertices()[k as usize]).norm() < 2.0 * edge);

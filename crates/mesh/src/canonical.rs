@@ -2,7 +2,7 @@
 //!
 //! Everything after this step sees the same bytes however the uploaded vertices were numbered, so renumbering
 //! an input permutes the answer exactly, rounding included. The order is along a Morton (Z-order) curve: close
-//! vertices get close numbers, which keeps neighbouring labels near each other in memory.
+//! vertices get close numbers, which keeps neighboring labels near each other in memory.
 
 use super::{FaceArity, Numbering, SurfaceMesh};
 use std::cmp::Ordering;

@@ -1,4 +1,4 @@
-//! Surface meshes in millimetres: vertices, triangle or quad faces, and measurements on them.
+//! Surface meshes in millimeters: vertices, triangle or quad faces, and measurements on them.
 //!
 //! [`SurfaceMesh`] is the representation of a surface in all of homolog. It is valid by construction (finite
 //! coordinates, indices in range, no face that uses a vertex twice). Whether it is closed, manifold and of genus 0 is
@@ -28,7 +28,7 @@ pub use numbering::Numbering;
 use homolog_primitives::graph::EdgeGraph;
 use nalgebra::{Matrix3, Point3, Vector3};
 
-/// A surface: `n` vertices in millimetres and faces of one arity (3 or 4), counter-clockwise seen from outside.
+/// A surface: `n` vertices in millimeters and faces of one arity (3 or 4), counter-clockwise seen from outside.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SurfaceMesh {
     vertices: Vec<Point3<f64>>,
@@ -205,7 +205,7 @@ impl SurfaceMesh {
         }
     }
 
-    /// The edge graph: a quad mesh keeps its 4-neighbourhoods. Cost as that of [`SurfaceMesh::edges`].
+    /// The edge graph: a quad mesh keeps its 4-neighborhoods. Cost as that of [`SurfaceMesh::edges`].
     pub fn edge_graph(&self) -> EdgeGraph {
         EdgeGraph::from_edges(self.n_vertices(), &self.edges())
     }

@@ -30,7 +30,7 @@ pub struct TopologyReport {
     pub euler_characteristic: i64,
     /// Genus summed over components; `None` where the surface is not a closed oriented manifold.
     pub genus: Option<u32>,
-    /// Whether neighbouring faces agree in orientation everywhere.
+    /// Whether neighboring faces agree in orientation everywhere.
     pub oriented: bool,
     /// Area, mm².
     pub area_mm2: f64,
@@ -98,7 +98,7 @@ pub enum SurfaceFault {
         /// Its position, mm.
         place_mm: [f64; 3],
     },
-    /// Two neighbouring faces disagree in orientation.
+    /// Two neighboring faces disagree in orientation.
     #[error(
         "{n_edges} edges lie between faces of opposite orientation; the first joins vertices {} and {} near {}",
         edge[0], edge[1], at(place_mm)

@@ -1,10 +1,10 @@
 //! Coherent point drift: target points are drawn from a mixture of Gaussians at the moved source points, which move coherently.
 //!
-//! The displacement is `v(z) = Σ_m k(z, y_m) w_m` with a Gaussian kernel of width `β`; expectation-maximisation lowers
+//! The displacement is `v(z) = Σ_m k(z, y_m) w_m` with a Gaussian kernel of width `β`; expectation-maximization lowers
 //!
 //! `Q = Σ_mn P(m | x_n) ‖x_n − y_m − v(y_m)‖² / 2σ² + (3 N_P / 2) ln σ² + (λ/2) tr(Wᵀ G W)`
 //!
-//! and estimates `σ²` in every step. With `G = F Fᵀ`, `V = F a`, the maximisation is the ridge regression
+//! and estimates `σ²` in every step. With `G = F Fᵀ`, `V = F a`, the maximization is the ridge regression
 //! `(Fᵀ diag(P 1) F + λ σ² I) a = Fᵀ (P X − diag(P 1) Y)`, which has as many unknowns as the kernel has functions that
 //! matter, not as there are points.
 //!

@@ -1,6 +1,6 @@
-//! Edge graphs and the neighbourhoods `N_r` on them, in compressed rows. Knows no geometry.
+//! Edge graphs and the neighborhoods `N_r` on them, in compressed rows. Knows no geometry.
 
-/// Neighbours of every vertex; rows ascending.
+/// Neighbors of every vertex; rows ascending.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct EdgeGraph {
     offsets: Vec<u32>,
@@ -43,7 +43,7 @@ impl EdgeGraph {
         self.neighbors.len()
     }
 
-    /// Neighbours of `vertex`, ascending.
+    /// Neighbors of `vertex`, ascending.
     pub fn neighbors(&self, vertex: usize) -> &[u32] {
         &self.neighbors[self.row(vertex)]
     }
@@ -84,7 +84,7 @@ pub struct Reach<'a> {
 }
 
 impl Reach<'_> {
-    /// Whether `y` is in `N_r(x)`. Cost `O(k^(r−1))` for `k` neighbours a vertex; less where they are close.
+    /// Whether `y` is in `N_r(x)`. Cost `O(k^(r−1))` for `k` neighbors a vertex; less where they are close.
     pub fn within(&self, x: u32, y: u32) -> bool {
         let Reach { graph, rings } = *self;
         let of_x = graph.neighbors(x as usize);
@@ -167,7 +167,7 @@ impl LabelNeighborhoods {
         self.rings
     }
 
-    /// The same neighbourhoods as a search of the graph.
+    /// The same neighborhoods as a search of the graph.
     pub fn reach(&self) -> Reach<'_> {
         Reach { graph: &self.graph, rings: self.rings }
     }

@@ -1,4 +1,4 @@
-//! Progress, energy trace and cancellation of a running computation: one [`Observer`] that every minimiser and the pipeline
+//! Progress, energy trace and cancellation of a running computation: one [`Observer`] that every minimizer and the pipeline
 //! call.
 //!
 //! The numerics know no clock, no job and no terminal. They report to the observer the phase they are in, the share of the
@@ -17,7 +17,7 @@ pub enum Phase {
     Features,
     /// Bounding the energy from below.
     Bounding,
-    /// Minimising the energy.
+    /// Minimizing the energy.
     Inference,
     /// RANSAC and absolute orientation.
     Registration,

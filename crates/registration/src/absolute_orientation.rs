@@ -83,7 +83,7 @@ pub fn absolute_orientation_of(
 pub(super) struct Moments {
     pub source_mean: Vector3<f64>,
     pub target_mean: Vector3<f64>,
-    /// `Σ wᵢ d'ᵢ s'ᵢᵀ` of the centred points, mm².
+    /// `Σ wᵢ d'ᵢ s'ᵢᵀ` of the centered points, mm².
     pub covariance: Matrix3<f64>,
     /// `Σ wᵢ ‖s'ᵢ‖²`, mm².
     pub source_spread: f64,

@@ -1,6 +1,6 @@
 //! A rigid transform from three point pairs by the axis of its rotation.
 //!
-//! A rotation `R` maps a centred point `a` to `R a`; its displacement `(R − I) a` is perpendicular to the axis, which
+//! A rotation `R` maps a centered point `a` to `R a`; its displacement `(R − I) a` is perpendicular to the axis, which
 //! `R` leaves fixed. Two displacements that are not parallel therefore determine the axis, and the motion of the points
 //! in the plane perpendicular to it determines the angle.
 //!
@@ -18,7 +18,7 @@ use nalgebra::{Matrix3, Point3, Rotation3, Unit, Vector3};
 /// Displacements below this share of the size of the triangle are rounding: the rotation is the identity.
 const STILL_RTOL: f64 = 1e-13;
 
-/// The transform whose axis is perpendicular to the displacements of the centred triples, whose angle is the
+/// The transform whose axis is perpendicular to the displacements of the centered triples, whose angle is the
 /// least-squares angle about that axis, and which maps centroid to centroid; exact for congruent triangles. With
 /// `mirrored`, the rotation is followed by the reflection in the plane of the target triple, so `det R = −1`.
 ///
@@ -31,8 +31,8 @@ pub(super) fn rotation_axis_estimate(
 ) -> Result<RigidTransform, TripleError> {
     let source_normal = triangle_normal(source)?.normalize();
     let target_normal = triangle_normal(target)?.normalize();
-    let (source_mean, from) = centred(source);
-    let (target_mean, to) = centred(target);
+    let (source_mean, from) = centered(source);
+    let (target_mean, to) = centered(target);
     // In mm like the others, so that the displacement of the normal weighs as much as that of a corner.
     let size = from.iter().map(Vector3::norm_squared).sum::<f64>().sqrt();
     let normal_displacement = (target_normal - source_normal) * size;
@@ -47,7 +47,7 @@ pub(super) fn rotation_axis_estimate(
     Ok(RigidTransform { rotation, translation: target_mean - rotation * source_mean })
 }
 
-fn centred(p: &[Point3<f64>; 3]) -> (Vector3<f64>, [Vector3<f64>; 3]) {
+fn centered(p: &[Point3<f64>; 3]) -> (Vector3<f64>, [Vector3<f64>; 3]) {
     let mean = (p[0].coords + p[1].coords + p[2].coords) / 3.0;
     (mean, p.map(|p| p.coords - mean))
 }

@@ -6,11 +6,11 @@ use homolog_mesh::SurfaceMesh;
 
 /// Ratios of units in which surfaces are exported, with their names, the larger first.
 const RATIOS: [(f64, &str); 5] = [
-    (10.0, "millimetres and centimetres"),
-    (25.4, "millimetres and inches"),
-    (100.0, "centimetres and metres"),
-    (1000.0, "millimetres and metres, or micrometres and millimetres"),
-    (1e6, "micrometres and metres"),
+    (10.0, "millimeters and centimeters"),
+    (25.4, "millimeters and inches"),
+    (100.0, "centimeters and meters"),
+    (1000.0, "millimeters and meters, or micrometers and millimeters"),
+    (1e6, "micrometers and meters"),
 ];
 /// Sizes of one structure in two subjects, or of a half and a whole, differ by less than this factor: areas by a factor of two.
 const NEAR: f64 = 1.4;

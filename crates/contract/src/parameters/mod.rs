@@ -47,9 +47,9 @@ pub struct MatchParameters {
     pub input: InputParameters,
     /// Vertex features of the unary potential.
     pub features: Vec<FeatureParameters>,
-    /// The energy that is minimised.
+    /// The energy that is minimized.
     pub energy: EnergyParameters,
-    /// The algorithm that minimises the energy, and its settings.
+    /// The algorithm that minimizes the energy, and its settings.
     pub inference: InferenceParameters,
     /// Feedback from registration to the energy.
     pub clamping: ClampingParameters,

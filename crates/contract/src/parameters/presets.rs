@@ -137,7 +137,7 @@ impl Method {
 /// The effective parameters of a preset.
 pub fn preset(method: Method) -> MatchParameters {
     let balanced = MatchParameters { method, ..balanced() };
-    // Methods for the study of minimisers minimise the energy of all vertices and answer with its labels.
+    // Methods for the study of minimizers minimize the energy of all vertices and answer with its labels.
     let direct = MatchParameters {
         inference: InferenceParameters {
             algorithm: Algorithm::MaxProduct,
@@ -154,7 +154,7 @@ pub fn preset(method: Method) -> MatchParameters {
         inference: InferenceParameters { algorithm, max_iterations: sweeps, ..direct.inference.clone() },
         ..direct.clone()
     };
-    // No energy is minimised, so that there is nothing to feed back to.
+    // No energy is minimized, so that there is nothing to feed back to.
     let registration_only = |initial, refine| MatchParameters {
         inference: InferenceParameters { algorithm: Algorithm::None, ..direct.inference.clone() },
         clamping: ClampingParameters { mode: ClampingMode::None, max_rounds: 0 },

@@ -6,7 +6,7 @@
 //! eigenvalues are the principal curvatures (positive where the surface is convex, since normals look outwards). The
 //! covariance of the projected normals alone is `C_νν ≈ S C_uu S`: its eigenvalues are squares of principal curvatures
 //! and have lost their signs. The covariance of normals with positions, `C_νu ≈ S C_uu`, keeps them. The symmetric `S`
-//! that minimises `Σ a |ν − S u|²` about the means (`a` the area of a vertex) solves
+//! that minimizes `Σ a |ν − S u|²` about the means (`a` the area of a vertex) solves
 //!
 //! ```text
 //! S C_uu + C_uu S = C_νu + C_νuᵀ

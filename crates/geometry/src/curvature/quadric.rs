@@ -6,7 +6,7 @@
 //! z = a u² + b u v + c v² + d u + e v + f
 //! ```
 //!
-//! minimises `Σ A (z − z_i)²` over the points of the ball, `A` the area of a vertex. The slopes `d`, `e` take up an
+//! minimizes `Σ A (z − z_i)²` over the points of the ball, `A` the area of a vertex. The slopes `d`, `e` take up an
 //! error of the normal, the offset `f` one of the position. Its curvature over the vertex follows exactly from the two
 //! fundamental forms of a graph (Gauss; do Carmo, "Differential geometry of curves and surfaces", 1976, 3-3), the mean
 //! one negated, since the normal points outwards:

@@ -1,4 +1,4 @@
-//! Shares of neighbouring bins, so that a histogram changes continuously with what it counts.
+//! Shares of neighboring bins, so that a histogram changes continuously with what it counts.
 
 /// The two bins of `n` on `[0, 1]` whose centers enclose `x`, with the share of each: linear in between, all in the outermost
 /// bin beyond its center.

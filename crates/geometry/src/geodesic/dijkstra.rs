@@ -24,7 +24,7 @@ impl WeightedGraph {
         WeightedGraph { graph, lengths }
     }
 
-    /// Appends the neighbours of `vertex`, with the lengths of the edges to them.
+    /// Appends the neighbors of `vertex`, with the lengths of the edges to them.
     pub(super) fn append_neighbors(&self, vertex: u32, next: &mut Vec<(u32, f64)>) {
         let lengths = &self.lengths[self.graph.row(vertex as usize)];
         next.extend(self.graph.neighbors(vertex as usize).iter().copied().zip(lengths.iter().copied()));

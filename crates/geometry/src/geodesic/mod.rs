@@ -40,7 +40,7 @@ const CHUNK: usize = 64;
 /// and itself.
 ///
 /// # Cost
-/// With `k̄` labels a neighbourhood: `O(n k̄)` Euclidean, `O(n k̄ log k̄)` graph, about `O(n k̄^1.5)` geodesic, on all
+/// With `k̄` labels a neighborhood: `O(n k̄)` Euclidean, `O(n k̄ log k̄)` graph, about `O(n k̄^1.5)` geodesic, on all
 /// threads. Every label is computed independently, so any number of threads gives the same bits.
 pub fn label_neighborhoods(mesh: &SurfaceMesh, rings: usize, distance: LabelDistance) -> LabelNeighborhoods {
     let graph = mesh.edge_graph();

@@ -8,7 +8,7 @@ use nalgebra::Point3;
 /// No triangle on the other side, or none in which a line can be continued.
 pub(super) const NOWHERE: u32 = u32::MAX;
 
-/// Triangles with neighbours. A side is one edge of one triangle; triangle `t` has sides `3t`, `3t + 1`, `3t + 2`.
+/// Triangles with neighbors. A side is one edge of one triangle; triangle `t` has sides `3t`, `3t + 1`, `3t + 2`.
 pub(super) struct Polyhedron {
     /// Positions, mm: the vertices of the mesh, then on quads the mean of the corners of every face.
     pub vertices: Vec<Point3<f64>>,

@@ -64,16 +64,16 @@ impl WeightedEdges {
         self.graph.n_vertices()
     }
 
-    /// The neighbours of `vertex` with their weights.
+    /// The neighbors of `vertex` with their weights.
     pub(super) fn neighbors(&self, vertex: usize) -> impl Iterator<Item = (usize, f64)> {
         self.graph.row(vertex).map(|e| (self.graph.head(e), self.weights[e]))
     }
 
-    /// The neighbours of `at` strictly between `from` and `to`, counter-clockwise seen from outside.
+    /// The neighbors of `at` strictly between `from` and `to`, counter-clockwise seen from outside.
     pub(super) fn between(&self, at: u32, from: u32, to: u32) -> Vec<u32> {
         let mut found = Vec::new();
         let mut neighbor = from;
-        // A closed manifold gives every vertex one cycle of neighbours; the bound ends the walk on anything else.
+        // A closed manifold gives every vertex one cycle of neighbors; the bound ends the walk on anything else.
         for _ in 0..self.graph.neighbors(at as usize).len() {
             match self.following.get(&(at, neighbor)) {
                 Some(&next) if next != to => {

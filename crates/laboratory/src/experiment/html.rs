@@ -54,7 +54,7 @@ pub(super) fn page(report: &ReportDocument) -> String {
     }
     term(&mut out, "Scope", extent);
     out.push_str(
-        "</dl>\n<p>Dense correspondence between two surfaces is found by minimising the energy of a Markov random field, and \
+        "</dl>\n<p>Dense correspondence between two surfaces is found by minimizing the energy of a Markov random field, and \
          a rigid transform is estimated from the corresponding points by RANSAC. Energies have no unit; lower is better. \
          Values with ± are mean ± standard deviation over pairs; the CSV files beside this page also hold the number of \
          pairs, medians and quartiles.</p>\n</header>\n",

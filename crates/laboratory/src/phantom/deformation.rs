@@ -24,7 +24,7 @@ impl Deformation {
     /// A deformation of the surface with these vertices whose RMS displacement over them is `rms_share` of the
     /// diagonal of their bounding box, orientation preserved.
     ///
-    /// Draws per bump: the vertex at its centre, then its direction. The width begins at 0.22 of the diagonal and
+    /// Draws per bump: the vertex at its center, then its direction. The width begins at 0.22 of the diagonal and
     /// grows by a quarter until the Jacobian determinant is above [`MIN_JACOBIAN`] at every vertex and on a grid
     /// over the box, so that a strong deformation is a smoother one.
     ///

@@ -22,7 +22,7 @@ pub use surface::PhantomSurface;
 
 use homolog_mesh::MeshError;
 
-/// Edge length that gives about as many vertices (2,400) as the surface of a real hippocampus labelled at 1 mm.
+/// Edge length that gives about as many vertices (2,400) as the surface of a real hippocampus labeled at 1 mm.
 pub const DEFAULT_EDGE_MM: f64 = 0.8;
 
 /// Why a phantom cannot be made as asked.

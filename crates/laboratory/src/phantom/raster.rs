@@ -1,4 +1,4 @@
-//! A phantom as a label volume: which voxel centres lie inside, and in which part.
+//! A phantom as a label volume: which voxel centers lie inside, and in which part.
 
 use super::PhantomError;
 use super::shape::{Part, Phantom};
@@ -11,14 +11,14 @@ const MAX_VOXELS: usize = 1 << 28;
 /// Empty voxels kept on every side, so that a filter of the mask does not meet the border.
 const MARGIN: usize = 4;
 
-/// An axis-aligned label volume in world millimetres (x right, y front, z up).
+/// An axis-aligned label volume in world millimeters (x right, y front, z up).
 #[derive(Debug, Clone, PartialEq)]
 pub struct PhantomVolume {
     /// Voxels along x, y, z.
     pub shape: [usize; 3],
     /// Edge of a voxel, mm.
     pub spacing_mm: f64,
-    /// Centre of voxel (0, 0, 0), mm.
+    /// Center of voxel (0, 0, 0), mm.
     pub origin_mm: Point3<f64>,
     /// Label of every voxel, x fastest: 0 outside, 1 anterior, 2 posterior.
     pub labels: Vec<u8>,
@@ -41,7 +41,7 @@ impl PhantomVolume {
         let Some(&first) = extent.first() else { return Err(PhantomError::NoVertices) };
         let (low, high) = extent.iter().fold((first, first), |(l, h), p| (l.inf(p), h.sup(p)));
         let margin = MARGIN as f64 * spacing_mm;
-        // Centres on multiples of the spacing, as scanners place them, whatever the pose.
+        // Centers on multiples of the spacing, as scanners place them, whatever the pose.
         let origin = low.map(|c| ((c - margin) / spacing_mm).floor() * spacing_mm);
         let shape: [usize; 3] =
             std::array::from_fn(|k| ((high[k] + margin - origin[k]) / spacing_mm).ceil() as usize + 1);

@@ -1,6 +1,6 @@
-//! The shape of one subject: a tube about a bent centre line, with a head, bumps and a thin curved tail.
+//! The shape of one subject: a tube about a bent center line, with a head, bumps and a thin curved tail.
 //!
-//! A surface point is `c(s) + ρ(s, φ) (a cos φ · wide + b sin φ · narrow)`, where `c` is the centre line, `ρ` the
+//! A surface point is `c(s) + ρ(s, φ) (a cos φ · wide + b sin φ · narrow)`, where `c` is the center line, `ρ` the
 //! radius with its bumps and `a`, `b` flatten the section. The same formula answers whether a point is inside, so
 //! that the triangle surface and the label volume of a subject are one shape.
 //!
@@ -41,7 +41,7 @@ struct Bump {
     width_phi: f64,
 }
 
-/// One synthetic subject, in its own millimetre frame: x to the right, y to the front, z up, head in front.
+/// One synthetic subject, in its own millimeter frame: x to the right, y to the front, z up, head in front.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Phantom {
     seed: u64,
@@ -54,7 +54,7 @@ pub struct Phantom {
     bumps: Vec<Bump>,
 }
 
-/// No point of the surface is farther from the centre line, mm.
+/// No point of the surface is farther from the center line, mm.
 const REACH_MM: f64 = 14.0;
 
 impl Phantom {
@@ -119,7 +119,7 @@ impl Phantom {
         self.seed
     }
 
-    /// Length of the centre line, mm.
+    /// Length of the center line, mm.
     pub fn length_mm(&self) -> f64 {
         self.spine.length_mm()
     }
@@ -160,7 +160,7 @@ impl Phantom {
         frame.point + frame.wide * (rho * self.flatten * cos) + frame.narrow * (rho / self.flatten * sin)
     }
 
-    /// The part that holds `p`, or `None` outside. `O(samples of the centre line)`.
+    /// The part that holds `p`, or `None` outside. `O(samples of the center line)`.
     pub fn part_at(&self, p: &Point3<f64>) -> Option<Part> {
         let foot = self.spine.foot(p, REACH_MM)?;
         let (x, y) = (foot.across[0] / self.flatten, foot.across[1] * self.flatten);

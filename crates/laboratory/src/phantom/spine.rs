@@ -1,4 +1,4 @@
-//! The centre line of a phantom: a curve in space with a frame that turns along with it.
+//! The center line of a phantom: a curve in space with a frame that turns along with it.
 //!
 //! The curve is integrated from two angles of its direction (yaw and pitch) at fixed steps; the frame is carried
 //! along by double reflection (Wang, Jüttler, Zheng, Liu, ACM Trans. Graph. 27(1), 2008), which turns as little
@@ -9,10 +9,10 @@ use nalgebra::{Point3, Vector3};
 /// Samples of a spine; enough that linear interpolation between them errs by less than 1e-4 mm at the bends used.
 const N_STEPS: usize = 512;
 
-/// A point of the centre line with its frame.
+/// A point of the center line with its frame.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct SpineFrame {
-    /// On the centre line, mm.
+    /// On the center line, mm.
     pub(crate) point: Point3<f64>,
     /// Unit tangent, from head to tail.
     pub(crate) tangent: Vector3<f64>,
@@ -22,14 +22,14 @@ pub(crate) struct SpineFrame {
     pub(crate) narrow: Vector3<f64>,
 }
 
-/// The centre line, sampled at equal arc length.
+/// The center line, sampled at equal arc length.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Spine {
     length_mm: f64,
     frames: Vec<SpineFrame>,
 }
 
-/// Where a point lies with respect to the centre line.
+/// Where a point lies with respect to the center line.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct SpineFoot {
     /// Share of the length at which the normal plane holds the point.
@@ -103,7 +103,7 @@ impl Spine {
             let f = self.frame(s);
             (p - f.point).dot(&f.tangent)
         };
-        // The height falls through zero between the neighbours of the nearest sample; bisection finds where.
+        // The height falls through zero between the neighbors of the nearest sample; bisection finds where.
         let step = 1.0 / N_STEPS as f64;
         let s = nearest as f64 * step;
         let (mut low, mut high) = ((s - step).max(0.0), (s + step).min(1.0));

@@ -2,9 +2,9 @@
 //!
 //! Simple points by the local criterion of Bertrand and Malandain (Pattern Recognition Letters 15, 1994): a voxel may
 //! change sides without changing the topology if it sees one foreground component and one background component
-//! among its neighbours. Well-composed sets (Latecki, Eckhardt, Rosenfeld, CVIU 61, 1995) have no two voxels that
+//! among its neighbors. Well-composed sets (Latecki, Eckhardt, Rosenfeld, CVIU 61, 1995) have no two voxels that
 //! touch along an edge or at a corner only; their boundary is a 2-manifold. Betti numbers from the Euler number of
-//! the complex of voxel centres, face-adjacent pairs, squares and cubes.
+//! the complex of voxel centers, face-adjacent pairs, squares and cubes.
 
 use super::VoxelMask;
 
@@ -18,9 +18,9 @@ const ALL: Neighborhood = (1 << 27) - 1;
 pub(super) struct LocalTopology {
     six: [Neighborhood; 27],
     all: [Neighborhood; 27],
-    /// The 6 face neighbours of the middle.
+    /// The 6 face neighbors of the middle.
     faces: Neighborhood,
-    /// The 18 neighbours that share a face or an edge with it.
+    /// The 18 neighbors that share a face or an edge with it.
     near: Neighborhood,
     /// For each of the eight 2×2×2 blocks around the middle its bits, in the order of [`WELL_COMPOSED`].
     octants: [[u8; 8]; 8],
@@ -234,7 +234,7 @@ pub(super) fn components(mask: &VoxelMask, foreground: bool) -> (Vec<u32>, Vec<u
     (number, sizes)
 }
 
-/// The steps to neighbours of the foreground (6) or of the background (26), along the axes and in the array.
+/// The steps to neighbors of the foreground (6) or of the background (26), along the axes and in the array.
 fn steps(mask: &VoxelMask, foreground: bool) -> Vec<([i8; 3], isize)> {
     let strides = mask.strides().map(|s| s as isize);
     let place = |k: i8| [k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1];

@@ -116,7 +116,7 @@ proptest! {
         prop_assert_eq!(analyze(&surface(&filled)).fault, None);
     }
 
-    /// Smoothing acts in millimetres, so a rigid motion or a mirror image of the volume moves the surface with it.
+    /// Smoothing acts in millimeters, so a rigid motion or a mirror image of the volume moves the surface with it.
     #[test]
     fn moving_the_volume_moves_the_surface(mask in sets(), angles in proptest::array::uniform3(-3.0..3.0f64), mirrored: bool) {
         let mut motion = Rotation3::from_euler_angles(angles[0], angles[1], angles[2]).to_homogeneous();

@@ -3,7 +3,7 @@
 //! Every lattice edge that crosses the level carries one vertex. On each face of a cube the crossings are joined so
 //! that corners above the level are kept apart where the face is ambiguous; the rule looks at the face alone, so the
 //! two cubes that share it agree. The segments of a cube close to loops. A loop is cut into triangles by the shortest
-//! diagonals of which none lies in a face of the cube (such a diagonal could be used by the neighbouring cube too and
+//! diagonals of which none lies in a face of the cube (such a diagonal could be used by the neighboring cube too and
 //! become a non-manifold edge); where that is impossible the loop gets a vertex in its middle. Two corners below the level at
 //! opposite ends of a cube are joined by a tube between their loops. So what is above the level is connected through faces of
 //! voxels, and what is below through faces, edges and corners.

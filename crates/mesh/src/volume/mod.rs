@@ -1,6 +1,6 @@
 //! Label volumes and their surfaces.
 //!
-//! A [`LabelVolume`] holds one label per voxel and the affine that maps voxel indices to world millimetres. The
+//! A [`LabelVolume`] holds one label per voxel and the affine that maps voxel indices to world millimeters. The
 //! selected labels form a [`VoxelMask`] ([`LabelVolume::mask`]), which [`repair`] can give the topology of a ball and
 //! from which [`voxel_surface()`] or [`smooth_surface()`] extract a closed surface.
 
@@ -25,7 +25,7 @@ pub use voxel_surface::voxel_surface;
 use nalgebra::{Matrix4, Point3, Vector3, Vector4};
 use std::collections::BTreeMap;
 
-/// Voxels with a label each, and their positions in world millimetres.
+/// Voxels with a label each, and their positions in world millimeters.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LabelVolume {
     dims: [usize; 3],
@@ -59,7 +59,7 @@ pub enum VolumeError {
 
 impl LabelVolume {
     /// A volume of `dims` voxels, `labels` with the first index fastest, and `affine` from voxel index (whole numbers
-    /// at voxel centres) to world mm.
+    /// at voxel centers) to world mm.
     ///
     /// # Errors
     /// [`VolumeError`].
@@ -94,7 +94,7 @@ impl LabelVolume {
         &self.affine
     }
 
-    /// Distance of neighbouring voxel centres along each axis, mm.
+    /// Distance of neighboring voxel centers along each axis, mm.
     pub fn spacing_mm(&self) -> [f64; 3] {
         spacing_mm(&self.affine)
     }
@@ -165,7 +165,7 @@ fn spacing_mm(affine: &Matrix4<f64>) -> [f64; 3] {
 }
 
 /// Plausible voxel sizes of anatomical images. A size outside is a damaged header or a wrong unit, and a filter in
-/// millimetres would span too many voxels.
+/// millimeters would span too many voxels.
 const SPACING_MM: std::ops::RangeInclusive<f64> = 1e-4..=1e5;
 
 fn check_affine(affine: &Matrix4<f64>) -> Result<(), VolumeError> {
@@ -248,7 +248,7 @@ impl VoxelMask {
         [index % nx, index / nx % ny, index / (nx * ny)]
     }
 
-    /// Whether a voxel has all its 26 neighbours in the box.
+    /// Whether a voxel has all its 26 neighbors in the box.
     fn is_inner(&self, index: usize) -> bool {
         let place = self.place(index);
         (0..3).all(|k| place[k] > 0 && place[k] + 1 < self.dims[k])

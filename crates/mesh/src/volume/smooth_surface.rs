@@ -112,7 +112,7 @@ pub(super) fn gaussian_filter(mask: &VoxelMask, smoothing_mm: f64) -> Vec<f64> {
 
 /// One half of a normalized Gaussian of `sigma` voxels, the middle first, no longer than the line it is used on.
 fn gaussian_kernel(sigma: f64, max_len: usize) -> Vec<f64> {
-    // Below a tenth of a voxel the neighbours weigh less than 1e-21.
+    // Below a tenth of a voxel the neighbors weigh less than 1e-21.
     if sigma < 0.1 {
         return vec![1.0];
     }

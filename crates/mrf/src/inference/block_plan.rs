@@ -2,7 +2,7 @@
 //!
 //! Edges are taken in the order of their variables, so that no lane but those of the last block stays empty. A variable
 //! whose edges do not fit is continued in the next block, where the products of its messages are made again. The plan
-//! also fixes where a message lies in memory: messages of one block are neighbours, so that a block owns one contiguous
+//! also fixes where a message lies in memory: messages of one block are neighbors, so that a block owns one contiguous
 //! piece of the output.
 
 use homolog_primitives::graph::EdgeGraph;
@@ -12,7 +12,7 @@ pub(super) const LANES: usize = 16;
 
 /// Directed edges updated side by side. Their cavity products over all labels stay in the cache of a core while the
 /// messages that are read and written pass through it: 150 KB at 2,300 labels. More would share the work of finding
-/// the neighbours of a label among more messages, but drive each other out of that cache.
+/// the neighbors of a label among more messages, but drive each other out of that cache.
 pub(super) const BLOCK_LANES: usize = 16;
 
 /// A run of outgoing edges of one variable within a block.
@@ -20,9 +20,9 @@ pub(super) const BLOCK_LANES: usize = 16;
 pub(super) struct BlockVariable {
     /// The variable `i`.
     pub variable: usize,
-    /// Directed edges `k → i` for all neighbours `k`, in the order of the graph.
+    /// Directed edges `k → i` for all neighbors `k`, in the order of the graph.
     pub incoming: Vec<u32>,
-    /// Which of the neighbours this block sends to: all of them but for the first and the last variable of a block.
+    /// Which of the neighbors this block sends to: all of them but for the first and the last variable of a block.
     pub slots: std::ops::Range<usize>,
     /// First lane in the block.
     pub lane: usize,

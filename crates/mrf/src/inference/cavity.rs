@@ -9,11 +9,11 @@ use super::lanes::{CHAIN_SCALE, CHUNK, ChunkRow, ChunkRows, LINE_BYTES, Lanes};
 use super::message_value::MessageValue;
 use super::vector::{Simd, Vector, WIDTH, dispatch};
 
-/// Neighbours for which the products of a variable are made all at once, in registers.
+/// Neighbors for which the products of a variable are made all at once, in registers.
 const FEW: usize = 8;
 
-/// Rows before and after those of a block, for the products of a variable of [`FEW`] neighbours that the block sends
-/// no message of: written all the same, the loop over the neighbours has no branch.
+/// Rows before and after those of a block, for the products of a variable of [`FEW`] neighbors that the block sends
+/// no message of: written all the same, the loop over the neighbors has no branch.
 const OVERHANG: usize = FEW - 1;
 
 /// Scratch of the cavity pass.
@@ -158,8 +158,8 @@ fn transpose_chunk<S: Simd, const SUMS: bool>(
     }
 }
 
-/// The products of one variable of `D` neighbours, at most [`FEW`], over one chunk of labels, from label `start` on, into
-/// the rows from its lane on. Products of neighbours that the block sends nothing to go to the rows before and after,
+/// The products of one variable of `D` neighbors, at most [`FEW`], over one chunk of labels, from label `start` on, into
+/// the rows from its lane on. Products of neighbors that the block sends nothing to go to the rows before and after,
 /// which no lane owns, since such a variable is the first or the last of the block, or are overwritten by the next
 /// variable. The variable is number `at` of its block.
 #[inline(always)]
@@ -201,7 +201,7 @@ fn multiply_few<S: Simd, M: MessageValue, const D: usize>(
     peak.store(&mut chains.beliefs[at]);
 }
 
-/// The same for any number of neighbours, and for those to which a block sends.
+/// The same for any number of neighbors, and for those to which a block sends.
 #[inline(always)]
 fn multiply_many<S: Simd, M: MessageValue>(
     simd: S,

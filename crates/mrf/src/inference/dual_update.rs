@@ -11,7 +11,7 @@ use multiversion::multiversion;
 /// One whole number for each lane.
 type Units = [i32; LANES];
 
-/// Neighbouring labels with `βd'/ℓ'`, in grid units, in rows by label.
+/// Neighboring labels with `βd'/ℓ'`, in grid units, in rows by label.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct UnitTable {
     offsets: Vec<u32>,
@@ -53,7 +53,7 @@ pub(super) fn minimum(values: &[i32]) -> (usize, i32) {
     (values.iter().position(|&v| v == lowest).unwrap_or(0), lowest)
 }
 
-/// Turns the reparametrised unary potential of a variable into the share of each of its edges: what it is above its
+/// Turns the reparametrized unary potential of a variable into the share of each of its edges: what it is above its
 /// minimum, divided by `parts` and rounded down. At the minimum the share is 0, and all shares together are nowhere
 /// more than there was to share, so that the minimum stays where and what it is.
 #[allow(unsafe_code, reason = "the dispatch to instruction sets that `multiversion` generates")]

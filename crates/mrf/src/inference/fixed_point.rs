@@ -9,7 +9,7 @@ use crate::MrfModel;
 /// Largest magnitude of any sum of messages, in grid units; half of what 32 bits hold.
 const LARGEST: f64 = (1u32 << 30) as f64;
 /// A truncation that is huge or infinite would coarsen the grid. It is lowered to what the best labeling of one label
-/// for all variables costs above the sum of the smallest unary potentials: that labeling breaks no neighbourhood, so
+/// for all variables costs above the sum of the smallest unary potentials: that labeling breaks no neighborhood, so
 /// that no labeling that breaks one is then the minimum, and the minimum stays where it was. But it is not lowered
 /// below the first of these multiples of the largest other potential, nor kept above the second, where models of many
 /// variables are; a lower truncation only lowers the energy, and so the bound.
@@ -50,7 +50,7 @@ impl Grid {
         let near = scaled * longest.max(farthest);
         let hard = HARD_TRUNCATION.map(|times| times * range.max(near));
         let truncation = pairwise.truncation.min(cost_of_one_label(model, &rows).clamp(hard[0], hard[1]));
-        // A variable gathers its unary potential and the messages of all neighbours, each at most the truncation;
+        // A variable gathers its unary potential and the messages of all neighbors, each at most the truncation;
         // a message is made of that, a potential and one message more.
         let largest = range + near + (degree + 2) as f64 * truncation;
         let unit = if largest > 0.0 { (largest / LARGEST).log2().ceil().exp2() } else { 1.0 };

@@ -141,7 +141,7 @@ impl<M: MessageValue> Flooding<M> {
         }
         open.close();
         checkpoint(observer)?;
-        // A variable without neighbours sends no message and is in no block: its belief is its unary factor.
+        // A variable without neighbors sends no message and is in no block: its belief is its unary factor.
         for i in (0..kernel.model.n_variables()).filter(|&i| kernel.model.variables.row(i).is_empty()) {
             found.decoded.push(decode_alone(kernel, i));
         }

@@ -1,7 +1,7 @@
 //! The full message update: every label pair of one block of up to [`BLOCK_LANES`] outgoing messages.
 //!
 //! No table of potentials is stored. A dense row holds the two factors of the potential of one label against all
-//! others, and 0 for those outside its neighbourhood, which the lower limit `ε` turns into the truncation; it takes
+//! others, and 0 for those outside its neighborhood, which the lower limit `ε` turns into the truncation; it takes
 //! `O(n)` memory per thread. Each pass over the cavity products updates two labels, as many as fit in 16 registers.
 
 use super::block_plan::BLOCK_LANES;

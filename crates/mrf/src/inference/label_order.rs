@@ -1,6 +1,6 @@
-//! An order of the labels in which neighbours are near.
+//! An order of the labels in which neighbors are near.
 //!
-//! An update reads, label after label, what the neighbours of a label have. In whatever order a surface comes, some of them
+//! An update reads, label after label, what the neighbors of a label have. In whatever order a surface comes, some of them
 //! lie far away in memory. Sorted by their distance from an end of the surface all lie within a ring or two, which the
 //! nearest cache still holds: on a hippocampus of 2,300 vertices and `r = 2` an iteration takes 0.94 of the time, on one of
 //! 700 vertices 0.85.

@@ -1,4 +1,4 @@
-//! Neighbourhoods of labels as rows of one length, for loops without a branch that depends on the label.
+//! Neighborhoods of labels as rows of one length, for loops without a branch that depends on the label.
 //!
 //! Where every row has a length of its own, the processor guesses at the end of most of them and guesses wrong, which
 //! costs as much as half a row. Here all rows are equally long: shorter ones are filled up with a label that adds

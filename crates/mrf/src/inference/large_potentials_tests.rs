@@ -1,4 +1,4 @@
-//! Potentials of any size: nothing panics, every number is finite, and small models are still minimised.
+//! Potentials of any size: nothing panics, every number is finite, and small models are still minimized.
 //!
 //! `exp(−θ)` underflows single precision from `θ = 104` on, while callers allow unary potentials of a million and more.
 
@@ -130,7 +130,7 @@ proptest! {
     }
 
     #[test]
-    fn the_other_minimisers_stay_finite(model in any_model(), seed: u64) {
+    fn the_other_minimizers_stay_finite(model in any_model(), seed: u64) {
         let run = SearchRun { sweeps: 8, seed, start: None, target_energy: None };
         let energy_of = |labeling: &[u32]| model.energy(labeling).total();
         for sampler in [Sampler::Gibbs, Sampler::Metropolis] {
@@ -156,11 +156,11 @@ proptest! {
 
     /// On a tree max-product finds the minimum and sum-product the marginals, whatever every row has in common.
     #[test]
-    fn trees_are_minimised_as_by_exhaustive_search(
+    fn trees_are_minimized_as_by_exhaustive_search(
         parents in prop::collection::vec(0usize..100, 3),
         entropy in prop::collection::vec(0.0f64..1.0, 97),
         beta in prop_oneof![Just(0.0), 0.0f64..3.0],
-        // Three neighbours together do not reach the 87 from which on a label counts as impossible.
+        // Three neighbors together do not reach the 87 from which on a label counts as impossible.
         truncation in prop_oneof![Just(8.0f64), Just(20.0)],
         unary in any_rows(4, 5),
     ) {
@@ -241,7 +241,7 @@ fn sums_over_many_labels_do_not_overflow() {
     for update in [Update::Sparse, Update::Full] {
         let method = BpMethod { update, ..BpMethod::default() };
         let mut bp = BeliefPropagation::with_method(&model, options, method);
-        // Information reaches a neighbour in one iteration: labels 6 and 8 are near 7, all others are not.
+        // Information reaches a neighbor in one iteration: labels 6 and 8 are near 7, all others are not.
         bp.run(1, &Silent, |_| ()).unwrap();
         let message = bp.incoming_message(model.variables.row(0).start);
         let far = message[300];

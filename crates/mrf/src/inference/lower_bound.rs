@@ -106,7 +106,7 @@ struct Visit {
     ahead: Vec<usize>,
     /// The messages that came along them, from which the shares are subtracted; taken out of the table meanwhile.
     incoming: Vec<Vec<i32>>,
-    /// Minimum of the reparametrised unary potential.
+    /// Minimum of the reparametrized unary potential.
     minimum: i32,
     label: u32,
 }
@@ -208,7 +208,7 @@ impl<'a> DualBound<'a> {
         Ok(units)
     }
 
-    /// The variables of a step share out what they have, side by side: they are no neighbours.
+    /// The variables of a step share out what they have, side by side: they are no neighbors.
     fn visit_step(&mut self, step: usize, direction: Direction) -> Vec<Visit> {
         let graph = &self.model.variables;
         let visits: Vec<Visit> = self.order.steps[step]

@@ -2,7 +2,7 @@
 //!
 //! Flooding computes every message from those of the previous iteration, so an old message must be kept until all its
 //! readers are done: the variable that receives it, and its own block, which damps with it. Blocks are processed in
-//! batches, in an order in which neighbours are near, and an updated block is written over one whose last reader is
+//! batches, in an order in which neighbors are near, and an updated block is written over one whose last reader is
 //! done. The position of a block thus changes from iteration to iteration; nothing is copied, and blocks are written to
 //! memory that has just been read and is still in the cache.
 

@@ -13,7 +13,7 @@ pub enum Product {
 /// rounding for sum-product, whose terms they add in another order.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Update {
-    /// Pairs within the neighbourhood `N_r`; all others share the truncation. `O(n k̄)` a message.
+    /// Pairs within the neighborhood `N_r`; all others share the truncation. `O(n k̄)` a message.
     #[default]
     Sparse,
     /// All pairs. `O(n²)` a message, without a table of potentials; for small meshes and as a check of the other.
@@ -63,7 +63,7 @@ pub struct BpOptions {
     /// Share of the old message that is kept, in `[0, 1)`.
     pub damping: f32,
     /// Smallest value of a message (the largest is 1). With a truncation of infinity it is what a broken
-    /// neighbourhood costs a message, as `exp(−T)` is otherwise.
+    /// neighborhood costs a message, as `exp(−T)` is otherwise.
     pub floor: f32,
     /// A run ends when no message changes by more than this.
     pub tolerance: f32,

@@ -3,7 +3,7 @@
 use super::label_rows::LabelRows;
 use homolog_primitives::graph::LabelNeighborhoods;
 
-/// Pairs of neighbouring labels with the two factors of their pairwise potential, in rows by label.
+/// Pairs of neighboring labels with the two factors of their pairwise potential, in rows by label.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct PairTable {
     offsets: Vec<u32>,

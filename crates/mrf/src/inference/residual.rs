@@ -6,7 +6,7 @@
 //! `1 − exp(−δ)`, so that the bound also tells when every message is within the tolerance of its update.
 //! Informed scheduling itself is due to Elidan, McGraw, Koller 2006.
 //!
-//! Variables that are no neighbours of each other read nothing that the others write. A batch of such variables from
+//! Variables that are no neighbors of each other read nothing that the others write. A batch of such variables from
 //! the front of the queue is therefore updated side by side and gives what one after the other would give; neither
 //! the batch nor its result depends on the number of threads. Of equal bounds the lowest variable goes first.
 
@@ -28,7 +28,7 @@ use std::collections::BinaryHeap;
 const BATCH_BLOCKS: usize = 8;
 /// A batch takes variables whose bound is at least this share of the largest.
 const BATCH_SHARE: f32 = 0.5;
-/// Neighbours of members that are passed over before a batch is closed.
+/// Neighbors of members that are passed over before a batch is closed.
 const PASSED_OVER: usize = 64;
 
 /// The queue and the workspaces of the residual schedule. Message `i → j` lies in the row of its directed edge.
@@ -42,7 +42,7 @@ pub(super) struct Residual {
     /// Bits of a bound, which for numbers `≥ 0` are ordered as the numbers are, and its variable. An entry whose
     /// bound is not that of `pending` any more is void.
     queue: BinaryHeap<(u32, Reverse<u32>)>,
-    /// The batch in which a variable was last a member or the neighbour of one.
+    /// The batch in which a variable was last a member or the neighbor of one.
     taken: Vec<u64>,
     batch: u64,
     workspaces: Vec<Workspace>,
@@ -196,7 +196,7 @@ impl Residual {
         Ok(round)
     }
 
-    /// Variables from the front of the queue, no two of them neighbours, packed into blocks. Empty if no bound is
+    /// Variables from the front of the queue, no two of them neighbors, packed into blocks. Empty if no bound is
     /// above `limit`.
     fn next_batch(&mut self, graph: &EdgeGraph, limit: f32) -> Vec<Vec<BlockVariable>> {
         self.batch += 1;
@@ -284,7 +284,7 @@ impl Residual {
             .collect()
     }
 
-    /// Takes what members of a batch sent off their bounds, and adds it to those of their neighbours.
+    /// Takes what members of a batch sent off their bounds, and adds it to those of their neighbors.
     fn account(
         &mut self,
         graph: &EdgeGraph,
@@ -304,7 +304,7 @@ impl Residual {
                     left = left.max(kept_back);
                     self.raise(graph.head(edge), sent);
                 }
-                // The pieces of a variable with many neighbours each keep something back; the largest counts.
+                // The pieces of a variable with many neighbors each keep something back; the largest counts.
                 let more = left - self.pending[of.variable];
                 if more > 0.0 {
                     self.raise(of.variable, more);

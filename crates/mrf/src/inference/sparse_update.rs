@@ -165,8 +165,8 @@ fn store<V: Vector>(values: [V; GROUPS], lanes: &mut Lanes) {
     }
 }
 
-/// Max-product without a distance term: `ψ = 1` within the neighbourhood. Uses up `scratch.cavity`. `largest` are the
-/// maxima of the cavity products, which those of the messages equal, since a label is in its own neighbourhood.
+/// Max-product without a distance term: `ψ = 1` within the neighborhood. Uses up `scratch.cavity`. `largest` are the
+/// maxima of the cavity products, which those of the messages equal, since a label is in its own neighborhood.
 pub(super) fn max_update_uniform(table: &PairTable, floor: &Lanes, scratch: &mut Scratch) {
     max_steps_but_last(table, scratch);
     for (chunk, to) in scratch.updated.chunks_mut(CHUNK).enumerate() {

@@ -127,7 +127,7 @@ fn beliefs_of_few_iterations_are_close_on_any_graph() {
     }
 }
 
-/// The floor is raised to what 16 bits can tell from 0: no neighbour alone rules a label out.
+/// The floor is raised to what 16 bits can tell from 0: no neighbor alone rules a label out.
 #[test]
 fn a_message_of_sixteen_bits_is_never_zero() {
     let mut model = model(4, &[[0, 1], [1, 2], [2, 3]], 30, &[0.1, 0.7, 0.3, 0.9], 0.0, f64::INFINITY);

@@ -1,12 +1,12 @@
 //! An order of the variables in which many can be treated side by side, and whose paths are long all the same.
 //!
-//! Sequential dual ascent carries information along paths that ascend in its order: a colouring of the whole graph
+//! Sequential dual ascent carries information along paths that ascend in its order: a coloring of the whole graph
 //! would give wide steps but paths of a few edges. Here the order follows the distance from an end of the graph, and
-//! only variables at the same distance are coloured; a step is one colour at one distance.
+//! only variables at the same distance are colored; a step is one color at one distance.
 
 use homolog_primitives::graph::EdgeGraph;
 
-/// Steps of variables, no two of a step neighbours of each other.
+/// Steps of variables, no two of a step neighbors of each other.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct SweepOrder {
     /// Variables of every step, ascending.

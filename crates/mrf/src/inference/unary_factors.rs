@@ -5,7 +5,7 @@
 //! potentials and not from these factors, so that no scale shows in them.
 //!
 //! A label whose potential is more than 87 above the lowest of its variable leaves the normal numbers of 32 bits, and
-//! more than 104 above it its factor is 0: no messages bring it back, even where `d` neighbours that each pay up to the
+//! more than 104 above it its factor is 0: no messages bring it back, even where `d` neighbors that each pay up to the
 //! truncation `T` for another label would (`d T > 87`).
 
 use super::options::Product;

@@ -5,7 +5,7 @@
 //! that were left out are taken up again where the labels of the neighbors make them cheap ([`MetricModel::revised`]), and
 //! [`MetricModel::descend`] looks at all of them.
 //!
-//! Messages are numbers of the normalised linear domain: `φ = exp(−θ_i)`, `ψ = exp(−θ_ij)`,
+//! Messages are numbers of the normalized linear domain: `φ = exp(−θ_i)`, `ψ = exp(−θ_ij)`,
 //! `m_{i→j}(y) = ⊕_x ψ(x, y) φ(x) Π_{k ≠ j} m_{k→i}(x)`, scaled to maximum 1, where `⊕` is the maximum
 //! ([`Semiring::Max`]) or the sum ([`Semiring::Sum`]). Truncation keeps `ψ ≥ exp(−T)`, so no message is 0.
 //!

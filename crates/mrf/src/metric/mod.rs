@@ -37,7 +37,7 @@ pub struct MetricEdge {
     pub weight: f32,
 }
 
-/// The energy. Immutable while it is minimised.
+/// The energy. Immutable while it is minimized.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MetricModel {
     n_variables: usize,

@@ -28,7 +28,7 @@ pub struct LabelTable {
     rows: Vec<(u32, &'static str)>,
 }
 
-/// Name, title and content of each table; the files state source and licence.
+/// Name, title and content of each table; the files state source and license.
 const TABLES: [(&str, &str, &str); 5] = [
     ("freesurfer", "FreeSurfer", include_str!("label_tables/freesurfer.tsv")),
     ("totalsegmentator", "TotalSegmentator", include_str!("label_tables/totalsegmentator.tsv")),
@@ -268,7 +268,7 @@ mod tests {
     }
 
     #[test]
-    fn every_table_is_read_whole_and_states_source_and_licence() {
+    fn every_table_is_read_whole_and_states_source_and_license() {
         for ((name, _, text), table) in TABLES.iter().zip(label_tables()) {
             assert_eq!(text.lines().filter(|line| !line.starts_with('#')).count(), table.rows.len(), "{name}");
             let head: String = text.lines().take_while(|line| line.starts_with('#')).collect();

@@ -107,19 +107,19 @@ impl View {
         let bent = warp([source, target], correspondences, matrix, WarpDirection::Forward, WarpSpace::Target)?.mesh;
         let rigid = source.moved(matrix)?;
         let colors = Colors::new(correspondences, &rigid, &bent, target);
-        let (centre, radius, turn) = frame(target.vertices(), rigid.vertices());
+        let (center, radius, turn) = frame(target.vertices(), rigid.vertices());
         let data = json!({
             "radius": radius,
             "turn": turn,
             "surfaces": [
                 {
-                    "points": points(&rigid, &centre),
-                    "bent": points(&bent, &centre),
+                    "points": points(&rigid, &center),
+                    "bent": points(&bent, &center),
                     "triangles": triangles(&rigid),
                     "colors": colors.source.map(|bytes| BASE64.encode(bytes)),
                 },
                 {
-                    "points": points(target, &centre),
+                    "points": points(target, &center),
                     "triangles": triangles(target),
                     "colors": colors.target.map(|bytes| BASE64.encode(bytes)),
                 },
@@ -146,24 +146,24 @@ impl View {
     }
 }
 
-/// Centre, radius and first rotation of the view: the longest axis of the target from left to right, the shortest towards
+/// Center, radius and first rotation of the view: the longest axis of the target from left to right, the shortest towards
 /// the viewer.
 fn frame(target: &[Point3<f64>], source: &[Point3<f64>]) -> (Point3<f64>, f64, Vec<f64>) {
     let n = target.len().max(1) as f64;
-    let centre = Point3::from(target.iter().map(|p| p.coords).sum::<Vector3<f64>>() / n);
-    let scatter: Matrix3<f64> = target.iter().map(|p| (p - centre) * (p - centre).transpose()).sum();
+    let center = Point3::from(target.iter().map(|p| p.coords).sum::<Vector3<f64>>() / n);
+    let scatter: Matrix3<f64> = target.iter().map(|p| (p - center) * (p - center).transpose()).sum();
     let axes = scatter.symmetric_eigen();
     let mut order = [0, 1, 2];
     order.sort_by(|&a, &b| axes.eigenvalues[b].total_cmp(&axes.eigenvalues[a]));
     let [x, y] = [order[0], order[1]].map(|k| axes.eigenvectors.column(k).into_owned());
     let rows = [x, y, x.cross(&y)];
-    let reach = target.iter().chain(source).map(|p| (p - centre).norm()).fold(0.0, f64::max);
-    (centre, reach.max(f64::MIN_POSITIVE), rows.iter().flat_map(|row| row.iter().copied()).collect())
+    let reach = target.iter().chain(source).map(|p| (p - center).norm()).fold(0.0, f64::max);
+    (center, reach.max(f64::MIN_POSITIVE), rows.iter().flat_map(|row| row.iter().copied()).collect())
 }
 
-/// Positions about `centre`, three little-endian numbers of four bytes each, in base64.
-fn points(mesh: &SurfaceMesh, centre: &Point3<f64>) -> String {
-    let numbers = mesh.vertices().iter().flat_map(|p| [p.x - centre.x, p.y - centre.y, p.z - centre.z]);
+/// Positions about `center`, three little-endian numbers of four bytes each, in base64.
+fn points(mesh: &SurfaceMesh, center: &Point3<f64>) -> String {
+    let numbers = mesh.vertices().iter().flat_map(|p| [p.x - center.x, p.y - center.y, p.z - center.z]);
     BASE64.encode(numbers.flat_map(|x| (x as f32).to_le_bytes()).collect::<Vec<u8>>())
 }
 

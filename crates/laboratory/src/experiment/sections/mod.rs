@@ -6,7 +6,7 @@ mod descriptors;
 mod ellipsoid;
 mod estimators;
 mod methods;
-mod minimisers;
+mod minimizers;
 mod neighborhood;
 mod noise;
 mod outliers;
@@ -26,7 +26,7 @@ use super::units::Unit;
 /// All sections, in the order of the report.
 pub(super) const ALL: [&dyn Experiment; 17] = [
     &thesis::Thesis,
-    &minimisers::Minimisers,
+    &minimizers::Minimizers,
     &products::Products,
     &neighborhood::Neighborhood,
     &scale::CurvatureScale,

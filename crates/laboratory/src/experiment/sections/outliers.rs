@@ -89,8 +89,8 @@ impl Experiment for Outliers {
             question: "With which precision and recall are vertices without a counterpart flagged?",
             varied: "The height of a smooth bump of 6 mm radius added to the source; a vertex displaced by more than the \
                      tolerance of 3 mm is a synthetic outlier. Between different subjects, the share flagged by reason: \
-                     residual (too far away after registration), neighbourhood (the images of most neighbours are not \
-                     neighbours), or both.",
+                     residual (too far away after registration), neighborhood (the images of most neighbors are not \
+                     neighbors), or both.",
         }
     }
 
@@ -119,7 +119,7 @@ impl Experiment for Outliers {
         let flagged = [
             Metric::percent("flagged", "flagged"),
             Metric::percent("residual", "by residual"),
-            Metric::percent("neighborhood", "by neighbourhood"),
+            Metric::percent("neighborhood", "by neighborhood"),
             Metric::percent("both", "by both"),
         ];
         let mut metrics = vec![
@@ -143,7 +143,7 @@ impl Experiment for Outliers {
             let of = |k: usize| mean(&real, setting, &flagged[k]);
             Some(format!(
                 "On {} pairs of different subjects {} of the vertices were flagged: {} by the residual alone, {} by the \
-                 neighbourhood alone, {} by both.",
+                 neighborhood alone, {} by both.",
                 real.measured(setting).len(),
                 of(0)?,
                 of(1)?,

@@ -40,7 +40,7 @@ pub enum CandidateError {
         /// Labels of the model.
         n_labels: usize,
     },
-    /// A row is longer, or the rows of a variable's neighbours hold more labels, than can be counted.
+    /// A row is longer, or the rows of a variable's neighbors hold more labels, than can be counted.
     #[error("variable {variable} or its neighbors have {found} candidates; {MAX_CANDIDATES} can be held")]
     TooManyCandidates {
         /// The variable.

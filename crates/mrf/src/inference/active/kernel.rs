@@ -1,6 +1,6 @@
 //! The loops over candidates: from incoming messages to cavity products, to updated messages, to new ones.
 //!
-//! Cavity products `h_{i→j}` are made in rows over the candidates of `i`, then transposed so that eight neighbours `j`
+//! Cavity products `h_{i→j}` are made in rows over the candidates of `i`, then transposed so that eight neighbors `j`
 //! lie side by side; both stay in the fastest cache. Every step is the same on every instruction set and in the same
 //! order as in the dense engine.
 
@@ -11,7 +11,7 @@ use super::plan::{LANES, NearLists};
 use multiversion::multiversion;
 use wide::f32x4;
 
-/// One number for each of eight neighbours.
+/// One number for each of eight neighbors.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[repr(align(32))]
 pub(super) struct EightLanes(pub [f32; LANES]);
@@ -22,13 +22,13 @@ pub(super) struct Scratch {
     /// Products of the first messages, `[number of messages][candidate]`; the last row is the belief.
     forward: Vec<f32>,
     backward: Vec<f32>,
-    /// Cavity products, `[neighbour][candidate]`, whole groups of eight neighbours.
+    /// Cavity products, `[neighbor][candidate]`, whole groups of eight neighbors.
     rows: Vec<f32>,
-    /// Those of one group, `[candidate][neighbour]`.
+    /// Those of one group, `[candidate][neighbor]`.
     pub cavity: Vec<EightLanes>,
-    /// Updated messages before scaling, `[label of the union][neighbour]`.
+    /// Updated messages before scaling, `[label of the union][neighbor]`.
     pub updated: Vec<EightLanes>,
-    /// One of them over the candidates of its neighbour.
+    /// One of them over the candidates of its neighbor.
     gathered: Vec<f32>,
 }
 
@@ -41,7 +41,7 @@ pub(super) struct Peak {
 }
 
 impl Scratch {
-    /// Makes the belief of a variable and its cavity products towards every neighbour. `phi` and `messages` are rows
+    /// Makes the belief of a variable and its cavity products towards every neighbor. `phi` and `messages` are rows
     /// over its candidates, a multiple of [`LANES`] long; `phi` is 0 beyond them.
     pub(super) fn multiply(&mut self, phi: &[f32], messages: &[&[f32]]) {
         let stride = phi.len();
@@ -62,7 +62,7 @@ impl Scratch {
         peak(self.belief(phi))
     }
 
-    /// Transposes the cavity products towards neighbours `first..first + 8`; returns the largest of each.
+    /// Transposes the cavity products towards neighbors `first..first + 8`; returns the largest of each.
     pub(super) fn transpose(&mut self, phi: &[f32], first: usize) -> EightLanes {
         let stride = phi.len();
         self.cavity.resize(stride, EightLanes([0.0; LANES]));
@@ -171,7 +171,7 @@ pub(super) fn max_uniform(
     }
 }
 
-/// Max-product with a distance term; `near` and `far` are the edge factors of each neighbour.
+/// Max-product with a distance term; `near` and `far` are the edge factors of each neighbor.
 #[allow(unsafe_code, reason = "the dispatch to instruction sets that `multiversion` generates")]
 #[multiversion(targets("x86_64+avx512f+avx512vl+avx512bw+avx512dq", "x86_64+avx2"))]
 pub(super) fn max_weighted(
@@ -247,7 +247,7 @@ pub(super) fn sum_weighted(
     }
 }
 
-/// `ε Σ_x h(x)` of every neighbour.
+/// `ε Σ_x h(x)` of every neighbor.
 #[inline(always)]
 fn total(cavity: &[EightLanes], epsilon: f32) -> [f32; LANES] {
     let mut total = [0.0f32; LANES];

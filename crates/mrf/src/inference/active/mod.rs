@@ -13,11 +13,11 @@
 //!
 //! Messages cannot restore a label that is not in a set. [`ActiveSets`] therefore says how sets are revised during a
 //! run: labels whose belief has fallen far below the best are dropped, and labels next to the images of a variable's
-//! neighbours, where its own image has to be, are added.
+//! neighbors, where its own image has to be, are added.
 //!
 //! # What the truncation allows
-//! Two labels' messages from one neighbour differ by `exp(T)` at most, so that the labels of a variable with `d`
-//! neighbours whose unary potential is more than `d T` above the lowest can never win, and leaving them out is exact.
+//! Two labels' messages from one neighbor differ by `exp(T)` at most, so that the labels of a variable with `d`
+//! neighbors whose unary potential is more than `d T` above the lowest can never win, and leaving them out is exact.
 //! Where `T` is larger than the spread of the unary potentials, as it is by default, that excludes nothing; sets are
 //! capped instead, and [`crate::inference`]'s dense engine remains the reference.
 

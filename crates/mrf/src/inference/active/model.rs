@@ -16,11 +16,11 @@ pub struct ActiveModel<'a> {
 
 impl<'a> ActiveModel<'a> {
     /// The model of `variables` with edges of `lengths` (mm, one a directed edge) that take labels of `candidates`,
-    /// whose neighbourhoods are `labels`.
+    /// whose neighborhoods are `labels`.
     ///
     /// # Errors
     /// [`CandidateError`]: as many lengths as directed edges and as many rows as variables are needed; a row, and
-    /// different candidates of the neighbours of one variable, may be 65,536 at most.
+    /// different candidates of the neighbors of one variable, may be 65,536 at most.
     pub fn new(
         variables: &'a EdgeGraph,
         lengths: &'a [f32],

@@ -1,6 +1,6 @@
-//! Which candidates of a variable are near which of its neighbours' candidates, and where messages lie.
+//! Which candidates of a variable are near which of its neighbors' candidates, and where messages lie.
 //!
-//! A variable's messages to all its neighbours are made side by side, over the union of their candidates: neighbours
+//! A variable's messages to all its neighbors are made side by side, over the union of their candidates: neighbors
 //! on the source have much the same candidates, so that one list of near labels serves all of them. The lists are
 //! found once for a choice of candidates, by marking the candidates of the variable in a row over all labels and
 //! reading that row at `N_r(y)`, and are read front to back in every iteration.
@@ -69,7 +69,7 @@ impl Layout {
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Group {
     pub variables: Range<usize>,
-    /// Of every variable the number of different candidates of its neighbours.
+    /// Of every variable the number of different candidates of its neighbors.
     unions: Vec<u32>,
     /// For each of these, where its list ends.
     ends: Vec<u32>,
@@ -89,7 +89,7 @@ pub(super) struct NearLists<'p> {
     pub ends: &'p [u32],
     pub near: &'p [u16],
     pub factors: &'p [[f32; 2]],
-    /// Places in the union, neighbour after neighbour.
+    /// Places in the union, neighbor after neighbor.
     pub places: &'p [u16],
 }
 

@@ -279,7 +279,7 @@ impl<'a> ActivePropagation<'a> {
         self.model.variables.row(variable).map(message).collect()
     }
 
-    /// Messages of `variable`, which was multiplied last, to its neighbours from number `first` on, over the union of
+    /// Messages of `variable`, which was multiplied last, to its neighbors from number `first` on, over the union of
     /// their candidates, unscaled, into `scratch.updated`. Returns the value that no message is below, for each.
     pub(super) fn update(
         &self,

@@ -1,6 +1,6 @@
 //! Candidate sets that follow the beliefs: labels are dropped and added, messages are carried over.
 //!
-//! An added label gets the messages that its neighbours would have sent if it had been a candidate in their last update;
+//! An added label gets the messages that its neighbors would have sent if it had been a candidate in their last update;
 //! the messages of the other labels are kept, so that a run continues after a revision instead of starting again.
 
 use super::super::message_writer::inverse_of;
@@ -23,12 +23,12 @@ const ABSENT: u32 = u32::MAX;
 struct Ranking {
     /// Labels that stay, in any order.
     kept: Vec<u32>,
-    /// The best labels, whose neighbours are proposed to the variable's neighbours.
+    /// The best labels, whose neighbors are proposed to the variable's neighbors.
     best: Vec<u32>,
 }
 
 impl ActivePropagation<'_> {
-    /// Drops labels whose belief is far below the best and adds those that neighbours propose, according to `sets`.
+    /// Drops labels whose belief is far below the best and adds those that neighbors propose, according to `sets`.
     /// Returns whether any set changed.
     ///
     /// # Errors
@@ -77,7 +77,7 @@ impl ActivePropagation<'_> {
         Ok(())
     }
 
-    /// Most candidates of a variable, of `wanted`, such that those of all neighbours of a variable can be counted.
+    /// Most candidates of a variable, of `wanted`, such that those of all neighbors of a variable can be counted.
     fn largest_set(&self, wanted: usize) -> usize {
         let degree = (0..self.model.n_variables()).map(|i| self.model.variables.row(i).len()).max().unwrap_or(0);
         let few_labels = self.model.labels.n_labels() <= MAX_CANDIDATES;
@@ -101,7 +101,7 @@ impl ActivePropagation<'_> {
     }
 
     /// The next candidates of `variable`, ascending: those that stay and, as far as there is room, those that most
-    /// neighbours propose. `votes` is scratch.
+    /// neighbors propose. `votes` is scratch.
     fn revised(&self, variable: usize, rankings: &[Ranking], largest: usize, votes: &mut Vec<u32>) -> Vec<u32> {
         let mut kept = rankings[variable].kept.clone();
         let order = kept.len().min(largest);

@@ -15,14 +15,14 @@ pub struct ActiveSets {
     pub initial: usize,
     /// Labels that a revision keeps at most because of their belief. At least 1.
     pub kept: usize,
-    /// Labels of a variable at most after a revision, those that its neighbours propose included.
+    /// Labels of a variable at most after a revision, those that its neighbors propose included.
     pub largest: usize,
     /// A label is dropped whose unary potential, at the beginning, or whose belief, as an energy, later, is more than
     /// this above the variable's best. Feedback counts.
     pub margin: f32,
     /// Iterations from one revision to the next, at least 1.
     pub every: u32,
-    /// Best labels of each neighbour whose `N_1` a variable takes in at a revision.
+    /// Best labels of each neighbor whose `N_1` a variable takes in at a revision.
     pub best_of_neighbors: usize,
 }
 

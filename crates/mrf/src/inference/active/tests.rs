@@ -205,7 +205,7 @@ proptest! {
     }
 }
 
-/// A wheel: its hub has more neighbours than are treated side by side.
+/// A wheel: its hub has more neighbors than are treated side by side.
 #[test]
 fn variables_of_high_degree_equal_the_dense_engine() {
     let rim = 37u32;

@@ -1,7 +1,7 @@
-//! Minimisers that change one label at a time at random: simulated annealing by two samplers, and Las Vegas.
+//! Minimizers that change one label at a time at random: simulated annealing by two samplers, and Las Vegas.
 //!
-//! `annealing` and `las_vegas` are the minimisers; `search` has their parameters and results, `sweeps` visits the variables
-//! by the colours of `colors`, `gibbs` and `metropolis` change one variable, `state` keeps the running energy and the
+//! `annealing` and `las_vegas` are the minimizers; `search` has their parameters and results, `sweeps` visits the variables
+//! by the colors of `colors`, `gibbs` and `metropolis` change one variable, `state` keeps the running energy and the
 //! best labeling, `energy` has the change of the energy in `O(degree)`, `draws` the random streams.
 
 mod annealing;

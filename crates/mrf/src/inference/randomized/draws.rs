@@ -1,4 +1,4 @@
-//! The random streams of the randomised minimisers: one for every variable in every sweep.
+//! The random streams of the randomized minimizers: one for every variable in every sweep.
 //!
 //! A stream is named by `(seed, purpose, sweep, variable)` and by nothing else, so it does not matter which thread
 //! draws from it, nor what was drawn before. The generator is xoshiro256++ (Blackman, Vigna, ACM Trans. Math. Softw.
@@ -25,7 +25,7 @@ pub(super) struct Draws(Xoshiro256PlusPlus);
 impl Draws {
     /// The stream of `variable` in `sweep`.
     pub(super) fn new(seed: u64, purpose: Purpose, sweep: u32, variable: u32) -> Self {
-        // Seeds and counters are scrambled one after the other: neighbouring names must not give neighbouring states.
+        // Seeds and counters are scrambled one after the other: neighboring names must not give neighboring states.
         let key = scramble(seed ^ purpose as u64);
         let key = scramble(key ^ (u64::from(sweep) << 32 | u64::from(variable)));
         Draws(Xoshiro256PlusPlus::seed_from_u64(key))
@@ -69,9 +69,9 @@ mod tests {
         }
     }
 
-    /// First numbers of many neighbouring streams: mean and variance of each, and no correlation along the counters.
+    /// First numbers of many neighboring streams: mean and variance of each, and no correlation along the counters.
     #[test]
-    fn first_draws_of_neighbouring_streams_are_uniform_and_uncorrelated() {
+    fn first_draws_of_neighboring_streams_are_uniform_and_uncorrelated() {
         let unit = |sweep, variable| Draws::new(1, Purpose::Site, sweep, variable).unit() - 0.5;
         let n = 40_000u32;
         let along_variables: Vec<f64> = (0..n).map(|i| unit(1, i)).collect();

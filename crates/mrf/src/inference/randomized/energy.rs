@@ -1,4 +1,4 @@
-//! The energy as the randomised minimisers see it: in parts of one variable, with a bias, and always finite.
+//! The energy as the randomized minimizers see it: in parts of one variable, with a bias, and always finite.
 
 use super::draws::{Draws, Purpose};
 use crate::{Energy, MrfModel, PairwisePotential};
@@ -16,7 +16,7 @@ pub(super) struct Terms {
 }
 
 impl Terms {
-    /// What is minimised: all parts together.
+    /// What is minimized: all parts together.
     pub(super) fn total(&self) -> f64 {
         self.unary + self.bias + self.pairwise
     }
@@ -180,7 +180,7 @@ fn forbid(row: &mut [f32], above: f64) {
     row.iter_mut().filter(|v| !v.is_finite()).for_each(|v| *v = value);
 }
 
-/// A bound of the pairwise potentials within the neighbourhood, before truncation.
+/// A bound of the pairwise potentials within the neighborhood, before truncation.
 fn largest_unbroken(model: &MrfModel) -> f64 {
     let length = model.lengths.iter().copied().fold(0.0, f32::max);
     let distance = (0..model.n_labels()).flat_map(|x| model.labels.distances(x)).copied().fold(0.0, f32::max);

@@ -4,14 +4,14 @@
 //!
 //! With the constant `degree · T_trunc` left out, `E_i(x) = θ_i(x) − g(x)`, where `g(x) = Σ_j [T_trunc − θ_ij(x, x_j)]`
 //! is not negative and is 0 outside of `∪_j N_r(x_j)`. So the weights are a sum of two parts that are not negative:
-//! the **far** part `exp(−θ_i/T)` over all labels, which no neighbour changes, and the **near** part, the gain
+//! the **far** part `exp(−θ_i/T)` over all labels, which no neighbor changes, and the **near** part, the gain
 //! `exp(−(θ_i − g)/T) − exp(−θ_i/T)` of a few dozen labels. The near part is computed; of the far part only a bound of
 //! its sum is needed. Relative to the row's minimum that sum never grows while the temperature falls, so the sum of
 //! an earlier sweep is such a bound. A draw that falls into the far part computes it, tightens the bound and starts
 //! over if it fell into the slack between bound and sum: rejection sampling, exact.
 //!
 //! Cost: `O(degree · k̄)`, and `O(n_labels)` whenever the far part is hit, which is always at high temperatures and
-//! hardly ever once labels agree with their neighbours'.
+//! hardly ever once labels agree with their neighbors'.
 
 use super::draws::Draws;
 use super::energy::SearchEnergy;
@@ -79,7 +79,7 @@ impl GibbsScratch {
         }
     }
 
-    /// `p(x_i = labels[i] | neighbours)` at temperature 1. Cost `O(degree · k̄ + n_labels)`.
+    /// `p(x_i = labels[i] | neighbors)` at temperature 1. Cost `O(degree · k̄ + n_labels)`.
     pub(super) fn confidence(&mut self, energy: &SearchEnergy<'_>, labels: &[u32], i: usize) -> f64 {
         let lowest = self.gather(energy, labels, i);
         let near = self.near.fill_gain(&self.lowered, &self.raised, lowest, 1.0);

@@ -24,7 +24,7 @@ const FINAL_SHARE: f64 = 0.005;
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Sampler {
     /// From all labels at once, by their conditional probabilities. A sweep costs `O(|E→| k̄)` once labels agree with
-    /// their neighbours', and up to `O(n_variables · n_labels)` while it is hot.
+    /// their neighbors', and up to `O(n_variables · n_labels)` while it is hot.
     Gibbs,
     /// One proposal, accepted with `min(1, exp(−ΔE/T))`, corrected for asymmetric proposals. A sweep costs
     /// `O(|E→| log k̄)`.

@@ -53,11 +53,11 @@ pub struct SearchSweep {
 #[derive(Debug, Clone, PartialEq)]
 pub struct SearchOutcome {
     /// The labeling that reached the target, otherwise the best one after any single change of the run. Best by what
-    /// was minimised: the energy with the bias.
+    /// was minimized: the energy with the bias.
     pub labeling: Labeling,
-    /// For every variable `p(x_i | neighbours) ∝ exp(−E_i)`, the probability of its label if all others are right, at
+    /// For every variable `p(x_i | neighbors) ∝ exp(−E_i)`, the probability of its label if all others are right, at
     /// temperature 1. It costs one pass over all unary potentials. It is no marginal: it takes the labels of the
-    /// neighbours for certain, and is nearer to 1 than a marginal wherever neighbours agree.
+    /// neighbors for certain, and is nearer to 1 than a marginal wherever neighbors agree.
     pub confidence: Vec<f64>,
     /// Energy of the labeling by a full evaluation of the model, bias not included; infinite if `T = ∞` and an edge is
     /// broken.
@@ -113,8 +113,8 @@ impl RunEnd {
     }
 }
 
-/// For every variable `p(x_i | neighbours) ∝ exp(−E_i)`, the probability of its label if all others are right, of a
-/// labeling that any minimiser found. Cost `O(n_variables · n_labels)`, on all cores.
+/// For every variable `p(x_i | neighbors) ∝ exp(−E_i)`, the probability of its label if all others are right, of a
+/// labeling that any minimizer found. Cost `O(n_variables · n_labels)`, on all cores.
 ///
 /// # Errors
 /// [`Cancelled`].

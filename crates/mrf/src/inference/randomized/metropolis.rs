@@ -2,10 +2,10 @@
 //!
 //! Source: Metropolis and others, J. Chem. Phys. 21, 1953; Hastings, Biometrika 57, 1970.
 //!
-//! With a truncated pairwise potential a label drawn at random almost never agrees with any neighbour. The proposal
-//! is therefore a mixture: any label, a label near the present one, or a label near that of a neighbouring variable
-//! (the neighbour drawn at random). Near means within `N_r`. Proposals are not symmetric, since neighbourhoods have
-//! different sizes and the third kind depends on the neighbours; the acceptance is corrected by the Hastings ratio of
+//! With a truncated pairwise potential a label drawn at random almost never agrees with any neighbor. The proposal
+//! is therefore a mixture: any label, a label near the present one, or a label near that of a neighboring variable
+//! (the neighbor drawn at random). Near means within `N_r`. Proposals are not symmetric, since neighborhoods have
+//! different sizes and the third kind depends on the neighbors; the acceptance is corrected by the Hastings ratio of
 //! the whole mixture, so that the chain keeps `p(x) ∝ exp(−E(x)/T)` exactly.
 
 use super::draws::Draws;
@@ -19,10 +19,10 @@ struct Mixture {
     near_neighbor: f64,
 }
 
-/// Any label is proposed now and then, so that every labeling can be reached; most proposals follow the neighbours,
+/// Any label is proposed now and then, so that every labeling can be reached; most proposals follow the neighbors,
 /// since only those mend a broken edge.
 const MIXTURE: Mixture = Mixture { any: 0.1, near_own: 0.3, near_neighbor: 0.6 };
-/// For a variable without neighbours.
+/// For a variable without neighbors.
 const MIXTURE_ALONE: Mixture = Mixture { any: 0.7, near_own: 0.3, near_neighbor: 0.0 };
 
 fn mixture(degree: usize) -> Mixture {

@@ -1,4 +1,4 @@
-//! Variables in classes without neighbours among each other, which can change at the same time.
+//! Variables in classes without neighbors among each other, which can change at the same time.
 //!
 //! Source: chromatic Gibbs sampling, Gonzalez, Low, Gretton, Guestrin, AISTATS 2011. Within a class every variable
 //! sees only variables of other classes, so changing all of a class at once is the same as one after the other.
@@ -19,7 +19,7 @@ impl ColorClasses {
     pub(super) fn new(graph: &EdgeGraph) -> Self {
         let n = graph.n_vertices();
         let mut colors: Vec<usize> = Vec::with_capacity(n);
-        // `taken[c] == i` says that a neighbour of `i` has color `c`.
+        // `taken[c] == i` says that a neighbor of `i` has color `c`.
         let mut taken: Vec<usize> = Vec::new();
         for i in 0..n {
             for &j in graph.neighbors(i) {
@@ -58,7 +58,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn classes_hold_every_variable_once_and_no_two_neighbours(
+        fn classes_hold_every_variable_once_and_no_two_neighbors(
             n in 1usize..40,
             pairs in prop::collection::btree_set((0u32..40, 0u32..40), 0..120),
         ) {

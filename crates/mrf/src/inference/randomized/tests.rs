@@ -1,4 +1,4 @@
-//! Randomised minimisers against their oracles: exhaustive minima and marginals, full evaluations of the energy.
+//! Randomized minimizers against their oracles: exhaustive minima and marginals, full evaluations of the energy.
 
 use super::draws::{Draws, Purpose};
 use super::energy::SearchEnergy;
@@ -134,7 +134,7 @@ fn gibbs_draws_follow_the_conditional_while_the_temperature_falls() {
     let mut scratch = GibbsScratch::new(n_labels);
     for i in [0usize, 57, 200] {
         let mut labels = energy.random_labels(3, 0);
-        // Some neighbours agree with each other, so that near and far parts both matter.
+        // Some neighbors agree with each other, so that near and far parts both matter.
         for &j in &model.variables.neighbors(i)[1..] {
             labels[j as usize] = 40 + j % 3;
         }

@@ -358,9 +358,9 @@ fn all_faults(mesh: &SurfaceMesh, examined: &Examined, demand: Demand) -> Vec<Su
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) struct EdgeUse {
     pub edge: [u32; 2],
-    /// Position in the mesh's indices of the corner at the lower vertex.
+    /// Position in the indices of the mesh of the corner at the lower vertex.
     pub corner_low: u32,
-    /// The same of the higher vertex.
+    /// Position in the indices of the mesh of the corner at the higher vertex.
     pub corner_high: u32,
     /// Whether the face runs from the lower to the higher vertex.
     pub ascending: bool,

@@ -1,5 +1,5 @@
-//! Methods of the field that match two surfaces which a rigid pose has brought together already: each a map from the source
-//! to points on or near the target, to be tried against the Markov random field on equal terms.
+//! Published methods that match two surfaces in one rigid pose. Each maps the vertices of the source to points on or near
+//! the target, and can be compared with the Markov random field on equal terms.
 //!
 //! | module | method |
 //! |---|---|

@@ -14,7 +14,7 @@ use serde_json::json;
 
 pub(in crate::experiment) struct Methods;
 
-/// The default, the energy of the thesis, and two rigid baselines; then the methods of the field. `fast` and `accurate` are names
+/// The default, the energy of the thesis, and two rigid baselines; then the published methods. `fast` and `accurate` are names
 /// of `balanced`.
 const METHODS: [&str; 11] = [
     "balanced",

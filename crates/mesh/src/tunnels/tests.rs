@@ -52,7 +52,7 @@ fn closed(mesh: &SurfaceMesh) -> ClosedTunnels {
     assert_eq!(closed.mesh.n_vertices(), n + closed.n_copied + closed.n_added);
     let moved = mesh.vertices().iter().zip(closed.mesh.vertices()).map(|(a, b)| (a - b).norm());
     assert!(moved.fold(0.0, f64::max) <= closed.largest_mm);
-    // The faces that were there have the corners that they had, or copies of these.
+    // The original faces keep their corners, or have copies of these.
     let place = |v: u32| closed.mesh.vertices()[v as usize];
     for (before, after) in mesh.triangles().into_iter().zip(closed.mesh.triangles()) {
         for (v, w) in before.into_iter().zip(after) {

@@ -30,8 +30,8 @@ fn net_at(mask: &VoxelMask, offset: f64) -> Net {
     net
 }
 
-/// With all vertices at the inner ends of their segments too little is enclosed in a cube of any pattern, at the outer ends too
-/// much: so there is a distance with the right volume for any set.
+/// With all vertices at the inner ends of their segments the surface encloses too little in a cube of any pattern, and
+/// at the outer ends too much. Therefore some distance gives the right volume for any set.
 #[test]
 fn in_every_pattern_the_segments_reach_on_both_sides_of_the_right_volume() {
     for pattern in 1..255usize {

@@ -1,7 +1,8 @@
-//! Variables in classes without neighbors among each other, which can change at the same time.
+//! Classes of variables without neighbors among each other, which can change at the same time.
 //!
-//! Source: chromatic Gibbs sampling, Gonzalez, Low, Gretton, Guestrin, AISTATS 2011. Within a class every variable
-//! sees only variables of other classes, so changing all of a class at once is the same as one after the other.
+//! Source: chromatic Gibbs sampling, Gonzalez, Low, Gretton, Guestrin, AISTATS 2011. Every variable of a class sees
+//! only variables of other classes, so changing a whole class at once equals changing its variables one after the
+//! other.
 
 use homolog_primitives::graph::EdgeGraph;
 
@@ -9,7 +10,7 @@ use homolog_primitives::graph::EdgeGraph;
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct ColorClasses {
     pub order: Vec<u32>,
-    /// Where each class begins in `order`, and its end.
+    /// Start of each class in `order`, followed by the end of the last.
     pub starts: Vec<usize>,
 }
 

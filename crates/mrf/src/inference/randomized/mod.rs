@@ -1,8 +1,9 @@
 //! Minimizers that change one label at a time at random: simulated annealing by two samplers, and Las Vegas.
 //!
-//! `annealing` and `las_vegas` are the minimizers; `search` has their parameters and results, `sweeps` visits the variables
-//! by the colors of `colors`, `gibbs` and `metropolis` change one variable, `state` keeps the running energy and the
-//! best labeling, `energy` has the change of the energy in `O(degree)`, `draws` the random streams.
+//! `annealing` and `las_vegas` are the minimizers. `search` has their parameters and results, `sweeps` visits the
+//! variables by the colors of `colors`, and `gibbs` and `metropolis` change one variable. `state` keeps the running
+//! energy and the best labeling, `energy` computes changes of the energy in `O(degree)`, and `draws` has the random
+//! streams.
 
 mod annealing;
 mod colors;

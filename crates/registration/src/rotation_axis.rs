@@ -4,18 +4,18 @@
 //! `R` leaves fixed. Two displacements that are not parallel therefore determine the axis, and the motion of the points
 //! in the plane perpendicular to it determines the angle.
 //!
-//! The displacements of a triangle are parallel if its plane contains the axis, and zero without a rotation. The normal
-//! of the triangle is rotated by the same `R`, and its displacement is perpendicular to the axis too: it replaces a
-//! parallel one, for every angle up to 180°. If it is zero as well, the motion is a translation.
+//! The displacements of a triangle are parallel if its plane contains the axis, and zero if there is no rotation. The
+//! same `R` rotates the normal of the triangle, and the displacement of the normal is perpendicular to the axis too: it
+//! replaces a parallel one, for every angle up to 180°. If it is zero as well, the motion is a translation.
 //!
-//! Source: the thesis, section 3.4.2 ("critical points", those a motion leaves fixed); the formulation by
-//! displacements and the use of the normal are ours.
+//! Source: the thesis, section 3.4.2 ("critical points", the points that a motion leaves fixed); the formulation by
+//! displacements and the use of the normal are original.
 
 use super::three_point::triangle_normal;
 use super::{RigidTransform, TripleError};
 use nalgebra::{Matrix3, Point3, Rotation3, Unit, Vector3};
 
-/// Displacements below this share of the size of the triangle are rounding: the rotation is the identity.
+/// Displacements below this share of the size of the triangle count as rounding: the rotation is the identity.
 const STILL_RTOL: f64 = 1e-13;
 
 /// The transform whose axis is perpendicular to the displacements of the centered triples, whose angle is the
@@ -33,7 +33,7 @@ pub(super) fn rotation_axis_estimate(
     let target_normal = triangle_normal(target)?.normalize();
     let (source_mean, from) = centered(source);
     let (target_mean, to) = centered(target);
-    // In mm like the others, so that the displacement of the normal weighs as much as that of a corner.
+    // In mm like the others, so that the displacement of the normal weighs as much as the displacement of a corner.
     let size = from.iter().map(Vector3::norm_squared).sum::<f64>().sqrt();
     let normal_displacement = (target_normal - source_normal) * size;
     let displacements = [to[0] - from[0], to[1] - from[1], to[2] - from[2], normal_displacement];
@@ -52,12 +52,12 @@ fn centered(p: &[Point3<f64>; 3]) -> (Vector3<f64>, [Vector3<f64>; 3]) {
     (mean, p.map(|p| p.coords - mean))
 }
 
-/// Direction of the longest cross product of two of the displacements; `None` if they are all shorter than `still`.
+/// Direction of the longest cross product of two of the displacements; `None` if all are shorter than `still`.
 fn widest_cross_product(displacements: &[Vector3<f64>; 4], still: f64) -> Option<Unit<Vector3<f64>>> {
     if displacements.iter().all(|d| d.norm() <= still) {
         return None;
     }
-    // The three displacements of the corners sum to zero, so that any two of them have the same cross product.
+    // The three displacements of the corners sum to zero, so any two of them have the same cross product.
     let [a, b, c, normal] = displacements;
     let products = [a.cross(b), a.cross(normal), b.cross(normal), c.cross(normal)];
     let longest = products

@@ -129,7 +129,7 @@ fn shown(cell: &Cell, column: &Column) -> String {
     }
 }
 
-/// With `digits` decimals, or in scientific notation where all of these would be 0.
+/// A number with `digits` decimals, or in scientific notation where all of these would be 0.
 fn rounded(value: f64, digits: usize) -> String {
     let smallest = 0.5 * 10f64.powi(-(digits as i32));
     if value != 0.0 && value.abs() < smallest { format!("{value:.1e}") } else { format!("{value:.digits$}") }

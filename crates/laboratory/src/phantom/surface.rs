@@ -1,8 +1,8 @@
 //! A phantom as a closed triangle mesh: rings about the center line, joined by strips, closed by a fan at each tip.
 //!
-//! Rings lie at equal distances along the surface, and every ring has as many vertices as its girth holds edges, so
-//! that edges are about equally long everywhere. Two neighboring rings are joined by walking around both at once.
-//! The result is a sphere by construction: every strip is an annulus, every fan a disk.
+//! Rings lie at equal distances along the surface, and the number of vertices of a ring is proportional to its girth,
+//! so that edges have about the same length everywhere. Two neighboring rings are joined by walking around both at
+//! once. The result is a sphere by construction: every strip is an annulus, every fan a disk.
 
 use super::shape::Phantom;
 use super::{Part, PhantomError};
@@ -14,7 +14,7 @@ use std::f64::consts::{PI, TAU};
 const N_ALONG: usize = 2000;
 const N_AROUND: usize = 256;
 
-/// A phantom surface and which part every vertex belongs to.
+/// A phantom surface, with the part of every vertex.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PhantomSurface {
     /// Closed, genus 0, faces outwards, mm.
@@ -64,9 +64,9 @@ impl Phantom {
         Ok(PhantomSurface { mesh, parts })
     }
 
-    /// Shares `s` of the rings, about `row_mm` apart along the surface, the tips left out.
+    /// Shares `s` of the rings, about `row_mm` apart along the surface, excluding the tips.
     fn stations(&self, row_mm: f64) -> Vec<f64> {
-        // The cosine puts samples close where the ends are round.
+        // The cosine places samples densely where the ends are round.
         let s_of = |k: usize| (1.0 - (PI * k as f64 / N_ALONG as f64).cos()) / 2.0;
         // Lengths along four lines from tip to tip, averaged, so that a bend does not favor one side.
         let line = |k: usize| [0.0, 0.25, 0.5, 0.75].map(|turn| self.surface_point(s_of(k), TAU * turn));
@@ -103,7 +103,7 @@ impl Phantom {
             traveled.push(girth);
             last = next;
         }
-        // Five is the least at which a fan at a tip still looks like its neighbors.
+        // Five is the smallest number for which a fan at a tip resembles its neighbors.
         let n = ((girth / edge_mm).round() as usize).max(5);
         let offset = if staggered { 0.5 } else { 0.0 };
         let fractions: Vec<f64> = (0..n).map(|k| (k as f64 + offset) / n as f64).collect();
@@ -150,7 +150,7 @@ impl Ring {
 fn join(a: &Ring, b: &Ring, indices: &mut Vec<u32>) {
     let (mut i, mut j) = (0, 0);
     while i < a.len() || j < b.len() {
-        // The next corner is on the ring whose next vertex comes first around.
+        // The next corner is on the ring whose next vertex comes first around the axis.
         let on_a = j == b.len() || (i < a.len() && a.fraction(i + 1) <= b.fraction(j + 1));
         if on_a {
             indices.extend([a.vertex(i), a.vertex(i + 1), b.vertex(j)]);

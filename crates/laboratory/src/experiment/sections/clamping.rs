@@ -1,4 +1,4 @@
-//! Ablation: feedback from registration (clamping), and whether a larger neighborhood has the same effect.
+//! Ablation: feedback from registration (clamping), and a larger neighborhood as a replacement for it.
 
 use super::{
     About, Body, Experiment, INLIERS, MATCHED, PARTS, WITHIN_1, against, match_tables, on, pairs_of, sentences,

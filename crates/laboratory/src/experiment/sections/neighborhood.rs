@@ -1,4 +1,4 @@
-//! Neighborhood radius: how far apart the images of adjacent vertices may lie.
+//! Neighborhood radius: the largest distance between the images of adjacent vertices.
 
 use super::{About, Body, Experiment, WITHIN_1, WITHIN_2, both_kinds, matched, rate_series};
 use crate::experiment::document::{Axis, Plot, PlotKind};

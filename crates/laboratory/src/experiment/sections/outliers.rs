@@ -31,7 +31,7 @@ fn request() -> Value {
     json!({"registration": {"tolerance_mm": TOLERANCE_MM}})
 }
 
-/// The reasons of all source vertices, `none` where a vertex is no outlier.
+/// The reasons of all source vertices, `none` for vertices that are not outliers.
 fn reasons(outcome: &MatchOutcome) -> Vec<String> {
     let columns = serde_json::to_value(&outcome.correspondences).unwrap_or_default();
     let named = columns["outlier"].as_array().filter(|reasons| !reasons.is_empty());
@@ -74,7 +74,8 @@ fn planted(pair: &Pair, height_mm: f64, seed: u64, study: &Study<'_>) -> Result<
     let count = |wanted: &dyn Fn(usize) -> bool| (0..planted.len()).filter(|&i| wanted(i)).count() as f64;
     let both = count(&|i| planted[i] && flagged[i]);
     m.set("planted", count(&|i| planted[i]) / planted.len().max(1) as f64);
-    // Without synthetic outliers recall is undefined, without flags precision is; both are then left out.
+    // Without synthetic outliers recall is undefined; without flags precision is undefined. Undefined values are left
+    // out.
     m.set("recall", both / count(&|i| planted[i]));
     m.set("precision", both / count(&|i| flagged[i]));
     m.set("false_alarms", count(&|i| !planted[i] && flagged[i]) / count(&|i| !planted[i]));

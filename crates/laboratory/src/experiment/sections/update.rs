@@ -13,7 +13,7 @@ use serde_json::{Value, json};
 
 pub(in crate::experiment) struct Update;
 
-/// Iterations that are timed.
+/// Number of timed iterations.
 const ITERATIONS: u32 = 5;
 /// Number of vertices of a phantom with the default edge length.
 const DEFAULT_VERTICES: f64 = 2400.0;

@@ -1,4 +1,4 @@
-//! Reports on an input: its format, its topology, the repairs made, and whether it can be matched.
+//! Reports on an input: its format, its topology, its repairs, and its suitability for matching.
 
 use crate::parameters::Repair;
 use crate::result::UnreliableReason;
@@ -41,7 +41,7 @@ pub enum InputFormat {
 }
 
 impl InputFormat {
-    /// All formats, those of label volumes first.
+    /// All formats, label volumes first.
     pub const ALL: [InputFormat; 14] = [
         InputFormat::Nifti,
         InputFormat::Mgh,
@@ -113,7 +113,7 @@ pub enum InputSpace {
     FreesurferRas,
     /// Left, posterior, superior, as in DICOM and ITK; converted to RAS.
     Lps,
-    /// None, or one that is none of these.
+    /// Unstated, or another space.
     #[default]
     Unknown,
 }

@@ -1,4 +1,4 @@
-//! The result document of a match, in the form in which the service and the command line print it.
+//! The result document of a match, in the form printed by the service and the command line.
 
 use super::parameters::MatchParameters;
 use crate::input::{InputReport, InputWarning};
@@ -522,7 +522,7 @@ impl Correspondences {
         text
     }
 
-    /// These columns, with those that earlier versions did not write filled in. `None` if the lengths of the others differ.
+    /// These columns, with columns missing in earlier versions filled in. `None` if the lengths of the others differ.
     pub fn completed(mut self) -> Option<Self> {
         let n = self.source.len();
         if self.spread_mm.is_empty() {

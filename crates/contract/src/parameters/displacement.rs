@@ -57,7 +57,7 @@ pub enum Uncertainty {
     Residual,
 }
 
-/// Jobs that were stored before this parameter existed had no other choice.
+/// Value of stored jobs that predate this parameter: they had no other choice.
 #[cfg(feature = "serde")]
 fn near_isometry() -> Bending {
     Bending::NearIsometry
@@ -80,7 +80,7 @@ pub enum Bending {
     NearIsometry,
 }
 
-/// Jobs that were stored before this parameter existed used no prior.
+/// Value of stored jobs that predate this parameter: they used no prior.
 #[cfg(feature = "serde")]
 fn without_prior() -> Anatomy {
     Anatomy::Any

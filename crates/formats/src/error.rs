@@ -139,7 +139,7 @@ pub enum FormatError {
     /// The parser of the format rejected the data.
     #[error("the data of the {format} file are damaged{}; export the file again", line.map(|l| format!(" at line {l}")).unwrap_or_default())]
     Payload {
-        /// Which format.
+        /// The format.
         format: &'static str,
         /// The line, from 1, of text files.
         line: Option<usize>,

@@ -188,8 +188,8 @@ fn without_voxels(what: &'static str) -> FormatError {
     FormatError::Unsupported { what, advice: "save header and voxels in one .mha file" }
 }
 
-/// The three axes of space: all except those of size 1, of which the last are left out. `None` if more than three are
-/// larger.
+/// The three axes of space: all axes except those of size 1; the last of these are left out. `None` if more than three
+/// axes are larger.
 fn axes_of_space(sizes: &[f64]) -> Option<[usize; 3]> {
     let mut axes: Vec<usize> = (0..sizes.len()).collect();
     while axes.len() > 3 {

@@ -90,7 +90,7 @@ pub enum MeshError {
         /// The repeated vertex.
         vertex: u32,
     },
-    /// The number of indices is no multiple of the number of corners of a face.
+    /// The number of indices is not a multiple of the number of corners of a face.
     #[error("{n_indices} face indices do not divide into faces of {n_corners} corners")]
     RaggedFaces {
         /// Indices given.

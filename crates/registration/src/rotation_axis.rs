@@ -88,7 +88,7 @@ mod tests {
 
     const BOTH: [MinimalEstimator; 2] = [MinimalEstimator::Frame, MinimalEstimator::RotationAxis];
 
-    /// A triangle of which no angle is thin, mm.
+    /// A triangle without thin angles, mm.
     fn triple(seed: u64) -> Option<[Point3<f64>; 3]> {
         let p = cloud(seed, 3);
         let p = [p[0], p[1], p[2]];

@@ -198,7 +198,7 @@ fn folded(source: &SurfaceMesh, bent: &SurfaceMesh, matrix: &[[f64; 4]; 4]) -> f
     turned as f64 / source.n_faces().max(1) as f64
 }
 
-/// Which vertices a face uses.
+/// The vertices used by faces.
 fn used_vertices(mesh: &SurfaceMesh) -> Vec<bool> {
     let mut used = vec![false; mesh.n_vertices()];
     mesh.indices().iter().for_each(|&v| used[v as usize] = true);

@@ -172,7 +172,7 @@ mod tests {
 
     #[test]
     fn paths_across_an_edge_are_straight_in_the_plane() {
-        // A square of two triangles: the diagonal that is no edge.
+        // A square of two triangles: the diagonal that is not an edge.
         let square = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]].map(|[x, y]| Point3::new(x, y, 0.0));
         let mesh = SurfaceMesh::new(square.to_vec(), FaceArity::Triangle, vec![0, 1, 2, 0, 2, 3]).unwrap();
         let distance = Paths::new(&mesh).from(1);

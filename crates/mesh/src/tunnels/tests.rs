@@ -99,7 +99,7 @@ fn surfaces_without_tunnels_are_left_as_they_are() {
     assert_eq!(narrowest_tunnel(&tube), None);
 }
 
-/// `mesh` without the triangles of which all corners are within `radius` of one of `places`.
+/// `mesh` without the triangles whose corners all lie within `radius` of one of `places`.
 fn opened(mesh: &SurfaceMesh, places: &[Point3<f64>], radius: f64) -> SurfaceMesh {
     let near = |v: &u32| places.iter().any(|p| (p - mesh.vertices()[*v as usize]).norm() < radius);
     let kept = mesh.triangles().into_iter().filter(|t| !t.iter().all(near)).flatten().collect();

@@ -1,4 +1,4 @@
-//! Laws over random volumes, and shapes of which volume, area and curvature are known.
+//! Laws over random volumes, and shapes of known volume, area and curvature.
 
 use super::*;
 use crate::topology::{analyze, topology_report};

@@ -205,7 +205,7 @@ impl VoxelMask {
         self.dims
     }
 
-    /// Which voxels belong to the set, first index fastest.
+    /// Membership of each voxel in the set, first index fastest.
     pub fn voxels(&self) -> &[bool] {
         &self.voxels
     }

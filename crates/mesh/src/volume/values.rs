@@ -16,7 +16,7 @@ const TOGETHER: f64 = 1.0 / 3.0;
 /// Fewest values from which a conclusion is drawn: a few labels may all be specks.
 const FEWEST_VALUES: usize = 8;
 
-/// How the values of a volume are distributed in space.
+/// Spatial distribution of the values of a volume.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ValueStatistics {
     /// Different values other than 0.

@@ -334,7 +334,7 @@ mod tests {
             let phi = rows(variables.len());
             let mut cavity = vec![Lanes::splat(0.0); stride];
             let mut chains = Chains::new();
-            // In an order of their own, beyond which one is none.
+            // Labels in reverse order; the last place has no label.
             let n = stride - 1;
             let labels: Vec<f32> = (0..n).rev().map(|x| -(x as f32)).chain([f32::NEG_INFINITY]).collect();
             let phi: Vec<Vec<f32>> = phi.into_iter().map(|row| [&row[..n], &[0.0]].concat()).collect();

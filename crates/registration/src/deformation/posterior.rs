@@ -1,4 +1,4 @@
-//! The uncertainty of a displacement field of which single components are observed.
+//! The uncertainty of a displacement field with observations of single components.
 //!
 //! Distances along normals and differences of features observe one component of a displacement each, `⟨d_i, u(p_i)⟩ +
 //! ε_i`. For this number of observations the posterior of a Gaussian process can be computed exactly, without a basis:

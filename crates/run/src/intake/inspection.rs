@@ -73,7 +73,7 @@ pub fn inspect(
 /// The shape of a label's voxels.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct LabelShape {
-    /// Pieces that share no face of a voxel.
+    /// Pieces without a common voxel face.
     pub n_pieces: u32,
     /// Tunnels through the pieces.
     pub n_tunnels: u32,

@@ -32,7 +32,7 @@ pub(super) enum SiteUpdate {
     Descent,
 }
 
-/// How a sweep ended.
+/// Summary of a sweep.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct SweepEnd {
     /// Number of labels that changed.

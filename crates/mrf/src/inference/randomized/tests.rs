@@ -61,7 +61,7 @@ pub(super) fn on_threads<T: Send>(threads: usize, work: impl FnOnce() -> T + Sen
     rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap().install(work)
 }
 
-/// Says yes from the `after`-th question on.
+/// Asks to stop from the `after`-th question on.
 pub(super) struct CancelAfter(pub AtomicU32);
 
 impl Observer for CancelAfter {
@@ -321,7 +321,7 @@ fn annealing_ends_certified_at_a_target() {
         let outcome = annealing.run(&run, &Silent, |_| ()).unwrap();
         assert_eq!((outcome.stop, outcome.certified), (SearchStop::TargetReached, true));
         assert!(outcome.energy.total() <= lowest);
-        // From there it has nothing to do.
+        // From there nothing is left to improve.
         let again = annealing.run(&SearchRun { start: Some(&outcome.labeling), ..run }, &Silent, |_| ()).unwrap();
         assert_eq!((again.sweeps, again.certified), (0, true));
     }
